@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// A lesson as data: stages, their steps, and on each step text, mathematics, claims, questions and a scene.
+// The file format is in lessons/FORMAT.md.
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lessons/diagnostic.h"
+#include "render/scene/scene.h"
+
+namespace polhode {
+
+/// Prose between two fences: Markdown as written (inline $…$ included), without the block's own syntax.
+struct Prose {
+  std::string markdown;
+  SourcePlace place;
+};
+
+/// Display mathematics: ```math ID.
+struct Equation {
+  std::string id;
+  std::string tex;
+  std::string tag;  ///< of \tag{…}, e.g. "5"; empty: unnumbered
+  SourcePlace place;
+};
+
+enum class ClaimKind { identity, definition, law, motion, free, is_false, measured, non_sequitur };
+std::string_view name_of(ClaimKind kind);
+
+/// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. Expressions are kept as text
+/// here; the checker proves them (a later layer of lessons/).
+struct ClaimLine {
+  std::string left;
+  std::string right;
+  std::optional<double> within;  ///< of `measured`: relative tolerance after the word
+  SourcePlace place;
+};
+struct Claim {
+  std::string equation;  ///< id of an equation of the same stage
+  ClaimKind kind = ClaimKind::identity;
+  std::vector<ClaimLine> lines;
+  SourcePlace place;
+};
+
+/// What the lecture said, or meant: a block quote that opens with [!said] or [!meant].
+struct Callout {
+  enum class Kind { said, meant } kind = Kind::said;
+  std::string markdown;
+  SourcePlace place;
+};
+
+struct Ask {
+  enum class Type { expression, choice, predict, order };
+  std::string id;
+  Type type = Type::expression;
+  std::string prompt;
+  std::vector<std::string> choices;
+  std::vector<std::string> answers;  ///< an expression; or 1-based indices into choices, as text
+  std::string modulo;                ///< identity | motion | free; of expressions
+  std::vector<std::string> hints;
+  SourcePlace place;
+};
+
+using Block = std::variant<Prose, Equation, Claim, Callout, Ask>;
+
+/// A step adds blocks to what the stage already shows; its scene is complete (inherited keys filled in).
+struct Step {
+  std::vector<Block> blocks;
+  std::optional<Scene> scene;  ///< absent: text alone
+};
+
+struct Stage {
+  std::string id;
+  std::string title;
+  std::vector<Step> steps;  ///< at least one
+  SourcePlace place;
+};
+
+struct Symbol {
+  std::string tex;
+  std::string role;  ///< colour role
+  std::string say;   ///< spoken form
+  std::string unit;
+};
+
+struct Lesson {
+  std::string id;
+  std::string title;
+  std::map<std::string, Symbol> symbols;
+  std::vector<Stage> stages;
+
+  const Stage* find_stage(std::string_view stage_id) const;
+};
+
+}  // namespace polhode

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Draws figures off-screen: RGBA8, MSAA 4x, no driver-side sRGB conversion, so that bytes repeat.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "render/gl/context.h"
+#include "render/image/image.h"
+#include "render/scene/figure.h"
+
+namespace polhode {
+
+inline constexpr int kMaxImageSide = 16384;  ///< px; llvmpipe's limit
+
+/// studio: light gradient backdrop; paper FBFAF6; white; transparent: true alpha; or one colour.
+struct Background {
+  enum class Kind { studio, paper, white, transparent, color } kind = Kind::studio;
+  Color color;  ///< of Kind::color
+};
+/// studio | paper | white | transparent | #rrggbb; nothing otherwise.
+std::optional<Background> background_from(std::string_view text);
+
+/// Owns all GL objects; one per context, reused for every frame. Compiles its shaders once (0.2-0.4 s on llvmpipe).
+class Renderer {
+ public:
+  /// The error names the function, shader or font that is missing. `context` must outlive the renderer.
+  static Result<std::unique_ptr<Renderer>> create(const GlContext& context);
+  virtual ~Renderer() = default;
+
+  /// The error says what the driver refused (size, memory).
+  virtual Result<Image> draw(const Figure& figure, Size size, const Background& background) = 0;
+
+  /// GL_RENDERER and GL_VERSION of the driver, for manifests and failed goldens.
+  virtual std::string driver() const = 0;
+};
+
+}  // namespace polhode

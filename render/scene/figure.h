@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A scene at one time as lists to draw: one pane for each view.
+#pragma once
+
+#include <vector>
+
+#include "render/scene/camera.h"
+#include "render/scene/draw_list.h"
+#include "render/scene/model.h"
+
+namespace polhode {
+
+/// A pane covers a part of the picture; x, y, width, height are fractions of it, y from the top.
+struct Pane {
+  double x = 0, y = 0, width = 1, height = 1;
+  View view = View::space;
+  Camera camera;
+  DrawList list;
+};
+
+struct Figure {
+  std::vector<Pane> panes;
+};
+
+/// Pure: depends on the model and t alone. `aspect` = width / height of the picture.
+Figure make_figure(const SceneModel& model, double t_s, double aspect);
+
+}  // namespace polhode

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// A scene as an author states it: plain data, no motion computed, no graphics. model.h turns it into what is needed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "physics/bodies.h"
+#include "physics/torque.h"
+#include "render/scene/overlay.h"
+
+namespace polhode {
+
+enum class View { space, body };  ///< seen from S, or from B (the body stands still)
+
+/// L along −z of space (the invariable plane lies below), along +z, or the attitude given.
+enum class LPoints { down, up };
+using AttitudeSpec = std::variant<LPoints, Quat>;
+
+enum class Method { exact, uniform, symmetric, rk4 };  ///< exact: the best closed form there is for the body
+std::string_view name_of(Method method);
+std::optional<Method> method_from(std::string_view name);
+const std::vector<std::string>& method_names();
+
+struct MotionSpec {
+  Method method = Method::exact;
+  std::optional<double> step_s;  ///< of fixed-step methods
+  bool ghost = false;            ///< draw the exact body beside it
+  bool operator==(const MotionSpec&) const = default;
+};
+
+/// Orbit camera about the scene's centre. Angles in radians (degrees exist in lessons only). Elevation is measured
+/// from the horizontal plane of the view; distance is in units of the scene's radius; zoom narrows the field.
+struct CameraSpec {
+  double azimuth_rad = 0.6;
+  double elevation_rad = 0.35;
+  double distance = 4.2;
+  double zoom = 1.0;
+  bool operator==(const CameraSpec&) const = default;
+};
+
+struct Scene {
+  Body body{"textbook", PrincipalMoments(1.0, 1.75, 2.5), std::nullopt};
+  Vec3 w0_B{0.2, 0.1, 3.0};                      ///< rad/s at t = 0
+  std::optional<AttitudeSpec> attitude;          ///< at t = 0; absent: L down if the plane is shown, else L up
+  Torque torque;                                 ///< empty: torque-free
+  MotionSpec motion;
+  std::vector<View> views{View::space};          ///< one, or two side by side
+  OverlaySet show;
+  CameraSpec camera;
+  double at_s = 0.0;                             ///< the t of a still
+  std::optional<double> duration_s;              ///< what curves over time cover; absent: one polhode period or turn
+  std::optional<double> rate;                    ///< simulated seconds per shown second; absent: one period in 8 s
+  std::vector<std::string> highlight;            ///< ids of terms or names of overlays to stress
+  std::string caption;                           ///< one line in the picture
+};
+
+/// One term from its text: `space:x,y,z` | `body:x,y,z` | `heavy:MGR,ax,ay,az` | `damping:C` | `sink:C`.
+/// The error says what is wrong with the text. Used by `--torque` and by the scene key `torque`.
+std::variant<TorqueTerm, std::string> parse_torque_term(std::string_view text);
+
+/// A decimal or hexadecimal (0x1.8p+1) floating-point number filling the whole text, correctly rounded, independent
+/// of the locale; infinities and NaN are read as such. Nothing if the text is not a number.
+std::optional<double> parse_number(std::string_view text);
+
+}  // namespace polhode
