@@ -2,19 +2,64 @@
 // Files that appear whole under their final name, or not at all.
 #pragma once
 
+#include "render/result.h"
+
+#include <sys/types.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
 
-#include "render/result.h"
-
 namespace polhode {
 
-/// Writes to a temporary file in the same folder, then renames it over `path`. On failure the temporary file is
-/// gone, `path` is as it was, and the error names path and reason. Survives EINTR and short writes.
-Status write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+/// What is certain when write_file_atomically returns. A killed process leaves no partial file either way.
+enum class Durability {
+  rename_only,  ///< a power cut may lose the file or leave it empty, until sync_folder
+  sync,         ///< file and name are on disk: about 6 times fewer files a second
+};
+
+/// The operations of the file system, as POSIX has them: -1 and errno on failure. Tests make each of them
+/// fail.
+class FileOps {
+ public:
+  virtual ~FileOps() = default;
+  virtual int open(const char* path, int flags, mode_t mode) = 0;
+  virtual ssize_t write(int file, const void* bytes, std::size_t count) = 0;
+  virtual int fsync(int file) = 0;
+  virtual int syncfs(int file) = 0;
+  virtual int close(int file) = 0;
+  virtual int rename(const char* from, const char* to) = 0;
+  virtual int unlink(const char* path) = 0;
+};
+
+/// The real file system.
+class PosixFileOps final : public FileOps {
+ public:
+  int open(const char* path, int flags, mode_t mode) override;
+  ssize_t write(int file, const void* bytes, std::size_t count) override;
+  int fsync(int file) override;
+  int syncfs(int file) override;
+  int close(int file) override;
+  int rename(const char* from, const char* to) override;
+  int unlink(const char* path) override;
+};
+
+/// Temporary files begin with this; a killed process may leave one behind.
+inline constexpr const char* kTemporaryPrefix = ".polhode-";
+
+/// Writes to a temporary file in the same folder, then renames it over `path`. On failure the temporary file
+/// is gone, `path` is as it was, and the error names path and reason. (One exception: Durability::sync
+/// reports a folder that cannot be flushed although the file, whole, has its name by then.) Survives EINTR
+/// and short writes. A symbolic link stays, what it points to is replaced; a device or pipe (/dev/null,
+/// /dev/stdout) is written in place.
+Status write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
+                             Durability durability = Durability::rename_only);
+Status write_file_atomically(FileOps& files, const std::filesystem::path& path,
+                             std::span<const std::uint8_t> bytes, Durability durability);
 
 /// Flushes the file system that holds `folder` to disk (syncfs): call once after the last file of an export.
 Status sync_folder(const std::filesystem::path& folder);
+Status sync_folder(FileOps& files, const std::filesystem::path& folder);
 
 }  // namespace polhode

@@ -2,14 +2,14 @@
 // Comparison of two images by the golden rule.
 #pragma once
 
-#include <cstdint>
-
 #include "render/image/image.h"
+
+#include <cstdint>
 
 namespace polhode {
 
-/// The golden rule: equal size, at most 0.02 % of the pixels off by more than 3 levels in any channel, none by more
-/// than 48. Counting pixels catches what averages (RMS, SSIM) hide.
+/// The golden rule: equal size, at most 0.02 % of the pixels off by more than 3 levels in any channel, none
+/// by more than 48. Counting pixels catches what averages (RMS, SSIM) hide.
 inline constexpr int kGoldenLevels = 3;
 inline constexpr double kGoldenFraction = 2e-4;
 inline constexpr int kGoldenMax = 48;
@@ -17,15 +17,19 @@ inline constexpr int kGoldenMax = 48;
 struct Comparison {
   bool same_size = false;
   std::int64_t pixels = 0;
-  std::int64_t over_3 = 0;  ///< pixels with a channel (alpha included, values as stored) off by more than 3 levels
-  int max = 0;              ///< largest difference of any channel, levels
-  double over_fraction() const { return pixels ? static_cast<double>(over_3) / static_cast<double>(pixels) : 0.0; }
+  std::int64_t over_3 =
+      0;        ///< pixels with a channel (alpha included, values as stored) off by more than 3 levels
+  int max = 0;  ///< largest difference of any channel, levels
+  double over_fraction() const {
+    return pixels ? static_cast<double>(over_3) / static_cast<double>(pixels) : 0.0;
+  }
   bool equal() const { return same_size && over_fraction() <= kGoldenFraction && max <= kGoldenMax; }
 };
 
 Comparison compare_images(const Image& a, const Image& b);
 
-/// Where and how much they differ: `a` in pale grey, differing pixels in red, stronger where larger. Sizes may differ.
+/// Where and how much they differ: `a` in pale grey, differing pixels in red, stronger where larger. Sizes
+/// may differ.
 Image difference_image(const Image& a, const Image& b);
 
 }  // namespace polhode

@@ -20,7 +20,8 @@ struct Image {
 
   static Image blank(Size size);
   const std::uint8_t* pixel(int x, int y) const {
-    return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) + static_cast<std::size_t>(x))];
+    return &rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
+                      static_cast<std::size_t>(x))];
   }
 };
 

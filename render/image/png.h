@@ -2,6 +2,10 @@
 // PNG through libpng: metadata, resolution, limits on what is read.
 #pragma once
 
+#include "render/image/atomic_file.h"
+#include "render/image/image.h"
+#include "render/result.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -9,18 +13,19 @@
 #include <utility>
 #include <vector>
 
-#include "render/image/image.h"
-#include "render/result.h"
-
 namespace polhode {
 
+inline constexpr int kMaxPngSide = 16384;             ///< px, written and read
+inline constexpr int kMaxPngTextBytes = 1024 * 1024;  ///< of one text chunk, read
+
 struct PngMetadata {
-  std::vector<std::pair<std::string, std::string>> text;  ///< keyword, UTF-8 (tEXt if Latin-1, else iTXt), in order
-  int dpi = 0;                                            ///< pHYs; 0: none
+  std::vector<std::pair<std::string, std::string>>
+      text;     ///< keyword, UTF-8 (tEXt if Latin-1, else iTXt), in order
+  int dpi = 0;  ///< pHYs; 0: none
 };
 
-/// RGB if the image is opaque everywhere, else RGBA. The same image and metadata give the same bytes; no time stamp.
-/// 1080p frame: about 46 CPU ms (Sub filter, run-length deflate at level 1).
+/// RGB if the image is opaque everywhere, else RGBA. The same image and metadata give the same bytes; no time
+/// stamp. 1080p frame: about 46 CPU ms (Sub filter, run-length deflate at level 1).
 Result<std::vector<std::uint8_t>> encode_png(const Image& image, const PngMetadata& metadata);
 
 struct PngFile {
@@ -32,6 +37,7 @@ Result<PngFile> decode_png(std::span<const std::uint8_t> bytes);
 Result<PngFile> read_png(const std::filesystem::path& path);
 
 /// encode_png, then write_file_atomically.
-Status write_png(const std::filesystem::path& path, const Image& image, const PngMetadata& metadata);
+Status write_png(const std::filesystem::path& path, const Image& image, const PngMetadata& metadata,
+                 Durability durability = Durability::rename_only);
 
 }  // namespace polhode
