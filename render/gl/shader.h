@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Shader programs, and their uniforms by name.
+#pragma once
+
+#include "render/gl/functions.h"
+#include "render/result.h"
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace polhode {
+
+/// A linked vertex and fragment shader. `gl` must outlive it, and its context be current wherever it is used.
+/// Attribute locations come from `layout(location = …)` in the source.
+class Program {
+ public:
+  /// `name` is for messages ("body"). The error names program, stage and the driver's log.
+  /// The sources are complete: `#version 330 core` first.
+  static Result<Program> create(const Gl& gl, std::string name, std::string_view vertex,
+                                std::string_view fragment);
+  Program(Program&& other) noexcept;
+  Program& operator=(Program&& other) noexcept;
+  ~Program();
+
+  void use() const { gl_->UseProgram(handle_); }
+  GLuint handle() const { return handle_; }
+  const std::string& name() const { return name_; }
+
+  /// -1 if the program has no such uniform, or does not use it: setting that one does nothing.
+  GLint uniform(const char* name) const { return gl_->GetUniformLocation(handle_, name); }
+
+  // Each sets a uniform of this program, which must be in use. Matrices: columns first, as Eigen and GLSL
+  // store them.
+  void set(const char* name, int value) const;
+  void set(const char* name, float value) const;
+  void set(const char* name, float x, float y) const;
+  void set(const char* name, float x, float y, float z) const;
+  void set(const char* name, float x, float y, float z, float w) const;
+  void set(const char* name, const std::array<float, 2>& v) const { set(name, v[0], v[1]); }
+  void set(const char* name, const std::array<float, 3>& v) const { set(name, v[0], v[1], v[2]); }
+  void set(const char* name, const std::array<float, 4>& v) const { set(name, v[0], v[1], v[2], v[3]); }
+  void set_mat3(const char* name, std::span<const float, 9> columns) const;
+  void set_mat4(const char* name, std::span<const float, 16> columns) const;
+  /// An array of `components`-vectors (1, 3 or 4): name[0], name[1], …
+  void set_array(const char* name, int components, std::span<const float> values) const;
+  /// Binds a uniform block to a binding point; nothing if the program has no such block.
+  void bind_block(const char* name, GLuint binding) const;
+
+ private:
+  Program(const Gl& gl, std::string name, GLuint handle)
+      : gl_(&gl), name_(std::move(name)), handle_(handle) {}
+
+  const Gl* gl_;
+  std::string name_;
+  GLuint handle_;
+};
+
+}  // namespace polhode
