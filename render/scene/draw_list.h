@@ -21,15 +21,16 @@ struct Tube {
   bool closed = false;
   double radius = 0.01;
   Color color;
-  double fade_start = 1.0;  ///< alpha at the first point (trails fade in), 1 at the last
+  double fade_start = 1.0;  ///< factor of alpha at the first point (trails fade in), 1 at the last
   double dash = 0.0;        ///< length of a dash and of a gap; 0: solid
 };
 
 struct Arrow {
-  enum class Head { cone, open, double_cone } head = Head::cone;  ///< told apart without colour
+  enum class Head { cone, double_cone } head = Head::cone;  ///< with dash, tells arrows apart without colour
   Vec3 tail, tip;
   double radius = 0.02;
   Color color;
+  double dash = 0.0;  ///< as of Tube
 };
 
 /// Glass ellipsoid, ray-cast.
@@ -47,18 +48,18 @@ struct Ball {
   Color color;
 };
 
-/// Opaque lit mesh, flat or smooth by its normals.
+/// Lit mesh, flat or smooth by its normals. If `color` is translucent it is drawn after everything opaque.
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;
-  std::vector<Color> colors;
-  std::vector<unsigned> triangles;
+  std::vector<Vec3> normals;         ///< unit, one for each position
+  std::vector<unsigned> triangles;   ///< three indices each
+  Color color;
 };
 
-/// Horizontal plane with a grid, a soft shadow and a faint mirror image of the glass ellipsoid.
+/// Horizontal plane with a grid, and the soft shadow and faint mirror image of the first ellipsoid.
 struct Floor {
   double z = -1;
-  double grid = 0.5;
+  double grid = 0.5;  ///< spacing of the heavier lines; four lighter ones to each
 };
 
 struct Label {
@@ -84,8 +85,7 @@ struct DrawList {
   std::vector<Ball> balls;
   std::vector<Mesh> meshes;
   std::vector<Label> labels;
-  std::vector<Readout> readouts;
-  std::string caption;
+  std::vector<Readout> readouts;           ///< at most one
 };
 
 }  // namespace polhode

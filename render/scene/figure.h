@@ -2,6 +2,7 @@
 // A scene at one time as lists to draw: one pane for each view.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "render/scene/camera.h"
@@ -13,13 +14,14 @@ namespace polhode {
 /// A pane covers a part of the picture; x, y, width, height are fractions of it, y from the top.
 struct Pane {
   double x = 0, y = 0, width = 1, height = 1;
-  View view = View::space;
+  std::string title;  ///< names the frame where there are two panes
   Camera camera;
   DrawList list;
 };
 
 struct Figure {
   std::vector<Pane> panes;
+  std::string caption;
 };
 
 /// Pure: depends on the model and t alone. `aspect` = width / height of the picture.

@@ -48,6 +48,9 @@ struct SceneModel {
   Shape solid;
 };
 
+/// What the herpolhode covers from t = 0: `duration`, or three polhode periods.
+double herpolhode_span_s(const SceneModel& model);
+
 /// Chooses the cheapest motion that gives what is asked and computes the parts asked for.
 /// @throws std::domain_error if the body, the state or the chosen method cannot serve.
 SceneModel make_model(const Scene& scene);

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// The body itself as lit meshes: box, ellipsoid, cylinder, T-handle.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "physics/euler.h"
+#include "render/scene/builders/builders.h"
+#include "render/scene/palette.h"
+
+namespace polhode::builders {
+namespace {
+
+constexpr int kSegments = 64;
+constexpr double kAloneRadius = 0.95;   // of the sphere round a body that stands alone
+constexpr double kInsideGlass = 0.84;   // of the energy ellipsoid, for a body drawn in it
+constexpr Color kEdge = color_from_hex(0x6A6152);
+
+/// A part of a body in its own axes, to be placed in the view.
+struct Part {
+  Mesh mesh;
+  std::vector<Tube> edges;
+};
+
+void add_quad(Mesh& mesh, const std::array<Vec3, 4>& corners, const Vec3& normal) {
+  const auto first = static_cast<unsigned>(mesh.positions.size());
+  for (const Vec3& corner : corners) {
+    mesh.positions.push_back(corner);
+    mesh.normals.push_back(normal);
+  }
+  for (unsigned k : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.triangles.push_back(first + k);
+}
+
+Part box(const Vec3& half) {
+  Part part;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side : {-1, 1}) {
+      const Vec3 n = side * Vec3::Unit(axis);
+      const Vec3 u = half[(axis + 1) % 3] * Vec3::Unit((axis + 1) % 3);
+      const Vec3 v = side * half[(axis + 2) % 3] * Vec3::Unit((axis + 2) % 3);
+      const Vec3 c = half[axis] * n;
+      add_quad(part.mesh, {c - u - v, c + u - v, c + u + v, c - u + v}, n);
+      part.edges.push_back({.points = {c - u - v, c + u - v, c + u + v, c - u + v}, .closed = true,
+                            .radius = 0.006, .color = kEdge});
+    }
+  return part;
+}
+
+Vec3 on_circle(double turn, double rx, double ry, double z) {
+  const double a = 2.0 * std::numbers::pi * turn;
+  return {rx * std::cos(a), ry * std::sin(a), z};
+}
+
+/// Elliptic cylinder about its axis 3.
+Part cylinder(const Vec3& half) {
+  Part part;
+  std::array<Tube, 2> rims;
+  for (int i = 0; i < kSegments; ++i) {
+    const double t0 = static_cast<double>(i) / kSegments, t1 = static_cast<double>(i + 1) / kSegments;
+    const Vec3 a = on_circle(t0, half.x(), half.y(), -half.z()), b = on_circle(t1, half.x(), half.y(), -half.z());
+    const Vec3 up(0, 0, 2.0 * half.z());
+    add_quad(part.mesh, {a, b, b + up, a + up}, Vec3::Zero());
+    const Vec3 na = on_circle(t0, half.y(), half.x(), 0).normalized();
+    const Vec3 nb = on_circle(t1, half.y(), half.x(), 0).normalized();
+    const std::size_t last = part.mesh.normals.size();
+    part.mesh.normals[last - 4] = part.mesh.normals[last - 1] = na;
+    part.mesh.normals[last - 3] = part.mesh.normals[last - 2] = nb;
+    for (int side : {-1, 1}) {
+      const double z = side * half.z();
+      const Vec3 c(0, 0, z), p(a.x(), a.y(), z), q(b.x(), b.y(), z);
+      add_quad(part.mesh, {c, p, q, c}, side * Vec3::UnitZ());
+      rims[side > 0].points.push_back(p);
+    }
+  }
+  for (Tube& rim : rims) {
+    rim.closed = true;
+    rim.radius = 0.006;
+    rim.color = kEdge;
+    part.edges.push_back(rim);
+  }
+  return part;
+}
+
+Part ellipsoid(const Vec3& half) {
+  Part part;
+  const int rows = kSegments / 2;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= kSegments; ++i) {
+      const double polar = std::numbers::pi * j / rows;
+      Vec3 n = on_circle(static_cast<double>(i) / kSegments, std::sin(polar), std::sin(polar), std::cos(polar));
+      part.mesh.positions.push_back(half.cwiseProduct(n));
+      part.mesh.normals.push_back(n.cwiseQuotient(half).normalized());
+    }
+  const auto row = static_cast<unsigned>(kSegments + 1);
+  for (unsigned j = 0; j < static_cast<unsigned>(rows); ++j)
+    for (unsigned i = 0; i < static_cast<unsigned>(kSegments); ++i)
+      for (unsigned k : {j * row + i, (j + 1) * row + i, (j + 1) * row + i + 1, j * row + i,
+                         (j + 1) * row + i + 1, j * row + i + 1})
+        part.mesh.triangles.push_back(k);
+  for (int axis = 0; axis < 3; ++axis) {  // three great ellipses make the turning visible
+    Tube ring{.points = {}, .closed = true, .radius = 0.006, .color = kEdge};
+    for (int i = 0; i < kSegments; ++i) {
+      const Vec3 c = on_circle(static_cast<double>(i) / kSegments, 1.0, 1.0, 0.0);
+      const Vec3 turned(c[axis % 3], c[(axis + 1) % 3], c[(axis + 2) % 3]);
+      ring.points.push_back(half.cwiseProduct(turned) * 1.001);
+    }
+    part.edges.push_back(std::move(ring));
+  }
+  return part;
+}
+
+void turn_and_move(Part& part, const Quat& q, const Vec3& by) {
+  for (Vec3& p : part.mesh.positions) p = q * p + by;
+  for (Vec3& n : part.mesh.normals) n = q * n;
+  for (Tube& edge : part.edges)
+    for (Vec3& p : edge.points) p = q * p + by;
+}
+
+std::vector<Part> parts_of(const Shape& shape) {
+  const Vec3 half = 0.5 * shape.size_m;
+  switch (shape.kind) {
+    case ShapeKind::box: return {box(half)};
+    case ShapeKind::ellipsoid: return {ellipsoid(half)};
+    case ShapeKind::cylinder: return {cylinder(half)};
+    case ShapeKind::t_handle: break;
+  }
+  return {box(half)};
+}
+
+/// Largest factor by which the parts may grow and still lie within the ellipsoid of these semi-axes.
+double fit(const std::vector<Part>& parts, const Vec3& semi_axes) {
+  double reach = 0.0;
+  for (const Part& part : parts)
+    for (const Vec3& p : part.mesh.positions) reach = std::max(reach, p.cwiseQuotient(semi_axes).norm());
+  return reach > 0.0 ? 1.0 / reach : 1.0;
+}
+
+Vec3 room_for(const Moment& m) {
+  if (m.shows(Overlay::energy_ellipsoid) && m.two_T > 0.0)
+    return kInsideGlass * m.omega_scale * energy_ellipsoid_semi_axes(m.I(), m.two_T);
+  return Vec3::Constant(kAloneRadius);
+}
+
+}  // namespace
+
+void add_solid(const Moment& m, DrawList& list) {
+  if (!m.model.needs.solid) return;
+  std::vector<Part> parts = parts_of(m.model.solid);
+  const double scale = fit(parts, room_for(m));
+  for (Part& part : parts) {
+    for (Vec3& p : part.mesh.positions) p = m.q_VB * (scale * p);
+    for (Vec3& n : part.mesh.normals) n = m.q_VB * n;
+    for (Tube& edge : part.edges) {
+      for (Vec3& p : edge.points) p = m.q_VB * (scale * p);
+      list.tubes.push_back(std::move(edge));
+    }
+    part.mesh.color = kSolid;
+    list.meshes.push_back(std::move(part.mesh));
+  }
+}
+
+}  // namespace polhode::builders

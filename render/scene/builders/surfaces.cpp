@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Energy ellipsoid, momentum sphere and ellipsoid, invariable plane; body and space cones.
+#include <cmath>
+
+#include "physics/euler.h"
+#include "render/scene/builders/builders.h"
+#include "render/scene/palette.h"
+
+namespace polhode::builders {
+namespace {
+
+/// Translucent fan from the origin over a curve, both sides visible.
+Mesh fan(const std::vector<Vec3>& rim, bool closed, const Color& color) {
+  Mesh mesh;
+  mesh.color = color;
+  const std::size_t n = rim.size();
+  for (std::size_t i = 0; i + (closed ? 0 : 1) < n; ++i) {
+    const Vec3& a = rim[i];
+    const Vec3& b = rim[(i + 1) % n];
+    const Vec3 normal = a.cross(b).normalized();
+    const auto first = static_cast<unsigned>(mesh.positions.size());
+    for (const Vec3& p : {Vec3(Vec3::Zero()), a, b}) {
+      mesh.positions.push_back(p);
+      mesh.normals.push_back(normal);
+    }
+    for (unsigned k = 0; k < 3; ++k) mesh.triangles.push_back(first + k);
+  }
+  return mesh;
+}
+
+std::vector<Vec3> to_view(const Curve& curve, const Quat& q, double scale) {
+  std::vector<Vec3> points;
+  points.reserve(curve.points.size());
+  for (const Vec3& p : curve.points) points.push_back(q * (scale * p));
+  return points;
+}
+
+}  // namespace
+
+bool has_level_plane(const Scene& scene) {
+  const AttitudeSpec spec = scene.attitude.value_or(LPoints::down);
+  return scene.torque.empty() && std::holds_alternative<LPoints>(spec) &&
+         std::get<LPoints>(spec) == LPoints::down;
+}
+
+double plane_z(const Moment& m) {
+  if (m.model.scene.w0_B.isZero(0.0)) return -1.0;
+  return -invariable_plane_distance(m.I(), m.state.w_B) * m.omega_scale;
+}
+
+void add_surfaces(const Moment& m, DrawList& list) {
+  if (m.two_T <= 0.0) return;
+  if (m.shows(Overlay::energy_ellipsoid))
+    list.ellipsoids.push_back({.rotation = m.q_VB,
+                               .semi_axes = energy_ellipsoid_semi_axes(m.I(), m.two_T) * m.omega_scale,
+                               .tint = kGlassTint});
+  if (m.shows(Overlay::momentum_ellipsoid))
+    list.ellipsoids.push_back({.rotation = m.q_VB,
+                               .semi_axes = momentum_ellipsoid_semi_axes(m.I(), m.two_T) * m.L_scale,
+                               .tint = kGlassTint});
+  if (m.shows(Overlay::momentum_sphere))
+    list.ellipsoids.push_back({.rotation = m.q_VB,
+                               .semi_axes = Vec3::Constant(m.L_B.norm() * m.L_scale),
+                               .tint = kSphereTint,
+                               .graticule = false});
+  if (m.shows(Overlay::plane) && m.view == View::space && has_level_plane(m.model.scene))
+    list.floors.push_back({.z = plane_z(m)});
+}
+
+void add_cones(const Moment& m, DrawList& list) {
+  if (!m.model.needs.cones) return;
+  constexpr float kAlpha = 0.30F;
+  const auto translucent = [&](Color c) { return Color{c.r, c.g, c.b, kAlpha}; };
+  const Curve& polhode_B = m.model.polhode_B;
+  if (polhode_B.points.size() > 2)
+    list.meshes.push_back(fan(to_view(polhode_B, m.q_VB, m.omega_scale), polhode_B.closed,
+                              translucent(kPolhodeRole.paint)));
+  const Curve& herpolhode_S = m.model.herpolhode_S;
+  if (m.view == View::space && herpolhode_S.points.size() > 2)
+    list.meshes.push_back(fan(to_view(herpolhode_S, m.q_VS, m.omega_scale), herpolhode_S.closed,
+                              translucent(kHerpolhodeRole.paint)));
+}
+
+}  // namespace polhode::builders

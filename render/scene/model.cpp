@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene/model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "physics/euler.h"
+#include "physics/rk4_motion.h"
+#include "physics/symmetric_motion.h"
+#include "physics/uniform_motion.h"
+
+namespace polhode {
+namespace {
+
+constexpr double kHerpolhodePeriods = 3.0;  // enough for the annulus to show
+constexpr double kShownSecondsPerPeriod = 8.0;
+constexpr double kTurnsWithoutPeriod = 4.0;  // of ω, where torque leaves no polhode period
+constexpr int kStepsPerPeriod = 2000;        // RK4 then errs by about 1e-11 a period
+constexpr int kFamilySize = 4;               // polhodes on each side of the separatrix
+/// Chords stay within this part of the largest semi-axis: 0.1 px in a 1080p picture.
+constexpr double kChordTolerance = 2e-4;
+
+bool is_symmetric(const PrincipalMoments& I) { return I[0] == I[1] || I[1] == I[2] || I[2] == I[0]; }
+
+Quat turn_half_about_x() { return Quat(0.0, 1.0, 0.0, 0.0); }
+
+/// Shortest rotation that takes `from_B` to `to_S`; where that exceeds a quarter turn, a half turn about x comes
+/// first, so that the result is defined and continuous also for opposite directions.
+Quat align(const Vec3& from_B, const Vec3& to_S) {
+  if (from_B.isZero(0.0)) return Quat::Identity();
+  if (from_B.dot(to_S) >= 0.0) return Quat::FromTwoVectors(from_B, to_S);
+  const Quat half = turn_half_about_x();
+  return Quat::FromTwoVectors(half * from_B, to_S) * half;
+}
+
+Quat initial_attitude(const Scene& scene) {
+  const AttitudeSpec spec =
+      scene.attitude.value_or(scene.show.contains(Overlay::plane) ? LPoints::down : LPoints::up);
+  if (const Quat* given = std::get_if<Quat>(&spec)) return given->normalized();
+  const double z = std::get<LPoints>(spec) == LPoints::down ? -1.0 : 1.0;
+  return align(angular_momentum_B(scene.body.moments, scene.w0_B), Vec3(0.0, 0.0, z));
+}
+
+struct Choice {
+  std::unique_ptr<const Motion> motion;
+  std::string why;
+};
+
+double default_step_s(const Scene& scene) {
+  const double shortest = 2.0 * std::numbers::pi / std::max(scene.w0_B.norm(), 1e-300);
+  const double period = polhode_period(scene.body.moments, scene.w0_B).value_or(shortest);
+  return std::min(period / kStepsPerPeriod, shortest / 200.0);
+}
+
+Choice rk4(const Scene& scene, const RigidBodyState& start, std::string why) {
+  const double step_s = scene.motion.step_s.value_or(default_step_s(scene));
+  return {std::make_unique<Rk4Motion>(scene.body.moments, start, scene.torque, step_s), std::move(why)};
+}
+
+Choice uniform(const Scene& scene, const RigidBodyState& start) {
+  return {std::make_unique<UniformMotion>(scene.body.moments, start), "steady rotation: ω is constant, closed form"};
+}
+
+Choice symmetric(const Scene& scene, const RigidBodyState& start) {
+  return {std::make_unique<SymmetricMotion>(scene.body.moments, start),
+          "two moments are equal: symmetric top in closed form"};
+}
+
+/// The cheapest motion that is right for the body. The closed form for the asymmetric body belongs here, before RK4.
+Choice best(const Scene& scene, const RigidBodyState& start, const Requirements& needs) {
+  if (!scene.torque.empty())
+    return rk4(scene, start, "torque acts: no closed form, classical Runge-Kutta");
+  if (is_steady(scene.body.moments, scene.w0_B)) return uniform(scene, start);
+  if (is_symmetric(scene.body.moments)) return symmetric(scene, start);
+  return rk4(scene, start,
+             needs.attitude ? "asymmetric body with attitude: classical Runge-Kutta of 7 states"
+                            : "asymmetric body, no overlay asks for attitude: classical Runge-Kutta of ω alone");
+}
+
+Choice choose_motion(const Scene& scene, const RigidBodyState& start, const Requirements& needs) {
+  switch (scene.motion.method) {
+    case Method::exact: return best(scene, start, needs);
+    case Method::rk4: return rk4(scene, start, "the scene asks for it");
+    case Method::uniform:
+    case Method::symmetric: break;
+  }
+  if (!scene.torque.empty())
+    throw std::domain_error("method \"" + std::string(name_of(scene.motion.method)) +
+                            "\" is for torque-free motion; use \"rk4\"");
+  return scene.motion.method == Method::uniform ? uniform(scene, start) : symmetric(scene, start);
+}
+
+double span_of(const Scene& scene) {
+  if (scene.duration_s) return *scene.duration_s;
+  const double speed = scene.w0_B.norm();
+  const double turn_s = speed > 0.0 ? 2.0 * std::numbers::pi / speed : 1.0;
+  if (!scene.torque.empty()) return kTurnsWithoutPeriod * turn_s;
+  return polhode_period(scene.body.moments, scene.w0_B).value_or(turn_s);
+}
+
+/// Even steps of L²/2T between each extreme moment and the middle one.
+std::vector<double> family_levels(const PrincipalMoments& I) {
+  Vec3 sorted = I.vector();
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<double> levels;
+  for (int side = 0; side < 2; ++side)
+    for (int n = 1; n <= kFamilySize && sorted[side] < sorted[side + 1]; ++n)
+      levels.push_back(std::lerp(sorted[side], sorted[side + 1], (n - 0.5 * (1 - side) - 0.25) / kFamilySize));
+  return levels;
+}
+
+void compute_parts(SceneModel& model) {
+  const Scene& scene = model.scene;
+  const PrincipalMoments& I = scene.body.moments;
+  const double two_T = 2.0 * kinetic_energy(I, scene.w0_B);
+  const double tolerance = kChordTolerance * energy_ellipsoid_semi_axes(I, two_T).maxCoeff();
+  const bool moves = two_T > 0.0;
+
+  if (model.needs.polhode && moves) model.polhode_B = polhode(I, scene.w0_B, tolerance);
+  if (model.needs.polhode_family && moves)
+    model.family_B = polhode_family(I, two_T, family_levels(I), tolerance);
+  if (model.needs.separatrix && moves) model.separatrices_B = separatrices(I, two_T, tolerance);
+  if (model.needs.herpolhode && moves) model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(model), tolerance);
+  if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
+}
+
+}  // namespace
+
+double herpolhode_span_s(const SceneModel& model) {
+  return model.scene.duration_s ? model.span_s : kHerpolhodePeriods * model.span_s;
+}
+
+Requirements requirements(const Scene& scene) {
+  const OverlaySet& show = scene.show;
+  const auto shown = [&](Overlay o) { return show.contains(o); };
+  const bool in_space = std::find(scene.views.begin(), scene.views.end(), View::space) != scene.views.end();
+  const bool in_body = std::find(scene.views.begin(), scene.views.end(), View::body) != scene.views.end();
+  const bool body_seen_from_space =
+      in_space && (shown(Overlay::shape) || shown(Overlay::energy_ellipsoid) || shown(Overlay::momentum_sphere) ||
+                   shown(Overlay::momentum_ellipsoid) || shown(Overlay::omega) || shown(Overlay::L) ||
+                   shown(Overlay::N) || shown(Overlay::axes_body) || shown(Overlay::polhode) ||
+                   shown(Overlay::polhode_family) || shown(Overlay::separatrix) || shown(Overlay::cones));
+  Requirements needs;
+  needs.polhode = shown(Overlay::polhode) || shown(Overlay::cones);
+  needs.polhode_family = shown(Overlay::polhode_family);
+  needs.separatrix = shown(Overlay::separatrix);
+  needs.herpolhode = in_space && (shown(Overlay::herpolhode) || shown(Overlay::cones));
+  needs.trail_L = shown(Overlay::trail_L);
+  needs.trail_omega = shown(Overlay::trail_omega);
+  needs.cones = shown(Overlay::cones);
+  needs.solid = shown(Overlay::shape);
+  needs.attitude = body_seen_from_space || needs.herpolhode ||
+                   (in_space && (needs.trail_L || needs.trail_omega)) ||
+                   (in_body && shown(Overlay::axes_space)) || depends_on_attitude(scene.torque);
+  needs.omega = needs.attitude || shown(Overlay::omega) || shown(Overlay::L) || shown(Overlay::N) ||
+                needs.polhode || needs.trail_L || needs.trail_omega || shown(Overlay::plane) ||
+                shown(Overlay::values);
+  return needs;
+}
+
+std::vector<std::string> names_of(const Requirements& needs) {
+  std::vector<std::string> names;
+  const auto add = [&](bool needed, const char* name) {
+    if (needed) names.emplace_back(name);
+  };
+  add(needs.omega, "omega");
+  add(needs.attitude, "attitude");
+  add(needs.polhode, "polhode");
+  add(needs.polhode_family, "polhode-family");
+  add(needs.separatrix, "separatrix");
+  add(needs.herpolhode, "herpolhode");
+  add(needs.trail_L, "trail-L");
+  add(needs.trail_omega, "trail-omega");
+  add(needs.cones, "cones");
+  add(needs.solid, "solid");
+  return names;
+}
+
+SceneModel make_model(const Scene& scene) {
+  SceneModel model;
+  model.scene = scene;
+  model.needs = requirements(scene);
+  model.q0_SB = initial_attitude(scene);
+
+  Choice choice = choose_motion(scene, {model.q0_SB, scene.w0_B}, model.needs);
+  model.motion = std::move(choice.motion);
+  model.why = std::move(choice.why);
+
+  model.span_s = span_of(scene);
+  model.rate = scene.rate.value_or(model.span_s / kShownSecondsPerPeriod);
+  compute_parts(model);
+  return model;
+}
+
+}  // namespace polhode

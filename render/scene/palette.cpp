@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace polhode {
+
+Color family_color(double s) {
+  constexpr std::array<Color, 5> kStops = {color_from_hex(0x4C3A9E), color_from_hex(0x7F7CC4),
+                                           color_from_hex(0x8E9BAA), color_from_hex(0x4FA3B5),
+                                           color_from_hex(0x0A7486)};
+  const double place = std::clamp(s, 0.0, 1.0) * static_cast<double>(kStops.size() - 1);
+  const auto first = std::min(static_cast<std::size_t>(place), kStops.size() - 2);
+  const auto f = static_cast<float>(place - static_cast<double>(first));
+  const Color& a = kStops[first];
+  const Color& b = kStops[first + 1];
+  return {std::lerp(a.r, b.r, f), std::lerp(a.g, b.g, f), std::lerp(a.b, b.b, f), 1.0F};
+}
+
+}  // namespace polhode
