@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
 // A motion of a rigid body as a function of time.
+//
+// Implementations: uniform_motion.h (steady rotation), symmetric_motion.h (two equal moments), rk4_motion.h
+// (any body, any torque, fixed step). The torque-free asymmetric body in closed form, with the separatrix,
+// will be asymmetric_motion.h: it starts from polhode_constants.h, which holds what it shares with the
+// polhode curve. Which of them serves a scene is chosen in render/scene/model.h and nowhere else.
 #pragma once
+
+#include "physics/state.h"
 
 #include <optional>
 #include <string_view>
 
-#include "physics/state.h"
-
 namespace polhode {
 
-/// Pure and random-access: at(t) depends on the motion and t alone, never on the times asked before; any sign of t;
-/// safe to call from several threads. Never throws once constructed.
+/// Pure and random-access: at(t) depends on the motion and t alone, never on the times asked before; any sign
+/// of t; safe to call from several threads. Never throws once constructed, except for lack of memory. At
+/// times it cannot reach (see the implementation) every component of the answer is NaN.
 class Motion {
  public:
   virtual ~Motion() = default;

@@ -11,4 +11,8 @@ struct RigidBodyState {
   Vec3 w_B = Vec3::Zero();       ///< angular velocity, rad/s, body components
 };
 
+/// The state with q_SB scaled to unit length.
+/// @throws std::domain_error if ω or q is not finite, or q is zero.
+RigidBodyState checked(const RigidBodyState& state);
+
 }  // namespace polhode

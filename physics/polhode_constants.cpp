@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "physics/polhode_constants.h"
+
+#include "physics/uniform_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace polhode {
+namespace {
+
+// Unevaluated sum hi + lo, |lo| ≤ ε|hi|: Dekker 1971; fma gives the exact rounding error of a product.
+struct DoubleDouble {
+  double hi, lo;
+};
+
+DoubleDouble two_sum(double x, double y) {
+  const double sum = x + y;
+  const double y_part = sum - x;
+  return {sum, (x - (sum - y_part)) + (y - y_part)};
+}
+
+DoubleDouble times(DoubleDouble x, double y) {
+  const double product = x.hi * y;
+  return two_sum(product, std::fma(x.hi, y, -product) + x.lo * y);
+}
+
+DoubleDouble minus(DoubleDouble x, DoubleDouble y) {
+  const DoubleDouble high = two_sum(x.hi, -y.hi);
+  const DoubleDouble low = two_sum(x.lo, -y.lo);
+  const DoubleDouble sum = two_sum(high.hi, high.lo + low.hi);
+  return two_sum(sum.hi, sum.lo + low.lo);
+}
+
+// I_far |I_far − I_mid| ω²: one half of D.
+DoubleDouble half_of_D(double I_far, double I_mid, double w) {
+  const DoubleDouble difference = two_sum(std::max(I_far, I_mid), -std::min(I_far, I_mid));
+  return times(times(times(difference, I_far), w), w);
+}
+
+struct Side {
+  double sign;    // of D
+  double root_D;  // √|D|
+};
+
+// D = I3(I3 − I2)ω3² − I1(I2 − I1)ω1², with ω1, ω3 scaled by their own power of two lest their squares
+// underflow.
+Side side_of_separatrix(double I1, double I2, double I3, double w1, double w3) {
+  const double largest = std::max(std::abs(w1), std::abs(w3));
+  const int e = largest > 0 ? std::ilogb(largest) : 0;
+  const DoubleDouble D =
+      minus(half_of_D(I3, I2, std::scalbn(w3, -e)), half_of_D(I1, I2, std::scalbn(w1, -e)));
+  const double sign = D.hi == 0 ? 0.0 : std::copysign(1.0, D.hi);
+  return {sign, std::scalbn(std::sqrt(std::abs(D.hi)), e)};
+}
+
+Vec3 scaled(const Vec3& v, int e) {
+  return v.unaryExpr([e](double x) { return std::scalbn(x, e); });
+}
+
+// Moments and ω scaled to about 1.
+PolhodeConstants constants_scaled(const Vec3& I, const Vec3& w_B, const std::array<int, 3>& axes) {
+  const Side side = side_of_separatrix(I[axes[0]], I[axes[1]], I[axes[2]], w_B[axes[0]], w_B[axes[2]]);
+  PolhodeConstants p;
+  p.sigma = side.sign < 0 ? -1.0 : 1.0;
+  p.a = side.sign < 0 ? axes[2] : axes[0];
+  p.b = axes[1];
+  p.c = side.sign < 0 ? axes[0] : axes[2];
+  p.sign_c = w_B[p.c] < 0 ? -1.0 : 1.0;
+  p.sign_b = parity(p.a, p.b) * p.sign_c;
+
+  const double I_a = I[p.a], I_b = I[p.b], I_c = I[p.c];
+  const double d_ca = std::abs(I_c - I_a), d_cb = std::abs(I_c - I_b), d_ba = std::abs(I_b - I_a);
+  const double P = std::hypot(w_B[p.a] * std::sqrt(I_a * d_ca), w_B[p.b] * std::sqrt(I_b * d_cb));
+  const double R = std::hypot(w_B[p.b] * std::sqrt(I_b * d_ba), w_B[p.c] * std::sqrt(I_c * d_ca));
+  p.A = P / std::sqrt(I_a * d_ca);
+  p.B = P / std::sqrt(I_b * d_cb);
+  p.C = R / std::sqrt(I_c * d_ca);
+  p.k = std::min(1.0, P / R * std::sqrt(d_ba / d_cb));
+  p.kp = std::min(1.0, side.root_D * std::sqrt(d_ca / d_cb) / R);
+  p.lambda = R * std::sqrt(d_cb / I_a / I_b / I_c);
+  return p;
+}
+
+}  // namespace
+
+std::array<int, 3> sorted_axes(const PrincipalMoments& I) {
+  std::array<int, 3> axes{0, 1, 2};
+  std::stable_sort(axes.begin(), axes.end(), [&I](int i, int j) { return I[i] < I[j]; });
+  return axes;
+}
+
+double parity(int a, int b) { return (a + 1) % 3 == b ? 1.0 : -1.0; }
+
+std::optional<PolhodeConstants> polhode_constants(const PrincipalMoments& I, const Vec3& w_B) {
+  if (is_steady(I, w_B)) return std::nullopt;
+  const int e_I = std::ilogb(I.vector().maxCoeff());
+  const int e_w = std::ilogb(w_B.cwiseAbs().maxCoeff());
+  PolhodeConstants p = constants_scaled(scaled(I.vector(), -e_I), scaled(w_B, -e_w), sorted_axes(I));
+  for (double* rate : {&p.A, &p.B, &p.C, &p.lambda}) *rate = std::scalbn(*rate, e_w);
+  return p;
+}
+
+double complete_elliptic_K(double kp) {
+  double a = 1.0;
+  double g = kp;
+  for (int i = 0; i < kMaxAgmSteps && std::abs(a - g) > 0x1p-27 * a; ++i) {
+    const double mean = 0.5 * (a + g);
+    g = std::sqrt(a * g);
+    a = mean;
+  }
+  return std::numbers::pi / (a + g);  // one more arithmetic mean: the error is squared
+}
+
+}  // namespace polhode
