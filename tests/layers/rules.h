@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The arrows of ARCHITECTURE.md as rules on source text: which layer may include what, and what libraries
+// never do. To let a layer see something new, add it to the table in rules.cpp, and to ARCHITECTURE.md.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode::layers {
+
+/// One `#include`: the name without its quotes or brackets, or the macro that stands for it
+/// (`FT_FREETYPE_H`).
+struct Include {
+  std::string name;
+  int line = 1;
+  bool operator==(const Include&) const = default;
+};
+
+/// A broken rule; `line` counts from 1.
+struct Finding {
+  std::string file;
+  int line = 1;
+  std::string message;
+};
+
+/// `text` with comments and the insides of string and character literals (raw ones too) blanked; as many
+/// lines as before. The operands of `#include` are kept.
+std::string code_of(std::string_view text);
+
+/// Every `#include` of the file, in order; commented-out ones are none.
+std::vector<Include> includes_of(std::string_view text);
+
+/// Everything in the C++ file at `path` (relative to the repository) that breaks a rule: an include that its
+/// layer may not see, a library that prints or exits, a header without `#pragma once`.
+std::vector<Finding> broken_rules(const std::string& path, std::string_view text);
+
+/// Whether the licence is named on the first line, or on the second below `#!`.
+bool names_licence(std::string_view text);
+
+}  // namespace polhode::layers

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The rules refuse what they are there to refuse: every arrow that must not exist, made up.
+#include "tests/layers/rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode::layers {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+std::vector<std::string> messages(const std::string& path, std::string_view text) {
+  std::vector<std::string> all;
+  for (const Finding& finding : broken_rules(path, text)) {
+    all.push_back(std::to_string(finding.line) + ": " + finding.message);
+  }
+  return all;
+}
+
+TEST(Includes, AreReadWithTheirLines) {
+  EXPECT_THAT(
+      includes_of("// one\n#include \"physics/state.h\"\n\n  #  include <vector>\n#include FT_FREETYPE_H\n"),
+      ElementsAre(Include{"physics/state.h", 2}, Include{"vector", 4}, Include{"FT_FREETYPE_H", 5}));
+}
+
+TEST(Includes, InCommentsAndTextAreNone) {
+  EXPECT_THAT(
+      includes_of("// #include <a>\n/*\n#include <b>\n*/\nauto t = R\"(\n#include <c>\n)\";\n#include <d>"),
+      ElementsAre(Include{"d", 8}));
+}
+
+TEST(Code, KeepsLinesAndBlanksCommentsAndLiterals) {
+  EXPECT_EQ(code_of("int a = 1'000;  // exit(1)\nf(\"exit(\\\"1\", 'x');\n"),
+            "int a = 1'000;            \nf(          ,    );\n");
+}
+
+struct Forbidden {
+  const char* path;
+  const char* include;
+};
+void PrintTo(const Forbidden& forbidden, std::ostream* out) {
+  *out << forbidden.path << " <- " << forbidden.include;
+}
+
+class ForbiddenInclude : public testing::TestWithParam<Forbidden> {};
+
+TEST_P(ForbiddenInclude, IsRefused) {
+  const std::string name = GetParam().include;
+  const bool is_ours =
+      name.find('/') != name.npos && name.ends_with(".h") && !name.starts_with("G") && !name.starts_with("E");
+  const std::string text = "#pragma once\n#include " + (is_ours ? '"' + name + '"' : '<' + name + '>') + '\n';
+  EXPECT_THAT(messages(GetParam().path, text),
+              ElementsAre(testing::AllOf(testing::StartsWith("2: "), testing::HasSubstr(name))));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Arrows, ForbiddenInclude,
+    testing::Values(
+        Forbidden{"physics/a.cpp", "render/scene/scene.h"}, Forbidden{"physics/a.cpp", "render/result.h"},
+        Forbidden{"physics/a.cpp", "lessons/lesson.h"}, Forbidden{"physics/a.cpp", "fmt/format.h"},
+        Forbidden{"physics/a.cpp", "unistd.h"}, Forbidden{"physics/a.cpp", "fstream"},
+        Forbidden{"render/result.h", "physics/types.h"},
+        Forbidden{"render/scene/a.cpp", "render/gl/context.h"},
+        Forbidden{"render/scene/a.cpp", "render/type/font.h"},
+        Forbidden{"render/scene/a.cpp", "lessons/lesson.h"},
+        Forbidden{"render/scene/a.cpp", "GL/glcorearb.h"},
+        Forbidden{"render/type/a.cpp", "render/scene/scene.h"},
+        Forbidden{"render/type/a.cpp", "physics/types.h"},
+        Forbidden{"render/image/a.cpp", "render/gl/context.h"},
+        Forbidden{"render/image/a.cpp", "render/scene/scene.h"},
+        Forbidden{"render/image/a.cpp", "Eigen/Core"}, Forbidden{"render/gl/a.cpp", "lessons/lesson.h"},
+        Forbidden{"render/gl/a.cpp", "physics/motion.h"}, Forbidden{"render/gl/a.cpp", "app/commands.h"},
+        Forbidden{"render/gl/a.cpp", "iostream"}, Forbidden{"render/gl/a.cpp", "GLFW/glfw3.h"},
+        Forbidden{"lessons/a.cpp", "render/gl/context.h"}, Forbidden{"lessons/a.cpp", "render/image/image.h"},
+        Forbidden{"lessons/a.cpp", "filesystem"}, Forbidden{"lessons/a.cpp", "nlohmann/json.hpp"},
+        Forbidden{"lessons/a.cpp", "CLI/CLI.hpp"}, Forbidden{"app/export.cpp", "GLFW/glfw3.h"},
+        Forbidden{"app/export.cpp", "imgui.h"}, Forbidden{"app/export.cpp", "GL/glcorearb.h"},
+        Forbidden{"app/export.cpp", "tests/layers/rules.h"}, Forbidden{"tests/app/a.cpp", "GLFW/glfw3.h"}),
+    [](const auto& tested) {
+      std::string name = std::string(tested.param.path) + "_" + tested.param.include;
+      for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+      return name;
+    });
+
+TEST(AllowedInclude, PassesInEachLayer) {
+  EXPECT_THAT(
+      messages("physics/a.cpp", "#include \"physics/types.h\"\n#include <Eigen/Core>\n#include <vector>\n"),
+      IsEmpty());
+  EXPECT_THAT(messages("render/scene/a.cpp", "#include \"physics/types.h\"\n#include \"render/result.h\"\n"),
+              IsEmpty());
+  EXPECT_THAT(messages("render/type/a.cpp", "#include <ft2build.h>\n#include FT_FREETYPE_H\n"), IsEmpty());
+  EXPECT_THAT(messages("render/image/a.cpp", "#include <png.h>\n#include <fcntl.h>\n"), IsEmpty());
+  EXPECT_THAT(messages("render/gl/a.cpp", "#include \"render/scene/scene.h\"\n#include <EGL/egl.h>\n"),
+              IsEmpty());
+  EXPECT_THAT(messages("lessons/a.cpp", "#include \"render/scene/scene.h\"\n#include <toml++/toml.h>\n"),
+              IsEmpty());
+  EXPECT_THAT(messages("app/window_context.cpp", "#include <GLFW/glfw3.h>\n#include <imgui.h>\n"), IsEmpty());
+  EXPECT_THAT(messages("app/a.cpp", "#include \"render/gl/context.h\"\n#include <iostream>\n"), IsEmpty());
+}
+
+TEST(Library, NeitherPrintsNorExits) {
+  for (const std::string call :
+       {"std::cout << 1;", "std::cerr << 1;", "printf(\"\");", "std::fprintf(stderr, \"\");", "puts(\"\");",
+        "exit(1);", "std::exit (1);", "::_exit(1);", "std::abort();"}) {
+    EXPECT_THAT(messages("physics/a.cpp", "void f() {\n  " + call + "\n}\n"), testing::SizeIs(1)) << call;
+    EXPECT_THAT(messages("app/a.cpp", "void f() {\n  " + call + "\n}\n"), IsEmpty()) << call;
+  }
+}
+
+TEST(Library, MayWriteIntoTextAndHaveMembersOfTheseNames) {
+  EXPECT_THAT(
+      messages("render/gl/a.cpp", "snprintf(b, 9, \"%d\", 1);\nscope.exit();\np->abort();\non_exit(f);\n"),
+      IsEmpty());
+}
+
+TEST(Header, NeedsPragmaOnce) {
+  EXPECT_THAT(messages("physics/a.h", "int f();\n"), testing::SizeIs(1));
+  EXPECT_THAT(messages("physics/a.h", "#pragma once\nint f();\n"), IsEmpty());
+}
+
+TEST(File, OutsideEveryLayerIsRefused) { EXPECT_THAT(messages("util/a.cpp", ""), testing::SizeIs(1)); }
+
+TEST(Licence, IsNamedOnTheFirstLineOrBelowTheShebang) {
+  EXPECT_TRUE(names_licence("// SPDX-License-Identifier: MIT\n"));
+  EXPECT_TRUE(names_licence("#!/bin/sh\n# SPDX-License-Identifier: MIT\n"));
+  EXPECT_FALSE(names_licence(""));
+  EXPECT_FALSE(names_licence("\n// SPDX-License-Identifier: MIT\n"));
+  EXPECT_FALSE(names_licence("// SPDX-License-Identifier: GPL-3.0\n"));
+}
+
+}  // namespace
+}  // namespace polhode::layers

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The sources as they are keep the rules of rules.h.
+#include "tests/layers/rules.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace polhode::layers {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Source {
+  std::string path;  ///< relative to the repository
+  std::string text;
+};
+
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// Every file of ours whose name ends in one of `endings`.
+std::vector<Source> sources(const std::vector<std::string>& endings) {
+  const fs::path root = POLHODE_SOURCE_DIR;
+  std::vector<Source> found;
+  for (const char* folder : {"app", "assets", "cmake", "lessons", "physics", "render", "tests"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string path = fs::relative(entry.path(), root).generic_string();
+      const auto ends = [&](const std::string& ending) { return path.ends_with(ending); };
+      if (entry.is_regular_file() && std::ranges::any_of(endings, ends)) {
+        found.push_back({path, text_of(entry.path())});
+      }
+    }
+  }
+  return found;
+}
+
+TEST(Sources, KeepTheArrowsBetweenTheLayers) {
+  const std::vector<Source> files = sources({".h", ".cpp"});
+  ASSERT_GT(files.size(), 40u) << "looked in " << POLHODE_SOURCE_DIR;
+  for (const Source& file : files) {
+    for (const Finding& finding : broken_rules(file.path, file.text)) {
+      ADD_FAILURE() << finding.file << ':' << finding.line << ": " << finding.message;
+    }
+  }
+}
+
+TEST(Sources, NameTheirLicence) {
+  std::vector<Source> files =
+      sources({".h", ".cpp", ".sh", ".py", ".cmake", "CMakeLists.txt", "packages.txt"});
+  const fs::path root = POLHODE_SOURCE_DIR;
+  for (const char* path : {"CMakeLists.txt", "play", "check", ".ci/run"})
+    files.push_back({path, text_of(root / path)});
+  for (const Source& file : files) {
+    EXPECT_TRUE(names_licence(file.text)) << file.path << " does not begin with SPDX-License-Identifier: MIT";
+  }
+}
+
+}  // namespace
+}  // namespace polhode::layers
