@@ -97,7 +97,7 @@ set_up() {
   for name in "${unknown[@]}"; do
     case $name in
       *\?) say "left out: this release has no package ${name%\?}" ;;
-      *) fail "this release has no package $name (on Ubuntu: is \"universe\" switched on?)" ;;
+      *) fail "apt knows no package $name: its lists could not be fetched, or this release has none (Ubuntu: \"universe\" is off?)" ;;
     esac
   done
 
