@@ -1,2 +1,37 @@
 // SPDX-License-Identifier: MIT
-int main() { return 0; }
+#include "app/commands.h"
+#include "app/picture_metadata.h"
+#include "app/usage.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+
+int main(int argc, char** argv) {
+  using namespace polhode;
+  CLI::App app("Lecture companion for the rotation of a rigid body.", "polhode");
+  Action action;
+  describe_program(app);
+  for (const auto add : {add_list, add_export, add_lint, add_info, add_trace, add_compare}) add(app, action);
+
+  try {
+    app.parse(argc, argv);
+    if (!action) throw CommandError(ExitCode::usage, "a command is needed; see: polhode --help");
+    ExitCode code = action();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw CommandError(ExitCode::failed, "cannot write to stdout");
+    return static_cast<int>(code);
+  } catch (const CLI::ParseError& error) {
+    return static_cast<int>(report(app, error));
+  } catch (const CommandError& error) {
+    fmt::print(stderr, "polhode: {}\n", error.what());
+    return static_cast<int>(error.code);
+  } catch (const std::domain_error& error) {
+    fmt::print(stderr, "polhode: {}\n", error.what());
+    return static_cast<int>(ExitCode::invalid);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "polhode: {}\n", error.what());
+    return static_cast<int>(ExitCode::failed);
+  }
+}

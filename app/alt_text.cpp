@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "app/alt_text.h"
+
+#include "physics/euler.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace polhode {
+
+namespace {
+
+std::string words_of(Overlay overlay) {
+  switch (overlay) {
+    case Overlay::shape:
+      return "the solid body";
+    case Overlay::energy_ellipsoid:
+      return "the energy ellipsoid";
+    case Overlay::momentum_sphere:
+      return "the sphere of constant angular momentum";
+    case Overlay::momentum_ellipsoid:
+      return "the momentum ellipsoid";
+    case Overlay::omega:
+      return "the angular velocity ω";
+    case Overlay::L:
+      return "the angular momentum L";
+    case Overlay::N:
+      return "the torque N";
+    case Overlay::axes_body:
+      return "the body axes 1, 2, 3";
+    case Overlay::axes_space:
+      return "the space axes x, y, z";
+    case Overlay::polhode:
+      return "the polhode";
+    case Overlay::polhode_family:
+      return "the family of polhodes of the same energy";
+    case Overlay::separatrix:
+      return "the separatrices";
+    case Overlay::herpolhode:
+      return "the herpolhode";
+    case Overlay::plane:
+      return "the invariable plane";
+    case Overlay::trail_L:
+      return "the trail of the tip of L";
+    case Overlay::trail_omega:
+      return "the trail of the tip of ω";
+    case Overlay::cones:
+      return "the body cone and the space cone";
+    case Overlay::labels:
+      break;  // names of the rest
+    case Overlay::values:
+      return "the computed values";
+  }
+  return "";
+}
+
+std::string view_words(const std::vector<View>& views) {
+  if (views.size() > 1) return "Seen from space and from the body, side by side";
+  return !views.empty() && views.front() == View::body ? "Seen from the body" : "Seen from space";
+}
+
+std::string shown_words(const OverlaySet& show) {
+  std::vector<std::string> words;
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const auto overlay = static_cast<Overlay>(i);
+    if (show.contains(overlay) && !words_of(overlay).empty()) words.push_back(words_of(overlay));
+  }
+  if (words.empty()) return "nothing";
+  const std::string last = words.back();
+  words.pop_back();
+  return words.empty() ? last : fmt::format("{} and {}", fmt::join(words, ", "), last);
+}
+
+std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s) {
+  const Vec3 L_B = angular_momentum_B(I, w_B);
+  const double angle_deg = std::atan2(w_B.cross(L_B).norm(), w_B.dot(L_B)) * 180.0 / std::numbers::pi;
+  std::string text = fmt::format("At t = {:.4g} s the body turns at {:.3g} rad/s", t_s, w_B.norm());
+  if (!w_B.isZero(0.0)) text += fmt::format(", with ω {:.2g}° away from L", angle_deg);
+  return text + '.';
+}
+
+}  // namespace
+
+std::string alt_text(const Stage& stage, const Scene& scene, const Vec3& w_B, double t_s) {
+  std::string text =
+      fmt::format("{}. {}: {}. ", stage.title, view_words(scene.views), shown_words(scene.show));
+  if (!scene.caption.empty()) text += scene.caption + (scene.caption.ends_with('.') ? " " : ". ");
+  const Vec3& I = scene.body.moments.vector();
+  text += fmt::format("The body is \"{}\" with principal moments {:.4g}, {:.4g}, {:.4g} kg m². ",
+                      scene.body.name, I[0], I[1], I[2]);
+  return text + moment_words(scene.body.moments, w_B, t_s);
+}
+
+}  // namespace polhode

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The sub-commands, one per source file. Each adds its options to the parser and, when the user names it,
+// sets the action that main runs once the whole line is parsed.
+#pragma once
+
+#include "app/exit_codes.h"
+
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace polhode {
+
+/// Results on stdout, messages on stderr. @throws CommandError
+using Action = std::function<ExitCode()>;
+
+void add_list(CLI::App& app, Action& action);
+void add_export(CLI::App& app, Action& action);
+void add_lint(CLI::App& app, Action& action);
+void add_info(CLI::App& app, Action& action);
+void add_trace(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+
+}  // namespace polhode

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// How the program ends; scripts rely on these numbers.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace polhode {
+
+enum class ExitCode : int {
+  done = 0,
+  failed = 1,        ///< while running: a missing file, font or context, a full disk
+  usage = 2,         ///< unknown command, option, lesson id, stage, method; malformed number, bad size
+  invalid = 3,       ///< the lesson, the body or the state cannot be (NaN too)
+  different = 4,     ///< compared, and not the same
+  interrupted = 130  ///< SIGINT
+};
+
+/// Ends a command; main prints `what()` on stderr after "polhode: " and exits with `code`. The text is one
+/// sentence for a user: what was found, what was expected, what to do. Empty: the command has said all
+/// itself.
+struct CommandError : std::runtime_error {
+  CommandError(ExitCode exit_code, const std::string& text) : std::runtime_error(text), code(exit_code) {}
+  ExitCode code;
+};
+
+}  // namespace polhode

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Finds lessons on disk and reads them.
+#pragma once
+
+#include "lessons/reader.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+/// Where ids are looked up, first hit wins: $POLHODE_LESSONS (if set and not empty), ./lessons,
+/// <program>/../share/polhode/lessons.
+std::vector<std::filesystem::path> lesson_folders();
+
+struct FoundLesson {
+  std::string id;  ///< the file's name without .md
+  std::filesystem::path path;
+};
+/// Every <folder>/<id>.md, sorted by id; of equal ids the one in the earlier folder. Folders that do not
+/// exist, and documents that do not open with the +++ of a lesson's front matter, are passed over.
+std::vector<FoundLesson> lessons_in(const std::vector<std::filesystem::path>& folders);
+
+/// `name` is an id, or a file if it has a slash or ends in .md.
+/// @throws CommandError usage for an unknown id (with "did you mean"); a file's existence is not checked
+/// here.
+std::filesystem::path find_lesson(std::string_view name, const std::vector<std::filesystem::path>& folders);
+
+/// The text, at most one byte more than a lesson may have (the reader refuses that). @throws CommandError
+/// failed
+std::string read_lesson_text(const std::filesystem::path& path);
+
+/// A lesson that reads without errors and whose scenes can be modelled.
+struct LoadedLesson {
+  Lesson lesson;
+  std::filesystem::path path;
+  std::string sha256;  ///< of the text
+};
+/// @throws CommandError; of an invalid lesson all diagnostics are in its text.
+LoadedLesson load_lesson(std::string_view name);
+
+/// What the reader says of a text, and if it has no error, what the model says of its scenes. In the order of
+/// places.
+LessonReading check_lesson(std::string_view text, std::string_view file_name);
+
+/// The stage of that id. @throws CommandError usage with "did you mean"
+const Stage& stage_of(const Lesson& lesson, std::string_view id);
+
+}  // namespace polhode

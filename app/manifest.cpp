@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "app/manifest.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+
+namespace polhode {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const char* name_of(Each each) {
+  switch (each) {
+    case Each::stage:
+      return "stage";
+    case Each::step:
+      return "step";
+    case Each::frame:
+      break;
+  }
+  return "frame";
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json file_json(const ManifestFile& file) {
+  return {{"file", file.file},
+          {"stage", file.stage},
+          {"step", file.step},
+          {"frame", file.frame ? Json(*file.frame) : Json(nullptr)},
+          {"t", number_or_null(file.t_s)},
+          {"width", file.size.width},
+          {"height", file.size.height},
+          {"tex", file.tex},
+          {"alt", file.alt},
+          {"method", file.method}};
+}
+
+/// "size is 640x360 there and 1280x720 here", of the first option that differs.
+std::string first_difference(const Json& there, const Json& here) {
+  for (const auto& [name, value] : here.items()) {
+    const Json old = there.is_object() && there.contains(name) ? there[name] : Json(nullptr);
+    if (old != value)
+      return fmt::format("{} is {} there and {} here", name,
+                         old.dump(-1, ' ', false, Json::error_handler_t::replace), value.dump());
+  }
+  return "it knows other options";
+}
+
+}  // namespace
+
+Json to_json(const ExportOptions& options) {
+  const bool film = options.each == Each::frame;
+  Json json;
+  json["stage"] = options.stages;
+  json["each"] = name_of(options.each);
+  json["what"] = "figure";
+  json["size"] = fmt::format("{}x{}", options.size.width, options.size.height);
+  json["fps"] = film ? Json(to_string(options.fps)) : Json(nullptr);
+  json["seconds"] = film ? Json(options.seconds) : Json(nullptr);
+  json["at"] = options.at_s ? Json(*options.at_s) : Json(nullptr);
+  json["frames"] =
+      options.frames ? Json(fmt::format("{}:{}", options.frames->begin, options.frames->end)) : Json(nullptr);
+  json["background"] = options.background;
+  json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
+  return json;
+}
+
+std::string to_text(const Manifest& manifest) {
+  Json json;
+  json["format"] = 1;
+  json["lesson"] = {{"id", manifest.lesson_id}, {"sha256", manifest.lesson_sha256}};
+  json["options"] = manifest.options;
+  json["renderer"] = manifest.renderer;
+  json["files"] = Json::array();
+  for (const ManifestFile& file : manifest.files) json["files"].push_back(file_json(file));
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::vector<std::string> tex_shown(const Stage& stage, int step) {
+  std::vector<std::string> tex;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(step) && i < stage.steps.size(); ++i)
+    for (const Block& block : stage.steps[i].blocks)
+      if (const auto* equation = std::get_if<Equation>(&block)) tex.push_back(equation->tex);
+  return tex;
+}
+
+Status may_export_into(const std::filesystem::path& folder, const std::string& lesson_sha256,
+                       const Json& options) {
+  const std::filesystem::path path = folder / kManifestName;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return success();
+  const Json old = Json::parse(file, nullptr, false);
+  const char* advice = "choose another folder, or remove it first";
+  if (!old.is_object() || !old.contains("lesson") || !old.contains("options"))
+    return failure(fmt::format("{} is not a manifest of polhode; {}", path.string(), advice));
+  if (old["options"] != options)
+    return failure(fmt::format("{} holds an export made with other options ({}); {}", folder.string(),
+                               first_difference(old["options"], options), advice));
+  const Json& lesson = old["lesson"];
+  if (!lesson.is_object() || !lesson.contains("sha256") || lesson["sha256"] != lesson_sha256)
+    return failure(fmt::format("{} holds an export of another lesson text; {}", folder.string(), advice));
+  return success();
+}
+
+}  // namespace polhode

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "app/picture_metadata.h"
+
+#include "app/numbers.h"
+
+namespace polhode {
+
+std::string program_name_and_version() { return "polhode " POLHODE_VERSION; }
+
+PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt, double t_s,
+                             int dpi) {
+  return {{{"Title", stage.title + " \u2013 " + lesson.title},
+           {"Description", alt},
+           {"Software", program_name_and_version()},
+           {"polhode:lesson", lesson.id},
+           {"polhode:stage", stage.id},
+           {"polhode:t", digits17(t_s)}},
+          dpi};
+}
+
+}  // namespace polhode

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What a picture's PNG file says of itself.
+#pragma once
+
+#include "lessons/lesson.h"
+#include "render/image/png.h"
+
+#include <string>
+
+namespace polhode {
+
+/// "polhode 0.1.0"
+std::string program_name_and_version();
+
+/// Title, Description (the alt text), Software, polhode:lesson, polhode:stage, polhode:t; no time stamp.
+PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt, double t_s,
+                             int dpi);
+
+}  // namespace polhode
