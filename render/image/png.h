@@ -19,8 +19,8 @@ inline constexpr int kMaxPngSide = 16384;             ///< px, written and read
 inline constexpr int kMaxPngTextBytes = 1024 * 1024;  ///< of one text chunk, read
 
 struct PngMetadata {
-  std::vector<std::pair<std::string, std::string>>
-      text;     ///< keyword, UTF-8 (tEXt if Latin-1, else iTXt), in order
+  /// Keyword (1 to 79 printable ASCII characters) and UTF-8 text, in order; tEXt if Latin-1, else iTXt.
+  std::vector<std::pair<std::string, std::string>> text;
   int dpi = 0;  ///< pHYs; 0: none
 };
 
@@ -32,7 +32,9 @@ struct PngFile {
   Image image;
   PngMetadata metadata;
 };
-/// Refuses more than 16384 px a side and text chunks over 1 MiB (decompression bombs).
+/// Any valid PNG, expanded to 8-bit RGBA, values as stored; text is UTF-8 again. Optional chunks that are
+/// damaged, or expand to over 1 MiB, are left out. Refused are damaged and truncated files, more than 16384
+/// px a side, chunks over 1 MiB (other than pixels), and more pixels than the file's length can hold.
 Result<PngFile> decode_png(std::span<const std::uint8_t> bytes);
 Result<PngFile> read_png(const std::filesystem::path& path);
 

@@ -16,7 +16,6 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 18;  // few, large IDAT chunks
-constexpr double kMetresPerInch = 0.0254;
 
 // What libpng's callbacks need. Lives outside run(), which longjmp may leave.
 struct Writer {

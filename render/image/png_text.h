@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to render/image: the two encodings of PNG text.
+// Internal to render/image: what PNG text may be, its two encodings, and its unit of resolution.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,8 @@
 #include <string_view>
 
 namespace polhode {
+
+inline constexpr double kMetresPerInch = 0.0254;  ///< pHYs counts pixels per metre
 
 /// Why `keyword` cannot be a PNG keyword (1–79 printable ASCII characters, no space at either end, no two
 /// together); nothing if it can. (PNG allows Latin-1; no keyword in use needs it.)
