@@ -57,7 +57,8 @@ const std::vector<Layer>& layers() {
       {"app/", kProgram, kProgramLibraries, {}, false},
       {"tests/",
        kProgram + Names{"tests/"},
-       kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h"},
+       kProgramLibraries +
+           Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h", "stdlib.h"},
        {},
        false},
   };
