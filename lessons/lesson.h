@@ -3,13 +3,13 @@
 // The file format is in lessons/FORMAT.md.
 #pragma once
 
+#include "lessons/diagnostic.h"
+#include "render/scene/scene.h"
+
 #include <map>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "lessons/diagnostic.h"
-#include "render/scene/scene.h"
 
 namespace polhode {
 
@@ -30,8 +30,8 @@ struct Equation {
 enum class ClaimKind { identity, definition, law, motion, free, is_false, measured, non_sequitur };
 std::string_view name_of(ClaimKind kind);
 
-/// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. Expressions are kept as text
-/// here; the checker proves them (a later layer of lessons/).
+/// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. Expressions are kept
+/// as text here; the checker proves them (a later layer of lessons/).
 struct ClaimLine {
   std::string left;
   std::string right;

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/callouts.h"
+
+#include "lessons/heading.h"
+#include "lessons/math_text.h"
+#include "lessons/suggest.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view kMarkBegin = "[!";
+
+// Without the > of the quote, which a continued line may lack.
+std::string_view quoted_part(std::string_view line) {
+  const std::size_t mark = line.find_first_not_of(" \t");
+  if (mark == std::string_view::npos || line[mark] != '>') return line;
+  line.remove_prefix(mark + 1);
+  if (!line.empty() && line.front() == ' ') line.remove_prefix(1);
+  return line;
+}
+
+std::optional<Callout::Kind> kind_from(std::string_view name) {
+  if (name == "said") return Callout::Kind::said;
+  if (name == "meant") return Callout::Kind::meant;
+  return std::nullopt;
+}
+
+class CalloutReader {
+ public:
+  CalloutReader(const SourceText& source, Report& report) : source_(source), report_(report) {}
+
+  void read_line(int number) {
+    const std::string_view line = source_.line(number);
+    std::string_view part = quoted_part(line);
+    const std::string_view text = trimmed(part);
+    const SourcePlace place =
+        advanced({number, 1}, line, static_cast<std::size_t>(text.data() - line.data()));
+    if (text.substr(0, kMarkBegin.size()) == kMarkBegin) {
+      start(text, place);
+      return;
+    }
+    if (callouts_.empty()) {
+      if (!text.empty() && !failed_) {
+        report_.error(place, "a quote opens with [!said] or [!meant]");
+        failed_ = true;
+      }
+      return;
+    }
+    check(part, advanced({number, 1}, line, static_cast<std::size_t>(part.data() - line.data())));
+    callouts_.back().markdown += '\n';
+    callouts_.back().markdown += part;
+  }
+
+  std::vector<Callout> take() {
+    for (Callout& callout : callouts_) {
+      callout.markdown = trimmed_lines(callout.markdown);
+      if (callout.markdown.empty()) report_.error(callout.place, "this call-out is empty");
+    }
+    return std::move(callouts_);
+  }
+
+ private:
+  void start(std::string_view text, SourcePlace place) {
+    const std::size_t end = text.find(']');
+    const std::string_view name =
+        text.substr(kMarkBegin.size(), end == std::string_view::npos ? end : end - 2);
+    const auto kind = kind_from(name);
+    if (end == std::string_view::npos || !kind) {
+      report_.error(
+          place, "unknown call-out " + quoted(text.substr(0, end == std::string_view::npos ? end : end + 1)),
+          suggestion(name, {"said", "meant"}));
+    }
+    const std::string_view rest =
+        end == std::string_view::npos ? std::string_view{} : trimmed(text.substr(end + 1));
+    if (!rest.empty())
+      check(rest, advanced(place, text, static_cast<std::size_t>(rest.data() - text.data())));
+    callouts_.push_back({kind.value_or(Callout::Kind::said), std::string(rest), place});
+  }
+
+  void check(std::string_view text, SourcePlace place) { check_inline_math(text, place, report_); }
+
+  const SourceText& source_;
+  Report& report_;
+  std::vector<Callout> callouts_;
+  bool failed_ = false;
+};
+
+}  // namespace
+
+std::vector<Callout> read_callouts(const SourceText& source, int first_line, int last_line, Report& report) {
+  CalloutReader reader(source, report);
+  for (int line = first_line; line <= last_line; ++line) reader.read_line(line);
+  return reader.take();
+}
+
+}  // namespace polhode

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Block quotes: what the lecture said, and what it meant.
+#pragma once
+
+#include "lessons/lesson.h"
+#include "lessons/report.h"
+#include "lessons/source_text.h"
+
+#include <vector>
+
+namespace polhode {
+
+/// Call-outs of a quote on the lines first…last; each starts on a line that opens with [!said] or [!meant].
+std::vector<Callout> read_callouts(const SourceText& source, int first_line, int last_line, Report& report);
+
+}  // namespace polhode

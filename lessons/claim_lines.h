@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The lines of a ```claim fence.
+#pragma once
+
+#include "lessons/lesson.h"
+#include "lessons/report.h"
+#include "lessons/source_text.h"
+
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+/// Nothing if no kind has the name.
+std::optional<ClaimKind> claim_kind_from(std::string_view name);
+std::vector<std::string> claim_kind_names();
+
+/// Claims on the lines first…last of the source, each `left = right`, `premise => conclusion` for a
+/// non-sequitur, with `within 1e-9` at its end allowed for a measured one. Empty lines are passed over; wrong
+/// ones are reported and left out.
+std::vector<ClaimLine> read_claim_lines(const SourceText& source, int first_line, int last_line,
+                                        ClaimKind kind, Report& report);
+
+}  // namespace polhode

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The TOML between the +++ lines at the top of a lesson.
+#pragma once
+
+#include "lessons/lesson.h"
+#include "lessons/report.h"
+#include "lessons/scene_keys.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+struct FrontMatter {
+  std::string id;
+  std::string title;
+  std::map<std::string, Symbol> symbols;
+  LessonBodies bodies;
+  Scene scene;        ///< what every stage starts from
+  int next_line = 1;  ///< first line after the closing +++
+};
+
+/// Reports what is wrong and goes on with defaults.
+FrontMatter read_front_matter(const SourceText& source, Report& report);
+
+/// Roles a symbol's colour can have.
+const std::vector<std::string>& color_roles();
+
+}  // namespace polhode

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader.h"
+
+#include "lessons/front_matter.h"
+#include "lessons/markdown.h"
+#include "lessons/report.h"
+#include "lessons/source_text.h"
+#include "lessons/stage_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+// More blocks than the limits on stages and steps let through: what is left out was refused before.
+constexpr std::size_t kMaxBlocks = 100'000;
+
+// True if nothing can be read at all; says so.
+bool refuse_whole(std::string_view bytes, Report& report, const SourceText& source) {
+  if (bytes.size() > kMaxLessonBytes) {
+    report.error({1, 1}, "this lesson has " + std::to_string(bytes.size()) + " bytes, at most " +
+                             std::to_string(kMaxLessonBytes) + " are read");
+    return true;
+  }
+  if (const auto wrong = why_not_text(bytes)) {
+    report.error(source.place_of(wrong->offset), wrong->message, wrong->hint);
+    return true;
+  }
+  if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    report.error({1, 1}, "this lesson is empty", "a lesson starts with a line +++ and its front matter");
+    return true;
+  }
+  return false;
+}
+
+std::vector<Stage> read_stages(const SourceText& source, const FrontMatter& front, Report& report) {
+  const MarkdownReading markdown = read_markdown(source, front.next_line, kMaxBlocks, report);
+  StageBuilder builder(source, front, report);
+  bool goes_on = true;
+  for (const MarkdownBlock& block : markdown.blocks) {
+    goes_on = builder.add(block) && !report.is_full();
+    if (!goes_on) break;
+  }
+  if (goes_on && markdown.more) {
+    report.error({source.line_count(), 1}, "a lesson has at most " + std::to_string(kMaxBlocks) + " blocks");
+  }
+  std::vector<Stage> stages = builder.take();
+  if (stages.empty() && !report.has_errors()) {
+    report.error({source.line_count(), 1}, "this lesson has no stage",
+                 "a stage starts with # Title {stage-id}");
+  }
+  return stages;
+}
+
+}  // namespace
+
+LessonReading read_lesson(std::string_view text, std::string_view file_name) {
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+  const SourceText source(text.substr(0, kMaxLessonBytes));
+  Report report(source, file_name);
+  LessonReading reading;
+  if (!refuse_whole(text, report, source)) {
+    FrontMatter front = read_front_matter(source, report);
+    std::vector<Stage> stages = read_stages(source, front, report);
+    if (!report.has_errors()) {
+      reading.lesson =
+          Lesson{std::move(front.id), std::move(front.title), std::move(front.symbols), std::move(stages)};
+    }
+  }
+  reading.diagnostics = report.take();
+  return reading;
+}
+
+}  // namespace polhode

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/scene_keys.h"
+
+#include "lessons/reader.h"
+#include "lessons/suggest.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t kMaxViews = 2;
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+constexpr double kMaxElevationDeg = 90;
+
+// One table's keys into one scene.
+class SceneKeys {
+ public:
+  SceneKeys(const LessonBodies& bodies, Scene& scene, Report& report)
+      : bodies_(bodies), scene_(scene), report_(report) {}
+
+  std::vector<PlacedText> read(const TomlTable& table) {
+    read_keys(
+        table, "the scene",
+        {{"body", [this](const TomlEntry& e) { body(e); }},
+         {"omega", [this](const TomlEntry& e) { assign(scene_.w0_B, read_vector(e, report_)); }},
+         {"attitude", [this](const TomlEntry& e) { attitude(e); }},
+         {"torque", [this](const TomlEntry& e) { torque(e); }},
+         {"motion", [this](const TomlEntry& e) { motion(e); }},
+         {"views", [this](const TomlEntry& e) { views(e); }},
+         {"show", [this](const TomlEntry& e) { show(e); }},
+         {"camera", [this](const TomlEntry& e) { camera(e); }},
+         {"at", [this](const TomlEntry& e) { assign(scene_.at_s, read_number(e, report_)); }},
+         {"duration",
+          [this](const TomlEntry& e) { assign(scene_.duration_s, read_positive_number(e, report_)); }},
+         {"rate", [this](const TomlEntry& e) { assign(scene_.rate, read_positive_number(e, report_)); }},
+         {"highlight", [this](const TomlEntry& e) { highlight(e); }},
+         {"quality", [this](const TomlEntry& e) { quality(e); }},
+         {"caption", [this](const TomlEntry& e) { caption(e); }}},
+        report_);
+    return std::move(highlighted_);
+  }
+
+ private:
+  template <class T, class U>
+  static void assign(T& target, const std::optional<U>& value) {
+    if (value) target = *value;
+  }
+
+  void unknown(std::string_view what, const PlacedText& name, const std::vector<std::string>& known) {
+    report_.error(name.place, "unknown " + std::string(what) + ' ' + quoted(name.text),
+                  suggestion(name.text, known));
+  }
+
+  void body(const TomlEntry& entry) {
+    const auto name = read_text(entry, report_);
+    if (!name) return;
+    if (const auto own = bodies_.named.find(*name); own != bodies_.named.end()) {
+      scene_.body = own->second;
+    } else if (const auto built_in = find_body(*name)) {
+      scene_.body = *built_in;
+    } else if (bodies_.complete) {
+      std::vector<std::string> known = named_bodies();
+      for (const auto& [own_name, own_body] : bodies_.named) known.push_back(own_name);
+      unknown("body", {*name, entry.value.place}, known);
+    }
+  }
+
+  void attitude(const TomlEntry& entry) {
+    if (const auto* name = entry.value.as<std::string>()) {
+      if (*name == "L-down")
+        scene_.attitude = LPoints::down;
+      else if (*name == "L-up")
+        scene_.attitude = LPoints::up;
+      else
+        unknown("attitude", {*name, entry.value.place}, {"L-down", "L-up", "[w, x, y, z]"});
+      return;
+    }
+    const auto wxyz = read_numbers(entry, 4, report_);
+    if (!wxyz) return;
+    const auto& v = *wxyz;
+    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2]), std::abs(v[3])});
+    if (largest == 0) {
+      report_.error(entry.value.place, "the quaternion of an attitude must not be zero");
+      return;
+    }
+    // Scaled first: squares of the largest and smallest numbers are not finite or zero.
+    scene_.attitude = Quat(v[0] / largest, v[1] / largest, v[2] / largest, v[3] / largest).normalized();
+  }
+
+  void torque(const TomlEntry& entry) {
+    const auto texts = read_texts(entry, kMaxTorqueTerms, report_);
+    if (!texts) return;
+    Torque torque;
+    for (const PlacedText& text : *texts) {
+      auto term = parse_torque_term(text.text);
+      if (const auto* wrong = std::get_if<std::string>(&term)) {
+        report_.error(text.place, "torque: " + *wrong);
+      } else {
+        torque.push_back(std::get<TorqueTerm>(term));
+      }
+    }
+    scene_.torque = std::move(torque);
+  }
+
+  void motion_method(const TomlEntry& entry, MotionSpec& motion) {
+    const auto name = read_text(entry, report_);
+    if (!name) return;
+    if (const auto method = method_from(*name))
+      motion.method = *method;
+    else
+      unknown("motion", {*name, entry.value.place}, method_names());
+  }
+
+  void motion(const TomlEntry& entry) {
+    MotionSpec motion;
+    if (const auto* table = entry.value.as<TomlTable>()) {
+      read_keys(
+          *table, "motion",
+          {{"method", [&](const TomlEntry& e) { motion_method(e, motion); }},
+           {"step", [&](const TomlEntry& e) { assign(motion.step_s, read_positive_number(e, report_)); }},
+           {"ghost", [&](const TomlEntry& e) { assign(motion.ghost, read_flag(e, report_)); }}},
+          report_);
+      if (motion.step_s && motion.method != Method::rk4) {
+        report_.error(
+            table->find("step")->place,
+            "a step is of methods with a fixed step, " + quoted(name_of(motion.method)) + " has none",
+            "write method = \"rk4\", or leave the step out");
+      }
+    } else {
+      motion_method(entry, motion);
+    }
+    const TomlTable* table = entry.value.as<TomlTable>();
+    if (motion.method == Method::rk4 && (table == nullptr || table->find("step") == nullptr)) {
+      report_.error(entry.value.place, "\"rk4\" needs a step in seconds",
+                    "write motion = { method = \"rk4\", step = 0.02 }");
+    }
+    scene_.motion = motion;
+  }
+
+  void views(const TomlEntry& entry) {
+    const auto names = read_texts(entry, kMaxViews, report_);
+    if (!names) return;
+    std::vector<View> views;
+    for (const PlacedText& name : *names) {
+      if (name.text != "space" && name.text != "body") {
+        unknown("view", name, {"space", "body"});
+        continue;
+      }
+      const View view = name.text == "space" ? View::space : View::body;
+      if (!views.empty() && views.front() == view) {
+        report_.error(name.place, "the view " + quoted(name.text) + " is there already");
+        continue;
+      }
+      views.push_back(view);
+    }
+    if (names->empty())
+      report_.error(entry.value.place, "\"views\" needs at least one view", "\"space\" or \"body\"");
+    if (!views.empty()) scene_.views = std::move(views);
+  }
+
+  void show(const TomlEntry& entry) {
+    const auto names = read_texts(entry, static_cast<std::size_t>(kMaxOverlays), report_);
+    if (!names) return;
+    OverlaySet shown;
+    for (const PlacedText& name : *names) {
+      const auto overlay = overlay_from(name.text);
+      if (!overlay)
+        unknown("overlay", name, overlay_names());
+      else if (shown.contains(*overlay))
+        report_.warning(name.place, quoted(name.text) + " is shown already");
+      else
+        shown.insert(*overlay);
+    }
+    scene_.show = shown;
+  }
+
+  void elevation(const TomlEntry& entry, CameraSpec& camera) {
+    const auto degrees = read_number(entry, report_);
+    if (!degrees) return;
+    if (std::abs(*degrees) <= kMaxElevationDeg)
+      camera.elevation_rad = *degrees * kRadiansPerDegree;
+    else
+      report_.error(entry.value.place, "\"elevation_deg\" must lie between -90 and 90");
+  }
+
+  void camera(const TomlEntry& entry) {
+    const auto* table = entry.value.as<TomlTable>();
+    if (table == nullptr) {
+      report_.error(entry.value.place, "\"camera\" takes a table, found " + std::string(entry.value.kind()),
+                    "write camera = { azimuth_deg = 35, elevation_deg = 20 }");
+      return;
+    }
+    CameraSpec camera;
+    const auto azimuth = [&](const TomlEntry& e) {
+      if (const auto degrees = read_number(e, report_)) {
+        camera.azimuth_rad = std::remainder(*degrees, 360.0) * kRadiansPerDegree;
+      }
+    };
+    read_keys(
+        *table, "the camera",
+        {{"azimuth_deg", azimuth},
+         {"elevation_deg", [&](const TomlEntry& e) { elevation(e, camera); }},
+         {"distance", [&](const TomlEntry& e) { assign(camera.distance, read_positive_number(e, report_)); }},
+         {"zoom", [&](const TomlEntry& e) { assign(camera.zoom, read_positive_number(e, report_)); }}},
+        report_);
+    scene_.camera = camera;
+  }
+
+  void highlight(const TomlEntry& entry) {
+    auto names = read_texts(entry, kMaxHighlights, report_);
+    if (!names) return;
+    scene_.highlight.clear();
+    for (PlacedText& name : *names) {
+      if (!is_id(name.text) && !overlay_from(name.text)) {
+        report_.error(name.place, quoted(name.text) + " can be neither a term nor an overlay",
+                      std::string(kIdRule));
+        continue;
+      }
+      scene_.highlight.push_back(name.text);
+      highlighted_.push_back(std::move(name));
+    }
+  }
+
+  void quality(const TomlEntry& entry) {
+    const auto name = read_text(entry, report_);
+    if (name && *name != "draft" && *name != "normal" && *name != "fine") {
+      unknown("quality", {*name, entry.value.place}, {"draft", "normal", "fine"});
+    }
+  }
+
+  void caption(const TomlEntry& entry) {
+    auto text = read_text(entry, report_);
+    if (!text) return;
+    if (text->find('\n') != std::string::npos) {
+      report_.error(entry.value.place, "a caption is one line");
+    } else if (count_characters(*text) > static_cast<int>(kMaxCaptionCharacters)) {
+      report_.error(entry.value.place, "a caption has at most " + std::to_string(kMaxCaptionCharacters) +
+                                           " characters, found " + std::to_string(count_characters(*text)));
+    } else {
+      scene_.caption = std::move(*text);
+    }
+  }
+
+  const LessonBodies& bodies_;
+  Scene& scene_;
+  Report& report_;
+  std::vector<PlacedText> highlighted_;
+};
+
+}  // namespace
+
+std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies, Scene& scene,
+                                        Report& report) {
+  return SceneKeys(bodies, scene, report).read(table);
+}
+
+}  // namespace polhode

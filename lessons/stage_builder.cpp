@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/stage_builder.h"
+
+#include "lessons/ask_block.h"
+#include "lessons/callouts.h"
+#include "lessons/claim_lines.h"
+#include "lessons/heading.h"
+#include "lessons/math_text.h"
+#include "lessons/reader.h"
+#include "lessons/suggest.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+std::vector<std::string> names_of(const std::map<std::string, int>& lines) {
+  std::vector<std::string> names;
+  for (const auto& [name, line] : lines) names.push_back(name);
+  return names;
+}
+
+std::string usage_of(std::string_view kind) {
+  if (kind == "claim") return "```claim EQUATION KIND";
+  return kind == "scene" ? "```scene" : "```" + std::string(kind) + " ID";
+}
+
+}  // namespace
+
+// A fence with the words of its opening line.
+struct StageBuilder::Fence {
+  std::vector<PlacedText> words;  // the first is the kind
+  SourcePlace place;
+  int first_line;  // of the content
+  int last_line;
+};
+
+bool StageBuilder::add(const MarkdownBlock& block) {
+  if (block.kind == MarkdownBlock::Kind::heading) return start_stage(block);
+  if (stages_.empty()) {
+    if (!said_text_before_stage_) {
+      report_.error({block.first_line, 1}, "text before the first stage", "begin it with # Title {stage-id}");
+    }
+    said_text_before_stage_ = true;
+    return true;
+  }
+  switch (block.kind) {
+    case MarkdownBlock::Kind::rule:
+      return start_step(block);
+    case MarkdownBlock::Kind::fence:
+      add_fence(block);
+      break;
+    case MarkdownBlock::Kind::quote:
+      add_quote(block);
+      break;
+    default:
+      add_prose(block);
+      break;
+  }
+  return true;
+}
+
+std::vector<Stage> StageBuilder::take() {
+  finish_stage();
+  return std::move(stages_);
+}
+
+bool StageBuilder::start_stage(const MarkdownBlock& block) {
+  if (block.underlined || block.level != 1) {
+    report_.error(
+        {block.first_line, 1},
+        block.underlined ? "text above a line of - or = is a heading in Markdown"
+                         : "headings of level " + std::to_string(block.level) + " are not read",
+        block.underlined ? "put an empty line above ---" : "a stage starts with # Title {stage-id}");
+    return true;
+  }
+  finish_stage();
+  if (static_cast<int>(stages_.size()) == kMaxStages) {
+    report_.error({block.first_line, 1}, "a lesson has at most " + std::to_string(kMaxStages) + " stages");
+    return false;
+  }
+  Stage stage;
+  stage.place = {block.first_line, 1};
+  const Heading heading = read_heading(source_.line(block.first_line), block.first_line, report_);
+  stage.id = heading.id;
+  stage.title = heading.title;
+  if (!stage.id.empty()) {
+    const auto [taken, is_new] = stage_lines_.emplace(stage.id, block.first_line);
+    if (!is_new) {
+      report_.error(heading.id_place, "stage " + quoted(stage.id) + " is there already, on line " +
+                                          std::to_string(taken->second));
+    }
+  }
+  stage.steps.emplace_back();
+  stages_.push_back(std::move(stage));
+  scene_ = front_.scene;
+  has_scene_ = step_has_scene_ = false;
+  step_place_ = {block.first_line, 1};
+  return true;
+}
+
+bool StageBuilder::start_step(const MarkdownBlock& rule) {
+  finish_step();
+  if (static_cast<int>(stages_.back().steps.size()) == kMaxStepsPerStage) {
+    report_.error({rule.first_line, 1},
+                  "a stage has at most " + std::to_string(kMaxStepsPerStage) + " steps");
+    return false;
+  }
+  stages_.back().steps.emplace_back();
+  step_has_scene_ = false;
+  step_place_ = {rule.first_line, 1};
+  return true;
+}
+
+void StageBuilder::finish_step() {
+  if (step().blocks.empty() && !step_has_scene_) {
+    const bool only_one = stages_.back().steps.size() == 1;
+    report_.error(step_place_, only_one ? "this stage is empty" : "this step is empty",
+                  only_one ? "write its text below the heading" : "leave out one ---");
+  }
+  if (has_scene_) step().scene = scene_;
+}
+
+void StageBuilder::finish_stage() {
+  if (stages_.empty()) return;
+  finish_step();
+  check_claims();
+  check_highlights();
+  equation_lines_.clear();
+  ask_lines_.clear();
+  terms_.clear();
+}
+
+void StageBuilder::check_claims() {
+  for (const PlacedText& name : claimed_) {
+    if (equation_lines_.contains(name.text)) continue;
+    std::string hint = suggestion(name.text, names_of(equation_lines_));
+    if (hint.empty()) hint = "the stage has no ```math fence";
+    report_.error(name.place, "no equation " + quoted(name.text) + " in this stage", std::move(hint));
+  }
+  claimed_.clear();
+}
+
+void StageBuilder::check_highlights() {
+  for (const PlacedText& name : highlighted_) {
+    if (terms_.contains(name.text) || overlay_from(name.text)) continue;
+    std::vector<std::string> known(terms_.begin(), terms_.end());
+    known.insert(known.end(), overlay_names().begin(), overlay_names().end());
+    report_.error(name.place, "nothing to highlight: no \\term and no overlay is called " + quoted(name.text),
+                  suggestion(name.text, known));
+  }
+  highlighted_.clear();
+}
+
+void StageBuilder::add_prose(const MarkdownBlock& block) {
+  const SourcePlace place{block.first_line, 1};
+  const std::string_view text = source_.lines(block.first_line, block.last_line);
+  check_inline_math(text, place, report_);
+  step().blocks.push_back(Prose{std::string(text), place});
+}
+
+void StageBuilder::add_quote(const MarkdownBlock& block) {
+  for (Callout& callout : read_callouts(source_, block.first_line, block.last_line, report_)) {
+    step().blocks.push_back(std::move(callout));
+  }
+}
+
+void StageBuilder::add_fence(const MarkdownBlock& block) {
+  Fence fence;
+  fence.place = {block.first_line, 1};
+  fence.first_line = block.first_line + 1;
+  fence.last_line = block.closed ? block.last_line - 1 : block.last_line;
+  if (!block.closed) {
+    report_.error(fence.place, "this fence is never closed", "end it with a line ```");
+    return;
+  }
+  const std::string_view opening = source_.line(block.first_line);
+  fence.words = read_words(opening, opening.find_first_not_of(" `~"), block.first_line);
+  const std::string kind = fence.words.empty() ? "" : fence.words[0].text;
+  const std::vector<std::string> kinds = {"math", "claim", "scene", "ask"};
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    report_.error(fence.place,
+                  kind.empty() ? "this fence does not say what it holds" : "unknown fence " + quoted(kind),
+                  suggestion(kind, kinds));
+    return;
+  }
+  const std::size_t words = kind == "claim" ? 3 : kind == "scene" ? 1 : 2;
+  if (fence.words.size() != words) {
+    report_.error(fence.words.size() > words ? fence.words[words].place : fence.place,
+                  "a " + kind + " fence opens with " + usage_of(kind));
+    return;
+  }
+  if (kind == "math") add_math(fence);
+  if (kind == "claim") add_claim(fence);
+  if (kind == "scene") add_scene(fence);
+  if (kind == "ask") add_ask(fence);
+}
+
+bool StageBuilder::take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what) {
+  const PlacedText& id = fence.words[1];
+  if (!is_id(id.text)) {
+    report_.error(id.place, "bad id " + quoted(id.text), std::string(kIdRule));
+    return false;
+  }
+  const auto [first, is_new] = taken.emplace(id.text, fence.place.line);
+  if (is_new) return true;
+  report_.error(id.place, std::string(what) + ' ' + quoted(id.text) + " is there already, on line " +
+                              std::to_string(first->second));
+  return false;
+}
+
+void StageBuilder::add_math(const Fence& fence) {
+  take_id(fence, equation_lines_, "equation");
+  const std::string_view tex = source_.lines(fence.first_line, fence.last_line);
+  if (trimmed_lines(tex).empty()) {
+    report_.error(fence.place, "this equation is empty");
+    return;
+  }
+  Equation equation{fence.words[1].text, std::string(tex), "", fence.place};
+  const MathNames names = read_math(tex, {fence.first_line, 1}, report_);
+  for (const PlacedText& tag : names.tags) {
+    equation.tag += (equation.tag.empty() ? "" : ", ") + tag.text;
+    const auto [first, is_new] = tag_lines_.emplace(tag.text, tag.place.line);
+    if (!is_new) {
+      report_.warning(tag.place,
+                      "tag (" + tag.text + ") is there already, on line " + std::to_string(first->second));
+    }
+  }
+  for (const PlacedText& term : names.terms) terms_.insert(term.text);
+  step().blocks.push_back(std::move(equation));
+}
+
+void StageBuilder::add_claim(const Fence& fence) {
+  claimed_.push_back(fence.words[1]);
+  const PlacedText& kind_name = fence.words[2];
+  const auto kind = claim_kind_from(kind_name.text);
+  if (!kind) {
+    report_.error(kind_name.place, "unknown kind of claim " + quoted(kind_name.text),
+                  suggestion(kind_name.text, claim_kind_names()));
+    return;
+  }
+  if (trimmed_lines(source_.lines(fence.first_line, fence.last_line)).empty()) {
+    report_.error(fence.place, "this claim is empty", "write left = right on each line");
+    return;
+  }
+  step().blocks.push_back(Claim{fence.words[1].text, *kind,
+                                read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_),
+                                fence.place});
+}
+
+void StageBuilder::add_scene(const Fence& fence) {
+  if (step_has_scene_) {
+    report_.error(fence.place, "this step has a scene already", "start a new step with --- first");
+    return;
+  }
+  has_scene_ = step_has_scene_ = true;
+  const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
+  if (!table) return;
+  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, report_);
+  std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
+}
+
+void StageBuilder::add_ask(const Fence& fence) {
+  take_id(fence, ask_lines_, "question");
+  const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
+  if (!table) {
+    step().blocks.push_back(Ask{});  // it is wrong, but the step is not empty
+    return;
+  }
+  auto ask = read_ask(*table, fence.words[1].text, fence.place, report_);
+  step().blocks.push_back(ask ? std::move(*ask) : Ask{});
+}
+
+}  // namespace polhode

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Puts the blocks of a lesson's Markdown together to stages and steps.
+#pragma once
+
+#include "lessons/front_matter.h"
+#include "lessons/lesson.h"
+#include "lessons/markdown.h"
+#include "lessons/report.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Give it every block in order, then take the stages.
+class StageBuilder {
+ public:
+  StageBuilder(const SourceText& source, const FrontMatter& front, Report& report)
+      : source_(source), front_(front), report_(report) {}
+
+  /// False if a limit is passed: it was reported, and nothing more need be read.
+  bool add(const MarkdownBlock& block);
+  std::vector<Stage> take();
+
+ private:
+  struct Fence;
+
+  bool start_stage(const MarkdownBlock& heading);
+  bool start_step(const MarkdownBlock& rule);
+  void finish_step();
+  void finish_stage();
+  void check_claims();
+  void check_highlights();
+
+  void add_prose(const MarkdownBlock& prose);
+  void add_quote(const MarkdownBlock& quote);
+  void add_fence(const MarkdownBlock& block);
+  void add_math(const Fence& fence);
+  void add_claim(const Fence& fence);
+  void add_scene(const Fence& fence);
+  void add_ask(const Fence& fence);
+  bool take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what);
+
+  Step& step() { return stages_.back().steps.back(); }
+
+  const SourceText& source_;
+  const FrontMatter& front_;
+  Report& report_;
+  std::vector<Stage> stages_;
+  std::map<std::string, int> stage_lines_;  // ids in use and their lines
+  std::map<std::string, int> tag_lines_;
+  bool said_text_before_stage_ = false;
+
+  // Of the stage being read.
+  Scene scene_;
+  bool has_scene_ = false;
+  bool step_has_scene_ = false;
+  SourcePlace step_place_;
+  std::map<std::string, int> equation_lines_;
+  std::map<std::string, int> ask_lines_;
+  std::set<std::string> terms_;
+  std::vector<PlacedText> claimed_;      // equations that claims name
+  std::vector<PlacedText> highlighted_;  // what its scenes highlight
+};
+
+}  // namespace polhode
