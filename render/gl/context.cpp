@@ -31,14 +31,18 @@ Status check_version(const GlContext& context, const char* maker) {
                  "\", but 3.3 or newer is needed. Install a newer Mesa.");
 }
 
+ContextResult open_any(const char* osmesa_library, const char* egl_library) {
+  ContextResult osmesa = open_osmesa(osmesa_library);
+  if (osmesa) return osmesa;
+  ContextResult egl = open_egl(egl_library);
+  if (egl) return egl;
+  return failure("No off-screen OpenGL. OSMesa: " + osmesa.error() + " EGL: " + egl.error());
+}
+
 Result<std::unique_ptr<GlContext>> open_context(ContextKind kind) {
   if (kind == ContextKind::osmesa) return open_osmesa();
   if (kind == ContextKind::egl) return open_egl();
-  ContextResult osmesa = open_osmesa();
-  if (osmesa) return osmesa;
-  ContextResult egl = open_egl();
-  if (egl) return egl;
-  return failure("No off-screen OpenGL. OSMesa: " + osmesa.error() + " EGL: " + egl.error());
+  return open_any();
 }
 
 }  // namespace polhode

@@ -17,6 +17,8 @@ using ContextResult = Result<std::unique_ptr<GlContext>>;
 
 ContextResult open_osmesa(const char* library = kOsmesaLibrary);
 ContextResult open_egl(const char* library = kEglLibrary);
+/// OSMesa, and if that fails EGL; the error names both failures.
+ContextResult open_any(const char* osmesa_library = kOsmesaLibrary, const char* egl_library = kEglLibrary);
 
 /// A library opened with RTLD_LOCAL and kept: Mesa and LLVM register thread-exit and atexit handlers, so
 /// unloading them pulls code from under their own feet, and loading them again costs 20 ms. dlopen counts, it

@@ -8,8 +8,6 @@
 #include "render/image/image.h"
 #include "render/result.h"
 
-#include <array>
-
 namespace polhode {
 
 /// Owns the GL objects; `gl` must outlive it, and its context be current wherever it is used or destroyed.
@@ -28,8 +26,8 @@ class Framebuffer {
 
   /// Draw into it from now on; sets the viewport to the whole of it.
   void bind() const;
-  /// Averages the samples into the texture (nothing to do without multisampling). Ignores nobody's scissor:
-  /// disables it first, as it would cut the copy. Binds other framebuffers: bind() again before drawing more.
+  /// Averages the samples into the texture (nothing to do without multisampling). Disables the scissor test,
+  /// which would cut the copy, and binds other framebuffers: bind() again before drawing more.
   void resolve() const;
   /// The texture's pixels, top row first, as they were drawn: alpha stays premultiplied if the drawing
   /// premultiplied. Call resolve() before. 1080p: 2 ms of CPU.

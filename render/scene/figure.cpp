@@ -96,7 +96,6 @@ Camera camera_for(const builders::Moment& m, double aspect) {
 Pane make_pane(const SceneModel& model, double t_s, View view, double aspect) {
   const builders::Moment m = builders::moment_at(model, t_s, view);
   Pane pane;
-  pane.view = view;
   pane.camera = camera_for(m, aspect);
   builders::add_surfaces(m, pane.list);
   builders::add_solid(m, pane.list);

@@ -56,7 +56,7 @@ double default_step_s(const Scene& scene) {
 
 Choice rk4(const Scene& scene, const RigidBodyState& start, std::string why) {
   const double step_s = scene.motion.step_s.value_or(default_step_s(scene));
-  return {std::make_unique<Rk4Motion>(scene.body.moments, start, scene.torque, step_s), std::move(why)};
+  return {std::make_unique<Rk4Motion>(scene.body.moments, scene.torque, start, step_s), std::move(why)};
 }
 
 Choice uniform(const Scene& scene, const RigidBodyState& start) {

@@ -117,13 +117,26 @@ void turn_and_move(Part& part, const Quat& q, const Vec3& by) {
     for (Vec3& p : edge.points) p = q * p + by;
 }
 
+/// A bar of a T-handle: a cylinder turned from axis 3 to lie along `axis`.
+Part bar(double diameter, double length, const Vec3& axis, const Vec3& center) {
+  Part part = cylinder(0.5 * Vec3(diameter, diameter, length));
+  turn_and_move(part, Quat::FromTwoVectors(Vec3::UnitZ(), axis), center);
+  return part;
+}
+
+std::vector<Part> t_handle(const Vec3& size_m) {
+  const THandleGeometry g = t_handle_geometry(size_m);
+  return {bar(g.diameter_m, g.crossbar_length_m, Vec3::UnitX(), Vec3(0.0, g.crossbar_at_m, 0.0)),
+          bar(g.diameter_m, g.stem_length_m, Vec3::UnitY(), Vec3(0.0, g.stem_at_m, 0.0))};
+}
+
 std::vector<Part> parts_of(const Shape& shape) {
   const Vec3 half = 0.5 * shape.size_m;
   switch (shape.kind) {
     case ShapeKind::box: return {box(half)};
     case ShapeKind::ellipsoid: return {ellipsoid(half)};
     case ShapeKind::cylinder: return {cylinder(half)};
-    case ShapeKind::t_handle: break;
+    case ShapeKind::t_handle: return t_handle(shape.size_m);
   }
   return {box(half)};
 }

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/flat_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/gl/shader_sources.h"
+#include "render/scene/palette.h"
+
+namespace polhode {
+namespace {
+
+// Sizes relative to the height of the picture.
+constexpr double kLabelSize = 0.034;
+constexpr double kReadoutSize = 0.0235;
+constexpr double kTitleSize = 0.027;
+constexpr double kCaptionSize = 0.029;
+constexpr double kMargin = 0.03;
+constexpr double kHalo = 0.11;  // of the text's size
+constexpr double kLineSpacing = 1.55;
+
+constexpr Color kPanel = color_from_hex(0xFFFFFF, 0.84F);
+constexpr Color kNoColor{0, 0, 0, 0};
+
+std::array<float, 4> floats(const Color& c) { return {c.r, c.g, c.b, c.a}; }
+
+PixelBox pixels_of(const Pane& pane, Size size) {
+  return {pane.x * size.width, pane.y * size.height, (pane.x + pane.width) * size.width,
+          (pane.y + pane.height) * size.height};
+}
+
+Vec2 to_pixel(const Pane& pane, const PixelBox& frame, const Vec3& point) {
+  const auto p = project(pane.camera, point, frame.width(), frame.height());
+  return p ? Vec2(*p + Vec2(frame.x0, frame.y0)) : Vec2(-1e6, -1e6);
+}
+
+/// Points a few pixels apart along everything thin: what labels should not cover.
+std::vector<Vec2> obstacles_of(const Pane& pane, const PixelBox& frame) {
+  std::vector<Vec2> points;
+  const double spacing = 0.012 * frame.height();
+  const auto add_segment = [&](const Vec3& a, const Vec3& b) {
+    const Vec2 p = to_pixel(pane, frame, a), q = to_pixel(pane, frame, b);
+    const double length = (q - p).norm();
+    if (!(length < 4.0 * frame.width())) return;  // behind the camera
+    const int n = std::max(1, static_cast<int>(length / spacing));
+    for (int i = 0; i < n; ++i) points.push_back(p + (q - p) * (static_cast<double>(i) / n));
+  };
+  for (const Tube& tube : pane.list.tubes) {
+    // Closely spaced points would weigh more than far ones: step by screen distance.
+    Vec2 last(-1e6, -1e6);
+    for (const Vec3& x : tube.points) {
+      const Vec2 p = to_pixel(pane, frame, x);
+      if ((p - last).norm() < spacing) continue;
+      points.push_back(p);
+      last = p;
+    }
+  }
+  for (const Arrow& arrow : pane.list.arrows)
+    for (int weight = 0; weight < (arrow.radius > 0.01 ? 3 : 1); ++weight) add_segment(arrow.tail, arrow.tip);
+  return points;
+}
+
+}  // namespace
+
+struct FlatPass::Line {
+  const TextMask* mask;
+  int x, y;  // px of the mask's upper left corner from the picture's
+  Color ink, halo;
+};
+
+struct FlatPass::Sheet {
+  Size size;
+  Color halo;
+  Geometry<Vertex> boxes;
+  std::vector<Line> lines;
+
+  /// Rounded box centred at `center` (px from the upper left), turned by `angle`; half sizes along its own axes.
+  void add_box(const Vec2& center, const Vec2& half, double angle, double radius, const Color& fill, double border) {
+    const auto first = static_cast<std::uint32_t>(boxes.vertices.size());
+    const Vec2 u(std::cos(angle), std::sin(angle)), v(-u.y(), u.x());
+    for (int k = 0; k < 4; ++k) {
+      const Vec2 local((k & 1 ? 1.0 : -1.0) * (half.x() + 1.0), (k & 2 ? 1.0 : -1.0) * (half.y() + 1.0));
+      const Vec2 p = center + local.x() * u + local.y() * v;
+      boxes.vertices.push_back({{static_cast<float>(p.x()), static_cast<float>(size.height - p.y())},
+                                {static_cast<float>(local.x()), static_cast<float>(local.y())},
+                                floats(fill),
+                                {static_cast<float>(half.x()), static_cast<float>(half.y()),
+                                 static_cast<float>(radius), static_cast<float>(border)}});
+    }
+    for (std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) boxes.indices.push_back(first + k);
+  }
+
+  void add_stroke(const Vec2& from, const Vec2& to, double width, const Color& color) {
+    const Vec2 d = to - from;
+    add_box(0.5 * (from + to), {0.5 * d.norm() + 0.5 * width, 0.5 * width}, std::atan2(d.y(), d.x()), 0.5 * width,
+            color, 0.0);
+  }
+};
+
+Result<std::unique_ptr<FlatPass>> FlatPass::create(const Gl& gl) {
+  auto font = LabelFont::open();
+  if (!font) return failure(font.error());
+  auto text = Program::create(gl, "text", shaders::kFlatVert, shaders::kTextFrag);
+  if (!text) return failure(text.error());
+  auto box = Program::create(gl, "box", shaders::kFlatVert, shaders::kBoxFrag);
+  if (!box) return failure(box.error());
+  return std::unique_ptr<FlatPass>(
+      new FlatPass(gl, std::move(font).value(), std::move(text).value(), std::move(box).value()));
+}
+
+FlatPass::FlatPass(const Gl& gl, LabelFont font, Program text, Program box)
+    : gl_(gl), font_(std::move(font)), text_(std::move(text)), box_(std::move(box)), stream_(gl, {2, 2, 4, 4}) {
+  gl.GenTextures(1, &texture_);
+  gl.BindTexture(GL_TEXTURE_2D, texture_);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+FlatPass::~FlatPass() { gl_.DeleteTextures(1, &texture_); }
+
+const TextMask& FlatPass::mask(const std::string& text, double size_px, double halo_px) {
+  const auto key = std::make_pair(text, static_cast<int>(std::lround(64.0 * size_px)));
+  const auto found = masks_.find(key);
+  if (found != masks_.end()) return found->second;
+  return masks_.emplace(key, font_.set_line(text, size_px, halo_px)).first->second;
+}
+
+void FlatPass::add_line(const std::string& text, double size_px, double x, double y, double align, const Color& ink,
+                        Sheet& sheet) {
+  const TextMask& m = mask(text, size_px, kHalo * size_px);
+  const double left = x - align * (m.width - 2 * m.margin) - m.margin;
+  sheet.lines.push_back({&m, static_cast<int>(std::lround(left)), static_cast<int>(std::lround(y)) - m.baseline, ink,
+                         sheet.halo});
+}
+
+void FlatPass::add_color_bar(double x, double y, double width, double marker, Sheet& sheet) {
+  const double em = kReadoutSize * sheet.size.height;
+  const double height = 0.5 * em;
+  constexpr int kSlices = 96;
+  for (int i = 0; i < kSlices; ++i) {
+    const double w = width / kSlices;
+    sheet.add_box({x + (i + 0.5) * w, y + 0.5 * height}, {0.5 * w, 0.5 * height}, 0.0, 0.0,
+                  family_color((i + 0.5) / kSlices), 0.0);
+  }
+  const double at = x + marker * width;
+  sheet.add_box({at, y + 0.5 * height}, {0.14 * em, 0.5 * height + 0.16 * em}, 0.0, 0.14 * em,
+                color_from_hex(0xFFFFFF), 0.0);
+  sheet.add_box({at, y + 0.5 * height}, {0.08 * em, 0.5 * height + 0.10 * em}, 0.0, 0.08 * em, kPolhodeRole.paint,
+                0.0);
+  const double below = y + height + 1.05 * em;
+  add_line("𝐼₁", 0.9 * em, x, below, 0.0, kInk, sheet);
+  add_line("𝐿²/2𝑇", 0.9 * em, x + 0.5 * width, below, 0.5, kInk, sheet);
+  add_line("𝐼₃", 0.9 * em, x + width, below, 1.0, kInk, sheet);
+}
+
+PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bool at_bottom, Sheet& sheet) {
+  const double em = kReadoutSize * sheet.size.height;
+  const double margin = kMargin * sheet.size.height;
+  const double pad = 0.8 * em;
+  double width = 0.0;
+  for (const std::string& line : readout.lines) {
+    const TextMask& m = mask(line, em, kHalo * em);
+    width = std::max(width, static_cast<double>(m.width - 2 * m.margin));
+  }
+  const double bar = readout.color_bar ? 2.2 * em : 0.0;
+  const double lines = static_cast<double>(readout.lines.size());
+  const double height = 2.0 * pad + (lines - 1.0) * kLineSpacing * em + em + bar;
+  const double x = frame.x0 + margin;
+  const double y = at_bottom ? frame.y1 - margin - height : frame.y0 + margin;
+  const PixelBox panel{x, y, x + width + 2.0 * pad, y + height};
+
+  sheet.add_box({0.5 * (panel.x0 + panel.x1), 0.5 * (panel.y0 + panel.y1)},
+                {0.5 * panel.width(), 0.5 * panel.height()}, 0.0, 0.45 * em, kPanel, 1.0);
+  double baseline = y + pad + 0.82 * em;
+  for (const std::string& line : readout.lines) {
+    add_line(line, em, x + pad, baseline, 0.0, kInk, sheet);
+    sheet.lines.back().halo = kNoColor;
+    baseline += kLineSpacing * em;
+  }
+  if (readout.color_bar) {
+    const std::size_t before = sheet.lines.size();
+    add_color_bar(x + pad, baseline - 0.75 * em, width, readout.marker, sheet);
+    for (std::size_t i = before; i < sheet.lines.size(); ++i) sheet.lines[i].halo = kNoColor;
+  }
+  return panel;
+}
+
+void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken, Sheet& sheet) {
+  const double base = kLabelSize * sheet.size.height;
+  std::vector<LabelRequest> requests;
+  std::vector<const TextMask*> masks;
+  for (const Label& label : pane.list.labels) {
+    const double em = base * label.size;
+    const TextMask& m = mask(label.text, em, kHalo * em);
+    masks.push_back(&m);
+    requests.push_back({to_pixel(pane, frame, label.anchor), static_cast<double>(m.width - 2 * m.margin), 0.95 * em,
+                        label.leader});
+  }
+  const PixelBox inside = frame.grown(-0.5 * kMargin * sheet.size.height);
+  const auto placed = place_labels(requests, obstacles_of(pane, frame), taken, inside);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const Label& label = pane.list.labels[i];
+    const double em = base * label.size;
+    const PixelBox& box = placed[i].box;
+    if (placed[i].has_leader) {
+      const double width = std::max(1.0, 0.055 * em);
+      sheet.add_stroke(requests[i].anchor, placed[i].leader_end, 3.2 * width, sheet.halo);
+      sheet.add_stroke(requests[i].anchor, placed[i].leader_end, width, label.color);
+    }
+    const int x = static_cast<int>(std::lround(box.x0)) - masks[i]->margin;
+    const int baseline = static_cast<int>(std::lround(box.y1 - 0.22 * em));
+    sheet.lines.push_back({masks[i], x, baseline - masks[i]->baseline, label.color, sheet.halo});
+  }
+}
+
+void FlatPass::add_frame_titles(const Figure& figure, Size size, Sheet& sheet) {
+  const double h = size.height;
+  for (const Pane& pane : figure.panes) {
+    const PixelBox frame = pixels_of(pane, size);
+    if (!pane.title.empty())
+      add_line(pane.title, kTitleSize * h, 0.5 * (frame.x0 + frame.x1), frame.y0 + (kMargin + kTitleSize) * h, 0.5,
+               kAxesRole.ink, sheet);
+    if (frame.x0 > 0.0)
+      sheet.add_stroke({frame.x0, frame.y0 + kMargin * h}, {frame.x0, frame.y1 - kMargin * h}, 0.0018 * h,
+                       color_from_hex(0xA9B0B8));
+  }
+  if (!figure.caption.empty())
+    add_line(figure.caption, kCaptionSize * h, 0.5 * size.width, (1.0 - kMargin) * h - 0.3 * kCaptionSize * h, 0.5,
+             kInk, sheet);
+}
+
+void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
+  constexpr std::size_t kMostMasks = 512;  // numbers change from frame to frame: forget before old texts pile up
+  if (masks_.size() > kMostMasks) masks_.clear();
+
+  Sheet sheet{.size = size, .halo = halo, .boxes = {}, .lines = {}};
+  add_frame_titles(figure, size, sheet);
+  for (const Pane& pane : figure.panes) {
+    const PixelBox frame = pixels_of(pane, size);
+    std::vector<PixelBox> taken;
+    for (const Line& line : sheet.lines)
+      taken.push_back({static_cast<double>(line.x), static_cast<double>(line.y),
+                       static_cast<double>(line.x + line.mask->width), static_cast<double>(line.y + line.mask->height)});
+    for (const Readout& readout : pane.list.readouts)
+      taken.push_back(add_readout(readout, frame, figure.panes.size() > 1, sheet));
+    add_labels(pane, frame, taken, sheet);
+  }
+  draw_sheet(sheet, size);
+}
+
+void FlatPass::draw_sheet(const Sheet& sheet, Size size) {
+  // One row of masks after another in a texture of ink and halo.
+  int width = 1, height = 0;
+  for (const Line& line : sheet.lines) {
+    width = std::max(width, line.mask->width);
+    height += line.mask->height;
+  }
+  std::vector<std::uint8_t> texels(2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(std::max(height, 1)));
+  Geometry<Vertex> text;
+  int top = 0;
+  for (const Line& line : sheet.lines) {
+    const TextMask& m = *line.mask;
+    for (int y = 0; y < m.height; ++y)
+      for (int x = 0; x < m.width; ++x) {
+        const auto to = 2 * static_cast<std::size_t>((top + y) * width + x);
+        texels[to] = m.ink[static_cast<std::size_t>(y * m.width + x)];
+        texels[to + 1] = m.halo[static_cast<std::size_t>(y * m.width + x)];
+      }
+    const auto first = static_cast<std::uint32_t>(text.vertices.size());
+    for (int k = 0; k < 4; ++k) {
+      const int dx = k & 1 ? m.width : 0, dy = k & 2 ? m.height : 0;
+      text.vertices.push_back({{static_cast<float>(line.x + dx), static_cast<float>(size.height - line.y - dy)},
+                               {static_cast<float>(dx), static_cast<float>(top + dy)},
+                               floats(line.ink), floats(line.halo)});
+    }
+    for (std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) text.indices.push_back(first + k);
+    top += m.height;
+  }
+
+  gl_.BindTexture(GL_TEXTURE_2D, texture_);
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, width, std::max(height, 1), 0, GL_RG, GL_UNSIGNED_BYTE, texels.data());
+  const auto w = static_cast<float>(size.width), h = static_cast<float>(size.height);
+  box_.use();
+  box_.set("u_size", w, h);
+  stream_.draw(sheet.boxes);
+  text_.use();
+  text_.set("u_size", w, h);
+  text_.set("u_mask", 0);
+  stream_.draw(text);
+}
+
+}  // namespace polhode

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/renderer.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "render/gl/flat_pass.h"
+#include "render/gl/framebuffer.h"
+#include "render/gl/geometry.h"
+#include "render/gl/shader.h"
+#include "render/gl/shader_sources.h"
+#include "render/gl/stream.h"
+#include "render/scene/palette.h"
+
+namespace polhode {
+namespace {
+
+constexpr int kSamples = 4;
+
+using Mat4 = Eigen::Matrix4d;
+
+std::array<float, 3> floats(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+void set_mat4(const Program& program, const char* name, const Mat4& m) {
+  const Eigen::Matrix4f f = m.cast<float>();
+  program.set_mat4(name, std::span<const float, 16>(f.data(), 16));
+}
+void set_mat3(const Program& program, const char* name, const Mat3& m) {
+  const Eigen::Matrix3f f = m.cast<float>();
+  program.set_mat3(name, std::span<const float, 9>(f.data(), 9));
+}
+
+/// What every shader of a pane needs to know about the camera.
+struct Viewpoint {
+  Mat4 view_projection;
+  Mat4 ray;  ///< clip (x, y, 1, 1) to a direction in the view's frame
+  Vec3 eye;
+  Vec3 light;  ///< unit, towards the key light: over the viewer's left shoulder
+  double sunk_below;
+};
+
+Viewpoint viewpoint_of(const Pane& pane, double aspect) {
+  const Mat4 view = pane.camera.view(), projection = pane.camera.projection(aspect);
+  Mat4 turn = view;
+  turn.topRightCorner<3, 1>().setZero();
+  const Vec3 right = view.block<1, 3>(0, 0).transpose(), up = view.block<1, 3>(1, 0).transpose(),
+             back = view.block<1, 3>(2, 0).transpose();
+  const Vec3 light = (-0.45 * right + 0.75 * up + 0.42 * back + Vec3(0.0, 0.0, 0.35)).normalized();
+
+  double sunk_below = -std::numeric_limits<double>::max();
+  for (const Floor& floor : pane.list.floors)
+    if (pane.camera.eye.z() > floor.z) sunk_below = floor.z - 1e-3;
+  return {projection * view, (projection * turn).inverse(), pane.camera.eye, light, sunk_below};
+}
+
+/// Rotation and scale between the view's frame and the space where the ellipsoid is the unit ball.
+struct BallSpace {
+  Mat3 to_ball, from_ball;
+};
+BallSpace ball_space(const GlassEllipsoid& e) {
+  const Mat3 r = e.rotation.toRotationMatrix();
+  return {e.semi_axes.cwiseInverse().asDiagonal() * r.transpose(), r * e.semi_axes.asDiagonal()};
+}
+
+class GlRenderer final : public Renderer {
+ public:
+  static Result<std::unique_ptr<Renderer>> create(const Gl& gl);
+
+  Result<Image> draw(const Figure& figure, Size size, const Background& background) override;
+  std::string driver() const override { return driver_name(gl()); }
+
+ private:
+  struct Programs {
+    Program backdrop, glass, tube, mesh;
+  };
+  // The table lives on the heap because programs and streams keep a reference to it.
+  GlRenderer(std::unique_ptr<const Gl> gl, Programs programs, std::unique_ptr<FlatPass> flat)
+      : gl_(std::move(gl)), programs_(std::move(programs)), flat_(std::move(flat)), tubes_(*gl_, {3, 3, 4, 3}),
+        meshes_(*gl_, {3, 3, 4}), nothing_(*gl_, {}) {}
+
+  const Gl& gl() const { return *gl_; }
+  Status prepare(Size size);
+  void draw_pane(const Pane& pane, Size size, const Background& background);
+  void draw_backdrop(const Pane& pane, const Viewpoint& at, const std::array<int, 4>& viewport,
+                     const Background& background);
+  void draw_glass(const Pane& pane, const Viewpoint& at, bool front);
+  void draw_lines_and_solids(const Pane& pane, const Viewpoint& at);
+
+  std::unique_ptr<const Gl> gl_;
+  Programs programs_;
+  std::unique_ptr<FlatPass> flat_;
+  VertexStream tubes_, meshes_, nothing_;
+  std::optional<Framebuffer> framebuffer_;
+};
+
+Color sky_of(const Background& background) {
+  switch (background.kind) {
+    case Background::Kind::paper: return color_from_hex(0xFBFAF6);
+    case Background::Kind::color: return background.color;
+    case Background::Kind::transparent: return {0, 0, 0, 0};
+    case Background::Kind::studio:
+    case Background::Kind::white: break;
+  }
+  return {1, 1, 1, 1};
+}
+
+/// Text stays readable on any backdrop: light halo on light, and on transparent, dark on dark.
+Color halo_of(const Background& background) {
+  if (background.kind == Background::Kind::studio) return color_from_hex(0xF4F5F7, 0.88F);
+  const Color sky = sky_of(background);
+  return sky.a > 0.0F ? Color{sky.r, sky.g, sky.b, 0.9F} : color_from_hex(0xFFFFFF, 0.85F);
+}
+
+void remove_premultiplication(Image& image) {
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const int a = image.rgba[i + 3];
+    if (a == 0 || a == 255) continue;
+    for (std::size_t k = 0; k < 3; ++k)
+      image.rgba[i + k] = static_cast<std::uint8_t>(std::min(255, (image.rgba[i + k] * 255 + a / 2) / a));
+  }
+}
+
+void make_opaque(Image& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+}
+
+Status GlRenderer::prepare(Size size) {
+  if (framebuffer_ && framebuffer_->size() == size) return success();
+  framebuffer_.reset();
+  auto made = Framebuffer::create(gl(), size, kSamples);
+  if (!made) return failure(made.error());
+  framebuffer_ = std::move(made).value();
+  return success();
+}
+
+void GlRenderer::draw_backdrop(const Pane& pane, const Viewpoint& at, const std::array<int, 4>& viewport,
+                               const Background& background) {
+  const Program& p = programs_.backdrop;
+  p.use();
+  p.set("u_viewport_origin", static_cast<float>(viewport[0]), static_cast<float>(viewport[1]));
+  p.set("u_viewport_size", static_cast<float>(viewport[2]), static_cast<float>(viewport[3]));
+  set_mat4(p, "u_ray", at.ray);
+  p.set("u_eye", floats(at.eye));
+  const Color sky = sky_of(background);
+  p.set("u_sky", sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
+  p.set("u_studio", background.kind == Background::Kind::studio ? 1.0F : 0.0F);
+  p.set("u_floor", pane.list.floors.empty() ? 0.0F : 1.0F);
+  if (!pane.list.floors.empty()) {
+    p.set("u_floor_z", static_cast<float>(pane.list.floors[0].z));
+    p.set("u_grid", static_cast<float>(pane.list.floors[0].grid));
+  }
+  p.set("u_shadow", pane.list.ellipsoids.empty() ? 0.0F : 1.0F);
+  p.set("u_light", floats(at.light));
+  if (!pane.list.ellipsoids.empty()) {
+    const GlassEllipsoid& e = pane.list.ellipsoids.front();
+    set_mat3(p, "u_to_ball", ball_space(e).to_ball);
+    p.set("u_ball_center", floats(e.center));
+    p.set("u_tint", e.tint.r, e.tint.g, e.tint.b);
+  }
+  gl().Disable(GL_DEPTH_TEST);
+  gl().Disable(GL_BLEND);
+  nothing_.draw_without_vertices(GL_TRIANGLES, 3);
+  gl().Enable(GL_BLEND);
+}
+
+void GlRenderer::draw_glass(const Pane& pane, const Viewpoint& at, bool front) {
+  const Program& p = programs_.glass;
+  p.use();
+  set_mat4(p, "u_ray", at.ray);
+  set_mat4(p, "u_view_projection", at.view_projection);
+  p.set("u_eye", floats(at.eye));
+  p.set("u_light", floats(at.light));
+  p.set("u_front", front ? 1.0F : 0.0F);
+  if (front)
+    gl().Enable(GL_DEPTH_TEST);
+  else
+    gl().Disable(GL_DEPTH_TEST);
+  gl().DepthMask(GL_FALSE);
+  for (const GlassEllipsoid& e : pane.list.ellipsoids) {
+    const BallSpace space = ball_space(e);
+    set_mat3(p, "u_to_ball", space.to_ball);
+    p.set("u_center", floats(e.center));
+    p.set("u_tint", e.tint.r, e.tint.g, e.tint.b);
+    p.set("u_graticule", e.graticule ? 1.0F : 0.0F);
+    const auto b = outline_bounds(e, at.view_projection);
+    p.set("u_bounds", static_cast<float>(b[0]), static_cast<float>(b[1]), static_cast<float>(b[2]),
+          static_cast<float>(b[3]));
+    nothing_.draw_without_vertices(GL_TRIANGLE_STRIP, 4);
+  }
+  gl().DepthMask(GL_TRUE);
+}
+
+void GlRenderer::draw_lines_and_solids(const Pane& pane, const Viewpoint& at) {
+  const PaneGeometry geometry = make_geometry(pane.list);
+  gl().Enable(GL_DEPTH_TEST);
+  const auto prepare_program = [&](const Program& p) {
+    p.use();
+    set_mat4(p, "u_view_projection", at.view_projection);
+    p.set("u_eye", floats(at.eye));
+    p.set("u_light", floats(at.light));
+    p.set("u_sunk_below", static_cast<float>(at.sunk_below));
+  };
+  prepare_program(programs_.mesh);
+  meshes_.draw(geometry.solid);
+  prepare_program(programs_.tube);
+  tubes_.draw(geometry.tubes);
+  gl().DepthMask(GL_FALSE);
+  prepare_program(programs_.mesh);
+  meshes_.draw(geometry.translucent);
+  gl().DepthMask(GL_TRUE);
+}
+
+void GlRenderer::draw_pane(const Pane& pane, Size size, const Background& background) {
+  const int x0 = static_cast<int>(std::lround(pane.x * size.width));
+  const int x1 = static_cast<int>(std::lround((pane.x + pane.width) * size.width));
+  const int y0 = static_cast<int>(std::lround((1.0 - pane.y - pane.height) * size.height));
+  const int y1 = static_cast<int>(std::lround((1.0 - pane.y) * size.height));
+  const std::array<int, 4> viewport = {x0, y0, std::max(1, x1 - x0), std::max(1, y1 - y0)};
+  gl().Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+
+  const Viewpoint at = viewpoint_of(pane, static_cast<double>(viewport[2]) / viewport[3]);
+  draw_backdrop(pane, at, viewport, background);
+  draw_glass(pane, at, false);
+  draw_lines_and_solids(pane, at);
+  draw_glass(pane, at, true);
+}
+
+Result<Image> GlRenderer::draw(const Figure& figure, Size size, const Background& background) {
+  if (Status ready = prepare(size); !ready) return failure(ready.error());
+  framebuffer_->bind();
+  gl().ClearColor(0, 0, 0, 0);
+  gl().DepthMask(GL_TRUE);
+  gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl().BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  for (const Pane& pane : figure.panes) draw_pane(pane, size, background);
+
+  framebuffer_->resolve();
+  gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_->resolved());
+  gl().Viewport(0, 0, size.width, size.height);
+  gl().Disable(GL_DEPTH_TEST);
+  flat_->draw(figure, size, halo_of(background));
+
+  Image image = framebuffer_->read();
+  if (const std::string errors = pending_errors(gl()); !errors.empty())
+    return failure("OpenGL reported " + errors + " while drawing; driver: " + driver());
+  if (background.kind == Background::Kind::transparent)
+    remove_premultiplication(image);
+  else
+    make_opaque(image);
+  return image;
+}
+
+Result<std::unique_ptr<Renderer>> GlRenderer::create(const Gl& table) {
+  auto gl = std::make_unique<const Gl>(table);
+  auto backdrop = Program::create(*gl, "backdrop", shaders::kScreenVert, shaders::kBackdropFrag);
+  if (!backdrop) return failure(backdrop.error());
+  auto glass = Program::create(*gl, "glass", shaders::kGlassVert, shaders::kGlassFrag);
+  if (!glass) return failure(glass.error());
+  auto tube = Program::create(*gl, "tube", shaders::kTubeVert, shaders::kTubeFrag);
+  if (!tube) return failure(tube.error());
+  auto mesh = Program::create(*gl, "mesh", shaders::kMeshVert, shaders::kMeshFrag);
+  if (!mesh) return failure(mesh.error());
+  auto flat = FlatPass::create(*gl);
+  if (!flat) return failure(flat.error());
+  Programs programs{std::move(backdrop).value(), std::move(glass).value(), std::move(tube).value(),
+                    std::move(mesh).value()};
+  return std::unique_ptr<Renderer>(
+      new GlRenderer(std::move(gl), std::move(programs), std::move(flat).value()));
+}
+
+int hex_pair(std::string_view text) {
+  int value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  return error == std::errc() && end == text.data() + text.size() ? value : -1;
+}
+
+}  // namespace
+
+std::optional<Background> background_from(std::string_view text) {
+  using Kind = Background::Kind;
+  if (text == "studio") return Background{Kind::studio, {}};
+  if (text == "paper") return Background{Kind::paper, {}};
+  if (text == "white") return Background{Kind::white, {}};
+  if (text == "transparent") return Background{Kind::transparent, {}};
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  const int r = hex_pair(text.substr(1, 2)), g = hex_pair(text.substr(3, 2)), b = hex_pair(text.substr(5, 2));
+  if (r < 0 || g < 0 || b < 0) return std::nullopt;
+  return Background{Kind::color, color_from_hex(static_cast<unsigned>(r << 16 | g << 8 | b))};
+}
+
+Result<std::unique_ptr<Renderer>> Renderer::create(const GlContext& context) {
+  auto gl = Gl::load(context);
+  if (!gl) return failure(gl.error());
+  return GlRenderer::create(*gl);
+}
+
+}  // namespace polhode

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The files of shaders/, compiled in by CMake. Internal to render/gl.
+#pragma once
+
+namespace polhode::shaders {
+
+extern const char* const kScreenVert;
+extern const char* const kBackdropFrag;
+extern const char* const kGlassVert;
+extern const char* const kGlassFrag;
+extern const char* const kTubeVert;
+extern const char* const kTubeFrag;
+extern const char* const kMeshVert;
+extern const char* const kMeshFrag;
+extern const char* const kFlatVert;
+extern const char* const kTextFrag;
+extern const char* const kBoxFrag;
+
+}  // namespace polhode::shaders

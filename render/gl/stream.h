@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Vertices that are new in every frame: one vertex array with its buffers. Internal to render/gl.
+#pragma once
+
+#include <initializer_list>
+
+#include "render/gl/functions.h"
+#include "render/gl/geometry.h"
+
+namespace polhode {
+
+/// Attributes 0, 1, … of the given numbers of floats, interleaved. `gl` must outlive it.
+class VertexStream {
+ public:
+  VertexStream(const Gl& gl, std::initializer_list<int> attributes);
+  ~VertexStream();
+  VertexStream(const VertexStream&) = delete;
+  VertexStream& operator=(const VertexStream&) = delete;
+
+  template <class Vertex>
+  void draw(const Geometry<Vertex>& geometry) const {
+    draw_floats(geometry.vertices.data(), geometry.vertices.size() * sizeof(Vertex), geometry.indices);
+  }
+
+  /// For shaders that make their vertices from gl_VertexID.
+  void draw_without_vertices(GLenum mode, int count) const;
+
+ private:
+  void draw_floats(const void* vertices, std::size_t bytes, const std::vector<std::uint32_t>& indices) const;
+
+  const Gl& gl_;
+  GLuint array_ = 0, vertices_ = 0, indices_ = 0;
+};
+
+}  // namespace polhode
