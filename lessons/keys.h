@@ -14,9 +14,9 @@
 
 namespace polhode {
 
-/// Letters a-z, digits and hyphens, 1 to 64 of them.
+/// Letters, digits and hyphens of ASCII, 1 to 64 of them.
 bool is_id(std::string_view text);
-inline constexpr std::string_view kIdRule = "an id has 1 to 64 of the characters a-z, 0-9 and -";
+inline constexpr std::string_view kIdRule = "an id has 1 to 64 of the characters a-z, A-Z, 0-9 and -";
 
 /// Each returns nothing, and reports why, if the value of the key is not what is asked for.
 std::optional<std::string> read_text(const TomlEntry& entry, Report& report);
