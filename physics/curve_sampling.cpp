@@ -46,10 +46,13 @@ class Sampler {
 }  // namespace
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 chord = b - a;
+  const double size = std::max((b - a).cwiseAbs().maxCoeff(), (p - a).cwiseAbs().maxCoeff());
+  if (size == 0) return 0.0;
+  const Vec3 chord = (b - a) / size;  // about 1, lest squares underflow
+  const Vec3 offset = (p - a) / size;
   const double length2 = chord.squaredNorm();
-  const double along = length2 > 0 ? std::clamp((p - a).dot(chord) / length2, 0.0, 1.0) : 0.0;
-  return (p - (a + along * chord)).norm();
+  const double along = length2 > 0 ? std::clamp(offset.dot(chord) / length2, 0.0, 1.0) : 0.0;
+  return size * (offset - along * chord).norm();
 }
 
 std::vector<Vec3> sample_curve(const std::function<Vec3(double)>& curve, double x0, double x1,

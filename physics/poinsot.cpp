@@ -193,7 +193,7 @@ Curve herpolhode(const Motion& motion, double t0_s, double t1_s, double chord_to
   const double turns = std::abs(t1_s - t0_s) * rate / kMaxTurnPerPiece;
   const Sampling sampling{
       .chord_tolerance = std::max(chord_tolerance, kFinestChord * rate),
-      .first_pieces = static_cast<int>(std::clamp(std::ceil(turns), 4.0, 0.5 * kMaxHerpolhodePoints)),
+      .first_pieces = static_cast<int>(std::clamp(std::ceil(turns), 4.0, 0.25 * kMaxHerpolhodePoints)),
       .max_halvings = 20,
       .max_points = kMaxHerpolhodePoints / 2};
   Curve curve{sample_curve(tip_S, t0_s, t1_s, sampling), false};

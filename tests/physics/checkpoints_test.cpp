@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "physics/checkpoints.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <random>
+#include <thread>
+
+namespace polhode {
+namespace {
+
+using Counter = Checkpoints<std::int64_t>;
+
+bool always(const std::int64_t&) { return true; }
+
+TEST(Checkpoints, GiveTheStateAfterAnyNumberOfStepsInAnyOrder) {
+  const Counter path(
+      7, [](const std::int64_t& y) { return y + 3; }, always);
+  std::vector<std::int64_t> wanted{0, 1, 63, 64, 65, 127, 128, 1000, 5000, 12345};
+  std::shuffle(wanted.begin(), wanted.end(), std::mt19937(1));
+  for (const std::int64_t k : wanted) EXPECT_EQ(path.after(k), 7 + 3 * k);
+  for (const std::int64_t k : wanted) EXPECT_EQ(path.after(k), 7 + 3 * k);
+}
+
+TEST(Checkpoints, RevisitsAreCheapAlsoAfterThinning) {
+  std::int64_t steps = 0;
+  const Counter path(
+      0,
+      [&steps](const std::int64_t& y) {
+        ++steps;
+        return y + 1;
+      },
+      always);
+  const std::int64_t far = 5 * Counter::kFirstSpacing * static_cast<std::int64_t>(Counter::kMaxSaved);
+  EXPECT_EQ(path.after(far), far);
+  EXPECT_LE(steps, far + far / 1024 + 64);
+  for (const std::int64_t k : {far, far / 2, far / 3, std::int64_t{0}, std::int64_t{100'000}}) {
+    steps = 0;
+    EXPECT_EQ(path.after(k), k);
+    EXPECT_LE(steps, far / 1024 + 64) << k;
+  }
+}
+
+TEST(Checkpoints, EndWhereTheStateDiesAndDoNotStepOn) {
+  std::int64_t steps = 0;
+  const Counter path(
+      0,
+      [&steps](const std::int64_t& y) {
+        ++steps;
+        return y + 1;
+      },
+      [](const std::int64_t& y) { return y < 1000; });
+  EXPECT_EQ(path.after(999), 999);
+  EXPECT_EQ(path.after(1000), std::nullopt);
+  EXPECT_EQ(path.after(1'000'000'000'000), std::nullopt);
+  EXPECT_LE(steps, 3000);
+  EXPECT_EQ(path.after(998), 998);
+}
+
+TEST(Checkpoints, ServeManyThreadsTheSame) {
+  const Counter path(
+      1, [](const std::int64_t& y) { return (y * 48271) % 2147483647; }, always);
+  const Counter alone(
+      1, [](const std::int64_t& y) { return (y * 48271) % 2147483647; }, always);
+  std::atomic<int> wrong = 0;
+  std::vector<std::thread> threads;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    threads.emplace_back([&, seed] {
+      std::mt19937 engine(seed);
+      for (int i = 0; i < 200; ++i) {
+        const std::int64_t k = engine() % 20000;
+        if (path.after(k) != alone.after(k)) ++wrong;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, 0);
+}
+
+}  // namespace
+}  // namespace polhode

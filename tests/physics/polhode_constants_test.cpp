@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "physics/polhode_constants.h"
+
+#include "physics/euler.h"
+#include "tests/physics/support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace polhode {
+namespace {
+
+using test::kEps;
+using test::Random;
+
+TEST(PolhodeConstants, AreThereUnlessSteadyAndKnowTheSeparatrix) {
+  for (const test::ReferenceCase& c : test::reference_cases()) {
+    const auto p = polhode_constants(c.I, c.start.w_B);
+    ASSERT_EQ(p.has_value(), c.kind != "steady") << c.name;
+    if (p) {
+      EXPECT_EQ(p->separatrix(), c.kind == "separatrix") << c.name;
+    }
+  }
+}
+
+// The modulus from sn² + cn² = 1, k² + k'² = 1; the state itself satisfies (A, B, C)'s three equations.
+TEST(PolhodeConstants, SatisfyTheIdentitiesOfTheEllipticFunctions) {
+  for (const test::ReferenceCase& c : test::reference_cases()) {
+    const auto p = polhode_constants(c.I, c.start.w_B);
+    if (!p) continue;
+    const Vec3& w_B = c.start.w_B;
+    const double cn = w_B[p->a] / p->A, sn = w_B[p->b] / p->B, dn = w_B[p->c] / p->C;
+    EXPECT_NEAR(p->k * p->k + p->kp * p->kp, 1, 16 * kEps) << c.name;
+    EXPECT_NEAR(cn * cn + sn * sn, 1, 16 * kEps) << c.name;
+    EXPECT_NEAR(dn * dn + p->k * p->k * sn * sn, 1, 16 * kEps) << c.name;
+  }
+}
+
+// ω̇ at the vertex sn = 0 is d/dt of the elliptic functions there: ω̇_b = σ B λ dn = σ B λ, whatever axes and
+// signs.
+TEST(PolhodeConstants, MoveAsEulersEquationsSay) {
+  Random random(1);
+  for (int i = 0; i < 500; ++i) {
+    const PrincipalMoments I = random.moments();
+    const auto p = polhode_constants(I, random.vector(2));
+    ASSERT_TRUE(p.has_value());
+    Vec3 w_B;
+    w_B[p->a] = p->A;
+    w_B[p->b] = 0;
+    w_B[p->c] = p->sign_c * p->C;
+    const double rate_b = p->sign_b * angular_acceleration_B(I, w_B)[p->b];
+    const double expected = p->sigma * p->B * p->lambda;
+    // Relative to the products of the moments, whose difference I_c − I_a is rounded.
+    EXPECT_NEAR(rate_b, expected, 32 * kEps * std::abs(expected));
+  }
+}
+
+TEST(PolhodeConstants, ScaleByPowersOfTwoToTheBit) {
+  Random random(2);
+  for (int i = 0; i < 200; ++i) {
+    const PrincipalMoments I = random.moments();
+    const Vec3 w_B = random.vector(2);
+    const Vec3 big = I.vector() * 0x1p301;
+    const auto p = polhode_constants(I, w_B);
+    const auto s = polhode_constants({big[0], big[1], big[2]}, w_B * 0x1p-203);
+    EXPECT_EQ(p->A * 0x1p-203, s->A);
+    EXPECT_EQ(p->B * 0x1p-203, s->B);
+    EXPECT_EQ(p->C * 0x1p-203, s->C);
+    EXPECT_EQ(p->lambda * 0x1p-203, s->lambda);
+    EXPECT_EQ(p->k, s->k);
+    EXPECT_EQ(p->kp, s->kp);
+  }
+}
+
+TEST(PolhodeConstants, SortAndParity) {
+  EXPECT_EQ(sorted_axes(PrincipalMoments(2, 1, 1.5)), (std::array<int, 3>{1, 2, 0}));
+  EXPECT_EQ(sorted_axes(PrincipalMoments(1, 1, 1)), (std::array<int, 3>{0, 1, 2}));
+  EXPECT_EQ(parity(0, 1), 1);
+  EXPECT_EQ(parity(1, 2), 1);
+  EXPECT_EQ(parity(2, 0), 1);
+  EXPECT_EQ(parity(1, 0), -1);
+  EXPECT_EQ(parity(2, 1), -1);
+  EXPECT_EQ(parity(0, 2), -1);
+}
+
+// std::comp_ellint_1 takes k and so is good only while k' is not small; near 0, K = ln(4/k') + O(k'² ln k').
+TEST(CompleteEllipticK, MatchesTheLibraryAndTheLogarithm) {
+  for (const double k : {0.0, 0.1, 0.5, 0.8}) {
+    const double K = std::comp_ellint_1(k);
+    EXPECT_NEAR(complete_elliptic_K(std::sqrt(1 - k * k)), K, 8 * kEps * K) << k;
+  }
+  EXPECT_EQ(complete_elliptic_K(1.0), std::numbers::pi / 2);
+  for (const double kp : {1e-9, 1e-20, 1e-100, 1e-300, 5e-324}) {
+    const double K = std::log(4 / kp);
+    if (std::isfinite(K)) {
+      EXPECT_NEAR(complete_elliptic_K(kp), K, 8 * kEps * K) << kp;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace polhode

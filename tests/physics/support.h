@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What the physics tests share: reference cases, random bodies, measures of error.
+#pragma once
+
+#include "physics/motion.h"
+#include "physics/principal_moments.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace polhode::test {
+
+/// Unit roundoff, the ε of every tolerance here.
+inline constexpr double kEps = 0x1p-53;
+
+struct ReferenceState {
+  double t_s;
+  RigidBodyState state;   ///< rounded from 25 digits
+  double cond_w, cond_q;  ///< structured condition numbers, see `conventions` in the file
+};
+
+struct ReferenceCase {
+  std::string name, kind;  ///< kind: periodic, separatrix, steady
+  PrincipalMoments I;
+  RigidBodyState start;
+  double period_s;  ///< NaN if there is none
+  std::vector<ReferenceState> states;
+};
+
+/// tests/reference/torque_free.json, 52 bodies.
+const std::vector<ReferenceCase>& reference_cases();
+const ReferenceCase& reference_case(const std::string& name);
+
+/// |Δω|/|ω| and |Δq| up to sign.
+double w_error(const Vec3& w, const Vec3& truth);
+double q_error(const Quat& q, const Quat& truth);
+
+bool same_bits(const RigidBodyState& x, const RigidBodyState& y);
+
+/// Possible bodies in any axis order, ω in any octant, attitudes of any direction.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  Vec3 vector(double size);
+  Quat attitude();
+  PrincipalMoments moments();
+  PrincipalMoments symmetric_moments();
+  RigidBodyState state() { return {attitude(), vector(2.0)}; }
+  std::mt19937& engine() { return engine_; }
+
+ private:
+  std::mt19937 engine_;
+};
+
+}  // namespace polhode::test
