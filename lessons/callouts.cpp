@@ -64,6 +64,12 @@ class CalloutReader {
 
  private:
   void start(std::string_view text, SourcePlace place) {
+    if (callouts_.size() == kMaxCallouts) {
+      if (!failed_)
+        report_.error(place, "a quote has at most " + std::to_string(kMaxCallouts) + " call-outs");
+      failed_ = true;
+      return;
+    }
     const std::size_t end = text.find(']');
     const std::string_view name =
         text.substr(kMarkBegin.size(), end == std::string_view::npos ? end : end - 2);

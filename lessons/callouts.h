@@ -10,6 +10,9 @@
 
 namespace polhode {
 
+/// Call-outs of one quote that are read at most.
+inline constexpr std::size_t kMaxCallouts = 64;
+
 /// Call-outs of a quote on the lines first…last; each starts on a line that opens with [!said] or [!meant].
 std::vector<Callout> read_callouts(const SourceText& source, int first_line, int last_line, Report& report);
 

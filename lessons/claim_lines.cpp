@@ -124,6 +124,10 @@ std::vector<ClaimLine> read_claim_lines(const SourceText& source, int first_line
   for (int line = first_line; line <= last_line && !report.is_full(); ++line) {
     const std::string_view text = source.line(line);
     if (is_blank(text)) continue;
+    if (lines.size() == kMaxClaimLines) {
+      report.error({line, 1}, "a claim has at most " + std::to_string(kMaxClaimLines) + " lines");
+      break;
+    }
     if (auto claim = ClaimLineReader(text, line, kind, report).read()) lines.push_back(std::move(*claim));
   }
   return lines;

@@ -15,6 +15,9 @@ namespace polhode {
 std::optional<ClaimKind> claim_kind_from(std::string_view name);
 std::vector<std::string> claim_kind_names();
 
+/// Lines of one claim that are read at most.
+inline constexpr std::size_t kMaxClaimLines = 64;
+
 /// Claims on the lines first…last of the source, each `left = right`, `premise => conclusion` for a
 /// non-sequitur, with `within 1e-9` at its end allowed for a measured one. Empty lines are passed over; wrong
 /// ones are reported and left out.

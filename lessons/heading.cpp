@@ -41,7 +41,7 @@ Heading read_heading(std::string_view line, int number, Report& report) {
   if (text.empty() || text.back() != '}' || brace == std::string_view::npos) {
     heading.title = text;
     report.error(start, "this heading has no stage id in braces at its end",
-                 "# " + std::string(text.substr(0, 0)) + "Title {" + slug(text) + "}");
+                 "end it with {" + slug(text) + "}");
     return heading;
   }
   const std::string_view title = trimmed(text.substr(0, brace));

@@ -103,12 +103,8 @@ void for_each_line(std::string_view text, F&& f) {
 // fence) is found by looking for its line from the cursor, the first line that no block before it has taken.
 class BlockCollector {
  public:
-  BlockCollector(const SourceText& source, int first_line, std::size_t max_blocks, Report& report)
-      : source_(source),
-        report_(report),
-        max_blocks_(max_blocks),
-        cursor_(first_line),
-        free_line_(first_line) {}
+  BlockCollector(const SourceText& source, int first_line, Report& report)
+      : source_(source), report_(report), cursor_(first_line), free_line_(first_line) {}
 
   MarkdownReading run(int first_line) {
     offset_ = source_.begin_of(first_line);
@@ -126,7 +122,8 @@ class BlockCollector {
       return static_cast<BlockCollector*>(self)->text(text);
     };
     const int stopped = md_parse(copy_.data(), static_cast<MD_SIZE>(copy_.size()), &parser, this);
-    if (stopped == 0) add_prose_before(source_.line_count() + 1);
+    reading_.complete = stopped == 0;
+    if (reading_.complete) add_prose_before(source_.line_count() + 1);
     return std::move(reading_);
   }
 
@@ -250,8 +247,8 @@ class BlockCollector {
 
   int add(const MarkdownBlock& block) {
     add_prose_before(block.first_line);
-    if (reading_.blocks.size() >= max_blocks_) {
-      reading_.more = true;
+    if (reading_.blocks.size() >= static_cast<std::size_t>(kMaxParts)) {
+      report_.error({block.first_line, 1}, "a lesson has at most " + std::to_string(kMaxParts) + " parts");
       return 1;
     }
     reading_.blocks.push_back(block);
@@ -280,7 +277,6 @@ class BlockCollector {
 
   const SourceText& source_;
   Report& report_;
-  std::size_t max_blocks_;
   std::string copy_;
   std::size_t offset_ = 0;   // of the copy in the source
   int cursor_;               // first line not yet taken by a block or its text
@@ -324,16 +320,15 @@ std::optional<std::size_t> first_markdown_nested_deeper(std::string_view text, i
   return found;
 }
 
-MarkdownReading read_markdown(const SourceText& source, int first_line, std::size_t max_blocks,
-                              Report& report) {
+MarkdownReading read_markdown(const SourceText& source, int first_line, Report& report) {
   if (first_line > source.line_count()) return {};
   const std::size_t offset = source.begin_of(first_line);
   if (const auto deep = first_markdown_nested_deeper(source.text().substr(offset), kMaxNesting)) {
     report.error(source.place_of(offset + *deep),
                  "quotes and lists are nested deeper than " + std::to_string(kMaxNesting));
-    return {};
+    return {{}, false};
   }
-  return BlockCollector(source, first_line, max_blocks, report).run(first_line);
+  return BlockCollector(source, first_line, report).run(first_line);
 }
 
 }  // namespace polhode

@@ -38,15 +38,13 @@ std::string without_inline_marks(std::string_view text);
 /// Byte at which one line opens more than `limit` quotes and list items; nothing if none does.
 std::optional<std::size_t> first_markdown_nested_deeper(std::string_view text, int limit);
 
-/// The blocks of the lines from `first_line` to the end, in order. At most `max_blocks` are made: what comes
-/// after is left out and `more` is set. Reports nesting beyond kMaxNesting, and headings and fences inside
-/// other blocks.
 struct MarkdownReading {
   std::vector<MarkdownBlock> blocks;
-  bool more = false;
+  bool complete = true;  ///< false: a limit was passed and reported, the rest is left out
 };
-MarkdownReading read_markdown(const SourceText& source, int first_line, std::size_t max_blocks,
-                              Report& report);
+/// The blocks of the lines from `first_line` to the end, in order. Reports nesting beyond kMaxNesting, more
+/// blocks than kMaxParts, and headings and fences inside other blocks.
+MarkdownReading read_markdown(const SourceText& source, int first_line, Report& report);
 
 /// Level of an `#` heading line, 0 if it is none.
 int heading_level(std::string_view line);

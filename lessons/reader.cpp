@@ -15,9 +15,6 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-// More blocks than the limits on stages and steps let through: what is left out was refused before.
-constexpr std::size_t kMaxBlocks = 100'000;
-
 // True if nothing can be read at all; says so.
 bool refuse_whole(std::string_view bytes, Report& report, const SourceText& source) {
   if (bytes.size() > kMaxLessonBytes) {
@@ -37,16 +34,12 @@ bool refuse_whole(std::string_view bytes, Report& report, const SourceText& sour
 }
 
 std::vector<Stage> read_stages(const SourceText& source, const FrontMatter& front, Report& report) {
-  const MarkdownReading markdown = read_markdown(source, front.next_line, kMaxBlocks, report);
+  const MarkdownReading markdown = read_markdown(source, front.next_line, report);
   StageBuilder builder(source, front, report);
-  bool goes_on = true;
   for (const MarkdownBlock& block : markdown.blocks) {
-    goes_on = builder.add(block) && !report.is_full();
-    if (!goes_on) break;
+    if (!builder.add(block) || report.is_full()) return {};
   }
-  if (goes_on && markdown.more) {
-    report.error({source.line_count(), 1}, "a lesson has at most " + std::to_string(kMaxBlocks) + " blocks");
-  }
+  if (!markdown.complete) return {};
   std::vector<Stage> stages = builder.take();
   if (stages.empty() && !report.has_errors()) {
     report.error({source.line_count(), 1}, "this lesson has no stage",

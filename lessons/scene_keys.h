@@ -13,8 +13,8 @@ namespace polhode {
 
 /// Limits that bound the memory of the complete scenes of all steps.
 inline constexpr std::size_t kMaxCaptionCharacters = 120;
-inline constexpr std::size_t kMaxTorqueTerms = 8;
-inline constexpr std::size_t kMaxHighlights = 8;
+inline constexpr std::size_t kMaxTorqueTerms = 4;
+inline constexpr std::size_t kMaxHighlights = 4;
 
 /// The lesson's own bodies; other names are those of physics/bodies.h.
 struct LessonBodies {

@@ -37,6 +37,7 @@ struct StageBuilder::Fence {
 };
 
 bool StageBuilder::add(const MarkdownBlock& block) {
+  ++parts_;
   if (block.kind == MarkdownBlock::Kind::heading) return start_stage(block);
   if (stages_.empty()) {
     if (!said_text_before_stage_) {
@@ -45,20 +46,14 @@ bool StageBuilder::add(const MarkdownBlock& block) {
     said_text_before_stage_ = true;
     return true;
   }
-  switch (block.kind) {
-    case MarkdownBlock::Kind::rule:
-      return start_step(block);
-    case MarkdownBlock::Kind::fence:
-      add_fence(block);
-      break;
-    case MarkdownBlock::Kind::quote:
-      add_quote(block);
-      break;
-    default:
-      add_prose(block);
-      break;
-  }
-  return true;
+  if (block.kind == MarkdownBlock::Kind::rule) return start_step(block);
+  step_is_empty_ = false;
+  if (block.kind == MarkdownBlock::Kind::fence) add_fence(block);
+  if (block.kind == MarkdownBlock::Kind::quote) add_quote(block);
+  if (block.kind == MarkdownBlock::Kind::prose) add_prose(block);
+  if (parts_ <= kMaxParts) return true;
+  report_.error({block.first_line, 1}, "a lesson has at most " + std::to_string(kMaxParts) + " parts");
+  return false;
 }
 
 std::vector<Stage> StageBuilder::take() {
@@ -96,6 +91,7 @@ bool StageBuilder::start_stage(const MarkdownBlock& block) {
   stages_.push_back(std::move(stage));
   scene_ = front_.scene;
   has_scene_ = step_has_scene_ = false;
+  step_is_empty_ = true;
   step_place_ = {block.first_line, 1};
   return true;
 }
@@ -109,12 +105,13 @@ bool StageBuilder::start_step(const MarkdownBlock& rule) {
   }
   stages_.back().steps.emplace_back();
   step_has_scene_ = false;
+  step_is_empty_ = true;
   step_place_ = {rule.first_line, 1};
   return true;
 }
 
 void StageBuilder::finish_step() {
-  if (step().blocks.empty() && !step_has_scene_) {
+  if (step_is_empty_) {
     const bool only_one = stages_.back().steps.size() == 1;
     report_.error(step_place_, only_one ? "this stage is empty" : "this step is empty",
                   only_one ? "write its text below the heading" : "leave out one ---");
@@ -162,6 +159,7 @@ void StageBuilder::add_prose(const MarkdownBlock& block) {
 
 void StageBuilder::add_quote(const MarkdownBlock& block) {
   for (Callout& callout : read_callouts(source_, block.first_line, block.last_line, report_)) {
+    ++parts_;
     step().blocks.push_back(std::move(callout));
   }
 }
@@ -244,9 +242,9 @@ void StageBuilder::add_claim(const Fence& fence) {
     report_.error(fence.place, "this claim is empty", "write left = right on each line");
     return;
   }
-  step().blocks.push_back(Claim{fence.words[1].text, *kind,
-                                read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_),
-                                fence.place});
+  auto lines = read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_);
+  parts_ += static_cast<int>(lines.size());
+  step().blocks.push_back(Claim{fence.words[1].text, *kind, std::move(lines), fence.place});
 }
 
 void StageBuilder::add_scene(const Fence& fence) {
@@ -264,12 +262,10 @@ void StageBuilder::add_scene(const Fence& fence) {
 void StageBuilder::add_ask(const Fence& fence) {
   take_id(fence, ask_lines_, "question");
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
-  if (!table) {
-    step().blocks.push_back(Ask{});  // it is wrong, but the step is not empty
-    return;
+  if (!table) return;
+  if (auto ask = read_ask(*table, fence.words[1].text, fence.place, report_)) {
+    step().blocks.push_back(std::move(*ask));
   }
-  auto ask = read_ask(*table, fence.words[1].text, fence.place, report_);
-  step().blocks.push_back(ask ? std::move(*ask) : Ask{});
 }
 
 }  // namespace polhode

@@ -51,12 +51,14 @@ class StageBuilder {
   std::vector<Stage> stages_;
   std::map<std::string, int> stage_lines_;  // ids in use and their lines
   std::map<std::string, int> tag_lines_;
+  int parts_ = 0;
   bool said_text_before_stage_ = false;
 
   // Of the stage being read.
   Scene scene_;
   bool has_scene_ = false;
   bool step_has_scene_ = false;
+  bool step_is_empty_ = true;  ///< nothing stands in it, right or wrong
   SourcePlace step_place_;
   std::map<std::string, int> equation_lines_;
   std::map<std::string, int> ask_lines_;
