@@ -139,7 +139,8 @@ void FlatPass::add_color_bar(double x, double y, double width, double marker, Sh
   constexpr int kSlices = 96;
   for (int i = 0; i < kSlices; ++i) {
     const double w = width / kSlices;
-    sheet.add_box({x + (i + 0.5) * w, y + 0.5 * height}, {0.5 * w, 0.5 * height}, 0.0, 0.0,
+    const double overlap = i + 1 < kSlices ? 1.0 : 0.0;  // no seam between the soft edges
+    sheet.add_box({x + (i + 0.5) * w + 0.5 * overlap, y + 0.5 * height}, {0.5 * (w + overlap), 0.5 * height}, 0.0, 0.0,
                   family_color((i + 0.5) / kSlices), 0.0);
   }
   const double at = x + marker * width;

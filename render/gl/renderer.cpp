@@ -65,6 +65,15 @@ BallSpace ball_space(const GlassEllipsoid& e) {
   return {e.semi_axes.cwiseInverse().asDiagonal() * r.transpose(), r * e.semi_axes.asDiagonal()};
 }
 
+/// Clip-space height of the floor's far end, where it has faded: nothing of it is seen above.
+double floor_top(const Viewpoint& at, double floor_z) {
+  constexpr double kFadeEnd = 7.5;  // as in floor.frag
+  if (at.eye.z() <= floor_z) return 1.0;
+  const Vec3 far_end = Vec3(-at.eye.x(), -at.eye.y(), 0.0).normalized() * kFadeEnd + Vec3(0.0, 0.0, floor_z);
+  const Eigen::Vector4d clip = at.view_projection * far_end.homogeneous();
+  return clip.w() > 0.0 ? std::clamp(clip.y() / clip.w(), -1.0, 1.0) : 1.0;
+}
+
 class GlRenderer final : public Renderer {
  public:
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl);
@@ -74,7 +83,7 @@ class GlRenderer final : public Renderer {
 
  private:
   struct Programs {
-    Program backdrop, glass, tube, mesh;
+    Program backdrop, floor, glass, tube, mesh, composite;
   };
   // The table lives on the heap because programs and streams keep a reference to it.
   GlRenderer(std::unique_ptr<const Gl> gl, Programs programs, std::unique_ptr<FlatPass> flat)
@@ -83,9 +92,15 @@ class GlRenderer final : public Renderer {
 
   const Gl& gl() const { return *gl_; }
   Status prepare(Size size);
-  void draw_pane(const Pane& pane, Size size, const Background& background);
-  void draw_backdrop(const Pane& pane, const Viewpoint& at, const std::array<int, 4>& viewport,
-                     const Background& background);
+  struct Shown {
+    std::array<int, 4> viewport;  ///< x, y, width, height, px from the lower left
+    Viewpoint at;
+  };
+  Shown show(const Pane& pane, Size size) const;
+  void draw_layer(const Figure& figure, Size size);
+  void draw_picture(const Figure& figure, Size size, const Background& background);
+  void draw_backdrop(const std::array<int, 4>& viewport, const Background& background);
+  void draw_floor(const Pane& pane, const Viewpoint& at);
   void draw_glass(const Pane& pane, const Viewpoint& at, bool front);
   void draw_lines_and_solids(const Pane& pane, const Viewpoint& at);
 
@@ -93,7 +108,8 @@ class GlRenderer final : public Renderer {
   Programs programs_;
   std::unique_ptr<FlatPass> flat_;
   VertexStream tubes_, meshes_, nothing_;
-  std::optional<Framebuffer> framebuffer_;
+  // Lines and solids need several samples a pixel. The rest has analytic edges and one sample: half the cost.
+  std::optional<Framebuffer> layer_, picture_;
 };
 
 Color sky_of(const Background& background) {
@@ -128,42 +144,50 @@ void make_opaque(Image& image) {
 }
 
 Status GlRenderer::prepare(Size size) {
-  if (framebuffer_ && framebuffer_->size() == size) return success();
-  framebuffer_.reset();
-  auto made = Framebuffer::create(gl(), size, kSamples);
-  if (!made) return failure(made.error());
-  framebuffer_ = std::move(made).value();
+  if (picture_ && picture_->size() == size) return success();
+  layer_.reset();
+  picture_.reset();
+  auto layer = Framebuffer::create(gl(), size, kSamples);
+  if (!layer) return failure(layer.error());
+  auto picture = Framebuffer::create(gl(), size, 0);
+  if (!picture) return failure(picture.error());
+  layer_ = std::move(layer).value();
+  picture_ = std::move(picture).value();
   return success();
 }
 
-void GlRenderer::draw_backdrop(const Pane& pane, const Viewpoint& at, const std::array<int, 4>& viewport,
-                               const Background& background) {
+void GlRenderer::draw_backdrop(const std::array<int, 4>& viewport, const Background& background) {
   const Program& p = programs_.backdrop;
   p.use();
   p.set("u_viewport_origin", static_cast<float>(viewport[0]), static_cast<float>(viewport[1]));
   p.set("u_viewport_size", static_cast<float>(viewport[2]), static_cast<float>(viewport[3]));
-  set_mat4(p, "u_ray", at.ray);
-  p.set("u_eye", floats(at.eye));
   const Color sky = sky_of(background);
   p.set("u_sky", sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
   p.set("u_studio", background.kind == Background::Kind::studio ? 1.0F : 0.0F);
-  p.set("u_floor", pane.list.floors.empty() ? 0.0F : 1.0F);
-  if (!pane.list.floors.empty()) {
-    p.set("u_floor_z", static_cast<float>(pane.list.floors[0].z));
-    p.set("u_grid", static_cast<float>(pane.list.floors[0].grid));
-  }
-  p.set("u_shadow", pane.list.ellipsoids.empty() ? 0.0F : 1.0F);
+  gl().Disable(GL_BLEND);
+  nothing_.draw_without_vertices(GL_TRIANGLES, 3);
+  gl().Enable(GL_BLEND);
+}
+
+void GlRenderer::draw_floor(const Pane& pane, const Viewpoint& at) {
+  if (pane.list.floors.empty()) return;
+  const Floor& floor = pane.list.floors.front();
+  const Program& p = programs_.floor;
+  p.use();
+  set_mat4(p, "u_ray", at.ray);
+  p.set("u_eye", floats(at.eye));
   p.set("u_light", floats(at.light));
+  p.set("u_floor_z", static_cast<float>(floor.z));
+  p.set("u_grid", static_cast<float>(floor.grid));
+  p.set("u_ball", pane.list.ellipsoids.empty() ? 0.0F : 1.0F);
   if (!pane.list.ellipsoids.empty()) {
     const GlassEllipsoid& e = pane.list.ellipsoids.front();
     set_mat3(p, "u_to_ball", ball_space(e).to_ball);
     p.set("u_ball_center", floats(e.center));
     p.set("u_tint", e.tint.r, e.tint.g, e.tint.b);
   }
-  gl().Disable(GL_DEPTH_TEST);
-  gl().Disable(GL_BLEND);
-  nothing_.draw_without_vertices(GL_TRIANGLES, 3);
-  gl().Enable(GL_BLEND);
+  p.set("u_bounds", -1.0F, -1.0F, 1.0F, static_cast<float>(floor_top(at, floor.z)));
+  nothing_.draw_without_vertices(GL_TRIANGLE_STRIP, 4);
 }
 
 void GlRenderer::draw_glass(const Pane& pane, const Viewpoint& at, bool front) {
@@ -213,37 +237,56 @@ void GlRenderer::draw_lines_and_solids(const Pane& pane, const Viewpoint& at) {
   gl().DepthMask(GL_TRUE);
 }
 
-void GlRenderer::draw_pane(const Pane& pane, Size size, const Background& background) {
+GlRenderer::Shown GlRenderer::show(const Pane& pane, Size size) const {
   const int x0 = static_cast<int>(std::lround(pane.x * size.width));
   const int x1 = static_cast<int>(std::lround((pane.x + pane.width) * size.width));
   const int y0 = static_cast<int>(std::lround((1.0 - pane.y - pane.height) * size.height));
   const int y1 = static_cast<int>(std::lround((1.0 - pane.y) * size.height));
   const std::array<int, 4> viewport = {x0, y0, std::max(1, x1 - x0), std::max(1, y1 - y0)};
   gl().Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  return {viewport, viewpoint_of(pane, static_cast<double>(viewport[2]) / viewport[3])};
+}
 
-  const Viewpoint at = viewpoint_of(pane, static_cast<double>(viewport[2]) / viewport[3]);
-  draw_backdrop(pane, at, viewport, background);
-  draw_glass(pane, at, false);
-  draw_lines_and_solids(pane, at);
-  draw_glass(pane, at, true);
+/// Lines, solids and the glass in front of them: what hides one another.
+void GlRenderer::draw_layer(const Figure& figure, Size size) {
+  layer_->bind();
+  gl().ClearColor(0, 0, 0, 0);
+  gl().DepthMask(GL_TRUE);
+  gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  for (const Pane& pane : figure.panes) {
+    const Shown shown = show(pane, size);
+    draw_lines_and_solids(pane, shown.at);
+    draw_glass(pane, shown.at, true);
+  }
+  layer_->resolve();
+}
+
+/// From the back to the front: backdrop and floor, far side of the glass, the layer, text.
+void GlRenderer::draw_picture(const Figure& figure, Size size, const Background& background) {
+  picture_->bind();
+  for (const Pane& pane : figure.panes) {
+    const Shown shown = show(pane, size);
+    draw_backdrop(shown.viewport, background);
+    draw_floor(pane, shown.at);
+    draw_glass(pane, shown.at, false);
+  }
+  gl().Viewport(0, 0, size.width, size.height);
+  programs_.composite.use();
+  programs_.composite.set("u_layer", 0);
+  gl().BindTexture(GL_TEXTURE_2D, layer_->texture());
+  nothing_.draw_without_vertices(GL_TRIANGLES, 3);
+  flat_->draw(figure, size, halo_of(background));
 }
 
 Result<Image> GlRenderer::draw(const Figure& figure, Size size, const Background& background) {
   if (Status ready = prepare(size); !ready) return failure(ready.error());
-  framebuffer_->bind();
-  gl().ClearColor(0, 0, 0, 0);
-  gl().DepthMask(GL_TRUE);
-  gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl().Enable(GL_BLEND);
   gl().BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  for (const Pane& pane : figure.panes) draw_pane(pane, size, background);
-
-  framebuffer_->resolve();
-  gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_->resolved());
-  gl().Viewport(0, 0, size.width, size.height);
+  draw_layer(figure, size);
   gl().Disable(GL_DEPTH_TEST);
-  flat_->draw(figure, size, halo_of(background));
+  draw_picture(figure, size, background);
 
-  Image image = framebuffer_->read();
+  Image image = picture_->read();
   if (const std::string errors = pending_errors(gl()); !errors.empty())
     return failure("OpenGL reported " + errors + " while drawing; driver: " + driver());
   if (background.kind == Background::Kind::transparent)
@@ -257,16 +300,20 @@ Result<std::unique_ptr<Renderer>> GlRenderer::create(const Gl& table) {
   auto gl = std::make_unique<const Gl>(table);
   auto backdrop = Program::create(*gl, "backdrop", shaders::kScreenVert, shaders::kBackdropFrag);
   if (!backdrop) return failure(backdrop.error());
-  auto glass = Program::create(*gl, "glass", shaders::kGlassVert, shaders::kGlassFrag);
+  auto floor = Program::create(*gl, "floor", shaders::kRectangleVert, shaders::kFloorFrag);
+  if (!floor) return failure(floor.error());
+  auto glass = Program::create(*gl, "glass", shaders::kRectangleVert, shaders::kGlassFrag);
   if (!glass) return failure(glass.error());
   auto tube = Program::create(*gl, "tube", shaders::kTubeVert, shaders::kTubeFrag);
   if (!tube) return failure(tube.error());
   auto mesh = Program::create(*gl, "mesh", shaders::kMeshVert, shaders::kMeshFrag);
   if (!mesh) return failure(mesh.error());
+  auto composite = Program::create(*gl, "composite", shaders::kScreenVert, shaders::kCompositeFrag);
+  if (!composite) return failure(composite.error());
   auto flat = FlatPass::create(*gl);
   if (!flat) return failure(flat.error());
-  Programs programs{std::move(backdrop).value(), std::move(glass).value(), std::move(tube).value(),
-                    std::move(mesh).value()};
+  Programs programs{std::move(backdrop).value(), std::move(floor).value(), std::move(glass).value(), std::move(tube).value(),
+                    std::move(mesh).value(), std::move(composite).value()};
   return std::unique_ptr<Renderer>(
       new GlRenderer(std::move(gl), std::move(programs), std::move(flat).value()));
 }

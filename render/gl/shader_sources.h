@@ -6,7 +6,8 @@ namespace polhode::shaders {
 
 extern const char* const kScreenVert;
 extern const char* const kBackdropFrag;
-extern const char* const kGlassVert;
+extern const char* const kFloorFrag;
+extern const char* const kRectangleVert;
 extern const char* const kGlassFrag;
 extern const char* const kTubeVert;
 extern const char* const kTubeFrag;
@@ -15,5 +16,6 @@ extern const char* const kMeshFrag;
 extern const char* const kFlatVert;
 extern const char* const kTextFrag;
 extern const char* const kBoxFrag;
+extern const char* const kCompositeFrag;
 
 }  // namespace polhode::shaders

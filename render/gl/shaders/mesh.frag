@@ -14,6 +14,6 @@ void main() {
   vec3 halfway = normalize(u_light + to_eye);
   float s = max(dot(n, halfway), 0.0);
   s *= s; s *= s; s *= s; s *= s; s *= s;
-  float alpha = v_color.a * (v_point.z < u_sunk_below ? 0.28 : 1.0);
+  float alpha = v_color.a * (v_point.z < u_sunk_below ? 0.42 : 1.0);
   o_color = vec4((v_color.rgb * (0.50 + 0.56 * key) + vec3(0.18 * s)) * alpha, alpha);
 }

@@ -22,6 +22,6 @@ void main() {
   if (dash > 0.5) discard;
   float c = v_across_along.x;
   vec3 n = normalize(c * v_side + sqrt(max(1.0 - c * c, 0.0)) * v_toward);
-  float alpha = v_color.a * (v_point.z < u_sunk_below ? 0.28 : 1.0);
+  float alpha = v_color.a * (v_point.z < u_sunk_below ? 0.42 : 1.0);
   o_color = vec4(lit(v_color.rgb, n, normalize(u_eye - v_point)) * alpha, alpha);
 }

@@ -1,4 +1,4 @@
-// The rectangle of the screen that holds the ellipsoid's outline.
+// A rectangle of the screen.
 #version 330 core
 uniform vec4 u_bounds;  // x0, y0, x1, y1 in clip space
 out vec2 v_clip;
