@@ -32,9 +32,10 @@ struct PngFile {
   Image image;
   PngMetadata metadata;
 };
-/// Any valid PNG, expanded to 8-bit RGBA, values as stored; text is UTF-8 again. Optional chunks that are
-/// damaged, or take over 1 MiB (also when expanded), are left out. Refused are damaged and truncated files,
-/// more than 16384 px a side, and more pixels than a file of that length can hold (decompression bombs).
+/// Any PNG, expanded to 8-bit RGBA, values as stored; text is UTF-8 again. Optional chunks that are damaged,
+/// or expand to over 1 MiB, are left out. Refused are damaged and truncated files, more than 16384 px a side,
+/// chunks over 1 MiB (other than pixels), and more pixels than a file of that length can hold (decompression
+/// bombs).
 Result<PngFile> decode_png(std::span<const std::uint8_t> bytes);
 Result<PngFile> read_png(const std::filesystem::path& path);
 

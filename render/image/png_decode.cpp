@@ -17,6 +17,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t kSignatureBytes = 8;
+constexpr std::size_t kChunkFrameBytes = 12;  // length, type and checksum
 constexpr png_uint_32 kMaxAncillaryChunks = 1000;
 // Deflate cannot do better: 258 bytes from two bits (zlib's "Maximum Expansion Factor").
 constexpr std::uint64_t kMaxExpansion = 1032;
@@ -43,6 +44,23 @@ void on_read(png_structp png, png_bytep data, std::size_t count) {
   if (count > reader->rest.size()) png_error(png, "the file ends too early");
   std::memcpy(data, reader->rest.data(), count);
   reader->rest = reader->rest.subspan(count);
+}
+
+std::size_t read32(std::span<const std::uint8_t> bytes) {
+  return std::size_t{bytes[0]} << 24 | std::size_t{bytes[1]} << 16 | std::size_t{bytes[2]} << 8 | bytes[3];
+}
+
+// libpng's own limit is for what it expands; a long plain chunk only earns a warning.
+bool has_long_chunk(std::span<const std::uint8_t> bytes) {
+  bytes = bytes.subspan(kSignatureBytes);
+  while (bytes.size() >= kChunkFrameBytes) {
+    const std::size_t length = read32(bytes);
+    const bool pixels = std::memcmp(&bytes[4], "IDAT", 4) == 0;
+    if (length > kMaxPngTextBytes && !pixels) return true;
+    if (length > bytes.size() - kChunkFrameBytes) return false;  // cut off: libpng says so
+    bytes = bytes.subspan(kChunkFrameBytes + length);
+  }
+  return false;
 }
 
 struct Handles {
@@ -148,6 +166,7 @@ Result<std::vector<std::uint8_t>> read_bytes(const std::filesystem::path& path) 
 Result<PngFile> decode_png(std::span<const std::uint8_t> bytes) {
   if (bytes.size() < kSignatureBytes || png_sig_cmp(bytes.data(), 0, kSignatureBytes) != 0)
     return failure("not a PNG file");
+  if (has_long_chunk(bytes)) return failure("refused PNG: a chunk other than pixels is longer than 1 MiB");
   Reader reader{bytes};
   Handles handles;
   handles.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);

@@ -16,6 +16,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t kBufferBytes = 1 << 18;  // few, large IDAT chunks
+constexpr std::size_t kITxtBytes = 5;          // of an iTXt chunk besides keyword and text
 
 // What libpng's callbacks need. Lives outside run(), which longjmp may leave.
 struct Writer {
@@ -97,6 +98,9 @@ Result<Texts> encode_text(const PngMetadata& metadata) {
     if (const auto error = keyword_error(keyword))
       return failure("The PNG keyword \"" + keyword + "\" is not possible: " + *error + ".");
     if (!is_png_utf8(value)) return failure("The PNG text of \"" + keyword + "\" is not UTF-8.");
+    if (keyword.size() + value.size() + kITxtBytes > kMaxPngTextBytes)
+      return failure("The PNG text of \"" + keyword +
+                     "\" is longer than 1 MiB, which no reader of ours accepts.");
     const std::optional<std::string> latin1 = latin1_from_utf8(value);
     png_text chunk{};
     chunk.compression = latin1 ? PNG_TEXT_COMPRESSION_NONE : PNG_ITXT_COMPRESSION_NONE;
