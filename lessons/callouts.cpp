@@ -22,6 +22,17 @@ std::string_view quoted_part(std::string_view line) {
   return line;
 }
 
+// With a space for the > of each line: every other byte stays at its place.
+std::string without_quote_marks(std::string_view lines) {
+  std::string copy(lines);
+  for (std::size_t begin = 0; begin < copy.size();
+       begin = std::min(copy.find('\n', begin), copy.size() - 1) + 1) {
+    const std::size_t mark = copy.find_first_not_of(" \t", begin);
+    if (mark != std::string::npos && copy[mark] == '>') copy[mark] = ' ';
+  }
+  return copy;
+}
+
 std::optional<Callout::Kind> kind_from(std::string_view name) {
   if (name == "said") return Callout::Kind::said;
   if (name == "meant") return Callout::Kind::meant;
@@ -49,7 +60,6 @@ class CalloutReader {
       }
       return;
     }
-    check(part, advanced({number, 1}, line, static_cast<std::size_t>(part.data() - line.data())));
     callouts_.back().markdown += '\n';
     callouts_.back().markdown += part;
   }
@@ -70,23 +80,14 @@ class CalloutReader {
       failed_ = true;
       return;
     }
-    const std::size_t end = text.find(']');
-    const std::string_view name =
-        text.substr(kMarkBegin.size(), end == std::string_view::npos ? end : end - 2);
-    const auto kind = kind_from(name);
-    if (end == std::string_view::npos || !kind) {
-      report_.error(
-          place, "unknown call-out " + quoted(text.substr(0, end == std::string_view::npos ? end : end + 1)),
-          suggestion(name, {"said", "meant"}));
-    }
-    const std::string_view rest =
-        end == std::string_view::npos ? std::string_view{} : trimmed(text.substr(end + 1));
-    if (!rest.empty())
-      check(rest, advanced(place, text, static_cast<std::size_t>(rest.data() - text.data())));
-    callouts_.push_back({kind.value_or(Callout::Kind::said), std::string(rest), place});
+    const std::size_t end = std::min(text.find(']'), text.size());
+    const std::string_view mark = text.substr(0, end + 1);
+    const std::string_view name = text.substr(kMarkBegin.size(), end - kMarkBegin.size());
+    const auto kind = mark.back() == ']' ? kind_from(name) : std::nullopt;
+    if (!kind) report_.error(place, "unknown call-out " + quoted(mark), suggestion(name, {"said", "meant"}));
+    const std::string_view rest = trimmed(text.substr(mark.size()));
+    callouts_.push_back({kind.value_or(Callout::Kind::said), std::string(kind ? rest : mark), place});
   }
-
-  void check(std::string_view text, SourcePlace place) { check_inline_math(text, place, report_); }
 
   const SourceText& source_;
   Report& report_;
@@ -97,6 +98,7 @@ class CalloutReader {
 }  // namespace
 
 std::vector<Callout> read_callouts(const SourceText& source, int first_line, int last_line, Report& report) {
+  check_inline_math(without_quote_marks(source.lines(first_line, last_line)), {first_line, 1}, report);
   CalloutReader reader(source, report);
   for (int line = first_line; line <= last_line; ++line) reader.read_line(line);
   return reader.take();

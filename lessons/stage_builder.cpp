@@ -186,7 +186,7 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
   const std::size_t words = kind == "claim" ? 3 : kind == "scene" ? 1 : 2;
   if (fence.words.size() != words) {
     report_.error(fence.words.size() > words ? fence.words[words].place : fence.place,
-                  "a " + kind + " fence opens with " + usage_of(kind));
+                  "this fence opens with " + usage_of(kind));
     return;
   }
   if (kind == "math") add_math(fence);

@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kMaxNameBytes = 64;
 constexpr std::size_t kMaxListed = 32;
+constexpr std::size_t kMinAbbreviation = 3;
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -42,7 +43,9 @@ std::optional<std::string> nearest_name(std::string_view word, const std::vector
   int smallest = 0;
   for (const std::string& name : known) {
     if (name.size() > kMaxNameBytes) continue;
-    const int distance = edit_distance(sought, lower(name));
+    const bool abbreviated =
+        sought.size() >= kMinAbbreviation && lower(name).compare(0, sought.size(), sought) == 0;
+    const int distance = abbreviated ? 1 : edit_distance(sought, lower(name));
     const int allowed = std::max(1, static_cast<int>(std::max(word.size(), name.size()) / 3));
     if (distance > allowed || (nearest && distance >= smallest)) continue;
     nearest = name;
