@@ -15,15 +15,15 @@ namespace polhode {
 /// after(k) is y_k, to the last bit the same whatever was asked before and from however many threads: `step`
 /// must depend on its argument alone. States are kept every `spacing` steps; when there would be more than
 /// kMaxSaved of them every second one is dropped and the spacing doubled, so memory is bounded and a revisit
-/// costs at most k_largest/1024 + 64 steps. New ground is computed under a lock, by one thread for all.
+/// costs at most k_largest/8192 + 16 steps. New ground is computed under a lock, by one thread for all.
 template <class State>
 class Checkpoints {
  public:
   using Step = std::function<State(const State&)>;
   using IsAlive = std::function<bool(const State&)>;
 
-  static constexpr std::size_t kMaxSaved = 2048;
-  static constexpr std::int64_t kFirstSpacing = 64;
+  static constexpr std::size_t kMaxSaved = 16384;
+  static constexpr std::int64_t kFirstSpacing = 16;
 
   /// A state for which is_alive is false ends the sequence: all later ones are taken to be dead too.
   Checkpoints(State start, Step step, IsAlive is_alive)

@@ -30,9 +30,9 @@ class Rk4Motion final : public Motion {
   Rk4Motion(const PrincipalMoments& I, const Torque& torque, const RigidBodyState& start, double step_s);
   ~Rk4Motion() override;
 
-  /// Error of order h⁴ in ω and in q. New times cost about 60 ns a step, times seen before at most 64 steps
-  /// (more after the first 10⁵). NaN in every component if |t| > max_time_s() or ω has overflowed on the way;
-  /// NaN in q alone if only q has (|ω|h beyond 1e50).
+  /// Error of order h⁴ in ω and in q. New times cost about 0.1 to 0.4 µs a step, times seen before at most
+  /// 16 steps (more once 2·10⁵ have been taken). NaN in every component if |t| > max_time_s() or ω has
+  /// overflowed on the way; NaN in q alone if only q has (|ω|h beyond 1e50).
   RigidBodyState at(double t_s) const override;
 
   /// Bitwise at(t_s).w_B; integrates ω alone if the torque does not depend on attitude.

@@ -90,15 +90,15 @@ TEST(Polhode, OfRandomBodiesInEveryOctantAndAxisOrder) {
 
 TEST(Polhode, HonoursTheChordToleranceBothWays) {
   Random random(2);
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 30; ++i) {
     const PrincipalMoments I = random.moments();
     const Vec3 w_B = random.vector(2);
-    for (const double tolerance : {3e-2, 1e-3}) {
-      const Curve coarse = polhode(I, w_B, tolerance), fine = polhode(I, w_B, tolerance / 100);
+    for (const double tolerance : {3e-2, 3e-3}) {
+      const Curve coarse = polhode(I, w_B, tolerance), fine = polhode(I, w_B, tolerance / 30);
       for (const Vec3& p : fine.points) EXPECT_LE(distance_to(coarse, p), tolerance);
       for (std::size_t k = 1; k < coarse.points.size(); ++k) {
         const Vec3 middle = 0.5 * (coarse.points[k - 1] + coarse.points[k]);
-        EXPECT_LE(distance_to(fine, middle), tolerance * 1.01);
+        EXPECT_LE(distance_to(fine, middle), tolerance * (1 + 1.0 / 30));
       }
     }
   }
@@ -109,9 +109,9 @@ TEST(Polhode, HonoursTheChordToleranceNextToTheSeparatrix) {
   for (const char* name :
        {"sep_1e-3", "sep_1e-6", "sep_1e-9", "sep_1e-12", "sep_1e-15_above", "sep_1e-15_below"}) {
     const test::ReferenceCase& c = test::reference_case(name);
-    const double tolerance = 1e-4;
+    const double tolerance = 1e-3;
     const Curve coarse = polhode(c.I, c.start.w_B, tolerance),
-                fine = polhode(c.I, c.start.w_B, tolerance / 100);
+                fine = polhode(c.I, c.start.w_B, tolerance / 30);
     for (const Vec3& p : fine.points) EXPECT_LE(distance_to(coarse, p), tolerance) << name;
   }
 }
