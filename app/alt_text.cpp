@@ -78,7 +78,10 @@ std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s)
   const Vec3 L_B = angular_momentum_B(I, w_B);
   const double angle_deg = std::atan2(w_B.cross(L_B).norm(), w_B.dot(L_B)) * 180.0 / std::numbers::pi;
   std::string text = fmt::format("At t = {:.4g} s the body turns at {:.3g} rad/s", t_s, w_B.norm());
-  if (!w_B.isZero(0.0)) text += fmt::format(", with ω {:.2g}° away from L", angle_deg);
+  constexpr double kParallel_deg = 1e-6;  // what rounding leaves
+  if (!w_B.isZero(0.0))
+    text += angle_deg < kParallel_deg ? ", with ω along L"
+                                      : fmt::format(", with ω {:.2g}° away from L", angle_deg);
   return text + '.';
 }
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "app/alt_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Scene rolling() {
+  Scene scene;
+  scene.show = {Overlay::energy_ellipsoid, Overlay::omega, Overlay::labels, Overlay::polhode};
+  return scene;
+}
+
+TEST(AltText, SaysWhatIsShownAndNothingElse) {
+  const std::string text = alt_text({"s", "Rolling", {}, {}}, rolling(), Vec3(0, 0, 2), 1.25);
+  EXPECT_THAT(text,
+              testing::StartsWith(
+                  "Rolling. Seen from space: the energy ellipsoid, the angular velocity ω and the polhode."));
+  EXPECT_THAT(text, Not(HasSubstr("plane")));
+  EXPECT_THAT(text, HasSubstr("At t = 1.25 s the body turns at 2 rad/s, with ω along L."));
+}
+
+// I = (1, 1.75, 2.5), ω = (1, 0, 1): L = (1, 0, 2.5), the angle is atan(2.5) − 45° = 23.2°.
+TEST(AltText, NumbersAreComputedForTheMoment) {
+  EXPECT_THAT(alt_text({"s", "S", {}, {}}, rolling(), Vec3(1, 0, 1), 0.0),
+              HasSubstr("1.41 rad/s, with ω 23° away from L"));
+}
+
+TEST(AltText, ABodyAtRestHasNoAngle) {
+  EXPECT_THAT(alt_text({"s", "S", {}, {}}, rolling(), Vec3::Zero(), 0.0), Not(HasSubstr("with ω")));
+}
+
+TEST(AltText, NamesTheViewsAndTheCaption) {
+  Scene scene = rolling();
+  scene.views = {View::space, View::body};
+  scene.caption = "No torque acts";
+  const std::string text = alt_text({"s", "S", {}, {}}, scene, Vec3(0, 0, 1), 0.0);
+  EXPECT_THAT(text, HasSubstr("side by side"));
+  EXPECT_THAT(text, HasSubstr("No torque acts."));
+  scene.views = {View::body};
+  EXPECT_THAT(alt_text({"s", "S", {}, {}}, scene, Vec3(0, 0, 1), 0.0), HasSubstr("Seen from the body:"));
+}
+
+TEST(AltText, EveryOverlayButLabelsHasWords) {
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const auto overlay = static_cast<Overlay>(i);
+    Scene scene;
+    scene.show = {overlay};
+    const std::string text = alt_text({"s", "S", {}, {}}, scene, Vec3(0, 0, 1), 0.0);
+    EXPECT_EQ(text.find(": nothing.") != std::string::npos, overlay == Overlay::labels) << name_of(overlay);
+  }
+}
+
+}  // namespace
+}  // namespace polhode

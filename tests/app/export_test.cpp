@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+// polhode export, from the files it leaves. Small pictures of tests/data/app/tiny.md.
+#include "app/sha256.h"
+#include "render/image/png.h"
+#include "tests/app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+
+namespace polhode {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Words = std::vector<std::string>;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+ProgramRun export_tiny(const fs::path& folder, Words more = {}, const RunOptions& options = {}) {
+  Words words = {"export", test_lesson("tiny.md"), "-o", folder.string(), "--size", "320x180"};
+  words.insert(words.end(), more.begin(), more.end());
+  return polhode(words, options);
+}
+
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const std::string& name : names_in(folder)) files[name] = text_of(folder / name);
+  return files;
+}
+
+Json manifest_in(const fs::path& folder) { return Json::parse(text_of(folder / "manifest.json")); }
+
+/// Runs a program after `setup` (a shell command) in a mount namespace of its own, so that nothing outside it
+/// changes.
+RunOptions in_own_namespace(const std::string& setup, const std::string& after = "true") {
+  RunOptions options;
+  options.wrapper = {
+      "unshare", "-m", "sh", "-c", setup + " && { \"$@\"; code=$?; " + after + "; exit $code; }", "sh"};
+  return options;
+}
+
+bool can_mount(const std::string& setup) {
+  return std::system(("unshare -m sh -c '" + setup + "' 2>/dev/null").c_str()) == 0;
+}
+
+TEST(Export, MakesOnePictureForEachStageWithAScene) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch / "made/on/the/way";
+  const ProgramRun run = export_tiny(folder);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, IsEmpty());
+  EXPECT_THAT(run.err, HasSubstr("\"words\" has no scene"));
+  EXPECT_EQ(run.err.find('\r'), std::string::npos) << "a progress bar where there is no terminal";
+  EXPECT_THAT(names_in(folder), ElementsAre("01-steady.png", "03-rolling.png", "manifest.json"));
+  for (const char* name : {"01-steady.png", "03-rolling.png"}) {
+    const auto png = read_png(folder / name);
+    ASSERT_TRUE(png.ok()) << png.error();
+    EXPECT_EQ(png->image.size, (Size{320, 180}));
+  }
+}
+
+TEST(Export, WritesWhatItDidIntoTheManifest) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(export_tiny(scratch.path(), {"--stage", "steady", "--stage", "rolling"}).code, 0);
+  const Json manifest = manifest_in(scratch.path());
+  EXPECT_EQ(manifest["format"], 1);
+  EXPECT_EQ(manifest["lesson"]["id"], "tiny");
+  EXPECT_EQ(manifest["lesson"]["sha256"], sha256_hex(text_of(test_lesson("tiny.md"))));
+  EXPECT_THAT(manifest["renderer"].get<std::string>(), HasSubstr("llvmpipe"));
+  EXPECT_EQ(manifest["options"]["size"], "320x180");
+  ASSERT_EQ(manifest["files"].size(), 2u);
+  const Json& steady = manifest["files"][0];
+  EXPECT_EQ(steady["file"], "01-steady.png");
+  EXPECT_EQ(steady["step"], 2);
+  EXPECT_TRUE(steady["frame"].is_null());
+  EXPECT_EQ(steady["t"], 0.5);
+  EXPECT_EQ(steady["method"], "uniform");
+  ASSERT_EQ(steady["tex"].size(), 2u);
+  EXPECT_THAT(steady["alt"].get<std::string>(), HasSubstr("A steady spin"));
+  EXPECT_EQ(text_of(scratch / "manifest.json").find(scratch.path().string()), std::string::npos);
+}
+
+TEST(Export, PutsTheMetadataIntoEachFile) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(export_tiny(scratch.path(), {"--stage", "rolling", "--dpi", "300"}).code, 0);
+  const auto png = read_png(scratch / "03-rolling.png");
+  ASSERT_TRUE(png.ok());
+  const std::map<std::string, std::string> text(png->metadata.text.begin(), png->metadata.text.end());
+  EXPECT_EQ(text.at("Title"), "Rolling – A tiny lesson");
+  EXPECT_EQ(text.at("Description"), manifest_in(scratch.path())["files"][0]["alt"]);
+  EXPECT_THAT(text.at("Description"), testing::AllOf(HasSubstr("the polhode"), HasSubstr("At t = 1.25 s")));
+  EXPECT_THAT(text.at("Software"), testing::StartsWith("polhode "));
+  EXPECT_EQ(text.at("polhode:lesson"), "tiny");
+  EXPECT_EQ(text.at("polhode:stage"), "rolling");
+  EXPECT_EQ(text.at("polhode:t"), "1.25");
+  EXPECT_EQ(png->metadata.dpi, 300);
+  EXPECT_EQ(text_of(scratch / "03-rolling.png").find("tIME"), std::string::npos);
+}
+
+TEST(Export, RepeatsToTheByteOnEitherContext) {
+  const ScratchFolder scratch;
+  for (const auto& [name, context] :
+       {std::pair{"a", "osmesa"}, std::pair{"b", "osmesa"}, std::pair{"c", "egl"}})
+    ASSERT_EQ(export_tiny(scratch / name, {"--context", context}).code, 0) << context;
+  EXPECT_EQ(contents(scratch / "a"), contents(scratch / "b"));
+  EXPECT_EQ(contents(scratch / "a"), contents(scratch / "c"));
+}
+
+TEST(Export, FramesDoNotDependOnTheRangeTheyAreMadeIn) {
+  const ScratchFolder scratch;
+  const Words film = {"--each", "frame", "--fps", "3", "--seconds", "2"};
+  const auto with = [&](const char* frames) {
+    Words words = film;
+    words.insert(words.end(), {"--frames", frames});
+    return words;
+  };
+  ASSERT_EQ(export_tiny(scratch / "whole", film).code, 0);
+  ASSERT_EQ(export_tiny(scratch / "part", with("5:9")).code, 0);
+  auto whole = contents(scratch / "whole"), part = contents(scratch / "part");
+  EXPECT_EQ(whole.size(), 2 * 6 + 1u);
+  EXPECT_EQ(part.size(), 4 + 1u);
+  part.erase("manifest.json");
+  for (const auto& [name, bytes] : part) EXPECT_EQ(bytes, whole[name]) << name;
+  EXPECT_TRUE(part.count("01-steady-frame05.png"));
+  EXPECT_TRUE(part.count("03-rolling-frame06.png"));
+  // Frame 8 of the whole is frame 2 of "rolling", shown at 2/3 s, at the scene's rate of 2.
+  EXPECT_DOUBLE_EQ(manifest_in(scratch / "whole")["files"][8]["t"].get<double>(), 2.0 / 3.0 * 2.0);
+  EXPECT_EQ(manifest_in(scratch / "whole")["files"][8]["frame"], 8);
+  EXPECT_NE(whole["03-rolling-frame06.png"], whole["03-rolling-frame07.png"]) << "nothing moves";
+}
+
+TEST(Export, StepsAreFilesOfTheirOwn) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(export_tiny(scratch.path(), {"--each", "step", "--stage", "steady", "--at", "0x1p-1"}).code, 0);
+  EXPECT_THAT(names_in(scratch.path()),
+              ElementsAre("01-steady-step1.png", "01-steady-step2.png", "manifest.json"));
+}
+
+TEST(Export, RefusesAFolderOfOtherOptions) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(export_tiny(scratch.path(), {"--stage", "steady"}).code, 0);
+  const auto before = contents(scratch.path());
+  const ProgramRun other = export_tiny(scratch.path(), {"--stage", "steady", "--background", "white"});
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.err, HasSubstr("background"));
+  EXPECT_EQ(contents(scratch.path()), before);
+  EXPECT_EQ(export_tiny(scratch.path(), {"--stage", "steady"}).code, 0);
+  EXPECT_EQ(contents(scratch.path()), before);
+}
+
+TEST(Export, RefusesAFolderOfAnotherLessonText) {
+  const ScratchFolder scratch;
+  write_text(scratch / "tiny.md", text_of(test_lesson("tiny.md")) + "\nOne more line.\n");
+  ASSERT_EQ(export_tiny(scratch / "out", {"--stage", "steady"}).code, 0);
+  const ProgramRun other = polhode(
+      {"export", scratch / "tiny.md", "-o", scratch / "out", "--size", "320x180", "--stage", "steady"});
+  EXPECT_EQ(other.code, 1);
+  EXPECT_THAT(other.err, HasSubstr("another lesson text"));
+}
+
+TEST(Export, FolderThatCannotBeMadeIsCode1) {
+  const ScratchFolder scratch;
+  write_text(scratch / "file", "");
+  for (const fs::path& folder : {scratch / "file", scratch / "file/below", fs::path("/proc/polhode")}) {
+    const ProgramRun run = export_tiny(folder);
+    EXPECT_EQ(run.code, 1) << folder;
+    EXPECT_THAT(run.err, HasSubstr(folder.string()));
+  }
+}
+
+TEST(Export, FileThatCannotBeReplacedIsCode1) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "01-steady.png");
+  const ProgramRun run = export_tiny(scratch.path());
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("01-steady.png"));
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre("01-steady.png"));
+}
+
+TEST(Export, FullDiskLeavesNoPartialFile) {
+  const ScratchFolder scratch;
+  fs::create_directory(scratch / "disk");
+  const std::string disk = (scratch / "disk").string(), kept = (scratch / "kept").string();
+  const std::string mount = "mount -t tmpfs -o size=64k none " + disk;
+  if (!can_mount(mount)) GTEST_SKIP() << "a small tmpfs cannot be mounted here";
+  // Pictures of 640x360 do not fit into 64 KiB; what is on the disk at the end is copied out of the
+  // namespace.
+  const ProgramRun run = polhode({"export", test_lesson("tiny.md"), "-o", disk, "--size", "640x360"},
+                                 in_own_namespace(mount, "cp -r " + disk + " " + kept));
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("No space left on device"));
+  for (const std::string& name : names_in(kept)) EXPECT_TRUE(read_png(fs::path(kept) / name).ok()) << name;
+}
+
+/// Hides the library with that name by a file that is none.
+std::string hide(const std::string& library) {
+  return "for f in /usr/lib/*/" + library + "*; do mount --bind /dev/null \"$f\" || exit 99; done";
+}
+
+TEST(Export, AbsentOsmesaIsNamedWithItsPackage) {
+  if (!can_mount(hide("libOSMesa.so."))) GTEST_SKIP() << "a library cannot be hidden here";
+  const ScratchFolder scratch;
+  const ProgramRun run =
+      export_tiny(scratch.path(), {"--context", "osmesa"}, in_own_namespace(hide("libOSMesa.so.")));
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("libosmesa6"));
+  EXPECT_THAT(names_in(scratch.path()), IsEmpty());
+  const ProgramRun fallback =
+      export_tiny(scratch.path(), {"--stage", "steady"}, in_own_namespace(hide("libOSMesa.so.")));
+  EXPECT_EQ(fallback.code, 0) << "auto did not turn to EGL: " << fallback.err;
+}
+
+TEST(Export, WithoutAnyContextBothPackagesAreNamed) {
+  const std::string setup = hide("libOSMesa.so.") + " && " + hide("libEGL.so.");
+  if (!can_mount(setup)) GTEST_SKIP() << "libraries cannot be hidden here";
+  const ScratchFolder scratch;
+  const ProgramRun run = export_tiny(scratch.path(), {}, in_own_namespace(setup));
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, testing::AllOf(HasSubstr("libosmesa6"), HasSubstr("libegl1")));
+}
+
+TEST(Export, InterruptedEndsWith130AndWholeFiles) {
+  const ScratchFolder scratch;
+  RunOptions options;
+  options.while_running = [&](pid_t program) {
+    for (int tries = 0; tries < 6000 && names_in(scratch.path()).empty(); ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    kill(program, SIGINT);
+  };
+  const ProgramRun run = export_tiny(scratch.path(), {"--each", "frame", "--seconds", "600"}, options);
+  EXPECT_EQ(run.code, 130) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("interrupted"));
+  const auto names = names_in(scratch.path());
+  EXPECT_FALSE(names.empty());
+  for (const std::string& name : names) {
+    EXPECT_THAT(name, testing::EndsWith(".png"));
+    EXPECT_TRUE(read_png(scratch / name).ok()) << name;
+  }
+}
+
+class Compare : public testing::Test {
+ protected:
+  void SetUp() override {
+    Image image = Image::blank({100, 100});
+    write("a.png", image);
+    image.rgba[0] = static_cast<std::uint8_t>(image.rgba[0] ^ 2);
+    write("near.png", image);
+    image.rgba[0] = static_cast<std::uint8_t>(image.rgba[0] ^ 128);
+    write("far.png", image);
+    write("small.png", Image::blank({10, 10}));
+    write_text(scratch / "junk.png", "junk");
+  }
+  void write(const std::string& name, const Image& image) {
+    ASSERT_TRUE(write_png(scratch / name, image, {}).ok());
+  }
+  ProgramRun compare(const std::string& b, Words more = {}) {
+    more.insert(more.begin(), {"compare", scratch / "a.png", scratch / b});
+    return polhode(more);
+  }
+  ScratchFolder scratch;
+};
+
+TEST_F(Compare, EqualIs0DifferentIs4UnreadableIs1) {
+  EXPECT_EQ(compare("a.png").code, 0);
+  EXPECT_EQ(compare("near.png").code, 0);
+  EXPECT_EQ(compare("far.png").code, 4);
+  EXPECT_EQ(compare("small.png").code, 4);
+  EXPECT_EQ(compare("junk.png").code, 1);
+  EXPECT_EQ(compare("missing.png").code, 1);
+  EXPECT_THAT(compare("missing.png").err, HasSubstr("missing.png"));
+}
+
+TEST_F(Compare, SaysHowMuch) {
+  const Json far = Json::parse(compare("far.png", {"--json"}).out);
+  EXPECT_EQ(far["equal"], false);
+  EXPECT_EQ(far["pixels"], 10000);
+  EXPECT_EQ(far["over_3"], 1);
+  EXPECT_EQ(far["over_fraction"], 1e-4);
+  EXPECT_GE(far["max"], 126);
+  EXPECT_EQ(Json::parse(compare("near.png", {"--json"}).out)["max"], 2);
+  EXPECT_THAT(compare("small.png").out, HasSubstr("100x100 and 10x10"));
+}
+
+TEST_F(Compare, DrawsTheDifference) {
+  EXPECT_EQ(compare("far.png", {"--diff", scratch / "diff.png"}).code, 4);
+  EXPECT_TRUE(read_png(scratch / "diff.png").ok());
+  EXPECT_EQ(compare("far.png", {"--diff", scratch / "no/such/folder.png"}).code, 1);
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+// polhode trace, from its output alone.
+#include "tests/app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+using Words = std::vector<std::string>;
+using Row = std::vector<double>;
+using Json = nlohmann::json;
+
+const std::string kHeader = "t,w1,w2,w3,qw,qx,qy,qz,T,L,Lx,Ly,Lz";
+enum Column { t, w1, w2, w3, qw, qx, qy, qz, T, L, Lx, Ly, Lz };
+
+ProgramRun trace(const std::string& inertia, const std::string& omega, Words more) {
+  more.insert(more.begin(), {"trace", "--inertia", inertia, "--omega", omega});
+  return polhode(more);
+}
+
+std::vector<Row> rows_of(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(line, kHeader);
+  std::vector<Row> rows;
+  while (std::getline(lines, line)) {
+    rows.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) {
+      double value = NAN;
+      std::from_chars(field.data(), field.data() + field.size(), value);
+      rows.back().push_back(value);
+    }
+    EXPECT_EQ(rows.back().size(), 13u);
+  }
+  return rows;
+}
+
+// The invariants of torque-free motion in S. RK4's default step errs by less than 1e-12 in a period (measured
+// 3e-14).
+void expect_conserved(const std::vector<Row>& rows) {
+  constexpr double kTolerance = 1e-12;
+  ASSERT_FALSE(rows.empty());
+  const Row& first = rows.front();
+  for (const Row& row : rows) {
+    EXPECT_NEAR(row[T], first[T], kTolerance * first[T]);
+    EXPECT_NEAR(row[L], first[L], kTolerance * first[L]);
+    for (Column c : {Lx, Ly, Lz}) EXPECT_NEAR(row[c], first[c], kTolerance * first[L]);
+    EXPECT_NEAR(std::hypot(std::hypot(row[qw], row[qx]), std::hypot(row[qy], row[qz])), 1.0, 1e-15);
+  }
+}
+
+TEST(Trace, ConservesTAndLForEveryKindOfBody) {
+  for (const char* inertia : {"1,1,1", "1,1,1.5", "1.5,1,1", "1,1.75,2.5", "2.5,1,1.75"}) {
+    const ProgramRun run = trace(inertia, "0.3,-0.2,1.5", {"--periods", "1", "--samples", "33"});
+    EXPECT_EQ(run.code, 0) << run.err;
+    const auto rows = rows_of(run.out);
+    EXPECT_EQ(rows.size(), 33u);
+    expect_conserved(rows);
+  }
+}
+
+TEST(Trace, StartsWhereItIsTold) {
+  const ProgramRun run = trace("1,2,2.5", "0.1,0x1p-2,-3", {"--attitude", "0.6,0,0.8,0", "--times", "0"});
+  const auto rows = rows_of(run.out);
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0][w1], 0.1);
+  EXPECT_EQ(rows[0][w2], 0.25);
+  EXPECT_EQ(rows[0][w3], -3);
+  EXPECT_NEAR(rows[0][qw], 0.6, 1e-16);
+  EXPECT_NEAR(rows[0][qy], 0.8, 1e-16);
+  // L_S = R I·ω with R a turn about y: cos = 0.6² − 0.8², sin = 2·0.6·0.8.
+  EXPECT_NEAR(rows[0][Lx], -0.28 * 0.1 + 0.96 * -7.5, 1e-14);
+  EXPECT_NEAR(rows[0][Lz], -0.96 * 0.1 - 0.28 * -7.5, 1e-14);
+}
+
+TEST(Trace, GivesOneRowPerTimeInTheOrderAsked) {
+  const auto rows = rows_of(trace("1,1,2", "1,0,1", {"--times", "2,-1,0,2"}).out);
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[1][t], -1);
+  EXPECT_EQ(rows[0], rows[3]);
+}
+
+// 0.1 is not a double: all 17 digits must be there.
+TEST(Trace, Has17SignificantDigits) {
+  EXPECT_THAT(trace("1,1,1", "0.1,0,0", {"--times", "0"}).out, HasSubstr("0.10000000000000001"));
+}
+
+TEST(Trace, JsonHasTheSameNumbers) {
+  const Words times = {"--periods", "0.5", "--samples", "3"};
+  const auto rows = rows_of(trace("1,1,1.5", "0.3,0.2,1", times).out);
+  Words as_json = times;
+  as_json.insert(as_json.end(), {"--format", "json"});
+  const Json json = Json::parse(trace("1,1,1.5", "0.3,0.2,1", as_json).out);
+  EXPECT_EQ(json["method"], "symmetric");
+  EXPECT_TRUE(json.contains("condition"));
+  EXPECT_TRUE(json["horizon_periods"].contains("1e-3"));
+  EXPECT_TRUE(json["horizon_periods"].contains("1e-1"));
+  // Half a period of the symmetric top, 2π/|ν| with ν = ω3 (I3 − I1)/I1.
+  EXPECT_NEAR(json["period"].get<double>(), 2 * M_PI / 0.5, 1e-14);
+  ASSERT_EQ(json["rows"].size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const char* name : {"t", "w1", "qw", "T", "L", "Lz"}) {
+      std::size_t column = 0;
+      std::istringstream names(kHeader);
+      for (std::string n; std::getline(names, n, ',') && n != name;) ++column;
+      EXPECT_EQ(json["rows"][i][name].get<double>(), rows[i][column]) << name;
+    }
+}
+
+TEST(Trace, ChoosesTheBestMethodAndNamesTheOthersWithTorque) {
+  const auto method = [](const std::string& inertia, const std::string& omega, Words more) {
+    more.insert(more.end(), {"--times", "0.1", "--format", "json"});
+    return Json::parse(trace(inertia, omega, more).out)["method"].get<std::string>();
+  };
+  EXPECT_EQ(method("1,1,1", "1,2,3", {}), "uniform");
+  EXPECT_EQ(method("1,2,2.5", "0,2,0", {}), "uniform");
+  EXPECT_EQ(method("1,1,1.5", "1,2,3", {}), "symmetric");
+  EXPECT_EQ(method("1,2,2.5", "1,2,3", {}), "rk4");
+  EXPECT_EQ(method("1,1,1", "1,2,3", {"--torque", "damping:0.1"}), "rk4");
+  EXPECT_EQ(method("1,1,1", "1,2,3", {"--method", "exact"}), "uniform");
+  EXPECT_EQ(method("1,1,1", "1,2,3", {"--method", "rk4", "--step", "0.01"}), "rk4");
+  const ProgramRun refused = trace("1,1,1.5", "1,2,3", {"--times", "0", "--method", "uniform"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("what can: exact, symmetric, rk4"));
+  EXPECT_THAT(trace("1,2,2.5", "1,2,3", {"--times", "0"}).err, HasSubstr("rk4, step "));
+}
+
+TEST(Trace, ClosedFormAndIntegratorAgree) {
+  const Words times = {"--times", "0.7,1.9"};
+  Words rk4 = times;
+  rk4.insert(rk4.end(), {"--method", "rk4", "--step", "0x1p-10"});
+  const auto exact = rows_of(trace("1,1,1.5", "0.3,0.2,1", times).out);
+  const auto steps = rows_of(trace("1,1,1.5", "0.3,0.2,1", rk4).out);
+  // RK4: (|ω|h)⁴·|ω|t/120 ≈ 2e-14 here, and some rounding.
+  for (std::size_t i = 0; i < exact.size(); ++i)
+    for (std::size_t c = 0; c < 13; ++c) EXPECT_NEAR(exact[i][c], steps[i][c], 1e-12) << i << ' ' << c;
+}
+
+TEST(Trace, TorqueIsSummed) {
+  const Words times = {"--times", "0.5"};
+  const auto with = [&](Words torque) {
+    torque.insert(torque.end(), times.begin(), times.end());
+    return rows_of(trace("1,1,1", "0,0,1", torque).out);
+  };
+  const auto twice = with({"--torque", "space:0,0,1", "--torque", "space:0,0,1"});
+  EXPECT_NEAR(twice[0][Lz], 1 + 2 * 0.5, 1e-13);
+  EXPECT_EQ(twice, with({"--torque", "space:0,0,2"}));
+}
+
+TEST(Trace, PeriodIsNullWithoutOne) {
+  const auto period = [](const std::string& omega, Words more) {
+    more.insert(more.end(), {"--periods", "1", "--samples", "2", "--format", "json"});
+    const Json json = Json::parse(trace("1,2,2.5", omega, more).out);
+    return std::pair(json["period"], json["rows"][1]["t"].get<double>());
+  };
+  EXPECT_EQ(period("0,2,0", {}), (std::pair(Json(nullptr), M_PI)));
+  EXPECT_EQ(period("0,2,0", {"--torque", "damping:0.1"}), (std::pair(Json(nullptr), M_PI)));
+  const auto [polhode_period, end] = period("1,0.2,1", {});
+  EXPECT_EQ(polhode_period.get<double>(), end);
+  EXPECT_EQ(trace("1,2,2.5", "0,0,0", {"--periods", "1", "--samples", "2"}).code, 2);
+}
+
+TEST(Trace, NeverPutsNaNInJson) {
+  const ProgramRun run = trace("1,2,2.5", "1e200,1e200,1e200",
+                               {"--times", "1", "--method", "rk4", "--step", "0.5", "--format", "json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(Json::parse(run.out)["rows"][0]["w1"].is_null());
+}
+
+}  // namespace
+}  // namespace polhode

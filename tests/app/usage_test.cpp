@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+// The command line as a user meets it: help, versions, mistakes, streams and exit codes.
+#include "app/usage.h"
+
+#include "tests/app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
+using Words = std::vector<std::string>;
+using Json = nlohmann::json;
+
+const Words kCommands = {"list", "export", "lint", "info", "trace", "compare"};
+
+TEST(Help, NamesEveryCommand) {
+  const ProgramRun run = polhode({"--help"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, IsEmpty());
+  for (const std::string& command : kCommands) EXPECT_THAT(run.out, HasSubstr("  " + command + " "));
+}
+
+TEST(Help, FitsAHundredColumns) {
+  Words lines;
+  for (std::string command : {"", "list", "export", "lint", "info", "trace", "compare"}) {
+    const ProgramRun run = command.empty() ? polhode({"--help"}) : polhode({command, "--help"});
+    EXPECT_EQ(run.code, 0) << command;
+    EXPECT_THAT(run.err, IsEmpty());
+    std::istringstream text(run.out);
+    for (std::string line; std::getline(text, line);) EXPECT_LE(line.size(), 100u) << line;
+  }
+}
+
+TEST(Help, OfACommandNamesItsOptions) {
+  const std::map<std::string, Words> options = {
+      {"list", {"--json"}},
+      {"lint", {"FILE", "--json"}},
+      {"info", {"LESSON", "--json"}},
+      {"compare", {"--diff", "--json"}},
+      {"trace",
+       {"--inertia", "--omega", "--attitude", "--torque", "--times", "--from", "--to", "--every", "--periods",
+        "--samples", "--method", "--step", "--format"}},
+      {"export",
+       {"LESSON", "-o", "--stage", "--each", "--what", "--size", "--fps", "--seconds", "--at", "--frames",
+        "--background", "--dpi", "--sync", "--context"}}};
+  for (const auto& [command, names] : options) {
+    const ProgramRun run = polhode({command, "--help"});
+    for (const std::string& name : names) EXPECT_THAT(run.out, HasSubstr(name)) << command;
+  }
+}
+
+TEST(Version, IsOneLineOnStdout) {
+  const ProgramRun run = polhode({"--version"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, testing::MatchesRegex("polhode [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+struct Mistake {
+  Words words;
+  std::string said;
+};
+
+TEST(Usage, MistakesAreNamedOnStderrWithCode2) {
+  const std::string tiny = test_lesson("tiny.md");
+  const Words trace = {"trace", "--inertia", "1,2,2.5", "--omega", "1,2,3"};
+  const auto with = [](Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const Words export_tiny = {"export", tiny, "-o", "/proc/never-made"};
+  const std::vector<Mistake> mistakes = {
+      {{}, "a command is needed"},
+      {{"exprot"}, "unknown command \"exprot\"; did you mean \"export\"?"},
+      {{"list", "--jsno"}, "did you mean \"--json\"?"},
+      {{"list", "extra"}, "unexpected argument \"extra\""},
+      {{"export", tiny}, "--output"},
+      {{"export", "-o", "x"}, "LESSON"},
+      {{"info", "no-such-lesson"}, "unknown lesson \"no-such-lesson\""},
+      {with(export_tiny, {"--sise", "1x1"}), "did you mean \"--size\"?"},
+      {with(export_tiny, {"--stage", "stedy"}), "did you mean \"steady\"?"},
+      {with(export_tiny, {"--size", "0x0"}), "1 to 16384"},
+      {with(export_tiny, {"--size", "0x100"}), "1 to 16384"},
+      {with(export_tiny, {"--size", "16385x16"}), "1 to 16384"},
+      {with(export_tiny, {"--size", "-16x16"}), "--size"},
+      {with(export_tiny, {"--size", "big"}), "1920x1080"},
+      {with(export_tiny, {"--size"}), "--size"},
+      {with(export_tiny, {"--size", "1x1", "--size", "2x2"}), "--size"},
+      {with(export_tiny, {"--each", "frmae"}), "did you mean \"frame\"?"},
+      {with(export_tiny, {"--what", "page"}), "not available yet"},
+      {with(export_tiny, {"--what", "equation"}), "not available yet"},
+      {with(export_tiny, {"--what", "transcript"}), "not available yet"},
+      {with(export_tiny, {"--fps", "25"}), "--each frame"},
+      {with(export_tiny, {"--each", "frame", "--fps", "0"}), "--fps"},
+      {with(export_tiny, {"--each", "frame", "--seconds", "-1"}), "negative"},
+      {with(export_tiny, {"--each", "frame", "--seconds", "1e9"}), "1000000 frames"},
+      {with(export_tiny, {"--each", "frame", "--seconds", "0"}), "nothing to export"},
+      {with(export_tiny, {"--each", "frame", "--seconds", "1", "--frames", "5:5"}), "--frames"},
+      {with(export_tiny, {"--each", "frame", "--seconds", "1", "--frames", "0:61"}), "60 frames"},
+      {with(export_tiny, {"--background", "whtie"}), "did you mean \"white\"?"},
+      {with(export_tiny, {"--background", "#12345g"}), "#rrggbb"},
+      {with(export_tiny, {"--dpi", "0"}), "--dpi"},
+      {with(export_tiny, {"--sync", "never"}), "--sync"},
+      {with(export_tiny, {"--context", "glx"}), "auto, osmesa, egl"},
+      {with(export_tiny, {"--at", "soon"}), "--at"},
+      {with(export_tiny, {"--stage", "words"}), "nothing to export"},
+      {{"export", tiny, "-o", ""}, "empty"},
+      {{"trace", "--omega", "1,2,3", "--times", "0"}, "--inertia"},
+      {{"trace", "--inertia", "1,2", "--omega", "1,2,3", "--times", "0"}, "three"},
+      {{"trace", "--inertia", "1,2,x", "--omega", "1,2,3", "--times", "0"}, "not a number"},
+      {trace, "--times"},
+      {with(trace, {"--times", "0,,1"}), "not a number"},
+      {with(trace, {"--times", "0", "--attitude", "1,0,0"}), "w,x,y,z"},
+      {with(trace, {"--times", "0", "--format", "xml"}), "csv"},
+      {with(trace, {"--times", "0", "--method", "rk5"}), "did you mean \"rk4\"?"},
+      {with(trace, {"--times", "0", "--method", "rk4"}), "--step"},
+      {with(trace, {"--times", "0", "--method", "rk4", "--step", "0"}), "> 0"},
+      {with(trace, {"--times", "1e9", "--method", "rk4", "--step", "1e-3"}), "larger --step"},
+      {with(trace, {"--times", "0", "--method", "exact"}), "what can: rk4"},
+      {with(trace, {"--times", "0", "--torque", "wind:1,2,3"}), "unknown torque"},
+      {with(trace, {"--times", "0", "--torque", "space:1,2"}), "--torque"},
+      {{"compare", "one.png"}, "B"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    const ProgramRun run = polhode(mistake.words);
+    const std::string line = testing::PrintToString(mistake.words);
+    EXPECT_EQ(run.code, 2) << line << run.err;
+    EXPECT_THAT(run.err, StartsWith("polhode: ")) << line;
+    EXPECT_THAT(run.err, HasSubstr(mistake.said)) << line;
+    EXPECT_THAT(run.out, IsEmpty()) << line;
+  }
+}
+
+TEST(Usage, ImpossibleBodiesAndStatesAreCode3) {
+  const auto trace = [](const char* inertia, const char* omega, Words more = {}) {
+    Words words = {"trace", "--inertia", inertia, "--omega", omega, "--times", "0"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const std::vector<Mistake> mistakes = {
+      {trace("1,1,3", "1,2,3"), "I1 + I2"},
+      {trace("0,1,1", "1,2,3"), "> 0"},
+      {trace("-1,1,1", "1,2,3"), "> 0"},
+      {trace("nan,1,1", "1,2,3"), "nan"},
+      {trace("1,1,inf", "1,2,3"), "inf"},
+      {trace("1,2,2.5", "nan,0,0"), "nan"},
+      {trace("1,2,2.5", "1,2,3", {"--attitude", "0,0,0,0"}), "zero"},
+      {trace("1,2,2.5", "1,2,3", {"--attitude", "nan,0,0,0"}), "nan"},
+      {trace("1,2,2.5", "1,2,3", {"--torque", "space:nan,0,0"}), "nan"},
+      {trace("1,2,2.5", "1,2,3", {"--method", "rk4", "--step", "nan"}), "nan"},
+      {{"export", test_lesson("tiny.md"), "-o", "/proc/never-made", "--at", "nan"}, "nan"},
+      {{"export", test_lesson("two_errors.md"), "-o", "/proc/never-made"}, "two_errors.md:16:"},
+      {{"info", test_lesson("impossible_scene.md")}, "impossible_scene.md:10:"},
+  };
+  for (const Mistake& mistake : mistakes) {
+    const ProgramRun run = polhode(mistake.words);
+    const std::string line = testing::PrintToString(mistake.words);
+    EXPECT_EQ(run.code, 3) << line << run.err;
+    EXPECT_THAT(run.err, HasSubstr(mistake.said)) << line;
+    EXPECT_THAT(run.out, IsEmpty()) << line;
+  }
+}
+
+TEST(Usage, ValuesMayBeginWithAMinus) {
+  for (const char* omega : {"-1,2,3", "-.5,2,3", "-0x1p1,2,3"}) {
+    const ProgramRun run = polhode({"trace", "--inertia", "1,1,1", "--omega", omega, "--times", "-1"});
+    EXPECT_EQ(run.code, 0) << omega << run.err;
+  }
+}
+
+TEST(Usage, ResultsThatCannotBeWrittenAreCode1) {
+  RunOptions full;
+  full.stdout_to = "/dev/full";
+  for (const Words& words : {Words{"trace", "--inertia", "1,1,1", "--omega", "1,2,3", "--times", "0"},
+                             Words{"lint", test_lesson("two_errors.md")}}) {
+    const ProgramRun run = polhode(words, full);
+    EXPECT_EQ(run.code, 1) << words[0];
+    EXPECT_THAT(run.err, HasSubstr("stdout"));
+  }
+}
+
+TEST(List, ReadsTheFolderOfTheEnvironmentFirst) {
+  RunOptions options;
+  options.environment["POLHODE_LESSONS"] = test_lesson("");
+  const ProgramRun run = polhode({"list", "--json"}, options);
+  EXPECT_EQ(run.code, 0);
+  const Json lessons = Json::parse(run.out);
+  const auto tiny =
+      std::find_if(lessons.begin(), lessons.end(), [](const Json& l) { return l["id"] == "tiny"; });
+  ASSERT_NE(tiny, lessons.end());
+  EXPECT_EQ((*tiny)["title"], "A tiny lesson");
+  EXPECT_EQ((*tiny)["stages"], 3);
+  EXPECT_THAT((*tiny)["path"].get<std::string>(), testing::EndsWith("tests/data/app/tiny.md"));
+  EXPECT_THAT(polhode({"list"}, options).out, HasSubstr("A tiny lesson"));
+  EXPECT_THAT(run.err, HasSubstr("two_errors.md")) << "a lesson with errors is passed over silently";
+}
+
+TEST(List, FindsLessonsInTheFolderItRunsIn) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch / "lessons");
+  std::filesystem::copy(test_lesson("tiny.md"), scratch / "lessons/other.md");
+  RunOptions options;
+  options.folder = scratch.path();
+  EXPECT_THAT(polhode({"list"}, options).out, HasSubstr("other"));
+  EXPECT_EQ(polhode({"lint", "other"}, options).code, 0);
+}
+
+TEST(Lint, SaysWhereOnStdoutAndEndsWithCode3) {
+  const ProgramRun run = polhode({"lint", test_lesson("two_errors.md")});
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.out, HasSubstr("two_errors.md:12:"));
+  EXPECT_THAT(run.out, HasSubstr("two_errors.md:16:"));
+  EXPECT_THAT(run.out, HasSubstr(": error: "));
+}
+
+TEST(Lint, GivesTheSameAsJson) {
+  const ProgramRun run = polhode({"lint", "--json", test_lesson("two_errors.md"), test_lesson("tiny.md")});
+  EXPECT_EQ(run.code, 3);
+  const Json found = Json::parse(run.out);
+  ASSERT_GE(found.size(), 2u);
+  for (const Json& one : found) {
+    EXPECT_TRUE(one["line"].is_number_integer());
+    EXPECT_TRUE(one["column"].is_number_integer());
+    for (const char* field : {"file", "severity", "message", "hint"})
+      EXPECT_TRUE(one[field].is_string()) << field;
+  }
+  EXPECT_EQ(Json::parse(polhode({"lint", "--json", test_lesson("tiny.md")}).out), Json::array());
+}
+
+TEST(Lint, BadFilesHaveOneAnswerAndNoCrash) {
+  const ScratchFolder scratch;
+  write_text(scratch / "empty.md", "");
+  write_text(scratch / "junk.md", std::string("\0\xff\xfe+++\x80", 8));
+  write_text(scratch / "large.md", std::string(2 << 20, 'a'));
+  for (const char* name : {"empty.md", "junk.md", "large.md"}) {
+    const ProgramRun run = polhode({"lint", scratch / name});
+    EXPECT_EQ(run.code, 3) << name;
+    EXPECT_THAT(run.out, HasSubstr(name));
+  }
+  const ProgramRun missing = polhode({"lint", scratch / "missing.md", test_lesson("two_errors.md")});
+  EXPECT_EQ(missing.code, 1);
+  EXPECT_THAT(missing.err, HasSubstr("missing.md"));
+  EXPECT_THAT(missing.out, HasSubstr("two_errors.md")) << "the other file was not looked at";
+}
+
+TEST(Info, SaysWhatEachStageRequires) {
+  const ProgramRun run = polhode({"info", test_lesson("tiny.md"), "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json info = Json::parse(run.out);
+  EXPECT_EQ(info["lesson"], "tiny");
+  const Json& stages = info["stages"];
+  ASSERT_EQ(stages.size(), 3u);
+  EXPECT_EQ(stages[0]["id"], "steady");
+  EXPECT_EQ(stages[0]["steps"], 2);
+  EXPECT_EQ(stages[0]["motion"], "uniform");
+  EXPECT_GT(stages[0]["setup_ns"], 0);
+  EXPECT_GT(stages[0]["call_ns"], 0);
+  EXPECT_TRUE(stages[1]["motion"].is_null());
+  EXPECT_EQ(stages[1]["requires"], Json::array());
+  EXPECT_NE(stages[2]["motion"], "uniform");
+  EXPECT_THAT(stages[2]["requires"], testing::Contains("polhode"));
+  const ProgramRun table = polhode({"info", test_lesson("tiny.md")});
+  EXPECT_THAT(table.out, HasSubstr("rolling"));
+  EXPECT_THAT(table.out, HasSubstr("[1] " + stages[0]["why"].get<std::string>()));
+}
+
+}  // namespace
+}  // namespace polhode
