@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// 1 MiB of anything takes at most 1 s and 64 MiB (figure L2). Each input is a family some Markdown, TOML or
+// TeX reader was slow on, or fills one of our own lists.
+#include "lessons/scene_keys.h"
+#include "tests/lessons/support.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <ctime>
+#include <fstream>
+#include <functional>
+
+namespace polhode {
+namespace {
+
+using testing::front_matter;
+using testing::lesson_with;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kSanitized = true;  // its own time and memory would be measured
+#else
+constexpr bool kSanitized = false;
+#endif
+
+constexpr double kMaxSeconds = 1.0;
+constexpr long kMaxKilobytes = 64 * 1024;
+
+// `unit` again and again until just 1 MiB is full, `tail` at the end.
+std::string filled(std::string text, const std::string& unit, const std::string& tail = "") {
+  while (text.size() + unit.size() + tail.size() <= kMaxLessonBytes) text += unit;
+  return text + tail;
+}
+std::string stage_of(const std::string& unit) { return filled(lesson_with(""), unit); }
+std::string math_of(const std::string& unit) { return filled(lesson_with("```math a\n"), unit, "\n```\n"); }
+std::string claim_of(const std::string& begin, const std::string& unit, const std::string& end) {
+  return filled(lesson_with("```math a\nx\n```\n```claim a measured\n" + begin), unit, end + "\n```\n");
+}
+std::string repeated(const std::string& unit, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += unit;
+  return text;
+}
+
+std::string runs_of_backticks() {
+  std::string text = lesson_with("");
+  for (std::size_t run = 1; text.size() + run + 1 <= kMaxLessonBytes; ++run)
+    text += 'a' + std::string(run, '`');
+  return text;
+}
+
+std::string tables_in_scenes() {
+  std::string keys = "```scene\n";
+  for (int i = 0; keys.size() + 32 < kMaxTomlBytes; ++i) keys += "a" + std::to_string(i) + "={}\n";
+  return stage_of(keys + "```\n---\n");
+}
+
+// Every step has a scene as large as scenes can be, and the rest of the text is filled with small blocks.
+std::string largest_scenes() {
+  const std::string caption = repeated("😀", static_cast<int>(kMaxCaptionCharacters));
+  const std::string term(62, 't');
+  std::string torque;
+  std::string terms;
+  std::string highlight;
+  for (std::size_t i = 0; i < kMaxTorqueTerms; ++i) torque += "'space:1,2,3', ";
+  for (std::size_t i = 0; i < kMaxHighlights; ++i) terms += "\\term{" + term + std::to_string(i) + "}{x}";
+  for (std::size_t i = 0; i < kMaxHighlights; ++i) highlight += '\'' + term + std::to_string(i) + "', ";
+  std::string text =
+      "+++\nformat=1\nid='a'\ntitle='A'\n[scene]\ncaption='" + caption + "'\ntorque=[" + torque + "]\n+++\n";
+  for (int stage = 0; stage < kMaxStages; ++stage) {
+    text += "# A {a" + std::to_string(stage) + "}\n```math a\n" + terms + "\n```\n```scene\nhighlight=[" +
+            highlight + "]\n```\n";
+    text += repeated("---\na\n\n", kMaxStepsPerStage - 1);
+  }
+  while (text.size() + 1000 < kMaxLessonBytes) text += repeated("> [!said] x\n", 60) + "\na\n\n";
+  return text;
+}
+
+struct Input {
+  const char* name;
+  std::function<std::string()> text;
+};
+
+const std::vector<Input>& inputs() {
+  static const std::vector<Input> all = {
+      {"a_long_line", [] { return stage_of("a"); }},
+      {"backslashes", [] { return stage_of("\\"); }},
+      {"backtick_runs", runs_of_backticks},
+      {"backticks", [] { return stage_of("a `b"); }},
+      {"block_quotes", [] { return stage_of("> a\n\n"); }},
+      {"brackets", [] { return stage_of("["); }},
+      {"call_outs", [] { return stage_of("> [!said] a\n\na\n\n"); }},
+      {"characters", [] { return stage_of("😀"); }},
+      {"claim_brackets", [] { return claim_of("", "(", ""); }},
+      {"claim_lines", [] { return claim_of("", "L=L\n", ""); }},
+      {"claim_sum", [] { return claim_of("L=", "L+", "L"); }},
+      {"claim_withins", [] { return claim_of("L=", " within", "L"); }},
+      {"claims",
+       [] {
+         return filled(lesson_with("```math a\nx\n```\n"),
+                       "```claim a law\n" + repeated("L=L\n", 60) + "```\n");
+       }},
+      {"deep_list", [] { return stage_of(repeated("  ", 15) + "- a\n"); }},
+      {"dollars", [] { return stage_of("$"); }},
+      {"display_dollars", [] { return stage_of("$$ "); }},
+      {"emphasis", [] { return stage_of("a**b_c* "); }},
+      {"entities", [] { return stage_of("&a;"); }},
+      {"fences", [] { return stage_of("```\n```\n"); }},
+      {"formulas", [] { return stage_of("$a$ "); }},
+      {"front_matter", [] { return filled("+++\na=", "[", "\n+++\n"); }},
+      {"headings", [] { return stage_of("#\n"); }},
+      {"html", [] { return stage_of("<!-- "); }},
+      {"largest_scenes", largest_scenes},
+      {"link_definitions", [] { return stage_of("[a]: <b> \"c\"\n\n[a]\n\n"); }},
+      {"links", [] { return stage_of("![[a]("); }},
+      {"list_items", [] { return stage_of("- a\n  - b\n"); }},
+      {"list_marks", [] { return stage_of("- "); }},
+      {"math_braces", [] { return math_of("{"); }},
+      {"math_closing", [] { return math_of("}"); }},
+      {"math_tags", [] { return math_of("\\tag{1}"); }},
+      {"math_terms", [] { return math_of("\\term{a}{b}"); }},
+      {"numbered", [] { return stage_of("1. a\n"); }},
+      {"one_dollar_each", [] { return stage_of("a\n\n$"); }},
+      {"quote_marks", [] { return stage_of(">"); }},
+      {"rules", [] { return stage_of("---\n"); }},
+      {"scenes", [] { return stage_of("```scene\n```\n---\n"); }},
+      {"spaces", [] { return stage_of(" "); }},
+      {"steps", [] { return stage_of("a\n\n---\n"); }},
+      {"tables_in_scenes", tables_in_scenes},
+      {"toml_dots",
+       [] {
+         return stage_of("```scene\nx=[" + repeated("{a.a.a.a.a.a.a.a.a.a.a.a=1},", 2000) + "]\n```\n---\n");
+       }},
+      {"toml_lists", [] { return stage_of("```scene\nx=[" + repeated("1,", 32000) + "]\n```\n---\n"); }},
+      {"underlined", [] { return stage_of("a\n-\n"); }},
+      {"windows_lines", [] { return stage_of("a\r\n"); }},
+  };
+  return all;
+}
+
+long resident_kilobytes() {
+  std::ifstream status("/proc/self/statm");
+  long total = 0;
+  long resident = 0;
+  status >> total >> resident;
+  return resident * (sysconf(_SC_PAGESIZE) / 1024);
+}
+
+// Growth of the largest resident size while a child process reads the text, KiB.
+long kilobytes_to_read(const std::string& text) {
+  int pipe_ends[2];
+  if (pipe(pipe_ends) != 0) return -1;
+  const pid_t child = fork();
+  if (child == 0) {
+    const long before = resident_kilobytes();
+    const LessonReading reading = read_lesson(text, "lesson.md");
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const long grown = usage.ru_maxrss - before + (reading.diagnostics.size() > 1'000'000 ? 1 : 0);
+    const bool sent = write(pipe_ends[1], &grown, sizeof grown) == static_cast<ssize_t>(sizeof grown);
+    _exit(sent ? 0 : 1);
+  }
+  close(pipe_ends[1]);
+  long grown = -1;
+  if (read(pipe_ends[0], &grown, sizeof grown) != static_cast<ssize_t>(sizeof grown)) grown = -1;
+  close(pipe_ends[0]);
+  waitpid(child, nullptr, 0);
+  return grown;
+}
+
+class ReaderCost : public ::testing::TestWithParam<Input> {};
+
+TEST_P(ReaderCost, IsAtMostASecondAndSixtyFourMebibytes) {
+  const std::string text = GetParam().text();
+  EXPECT_GT(text.size(), kMaxLessonBytes / 2);
+  EXPECT_LE(text.size(), kMaxLessonBytes);
+
+  const std::clock_t start = std::clock();  // processor time: other programs do not count
+  read_lesson(text, "lesson.md");
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  RecordProperty("seconds", std::to_string(seconds));
+  if (kSanitized) GTEST_SKIP() << "costs are measured without sanitizers";
+  EXPECT_LE(seconds, kMaxSeconds);
+
+  const long kilobytes = kilobytes_to_read(text);
+  RecordProperty("kilobytes", std::to_string(kilobytes));
+  EXPECT_GT(kilobytes, 0);
+  EXPECT_LE(kilobytes, kMaxKilobytes);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ReaderCost, ::testing::ValuesIn(inputs()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The lessons of the repository are right.
+#include "tests/lessons/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+TEST(LessonFiles, AreReadWithoutErrors) {
+  int lessons = 0;
+  for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
+    if (path.filename() == "FORMAT.md" || path.filename() == "README.md") continue;
+    ++lessons;
+    const LessonReading reading = read_lesson(testing::read_file(path), path.filename().string());
+    for (const Diagnostic& diagnostic : reading.diagnostics) {
+      EXPECT_NE(diagnostic.severity, Severity::error) << to_string(diagnostic);
+    }
+    ASSERT_TRUE(reading.lesson) << path;
+    EXPECT_EQ(reading.lesson->id, path.stem().string()) << "a lesson is found by its file name";
+  }
+  EXPECT_GE(lessons, 1);
+}
+
+TEST(LessonFiles, TheReferenceNamesEveryOverlayAndMethod) {
+  const std::string format = testing::read_file(testing::source_dir() / "lessons/FORMAT.md");
+  for (const std::string& name : overlay_names()) EXPECT_THAT(format, ::testing::HasSubstr(name));
+  for (const std::string& name : method_names()) EXPECT_THAT(format, ::testing::HasSubstr('"' + name + '"'));
+  for (const std::string& name : named_bodies()) EXPECT_THAT(format, ::testing::HasSubstr(name));
+}
+
+}  // namespace
+}  // namespace polhode

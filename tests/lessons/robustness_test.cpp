@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Thousands of damaged lessons: no crash, and every refusal says at least one place that exists (figure L1 in
+// small; the same under the sanitizers of the asan preset).
+#include "tests/lessons/support.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <tuple>
+
+namespace polhode {
+namespace {
+
+constexpr int kMutations = 4000;
+
+const std::vector<std::string> kPieces = {"+++\n",       "---\n",
+                                          "```",         "```scene\n",
+                                          "```math a\n", "```claim a law\n",
+                                          "```ask a\n",  "> ",
+                                          "> [!said] ",  "- ",
+                                          "# A {a}\n",   "[",
+                                          "]",           "{",
+                                          "}",           "=",
+                                          "=>",          "\"",
+                                          "'",           "'''",
+                                          "\\",          "$",
+                                          "$$",          "nan",
+                                          "inf",         "1e999",
+                                          "\xFF",        std::string(1, 0),
+                                          "ω",           "\r",
+                                          "\t",          "\n",
+                                          "\n\n",        "(",
+                                          ")",           ",",
+                                          " within ",    "\\term{",
+                                          "\\tag{",      "\\left",
+                                          ".",           "#",
+                                          "0x",          "9223372036854775808"};
+
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string operator()(std::string text) {
+    for (int changes = 1 + below(4); changes > 0; --changes) change(text);
+    return text;
+  }
+
+ private:
+  int below(std::size_t n) { return n == 0 ? 0 : static_cast<int>(random_() % n); }
+
+  void change(std::string& text) {
+    const auto at = static_cast<std::size_t>(below(text.size() + 1));
+    const auto length = static_cast<std::size_t>(below(40));
+    switch (below(5)) {
+      case 0:
+        text.erase(std::min(at, text.size()), length);
+        break;
+      case 1:
+        text.insert(at, kPieces[static_cast<std::size_t>(below(kPieces.size()))]);
+        break;
+      case 2:
+        text.insert(at, text.substr(static_cast<std::size_t>(below(text.size() + 1)), length));
+        break;
+      case 3:
+        text.resize(at);
+        break;
+      default:
+        if (at < text.size()) text[at] = static_cast<char>(below(256));
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+void expect_sound(const std::string& text, const std::string& what) {
+  const LessonReading reading = read_lesson(text, "lesson.md");
+  const SourceText source(text);
+  bool has_error = false;
+  SourcePlace last{1, 1};
+  for (const Diagnostic& d : reading.diagnostics) {
+    has_error = has_error || d.severity == Severity::error;
+    ASSERT_FALSE(d.message.empty()) << what;
+    ASSERT_EQ(source.clamp(d.place), d.place) << what << ": " << to_string(d);
+    ASSERT_LE(std::tie(last.line, last.column), std::tie(d.place.line, d.place.column)) << what;
+    last = d.place;
+  }
+  ASSERT_NE(reading.lesson.has_value(), has_error) << what << ": a refusal has an error, a lesson has none";
+}
+
+TEST(Robustness, DamagedLessonsAreReadOrRefusedWithAPlace) {
+  const std::string sample = testing::example_lesson();
+  Mutator mutate(2024);
+  for (int i = 0; i < kMutations; ++i) expect_sound(mutate(sample), "mutation " + std::to_string(i));
+}
+
+TEST(Robustness, EveryBeginningOfALessonIsReadOrRefused) {
+  const std::string sample = testing::example_lesson();
+  for (std::size_t size = 0; size <= sample.size(); ++size)
+    expect_sound(sample.substr(0, size), std::to_string(size));
+}
+
+TEST(Robustness, DamagedBrokenLessonsToo) {
+  Mutator mutate(7);
+  for (const auto& path : testing::files_in(testing::source_dir() / "tests/data/lessons/invalid", ".md")) {
+    const std::string text = testing::read_file(path);
+    for (int i = 0; i < 20; ++i)
+      expect_sound(mutate(text), path.filename().string() + ' ' + std::to_string(i));
+  }
+}
+
+TEST(Robustness, RandomPiecesToo) {
+  std::mt19937 random(11);
+  for (int i = 0; i < 1000; ++i) {
+    std::string text = testing::lesson_with("");
+    for (int pieces = 0; pieces < 40; ++pieces) text += kPieces[random() % kPieces.size()];
+    std::erase(text, '\xFF');
+    std::erase(text, '\0');
+    expect_sound(text, "pieces " + std::to_string(i));
+  }
+}
+
+}  // namespace
+}  // namespace polhode

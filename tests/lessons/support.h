@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Lessons to test with.
+#pragma once
+
+#include "lessons/reader.h"
+#include "lessons/report.h"
+#include "lessons/toml_tree.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace polhode::testing {
+
+/// A front matter without faults, 7 lines long, its scene's body a book.
+std::string front_matter();
+
+/// A lesson of one stage "sample": its heading is line 8, `body` begins on line 9.
+std::string lesson_with(const std::string& body);
+
+/// Lines "line:column: severity: message (hint)" of what was reported.
+std::vector<std::string> lines_of(const std::vector<Diagnostic>& diagnostics);
+
+/// What read_lesson says of a text.
+std::vector<std::string> complaints(const std::string& text);
+
+/// A report on its own text, and the lines it holds.
+struct TextReport {
+  explicit TextReport(std::string the_text)
+      : text(std::move(the_text)), source(text), report(source, "text") {}
+  std::vector<std::string> lines() { return lines_of(report.take()); }
+
+  std::string text;
+  SourceText source;
+  Report report;
+};
+
+/// Table of a TOML text; fails the test and returns an empty one if it is none.
+TomlTable toml(const std::string& text);
+
+std::filesystem::path source_dir();
+std::string read_file(const std::filesystem::path& path);
+/// Files of a folder with this extension, sorted.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
+                                            const std::string& extension);
+
+/// The complete example of lessons/FORMAT.md.
+std::string example_lesson();
+
+}  // namespace polhode::testing
