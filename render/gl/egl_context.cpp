@@ -20,7 +20,6 @@ struct Egl {
   PFNEGLGETPROCADDRESSPROC address;
   PFNEGLQUERYSTRINGPROC query_string;
   PFNEGLINITIALIZEPROC initialize;
-  PFNEGLTERMINATEPROC terminate;
   PFNEGLBINDAPIPROC bind_api;
   PFNEGLCHOOSECONFIGPROC choose_config;
   PFNEGLCREATECONTEXTPROC create_context;
@@ -41,8 +40,7 @@ Result<Egl> load(const KeptLibrary& library) {
   const bool complete =
       fetch(library, "eglGetProcAddress", egl.address) &&
       fetch(library, "eglQueryString", egl.query_string) && fetch(library, "eglInitialize", egl.initialize) &&
-      fetch(library, "eglTerminate", egl.terminate) && fetch(library, "eglBindAPI", egl.bind_api) &&
-      fetch(library, "eglChooseConfig", egl.choose_config) &&
+      fetch(library, "eglBindAPI", egl.bind_api) && fetch(library, "eglChooseConfig", egl.choose_config) &&
       fetch(library, "eglCreateContext", egl.create_context) &&
       fetch(library, "eglDestroyContext", egl.destroy_context) &&
       fetch(library, "eglMakeCurrent", egl.make_current) && fetch(library, "eglGetError", egl.error) &&
@@ -91,6 +89,8 @@ std::vector<EGLDisplay> displays(const Egl& egl) {
   return found;
 }
 
+// The display is never terminated: EGL hands the same one to everybody in the process, so that it is not ours
+// to end, and Mesa would unload its driver and LLVM only to load them again for the next context.
 class EglContext : public GlContext {
  public:
   EglContext(const Egl& egl, EGLDisplay display) : egl_(egl), display_(display) {}
@@ -101,7 +101,6 @@ class EglContext : public GlContext {
       egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
       egl_.destroy_context(display_, handle_);
     }
-    egl_.terminate(display_);
     egl_.release_thread();
   }
 
