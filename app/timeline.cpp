@@ -51,15 +51,15 @@ std::int64_t frame_count(const FrameRate& rate, double shown_s) {
   const double product = A * shown_s;
   if (!(product / B < static_cast<double>(kMaxFrames) + 0.5)) return kMaxFrames + 1;
 
-  // product + rest = A·shown_s exactly; n·B is a whole number below 2⁵³, and its difference from the product
-  // is exact because the two are near.
+  // product + rest = A·shown_s exactly. Where 2·product is near the whole number (2n ∓ 1)·B < 2⁵³, their
+  // difference is exact; where it is not, its sign is sure.
   const double rest = std::fma(A, shown_s, -product);
-  auto n = static_cast<std::int64_t>(std::floor(product / B + 0.5));
-  const auto beyond = [&](std::int64_t m, double half) {
-    return (product - static_cast<double>(m) * B - half * B) + rest;
+  const auto at_least = [&](std::int64_t odd) {
+    return (2 * product - static_cast<double>(odd) * B) + 2 * rest >= 0;
   };
-  if (n > 0 && beyond(n, -0.5) < 0) --n;
-  if (beyond(n, 0.5) >= 0) ++n;
+  auto n = static_cast<std::int64_t>(product / B);
+  if (!at_least(2 * n - 1)) --n;
+  if (at_least(2 * n + 1)) ++n;
   return n;
 }
 

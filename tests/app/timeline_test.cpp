@@ -34,6 +34,7 @@ TEST(FrameCount, RoundsHalvesUp) {
   EXPECT_EQ(frame_count({30, 1}, 8), 240);
   EXPECT_EQ(frame_count({30, 1}, 0), 0);
   EXPECT_EQ(frame_count({1, 1}, 0.5), 1);
+  // 2025-11-21: 0.5 + (0.5 − 2⁻⁵⁴) rounds to 1.
   EXPECT_EQ(frame_count({1, 1}, std::nextafter(0.5, 0)), 0);
   EXPECT_EQ(frame_count({1, 1}, std::nextafter(2.5, 0)), 2);
   EXPECT_EQ(frame_count({1, 1}, 2.5), 3);

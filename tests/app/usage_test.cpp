@@ -146,8 +146,8 @@ TEST(Usage, ImpossibleBodiesAndStatesAreCode3) {
   };
   const std::vector<Mistake> mistakes = {
       {trace("1,1,3", "1,2,3"), "I1 + I2"},
-      {trace("0,1,1", "1,2,3"), "> 0"},
-      {trace("-1,1,1", "1,2,3"), "> 0"},
+      {trace("0,1,1", "1,2,3"), "not positive"},
+      {trace("-1,1,1", "1,2,3"), "not positive"},
       {trace("nan,1,1", "1,2,3"), "nan"},
       {trace("1,1,inf", "1,2,3"), "inf"},
       {trace("1,2,2.5", "nan,0,0"), "nan"},
