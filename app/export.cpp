@@ -10,6 +10,7 @@
 #include "app/picture_metadata.h"
 #include "app/progress.h"
 #include "app/suggest.h"
+#include "app/usage.h"
 #include "render/gl/renderer.h"
 
 #include <CLI/CLI.hpp>
@@ -93,7 +94,6 @@ Output output(const TypedOptions& typed, const ExportOptions& options) {
   const std::vector<std::string> backgrounds = {"studio", "paper", "white", "transparent", "#rrggbb"};
   Output out;
   out.folder = typed.folder;
-  if (typed.folder.empty()) throw usage("-o: the name of the folder is empty");
   const auto background = background_from(options.background);
   if (!background)
     throw usage(fmt::format("--background: \"{}\" is none of {}{}", options.background,
@@ -173,15 +173,15 @@ void write_manifest(const Manifest& manifest, const Output& out) {
   or_fail(sync_folder(out.folder));
 }
 
-ExitCode make_pictures(const ExportPlan& plan, Exporter& exporter, Manifest& manifest, const Output& out) {
+ExitCode make_pictures(const ExportPlan& plan, const InterruptWatch& watch, Exporter& exporter,
+                       Manifest& manifest, const Output& out) {
   const auto total = static_cast<std::int64_t>(plan.pictures.size());
-  const InterruptWatch watch;
   {
     const ProgressBar progress(total);
     for (const PlannedPicture& picture : plan.pictures) {
+      if (watch.interrupted()) break;
       progress.show(static_cast<std::int64_t>(manifest.files.size()), picture.file);
       manifest.files.push_back(exporter.make(picture));
-      if (watch.interrupted()) break;
     }
   }
   if (watch.interrupted()) {
@@ -211,9 +211,10 @@ ExitCode run_export(const TypedOptions& typed) {
   make_folder(out.folder);
   or_fail(may_export_into(out.folder, loaded.sha256, manifest.options));
 
+  const InterruptWatch watch;
   Exporter exporter(loaded, options, out);
   manifest.renderer = exporter.driver();
-  const ExitCode code = make_pictures(plan, exporter, manifest, out);
+  const ExitCode code = make_pictures(plan, watch, exporter, manifest, out);
   if (code == ExitCode::done)
     fmt::print(stderr, "{} picture{} and {} in {}\n", manifest.files.size(),
                manifest.files.size() == 1 ? "" : "s", kManifestName, out.folder.string());
@@ -227,12 +228,13 @@ void add_export(CLI::App& app, Action& action) {
       app.add_subcommand("export", "Export a lesson's pictures as PNG files and a manifest.json");
   auto typed = std::make_shared<TypedOptions>();
   const auto option = [&](const char* name, std::string& value, const char* form, const char* text) {
-    return command->add_option(name, value, text)->option_text(form);
+    return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
   };
   option("LESSON", typed->lesson, " ", "id or file")->required();
   option("-o,--output", typed->folder, "DIR", "folder for the files; made if missing (required)")->required();
   command->add_option("--stage", typed->stages, "only this stage; repeat for more (default: all)")
       ->option_text("ID")
+      ->check(refuse_empty)
       ->allow_extra_args(false);
   option("--each", typed->each, "KIND", "a picture for each stage, step or frame (default: stage)");
   option("--what", typed->what, "KIND", "figure; page, equation, transcript: not yet (default: figure)");

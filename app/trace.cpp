@@ -4,6 +4,7 @@
 #include "app/numbers.h"
 #include "app/trace_motion.h"
 #include "app/trace_times.h"
+#include "app/usage.h"
 #include "physics/euler.h"
 #include "render/scene/scene.h"
 
@@ -123,7 +124,7 @@ void add_trace(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("trace", "Print the numbers of a motion as CSV or JSON");
   auto typed = std::make_shared<TypedOptions>();
   const auto option = [&](const char* name, std::string& value, const char* form, const char* text) {
-    return command->add_option(name, value, text)->option_text(form);
+    return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
   };
   option("--inertia", typed->inertia, "I1,I2,I3", "principal moments in kg m^2 (required)")->required();
   option("--omega", typed->omega, "w1,w2,w3", "angular velocity at t = 0 in rad/s, body axes (required)")

@@ -69,4 +69,6 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
   return ExitCode::usage;
 }
 
+std::string refuse_empty(const std::string& value) { return value.empty() ? "the value is empty" : ""; }
+
 }  // namespace polhode

@@ -4,6 +4,8 @@
 
 #include "app/exit_codes.h"
 
+#include <string>
+
 namespace CLI {
 class App;
 class ParseError;
@@ -16,5 +18,8 @@ void describe_program(CLI::App& app);
 
 /// Answers --help and --version on stdout; for a mistake, one message on stderr with "did you mean".
 ExitCode report(const CLI::App& app, const CLI::ParseError& error);
+
+/// Validator of option values: one that is empty is a mistake, and not the same as an option not given.
+std::string refuse_empty(const std::string& value);
 
 }  // namespace polhode
