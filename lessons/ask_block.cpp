@@ -35,7 +35,7 @@ class AskReader {
                {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints); }}},
               report_);
     for (const char* key : {"type", "prompt", "answer"}) {
-      if (table_.find(key) == nullptr) fail(ask_.place, "a question lacks " + quoted(key));
+      if (table_.find(key) == nullptr) fail(ask_.place, "a question lacks " + in_quotes(key));
     }
     if (ok_) check_together();
     if (ok_) answer(*table_.find("answer"));
@@ -57,7 +57,7 @@ class AskReader {
     }
     const auto found = std::find(names.begin(), names.end(), *name);
     if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-    fail(entry.value.place, "unknown " + entry.key + ' ' + quoted(*name), suggestion(*name, names));
+    fail(entry.value.place, "unknown " + entry.key + ' ' + in_quotes(*name), suggestion(*name, names));
     return std::nullopt;
   }
 
@@ -94,7 +94,7 @@ class AskReader {
     if (expression && choices != nullptr) fail(choices->place, "a question for an expression has no choices");
     if (!expression && ask_.choices.size() < 2) {
       fail(choices == nullptr ? ask_.place : choices->value.place,
-           "a question of type " + quoted(kTypeNames[static_cast<std::size_t>(ask_.type)]) +
+           "a question of type " + in_quotes(kTypeNames[static_cast<std::size_t>(ask_.type)]) +
                " needs at least two choices");
     }
     if (!expression && modulo != nullptr) fail(modulo->place, "\"modulo\" is of questions for an expression");

@@ -84,7 +84,8 @@ class CalloutReader {
     const std::string_view mark = text.substr(0, end + 1);
     const std::string_view name = text.substr(kMarkBegin.size(), end - kMarkBegin.size());
     const auto kind = mark.back() == ']' ? kind_from(name) : std::nullopt;
-    if (!kind) report_.error(place, "unknown call-out " + quoted(mark), suggestion(name, {"said", "meant"}));
+    if (!kind)
+      report_.error(place, "unknown call-out " + in_quotes(mark), suggestion(name, {"said", "meant"}));
     const std::string_view rest = trimmed(text.substr(mark.size()));
     callouts_.push_back({kind.value_or(Callout::Kind::said), std::string(kind ? rest : mark), place});
   }

@@ -126,7 +126,7 @@ class ExpressionScan {
     const auto& symbols = expression_symbols();
     if (std::find(symbols.begin(), symbols.end(), word) == symbols.end()) {
       const bool function = find_function(word) != nullptr;
-      fail(begin, function ? quoted(word) + " is a function" : "unknown symbol " + quoted(word),
+      fail(begin, function ? in_quotes(word) + " is a function" : "unknown symbol " + in_quotes(word),
            function ? "write " + std::string(word) + "(…)" : suggestion(word, symbols));
       return;
     }
@@ -140,7 +140,7 @@ class ExpressionScan {
     }
     const auto& symbols = expression_symbols();
     const bool symbol = std::find(symbols.begin(), symbols.end(), word) != symbols.end();
-    fail(begin, symbol ? quoted(word) + " is no function" : "unknown function " + quoted(word),
+    fail(begin, symbol ? in_quotes(word) + " is no function" : "unknown function " + in_quotes(word),
          symbol ? "write * between factors" : suggestion(word, expression_functions()));
   }
 
@@ -168,7 +168,7 @@ class ExpressionScan {
     const Open& group = open_.back();
     if (group.function != nullptr && group.arguments != group.function->arguments) {
       const int wanted = group.function->arguments;
-      fail_at(group.place, quoted(group.function->name) + " takes " + std::to_string(wanted) +
+      fail_at(group.place, in_quotes(group.function->name) + " takes " + std::to_string(wanted) +
                                (wanted == 1 ? " argument" : " arguments") + ", found " +
                                std::to_string(group.arguments));
       return;
@@ -207,7 +207,7 @@ class ExpressionScan {
     if (character == "×") hint = "write cross(a, b)";
     if (character == "·") hint = "write dot(a, b), or * between factors";
     if (character == "\\" || character == "$") hint = "claims are not TeX: write omega, L, cross(omega, L)";
-    fail(i_, "unknown character " + quoted(character), std::move(hint));
+    fail(i_, "unknown character " + in_quotes(character), std::move(hint));
   }
 
   std::string_view text_;

@@ -28,7 +28,7 @@ void read_lesson_id(const TomlEntry& entry, FrontMatter& front, Report& report) 
   if (is_id(*id))
     front.id = *id;
   else
-    report.error(entry.value.place, "bad lesson id " + quoted(*id), std::string(kIdRule));
+    report.error(entry.value.place, "bad lesson id " + in_quotes(*id), std::string(kIdRule));
 }
 
 void read_title(const TomlEntry& entry, FrontMatter& front, Report& report) {
@@ -54,7 +54,7 @@ std::optional<ShapeKind> read_shape(const TomlEntry& entry, Report& report) {
   if (!name) return std::nullopt;
   const auto kind = shape_kind_from(*name);
   if (!kind) {
-    report.error(entry.value.place, "unknown shape " + quoted(*name),
+    report.error(entry.value.place, "unknown shape " + in_quotes(*name),
                  suggestion(*name, {"box", "ellipsoid", "cylinder", "t-handle"}));
   }
   return kind;
@@ -66,7 +66,7 @@ BodyKeys read_body_keys(const TomlTable& table, const std::string& where, Report
     const auto name = read_text(e, report);
     keys.draw_box = name && *name == "box";
     if (name && !keys.draw_box) {
-      report.error(e.value.place, "cannot draw " + quoted(*name) + " from moments",
+      report.error(e.value.place, "cannot draw " + in_quotes(*name) + " from moments",
                    suggestion(*name, {"box"}));
     }
   };
@@ -91,7 +91,7 @@ bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& rep
       return false;
     }
     if (!by_moments && given == nullptr) {
-      report.error(entry.place, "body " + quoted(entry.key) + " lacks " + quoted(key),
+      report.error(entry.place, "body " + in_quotes(entry.key) + " lacks " + in_quotes(key),
                    "give moments = [I1, I2, I3], or shape, size_m and mass_kg");
       consistent = false;
     }
@@ -124,7 +124,7 @@ std::optional<Body> read_body(const TomlEntry& entry, Report& report) {
     return std::nullopt;
   }
   if (!is_id(entry.key)) {
-    report.error(entry.place, "bad body name " + quoted(entry.key), std::string(kIdRule));
+    report.error(entry.place, "bad body name " + in_quotes(entry.key), std::string(kIdRule));
     return std::nullopt;
   }
   const BodyKeys keys = read_body_keys(*table, "[body." + entry.key + "]", report);
@@ -161,7 +161,7 @@ void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
   if (std::find(roles.begin(), roles.end(), *role) != roles.end())
     symbol.role = *role;
   else
-    report.error(entry.value.place, "unknown role " + quoted(*role), suggestion(*role, roles));
+    report.error(entry.value.place, "unknown role " + in_quotes(*role), suggestion(*role, roles));
 }
 
 void read_symbol(const TomlEntry& entry, FrontMatter& front, Report& report) {
@@ -177,7 +177,7 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, Report& report) {
       if (auto text = read_text(e, report)) target = std::move(*text);
     };
   };
-  read_keys(*table, "symbol " + quoted(entry.key),
+  read_keys(*table, "symbol " + in_quotes(entry.key),
             {{"tex", text_into(symbol.tex)},
              {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
              {"say", text_into(symbol.say)},
@@ -186,7 +186,7 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, Report& report) {
   if (const TomlEntry* tex = table->find("tex")) {
     read_math(symbol.tex, inside_quotes(tex->value.place), report);
   } else {
-    report.error(entry.place, "symbol " + quoted(entry.key) + " lacks \"tex\"");
+    report.error(entry.place, "symbol " + in_quotes(entry.key) + " lacks \"tex\"");
   }
   front.symbols.insert_or_assign(entry.key, std::move(symbol));
 }
@@ -209,7 +209,7 @@ void read_base_scene(const TomlEntry& entry, FrontMatter& front, Report& report)
   for (const PlacedText& name : read_scene_keys(*table, front.bodies, front.scene, report)) {
     if (overlay_from(name.text)) continue;
     report.error(name.place,
-                 "the front matter can highlight overlays only, " + quoted(name.text) + " is none",
+                 "the front matter can highlight overlays only, " + in_quotes(name.text) + " is none",
                  suggestion(name.text, overlay_names()));
   }
 }
@@ -229,7 +229,7 @@ void read_front_table(const TomlTable& table, FrontMatter& front, Report& report
   if (scene != nullptr) read_base_scene(*scene, front, report);
   for (const char* key : {"format", "id", "title"}) {
     if (table.find(key) == nullptr) {
-      report.error({1, 1}, "the front matter lacks " + quoted(key));
+      report.error({1, 1}, "the front matter lacks " + in_quotes(key));
     }
   }
 }

@@ -53,7 +53,7 @@ Heading read_heading(std::string_view line, int number, Report& report) {
   if (is_id(id))
     heading.id = id;
   else
-    report.error(heading.id_place, "bad stage id " + quoted(id), std::string(kIdRule));
+    report.error(heading.id_place, "bad stage id " + in_quotes(id), std::string(kIdRule));
   return heading;
 }
 

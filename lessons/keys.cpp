@@ -13,7 +13,7 @@ constexpr std::size_t kMaxIdBytes = 64;
 
 void expected(std::string_view what, const TomlEntry& entry, const TomlValue& found, Report& report) {
   report.error(found.place,
-               quoted(entry.key) + " takes " + std::string(what) + ", found " + std::string(found.kind()));
+               in_quotes(entry.key) + " takes " + std::string(what) + ", found " + std::string(found.kind()));
 }
 
 std::optional<double> finite_number(const TomlValue& value, const TomlEntry& entry, std::string_view what,
@@ -25,7 +25,7 @@ std::optional<double> finite_number(const TomlValue& value, const TomlEntry& ent
     return std::nullopt;
   }
   if (std::isfinite(*number)) return *number;
-  report.error(value.place, quoted(entry.key) + " must be finite, found " +
+  report.error(value.place, in_quotes(entry.key) + " must be finite, found " +
                                 (std::isnan(*number) ? "nan"
                                  : *number > 0       ? "inf"
                                                      : "-inf"));
@@ -60,7 +60,7 @@ std::optional<double> read_number(const TomlEntry& entry, Report& report) {
 std::optional<double> read_positive_number(const TomlEntry& entry, Report& report) {
   const auto number = read_number(entry, report);
   if (!number || *number > 0) return number;
-  report.error(entry.value.place, quoted(entry.key) + " must be greater than 0");
+  report.error(entry.value.place, in_quotes(entry.key) + " must be greater than 0");
   return std::nullopt;
 }
 
@@ -73,7 +73,7 @@ std::optional<std::vector<double>> read_numbers(const TomlEntry& entry, std::siz
   }
   if (list->size() != count) {
     report.error(entry.value.place,
-                 quoted(entry.key) + " takes " + what + ", found " + std::to_string(list->size()));
+                 in_quotes(entry.key) + " takes " + what + ", found " + std::to_string(list->size()));
     return std::nullopt;
   }
   std::vector<double> numbers;
@@ -100,7 +100,7 @@ std::optional<std::vector<PlacedText>> read_texts(const TomlEntry& entry, std::s
     return std::nullopt;
   }
   if (list->size() > max_count) {
-    report.error(entry.value.place, quoted(entry.key) + " takes at most " + std::to_string(max_count) +
+    report.error(entry.value.place, in_quotes(entry.key) + " takes at most " + std::to_string(max_count) +
                                         " names, found " + std::to_string(list->size()));
     return std::nullopt;
   }
@@ -127,7 +127,7 @@ void read_keys(const TomlTable& table, std::string_view where, const std::vector
     }
     std::vector<std::string> known;
     for (const KeyHandler& h : handlers) known.push_back(h.name);
-    report.error(entry.place, "unknown key " + quoted(entry.key) + " in " + std::string(where),
+    report.error(entry.place, "unknown key " + in_quotes(entry.key) + " in " + std::string(where),
                  suggestion(entry.key, known));
   }
 }

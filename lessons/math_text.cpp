@@ -130,7 +130,7 @@ class MathScan {
     if (!argument("\\term", names_.terms)) return;
     const PlacedText& id = names_.terms.back();
     if (!is_id(id.text)) {
-      report_.error(id.place, "bad term id " + quoted(id.text), std::string(kIdRule));
+      report_.error(id.place, "bad term id " + in_quotes(id.text), std::string(kIdRule));
     }
     if (tex_.substr(i_, 1) != "{") {
       report_.error(cursor_.advance_to(i_), "\\term needs its formula in braces",

@@ -39,7 +39,7 @@ std::vector<Diagnostic> Report::take() {
   return all;
 }
 
-std::string quoted(std::string_view name) {
+std::string in_quotes(std::string_view name) {
   if (name.size() <= kMaxQuotedBytes) return '"' + std::string(name) + '"';
   std::size_t end = kMaxQuotedBytes;
   while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;  // keep characters whole

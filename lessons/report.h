@@ -37,6 +37,6 @@ class Report {
 };
 
 /// A name in quotes, shortened if it is very long.
-std::string quoted(std::string_view name);
+std::string in_quotes(std::string_view name);
 
 }  // namespace polhode

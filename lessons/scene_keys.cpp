@@ -50,7 +50,7 @@ class SceneKeys {
   }
 
   void unknown(std::string_view what, const PlacedText& name, const std::vector<std::string>& known) {
-    report_.error(name.place, "unknown " + std::string(what) + ' ' + quoted(name.text),
+    report_.error(name.place, "unknown " + std::string(what) + ' ' + in_quotes(name.text),
                   suggestion(name.text, known));
   }
 
@@ -126,7 +126,7 @@ class SceneKeys {
       if (motion.step_s && motion.method != Method::rk4) {
         report_.error(
             table->find("step")->place,
-            "a step is of methods with a fixed step, " + quoted(name_of(motion.method)) + " has none",
+            "a step is of methods with a fixed step, " + in_quotes(name_of(motion.method)) + " has none",
             "write method = \"rk4\", or leave the step out");
       }
     } else {
@@ -151,7 +151,7 @@ class SceneKeys {
       }
       const View view = name.text == "space" ? View::space : View::body;
       if (!views.empty() && views.front() == view) {
-        report_.error(name.place, "the view " + quoted(name.text) + " is there already");
+        report_.error(name.place, "the view " + in_quotes(name.text) + " is there already");
         continue;
       }
       views.push_back(view);
@@ -170,7 +170,7 @@ class SceneKeys {
       if (!overlay)
         unknown("overlay", name, overlay_names());
       else if (shown.contains(*overlay))
-        report_.warning(name.place, quoted(name.text) + " is shown already");
+        report_.warning(name.place, in_quotes(name.text) + " is shown already");
       else
         shown.insert(*overlay);
     }
@@ -215,7 +215,7 @@ class SceneKeys {
     scene_.highlight.clear();
     for (PlacedText& name : *names) {
       if (!is_id(name.text) && !overlay_from(name.text)) {
-        report_.error(name.place, quoted(name.text) + " can be neither a term nor an overlay",
+        report_.error(name.place, in_quotes(name.text) + " can be neither a term nor an overlay",
                       std::string(kIdRule));
         continue;
       }

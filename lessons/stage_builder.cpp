@@ -83,7 +83,7 @@ bool StageBuilder::start_stage(const MarkdownBlock& block) {
   if (!stage.id.empty()) {
     const auto [taken, is_new] = stage_lines_.emplace(stage.id, block.first_line);
     if (!is_new) {
-      report_.error(heading.id_place, "stage " + quoted(stage.id) + " is there already, on line " +
+      report_.error(heading.id_place, "stage " + in_quotes(stage.id) + " is there already, on line " +
                                           std::to_string(taken->second));
     }
   }
@@ -134,7 +134,7 @@ void StageBuilder::check_claims() {
     if (equation_lines_.contains(name.text)) continue;
     std::string hint = suggestion(name.text, names_of(equation_lines_));
     if (hint.empty()) hint = "the stage has no ```math fence";
-    report_.error(name.place, "no equation " + quoted(name.text) + " in this stage", std::move(hint));
+    report_.error(name.place, "no equation " + in_quotes(name.text) + " in this stage", std::move(hint));
   }
   claimed_.clear();
 }
@@ -144,7 +144,8 @@ void StageBuilder::check_highlights() {
     if (terms_.contains(name.text) || overlay_from(name.text)) continue;
     std::vector<std::string> known(terms_.begin(), terms_.end());
     known.insert(known.end(), overlay_names().begin(), overlay_names().end());
-    report_.error(name.place, "nothing to highlight: no \\term and no overlay is called " + quoted(name.text),
+    report_.error(name.place,
+                  "nothing to highlight: no \\term and no overlay is called " + in_quotes(name.text),
                   suggestion(name.text, known));
   }
   highlighted_.clear();
@@ -179,7 +180,7 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
   const std::vector<std::string> kinds = {"math", "claim", "scene", "ask"};
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
     report_.error(fence.place,
-                  kind.empty() ? "this fence does not say what it holds" : "unknown fence " + quoted(kind),
+                  kind.empty() ? "this fence does not say what it holds" : "unknown fence " + in_quotes(kind),
                   suggestion(kind, kinds));
     return;
   }
@@ -198,12 +199,12 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
 bool StageBuilder::take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what) {
   const PlacedText& id = fence.words[1];
   if (!is_id(id.text)) {
-    report_.error(id.place, "bad id " + quoted(id.text), std::string(kIdRule));
+    report_.error(id.place, "bad id " + in_quotes(id.text), std::string(kIdRule));
     return false;
   }
   const auto [first, is_new] = taken.emplace(id.text, fence.place.line);
   if (is_new) return true;
-  report_.error(id.place, std::string(what) + ' ' + quoted(id.text) + " is there already, on line " +
+  report_.error(id.place, std::string(what) + ' ' + in_quotes(id.text) + " is there already, on line " +
                               std::to_string(first->second));
   return false;
 }
@@ -234,7 +235,7 @@ void StageBuilder::add_claim(const Fence& fence) {
   const PlacedText& kind_name = fence.words[2];
   const auto kind = claim_kind_from(kind_name.text);
   if (!kind) {
-    report_.error(kind_name.place, "unknown kind of claim " + quoted(kind_name.text),
+    report_.error(kind_name.place, "unknown kind of claim " + in_quotes(kind_name.text),
                   suggestion(kind_name.text, claim_kind_names()));
     return;
   }

@@ -191,7 +191,7 @@ TEST_P(ReaderCost, IsAtMostASecondAndSixtyFourMebibytes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReaderCost, ::testing::ValuesIn(inputs()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace
 }  // namespace polhode

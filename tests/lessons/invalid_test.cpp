@@ -24,8 +24,8 @@ TEST_P(InvalidLesson, GetsTheExpectedDiagnostics) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, InvalidLesson, ::testing::ValuesIn(testing::files_in(kFolder, ".md")),
-                         [](const auto& info) {
-                           std::string name = info.param.stem().string();
+                         [](const auto& test) {
+                           std::string name = test.param.stem().string();
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

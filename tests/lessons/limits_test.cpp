@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(All, LessonLimit,
                                            Limit{"lists", kMaxNesting, lists, "nested deeper"},
                                            Limit{"toml", kMaxNesting, toml_arrays, "nested deeper"},
                                            Limit{"overlays", kMaxOverlays, overlays, "at most 32"}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(LessonLimit, LessonsAtTheirLimitsAreRead) {
   EXPECT_TRUE(read_lesson(bytes(static_cast<int>(kMaxLessonBytes)), "").lesson);

@@ -48,11 +48,11 @@ TEST(Report, KeepsAHundredErrorsAndSaysThatThereAreMore) {
   EXPECT_EQ(lines.back(), "1:2: error: too many errors, the rest is left out");
 }
 
-TEST(Quoted, ShortensLongNamesBetweenCharacters) {
-  EXPECT_EQ(quoted("omega"), "\"omega\"");
+TEST(InQuotes, ShortensLongNamesBetweenCharacters) {
+  EXPECT_EQ(in_quotes("omega"), "\"omega\"");
   std::string long_name;
   for (int i = 0; i < 40; ++i) long_name += "×";
-  const std::string shown = quoted("a" + long_name);
+  const std::string shown = in_quotes("a" + long_name);
   EXPECT_LT(shown.size(), 60U);
   EXPECT_FALSE(why_not_text(shown)) << shown;
 }
