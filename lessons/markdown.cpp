@@ -11,6 +11,9 @@
 namespace polhode {
 namespace {
 
+// A positive answer of a callback is lost on its way out of md4c.
+constexpr int kStop = -1;
+
 constexpr std::size_t kMaxMarginSpaces = 3;  // four would be indented code in CommonMark
 
 std::string_view without_margin(std::string_view line) {
@@ -123,7 +126,11 @@ class BlockCollector {
     };
     const int stopped = md_parse(copy_.data(), static_cast<MD_SIZE>(copy_.size()), &parser, this);
     reading_.complete = stopped == 0;
-    if (reading_.complete) add_prose_before(source_.line_count() + 1);
+    if (reading_.complete) {
+      add_prose_before(source_.line_count() + 1);
+    } else if (!report_.has_errors()) {
+      report_.error({1, 1}, "there is not enough memory to read this lesson");
+    }
     return std::move(reading_);
   }
 
@@ -177,8 +184,9 @@ class BlockCollector {
       cursor_ = std::min(line + 1, source_.line_count());
     }
     if (type == MD_BLOCK_H) {
-      report_.error({cursor_, 1}, "a heading inside a list or quote starts no stage",
-                    "begin it at the margin");
+      const int line =
+          find_line([](std::string_view text) { return text.find('#') != std::string_view::npos; });
+      report_.error({line, 1}, "a heading inside a list or quote starts no stage", "begin it at the margin");
     }
     return 0;
   }
@@ -249,7 +257,7 @@ class BlockCollector {
     add_prose_before(block.first_line);
     if (reading_.blocks.size() >= static_cast<std::size_t>(kMaxParts)) {
       report_.error({block.first_line, 1}, "a lesson has at most " + std::to_string(kMaxParts) + " parts");
-      return 1;
+      return kStop;
     }
     reading_.blocks.push_back(block);
     free_line_ = block.last_line + 1;
@@ -272,7 +280,7 @@ class BlockCollector {
   int refuse_nesting() {
     report_.error({std::min(cursor_, source_.line_count()), 1},
                   "quotes and lists are nested deeper than " + std::to_string(kMaxNesting));
-    return 1;
+    return kStop;
   }
 
   const SourceText& source_;

@@ -70,6 +70,7 @@ class MathScan {
       term();
     // The bracket of \left\{ and \right\} belongs to it.
     if ((name == "left" || name == "right") && tex_.substr(i_, 1) == "\\") i_ = std::min(i_ + 2, tex_.size());
+    command_begin_ = kNone;
   }
 
   SourcePlace here() { return cursor_.advance_to(std::min(open_place_or_command(), tex_.size())); }
