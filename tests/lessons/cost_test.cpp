@@ -5,6 +5,7 @@
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -150,6 +151,7 @@ long resident_kilobytes() {
 
 // Growth of the largest resident size while a child process reads the text, KiB.
 long kilobytes_to_read(const std::string& text) {
+  malloc_trim(0);  // what earlier tests left free must not hide what this takes
   int pipe_ends[2];
   if (pipe(pipe_ends) != 0) return -1;
   const pid_t child = fork();
@@ -177,17 +179,21 @@ TEST_P(ReaderCost, IsAtMostASecondAndSixtyFourMebibytes) {
   EXPECT_GT(text.size(), kMaxLessonBytes / 2);
   EXPECT_LE(text.size(), kMaxLessonBytes);
 
-  const std::clock_t start = std::clock();  // processor time: other programs do not count
-  read_lesson(text, "lesson.md");
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  RecordProperty("seconds", std::to_string(seconds));
-  if (kSanitized) GTEST_SKIP() << "costs are measured without sanitizers";
-  EXPECT_LE(seconds, kMaxSeconds);
+  if (kSanitized) {
+    read_lesson(text, "lesson.md");
+    GTEST_SKIP() << "costs are measured without sanitizers";
+  }
 
   const long kilobytes = kilobytes_to_read(text);
   RecordProperty("kilobytes", std::to_string(kilobytes));
   EXPECT_GT(kilobytes, 0);
   EXPECT_LE(kilobytes, kMaxKilobytes);
+
+  const std::clock_t start = std::clock();  // processor time: other programs do not count
+  read_lesson(text, "lesson.md");
+  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  RecordProperty("seconds", std::to_string(seconds));
+  EXPECT_LE(seconds, kMaxSeconds);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReaderCost, ::testing::ValuesIn(inputs()),
