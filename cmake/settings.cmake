@@ -11,7 +11,9 @@ endif()
 
 find_program(POLHODE_CCACHE ccache)
 if(POLHODE_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${POLHODE_CCACHE})
+  # Paths relative to the source folder: a fresh clone finds what another clone has compiled.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
+                                  ${POLHODE_CCACHE})
 endif()
 
 add_library(polhode_settings INTERFACE)

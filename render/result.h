@@ -16,8 +16,8 @@ struct Failure {
 template <class E>
 Failure(E) -> Failure<E>;
 
-/// Holds a T if ok(), otherwise an E. The text of a std::string error is one sentence for a user: what was found,
-/// what was expected, what to do.
+/// Holds a T if ok(), otherwise an E. The text of a std::string error is one sentence for a user: what was
+/// found, what was expected, what to do.
 template <class T, class E = std::string>
 class [[nodiscard]] Result {
  public:

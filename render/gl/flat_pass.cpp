@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/flat_pass.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "render/gl/shader_sources.h"
 #include "render/scene/palette.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace polhode {
 namespace {
@@ -19,8 +19,19 @@ constexpr double kMargin = 0.03;
 constexpr double kHalo = 0.11;  // of the text's size
 constexpr double kLineSpacing = 1.55;
 
+constexpr int kPointsOnGlass = 400;
+
 constexpr Color kPanel = color_from_hex(0xFFFFFF, 0.84F);
 constexpr Color kNoColor{0, 0, 0, 0};
+
+/// Inks are made for light backdrops; on a dark one (told by the halo) they are lightened.
+Color readable(const Color& ink, const Color& halo) {
+  const float brightness = 0.3F * halo.r + 0.6F * halo.g + 0.1F * halo.b;
+  if (brightness > 0.5F) return ink;
+  constexpr float kLighter = 0.55F;
+  return {std::lerp(ink.r, 1.0F, kLighter), std::lerp(ink.g, 1.0F, kLighter),
+          std::lerp(ink.b, 1.0F, kLighter), ink.a};
+}
 
 std::array<float, 4> floats(const Color& c) { return {c.r, c.g, c.b, c.a}; }
 
@@ -55,6 +66,14 @@ std::vector<Vec2> obstacles_of(const Pane& pane, const PixelBox& frame) {
       last = p;
     }
   }
+  // Names stand beside the glass rather than on it.
+  for (const GlassEllipsoid& e : pane.list.ellipsoids)
+    for (int i = 0; i < kPointsOnGlass; ++i) {
+      const double z = 1.0 - (2.0 * i + 1.0) / kPointsOnGlass, r = std::sqrt(1.0 - z * z),
+                   turn = 2.39996323 * i;
+      const Vec3 n(r * std::cos(turn), r * std::sin(turn), z);  // points of a spiral, evenly spread
+      points.push_back(to_pixel(pane, frame, e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(n))));
+    }
   for (const Arrow& arrow : pane.list.arrows)
     for (int weight = 0; weight < (arrow.radius > 0.01 ? 3 : 1); ++weight) add_segment(arrow.tail, arrow.tip);
   return points;
@@ -74,8 +93,10 @@ struct FlatPass::Sheet {
   Geometry<Vertex> boxes;
   std::vector<Line> lines;
 
-  /// Rounded box centred at `center` (px from the upper left), turned by `angle`; half sizes along its own axes.
-  void add_box(const Vec2& center, const Vec2& half, double angle, double radius, const Color& fill, double border) {
+  /// Rounded box centred at `center` (px from the upper left), turned by `angle`; half sizes along its own
+  /// axes.
+  void add_box(const Vec2& center, const Vec2& half, double angle, double radius, const Color& fill,
+               double border) {
     const auto first = static_cast<std::uint32_t>(boxes.vertices.size());
     const Vec2 u(std::cos(angle), std::sin(angle)), v(-u.y(), u.x());
     for (int k = 0; k < 4; ++k) {
@@ -92,8 +113,8 @@ struct FlatPass::Sheet {
 
   void add_stroke(const Vec2& from, const Vec2& to, double width, const Color& color) {
     const Vec2 d = to - from;
-    add_box(0.5 * (from + to), {0.5 * d.norm() + 0.5 * width, 0.5 * width}, std::atan2(d.y(), d.x()), 0.5 * width,
-            color, 0.0);
+    add_box(0.5 * (from + to), {0.5 * d.norm() + 0.5 * width, 0.5 * width}, std::atan2(d.y(), d.x()),
+            0.5 * width, color, 0.0);
   }
 };
 
@@ -109,7 +130,11 @@ Result<std::unique_ptr<FlatPass>> FlatPass::create(const Gl& gl) {
 }
 
 FlatPass::FlatPass(const Gl& gl, LabelFont font, Program text, Program box)
-    : gl_(gl), font_(std::move(font)), text_(std::move(text)), box_(std::move(box)), stream_(gl, {2, 2, 4, 4}) {
+    : gl_(gl),
+      font_(std::move(font)),
+      text_(std::move(text)),
+      box_(std::move(box)),
+      stream_(gl, {2, 2, 4, 4}) {
   gl.GenTextures(1, &texture_);
   gl.BindTexture(GL_TEXTURE_2D, texture_);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -125,11 +150,12 @@ const TextMask& FlatPass::mask(const std::string& text, double size_px, double h
   return masks_.emplace(key, font_.set_line(text, size_px, halo_px)).first->second;
 }
 
-void FlatPass::add_line(const std::string& text, double size_px, double x, double y, double align, const Color& ink,
-                        Sheet& sheet) {
+void FlatPass::add_line(const std::string& text, double size_px, double x, double y, double align,
+                        const Color& ink, Sheet& sheet) {
   const TextMask& m = mask(text, size_px, kHalo * size_px);
   const double left = x - align * (m.width - 2 * m.margin) - m.margin;
-  sheet.lines.push_back({&m, static_cast<int>(std::lround(left)), static_cast<int>(std::lround(y)) - m.baseline, ink,
+  sheet.lines.push_back({&m, static_cast<int>(std::lround(left)),
+                         static_cast<int>(std::lround(y)) - m.baseline, readable(ink, sheet.halo),
                          sheet.halo});
 }
 
@@ -140,14 +166,14 @@ void FlatPass::add_color_bar(double x, double y, double width, double marker, Sh
   for (int i = 0; i < kSlices; ++i) {
     const double w = width / kSlices;
     const double overlap = i + 1 < kSlices ? 1.0 : 0.0;  // no seam between the soft edges
-    sheet.add_box({x + (i + 0.5) * w + 0.5 * overlap, y + 0.5 * height}, {0.5 * (w + overlap), 0.5 * height}, 0.0, 0.0,
-                  family_color((i + 0.5) / kSlices), 0.0);
+    sheet.add_box({x + (i + 0.5) * w + 0.5 * overlap, y + 0.5 * height}, {0.5 * (w + overlap), 0.5 * height},
+                  0.0, 0.0, family_color((i + 0.5) / kSlices), 0.0);
   }
   const double at = x + marker * width;
   sheet.add_box({at, y + 0.5 * height}, {0.14 * em, 0.5 * height + 0.16 * em}, 0.0, 0.14 * em,
                 color_from_hex(0xFFFFFF), 0.0);
-  sheet.add_box({at, y + 0.5 * height}, {0.08 * em, 0.5 * height + 0.10 * em}, 0.0, 0.08 * em, kPolhodeRole.paint,
-                0.0);
+  sheet.add_box({at, y + 0.5 * height}, {0.08 * em, 0.5 * height + 0.10 * em}, 0.0, 0.08 * em,
+                kPolhodeRole.paint, 0.0);
   const double below = y + height + 1.05 * em;
   add_line("𝐼₁", 0.9 * em, x, below, 0.0, kInk, sheet);
   add_line("𝐿²/2𝑇", 0.9 * em, x + 0.5 * width, below, 0.5, kInk, sheet);
@@ -172,21 +198,22 @@ PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bo
 
   sheet.add_box({0.5 * (panel.x0 + panel.x1), 0.5 * (panel.y0 + panel.y1)},
                 {0.5 * panel.width(), 0.5 * panel.height()}, 0.0, 0.45 * em, kPanel, 1.0);
+  const std::size_t before = sheet.lines.size();
   double baseline = y + pad + 0.82 * em;
   for (const std::string& line : readout.lines) {
     add_line(line, em, x + pad, baseline, 0.0, kInk, sheet);
-    sheet.lines.back().halo = kNoColor;
     baseline += kLineSpacing * em;
   }
-  if (readout.color_bar) {
-    const std::size_t before = sheet.lines.size();
-    add_color_bar(x + pad, baseline - 0.75 * em, width, readout.marker, sheet);
-    for (std::size_t i = before; i < sheet.lines.size(); ++i) sheet.lines[i].halo = kNoColor;
+  if (readout.color_bar) add_color_bar(x + pad, baseline - 0.75 * em, width, readout.marker, sheet);
+  for (std::size_t i = before; i < sheet.lines.size(); ++i) {  // on the panel, whatever the backdrop
+    sheet.lines[i].ink = kInk;
+    sheet.lines[i].halo = kNoColor;
   }
   return panel;
 }
 
-void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken, Sheet& sheet) {
+void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken,
+                          Sheet& sheet) {
   const double base = kLabelSize * sheet.size.height;
   std::vector<LabelRequest> requests;
   std::vector<const TextMask*> masks;
@@ -194,8 +221,8 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
     const double em = base * label.size;
     const TextMask& m = mask(label.text, em, kHalo * em);
     masks.push_back(&m);
-    requests.push_back({to_pixel(pane, frame, label.anchor), static_cast<double>(m.width - 2 * m.margin), 0.95 * em,
-                        label.leader});
+    requests.push_back({to_pixel(pane, frame, label.anchor), static_cast<double>(m.width - 2 * m.margin),
+                        0.95 * em, label.leader});
   }
   const PixelBox inside = frame.grown(-0.5 * kMargin * sheet.size.height);
   const auto placed = place_labels(requests, obstacles_of(pane, frame), taken, inside);
@@ -203,14 +230,15 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
     const Label& label = pane.list.labels[i];
     const double em = base * label.size;
     const PixelBox& box = placed[i].box;
+    const Color ink = readable(label.color, sheet.halo);
     if (placed[i].has_leader) {
       const double width = std::max(1.0, 0.055 * em);
       sheet.add_stroke(requests[i].anchor, placed[i].leader_end, 3.2 * width, sheet.halo);
-      sheet.add_stroke(requests[i].anchor, placed[i].leader_end, width, label.color);
+      sheet.add_stroke(requests[i].anchor, placed[i].leader_end, width, ink);
     }
     const int x = static_cast<int>(std::lround(box.x0)) - masks[i]->margin;
     const int baseline = static_cast<int>(std::lround(box.y1 - 0.22 * em));
-    sheet.lines.push_back({masks[i], x, baseline - masks[i]->baseline, label.color, sheet.halo});
+    sheet.lines.push_back({masks[i], x, baseline - masks[i]->baseline, ink, sheet.halo});
   }
 }
 
@@ -219,19 +247,20 @@ void FlatPass::add_frame_titles(const Figure& figure, Size size, Sheet& sheet) {
   for (const Pane& pane : figure.panes) {
     const PixelBox frame = pixels_of(pane, size);
     if (!pane.title.empty())
-      add_line(pane.title, kTitleSize * h, 0.5 * (frame.x0 + frame.x1), frame.y0 + (kMargin + kTitleSize) * h, 0.5,
-               kAxesRole.ink, sheet);
+      add_line(pane.title, kTitleSize * h, 0.5 * (frame.x0 + frame.x1), frame.y0 + (kMargin + kTitleSize) * h,
+               0.5, kAxesRole.ink, sheet);
     if (frame.x0 > 0.0)
       sheet.add_stroke({frame.x0, frame.y0 + kMargin * h}, {frame.x0, frame.y1 - kMargin * h}, 0.0018 * h,
                        color_from_hex(0xA9B0B8));
   }
   if (!figure.caption.empty())
-    add_line(figure.caption, kCaptionSize * h, 0.5 * size.width, (1.0 - kMargin) * h - 0.3 * kCaptionSize * h, 0.5,
-             kInk, sheet);
+    add_line(figure.caption, kCaptionSize * h, 0.5 * size.width, (1.0 - kMargin) * h - 0.3 * kCaptionSize * h,
+             0.5, kInk, sheet);
 }
 
 void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
-  constexpr std::size_t kMostMasks = 512;  // numbers change from frame to frame: forget before old texts pile up
+  constexpr std::size_t kMostMasks =
+      512;  // numbers change from frame to frame: forget before old texts pile up
   if (masks_.size() > kMostMasks) masks_.clear();
 
   Sheet sheet{.size = size, .halo = halo, .boxes = {}, .lines = {}};
@@ -241,7 +270,8 @@ void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
     std::vector<PixelBox> taken;
     for (const Line& line : sheet.lines)
       taken.push_back({static_cast<double>(line.x), static_cast<double>(line.y),
-                       static_cast<double>(line.x + line.mask->width), static_cast<double>(line.y + line.mask->height)});
+                       static_cast<double>(line.x + line.mask->width),
+                       static_cast<double>(line.y + line.mask->height)});
     for (const Readout& readout : pane.list.readouts)
       taken.push_back(add_readout(readout, frame, figure.panes.size() > 1, sheet));
     add_labels(pane, frame, taken, sheet);
@@ -256,7 +286,8 @@ void FlatPass::draw_sheet(const Sheet& sheet, Size size) {
     width = std::max(width, line.mask->width);
     height += line.mask->height;
   }
-  std::vector<std::uint8_t> texels(2 * static_cast<std::size_t>(width) * static_cast<std::size_t>(std::max(height, 1)));
+  std::vector<std::uint8_t> texels(2 * static_cast<std::size_t>(width) *
+                                   static_cast<std::size_t>(std::max(height, 1)));
   Geometry<Vertex> text;
   int top = 0;
   for (const Line& line : sheet.lines) {
@@ -270,9 +301,11 @@ void FlatPass::draw_sheet(const Sheet& sheet, Size size) {
     const auto first = static_cast<std::uint32_t>(text.vertices.size());
     for (int k = 0; k < 4; ++k) {
       const int dx = k & 1 ? m.width : 0, dy = k & 2 ? m.height : 0;
-      text.vertices.push_back({{static_cast<float>(line.x + dx), static_cast<float>(size.height - line.y - dy)},
-                               {static_cast<float>(dx), static_cast<float>(top + dy)},
-                               floats(line.ink), floats(line.halo)});
+      text.vertices.push_back(
+          {{static_cast<float>(line.x + dx), static_cast<float>(size.height - line.y - dy)},
+           {static_cast<float>(dx), static_cast<float>(top + dy)},
+           floats(line.ink),
+           floats(line.halo)});
     }
     for (std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) text.indices.push_back(first + k);
     top += m.height;
@@ -280,7 +313,8 @@ void FlatPass::draw_sheet(const Sheet& sheet, Size size) {
 
   gl_.BindTexture(GL_TEXTURE_2D, texture_);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, width, std::max(height, 1), 0, GL_RG, GL_UNSIGNED_BYTE, texels.data());
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RG8, width, std::max(height, 1), 0, GL_RG, GL_UNSIGNED_BYTE,
+                 texels.data());
   const auto w = static_cast<float>(size.width), h = static_cast<float>(size.height);
   box_.use();
   box_.set("u_size", w, h);

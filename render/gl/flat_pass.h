@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What lies flat on the picture: labels with halo and leader lines, readouts, titles, the caption. Drawn on the
-// resolved picture with analytic edges. Internal to render/gl.
+// What lies flat on the picture: labels with halo and leader lines, readouts, titles, the caption. Drawn on
+// the resolved picture with analytic edges. Internal to render/gl.
 #pragma once
-
-#include <map>
-#include <string>
-#include <utility>
 
 #include "render/gl/label_layout.h"
 #include "render/gl/shader.h"
@@ -13,6 +9,10 @@
 #include "render/image/image.h"
 #include "render/scene/figure.h"
 #include "render/type/font.h"
+
+#include <map>
+#include <string>
+#include <utility>
 
 namespace polhode {
 

@@ -48,8 +48,10 @@ void append_tube(const Tube& tube, Geometry<TubeVertex>& out) {
     const auto first = static_cast<std::uint32_t>(out.vertices.size());
     for (int at_end = 0; at_end < 2; ++at_end)
       for (float side : {-1.0F, 1.0F}) {
-        const double part = static_cast<double>(i + static_cast<std::size_t>(at_end)) / static_cast<double>(segments);
-        out.vertices.push_back({floats(point(i + static_cast<std::size_t>(at_end))), floats(at_end ? end : start),
+        const double part =
+            static_cast<double>(i + static_cast<std::size_t>(at_end)) / static_cast<double>(segments);
+        out.vertices.push_back({floats(point(i + static_cast<std::size_t>(at_end))),
+                                floats(at_end ? end : start),
                                 floats(tube.color, std::lerp(tube.fade_start, 1.0, part)),
                                 {side, static_cast<float>(tube.radius),
                                  static_cast<float>((along + at_end * length) * dashes)}});
@@ -69,8 +71,9 @@ void append_frustum(const Vec3& a, const Vec3& b, double r0, double r1, const Co
   for (int i = 0; i <= kConeSegments; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / kConeSegments;
     const Vec3 radial = std::cos(angle) * u + std::sin(angle) * v;
-    const Vec3 normal = std::isfinite(slope) && (b - a).norm() > 1e-9 ? Vec3((radial + slope * axis).normalized())
-                                                                      : Vec3(-axis);
+    const Vec3 normal = std::isfinite(slope) && (b - a).norm() > 1e-9
+                            ? Vec3((radial + slope * axis).normalized())
+                            : Vec3(-axis);
     out.vertices.push_back({floats(Vec3(a + r0 * radial)), floats(normal), floats(color)});
     out.vertices.push_back({floats(Vec3(b + r1 * radial)), floats(normal), floats(color)});
   }
@@ -93,7 +96,8 @@ void append_disc(const Vec3& center, const Vec3& normal, double radius, const Co
     for (std::uint32_t k : {0U, i, i + 1}) out.indices.push_back(first + k);
 }
 
-void append_cone(const Vec3& base, const Vec3& tip, double radius, const Color& color, Geometry<MeshVertex>& out) {
+void append_cone(const Vec3& base, const Vec3& tip, double radius, const Color& color,
+                 Geometry<MeshVertex>& out) {
   append_frustum(base, tip, radius, 0.0, color, out);
   append_disc(base, -direction(base, tip), radius, color, out);
 }
@@ -108,8 +112,11 @@ void append_arrow(const Arrow& arrow, PaneGeometry& out) {
   const double step = 0.62 * head;  // the second cone starts inside the first
 
   const Vec3 neck = arrow.tip - (head + (cones - 1) * step) * axis;
-  append_tube({.points = {arrow.tail, neck + 0.15 * head * axis}, .radius = arrow.radius, .color = arrow.color,
-               .dash = arrow.dash}, out.tubes);
+  append_tube({.points = {arrow.tail, neck + 0.15 * head * axis},
+               .radius = arrow.radius,
+               .color = arrow.color,
+               .dash = arrow.dash},
+              out.tubes);
   for (int i = 0; i < cones; ++i) {
     const Vec3 tip = arrow.tip - i * step * axis;
     append_cone(tip - head * axis, tip, wide, arrow.color, out.solid);
@@ -128,7 +135,8 @@ void append_ball(const Ball& ball, Geometry<MeshVertex>& out) {
   constexpr std::uint32_t kRow = kColumns + 1;
   for (std::uint32_t j = 0; j < kBallRows; ++j)
     for (std::uint32_t i = 0; i < kColumns; ++i)
-      for (std::uint32_t k : {0U, kRow, kRow + 1, 0U, kRow + 1, 1U}) out.indices.push_back(first + j * kRow + i + k);
+      for (std::uint32_t k : {0U, kRow, kRow + 1, 0U, kRow + 1, 1U})
+        out.indices.push_back(first + j * kRow + i + k);
 }
 
 void append_mesh(const Mesh& mesh, Geometry<MeshVertex>& out) {

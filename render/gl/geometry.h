@@ -2,12 +2,12 @@
 // Draw-list items as vertices. No GL calls; internal to render/gl.
 #pragma once
 
+#include "render/scene/camera.h"
+#include "render/scene/draw_list.h"
+
 #include <array>
 #include <cstdint>
 #include <vector>
-
-#include "render/scene/camera.h"
-#include "render/scene/draw_list.h"
 
 namespace polhode {
 
@@ -40,9 +40,9 @@ struct PaneGeometry {
 
 PaneGeometry make_geometry(const DrawList& list);
 
-/// Clip-space rectangle x0, y0, x1, y1 that holds the ellipsoid's outline: tangent planes through the eye, from the
-/// dual quadric (Hartley & Zisserman, Multiple View Geometry, 2nd ed., eq. 8.7). The whole screen if the eye's plane
-/// cuts the ellipsoid.
+/// Clip-space rectangle x0, y0, x1, y1 that holds the ellipsoid's outline: tangent planes through the eye,
+/// from the dual quadric (Hartley & Zisserman, Multiple View Geometry, 2nd ed., eq. 8.7). The whole screen if
+/// the eye's plane cuts the ellipsoid.
 std::array<double, 4> outline_bounds(const GlassEllipsoid& ellipsoid, const Eigen::Matrix4d& view_projection);
 
 }  // namespace polhode

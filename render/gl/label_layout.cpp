@@ -16,8 +16,9 @@ PixelBox box_beside(const LabelRequest& label, double angle, double gap) {
   const Vec2 d(std::cos(angle), -std::sin(angle));
   const Vec2 half(0.5 * label.width, 0.5 * label.height);
   // Touch the box at the edge that faces the anchor: slide it so that sideways labels are centred vertically.
-  const Vec2 center = label.anchor + gap * d + Vec2(half.x() * std::clamp(1.6 * d.x(), -1.0, 1.0),
-                                                    half.y() * std::clamp(1.6 * d.y(), -1.0, 1.0));
+  const Vec2 center =
+      label.anchor + gap * d +
+      Vec2(half.x() * std::clamp(1.6 * d.x(), -1.0, 1.0), half.y() * std::clamp(1.6 * d.y(), -1.0, 1.0));
   return {center.x() - half.x(), center.y() - half.y(), center.x() + half.x(), center.y() + half.y()};
 }
 
@@ -57,7 +58,8 @@ double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const
     for (double f : {0.15, 0.4, 0.65, 0.9}) cost += with_air.contains(from + f * (to - from)) ? 6.0 : 0.0;
   }
   for (const PixelBox& other : crowd.taken)
-    for (double f : {0.3, 0.6, 0.9}) cost += other.contains(label.anchor + f * (end - label.anchor)) ? 8.0 : 0.0;
+    for (double f : {0.3, 0.6, 0.9})
+      cost += other.contains(label.anchor + f * (end - label.anchor)) ? 8.0 : 0.0;
   return cost;
 }
 
@@ -69,24 +71,27 @@ double PixelBox::overlap(const PixelBox& o) const {
   return w > 0.0 && h > 0.0 ? w * h : 0.0;
 }
 
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels, const std::vector<Vec2>& obstacles,
-                                      const std::vector<PixelBox>& taken, const PixelBox& frame) {
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels,
+                                      const std::vector<Vec2>& obstacles, const std::vector<PixelBox>& taken,
+                                      const PixelBox& frame) {
   Crowd crowd{obstacles, taken, {}, frame};
   std::vector<PlacedLabel> placed;
   for (const LabelRequest& label : labels) {
     PixelBox best;
     double best_cost = std::numeric_limits<double>::infinity();
     const double unit = label.height;
-    const std::vector<double> gaps = label.leader ? std::vector<double>{0.9 * unit, 1.6 * unit, 2.6 * unit, 4.0 * unit}
-                                                  : std::vector<double>{0.12 * unit, 0.5 * unit, 1.0 * unit};
+    const std::vector<double> gaps = label.leader
+                                         ? std::vector<double>{1.2 * unit, 1.9 * unit, 2.9 * unit, 4.2 * unit}
+                                         : std::vector<double>{0.22 * unit, 0.55 * unit, 1.0 * unit};
     for (double gap : gaps)
       for (int k = 0; k < kDirections; ++k) {
         const PixelBox box = box_beside(label, 2.0 * std::numbers::pi * k / kDirections, gap);
         const double cost = cost_of(box, label, gap, crowd);
         if (cost < best_cost - 1e-9) best_cost = cost, best = box;
       }
-    const Vec2 end = nearest_on(best, label.anchor);
-    const bool far_away = (end - label.anchor).norm() > 0.6 * unit;
+    // The line stops short of the text.
+    const Vec2 end = nearest_on(best.grown(0.16 * unit), label.anchor);
+    const bool far_away = (end - label.anchor).norm() > 0.5 * unit;
     placed.push_back({best, label.leader && far_away, end});
     crowd.taken.push_back(best);
     if (placed.back().has_leader) crowd.leaders.emplace_back(label.anchor, end);

@@ -3,9 +3,9 @@
 // internal to render/gl. Pixels from the upper left corner of the picture.
 #pragma once
 
-#include <vector>
-
 #include "physics/types.h"
+
+#include <vector>
 
 namespace polhode {
 
@@ -32,10 +32,12 @@ struct PlacedLabel {
   Vec2 leader_end{0, 0};  ///< on the box's edge; the line starts at the anchor
 };
 
-/// Places labels in the order given, each at the cheapest of a fixed set of candidates: the cost counts overlap with
-/// labels and boxes already placed, obstacles covered, leaders crossed, distance, and leaving `frame`.
-/// `obstacles` are points on lines that should stay visible, `taken` boxes that are not to be covered.
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels, const std::vector<Vec2>& obstacles,
-                                      const std::vector<PixelBox>& taken, const PixelBox& frame);
+/// Places labels in the order given, each at the cheapest of a fixed set of candidates: the cost counts
+/// overlap with labels and boxes already placed, obstacles covered, leaders crossed, distance, and leaving
+/// `frame`. `obstacles` are points on lines that should stay visible, `taken` boxes that are not to be
+/// covered.
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels,
+                                      const std::vector<Vec2>& obstacles, const std::vector<PixelBox>& taken,
+                                      const PixelBox& frame);
 
 }  // namespace polhode

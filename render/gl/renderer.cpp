@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/renderer.h"
 
-#include <algorithm>
-#include <charconv>
-#include <limits>
-
 #include "render/gl/flat_pass.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/geometry.h"
@@ -12,6 +8,10 @@
 #include "render/gl/shader_sources.h"
 #include "render/gl/stream.h"
 #include "render/scene/palette.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
 
 namespace polhode {
 namespace {
@@ -87,8 +87,12 @@ class GlRenderer final : public Renderer {
   };
   // The table lives on the heap because programs and streams keep a reference to it.
   GlRenderer(std::unique_ptr<const Gl> gl, Programs programs, std::unique_ptr<FlatPass> flat)
-      : gl_(std::move(gl)), programs_(std::move(programs)), flat_(std::move(flat)), tubes_(*gl_, {3, 3, 4, 3}),
-        meshes_(*gl_, {3, 3, 4}), nothing_(*gl_, {}) {}
+      : gl_(std::move(gl)),
+        programs_(std::move(programs)),
+        flat_(std::move(flat)),
+        tubes_(*gl_, {3, 3, 4, 3}),
+        meshes_(*gl_, {3, 3, 4}),
+        nothing_(*gl_, {}) {}
 
   const Gl& gl() const { return *gl_; }
   Status prepare(Size size);
@@ -114,11 +118,15 @@ class GlRenderer final : public Renderer {
 
 Color sky_of(const Background& background) {
   switch (background.kind) {
-    case Background::Kind::paper: return color_from_hex(0xFBFAF6);
-    case Background::Kind::color: return background.color;
-    case Background::Kind::transparent: return {0, 0, 0, 0};
+    case Background::Kind::paper:
+      return color_from_hex(0xFBFAF6);
+    case Background::Kind::color:
+      return background.color;
+    case Background::Kind::transparent:
+      return {0, 0, 0, 0};
     case Background::Kind::studio:
-    case Background::Kind::white: break;
+    case Background::Kind::white:
+      break;
   }
   return {1, 1, 1, 1};
 }
@@ -312,8 +320,8 @@ Result<std::unique_ptr<Renderer>> GlRenderer::create(const Gl& table) {
   if (!composite) return failure(composite.error());
   auto flat = FlatPass::create(*gl);
   if (!flat) return failure(flat.error());
-  Programs programs{std::move(backdrop).value(), std::move(floor).value(), std::move(glass).value(), std::move(tube).value(),
-                    std::move(mesh).value(), std::move(composite).value()};
+  Programs programs{std::move(backdrop).value(), std::move(floor).value(), std::move(glass).value(),
+                    std::move(tube).value(),     std::move(mesh).value(),  std::move(composite).value()};
   return std::unique_ptr<Renderer>(
       new GlRenderer(std::move(gl), std::move(programs), std::move(flat).value()));
 }

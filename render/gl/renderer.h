@@ -2,14 +2,14 @@
 // Draws figures off-screen: RGBA8, MSAA 4x, no driver-side sRGB conversion, so that bytes repeat.
 #pragma once
 
+#include "render/gl/context.h"
+#include "render/image/image.h"
+#include "render/scene/figure.h"
+
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-
-#include "render/gl/context.h"
-#include "render/image/image.h"
-#include "render/scene/figure.h"
 
 namespace polhode {
 
@@ -23,7 +23,8 @@ struct Background {
 /// studio | paper | white | transparent | #rrggbb; nothing otherwise.
 std::optional<Background> background_from(std::string_view text);
 
-/// Owns all GL objects; one per context, reused for every frame. Compiles its shaders once (0.2-0.4 s on llvmpipe).
+/// Owns all GL objects; one per context, reused for every frame. Compiles its shaders once (0.2-0.4 s on
+/// llvmpipe).
 class Renderer {
  public:
   /// The error names the function, shader or font that is missing. `context` must outlive the renderer.

@@ -12,7 +12,8 @@ VertexStream::VertexStream(const Gl& gl, std::initializer_list<int> attributes) 
   gl.BindVertexArray(array_);
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_);
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);
-  const int stride = std::accumulate(attributes.begin(), attributes.end(), 0) * static_cast<int>(sizeof(float));
+  const int stride =
+      std::accumulate(attributes.begin(), attributes.end(), 0) * static_cast<int>(sizeof(float));
   GLuint index = 0;
   std::size_t offset = 0;
   for (int floats : attributes) {

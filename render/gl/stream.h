@@ -2,10 +2,10 @@
 // Vertices that are new in every frame: one vertex array with its buffers. Internal to render/gl.
 #pragma once
 
-#include <initializer_list>
-
 #include "render/gl/functions.h"
 #include "render/gl/geometry.h"
+
+#include <initializer_list>
 
 namespace polhode {
 

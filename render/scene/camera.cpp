@@ -47,7 +47,8 @@ Camera orbit(const CameraSpec& spec, const Vec3& target, double radius) {
 std::optional<Eigen::Vector2d> project(const Camera& camera, const Vec3& point, double width, double height) {
   const Eigen::Vector4d clip = camera.projection(width / height) * (camera.view() * point.homogeneous());
   if (clip.w() <= 0.0) return std::nullopt;
-  return Eigen::Vector2d(0.5 * (1.0 + clip.x() / clip.w()) * width, 0.5 * (1.0 - clip.y() / clip.w()) * height);
+  return Eigen::Vector2d(0.5 * (1.0 + clip.x() / clip.w()) * width,
+                         0.5 * (1.0 - clip.y() / clip.w()) * height);
 }
 
 }  // namespace polhode

@@ -2,10 +2,10 @@
 // The camera: a view matrix and a perspective, the same for CPU and GPU.
 #pragma once
 
-#include <optional>
-
 #include "physics/types.h"
 #include "render/scene/scene.h"
+
+#include <optional>
 
 namespace polhode {
 

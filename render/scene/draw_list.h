@@ -3,10 +3,10 @@
 // Lengths and positions in scene units of the pane's frame (space or body); colours are sRGB, straight alpha.
 #pragma once
 
+#include "physics/types.h"
+
 #include <string>
 #include <vector>
-
-#include "physics/types.h"
 
 namespace polhode {
 
@@ -39,7 +39,7 @@ struct GlassEllipsoid {
   Quat rotation = Quat::Identity();  ///< takes its own axes to the pane's frame
   Vec3 semi_axes{1, 1, 1};
   Color tint;
-  bool graticule = true;             ///< thin latitude lines
+  bool graticule = true;  ///< thin latitude lines
 };
 
 struct Ball {
@@ -51,8 +51,8 @@ struct Ball {
 /// Lit mesh, flat or smooth by its normals. If `color` is translucent it is drawn after everything opaque.
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;         ///< unit, one for each position
-  std::vector<unsigned> triangles;   ///< three indices each
+  std::vector<Vec3> normals;        ///< unit, one for each position
+  std::vector<unsigned> triangles;  ///< three indices each
   Color color;
 };
 
@@ -63,11 +63,12 @@ struct Floor {
 };
 
 struct Label {
-  std::string text;       ///< UTF-8; mathematical alphanumerics are set in the maths font, U+20D7 puts an arrow above
-  Vec3 anchor;            ///< what it names
+  std::string
+      text;     ///< UTF-8; mathematical alphanumerics are set in the maths font, U+20D7 puts an arrow above
+  Vec3 anchor;  ///< what it names
   Color color;
-  double size = 1.0;      ///< relative to the label size of the picture
-  bool leader = true;     ///< draw a line to the anchor if it is placed away from it
+  double size = 1.0;   ///< relative to the label size of the picture
+  bool leader = true;  ///< draw a line to the anchor if it is placed away from it
 };
 
 /// Lines of text in the corner of the pane; the first is a heading.
@@ -85,7 +86,7 @@ struct DrawList {
   std::vector<Ball> balls;
   std::vector<Mesh> meshes;
   std::vector<Label> labels;
-  std::vector<Readout> readouts;           ///< at most one
+  std::vector<Readout> readouts;  ///< at most one
 };
 
 }  // namespace polhode

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/figure.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "physics/euler.h"
 #include "render/scene/builders/builders.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace polhode {
 namespace builders {
@@ -15,8 +15,8 @@ bool shows_momentum_space(const OverlaySet& show) {
   return show.contains(Overlay::momentum_sphere) || show.contains(Overlay::momentum_ellipsoid);
 }
 
-/// ω-space is drawn with the energy ellipsoid's longest semi-axis at 1. Around a solid body alone ω is drawn a
-/// little longer than the body, so that its tip can be seen.
+/// ω-space is drawn with the energy ellipsoid's longest semi-axis at 1. Around a solid body alone ω is drawn
+/// a little longer than the body, so that its tip can be seen.
 double omega_scale_of(const Scene& scene) {
   constexpr double kBesideSolid = 1.15;
   const double speed = scene.w0_B.norm();
@@ -34,10 +34,11 @@ double L_scale_of(const Scene& scene) {
   return 1.0 / std::max(L, momentum_ellipsoid_semi_axes(scene.body.moments, two_T).maxCoeff());
 }
 
-/// A fixed length along the direction of L: past the plane where there is one, so that one sees it stand upright.
+/// A fixed length along the direction of L: past the plane where there is one, so that one sees it stand
+/// upright.
 double L_length_of(const Scene& scene, double omega_scale, double L_scale) {
   constexpr double kLength = 1.3;
-  constexpr double kPastThePlane = 0.24;
+  constexpr double kPastThePlane = 0.42;
   const PrincipalMoments& I = scene.body.moments;
   if (scene.w0_B.isZero(0.0)) return kLength;
   if (L_scale > 0.0) return L_scale * angular_momentum_B(I, scene.w0_B).norm();
@@ -82,15 +83,33 @@ Moment moment_at(const SceneModel& model, double t_s, View view) {
 
 namespace {
 
-/// Enough room for the arrow of L and the plane below.
+/// How far from the centre there is something to see, with its label.
+double reach_of(const builders::Moment& m) {
+  constexpr double kLabel = 0.1;
+  double reach = 1.0;
+  if (m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body)) reach = builders::kTriadLength + kLabel;
+  if (m.shows(Overlay::omega) || m.shows(Overlay::trail_omega))
+    reach = std::max(reach, m.model.scene.w0_B.norm() * m.omega_scale + kLabel);
+  if (m.shows(Overlay::L)) reach = std::max(reach, m.L_length + kLabel);
+  if (m.shows(Overlay::N) && !m.model.scene.torque.empty()) reach = std::max(reach, m.L_length + 0.3);
+  return reach;
+}
+
+/// Enough room for what is shown, and the floor below. Nothing here depends on t, so that the camera stands
+/// still.
 Camera camera_for(const builders::Moment& m, double aspect) {
-  const Scene& scene = m.model.scene;
-  const bool floor = m.view == View::space && scene.show.contains(Overlay::plane);
-  const Vec3 target(0.0, 0.0, floor ? 0.35 * builders::plane_z(m) : 0.0);
-  CameraSpec spec = scene.camera;
+  constexpr double kFilled = 1.16;     // radius that fills the height of a picture at the default distance
   constexpr double kNarrowest = 1.15;  // a pane narrower than this needs more distance to hold the figure
+  const Scene& scene = m.model.scene;
+  const bool floor = m.view == View::space && m.shows(Overlay::plane) && builders::has_level_plane(scene);
+  constexpr double kLift =
+      0.2;  // arrows and axes point up: the middle of what is shown lies above the centre
+  const double reach = reach_of(m);
+  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : reach > 1.0 ? kLift * reach : 0.0);
+  CameraSpec spec = scene.camera;
   spec.distance *= std::max(1.0, kNarrowest / aspect);
-  return orbit(spec, target, 1.0);
+  // With a floor L points down, and half of it lies below the target.
+  return orbit(spec, target, std::max(1.0, (floor ? 1.0 : reach) / kFilled));
 }
 
 Pane make_pane(const SceneModel& model, double t_s, View view, double aspect) {
@@ -108,9 +127,7 @@ Pane make_pane(const SceneModel& model, double t_s, View view, double aspect) {
   return pane;
 }
 
-std::string title_of(View view) {
-  return view == View::space ? "space frame 𝑆" : "body frame 𝑆*";
-}
+std::string title_of(View view) { return view == View::space ? "space frame 𝑆" : "body frame 𝑆*"; }
 
 }  // namespace
 
@@ -128,7 +145,8 @@ Figure make_figure(const SceneModel& model, double t_s, double aspect) {
     figure.panes.push_back(std::move(pane));
   }
   if (!figure.panes.empty() && model.scene.show.contains(Overlay::values))
-    builders::add_values(builders::moment_at(model, t_s, model.scene.views.front()), figure.panes.front().list);
+    builders::add_values(builders::moment_at(model, t_s, model.scene.views.front()),
+                         figure.panes.front().list);
   return figure;
 }
 

@@ -2,12 +2,12 @@
 // A scene at one time as lists to draw: one pane for each view.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "render/scene/camera.h"
 #include "render/scene/draw_list.h"
 #include "render/scene/model.h"
+
+#include <string>
+#include <vector>
 
 namespace polhode {
 

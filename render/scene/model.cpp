@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <stdexcept>
-
 #include "physics/euler.h"
 #include "physics/rk4_motion.h"
 #include "physics/symmetric_motion.h"
 #include "physics/uniform_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
 
 namespace polhode {
 namespace {
@@ -26,8 +26,8 @@ bool is_symmetric(const PrincipalMoments& I) { return I[0] == I[1] || I[1] == I[
 
 Quat turn_half_about_x() { return Quat(0.0, 1.0, 0.0, 0.0); }
 
-/// Shortest rotation that takes `from_B` to `to_S`; where that exceeds a quarter turn, a half turn about x comes
-/// first, so that the result is defined and continuous also for opposite directions.
+/// Shortest rotation that takes `from_B` to `to_S`; where that exceeds a quarter turn, a half turn about x
+/// comes first, so that the result is defined and continuous also for opposite directions.
 Quat align(const Vec3& from_B, const Vec3& to_S) {
   if (from_B.isZero(0.0)) return Quat::Identity();
   if (from_B.dot(to_S) >= 0.0) return Quat::FromTwoVectors(from_B, to_S);
@@ -56,11 +56,17 @@ double default_step_s(const Scene& scene) {
 
 Choice rk4(const Scene& scene, const RigidBodyState& start, std::string why) {
   const double step_s = scene.motion.step_s.value_or(default_step_s(scene));
-  return {std::make_unique<Rk4Motion>(scene.body.moments, scene.torque, start, step_s), std::move(why)};
+  auto motion = std::make_unique<Rk4Motion>(scene.body.moments, scene.torque, start, step_s);
+  if (std::abs(scene.at_s) > motion->max_time_s())
+    throw std::domain_error("at = " + std::to_string(scene.at_s) +
+                            " s is too many steps away for \"rk4\"; at most " +
+                            std::to_string(motion->max_time_s()) + " s with this step");
+  return {std::move(motion), std::move(why)};
 }
 
 Choice uniform(const Scene& scene, const RigidBodyState& start) {
-  return {std::make_unique<UniformMotion>(scene.body.moments, start), "steady rotation: ω is constant, closed form"};
+  return {std::make_unique<UniformMotion>(scene.body.moments, start),
+          "steady rotation: ω is constant, closed form"};
 }
 
 Choice symmetric(const Scene& scene, const RigidBodyState& start) {
@@ -68,23 +74,27 @@ Choice symmetric(const Scene& scene, const RigidBodyState& start) {
           "two moments are equal: symmetric top in closed form"};
 }
 
-/// The cheapest motion that is right for the body. The closed form for the asymmetric body belongs here, before RK4.
+/// The cheapest motion that is right for the body. The closed form for the asymmetric body belongs here,
+/// before RK4.
 Choice best(const Scene& scene, const RigidBodyState& start, const Requirements& needs) {
-  if (!scene.torque.empty())
-    return rk4(scene, start, "torque acts: no closed form, classical Runge-Kutta");
+  if (!scene.torque.empty()) return rk4(scene, start, "torque acts: no closed form, classical Runge-Kutta");
   if (is_steady(scene.body.moments, scene.w0_B)) return uniform(scene, start);
   if (is_symmetric(scene.body.moments)) return symmetric(scene, start);
   return rk4(scene, start,
-             needs.attitude ? "asymmetric body with attitude: classical Runge-Kutta of 7 states"
-                            : "asymmetric body, no overlay asks for attitude: classical Runge-Kutta of ω alone");
+             needs.attitude
+                 ? "asymmetric body with attitude: classical Runge-Kutta of 7 states"
+                 : "asymmetric body, no overlay asks for attitude: classical Runge-Kutta of ω alone");
 }
 
 Choice choose_motion(const Scene& scene, const RigidBodyState& start, const Requirements& needs) {
   switch (scene.motion.method) {
-    case Method::exact: return best(scene, start, needs);
-    case Method::rk4: return rk4(scene, start, "the scene asks for it");
+    case Method::exact:
+      return best(scene, start, needs);
+    case Method::rk4:
+      return rk4(scene, start, "the scene asks for it");
     case Method::uniform:
-    case Method::symmetric: break;
+    case Method::symmetric:
+      break;
   }
   if (!scene.torque.empty())
     throw std::domain_error("method \"" + std::string(name_of(scene.motion.method)) +
@@ -107,7 +117,8 @@ std::vector<double> family_levels(const PrincipalMoments& I) {
   std::vector<double> levels;
   for (int side = 0; side < 2; ++side)
     for (int n = 1; n <= kFamilySize && sorted[side] < sorted[side + 1]; ++n)
-      levels.push_back(std::lerp(sorted[side], sorted[side + 1], (n - 0.5 * (1 - side) - 0.25) / kFamilySize));
+      levels.push_back(
+          std::lerp(sorted[side], sorted[side + 1], (n - 0.5 * (1 - side) - 0.25) / kFamilySize));
   return levels;
 }
 
@@ -122,7 +133,8 @@ void compute_parts(SceneModel& model) {
   if (model.needs.polhode_family && moves)
     model.family_B = polhode_family(I, two_T, family_levels(I), tolerance);
   if (model.needs.separatrix && moves) model.separatrices_B = separatrices(I, two_T, tolerance);
-  if (model.needs.herpolhode && moves) model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(model), tolerance);
+  if (model.needs.herpolhode && moves)
+    model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(model), tolerance);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
 }
 
@@ -138,10 +150,11 @@ Requirements requirements(const Scene& scene) {
   const bool in_space = std::find(scene.views.begin(), scene.views.end(), View::space) != scene.views.end();
   const bool in_body = std::find(scene.views.begin(), scene.views.end(), View::body) != scene.views.end();
   const bool body_seen_from_space =
-      in_space && (shown(Overlay::shape) || shown(Overlay::energy_ellipsoid) || shown(Overlay::momentum_sphere) ||
-                   shown(Overlay::momentum_ellipsoid) || shown(Overlay::omega) || shown(Overlay::L) ||
-                   shown(Overlay::N) || shown(Overlay::axes_body) || shown(Overlay::polhode) ||
-                   shown(Overlay::polhode_family) || shown(Overlay::separatrix) || shown(Overlay::cones));
+      in_space &&
+      (shown(Overlay::shape) || shown(Overlay::energy_ellipsoid) || shown(Overlay::momentum_sphere) ||
+       shown(Overlay::momentum_ellipsoid) || shown(Overlay::omega) || shown(Overlay::L) ||
+       shown(Overlay::N) || shown(Overlay::axes_body) || shown(Overlay::polhode) ||
+       shown(Overlay::polhode_family) || shown(Overlay::separatrix) || shown(Overlay::cones));
   Requirements needs;
   needs.polhode = shown(Overlay::polhode) || shown(Overlay::cones);
   needs.polhode_family = shown(Overlay::polhode_family);

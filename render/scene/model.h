@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: MIT
-// What a scene requires, and the model that gives just that. "Model only what a scene requires" lives here alone.
+// What a scene requires, and the model that gives just that. "Model only what a scene requires" lives here
+// alone.
 #pragma once
-
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "physics/motion.h"
 #include "physics/poinsot.h"
 #include "render/scene/scene.h"
 
+#include <memory>
+#include <string>
+#include <vector>
+
 namespace polhode {
 
 /// What the overlays and views of a scene ask of the physics.
 struct Requirements {
-  bool omega = false;           ///< ω_B(t)
-  bool attitude = false;        ///< q_SB(t)
-  bool polhode = false;         ///< curve through ω
+  bool omega = false;     ///< ω_B(t)
+  bool attitude = false;  ///< q_SB(t)
+  bool polhode = false;   ///< curve through ω
   bool polhode_family = false;
   bool separatrix = false;
-  bool herpolhode = false;      ///< samples the motion with attitude
+  bool herpolhode = false;  ///< samples the motion with attitude
   bool trail_L = false;
   bool trail_omega = false;
   bool cones = false;
-  bool solid = false;           ///< a shape to draw
+  bool solid = false;  ///< a shape to draw
   bool operator==(const Requirements&) const = default;
 };
 
@@ -32,7 +33,8 @@ Requirements requirements(const Scene& scene);
 /// "omega", "attitude", "polhode", ...: for `info`.
 std::vector<std::string> names_of(const Requirements& needs);
 
-/// Everything a picture of the scene at any t can be made from. What is not required is empty and was not computed.
+/// Everything a picture of the scene at any t can be made from. What is not required is empty and was not
+/// computed.
 struct SceneModel {
   Scene scene;
   Requirements needs;

@@ -7,10 +7,25 @@
 namespace polhode {
 namespace {
 
-constexpr std::array<std::string_view, kOverlayCount> kNames = {
-    "shape",     "energy-ellipsoid", "momentum-sphere", "momentum-ellipsoid", "omega",      "L",     "N",
-    "axes-body", "axes-space",       "polhode",         "polhode-family",     "separatrix", "herpolhode",
-    "plane",     "trail-L",          "trail-omega",     "cones",              "labels",     "values"};
+constexpr std::array<std::string_view, kOverlayCount> kNames = {"shape",
+                                                                "energy-ellipsoid",
+                                                                "momentum-sphere",
+                                                                "momentum-ellipsoid",
+                                                                "omega",
+                                                                "L",
+                                                                "N",
+                                                                "axes-body",
+                                                                "axes-space",
+                                                                "polhode",
+                                                                "polhode-family",
+                                                                "separatrix",
+                                                                "herpolhode",
+                                                                "plane",
+                                                                "trail-L",
+                                                                "trail-omega",
+                                                                "cones",
+                                                                "labels",
+                                                                "values"};
 
 }  // namespace
 

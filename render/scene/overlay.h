@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a scene can show. To add an overlay: one line here, one in overlay.cpp's table, one builder in builders/.
+// What a scene can show. To add an overlay: one line here, one in overlay.cpp's table, one builder in
+// builders/.
 #pragma once
 
 #include <bitset>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Colours by role: a quantity has the same colour in text, formula, scene and plot.
-// `ink` is for text and labels (at least 5.2:1 on paper); `paint` is its brighter relative for thick things, after
-// Okabe & Ito, "Color Universal Design" (2008), told apart by colour-blind readers.
+// `ink` is for text and labels (at least 5.2:1 on paper); `paint` is its brighter relative for thick things,
+// after Okabe & Ito, "Color Universal Design" (2008), told apart by colour-blind readers.
 #pragma once
 
 #include "render/scene/draw_list.h"
@@ -29,8 +29,8 @@ inline constexpr Color kGlassTint = color_from_hex(0x8FC3DA);
 inline constexpr Color kSphereTint = color_from_hex(0xC9B98A);
 inline constexpr Color kSolid = color_from_hex(0xD9CDB8);
 
-/// Colour of a polhode by L²/2T, placed at s = 0 (I_min), ½ (I_mid, the separatrix), 1 (I_max): a diverging scale,
-/// because the two sides go round different axes.
+/// Colour of a polhode by L²/2T, placed at s = 0 (I_min), ½ (I_mid, the separatrix), 1 (I_max): a diverging
+/// scale, because the two sides go round different axes.
 Color family_color(double s);
 
 }  // namespace polhode

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A scene as an author states it: plain data, no motion computed, no graphics. model.h turns it into what is needed.
+// A scene as an author states it: plain data, no motion computed, no graphics. model.h turns it into what is
+// needed.
 #pragma once
+
+#include "physics/bodies.h"
+#include "physics/torque.h"
+#include "render/scene/overlay.h"
 
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
-
-#include "physics/bodies.h"
-#include "physics/torque.h"
-#include "render/scene/overlay.h"
 
 namespace polhode {
 
@@ -31,8 +32,9 @@ struct MotionSpec {
   bool operator==(const MotionSpec&) const = default;
 };
 
-/// Orbit camera about the scene's centre. Angles in radians (degrees exist in lessons only). Elevation is measured
-/// from the horizontal plane of the view; distance is in units of the scene's radius; zoom narrows the field.
+/// Orbit camera about the scene's centre. Angles in radians (degrees exist in lessons only). Elevation is
+/// measured from the horizontal plane of the view; distance is in units of the scene's radius; zoom narrows
+/// the field.
 struct CameraSpec {
   double azimuth_rad = 0.6;
   double elevation_rad = 0.35;
@@ -43,26 +45,26 @@ struct CameraSpec {
 
 struct Scene {
   Body body{"textbook", PrincipalMoments(1.0, 1.75, 2.5), std::nullopt};
-  Vec3 w0_B{0.2, 0.1, 3.0};                      ///< rad/s at t = 0
-  std::optional<AttitudeSpec> attitude;          ///< at t = 0; absent: L down if the plane is shown, else L up
-  Torque torque;                                 ///< empty: torque-free
+  Vec3 w0_B{0.2, 0.1, 3.0};              ///< rad/s at t = 0
+  std::optional<AttitudeSpec> attitude;  ///< at t = 0; absent: L down if the plane is shown, else L up
+  Torque torque;                         ///< empty: torque-free
   MotionSpec motion;
-  std::vector<View> views{View::space};          ///< one, or two side by side
+  std::vector<View> views{View::space};  ///< one, or two side by side
   OverlaySet show;
   CameraSpec camera;
-  double at_s = 0.0;                             ///< the t of a still
-  std::optional<double> duration_s;              ///< what curves over time cover; absent: one polhode period or turn
-  std::optional<double> rate;                    ///< simulated seconds per shown second; absent: one period in 8 s
-  std::vector<std::string> highlight;            ///< ids of terms or names of overlays to stress
-  std::string caption;                           ///< one line in the picture
+  double at_s = 0.0;                   ///< the t of a still
+  std::optional<double> duration_s;    ///< what curves over time cover; absent: one polhode period or turn
+  std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
+  std::vector<std::string> highlight;  ///< ids of terms or names of overlays to stress
+  std::string caption;                 ///< one line in the picture
 };
 
 /// One term from its text: `space:x,y,z` | `body:x,y,z` | `heavy:MGR,ax,ay,az` | `damping:C` | `sink:C`.
 /// The error says what is wrong with the text. Used by `--torque` and by the scene key `torque`.
 std::variant<TorqueTerm, std::string> parse_torque_term(std::string_view text);
 
-/// A decimal or hexadecimal (0x1.8p+1) floating-point number filling the whole text, correctly rounded, independent
-/// of the locale; infinities and NaN are read as such. Nothing if the text is not a number.
+/// A decimal or hexadecimal (0x1.8p+1) floating-point number filling the whole text, correctly rounded,
+/// independent of the locale; infinities and NaN are read as such. Nothing if the text is not a number.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace polhode

@@ -168,7 +168,8 @@ Result<LabelFont> LabelFont::open() {
   faces->text = open_face(library, "tex-gyre/texgyreheros-regular.otf");
   if (!faces->text) return failure("font TeX Gyre Heros not found: install the package fonts-texgyre");
   faces->maths = open_face(library, "tex-gyre-math/texgyrepagella-math.otf");
-  if (!faces->maths) return failure("font TeX Gyre Pagella Math not found: install the package fonts-texgyre-math");
+  if (!faces->maths)
+    return failure("font TeX Gyre Pagella Math not found: install the package fonts-texgyre-math");
   return LabelFont(std::move(faces));
 }
 

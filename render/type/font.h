@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Labels as coverage masks: FreeType without hinting, so that the same text gives the same bytes at any place.
-// Text is set in TeX Gyre Heros; mathematical alphanumerics (U+1D400…) and U+20D7, which puts an arrow above the
-// character before it, in TeX Gyre Pagella Math; subscript digits (U+2080…) as small digits.
+// Labels as coverage masks: FreeType without hinting, so that the same text gives the same bytes at any
+// place. Text is set in TeX Gyre Heros; mathematical alphanumerics (U+1D400…) and U+20D7, which puts an arrow
+// above the character before it, in TeX Gyre Pagella Math; subscript digits (U+2080…) as small digits.
 #pragma once
+
+#include "render/result.h"
 
 #include <cstdint>
 #include <memory>
 #include <string_view>
 #include <vector>
-
-#include "render/result.h"
 
 namespace polhode {
 
@@ -31,8 +31,8 @@ class LabelFont {
   LabelFont& operator=(LabelFont&&) noexcept;
   ~LabelFont();
 
-  /// `size_px` is the em; malformed UTF-8 and missing glyphs show as the font's box. Height and baseline depend on
-  /// the size alone, so that lines of one size align. About 0.1 ms for ten characters at 30 px.
+  /// `size_px` is the em; malformed UTF-8 and missing glyphs show as the font's box. Height and baseline
+  /// depend on the size alone, so that lines of one size align. About 0.1 ms for ten characters at 30 px.
   TextMask set_line(std::string_view utf8, double size_px, double halo_px) const;
 
  private:

@@ -44,7 +44,7 @@ void main() {
   float facing = abs(dot(n, direction));
   float f = 1.0 - facing;
   float fresnel = f * f * f * (0.35 + 0.65 * f * f);
-  float alpha = u_front > 0.5 ? 0.15 + 0.60 * fresnel : 0.11 + 0.25 * fresnel;
+  float alpha = u_front > 0.5 ? 0.17 + 0.60 * fresnel : 0.11 + 0.25 * fresnel;
   vec3 color = u_tint * (0.80 + 0.20 * max(n.z, 0.0)) * mix(1.0, 0.72, fresnel);
   if (u_front > 0.5) {
     vec3 halfway = normalize(u_light - direction);
@@ -52,7 +52,7 @@ void main() {
     float s4 = s * s; s4 *= s4;
     float s16 = s4 * s4; s16 *= s16;
     float s64 = s16 * s16; s64 *= s64;
-    float highlight = 0.85 * s64 * s64 + 0.10 * s16;
+    float highlight = 0.60 * s64 * s64 + 0.08 * s16;
     color = mix(color, vec3(1.0), clamp(highlight, 0.0, 1.0));
     alpha += (1.0 - alpha) * clamp(highlight, 0.0, 0.95);
   }

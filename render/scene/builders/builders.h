@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// One function for each kind of thing that an overlay adds to a pane's draw list. All are pure; a builder that has
-// nothing to add adds nothing. Internal to render/scene.
+// One function for each kind of thing that an overlay adds to a pane's draw list. All are pure; a builder
+// that has nothing to add adds nothing. Internal to render/scene.
 #pragma once
 
 #include "render/scene/figure.h"
 
 namespace polhode::builders {
+
+inline constexpr double kTriadLength = 1.28;  ///< of the axes of both frames, scene units
 
 /// A scene at one time in one view. "V" is the view's frame: S for the space view, B for the body view.
 struct Moment {
@@ -38,8 +40,8 @@ void add_surfaces(const Moment& m, DrawList& list);  ///< ellipsoids, momentum s
 void add_curves(const Moment& m, DrawList& list);    ///< polhodes, separatrices, herpolhode
 void add_trails(const Moment& m, DrawList& list);
 void add_cones(const Moment& m, DrawList& list);
-void add_vectors(const Moment& m, DrawList& list);   ///< ω, L, N
-void add_axes(const Moment& m, DrawList& list);      ///< triads
+void add_vectors(const Moment& m, DrawList& list);  ///< ω, L, N
+void add_axes(const Moment& m, DrawList& list);     ///< triads
 void add_labels(const Moment& m, const Camera& camera, DrawList& list);
 void add_values(const Moment& m, DrawList& list);
 

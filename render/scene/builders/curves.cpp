@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Polhode, its family, separatrices, herpolhode.
-#include <algorithm>
-
 #include "physics/euler.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
+
+#include <algorithm>
 
 namespace polhode::builders {
 namespace {
@@ -35,7 +35,9 @@ void add_herpolhode(const Moment& m, DrawList& list) {
     local = herpolhode(*m.model.motion, m.t_s - span_s, m.t_s, 2e-4 / m.omega_scale);
     curve_S = &local;
   }
-  Tube tube{.points = {}, .closed = curve_S->closed, .radius = kHerpolhodeRadius * m.thickness,
+  Tube tube{.points = {},
+            .closed = curve_S->closed,
+            .radius = kHerpolhodeRadius * m.thickness,
             .color = kHerpolhodeRole.paint};
   for (const Vec3& w_S : curve_S->points) tube.points.push_back(m.q_VS * (w_S * m.omega_scale));
   if (tube.points.size() > 1) list.tubes.push_back(std::move(tube));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Names of what is shown, anchored to it, and the computed values in the corner.
+#include "physics/euler.h"
+#include "render/scene/builders/builders.h"
+#include "render/scene/palette.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-
-#include "physics/euler.h"
-#include "render/scene/builders/builders.h"
-#include "render/scene/palette.h"
 
 namespace polhode::builders {
 namespace {
@@ -16,7 +16,8 @@ constexpr double kSymbolSize = 1.35;
 constexpr double kTextSize = 0.8;
 
 void add_symbol(DrawList& list, const char* text, const Vec3& anchor, const Color& color) {
-  list.labels.push_back({.text = text, .anchor = anchor, .color = color, .size = kSymbolSize, .leader = false});
+  list.labels.push_back(
+      {.text = text, .anchor = anchor, .color = color, .size = kSymbolSize, .leader = false});
 }
 
 void add_text(DrawList& list, const char* text, const Vec3& anchor, const Color& color) {
@@ -40,22 +41,30 @@ Vec3 furthest(const std::vector<Vec3>& points, const Camera& camera, const Vec3&
 void label_triads(const Moment& m, DrawList& list) {
   constexpr std::array<const char*, 3> kSpace = {"𝑥", "𝑦", "𝑧"};
   constexpr std::array<const char*, 3> kBody = {"1", "2", "3"};
-  constexpr double kBeyond = 1.5;
+  constexpr double kBeyond = kTriadLength + 0.06;
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (m.shows(Overlay::axes_space))
-      list.labels.push_back({.text = kSpace[k], .anchor = m.q_VS * (kBeyond * Vec3::Unit(i)),
-                             .color = kAxesRole.ink, .size = 1.0, .leader = false});
+      list.labels.push_back({.text = kSpace[k],
+                             .anchor = m.q_VS * (kBeyond * Vec3::Unit(i)),
+                             .color = kAxesRole.ink,
+                             .size = 1.0,
+                             .leader = false});
     if (m.shows(Overlay::axes_body))
-      list.labels.push_back({.text = kBody[k], .anchor = m.q_VB * (kBeyond * Vec3::Unit(i)),
-                             .color = kAxesRole.ink, .size = 0.9, .leader = false});
+      list.labels.push_back({.text = kBody[k],
+                             .anchor = m.q_VB * (kBeyond * Vec3::Unit(i)),
+                             .color = kAxesRole.ink,
+                             .size = 0.9,
+                             .leader = false});
   }
 }
 
 void label_vectors(const Moment& m, DrawList& list) {
   if (m.state.w_B.isZero(0.0)) return;
   constexpr double kBeyond = 0.06;
-  const auto beyond = [](const Vec3& tip) -> Vec3 { return tip * (1.0 + kBeyond / std::max(tip.norm(), 0.1)); };
+  const auto beyond = [](const Vec3& tip) -> Vec3 {
+    return tip * (1.0 + kBeyond / std::max(tip.norm(), 0.1));
+  };
   if (m.shows(Overlay::omega)) add_symbol(list, "𝜔⃗", beyond(m.omega_tip_V()), kOmegaRole.ink);
   if (m.shows(Overlay::L)) add_symbol(list, "𝐿⃗", beyond(m.L_tip_V()), kLRole.ink);
   for (const Arrow& arrow : list.arrows)
@@ -94,10 +103,14 @@ void label_surfaces(const Moment& m, const Camera& camera, DrawList& list) {
     const Vec3 aside = screen_direction(camera, 1.0, 0.0);
     const Vec3 away = -(camera.eye - camera.target).normalized();
     const Vec3 level(1.75 * aside.x() + 0.5 * away.x(), 1.75 * aside.y() + 0.5 * away.y(), list.floors[0].z);
-    list.labels.push_back({.text = "invariable plane", .anchor = level, .color = kAxesRole.ink, .size = kTextSize,
+    list.labels.push_back({.text = "invariable plane",
+                           .anchor = level,
+                           .color = kAxesRole.ink,
+                           .size = kTextSize,
                            .leader = false});
   }
-  if (m.shows(Overlay::momentum_sphere) && m.shows(Overlay::momentum_ellipsoid) && list.ellipsoids.size() > 1) {
+  if (m.shows(Overlay::momentum_sphere) && m.shows(Overlay::momentum_ellipsoid) &&
+      list.ellipsoids.size() > 1) {
     add_text(list, "2𝑇 = const.", on_silhouette(list.ellipsoids.front(), screen_direction(camera, -0.8, 0.6)),
              color_from_hex(0x2F6178));
     add_text(list, "|𝐿⃗| = const.", on_silhouette(list.ellipsoids.back(), screen_direction(camera, 0.8, 0.6)),
@@ -109,7 +122,8 @@ void label_cones(const Moment& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::cones)) return;
   const Vec3 side = screen_direction(camera, -1.0, 0.4);
   const auto name = [&](const Color& rim, const char* text, const Color& ink) {
-    if (const Tube* tube = find_tube(list, rim)) add_text(list, text, furthest(tube->points, camera, side), ink);
+    if (const Tube* tube = find_tube(list, rim))
+      add_text(list, text, furthest(tube->points, camera, side), ink);
   };
   name(kPolhodeRole.paint, "body cone", kPolhodeRole.ink);
   if (m.view == View::space) name(kHerpolhodeRole.paint, "space cone", kHerpolhodeRole.ink);
@@ -134,8 +148,8 @@ void add_labels(const Moment& m, const Camera& camera, DrawList& list) {
 void add_values(const Moment& m, DrawList& list) {
   const double L = m.L_B.norm();
   Readout readout;
-  readout.lines.push_back("𝐼₁ = " + number(m.I()[0]) + "   𝐼₂ = " + number(m.I()[1]) + "   𝐼₃ = " + number(m.I()[2]) +
-                          " kg m²");
+  readout.lines.push_back("𝐼₁ = " + number(m.I()[0]) + "   𝐼₂ = " + number(m.I()[1]) +
+                          "   𝐼₃ = " + number(m.I()[2]) + " kg m²");
   readout.lines.push_back("2𝑇 = 𝜔⃗·𝐿⃗ = " + number(m.two_T) + " J   |𝐿⃗| = " + number(L) + " kg m²/s");
   if (m.two_T > 0.0) readout.lines.push_back("𝐿²/2𝑇 = " + number(L * L / m.two_T) + " kg m²");
   Vec3 sorted = m.I().vector();

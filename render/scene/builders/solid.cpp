@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The body itself as lit meshes: box, ellipsoid, cylinder, T-handle.
+#include "physics/euler.h"
+#include "render/scene/builders/builders.h"
+#include "render/scene/palette.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
-#include "physics/euler.h"
-#include "render/scene/builders/builders.h"
-#include "render/scene/palette.h"
-
 namespace polhode::builders {
 namespace {
 
 constexpr int kSegments = 64;
-constexpr double kAloneRadius = 0.95;   // of the sphere round a body that stands alone
-constexpr double kInsideGlass = 0.84;   // of the energy ellipsoid, for a body drawn in it
+constexpr double kAloneRadius = 0.95;  // of the sphere round a body that stands alone
+constexpr double kInsideGlass = 0.84;  // of the energy ellipsoid, for a body drawn in it
 constexpr Color kEdge = color_from_hex(0x6A6152);
 
 /// A part of a body in its own axes, to be placed in the view.
@@ -41,8 +41,10 @@ Part box(const Vec3& half) {
       const Vec3 v = side * half[(axis + 2) % 3] * Vec3::Unit((axis + 2) % 3);
       const Vec3 c = half[axis] * n;
       add_quad(part.mesh, {c - u - v, c + u - v, c + u + v, c - u + v}, n);
-      part.edges.push_back({.points = {c - u - v, c + u - v, c + u + v, c - u + v}, .closed = true,
-                            .radius = 0.006, .color = kEdge});
+      part.edges.push_back({.points = {c - u - v, c + u - v, c + u + v, c - u + v},
+                            .closed = true,
+                            .radius = 0.006,
+                            .color = kEdge});
     }
   return part;
 }
@@ -58,7 +60,8 @@ Part cylinder(const Vec3& half) {
   std::array<Tube, 2> rims;
   for (int i = 0; i < kSegments; ++i) {
     const double t0 = static_cast<double>(i) / kSegments, t1 = static_cast<double>(i + 1) / kSegments;
-    const Vec3 a = on_circle(t0, half.x(), half.y(), -half.z()), b = on_circle(t1, half.x(), half.y(), -half.z());
+    const Vec3 a = on_circle(t0, half.x(), half.y(), -half.z()),
+               b = on_circle(t1, half.x(), half.y(), -half.z());
     const Vec3 up(0, 0, 2.0 * half.z());
     add_quad(part.mesh, {a, b, b + up, a + up}, Vec3::Zero());
     const Vec3 na = on_circle(t0, half.y(), half.x(), 0).normalized();
@@ -88,7 +91,8 @@ Part ellipsoid(const Vec3& half) {
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= kSegments; ++i) {
       const double polar = std::numbers::pi * j / rows;
-      Vec3 n = on_circle(static_cast<double>(i) / kSegments, std::sin(polar), std::sin(polar), std::cos(polar));
+      Vec3 n =
+          on_circle(static_cast<double>(i) / kSegments, std::sin(polar), std::sin(polar), std::cos(polar));
       part.mesh.positions.push_back(half.cwiseProduct(n));
       part.mesh.normals.push_back(n.cwiseQuotient(half).normalized());
     }
@@ -133,10 +137,14 @@ std::vector<Part> t_handle(const Vec3& size_m) {
 std::vector<Part> parts_of(const Shape& shape) {
   const Vec3 half = 0.5 * shape.size_m;
   switch (shape.kind) {
-    case ShapeKind::box: return {box(half)};
-    case ShapeKind::ellipsoid: return {ellipsoid(half)};
-    case ShapeKind::cylinder: return {cylinder(half)};
-    case ShapeKind::t_handle: return t_handle(shape.size_m);
+    case ShapeKind::box:
+      return {box(half)};
+    case ShapeKind::ellipsoid:
+      return {ellipsoid(half)};
+    case ShapeKind::cylinder:
+      return {cylinder(half)};
+    case ShapeKind::t_handle:
+      return t_handle(shape.size_m);
   }
   return {box(half)};
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Energy ellipsoid, momentum sphere and ellipsoid, invariable plane; body and space cones.
-#include <cmath>
-
 #include "physics/euler.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
+
+#include <cmath>
+#include <numbers>
 
 namespace polhode::builders {
 namespace {
@@ -35,6 +36,18 @@ std::vector<Vec3> to_view(const Curve& curve, const Quat& q, double scale) {
   return points;
 }
 
+/// The herpolhode until it has gone once round z (L's axis): further rounds would lie on the first.
+Curve first_round(const Curve& herpolhode_S) {
+  const std::vector<Vec3>& points = herpolhode_S.points;
+  double turned = 0.0;
+  std::size_t n = 1;
+  for (; n < points.size() && std::abs(turned) < 2.0 * std::numbers::pi; ++n) {
+    const Vec3 &a = points[n - 1], &b = points[n];
+    turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
+  }
+  return {{points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n)}, false};
+}
+
 }  // namespace
 
 bool has_level_plane(const Scene& scene) {
@@ -45,7 +58,8 @@ bool has_level_plane(const Scene& scene) {
 
 double plane_z(const Moment& m) {
   if (m.model.scene.w0_B.isZero(0.0)) return -1.0;
-  return -invariable_plane_distance(m.I(), m.state.w_B) * m.omega_scale;
+  // From the start, not from t: it is invariable, and a drift of the motion shall show.
+  return -invariable_plane_distance(m.I(), m.model.scene.w0_B) * m.omega_scale;
 }
 
 void add_surfaces(const Moment& m, DrawList& list) {
@@ -73,11 +87,10 @@ void add_cones(const Moment& m, DrawList& list) {
   const auto translucent = [&](Color c) { return Color{c.r, c.g, c.b, kAlpha}; };
   const Curve& polhode_B = m.model.polhode_B;
   if (polhode_B.points.size() > 2)
-    list.meshes.push_back(fan(to_view(polhode_B, m.q_VB, m.omega_scale), polhode_B.closed,
-                              translucent(kPolhodeRole.paint)));
-  const Curve& herpolhode_S = m.model.herpolhode_S;
-  if (m.view == View::space && herpolhode_S.points.size() > 2)
-    list.meshes.push_back(fan(to_view(herpolhode_S, m.q_VS, m.omega_scale), herpolhode_S.closed,
+    list.meshes.push_back(
+        fan(to_view(polhode_B, m.q_VB, m.omega_scale), polhode_B.closed, translucent(kPolhodeRole.paint)));
+  if (m.view == View::space && m.model.herpolhode_S.points.size() > 2)
+    list.meshes.push_back(fan(to_view(first_round(m.model.herpolhode_S), m.q_VS, m.omega_scale), false,
                               translucent(kHerpolhodeRole.paint)));
 }
 

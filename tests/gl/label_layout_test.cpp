@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/label_layout.h"
+
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+const PixelBox kFrame{0, 0, 800, 450};
+
+TEST(LabelLayout, LabelsOfOneSpotDoNotOverlap) {
+  const std::vector<LabelRequest> labels(5,
+                                         {.anchor = {400, 225}, .width = 80, .height = 24, .leader = true});
+  const auto placed = place_labels(labels, {}, {}, kFrame);
+  for (std::size_t i = 0; i < placed.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) EXPECT_EQ(placed[i].box.overlap(placed[k].box), 0.0) << i << ' ' << k;
+}
+
+TEST(LabelLayout, LabelsStayInTheFrame) {
+  for (const Vec2& anchor : {Vec2(2, 2), Vec2(798, 448), Vec2(2, 448), Vec2(798, 225)}) {
+    const auto placed = place_labels({{.anchor = anchor, .width = 90, .height = 24}}, {}, {}, kFrame);
+    EXPECT_NEAR(placed[0].box.overlap(kFrame), 90.0 * 24.0, 1e-6) << anchor.transpose();
+  }
+}
+
+TEST(LabelLayout, LabelsKeepOffTakenBoxes) {
+  const PixelBox panel{300, 180, 560, 270};
+  const auto placed =
+      place_labels({{.anchor = {300, 225}, .width = 80, .height = 24, .leader = true}}, {}, {panel}, kFrame);
+  EXPECT_EQ(placed[0].box.overlap(panel), 0.0);
+}
+
+TEST(LabelLayout, LabelsPreferTheSideWithoutLines) {
+  std::vector<Vec2> line;  // everything to the right of the anchor is busy
+  for (int x = 405; x < 560; x += 6)
+    for (int y = 190; y < 262; y += 6) line.emplace_back(x, y);
+  const auto placed = place_labels({{.anchor = {400, 225}, .width = 80, .height = 24}}, line, {}, kFrame);
+  for (const Vec2& p : line) EXPECT_FALSE(placed[0].box.contains(p));
+}
+
+TEST(LabelLayout, AFarLabelIsJoinedToItsAnchorByALeader) {
+  const auto placed =
+      place_labels({{.anchor = {400, 225}, .width = 80, .height = 24, .leader = true}}, {}, {}, kFrame);
+  EXPECT_TRUE(placed[0].has_leader);
+  EXPECT_TRUE(placed[0].box.grown(0.2 * 24).contains(placed[0].leader_end));
+}
+
+TEST(LabelLayout, TheSameRequestsGiveTheSamePlaces) {
+  const std::vector<LabelRequest> labels(3, {.anchor = {120, 80}, .width = 60, .height = 20});
+  const auto a = place_labels(labels, {{130, 80}}, {}, kFrame),
+             b = place_labels(labels, {{130, 80}}, {}, kFrame);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].box.x0, b[i].box.x0);
+}
+
+}  // namespace
+}  // namespace polhode

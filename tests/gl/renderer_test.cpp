@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+using O = Overlay;
+
+struct Drawn {
+  std::unique_ptr<GlContext> context;
+  std::unique_ptr<Renderer> renderer;
+
+  explicit Drawn(ContextKind kind = ContextKind::any) {
+    auto opened = open_context(kind);
+    if (!opened) throw std::runtime_error(opened.error());
+    context = std::move(opened).value();
+    auto made = Renderer::create(*context);
+    if (!made) throw std::runtime_error(made.error());
+    renderer = std::move(made).value();
+  }
+  Image draw(const Scene& scene, Size size, const char* background = "studio") {
+    const double aspect = static_cast<double>(size.width) / size.height;
+    auto image = renderer->draw(make_figure(make_model(scene), scene.at_s, aspect), size,
+                                background_from(background).value());
+    if (!image) throw std::runtime_error(image.error());
+    return std::move(image).value();
+  }
+};
+
+/// A symmetric top with I1 = I2 = 1 kg m², I3 = 2 kg m², whose motion a page of paper gives.
+Scene top_scene(OverlaySet show) {
+  Scene scene;
+  scene.body = {"top", PrincipalMoments(1.0, 1.0, 2.0), std::nullopt};
+  scene.w0_B = Vec3(0.8, 0.0, 1.5);
+  scene.show = show;
+  scene.at_s = 1.37;
+  scene.attitude = LPoints::up;
+  return scene;
+}
+
+/// ω in space without any of the program's code: at t = 0 the body is turned about y so that L = (0.8, 0, 3)
+/// points up; then ω goes round L at |L|/I1 (Goldstein §5.6).
+Vec3 omega_S_by_hand(double t_s) {
+  const double L = std::hypot(0.8, 3.0), s = 0.8 / L, c = 3.0 / L;
+  const double x = c * 0.8 - s * 1.5, z = s * 0.8 + c * 1.5;
+  return {x * std::cos(L * t_s), x * std::sin(L * t_s), z};
+}
+
+/// Pinhole projection by dot products, px from the upper left corner.
+Eigen::Vector2d project_by_hand(const Camera& camera, const Vec3& point, Size size) {
+  const Vec3 ahead = (camera.target - camera.eye).normalized();
+  const Vec3 right = ahead.cross(camera.up).normalized(), up = right.cross(ahead);
+  const Vec3 d = point - camera.eye;
+  const double px = 0.5 * size.height / std::tan(0.5 * camera.fov_y_rad) / d.dot(ahead);
+  return {0.5 * size.width + px * d.dot(right), 0.5 * size.height - px * d.dot(up)};
+}
+
+/// How much of a pixel on white is coloured, 0…1.
+double coverage(const std::uint8_t* p) {
+  return std::clamp((255.0 - std::min({p[0], p[1], p[2]})) / 150.0, 0.0, 1.0);
+}
+
+/// Tip of a cone that points along `direction`, found to a part of a pixel: its width falls linearly to zero
+/// there. Looks at the last 4 to 24 px before the coloured pixel that lies furthest.
+Eigen::Vector2d find_tip(const Image& image, const Eigen::Vector2d& direction) {
+  constexpr int kFirst = 4, kLast = 24;
+  const Eigen::Vector2d across(-direction.y(), direction.x());
+  double furthest = -1e9;
+  const auto each_pixel = [&](auto visit) {
+    for (int y = 0; y < image.size.height; ++y)
+      for (int x = 0; x < image.size.width; ++x)
+        if (const double c = coverage(image.pixel(x, y)); c > 0.05)
+          visit(Eigen::Vector2d(x + 0.5, y + 0.5), c);
+  };
+  each_pixel([&](const Eigen::Vector2d& p, double) { furthest = std::max(furthest, p.dot(direction)); });
+
+  std::array<double, kLast> width{}, middle{};
+  each_pixel([&](const Eigen::Vector2d& p, double c) {
+    const int slice = static_cast<int>(furthest - p.dot(direction));
+    if (slice < kFirst || slice >= kLast) return;
+    width[static_cast<std::size_t>(slice)] += c;
+    middle[static_cast<std::size_t>(slice)] += c * p.dot(across);
+  });
+  // Least squares of width = a (slice + ½) + b, whose zero is the tip.
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, lateral = 0, weight = 0;
+  for (int i = kFirst; i < kLast; ++i) {
+    const double x = i + 0.5, y = width[static_cast<std::size_t>(i)];
+    n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+    lateral += middle[static_cast<std::size_t>(i)], weight += y;
+  }
+  const double a = (n * sxy - sx * sy) / (n * sxx - sx * sx), b = (sy - a * sx) / n;
+  return (furthest + b / a) * direction + lateral / weight * across;
+}
+
+void expect_tip(const Scene& scene, const Vec3& tip_S) {
+  constexpr Size kSize{1920, 1080};
+  const Image image = Drawn().draw(scene, kSize, "white");
+  const Camera camera = make_figure(make_model(scene), scene.at_s, 16.0 / 9.0).panes[0].camera;
+  const Eigen::Vector2d tip = project_by_hand(camera, tip_S, kSize);
+  const Eigen::Vector2d root = project_by_hand(camera, Vec3::Zero(), kSize);
+  const Eigen::Vector2d found = find_tip(image, (tip - root).normalized());
+  EXPECT_LT((found - tip).norm(), 1.0) << "found " << found.transpose() << ", expected " << tip.transpose();
+}
+
+TEST(Renderer, OmegasTipIsWithinAPixelOfWherePhysicsPutsIt) {
+  for (double t_s : {0.2, 1.37, 4.9}) {
+    Scene scene = top_scene({O::omega});
+    scene.at_s = t_s;
+    const double scale = 1.0 / std::sqrt(1.0 * 0.8 * 0.8 + 2.0 * 1.5 * 1.5);  // 1 / √(2T/I1)
+    expect_tip(scene, scale * omega_S_by_hand(t_s));
+  }
+}
+
+TEST(Renderer, LsTipIsWithinAPixelOfWherePhysicsPutsIt) {
+  expect_tip(top_scene({O::L}), Vec3(0.0, 0.0, 1.3));
+}
+
+const OverlaySet kMuch{O::energy_ellipsoid, O::omega, O::L, O::polhode, O::axes_body, O::labels, O::values};
+
+TEST(Renderer, OsmesaAndEglDrawTheSameBytes) {
+  const Scene scene = top_scene(kMuch);
+  const Image osmesa = Drawn(ContextKind::osmesa).draw(scene, {480, 270});
+  EXPECT_EQ(osmesa.rgba, Drawn(ContextKind::egl).draw(scene, {480, 270}).rgba);
+}
+
+TEST(Renderer, APictureDependsOnNothingDrawnBefore) {
+  Drawn drawn;
+  const Image first = drawn.draw(top_scene(kMuch), {480, 270});
+  drawn.draw(top_scene({O::shape, O::omega}), {200, 300}, "transparent");
+  EXPECT_EQ(first.rgba, drawn.draw(top_scene(kMuch), {480, 270}).rgba);
+}
+
+TEST(Renderer, TransparentMeansTrueAlpha) {
+  Drawn drawn;
+  const Image image = drawn.draw(top_scene({O::energy_ellipsoid}), {320, 180}, "transparent");
+  EXPECT_EQ(image.pixel(0, 0)[3], 0);
+  EXPECT_EQ(image.pixel(319, 179)[3], 0);
+  const int glass = image.pixel(150, 100)[3];
+  EXPECT_GT(glass, 20);
+  EXPECT_LT(glass, 200);
+
+  // Laid over white it is the picture on white, but for two roundings of eight bits, each on either side.
+  const Image on_white = drawn.draw(top_scene({O::energy_ellipsoid}), {320, 180}, "white");
+  int worst = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+    const int a = image.rgba[i + 3];
+    for (std::size_t k = 0; k < 3; ++k)
+      worst = std::max(
+          worst, std::abs((image.rgba[i + k] * a + 255 * (255 - a) + 127) / 255 - on_white.rgba[i + k]));
+  }
+  EXPECT_LE(worst, 3);
+}
+
+TEST(Renderer, EveryOtherBackgroundIsOpaque) {
+  Drawn drawn;
+  for (const char* background : {"studio", "paper", "white", "#204060"}) {
+    const Image image = drawn.draw(top_scene(kMuch), {160, 90}, background);
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) ASSERT_EQ(image.rgba[i], 255) << background;
+  }
+  EXPECT_EQ(drawn.draw(top_scene({O::omega}), {160, 90}, "#204060").pixel(1, 1)[2], 0x60);
+}
+
+TEST(Renderer, OddSizesAreDrawn) {
+  Drawn drawn;
+  for (Size size : {Size{1, 1}, Size{3, 777}, Size{501, 2}}) {
+    Scene scene = top_scene(kMuch);
+    scene.views = {View::space, View::body};
+    EXPECT_EQ(drawn.draw(scene, size).size, size);
+  }
+}
+
+TEST(Renderer, ASizeTheDriverRefusesIsAnErrorAndTheNextPictureIsDrawn) {
+  Drawn drawn;
+  const Figure figure = make_figure(make_model(top_scene(kMuch)), 0.5, 1.0);
+  const auto refused = drawn.renderer->draw(figure, {16385, 16385}, {});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().find("16385"), std::string::npos) << refused.error();
+  EXPECT_TRUE(drawn.renderer->draw(figure, {64, 64}, {}).ok());
+}
+
+TEST(Background, IsReadFromItsName) {
+  EXPECT_EQ(background_from("#ff8000")->color, (Color{1.0F, 128.0F / 255.0F, 0.0F, 1.0F}));
+  for (const char* text : {"", "black", "#12345", "#1234567", "#12345g", "#-12345", "studio "})
+    EXPECT_FALSE(background_from(text)) << text;
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene/figure.h"
+
+#include "physics/euler.h"
+#include "render/scene/palette.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+using O = Overlay;
+
+/// RK4 at 2000 steps a period errs by some 1e-11 of a turn in the first periods; scene units are of order 1.
+constexpr double kMotionTolerance = 1e-9;
+
+Scene poinsot_scene() {
+  Scene scene;
+  scene.w0_B = Vec3(0.2, 1.1, 1.6);
+  scene.show = {O::energy_ellipsoid, O::omega, O::L, O::polhode, O::herpolhode, O::plane, O::labels};
+  return scene;
+}
+
+const Arrow& arrow_of(const DrawList& list, const Role& role) {
+  for (const Arrow& arrow : list.arrows)
+    if (arrow.color == role.paint) return arrow;
+  throw std::runtime_error("no such arrow");
+}
+
+const Tube& tube_of(const DrawList& list, const Role& role) {
+  for (const Tube& tube : list.tubes)
+    if (tube.color == role.paint) return tube;
+  throw std::runtime_error("no such tube");
+}
+
+double on_ellipsoid(const GlassEllipsoid& e, const Vec3& p) {
+  return (e.rotation.conjugate() * (p - e.center)).cwiseQuotient(e.semi_axes).squaredNorm();
+}
+
+TEST(Figure, OmegasTipLiesOnTheEllipsoidAndOnThePlane) {
+  const SceneModel model = make_model(poinsot_scene());
+  for (double t_s : {0.0, 0.4, 1.3, 7.7}) {
+    const DrawList list = make_figure(model, t_s, 16.0 / 9.0).panes[0].list;
+    const Vec3 tip = arrow_of(list, kOmegaRole).tip;
+    ASSERT_EQ(list.ellipsoids.size(), 1U);
+    ASSERT_EQ(list.floors.size(), 1U);
+    EXPECT_NEAR(on_ellipsoid(list.ellipsoids[0], tip), 1.0, kMotionTolerance);
+    EXPECT_NEAR(tip.z(), list.floors[0].z, kMotionTolerance);
+  }
+}
+
+TEST(Figure, ThePlaneTouchesTheEllipsoidThere) {
+  const SceneModel model = make_model(poinsot_scene());
+  const DrawList list = make_figure(model, 2.1, 1.5).panes[0].list;
+  const GlassEllipsoid& e = list.ellipsoids[0];
+  const Vec3 tip = arrow_of(list, kOmegaRole).tip;
+  const Vec3 own = e.rotation.conjugate() * tip;
+  const Vec3 normal = (e.rotation * Vec3(own.cwiseQuotient(e.semi_axes.cwiseAbs2()))).normalized();
+  EXPECT_NEAR(normal.z(), -1.0, kMotionTolerance);
+}
+
+TEST(Figure, TheCurvesPassThroughOmegasTip) {
+  const SceneModel model = make_model(poinsot_scene());
+  const DrawList list = make_figure(model, 1.9, 1.5).panes[0].list;
+  const Vec3 tip = arrow_of(list, kOmegaRole).tip;
+  const auto distance = [&](const Tube& tube) {
+    double nearest = 1e9;
+    for (std::size_t i = 0; i + (tube.closed ? 0 : 1) < tube.points.size(); ++i) {
+      const Vec3 &a = tube.points[i], &b = tube.points[(i + 1) % tube.points.size()];
+      const double f = std::clamp((tip - a).dot(b - a) / std::max((b - a).squaredNorm(), 1e-300), 0.0, 1.0);
+      nearest = std::min(nearest, (a + f * (b - a) - tip).norm());
+    }
+    return nearest;
+  };
+  constexpr double kChord = 2e-4;  // what model.cpp asks of the curves, scene units
+  EXPECT_LT(distance(tube_of(list, kPolhodeRole)), kChord + kMotionTolerance);
+  EXPECT_LT(distance(tube_of(list, kHerpolhodeRole)), kChord + kMotionTolerance);
+}
+
+TEST(Figure, DependsOnTheModelAndTheTimeAlone) {
+  const SceneModel model = make_model(poinsot_scene());
+  const Vec3 first = arrow_of(make_figure(model, 3.0, 1.5).panes[0].list, kOmegaRole).tip;
+  for (double t_s : {-2.0, 50.0, 0.1}) make_figure(model, t_s, 1.5);
+  EXPECT_EQ(arrow_of(make_figure(model, 3.0, 1.5).panes[0].list, kOmegaRole).tip, first);
+  EXPECT_EQ(arrow_of(make_figure(make_model(poinsot_scene()), 3.0, 1.5).panes[0].list, kOmegaRole).tip,
+            first);
+}
+
+TEST(Figure, BothViewsShowTheSameVectorsTurnedByTheAttitude) {
+  Scene scene = poinsot_scene();
+  scene.views = {View::space, View::body};
+  const SceneModel model = make_model(scene);
+  const double t_s = 1.234;
+  const Figure figure = make_figure(model, t_s, 2.0);
+  ASSERT_EQ(figure.panes.size(), 2U);
+  const Quat q_SB = model.motion->at(t_s).q_SB;
+  for (const Role& role : {kOmegaRole, kLRole}) {
+    const Vec3 in_space = arrow_of(figure.panes[0].list, role).tip,
+               in_body = arrow_of(figure.panes[1].list, role).tip;
+    EXPECT_LT((in_space - q_SB * in_body).norm(), 1e-14);
+  }
+}
+
+TEST(Figure, TurningTheStartAboutTheVerticalTurnsThePicture) {
+  Scene scene = poinsot_scene();
+  const SceneModel model = make_model(scene);
+  const Quat turn(Eigen::AngleAxisd(0.7, Vec3::UnitZ()));
+  Scene turned = scene;
+  turned.attitude = turn * model.q0_SB;
+  const Vec3 tip = arrow_of(make_figure(model, 1.1, 1.5).panes[0].list, kOmegaRole).tip;
+  const Vec3 turned_tip = arrow_of(make_figure(make_model(turned), 1.1, 1.5).panes[0].list, kOmegaRole).tip;
+  EXPECT_LT((turned_tip - turn * tip).norm(), 1e-13);
+}
+
+TEST(Figure, ThePlaneIsNotDrawnWhereItIsNotInvariable) {
+  Scene scene = poinsot_scene();
+  scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
+  EXPECT_TRUE(make_figure(make_model(scene), 0.5, 1.5).panes[0].list.floors.empty());
+}
+
+TEST(Figure, TheCameraStandsStill) {
+  const SceneModel model = make_model(poinsot_scene());
+  EXPECT_EQ(make_figure(model, 0.3, 1.5).panes[0].camera.eye,
+            make_figure(model, 2.9, 1.5).panes[0].camera.eye);
+}
+
+TEST(Figure, RestIsAPictureToo) {
+  Scene scene = poinsot_scene();
+  scene.show = {O::energy_ellipsoid, O::omega,       O::L,     O::polhode, O::polhode_family,
+                O::separatrix,       O::herpolhode,  O::plane, O::cones,   O::momentum_sphere,
+                O::trail_L,          O::trail_omega, O::shape, O::values,  O::labels};
+  scene.w0_B.setZero();
+  const Figure figure = make_figure(make_model(scene), 1.0, 1.5);
+  EXPECT_TRUE(figure.panes[0].list.ellipsoids.empty());
+  for (const Arrow& arrow : figure.panes[0].list.arrows) EXPECT_TRUE(arrow.tip.allFinite());
+}
+
+TEST(Figure, ExtremeBodiesGiveFiniteLists) {
+  for (const char* name : {"needle", "slender-rod", "earth", "sphere", "disc"}) {
+    Scene scene = poinsot_scene();
+    scene.body = find_body(name).value();
+    scene.show.insert(O::shape);
+    scene.show.insert(O::polhode_family);
+    const DrawList list = make_figure(make_model(scene), 0.3, 1.5).panes[0].list;
+    for (const Tube& tube : list.tubes)
+      for (const Vec3& p : tube.points) ASSERT_TRUE(p.allFinite()) << name;
+    for (const Mesh& mesh : list.meshes)
+      for (const Vec3& p : mesh.positions) ASSERT_TRUE(p.allFinite()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace polhode

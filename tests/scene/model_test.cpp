@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene/model.h"
+
+#include "physics/euler.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace polhode {
+namespace {
+
+using O = Overlay;
+
+Scene scene_with(OverlaySet show, std::vector<View> views = {View::space}) {
+  Scene scene;
+  scene.w0_B = Vec3(0.2, 1.1, 1.6);
+  scene.show = show;
+  scene.views = std::move(views);
+  return scene;
+}
+
+TEST(Requirements, TheBodyViewOfAFreeBodyNeedsNoAttitude) {
+  const Requirements needs =
+      requirements(scene_with({O::energy_ellipsoid, O::omega, O::L, O::polhode}, {View::body}));
+  EXPECT_TRUE(needs.omega);
+  EXPECT_FALSE(needs.attitude);
+}
+
+TEST(Requirements, SpaceAxesInTheBodyViewNeedAttitude) {
+  EXPECT_TRUE(requirements(scene_with({O::axes_space}, {View::body})).attitude);
+}
+
+TEST(Requirements, SpaceAxesInTheSpaceViewNeedNothing) {
+  EXPECT_EQ(requirements(scene_with({O::axes_space})), Requirements{});
+}
+
+TEST(Requirements, ATorqueThatDependsOnAttitudeNeedsIt) {
+  Scene scene = scene_with({O::omega}, {View::body});
+  scene.torque = {SpaceTorque{Vec3(1, 0, 0)}};
+  EXPECT_TRUE(requirements(scene).attitude);
+  scene.torque = {BodyTorque{Vec3(1, 0, 0)}};
+  EXPECT_FALSE(requirements(scene).attitude);
+}
+
+TEST(Requirements, TheHerpolhodeLivesInSpaceOnly) {
+  EXPECT_TRUE(requirements(scene_with({O::herpolhode})).herpolhode);
+  EXPECT_FALSE(requirements(scene_with({O::herpolhode}, {View::body})).herpolhode);
+}
+
+TEST(Requirements, NamesAreThoseThatAreNeeded) {
+  Requirements needs;
+  needs.omega = needs.herpolhode = true;
+  EXPECT_EQ(names_of(needs), (std::vector<std::string>{"omega", "herpolhode"}));
+}
+
+/// Numbers a model holds: the memory, and with it the work, of the parts that overlays ask for.
+std::size_t points_of(const SceneModel& model) {
+  std::size_t n = model.polhode_B.points.size() + model.herpolhode_S.points.size();
+  for (const PolhodeOfFamily& member : model.family_B)
+    for (const Curve& branch : member.branches) n += branch.points.size();
+  for (const Curve& ellipse : model.separatrices_B) n += ellipse.points.size();
+  return n;
+}
+
+class RemovedOverlay : public testing::TestWithParam<Overlay> {};
+
+TEST_P(RemovedOverlay, CostsNothing) {
+  const OverlaySet all{O::energy_ellipsoid, O::omega,      O::L,     O::polhode, O::polhode_family,
+                       O::separatrix,       O::herpolhode, O::plane, O::shape};
+  OverlaySet fewer = all;
+  fewer.erase(GetParam());
+  const SceneModel full = make_model(scene_with(all)), less = make_model(scene_with(fewer));
+  EXPECT_EQ(names_of(less.needs).size() + 1, names_of(full.needs).size());
+  EXPECT_TRUE(GetParam() == O::shape || points_of(less) < points_of(full));
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, RemovedOverlay,
+                         testing::Values(O::polhode, O::polhode_family, O::separatrix, O::herpolhode,
+                                         O::shape),
+                         [](const auto& row) {
+                           std::string name(name_of(row.param));
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Model, ChoosesTheCheapestMotionThatServes) {
+  Scene scene = scene_with({O::omega});
+  EXPECT_EQ(make_model(scene).motion->method(), "rk4");
+  scene.w0_B = Vec3(0, 0, 2);
+  EXPECT_EQ(make_model(scene).motion->method(), "uniform");
+  scene.w0_B = Vec3(1, 0, 2);
+  scene.body = find_body("disc").value();
+  EXPECT_EQ(make_model(scene).motion->method(), "symmetric");
+  scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
+  EXPECT_EQ(make_model(scene).motion->method(), "rk4");
+}
+
+TEST(Model, RefusesAMethodThatCannotServe) {
+  Scene scene = scene_with({O::omega});
+  scene.motion.method = Method::symmetric;
+  EXPECT_THROW(make_model(scene), std::domain_error);
+  scene.motion.method = Method::uniform;
+  EXPECT_THROW(make_model(scene), std::domain_error);
+  scene.w0_B = Vec3(0, 2, 0);
+  EXPECT_NO_THROW(make_model(scene));
+  scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
+  EXPECT_THROW(make_model(scene), std::domain_error);
+}
+
+TEST(Model, RefusesATimeThatItsMethodCannotReach) {
+  Scene scene = scene_with({O::omega});
+  scene.motion = {.method = Method::rk4, .step_s = 1e-9};
+  scene.at_s = 1.0;  // 10⁹ steps
+  EXPECT_THROW(make_model(scene), std::domain_error);
+}
+
+TEST(Model, LPointsWhereTheSceneSays) {
+  const double eps = 4 * std::numeric_limits<double>::epsilon();
+  for (const Vec3& w0_B :
+       {Vec3(0.2, 1.1, 1.6), Vec3(0, 0, 2), Vec3(0, 0, -2), Vec3(1, 0, 0), Vec3(-1, -2, -3)})
+    for (LPoints points : {LPoints::down, LPoints::up}) {
+      Scene scene = scene_with({O::omega});
+      scene.w0_B = w0_B;
+      scene.attitude = points;
+      const Vec3 L_S = angular_momentum_S(scene.body.moments, {make_model(scene).q0_SB, w0_B}).normalized();
+      EXPECT_NEAR(L_S.z(), points == LPoints::down ? -1.0 : 1.0, eps) << w0_B.transpose();
+    }
+}
+
+TEST(Model, LPointsDownWithAPlaneAndUpWithout) {
+  const auto L_z = [](OverlaySet show) {
+    const Scene scene = scene_with(show);
+    return angular_momentum_S(scene.body.moments, {make_model(scene).q0_SB, scene.w0_B}).z();
+  };
+  EXPECT_LT(L_z({O::omega, O::plane}), 0.0);
+  EXPECT_GT(L_z({O::omega}), 0.0);
+}
+
+TEST(Model, AnEmptySceneIsAModelToo) {
+  Scene scene = scene_with({});
+  scene.w0_B.setZero();
+  const SceneModel model = make_model(scene);
+  EXPECT_EQ(points_of(model), 0U);
+  EXPECT_EQ(model.motion->method(), "uniform");
+}
+
+}  // namespace
+}  // namespace polhode
