@@ -57,8 +57,8 @@ const std::vector<Layer>& layers() {
       {"app/", kProgram, kProgramLibraries, {}, false},
       {"tests/",
        kProgram + Names{"tests/"},
-       kProgramLibraries +
-           Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h", "stdlib.h"},
+       kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h",
+                                 "malloc.h", "poll.h", "spawn.h", "stdlib.h"},
        {},
        false},
   };
