@@ -98,7 +98,8 @@ void BM_MakeModel(benchmark::State& state) {
 void BM_MakeFigure(benchmark::State& state) {
   const SceneModel model = make_model(poinsot_scene());
   double t_s = 0.0;
-  for (auto _ : state) benchmark::DoNotOptimize(make_figure(model, t_s = t_s < 2.0 ? t_s + 0.01 : 0.0, kAspect));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(make_figure(model, t_s = t_s < 2.0 ? t_s + 0.01 : 0.0, kAspect));
 }
 
 constexpr auto kMs = benchmark::kMillisecond;
