@@ -2,6 +2,7 @@
 #include "app/alt_text.h"
 
 #include "physics/euler.h"
+#include "render/scene/model.h"
 
 #include <fmt/format.h>
 
@@ -89,7 +90,7 @@ std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s)
 
 std::string alt_text(const Stage& stage, const Scene& scene, const Vec3& w_B, double t_s) {
   std::string text =
-      fmt::format("{}. {}: {}. ", stage.title, view_words(scene.views), shown_words(scene.show));
+      fmt::format("{}. {}: {}. ", stage.title, view_words(scene.views), shown_words(drawn_overlays(scene)));
   if (!scene.caption.empty()) text += scene.caption + (scene.caption.ends_with('.') ? " " : ". ");
   const Vec3& I = scene.body.moments.vector();
   text += fmt::format("The body is \"{}\" with principal moments {:.4g}, {:.4g}, {:.4g} kg m². ",

@@ -106,6 +106,19 @@ Output output(const TypedOptions& typed, const ExportOptions& options) {
   return out;
 }
 
+/// A motion may overflow (a huge torque), or lie beyond the steps that its method takes.
+void check_computable(const PlannedPicture& picture, const SceneModel& model, double t_s) {
+  const bool finite = model.needs.attitude ? model.motion->at(t_s).w_B.allFinite() &&
+                                                 model.motion->at(t_s).q_SB.coeffs().allFinite()
+                                           : !model.needs.omega || model.motion->w_B_at(t_s).allFinite();
+  if (!finite)
+    throw CommandError(
+        ExitCode::failed,
+        fmt::format("stage \"{}\": the motion cannot be computed at t = {:.6g} s: the torque is too "
+                    "large, or it is too many steps away",
+                    picture.stage->id, t_s));
+}
+
 template <class T>
 T or_fail(Result<T>&& result) {
   if (!result) throw CommandError(ExitCode::failed, result.error());
@@ -137,6 +150,7 @@ class Exporter {
       scene_ = picture.scene;
     }
     const double t_s = time_of(picture, options_, model_.rate);
+    check_computable(picture, model_, t_s);
     const double aspect = static_cast<double>(options_.size.width) / options_.size.height;
     const Image image =
         or_fail(renderer_->draw(make_figure(model_, t_s, aspect), options_.size, out_.background));

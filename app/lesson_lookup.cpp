@@ -45,7 +45,7 @@ std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view
     for (const Step& step : stage.steps) {
       if (!step.scene) continue;
       try {
-        static_cast<void>(make_model(*step.scene));
+        check_scene(*step.scene);
       } catch (const std::domain_error& error) {
         found.push_back({Severity::error, std::string(file_name), stage.place,
                          fmt::format("the scene of stage \"{}\" cannot be: {}", stage.id, error.what()), ""});

@@ -93,7 +93,9 @@ Status may_export_into(const std::filesystem::path& folder, const std::string& l
   const std::filesystem::path path = folder / kManifestName;
   std::ifstream file(path, std::ios::binary);
   if (!file) return success();
-  const Json old = Json::parse(file, nullptr, false);
+  std::error_code not_a_file;
+  const Json old =
+      std::filesystem::is_regular_file(path, not_a_file) ? Json::parse(file, nullptr, false) : Json();
   const char* advice = "choose another folder, or remove it first";
   if (!old.is_object() || !old.contains("lesson") || !old.contains("options"))
     return failure(fmt::format("{} is not a manifest of polhode; {}", path.string(), advice));

@@ -63,6 +63,11 @@ Row row_at(const TracedBody& body, const Motion& motion, double t_s) {
   const RigidBodyState state = motion.at(t_s);
   const Vec3& w = state.w_B;
   const Quat& q = state.q_SB;
+  if (!w.allFinite() || !q.coeffs().allFinite())
+    throw CommandError(
+        ExitCode::failed,
+        fmt::format("the motion cannot be computed at t = {:.6g} s: the torque or the step is too large",
+                    t_s));
   const Vec3 L_B = angular_momentum_B(body.I, w);
   const Vec3 L_S = angular_momentum_S(body.I, state);
   return {t_s,        w[0],   w[1],   w[2],  q.w(), q.x(), q.y(), q.z(), kinetic_energy(body.I, w),

@@ -34,8 +34,8 @@ void read_lesson_id(const TomlEntry& entry, FrontMatter& front, Report& report) 
 void read_title(const TomlEntry& entry, FrontMatter& front, Report& report) {
   const auto title = read_text(entry, report);
   if (!title) return;
-  if (is_blank(*title) || title->find('\n') != std::string::npos) {
-    report.error(entry.value.place, "a title is one line of text");
+  if (is_blank(*title) || !is_plain_line(*title)) {
+    report.error(entry.value.place, "a title is one line of text without control characters");
   }
   front.title = *title;
 }

@@ -18,8 +18,8 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 // True if nothing can be read at all; says so.
 bool refuse_whole(std::string_view bytes, Report& report, const SourceText& source) {
   if (bytes.size() > kMaxLessonBytes) {
-    report.error({1, 1}, "this lesson has " + std::to_string(bytes.size()) + " bytes, at most " +
-                             std::to_string(kMaxLessonBytes) + " are read");
+    report.error({1, 1},
+                 "this lesson has too many bytes, at most " + std::to_string(kMaxLessonBytes) + " are read");
     return true;
   }
   if (const auto wrong = why_not_text(bytes)) {

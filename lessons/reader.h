@@ -21,8 +21,9 @@ inline constexpr int kMaxParts = 50'000;  ///< headings, rules, blocks, claims a
 
 struct LessonReading {
   std::optional<Lesson> lesson;  ///< present if no diagnostic is an error
-  std::vector<Diagnostic>
-      diagnostics;  ///< in the order of their places; all that were found, not only the first
+  /// In the order of their places; all that were found, not only the first, but at most 100 errors and 100
+  /// warnings.
+  std::vector<Diagnostic> diagnostics;
 };
 
 /// 1 MiB of anything takes at most 1 s and 64 MiB. Every refusal has at least one diagnostic with a valid

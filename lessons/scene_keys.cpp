@@ -2,6 +2,7 @@
 #include "lessons/scene_keys.h"
 
 #include "lessons/reader.h"
+#include "lessons/source_text.h"
 #include "lessons/suggest.h"
 
 #include <array>
@@ -199,14 +200,22 @@ class SceneKeys {
         camera.azimuth_rad = std::remainder(*degrees, 360.0) * kRadiansPerDegree;
       }
     };
-    read_keys(
-        *table, "the camera",
-        {{"azimuth_deg", azimuth},
-         {"elevation_deg", [&](const TomlEntry& e) { elevation(e, camera); }},
-         {"distance", [&](const TomlEntry& e) { assign(camera.distance, read_positive_number(e, report_)); }},
-         {"zoom", [&](const TomlEntry& e) { assign(camera.zoom, read_positive_number(e, report_)); }}},
-        report_);
+    read_keys(*table, "the camera",
+              {{"azimuth_deg", azimuth},
+               {"elevation_deg", [&](const TomlEntry& e) { elevation(e, camera); }},
+               {"distance", [&](const TomlEntry& e) { assign(camera.distance, scale(e)); }},
+               {"zoom", [&](const TomlEntry& e) { assign(camera.zoom, scale(e)); }}},
+              report_);
     scene_.camera = camera;
+  }
+
+  /// Of the camera: what lies outside shows nothing, and is most likely a slip.
+  std::optional<double> scale(const TomlEntry& entry) {
+    constexpr double kLeast = 0.1, kMost = 100.0;
+    const auto number = read_positive_number(entry, report_);
+    if (!number || (*number >= kLeast && *number <= kMost)) return number;
+    report_.error(entry.value.place, in_quotes(entry.key) + " must lie between 0.1 and 100");
+    return std::nullopt;
   }
 
   void highlight(const TomlEntry& entry) {
@@ -234,8 +243,8 @@ class SceneKeys {
   void caption(const TomlEntry& entry) {
     auto text = read_text(entry, report_);
     if (!text) return;
-    if (text->find('\n') != std::string::npos) {
-      report_.error(entry.value.place, "a caption is one line");
+    if (!is_plain_line(*text)) {
+      report_.error(entry.value.place, "a caption is one line without control characters");
     } else if (count_characters(*text) > static_cast<int>(kMaxCaptionCharacters)) {
       report_.error(entry.value.place, "a caption has at most " + std::to_string(kMaxCaptionCharacters) +
                                            " characters, found " + std::to_string(count_characters(*text)));

@@ -127,4 +127,18 @@ std::optional<NotText> why_not_text(std::string_view bytes) {
   return std::nullopt;
 }
 
+bool is_plain_line(std::string_view utf8) {
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto byte = [&](std::size_t ahead) {
+      return i + ahead < utf8.size() ? static_cast<unsigned char>(utf8[i + ahead]) : 0U;
+    };
+    if (byte(0) < 0x20 || byte(0) == 0x7F) return false;
+    if (byte(0) == 0xC2 && byte(1) < 0xA0) return false;
+    if (byte(0) != 0xE2) continue;
+    if (byte(1) == 0x80 && byte(2) >= 0xAA && byte(2) <= 0xAE) return false;
+    if (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9) return false;
+  }
+  return true;
+}
+
 }  // namespace polhode

@@ -66,6 +66,10 @@ std::string_view trimmed(std::string_view text);
 /// True if there is nothing but spaces and tabs.
 bool is_blank(std::string_view line);
 
+/// True if a UTF-8 text is one line that shows as it is written: no line feed or other control character
+/// (U+0000-1F, U+007F-9F), no override of the writing direction (U+202A-2E, U+2066-69).
+bool is_plain_line(std::string_view utf8);
+
 struct NotText {
   std::size_t offset;
   std::string message;

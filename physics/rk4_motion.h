@@ -22,7 +22,7 @@ namespace polhode {
 
 class Rk4Motion final : public Motion {
  public:
-  /// Times further than this many steps from the start are not computed: at most about ten seconds of one
+  /// Times further than this many steps from the start are not computed: at most about 40 seconds of one
   /// core.
   static constexpr std::int64_t kMaxSteps = 100'000'000;
 

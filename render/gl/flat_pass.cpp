@@ -54,7 +54,7 @@ std::vector<Vec2> obstacles_of(const Pane& pane, const PixelBox& frame) {
     const double length = (q - p).norm();
     if (!(length < 4.0 * frame.width())) return;  // behind the camera
     const int n = std::max(1, static_cast<int>(length / spacing));
-    for (int i = 0; i < n; ++i) points.push_back(p + (q - p) * (static_cast<double>(i) / n));
+    for (int i = 0; i <= n; ++i) points.push_back(p + (q - p) * (static_cast<double>(i) / n));
   };
   for (const Tube& tube : pane.list.tubes) {
     // Closely spaced points would weigh more than far ones: step by screen distance.
@@ -89,6 +89,7 @@ struct FlatPass::Line {
 
 struct FlatPass::Sheet {
   Size size;
+  double type_px;  ///< what the sizes of type are relative to: the height, or less in a narrow picture
   Color halo;
   Geometry<Vertex> boxes;
   std::vector<Line> lines;
@@ -160,7 +161,7 @@ void FlatPass::add_line(const std::string& text, double size_px, double x, doubl
 }
 
 void FlatPass::add_color_bar(double x, double y, double width, double marker, Sheet& sheet) {
-  const double em = kReadoutSize * sheet.size.height;
+  const double em = kReadoutSize * sheet.type_px;
   const double height = 0.5 * em;
   constexpr int kSlices = 96;
   for (int i = 0; i < kSlices; ++i) {
@@ -181,8 +182,8 @@ void FlatPass::add_color_bar(double x, double y, double width, double marker, Sh
 }
 
 PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bool at_bottom, Sheet& sheet) {
-  const double em = kReadoutSize * sheet.size.height;
-  const double margin = kMargin * sheet.size.height;
+  const double em = kReadoutSize * sheet.type_px;
+  const double margin = kMargin * sheet.type_px;
   const double pad = 0.8 * em;
   double width = 0.0;
   for (const std::string& line : readout.lines) {
@@ -214,17 +215,23 @@ PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bo
 
 void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken,
                           Sheet& sheet) {
-  const double base = kLabelSize * sheet.size.height;
+  const double base = kLabelSize * sheet.type_px;
   std::vector<LabelRequest> requests;
   std::vector<const TextMask*> masks;
   for (const Label& label : pane.list.labels) {
     const double em = base * label.size;
     const TextMask& m = mask(label.text, em, kHalo * em);
     masks.push_back(&m);
-    requests.push_back({to_pixel(pane, frame, label.anchor), static_cast<double>(m.width - 2 * m.margin),
-                        0.95 * em, label.leader});
+    const Vec2 anchor = to_pixel(pane, frame, label.anchor),
+               away = anchor - to_pixel(pane, frame, Vec3::Zero());
+    const bool pointed = !label.leader && away.norm() > em;  // the name of an arrow stands beyond its tip
+    requests.push_back({.anchor = anchor,
+                        .width = static_cast<double>(m.width - 2 * m.margin),
+                        .height = 0.95 * em,
+                        .outward = pointed ? Vec2(away.normalized()) : Vec2(0, 0),
+                        .leader = label.leader});
   }
-  const PixelBox inside = frame.grown(-0.5 * kMargin * sheet.size.height);
+  const PixelBox inside = frame.grown(-0.5 * kMargin * sheet.type_px);
   const auto placed = place_labels(requests, obstacles_of(pane, frame), taken, inside);
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const Label& label = pane.list.labels[i];
@@ -243,27 +250,35 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
 }
 
 void FlatPass::add_frame_titles(const Figure& figure, Size size, Sheet& sheet) {
-  const double h = size.height;
+  const double em = sheet.type_px, margin = kMargin * em;
+  double bottom = size.height - margin;
+  if (!figure.caption.empty()) {
+    const double wanted = kCaptionSize * em;
+    const TextMask& m = mask(figure.caption, wanted, kHalo * wanted);
+    const double fitting = std::min(1.0, (size.width - 2.0 * margin) / (m.width - 2.0 * m.margin));
+    add_line(figure.caption, fitting * wanted, 0.5 * size.width, bottom - 0.3 * wanted, 0.5, kInk, sheet);
+    bottom -= 2.0 * wanted;
+  }
   for (const Pane& pane : figure.panes) {
     const PixelBox frame = pixels_of(pane, size);
     if (!pane.title.empty())
-      add_line(pane.title, kTitleSize * h, 0.5 * (frame.x0 + frame.x1), frame.y0 + (kMargin + kTitleSize) * h,
+      add_line(pane.title, kTitleSize * em, 0.5 * (frame.x0 + frame.x1), frame.y0 + margin + kTitleSize * em,
                0.5, kAxesRole.ink, sheet);
     if (frame.x0 > 0.0)
-      sheet.add_stroke({frame.x0, frame.y0 + kMargin * h}, {frame.x0, frame.y1 - kMargin * h}, 0.0018 * h,
+      sheet.add_stroke({frame.x0, frame.y0 + margin}, {frame.x0, bottom}, 0.0018 * em,
                        color_from_hex(0xA9B0B8));
   }
-  if (!figure.caption.empty())
-    add_line(figure.caption, kCaptionSize * h, 0.5 * size.width, (1.0 - kMargin) * h - 0.3 * kCaptionSize * h,
-             0.5, kInk, sheet);
 }
 
 void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
-  constexpr std::size_t kMostMasks =
-      512;  // numbers change from frame to frame: forget before old texts pile up
+  constexpr std::size_t kMostMasks = 512;  // numbers change from frame to frame: do not let old texts pile up
   if (masks_.size() > kMostMasks) masks_.clear();
 
-  Sheet sheet{.size = size, .halo = halo, .boxes = {}, .lines = {}};
+  Sheet sheet{.size = size,
+              .type_px = std::min<double>(size.height, size.width * 9.0 / 16.0),
+              .halo = halo,
+              .boxes = {},
+              .lines = {}};
   add_frame_titles(figure, size, sheet);
   for (const Pane& pane : figure.panes) {
     const PixelBox frame = pixels_of(pane, size);
@@ -294,7 +309,8 @@ void FlatPass::draw_sheet(const Sheet& sheet, Size size) {
     const TextMask& m = *line.mask;
     for (int y = 0; y < m.height; ++y)
       for (int x = 0; x < m.width; ++x) {
-        const auto to = 2 * static_cast<std::size_t>((top + y) * width + x);
+        const std::size_t to = 2 * (static_cast<std::size_t>(top + y) * static_cast<std::size_t>(width) +
+                                    static_cast<std::size_t>(x));
         texels[to] = m.ink[static_cast<std::size_t>(y * m.width + x)];
         texels[to + 1] = m.halo[static_cast<std::size_t>(y * m.width + x)];
       }

@@ -150,7 +150,7 @@ void append_mesh(const Mesh& mesh, Geometry<MeshVertex>& out) {
 
 PaneGeometry make_geometry(const DrawList& list) {
   PaneGeometry out;
-  for (const Tube& tube : list.tubes) append_tube(tube, out.tubes);
+  for (const Tube& tube : list.tubes) append_tube(tube, tube.fade_start < 1.0 ? out.faded_tubes : out.tubes);
   for (const Arrow& arrow : list.arrows) append_arrow(arrow, out);
   for (const Ball& ball : list.balls) append_ball(ball, out.solid);
   for (const Mesh& mesh : list.meshes) append_mesh(mesh, mesh.color.a < 1.0F ? out.translucent : out.solid);

@@ -34,6 +34,7 @@ struct Geometry {
 
 struct PaneGeometry {
   Geometry<TubeVertex> tubes;
+  Geometry<TubeVertex> faded_tubes;  ///< trails
   Geometry<MeshVertex> solid;
   Geometry<MeshVertex> translucent;
 };

@@ -46,6 +46,8 @@ double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const
   const PixelBox with_air = box.grown(0.18 * unit);
 
   double cost = 0.35 * gap / unit;
+  const Vec2 away = Vec2(0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)) - label.anchor;
+  cost += 0.5 * (1.0 - away.normalized().dot(label.outward)) * label.outward.norm();
   for (const PixelBox& other : crowd.taken) cost += 40.0 * with_air.overlap(other) / area;
   cost += 60.0 * (1.0 - std::min(1.0, box.overlap(crowd.frame) / area));
   double covered = 0.0;

@@ -23,6 +23,7 @@ struct PixelBox {
 struct LabelRequest {
   Vec2 anchor{0, 0};
   double width = 0, height = 0;
+  Vec2 outward{0, 0};   ///< unit or zero: where there is nothing else, the label goes that way
   bool leader = false;  ///< may stand away from its anchor, joined to it by a line
 };
 

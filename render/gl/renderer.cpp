@@ -56,13 +56,9 @@ Viewpoint viewpoint_of(const Pane& pane, double aspect) {
   return {projection * view, (projection * turn).inverse(), pane.camera.eye, light, sunk_below};
 }
 
-/// Rotation and scale between the view's frame and the space where the ellipsoid is the unit ball.
-struct BallSpace {
-  Mat3 to_ball, from_ball;
-};
-BallSpace ball_space(const GlassEllipsoid& e) {
-  const Mat3 r = e.rotation.toRotationMatrix();
-  return {e.semi_axes.cwiseInverse().asDiagonal() * r.transpose(), r * e.semi_axes.asDiagonal()};
+/// From the view's frame to the space where the ellipsoid is the unit ball.
+Mat3 to_ball(const GlassEllipsoid& e) {
+  return e.semi_axes.cwiseInverse().asDiagonal() * e.rotation.toRotationMatrix().transpose();
 }
 
 /// Clip-space height of the floor's far end, where it has faded: nothing of it is seen above.
@@ -190,7 +186,7 @@ void GlRenderer::draw_floor(const Pane& pane, const Viewpoint& at) {
   p.set("u_ball", pane.list.ellipsoids.empty() ? 0.0F : 1.0F);
   if (!pane.list.ellipsoids.empty()) {
     const GlassEllipsoid& e = pane.list.ellipsoids.front();
-    set_mat3(p, "u_to_ball", ball_space(e).to_ball);
+    set_mat3(p, "u_to_ball", to_ball(e));
     p.set("u_ball_center", floats(e.center));
     p.set("u_tint", e.tint.r, e.tint.g, e.tint.b);
   }
@@ -212,8 +208,7 @@ void GlRenderer::draw_glass(const Pane& pane, const Viewpoint& at, bool front) {
     gl().Disable(GL_DEPTH_TEST);
   gl().DepthMask(GL_FALSE);
   for (const GlassEllipsoid& e : pane.list.ellipsoids) {
-    const BallSpace space = ball_space(e);
-    set_mat3(p, "u_to_ball", space.to_ball);
+    set_mat3(p, "u_to_ball", to_ball(e));
     p.set("u_center", floats(e.center));
     p.set("u_tint", e.tint.r, e.tint.g, e.tint.b);
     p.set("u_graticule", e.graticule ? 1.0F : 0.0F);
@@ -239,7 +234,11 @@ void GlRenderer::draw_lines_and_solids(const Pane& pane, const Viewpoint& at) {
   meshes_.draw(geometry.solid);
   prepare_program(programs_.tube);
   tubes_.draw(geometry.tubes);
+  draw_glass(pane, at, true);
+  // Seen through, and hiding nothing: what is translucent comes last and leaves no depth.
   gl().DepthMask(GL_FALSE);
+  prepare_program(programs_.tube);
+  tubes_.draw(geometry.faded_tubes);
   prepare_program(programs_.mesh);
   meshes_.draw(geometry.translucent);
   gl().DepthMask(GL_TRUE);
@@ -264,7 +263,6 @@ void GlRenderer::draw_layer(const Figure& figure, Size size) {
   for (const Pane& pane : figure.panes) {
     const Shown shown = show(pane, size);
     draw_lines_and_solids(pane, shown.at);
-    draw_glass(pane, shown.at, true);
   }
   layer_->resolve();
 }

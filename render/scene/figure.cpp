@@ -48,9 +48,14 @@ double L_length_of(const Scene& scene, double omega_scale, double L_scale) {
 
 }  // namespace
 
-Vec3 Moment::L_tip_V() const {
-  if (L_B.isZero(0.0)) return Vec3::Zero();
-  return q_VB * (L_B.normalized() * L_length);
+Vec3 Moment::L_drawn_B(const Vec3& any_L_B) const {
+  if (model.L_reference == 0.0) return Vec3::Zero();
+  return any_L_B * (L_length / model.L_reference);
+}
+
+double Moment::emphasis(Overlay o) const {
+  const std::vector<std::string>& stressed = model.scene.highlight;
+  return std::find(stressed.begin(), stressed.end(), name_of(o)) == stressed.end() ? 1.0 : 1.5;
 }
 
 Moment moment_at(const SceneModel& model, double t_s, View view) {
@@ -101,15 +106,16 @@ Camera camera_for(const builders::Moment& m, double aspect) {
   constexpr double kFilled = 1.16;     // radius that fills the height of a picture at the default distance
   constexpr double kNarrowest = 1.15;  // a pane narrower than this needs more distance to hold the figure
   const Scene& scene = m.model.scene;
-  const bool floor = m.view == View::space && m.shows(Overlay::plane) && builders::has_level_plane(scene);
-  constexpr double kLift =
-      0.2;  // arrows and axes point up: the middle of what is shown lies above the centre
+  const bool floor = m.view == View::space && m.shows(Overlay::plane);
+  constexpr double kLift = 0.2;  // arrows and axes point up: the middle of it all lies above the centre
+  const bool upward = m.shows(Overlay::L) || m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body);
   const double reach = reach_of(m);
-  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : reach > 1.0 ? kLift * reach : 0.0);
+  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : upward ? kLift * reach : 0.0);
   CameraSpec spec = scene.camera;
   spec.distance *= std::max(1.0, kNarrowest / aspect);
-  // With a floor L points down, and half of it lies below the target.
-  return orbit(spec, target, std::max(1.0, (floor ? 1.0 : reach) / kFilled));
+  // With a floor L points down, so that only the space axes stand out above.
+  const double above = m.shows(Overlay::axes_space) ? reach - target.z() - 0.15 : 1.0;
+  return orbit(spec, target, std::max(1.0, (floor ? above : reach) / kFilled));
 }
 
 Pane make_pane(const SceneModel& model, double t_s, View view, double aspect) {
@@ -144,7 +150,7 @@ Figure make_figure(const SceneModel& model, double t_s, double aspect) {
     x += pane.width;
     figure.panes.push_back(std::move(pane));
   }
-  if (!figure.panes.empty() && model.scene.show.contains(Overlay::values))
+  if (!figure.panes.empty() && model.drawn.contains(Overlay::values))
     builders::add_values(builders::moment_at(model, t_s, model.scene.views.front()),
                          figure.panes.front().list);
   return figure;

@@ -18,9 +18,15 @@ constexpr double kHerpolhodePeriods = 3.0;  // enough for the annulus to show
 constexpr double kShownSecondsPerPeriod = 8.0;
 constexpr double kTurnsWithoutPeriod = 4.0;  // of ω, where torque leaves no polhode period
 constexpr int kStepsPerPeriod = 2000;        // RK4 then errs by about 1e-11 a period
-constexpr int kFamilySize = 4;               // polhodes on each side of the separatrix
+/// More steps than this make no still: about a second.
+constexpr double kMostSteps = 2e6;
+constexpr int kFamilySize = 4;  // polhodes on each side of the separatrix
 /// Chords stay within this part of the largest semi-axis: 0.1 px in a 1080p picture.
 constexpr double kChordTolerance = 2e-4;
+
+bool contains(const std::vector<View>& views, View view) {
+  return std::find(views.begin(), views.end(), view) != views.end();
+}
 
 bool is_symmetric(const PrincipalMoments& I) { return I[0] == I[1] || I[1] == I[2] || I[2] == I[0]; }
 
@@ -49,19 +55,37 @@ struct Choice {
 };
 
 double default_step_s(const Scene& scene) {
-  const double shortest = 2.0 * std::numbers::pi / std::max(scene.w0_B.norm(), 1e-300);
+  const double shortest = 2.0 * std::numbers::pi / std::max(scene.w0_B.stableNorm(), 1e-300);
   const double period = polhode_period(scene.body.moments, scene.w0_B).value_or(shortest);
   return std::min(period / kStepsPerPeriod, shortest / 200.0);
 }
 
-Choice rk4(const Scene& scene, const RigidBodyState& start, std::string why) {
+double natural_span(const Scene& scene) {
+  const double speed = scene.w0_B.stableNorm();
+  const double turn_s = speed > 0.0 ? 2.0 * std::numbers::pi / speed : 1.0;
+  if (!scene.torque.empty()) return kTurnsWithoutPeriod * turn_s;
+  return polhode_period(scene.body.moments, scene.w0_B).value_or(turn_s);
+}
+
+/// What curves over time cover. Without `duration`: one polhode period, else some turns.
+double span_of(const Scene& scene) { return scene.duration_s.value_or(natural_span(scene)); }
+
+/// The longest |t| that a still of the scene asks its motion for.
+double reach_of(const Scene& scene, const Requirements& needs) {
+  const double span_s = span_of(scene);
+  double reach_s = std::abs(scene.at_s);
+  if (needs.trail_L || needs.trail_omega) reach_s += span_s;
+  if (needs.herpolhode) reach_s = std::max(reach_s, scene.duration_s ? span_s : kHerpolhodePeriods * span_s);
+  return reach_s;
+}
+
+Choice rk4(const Scene& scene, const RigidBodyState& start, const Requirements& needs, std::string why) {
   const double step_s = scene.motion.step_s.value_or(default_step_s(scene));
-  auto motion = std::make_unique<Rk4Motion>(scene.body.moments, scene.torque, start, step_s);
-  if (std::abs(scene.at_s) > motion->max_time_s())
-    throw std::domain_error("at = " + std::to_string(scene.at_s) +
-                            " s is too many steps away for \"rk4\"; at most " +
-                            std::to_string(motion->max_time_s()) + " s with this step");
-  return {std::move(motion), std::move(why)};
+  if (const double steps = reach_of(scene, needs) / step_s; steps > kMostSteps)
+    throw std::domain_error("at and duration reach " + std::to_string(steps) +
+                            " steps of \"rk4\" from the start, at most " + std::to_string(kMostSteps) +
+                            " are made: choose a shorter time or a longer step");
+  return {std::make_unique<Rk4Motion>(scene.body.moments, scene.torque, start, step_s), std::move(why)};
 }
 
 Choice uniform(const Scene& scene, const RigidBodyState& start) {
@@ -77,10 +101,11 @@ Choice symmetric(const Scene& scene, const RigidBodyState& start) {
 /// The cheapest motion that is right for the body. The closed form for the asymmetric body belongs here,
 /// before RK4.
 Choice best(const Scene& scene, const RigidBodyState& start, const Requirements& needs) {
-  if (!scene.torque.empty()) return rk4(scene, start, "torque acts: no closed form, classical Runge-Kutta");
+  if (!scene.torque.empty())
+    return rk4(scene, start, needs, "torque acts: no closed form, classical Runge-Kutta");
   if (is_steady(scene.body.moments, scene.w0_B)) return uniform(scene, start);
   if (is_symmetric(scene.body.moments)) return symmetric(scene, start);
-  return rk4(scene, start,
+  return rk4(scene, start, needs,
              needs.attitude
                  ? "asymmetric body with attitude: classical Runge-Kutta of 7 states"
                  : "asymmetric body, no overlay asks for attitude: classical Runge-Kutta of ω alone");
@@ -91,7 +116,7 @@ Choice choose_motion(const Scene& scene, const RigidBodyState& start, const Requ
     case Method::exact:
       return best(scene, start, needs);
     case Method::rk4:
-      return rk4(scene, start, "the scene asks for it");
+      return rk4(scene, start, needs, "the scene asks for it");
     case Method::uniform:
     case Method::symmetric:
       break;
@@ -100,14 +125,6 @@ Choice choose_motion(const Scene& scene, const RigidBodyState& start, const Requ
     throw std::domain_error("method \"" + std::string(name_of(scene.motion.method)) +
                             "\" is for torque-free motion; use \"rk4\"");
   return scene.motion.method == Method::uniform ? uniform(scene, start) : symmetric(scene, start);
-}
-
-double span_of(const Scene& scene) {
-  if (scene.duration_s) return *scene.duration_s;
-  const double speed = scene.w0_B.norm();
-  const double turn_s = speed > 0.0 ? 2.0 * std::numbers::pi / speed : 1.0;
-  if (!scene.torque.empty()) return kTurnsWithoutPeriod * turn_s;
-  return polhode_period(scene.body.moments, scene.w0_B).value_or(turn_s);
 }
 
 /// Even steps of L²/2T between each extreme moment and the middle one.
@@ -144,11 +161,29 @@ double herpolhode_span_s(const SceneModel& model) {
   return model.scene.duration_s ? model.span_s : kHerpolhodePeriods * model.span_s;
 }
 
+OverlaySet drawn_overlays(const Scene& scene) {
+  using O = Overlay;
+  OverlaySet drawn = scene.show;
+  const auto erase = [&](std::initializer_list<Overlay> overlays) {
+    for (Overlay o : overlays) drawn.erase(o);
+  };
+  const AttitudeSpec attitude = scene.attitude.value_or(LPoints::down);
+  const LPoints* points = std::get_if<LPoints>(&attitude);
+  if (!points || *points != LPoints::down) erase({O::plane});
+  if (!contains(scene.views, View::space)) erase({O::plane, O::herpolhode});
+  if (!scene.torque.empty()) erase({O::plane, O::polhode, O::herpolhode, O::cones});
+  if (scene.torque.empty()) erase({O::N});
+  if (scene.torque.empty() && scene.w0_B.isZero(0.0))
+    erase({O::energy_ellipsoid, O::momentum_sphere, O::momentum_ellipsoid, O::omega, O::L, O::polhode,
+           O::polhode_family, O::separatrix, O::herpolhode, O::plane, O::trail_L, O::trail_omega, O::cones});
+  return drawn;
+}
+
 Requirements requirements(const Scene& scene) {
-  const OverlaySet& show = scene.show;
+  const OverlaySet show = drawn_overlays(scene);
   const auto shown = [&](Overlay o) { return show.contains(o); };
-  const bool in_space = std::find(scene.views.begin(), scene.views.end(), View::space) != scene.views.end();
-  const bool in_body = std::find(scene.views.begin(), scene.views.end(), View::body) != scene.views.end();
+  const bool in_space = contains(scene.views, View::space);
+  const bool in_body = contains(scene.views, View::body);
   const bool body_seen_from_space =
       in_space &&
       (shown(Overlay::shape) || shown(Overlay::energy_ellipsoid) || shown(Overlay::momentum_sphere) ||
@@ -191,9 +226,14 @@ std::vector<std::string> names_of(const Requirements& needs) {
   return names;
 }
 
+void check_scene(const Scene& scene) {
+  choose_motion(scene, {initial_attitude(scene), scene.w0_B}, requirements(scene));
+}
+
 SceneModel make_model(const Scene& scene) {
   SceneModel model;
   model.scene = scene;
+  model.drawn = drawn_overlays(scene);
   model.needs = requirements(scene);
   model.q0_SB = initial_attitude(scene);
 
@@ -201,8 +241,13 @@ SceneModel make_model(const Scene& scene) {
   model.motion = std::move(choice.motion);
   model.why = std::move(choice.why);
 
+  model.L_reference = angular_momentum_B(scene.body.moments, scene.w0_B).stableNorm();
+  if (!scene.torque.empty() && model.needs.omega)
+    model.L_reference =
+        std::max(model.L_reference,
+                 angular_momentum_B(scene.body.moments, model.motion->w_B_at(scene.at_s)).stableNorm());
   model.span_s = span_of(scene);
-  model.rate = scene.rate.value_or(model.span_s / kShownSecondsPerPeriod);
+  model.rate = scene.rate.value_or(natural_span(scene) / kShownSecondsPerPeriod);
   compute_parts(model);
   return model;
 }

@@ -28,7 +28,16 @@ struct Requirements {
   bool operator==(const Requirements&) const = default;
 };
 
+/// The overlays of a scene that there is something to see of. A polhode, herpolhode, cones and an invariable
+/// plane belong to torque-free motion; the plane and the herpolhode to the space view, the plane also to L
+/// pointing down (only there is it level); N to a torque; a body at rest without torque has its shape and its
+/// axes alone.
+OverlaySet drawn_overlays(const Scene& scene);
+
 Requirements requirements(const Scene& scene);
+
+/// @throws std::domain_error as make_model does, without computing any curve.
+void check_scene(const Scene& scene);
 
 /// "omega", "attitude", "polhode", ...: for `info`.
 std::vector<std::string> names_of(const Requirements& needs);
@@ -37,12 +46,14 @@ std::vector<std::string> names_of(const Requirements& needs);
 /// computed.
 struct SceneModel {
   Scene scene;
+  OverlaySet drawn;
   Requirements needs;
   std::unique_ptr<const Motion> motion;  ///< never null
   std::string why;                       ///< why this motion was chosen, one sentence
   Quat q0_SB = Quat::Identity();         ///< attitude at t = 0
-  double span_s = 0.0;                   ///< what curves over time cover and one loop of a film shows
-  double rate = 1.0;                     ///< simulated seconds per shown second
+  double L_reference = 0.0;  ///< |L| that is drawn at full length, kg m²/s: the larger of start and `at`
+  double span_s = 0.0;       ///< what curves over time cover and one loop of a film shows
+  double rate = 1.0;         ///< simulated seconds per shown second
   Curve polhode_B;
   std::vector<PolhodeOfFamily> family_B;
   std::vector<Curve> separatrices_B;

@@ -28,7 +28,7 @@ const std::vector<std::string>& method_names();
 struct MotionSpec {
   Method method = Method::exact;
   std::optional<double> step_s;  ///< of fixed-step methods
-  bool ghost = false;            ///< draw the exact body beside it
+  bool ghost = false;            ///< asks for the exact body beside it (read, not drawn yet)
   bool operator==(const MotionSpec&) const = default;
 };
 
@@ -53,9 +53,10 @@ struct Scene {
   OverlaySet show;
   CameraSpec camera;
   double at_s = 0.0;                   ///< the t of a still
-  std::optional<double> duration_s;    ///< what curves over time cover; absent: one polhode period or turn
+  std::optional<double> duration_s;    ///< what curves over time cover; absent: one polhode period (the
+                                       ///< herpolhode: three), else a turn
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
-  std::vector<std::string> highlight;  ///< ids of terms or names of overlays to stress
+  std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
   std::string caption;                 ///< one line in the picture
 };
 
@@ -64,7 +65,8 @@ struct Scene {
 std::variant<TorqueTerm, std::string> parse_torque_term(std::string_view text);
 
 /// A decimal or hexadecimal (0x1.8p+1) floating-point number filling the whole text, correctly rounded,
-/// independent of the locale; infinities and NaN are read as such. Nothing if the text is not a number.
+/// independent of the locale; infinities and NaN are read as such. Nothing if the text is not a number or its
+/// value is out of the range of double (1e400).
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace polhode

@@ -139,6 +139,10 @@ struct LabelFont::Faces {
       face = maths.get();
       index = FT_Get_Char_Index(face, c);
     }
+    if (index == 0) {
+      face = text.get();
+      index = FT_Get_Char_Index(face, U'?');
+    }
     return {face, index, size_px, 0.0, 0.0};
   }
 

@@ -120,6 +120,35 @@ TEST(Figure, ThePlaneIsNotDrawnWhereItIsNotInvariable) {
   EXPECT_TRUE(make_figure(make_model(scene), 0.5, 1.5).panes[0].list.floors.empty());
 }
 
+TEST(Figure,
+     UnderTorqueTheTrailOfLRunsAlongN) {  // 2026-11-21: L was drawn at one length, its trail on a sphere
+  Scene scene = poinsot_scene();
+  scene.attitude = LPoints::up;
+  scene.torque = {SpaceTorque{Vec3(2.0, 0, 0)}};
+  scene.show = {O::L, O::N, O::trail_L};
+  scene.at_s = 0.8;
+  const DrawList list = make_figure(make_model(scene), scene.at_s, 1.5).panes[0].list;
+  const std::vector<Vec3>& trail = tube_of(list, kLRole).points;
+  const Vec3 way = (trail.back() - trail[trail.size() / 2]).normalized();
+  EXPECT_NEAR(way.x(), 1.0, 1e-9);  // dL/dt = N, a constant along x: a straight line, but for RK4's error
+}
+
+TEST(Figure, UnderTorqueTheFamilyStaysOnTheEllipsoid) {  // 2026-11-21: it kept the size of t = 0
+  Scene scene = poinsot_scene();
+  scene.torque = {LinearDamping{0.5}};
+  scene.show = {O::energy_ellipsoid, O::polhode_family, O::separatrix};
+  const DrawList list = make_figure(make_model(scene), 0.7, 1.5).panes[0].list;
+  for (const Tube& tube : list.tubes)
+    for (const Vec3& p : tube.points) ASSERT_NEAR(on_ellipsoid(list.ellipsoids[0], p), 1.0, kMotionTolerance);
+}
+
+TEST(Figure, HighlightDrawsBolder) {
+  Scene scene = poinsot_scene();
+  const double plain = arrow_of(make_figure(make_model(scene), 0.7, 1.5).panes[0].list, kOmegaRole).radius;
+  scene.highlight = {"omega"};
+  EXPECT_GT(arrow_of(make_figure(make_model(scene), 0.7, 1.5).panes[0].list, kOmegaRole).radius, 1.2 * plain);
+}
+
 TEST(Figure, TheCameraStandsStill) {
   const SceneModel model = make_model(poinsot_scene());
   EXPECT_EQ(make_figure(model, 0.3, 1.5).panes[0].camera.eye,

@@ -115,6 +115,29 @@ TEST(Model, RefusesATimeThatItsMethodCannotReach) {
   EXPECT_THROW(make_model(scene), std::domain_error);
 }
 
+TEST(Model, RefusesCurvesThatTakeTooManySteps) {  // 2026-11-21: lint hung on such a duration
+  Scene scene = scene_with({O::herpolhode});
+  scene.duration_s = 1e9;
+  EXPECT_THROW(make_model(scene), std::domain_error);
+  EXPECT_THROW(check_scene(scene), std::domain_error);
+  scene.show = {O::omega};
+  EXPECT_NO_THROW(make_model(scene));
+}
+
+TEST(DrawnOverlays, LeaveOutWhatThereIsNothingToSeeOf) {
+  Scene scene = scene_with({O::plane, O::herpolhode, O::polhode, O::N, O::omega, O::cones});
+  EXPECT_EQ(drawn_overlays(scene), (OverlaySet{O::plane, O::herpolhode, O::polhode, O::omega, O::cones}));
+  scene.views = {View::body};
+  EXPECT_EQ(drawn_overlays(scene), (OverlaySet{O::polhode, O::omega, O::cones}));
+  scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
+  EXPECT_EQ(drawn_overlays(scene), (OverlaySet{O::N, O::omega}));
+  scene = scene_with({O::plane, O::omega, O::shape});
+  scene.attitude = LPoints::up;
+  EXPECT_EQ(drawn_overlays(scene), (OverlaySet{O::omega, O::shape}));
+  scene.w0_B.setZero();
+  EXPECT_EQ(drawn_overlays(scene), OverlaySet{O::shape});
+}
+
 TEST(Model, LPointsWhereTheSceneSays) {
   const double eps = 4 * std::numeric_limits<double>::epsilon();
   for (const Vec3& w0_B :

@@ -40,7 +40,7 @@ void main() {
   float dd = dot(d, d), along = -dot(p, d);
   float miss2 = p2 - along * along / dd;
   float image = clamp((1.0 - miss2) / max(fwidth(miss2), 1e-4) + 0.5, 0.0, 1.0) * step(0.0, along) *
-                exp(-0.9 * along * inversesqrt(dd));
+                exp(-0.9 * max(along, 0.0) * inversesqrt(dd));
   color = mix(color, 0.92 * u_tint, 0.22 * image * u_ball);
   // Shadow: how close the ray to the light passes it, blurred with the way it has come.
   vec3 l = normalize(u_to_ball * u_light);

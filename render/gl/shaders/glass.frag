@@ -5,7 +5,6 @@ uniform mat4 u_ray;             // clip (x, y, 1, 1) -> direction in the view fr
 uniform vec3 u_eye;
 uniform mat4 u_view_projection;
 uniform mat3 u_to_ball;
-uniform mat3 u_from_ball;
 uniform vec3 u_center;
 uniform float u_front;          // 1: the side towards the viewer
 uniform float u_graticule;
@@ -52,7 +51,7 @@ void main() {
     float s4 = s * s; s4 *= s4;
     float s16 = s4 * s4; s16 *= s16;
     float s64 = s16 * s16; s64 *= s64;
-    float highlight = 0.60 * s64 * s64 + 0.08 * s16;
+    float highlight = 0.42 * s64 * s64 + 0.06 * s16;
     color = mix(color, vec3(1.0), clamp(highlight, 0.0, 1.0));
     alpha += (1.0 - alpha) * clamp(highlight, 0.0, 0.95);
   }

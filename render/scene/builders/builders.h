@@ -24,13 +24,18 @@ struct Moment {
   double omega_scale;
   /// Scene units per kg m²/s where the scene shows L-space (a momentum sphere or ellipsoid); 0 otherwise.
   double L_scale;
-  double L_length;   ///< of the arrow of L, scene units
+  double L_length;   ///< of the arrow of L where |L| is the model's L_reference, scene units
   double thickness;  ///< of lines, relative to the standard; thinner where there is more to see
 
-  bool shows(Overlay o) const { return model.scene.show.contains(o); }
+  bool shows(Overlay o) const { return model.drawn.contains(o); }
   const PrincipalMoments& I() const { return model.scene.body.moments; }
   Vec3 omega_tip_V() const { return q_VB * (state.w_B * omega_scale); }
-  Vec3 L_tip_V() const;
+  Vec3 L_tip_V() const { return q_VB * L_drawn_B(L_B); }
+  /// Where the tip of an angular momentum is drawn, body components: true to scale, so that under torque it
+  /// moves the way N points.
+  Vec3 L_drawn_B(const Vec3& any_L_B) const;
+  /// 1, or more where the scene stresses this overlay.
+  double emphasis(Overlay o) const;
 };
 
 Moment moment_at(const SceneModel& model, double t_s, View view);
@@ -47,9 +52,6 @@ void add_values(const Moment& m, DrawList& list);
 
 /// Place of L²/2T between the moments: 0 at I_min, ½ at I_mid, 1 at I_max.
 double scale_place(const PrincipalMoments& I, double L2_over_2T);
-
-/// The plane is drawn where it is invariable (no torque) and level (L down).
-bool has_level_plane(const Scene& scene);
 
 /// Height of the invariable plane below the centre in an L-down space view, scene units (negative).
 double plane_z(const Moment& m);

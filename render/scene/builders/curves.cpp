@@ -5,6 +5,7 @@
 #include "render/scene/palette.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace polhode::builders {
 namespace {
@@ -12,6 +13,12 @@ namespace {
 constexpr double kPolhodeRadius = 0.0135;
 constexpr double kFamilyRadius = 0.0062;
 constexpr double kHerpolhodeRadius = 0.0085;
+
+/// Curves were computed for the energy of t = 0. ω scales with √T, and so do curves of the same L²/2T.
+double growth(const Moment& m) {
+  const double two_T0 = 2.0 * kinetic_energy(m.I(), m.model.scene.w0_B);
+  return m.model.scene.torque.empty() || two_T0 <= 0.0 ? 1.0 : std::sqrt(m.two_T / two_T0);
+}
 
 /// Body components of ω-space, or of L-space where the scene shows that, to the view.
 Vec3 place(const Moment& m, const Vec3& w_B) {
@@ -23,7 +30,8 @@ void add_body_curve(const Moment& m, const Curve& curve, double radius, const Co
   if (curve.points.size() < 2) return;
   Tube tube{.points = {}, .closed = curve.closed, .radius = radius * m.thickness, .color = color};
   tube.points.reserve(curve.points.size());
-  for (const Vec3& w_B : curve.points) tube.points.push_back(place(m, w_B));
+  const double scale = growth(m);
+  for (const Vec3& w_B : curve.points) tube.points.push_back(place(m, scale * w_B));
   list.tubes.push_back(std::move(tube));
 }
 
@@ -37,7 +45,7 @@ void add_herpolhode(const Moment& m, DrawList& list) {
   }
   Tube tube{.points = {},
             .closed = curve_S->closed,
-            .radius = kHerpolhodeRadius * m.thickness,
+            .radius = kHerpolhodeRadius * m.thickness * m.emphasis(Overlay::herpolhode),
             .color = kHerpolhodeRole.paint};
   for (const Vec3& w_S : curve_S->points) tube.points.push_back(m.q_VS * (w_S * m.omega_scale));
   if (tube.points.size() > 1) list.tubes.push_back(std::move(tube));
@@ -59,9 +67,11 @@ void add_curves(const Moment& m, DrawList& list) {
         add_body_curve(m, branch, kFamilyRadius, family_color(scale_place(m.I(), member.L2_over_2T)), list);
   if (m.model.needs.separatrix)
     for (const Curve& ellipse : m.model.separatrices_B)
-      add_body_curve(m, ellipse, kFamilyRadius * 1.3, color_from_hex(0x59616C), list);
-  if (m.model.needs.polhode && m.model.scene.torque.empty())
-    add_body_curve(m, m.model.polhode_B, kPolhodeRadius, kPolhodeRole.paint, list);
+      add_body_curve(m, ellipse, kFamilyRadius * 1.3 * m.emphasis(Overlay::separatrix),
+                     color_from_hex(0x59616C), list);
+  if (m.model.needs.polhode)
+    add_body_curve(m, m.model.polhode_B, kPolhodeRadius * m.emphasis(Overlay::polhode), kPolhodeRole.paint,
+                   list);
   if (m.model.needs.herpolhode && m.view == View::space) add_herpolhode(m, list);
 }
 

@@ -131,7 +131,7 @@ void label_cones(const Moment& m, const Camera& camera, DrawList& list) {
 
 std::string number(double value) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
+  std::snprintf(text.data(), text.size(), "%#.4g", value);
   return text.data();
 }
 

@@ -50,12 +50,6 @@ Curve first_round(const Curve& herpolhode_S) {
 
 }  // namespace
 
-bool has_level_plane(const Scene& scene) {
-  const AttitudeSpec spec = scene.attitude.value_or(LPoints::down);
-  return scene.torque.empty() && std::holds_alternative<LPoints>(spec) &&
-         std::get<LPoints>(spec) == LPoints::down;
-}
-
 double plane_z(const Moment& m) {
   if (m.model.scene.w0_B.isZero(0.0)) return -1.0;
   // From the start, not from t: it is invariable, and a drift of the motion shall show.
@@ -77,8 +71,7 @@ void add_surfaces(const Moment& m, DrawList& list) {
                                .semi_axes = Vec3::Constant(m.L_B.norm() * m.L_scale),
                                .tint = kSphereTint,
                                .graticule = false});
-  if (m.shows(Overlay::plane) && m.view == View::space && has_level_plane(m.model.scene))
-    list.floors.push_back({.z = plane_z(m)});
+  if (m.shows(Overlay::plane) && m.view == View::space) list.floors.push_back({.z = plane_z(m)});
 }
 
 void add_cones(const Moment& m, DrawList& list) {

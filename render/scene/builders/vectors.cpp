@@ -14,13 +14,14 @@ constexpr double kArrowRadius = 0.021;
 constexpr double kTorqueLength = 0.62;
 constexpr double kTriadRadius = 0.008;
 constexpr int kTrailPoints = 240;
+constexpr double kBehindTip = 0.03;
 
-void add_triad(const Quat& q_VF, double length, double dash, DrawList& list) {
+void add_triad(const Quat& q_VF, double emphasis, double dash, DrawList& list) {
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis_V = q_VF * Vec3::Unit(i);
     list.arrows.push_back({.tail = Vec3::Zero(),
-                           .tip = length * axis_V,
-                           .radius = kTriadRadius,
+                           .tip = kTriadLength * axis_V,
+                           .radius = kTriadRadius * emphasis,
                            .color = kAxesRole.paint,
                            .dash = dash});
   }
@@ -33,9 +34,12 @@ double trail_start_s(const Moment& m) {
 }
 
 template <class TipAt>
-void add_trail(const Moment& m, const Role& role, TipAt tip_at, DrawList& list) {
-  Tube trail{
-      .points = {}, .closed = false, .radius = 0.011 * m.thickness, .color = role.paint, .fade_start = 0.0};
+void add_trail(const Moment& m, Overlay overlay, const Role& role, TipAt tip_at, DrawList& list) {
+  Tube trail{.points = {},
+             .closed = false,
+             .radius = 0.011 * m.thickness * m.emphasis(overlay),
+             .color = role.paint,
+             .fade_start = 0.0};
   const double start_s = trail_start_s(m);
   for (int n = 0; n <= kTrailPoints; ++n) {
     const double t_s = std::lerp(start_s, m.t_s, static_cast<double>(n) / kTrailPoints);
@@ -46,6 +50,9 @@ void add_trail(const Moment& m, const Role& role, TipAt tip_at, DrawList& list) 
       then.w_B = m.model.motion->w_B_at(t_s);
     trail.points.push_back(tip_at(then));
   }
+  // The arrow's head ends the trail: its blunt end would stick out.
+  const Vec3 tip = trail.points.back();
+  while (trail.points.size() > 2 && (trail.points.back() - tip).norm() < kBehindTip) trail.points.pop_back();
   list.tubes.push_back(std::move(trail));
 }
 
@@ -57,14 +64,12 @@ void add_trails(const Moment& m, DrawList& list) {
   };
   if (m.model.needs.trail_omega)
     add_trail(
-        m, kOmegaRole, [&](const RigidBodyState& s) { return to_view(s, s.w_B * m.omega_scale); }, list);
+        m, Overlay::trail_omega, kOmegaRole,
+        [&](const RigidBodyState& s) { return to_view(s, s.w_B * m.omega_scale); }, list);
   if (m.model.needs.trail_L)
     add_trail(
-        m, kLRole,
-        [&](const RigidBodyState& s) {
-          const Vec3 L_B = angular_momentum_B(m.I(), s.w_B);
-          return to_view(s, L_B.isZero(0.0) ? L_B : Vec3(L_B.normalized() * m.L_length));
-        },
+        m, Overlay::trail_L, kLRole,
+        [&](const RigidBodyState& s) { return to_view(s, m.L_drawn_B(angular_momentum_B(m.I(), s.w_B))); },
         list);
 }
 
@@ -75,16 +80,18 @@ void add_vectors(const Moment& m, DrawList& list) {
     list.arrows.push_back({.head = Arrow::Head::double_cone,
                            .tail = Vec3::Zero(),
                            .tip = m.L_tip_V(),
-                           .radius = radius,
+                           .radius = radius * m.emphasis(Overlay::L),
                            .color = kLRole.paint});
   if (m.shows(Overlay::omega) && turning)
-    list.arrows.push_back(
-        {.tail = Vec3::Zero(), .tip = m.omega_tip_V(), .radius = radius, .color = kOmegaRole.paint});
+    list.arrows.push_back({.tail = Vec3::Zero(),
+                           .tip = m.omega_tip_V(),
+                           .radius = radius * m.emphasis(Overlay::omega),
+                           .color = kOmegaRole.paint});
   if (m.shows(Overlay::N) && !m.N_B.isZero(0.0)) {
     const Vec3 tail = m.shows(Overlay::L) ? m.L_tip_V() : Vec3::Zero();  // N is the velocity of L's tip
     list.arrows.push_back({.tail = tail,
                            .tip = tail + m.q_VB * (m.N_B.normalized() * kTorqueLength),
-                           .radius = radius,
+                           .radius = radius * m.emphasis(Overlay::N),
                            .color = kNRole.paint,
                            .dash = 0.045});
   }
@@ -93,8 +100,8 @@ void add_vectors(const Moment& m, DrawList& list) {
 }
 
 void add_axes(const Moment& m, DrawList& list) {
-  if (m.shows(Overlay::axes_space)) add_triad(m.q_VS, kTriadLength, 0.05, list);
-  if (m.shows(Overlay::axes_body)) add_triad(m.q_VB, kTriadLength, 0.0, list);
+  if (m.shows(Overlay::axes_space)) add_triad(m.q_VS, m.emphasis(Overlay::axes_space), 0.05, list);
+  if (m.shows(Overlay::axes_body)) add_triad(m.q_VB, m.emphasis(Overlay::axes_body), 0.0, list);
 }
 
 }  // namespace polhode::builders
