@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -63,37 +64,46 @@ Row row_at(const TracedBody& body, const Motion& motion, double t_s) {
   const RigidBodyState state = motion.at(t_s);
   const Vec3& w = state.w_B;
   const Quat& q = state.q_SB;
-  if (!w.allFinite() || !q.coeffs().allFinite())
-    throw CommandError(
-        ExitCode::failed,
-        fmt::format("the motion cannot be computed at t = {:.6g} s: the torque or the step is too large",
-                    t_s));
   const Vec3 L_B = angular_momentum_B(body.I, w);
   const Vec3 L_S = angular_momentum_S(body.I, state);
   return {t_s,        w[0],   w[1],   w[2],  q.w(), q.x(), q.y(), q.z(), kinetic_energy(body.I, w),
           L_B.norm(), L_S[0], L_S[1], L_S[2]};
 }
 
-void print_csv(const TracedBody& body, const Motion& motion, const TraceTimes& times) {
+/// Whether the motion has overflowed: what it cannot compute is NaN from ω on.
+bool overflowed(const Row& row) {
+  return !std::all_of(&row[1], &row[8], [](double x) { return std::isfinite(x); });
+}
+
+/// Both return the first time whose row could not be computed.
+std::optional<double> print_csv(const TracedBody& body, const Motion& motion, const TraceTimes& times) {
+  std::optional<double> overflow_s;
   fmt::print("{}\n", fmt::join(kColumns, ","));
-  for (std::int64_t i = 0; i < times.count(); ++i)
-    fmt::print("{:.17g}\n", fmt::join(row_at(body, motion, times(i)), ","));
+  for (std::int64_t i = 0; i < times.count(); ++i) {
+    const Row row = row_at(body, motion, times(i));
+    fmt::print("{:.17g}\n", fmt::join(row, ","));
+    if (!overflow_s && overflowed(row)) overflow_s = times(i);
+  }
+  return overflow_s;
 }
 
 std::string number_or_null(double value) { return std::isfinite(value) ? digits17(value) : "null"; }
 
-void print_json(const TracedBody& body, const Motion& motion, const TraceTimes& times) {
+std::optional<double> print_json(const TracedBody& body, const Motion& motion, const TraceTimes& times) {
+  std::optional<double> overflow_s;
   fmt::print("{{\"method\":\"{}\",\"period\":{},\"condition\":null,", motion.method(),
              number_or_null(period_s(body).value_or(NAN)));
   fmt::print("\"horizon_periods\":{{\"1e-3\":null,\"1e-1\":null}},\n\"rows\":[");
   for (std::int64_t i = 0; i < times.count(); ++i) {
     const Row row = row_at(body, motion, times(i));
+    if (!overflow_s && overflowed(row)) overflow_s = times(i);
     fmt::print("{}\n{{", i == 0 ? "" : ",");
     for (std::size_t c = 0; c < row.size(); ++c)
       fmt::print("{}\"{}\":{}", c == 0 ? "" : ",", kColumns[c], number_or_null(row[c]));
     fmt::print("}}");
   }
   fmt::print("\n]}}\n");
+  return overflow_s;
 }
 
 bool wants_json(const std::string& format) {
@@ -116,10 +126,13 @@ ExitCode trace(const TypedOptions& typed) {
                                    times.furthest_s(), *traced.max_time_s));
 
   if (!traced.note.empty()) fmt::print(stderr, "polhode: {}\n", traced.note);
-  if (json)
-    print_json(body, *traced.motion, times);
-  else
-    print_csv(body, *traced.motion, times);
+  const auto overflow_s =
+      json ? print_json(body, *traced.motion, times) : print_csv(body, *traced.motion, times);
+  if (overflow_s)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("the motion cannot be computed at t = {:.6g} s: torque, speed or "
+                                   "step is too large",
+                                   *overflow_s));
   return ExitCode::done;
 }
 

@@ -51,9 +51,17 @@ TEST(AltText, EveryOverlayButLabelsHasWords) {
     const auto overlay = static_cast<Overlay>(i);
     Scene scene;
     scene.show = {overlay};
+    if (overlay == Overlay::N) scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
     const std::string text = alt_text({"s", "S", {}, {}}, scene, Vec3(0, 0, 1), 0.0);
     EXPECT_EQ(text.find(": nothing.") != std::string::npos, overlay == Overlay::labels) << name_of(overlay);
   }
+}
+
+TEST(AltText, NamesNothingThatIsNotDrawn) {  // 2026-11-21: it named the plane of a driven body
+  Scene scene;
+  scene.show = {Overlay::plane, Overlay::omega};
+  scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
+  EXPECT_EQ(alt_text({"s", "S", {}, {}}, scene, Vec3(0, 0, 1), 0.0).find("plane"), std::string::npos);
 }
 
 }  // namespace
