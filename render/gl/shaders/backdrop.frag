@@ -10,6 +10,8 @@ void main() {
   vec2 d = ((gl_FragCoord.xy - u_viewport_origin) / u_viewport_size - vec2(0.5, 0.62)) * vec2(1.25, 1.0);
   vec3 studio = mix(vec3(0.945, 0.949, 0.953), vec3(0.735, 0.765, 0.795), clamp(1.25 * dot(d, d), 0.0, 1.0));
   // Interleaved gradient noise (Jimenez 2014), half a level either way: the gradient does not band, and bytes repeat.
-  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+  // The same for 16 pixels of a row, so that a PNG stays half as large.
+  vec2 cell = vec2(floor(gl_FragCoord.x / 16.0) * 7.0, gl_FragCoord.y);
+  float noise = fract(52.9829189 * fract(dot(cell, vec2(0.06711056, 0.00583715)))) - 0.5;
   o_color = u_studio > 0.5 ? vec4(studio + noise / 255.0, 1.0) : u_sky;
 }

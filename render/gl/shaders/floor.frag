@@ -51,7 +51,8 @@ void main() {
   float contact = clamp(1.0 / (p2 * p2), 0.0, 1.0);
   color *= vec3(1.0) - u_ball * min(0.30 * shadow + 0.22 * contact, 0.45) * vec3(1.0, 0.96, 0.90);
 
-  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+  vec2 cell = vec2(floor(gl_FragCoord.x / 16.0) * 7.0, gl_FragCoord.y);  // as in backdrop.frag
+  float noise = fract(52.9829189 * fract(dot(cell, vec2(0.06711056, 0.00583715)))) - 0.5;
   float alpha = way > 0.0 ? 1.0 - smoothstep(kFadeStart, kFadeEnd, reach) : 0.0;
   o_color = vec4(color + noise / 255.0, 1.0) * alpha;
 }
