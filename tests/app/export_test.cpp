@@ -112,6 +112,24 @@ TEST(Export, RepeatsToTheByteOnEitherContext) {
   EXPECT_EQ(contents(scratch / "a"), contents(scratch / "c"));
 }
 
+TEST(Export, TheNumberOfThreadsChangesNoByte) {
+  const ScratchFolder scratch;
+  for (const char* threads : {"0", "1", "2", "4"}) {
+    RunOptions options;
+    options.environment = {{"LP_NUM_THREADS", threads}};
+    ASSERT_EQ(export_tiny(scratch / threads, {}, options).code, 0) << threads;
+    EXPECT_EQ(contents(scratch / "0"), contents(scratch / threads)) << threads;
+  }
+}
+
+TEST(Export, AMotionThatCannotBeComputedMakesNoPicture) {  // 2026-11-21: pictures of NaN, exit code 0
+  const ScratchFolder scratch;
+  const ProgramRun run = export_tiny(scratch / "out", {"--stage", "rolling", "--at", "1e12"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("stage \"rolling\": the motion cannot be computed at t = 1e+12 s"));
+  EXPECT_THAT(names_in(scratch / "out"), IsEmpty());
+}
+
 TEST(Export, FramesDoNotDependOnTheRangeTheyAreMadeIn) {
   const ScratchFolder scratch;
   const Words film = {"--each", "frame", "--fps", "3", "--seconds", "2"};

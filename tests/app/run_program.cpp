@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 namespace polhode {
 
@@ -52,6 +53,7 @@ ProgramRun polhode(const std::vector<std::string>& arguments, const RunOptions& 
   const std::vector<char*> argv = pointers(words);
 
   const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("cannot fork");
   if (child == 0) become(argv, options, out, err);
   if (options.while_running) options.while_running(child);
   int status = 0;
