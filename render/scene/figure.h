@@ -24,7 +24,7 @@ struct Figure {
   std::string caption;
 };
 
-/// Pure: depends on the model and t alone. `aspect` = width / height of the picture.
+/// Pure: depends on its arguments alone. `aspect` = width / height of the picture.
 Figure make_figure(const SceneModel& model, double t_s, double aspect);
 
 }  // namespace polhode
