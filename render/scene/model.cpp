@@ -75,7 +75,7 @@ double reach_of(const Scene& scene, const Requirements& needs) {
   const double span_s = span_of(scene);
   double reach_s = std::abs(scene.at_s);
   if (needs.trail_L || needs.trail_omega) reach_s += span_s;
-  if (needs.herpolhode) reach_s = std::max(reach_s, scene.duration_s ? span_s : kHerpolhodePeriods * span_s);
+  if (needs.herpolhode) reach_s = std::max(reach_s, herpolhode_span_s(scene));
   return reach_s;
 }
 
@@ -151,14 +151,14 @@ void compute_parts(SceneModel& model) {
     model.family_B = polhode_family(I, two_T, family_levels(I), tolerance);
   if (model.needs.separatrix && moves) model.separatrices_B = separatrices(I, two_T, tolerance);
   if (model.needs.herpolhode && moves)
-    model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(model), tolerance);
+    model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
 }
 
 }  // namespace
 
-double herpolhode_span_s(const SceneModel& model) {
-  return model.scene.duration_s ? model.span_s : kHerpolhodePeriods * model.span_s;
+double herpolhode_span_s(const Scene& scene) {
+  return scene.duration_s.value_or(kHerpolhodePeriods * natural_span(scene));
 }
 
 OverlaySet drawn_overlays(const Scene& scene) {

@@ -62,7 +62,7 @@ struct SceneModel {
 };
 
 /// What the herpolhode covers from t = 0: `duration`, or three polhode periods.
-double herpolhode_span_s(const SceneModel& model);
+double herpolhode_span_s(const Scene& scene);
 
 /// Chooses the cheapest motion that gives what is asked and computes the parts asked for.
 /// @throws std::domain_error if the body, the state or the chosen method cannot serve.

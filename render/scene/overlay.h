@@ -17,7 +17,7 @@ enum class Overlay {
   momentum_sphere,     ///< |L| = const, L-space, body axes
   momentum_ellipsoid,  ///< Σ L_i²/I_i = 2T, L-space, body axes
   omega,               ///< ω, its tip on the energy ellipsoid
-  L,                   ///< L at a fixed length along its direction
+  L,                   ///< L at a fixed length along its direction; under torque true to scale
   N,                   ///< torque, where it is not zero
   axes_body,           ///< triad of B: 1, 2, 3
   axes_space,          ///< triad of S: x, y, z

@@ -24,6 +24,7 @@ inline constexpr Role kNRole{color_from_hex(0x9C4A7C), color_from_hex(0xC0609C)}
 inline constexpr Role kPolhodeRole{color_from_hex(0x00734F), color_from_hex(0x009E73)};
 inline constexpr Role kHerpolhodeRole{color_from_hex(0x6B5B00), color_from_hex(0xB39700)};
 inline constexpr Role kAxesRole{color_from_hex(0x4A4F57), color_from_hex(0x8A9099)};
+inline constexpr Color kSeparatrixPaint = color_from_hex(0x59616C);
 inline constexpr Color kInk = color_from_hex(0x23262B);
 inline constexpr Color kGlassTint = color_from_hex(0x8FC3DA);
 inline constexpr Color kSphereTint = color_from_hex(0xC9B98A);

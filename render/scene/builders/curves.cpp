@@ -38,7 +38,7 @@ void add_body_curve(const Moment& m, const Curve& curve, double radius, const Co
 void add_herpolhode(const Moment& m, DrawList& list) {
   Curve local;
   const Curve* curve_S = &m.model.herpolhode_S;
-  const double span_s = herpolhode_span_s(m.model);
+  const double span_s = herpolhode_span_s(m.model.scene);
   if (m.t_s < 0.0 || m.t_s > span_s) {  // outside what was computed once: the stretch that ends now
     local = herpolhode(*m.model.motion, m.t_s - span_s, m.t_s, 2e-4 / m.omega_scale);
     curve_S = &local;
@@ -67,8 +67,8 @@ void add_curves(const Moment& m, DrawList& list) {
         add_body_curve(m, branch, kFamilyRadius, family_color(scale_place(m.I(), member.L2_over_2T)), list);
   if (m.model.needs.separatrix)
     for (const Curve& ellipse : m.model.separatrices_B)
-      add_body_curve(m, ellipse, kFamilyRadius * 1.3 * m.emphasis(Overlay::separatrix),
-                     color_from_hex(0x59616C), list);
+      add_body_curve(m, ellipse, kFamilyRadius * 1.3 * m.emphasis(Overlay::separatrix), kSeparatrixPaint,
+                     list);
   if (m.model.needs.polhode)
     add_body_curve(m, m.model.polhode_B, kPolhodeRadius * m.emphasis(Overlay::polhode), kPolhodeRole.paint,
                    list);

@@ -89,7 +89,7 @@ void label_curves(const Moment& m, const Camera& camera, DrawList& list) {
     if (const Tube* tube = find_tube(list, kHerpolhodeRole.paint))
       add_text(list, "herpolhode", furthest(tube->points, camera, low_right), kHerpolhodeRole.ink);
   if (m.shows(Overlay::separatrix) && !m.model.separatrices_B.empty())
-    if (const Tube* tube = find_tube(list, color_from_hex(0x59616C)))
+    if (const Tube* tube = find_tube(list, kSeparatrixPaint))
       add_text(list, "separatrix", furthest(tube->points, camera, left), kAxesRole.ink);
 }
 
