@@ -4,16 +4,12 @@
 #pragma once
 
 #include "physics/types.h"
+#include "render/color.h"
 
 #include <string>
 #include <vector>
 
 namespace polhode {
-
-struct Color {
-  float r = 0, g = 0, b = 0, a = 1;
-  bool operator==(const Color&) const = default;
-};
 
 /// A line with thickness, lit as a cylinder.
 struct Tube {

@@ -8,11 +8,6 @@
 
 namespace polhode {
 
-constexpr Color color_from_hex(unsigned rgb, float alpha = 1.0F) {
-  return {static_cast<float>((rgb >> 16) & 0xFF) / 255.0F, static_cast<float>((rgb >> 8) & 0xFF) / 255.0F,
-          static_cast<float>(rgb & 0xFF) / 255.0F, alpha};
-}
-
 struct Role {
   Color ink;
   Color paint;

@@ -30,27 +30,30 @@ Names operator+(Names a, const Names& b) {
   return a;
 }
 
+/// Small headers that every layer of render/ and above it shares.
+const Names kShared = {"render/result.h", "render/color.h"};
+
 const std::vector<Layer>& layers() {
   static const Names kProgram = {"app/", "lessons/", "render/", "physics/"};
   static const Names kProgramLibraries = Names{"CLI/", "fmt/", "nlohmann/", "sha256.h", "Eigen/"} + kPosix;
   static const std::vector<Layer> kLayers = {
       {"physics/", {"physics/"}, {"Eigen/"}, kConsoleAndFiles},
       {"render/result.h", {}, {}, kConsoleAndFiles},
-      {"render/scene/", {"physics/", "render/scene/", "render/result.h"}, {"Eigen/"}, kConsoleAndFiles},
-      {"render/type/",
-       {"render/type/", "render/result.h"},
-       {"ft2build.h", "freetype/", "FT_", "hb"},
-       kConsole},
+      {"render/color.h", {}, {}, kConsoleAndFiles},
+      {"render/scene/",
+       Names{"physics/", "render/scene/", "render/type/"} + kShared,
+       {"Eigen/"},
+       kConsoleAndFiles},
+      {"render/type/", Names{"render/type/"} + kShared, {"ft2build.h", "freetype/", "FT_", "hb"}, kConsole},
       {"render/image/",
        {"render/image/", "render/result.h"},
        Names{"png.h", "zlib.h", "libdeflate.h"} + kPosix,
        kConsole},
       {"render/gl/",
-       {"render/gl/", "render/scene/", "render/type/", "render/image/", "render/result.h", "physics/types.h"},
-       Names{"Eigen/", "GL/", "EGL/", "KHR/"} + kPosix,
-       kConsole},
+       Names{"render/gl/", "render/scene/", "render/type/", "render/image/", "physics/types.h"} + kShared,
+       Names{"Eigen/", "GL/", "EGL/", "KHR/"} + kPosix, kConsole},
       {"lessons/",
-       {"lessons/", "physics/", "render/scene/", "render/type/", "render/result.h"},
+       Names{"lessons/", "physics/", "render/scene/", "render/type/"} + kShared,
        {"Eigen/", "md4c.h", "toml++/"},
        kConsoleAndFiles},
       {"app/window", kProgram, Names{"GLFW/", "imgui"} + kProgramLibraries, {}, false},

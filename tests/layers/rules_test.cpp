@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
         Forbidden{"physics/a.cpp", "unistd.h"}, Forbidden{"physics/a.cpp", "fstream"},
         Forbidden{"render/result.h", "physics/types.h"},
         Forbidden{"render/scene/a.cpp", "render/gl/context.h"},
-        Forbidden{"render/scene/a.cpp", "render/type/font.h"},
+        Forbidden{"render/type/a.cpp", "render/gl/context.h"},
         Forbidden{"render/scene/a.cpp", "lessons/lesson.h"},
         Forbidden{"render/scene/a.cpp", "GL/glcorearb.h"},
         Forbidden{"render/type/a.cpp", "render/scene/scene.h"},

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// sRGB, straight alpha, each 0…1.
+#pragma once
+
+namespace polhode {
+
+struct Color {
+  float r = 0, g = 0, b = 0, a = 1;
+  bool operator==(const Color&) const = default;
+};
+
+constexpr Color color_from_hex(unsigned rgb, float alpha = 1.0F) {
+  return {static_cast<float>((rgb >> 16) & 0xFF) / 255.0F, static_cast<float>((rgb >> 8) & 0xFF) / 255.0F,
+          static_cast<float>(rgb & 0xFF) / 255.0F, alpha};
+}
+
+}  // namespace polhode

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Text with its emphasis and inline formulas, ready to be set: no marks of Markdown are left.
+#pragma once
+
+#include "render/type/math.h"
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// A stretch of text of one kind. Offsets count bytes of the Markdown it came from.
+struct TextSpan {
+  enum class Kind { text, math } kind = Kind::text;
+  std::string text;  ///< UTF-8; of a formula its TeX
+  Math math;         ///< of Kind::math
+  bool bold = false, italic = false, code = false;
+  std::string link;  ///< where it leads; empty: nowhere
+  bool break_after = false;
+  SourceSpan source;
+};
+
+/// A paragraph, or an item of a list.
+struct TextBlock {
+  int indent = 0;      ///< depth of the list it belongs to
+  std::string marker;  ///< "•", "2."; empty: none
+  std::vector<TextSpan> spans;
+};
+
+using RichText = std::vector<TextBlock>;
+
+}  // namespace polhode
