@@ -32,6 +32,8 @@ struct Math {
   std::shared_ptr<const MathNode> root;
   std::string tag;                 ///< of \tag{…}; empty: none
   std::vector<std::string> terms;  ///< ids of \term{id}{…}, in their order
+  std::vector<std::size_t> tag_offsets,
+      term_offsets;  ///< bytes where each name begins; several tags are joined
 };
 
 /// All that is wrong is reported, up to 16 errors, in the order of their offsets. Linear in the formula's

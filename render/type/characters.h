@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// UTF-8, and the characters that cannot be set.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace polhode {
+
+inline constexpr char32_t kMalformed = 0xFFFFFFFF;
+
+/// The character at `at` < text.size(); `at` moves behind it. kMalformed for a byte that begins none
+/// (overlong forms and surrogates among them); one byte is passed then.
+char32_t next_character(std::string_view text, std::size_t& at);
+
+void append_utf8(std::string& text, char32_t character);
+
+/// Letters of scripts written from right to left, and marks that turn the direction.
+bool is_right_to_left(char32_t character);
+
+/// Neither ink nor space: controls, zero-width characters, byte order marks.
+bool is_invisible(char32_t character);
+
+/// "U+05D0"
+std::string code_point_name(char32_t character);
+
+}  // namespace polhode
