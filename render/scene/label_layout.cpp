@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kDirections = 16;
 
+double unit_of(const LabelRequest& label) { return label.unit > 0.0 ? label.unit : label.height; }
+
 /// Box whose nearest edge point lies `gap` from the anchor in a direction (y down).
 PixelBox box_beside(const LabelRequest& label, double angle, double gap) {
   const Vec2 d(std::cos(angle), -std::sin(angle));
@@ -38,7 +40,7 @@ std::vector<double> gaps_of(const LabelRequest& label) {
   std::vector<double> heights;
   if (!label.leader || label.close) heights = {0.22, 0.55, 1.0};
   if (label.leader) heights.insert(heights.end(), {1.2, 1.9, 2.9, 4.2});
-  for (double& gap : heights) gap = gap * label.height + label.clear;
+  for (double& gap : heights) gap = gap * unit_of(label) + label.clear;
   return heights;
 }
 
@@ -71,7 +73,7 @@ double crossed(const Vec2& from, const Vec2& to, double clear, const Crowd& crow
 
 double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const Crowd& crowd) {
   const double area = std::max(1.0, box.width() * box.height());
-  const double unit = label.height;
+  const double unit = unit_of(label);
   const PixelBox with_air = box.grown(0.18 * unit);
 
   double cost = 0.35 * gap / unit;
@@ -119,7 +121,7 @@ Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {
       if (cost < best.cost - 1e-9) best = {{.box = box}, cost};
     }
   // The line stops short of the text.
-  const double unit = label.height;
+  const double unit = unit_of(label);
   best.label.leader_end = nearest_on(best.label.box.grown(0.16 * unit), label.anchor);
   best.label.has_leader =
       label.leader && (best.label.leader_end - label.anchor).norm() > 0.5 * unit + label.clear;

@@ -21,6 +21,7 @@ struct PixelBox {
 struct LabelRequest {
   Vec2 anchor{0, 0};
   double width = 0, height = 0;
+  double unit = 0;      ///< distances are multiples of it; 0: of the height
   Vec2 outward{0, 0};   ///< unit or zero: where there is nothing else, the label goes that way
   bool leader = false;  ///< may stand away from its anchor, joined to it by a line
   double clear = 0;     ///< radius around the anchor that is not to be covered: of a mark
