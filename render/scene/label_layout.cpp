@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace polhode {
 namespace {
@@ -177,6 +178,38 @@ std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels,
     if (made.cost < best.cost) best = std::move(made);
   }
   return std::move(best.placed);
+}
+
+// With spacing·i taken off the i-th place, the places need only ascend: isotonic regression, whose solution
+// within bounds is the clamped one. Neighbours that would cross share their mean.
+std::vector<double> spread_apart(const std::vector<double>& wanted, double spacing, double low, double high) {
+  std::vector<std::size_t> order(wanted.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return wanted[a] < wanted[b]; });
+
+  struct Group {
+    double mean;
+    std::size_t count;
+  };
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    groups.push_back({wanted[order[i]] - spacing * static_cast<double>(i), 1});
+    while (groups.size() > 1 && groups[groups.size() - 2].mean > groups.back().mean) {
+      const Group last = groups.back();
+      groups.pop_back();
+      Group& before = groups.back();
+      const auto n = static_cast<double>(before.count), m = static_cast<double>(last.count);
+      before = {(n * before.mean + m * last.mean) / (n + m), before.count + last.count};
+    }
+  }
+
+  const double highest = std::max(low, high - spacing * (static_cast<double>(wanted.size()) - 1.0));
+  std::vector<double> placed(wanted.size());
+  std::size_t i = 0;
+  for (const Group& group : groups)
+    for (std::size_t k = 0; k < group.count; ++k, ++i)
+      placed[order[i]] = std::clamp(group.mean, low, highest) + spacing * static_cast<double>(i);
+  return placed;
 }
 
 }  // namespace polhode

@@ -50,4 +50,9 @@ std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels,
                                       const std::vector<Vec2>& obstacles, const std::vector<PixelBox>& taken,
                                       const PixelBox& frame, const LabelRules& rules = {});
 
+/// Places along a line for labels of one height that want to stand at `wanted`: at least `spacing` apart, in
+/// the order of what they want, within [low, high] as far as there is room, and moved as little as possible
+/// (least sum of squares).
+std::vector<double> spread_apart(const std::vector<double>& wanted, double spacing, double low, double high);
+
 }  // namespace polhode
