@@ -67,7 +67,7 @@ std::vector<double> values_of(const Samples& samples, const Quantity& quantity) 
 
 TimePlot omega_plot(const Samples& samples) {
   TimePlot plot{.title = "Angular velocity in the body", .unit = "rad/s", .t = samples.t_s};
-  constexpr const char* kLabels[] = {"\U0001D714₁", "\U0001D714₂", "\U0001D714₃"};
+  constexpr const char* kLabels[] = {"$\\omega_1$", "$\\omega_2$", "$\\omega_3$"};
   constexpr double kDashOf[] = {kDots, kDashes, kSolid};
   for (int i = 0; i < 3; ++i)
     plot.series.push_back({kLabels[i], kOmegaRole,
@@ -79,16 +79,16 @@ TimePlot omega_plot(const Samples& samples) {
 TimePlot energy_plot(const PrincipalMoments& I, const Samples& samples) {
   TimePlot plot{.title = "Kinetic energy", .unit = "J", .t = samples.t_s};
   const auto energy = [&](const RigidBodyState& s) { return kinetic_energy(I, s.w_B); };
-  plot.series.push_back({"\U0001D447", kPolhodeRole, values_of(samples, energy), kSolid});
+  plot.series.push_back({"$T$", kPolhodeRole, values_of(samples, energy), kSolid});
   return plot;
 }
 
 TimePlot momentum_plot(const PrincipalMoments& I, const Samples& samples, bool with_components) {
   TimePlot plot{.title = "Angular momentum", .unit = "kg m²/s", .t = samples.t_s};
   const auto size = [&](const RigidBodyState& s) { return angular_momentum_B(I, s.w_B).stableNorm(); };
-  plot.series.push_back({"|\U0001D43F|", kLRole, values_of(samples, size), kSolid});
+  plot.series.push_back({"$|\\vec L|$", kLRole, values_of(samples, size), kSolid});
   if (!with_components) return plot;
-  constexpr const char* kLabels[] = {"\U0001D43Fx", "\U0001D43Fy", "\U0001D43Fz"};
+  constexpr const char* kLabels[] = {"$L_x$", "$L_y$", "$L_z$"};
   constexpr double kDashOf[] = {kDots, kDashes, 2.0 * kDashes};
   for (int i = 0; i < 3; ++i)
     plot.series.push_back(
@@ -142,7 +142,7 @@ TimePlot drift_plot(const SceneModel& model, const Samples& samples) {
   const double w_size =
       model.scene.w0_B.cwiseAbs().maxCoeff() > 0.0 ? model.scene.w0_B.cwiseAbs().maxCoeff() : 1.0;
   const Conserved start = conserved(I, {model.q0_SB, model.scene.w0_B}, w_size);
-  TimePlot plot{.title = "Drift from the start", .unit = "relative; ∠ in rad", .t = samples.t_s};
+  TimePlot plot{.title = "Drift from the start", .unit = "relative; $\\angle$ in rad", .t = samples.t_s};
   plot.log_floor = kDriftFloor;
   std::vector<double> T, L, angle;
   for (const RigidBodyState& state : samples.states) {
@@ -151,9 +151,9 @@ TimePlot drift_plot(const SceneModel& model, const Samples& samples) {
     L.push_back(relative_change(now.L, start.L));
     angle.push_back(angle_between(now.L_S, start.L_S));
   }
-  plot.series.push_back({"\U0001D447", kPolhodeRole, std::move(T), kSolid});
-  plot.series.push_back({"|\U0001D43F|", kLRole, std::move(L), kSolid});
-  plot.series.push_back({"∠\U0001D43F\u20D7", kLRole, std::move(angle), kDashes});
+  plot.series.push_back({"$T$", kPolhodeRole, std::move(T), kSolid});
+  plot.series.push_back({"$|\\vec L|$", kLRole, std::move(L), kSolid});
+  plot.series.push_back({"$\\angle\\vec L$", kLRole, std::move(angle), kDashes});
   return thinned(plot, kDriftPoints);
 }
 

@@ -4,6 +4,7 @@
 #include "render/scene/linear_axis.h"
 #include "render/scene/log_axis.h"
 #include "render/scene/polyline.h"
+#include "render/type/paragraph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,12 +95,11 @@ using Stretch = std::vector<Vec2>;
 /// Makes the sheet of one plot, part after part.
 class TimePlotLayout {
  public:
-  TimePlotLayout(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
-                 const TextWidth& text_width)
+  TimePlotLayout(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts)
       : plot_(plot),
         box_(box),
         style_(style),
-        text_width_(text_width),
+        fonts_(fonts),
         axis_(plot, box.y1 - px(kTimeRoom), box.y0 + px(kTitleRoom), intervals()) {
     place_axes();
   }
@@ -116,7 +116,14 @@ class TimePlotLayout {
 
  private:
   double px(double sizes) const { return sizes * style_.type_size; }
-  double width_of(const std::string& text) const { return text_width_(text, style_.type_size); }
+  DisplayList line_of(const std::string& text, const Color& color) const {
+    TextStyle style;
+    style.size = style_.type_size;
+    style.color = color;
+    style.sans = true;
+    return set_line(text, style, fonts_);
+  }
+  double width_of(const std::string& text) const { return line_of(text, style_.ink).width; }
 
   int intervals() const {
     const double height = box_.height() - px(kTitleRoom + kTimeRoom);
@@ -157,7 +164,9 @@ class TimePlotLayout {
   }
 
   void add_text(std::string text, const Vec2& at, double align, const Color& color) {
-    sheet_.texts.push_back({std::move(text), at, style_.type_size, align, color, {0, 0, 0, 0}});
+    DisplayList line = line_of(text, color);
+    const double left = at.x() - align * line.width;
+    sheet_.texts.push_back({.list = std::move(line), .at = {left, at.y()}, .text = std::move(text)});
   }
 
   void add_title() {
@@ -284,7 +293,7 @@ class TimePlotLayout {
   const TimePlot& plot_;
   PixelBox box_;
   const TimePlotStyle& style_;
-  const TextWidth& text_width_;
+  const Fonts& fonts_;
   ValueAxis axis_;
   LinearAxis time_;
   PixelBox frame_;  ///< the axes' rectangle
@@ -293,9 +302,8 @@ class TimePlotLayout {
 
 }  // namespace
 
-Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
-              const TextWidth& text_width) {
-  return TimePlotLayout(plot, box, style, text_width).make();
+Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts) {
+  return TimePlotLayout(plot, box, style, fonts).make();
 }
 
 }  // namespace polhode

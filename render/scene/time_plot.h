@@ -5,6 +5,7 @@
 
 #include "render/scene/label_layout.h"
 #include "render/scene/palette.h"
+#include "render/type/fonts.h"
 
 #include <optional>
 #include <string>
@@ -13,7 +14,7 @@
 namespace polhode {
 
 struct TimeSeries {
-  std::string label;  ///< in the notation of render/type/font.h
+  std::string label;  ///< as all texts a line that set_line() of render/type/paragraph.h sets
   Role role{};
   std::vector<double> y{};  ///< at the plot's times
   double dash = 0;          ///< length of a dash and of a gap, in sizes of type; 0: solid
@@ -38,7 +39,6 @@ struct TimePlotStyle {
 };
 
 /// In `box`; text needs at least 12 sizes of type by 7. Values that are not finite leave gaps. Pure.
-Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
-              const TextWidth& text_width);
+Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts);
 
 }  // namespace polhode
