@@ -48,4 +48,7 @@ struct Sheet {
   std::vector<PlacedType> texts{};       ///< over everything
 };
 
+/// Adds `part` over `sheet`, its origin at `at`.
+void append(Sheet& sheet, Sheet part, const Vec2& at);
+
 }  // namespace polhode
