@@ -96,8 +96,8 @@ class Scan {
     if (numbered) {
       put(Kind::parameter, begin, static_cast<char32_t>(tex_[i_] - '0'));
       ++i_;
-    } else if (!is_macro_) {
-      errors_.add(begin, "# stands in macros only", "\\# for the sign");
+    } else {
+      put(Kind::character, begin, U'#');  // of a colour
     }
   }
 

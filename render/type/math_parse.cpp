@@ -307,6 +307,10 @@ class MathParser {
 
   MathNode character(const Token& token) {
     if (token.character == U'~') return space(token, 0.25);
+    if (token.character == U'#') {
+      tokens_.error(token, "# stands in macros only", "\\# for the sign");
+      return {};
+    }
     const TypedSymbol typed = typed_symbol(token.character);
     return symbol(token, typed.character, typed.atom);
   }
