@@ -107,6 +107,7 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   or_fail(may_export_into(out.folder, loaded.sha256, manifest.options));
 
   const Studio studio(out.context);
+  check_type_of(loaded, studio.renderer->fonts());
   const auto maker = maker_of({loaded.lesson, options, *studio.renderer});
   check_pictures(plan, *maker);
   manifest.renderer = studio.renderer->driver();

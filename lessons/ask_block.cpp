@@ -3,7 +3,6 @@
 
 #include "lessons/expression.h"
 #include "lessons/keys.h"
-#include "lessons/math_text.h"
 #include "lessons/suggest.h"
 
 #include <algorithm>
@@ -19,21 +18,22 @@ const std::vector<std::string> kModuloNames = {"identity", "motion", "free"};
 
 class AskReader {
  public:
-  AskReader(const TomlTable& table, std::string id, SourcePlace place, Report& report)
-      : table_(table), report_(report) {
+  AskReader(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts)
+      : table_(table), texts_(texts), report_(texts.report()) {
     ask_.id = std::move(id);
     ask_.place = place;
   }
 
   std::optional<Ask> read() {
-    read_keys(table_, "the question",
-              {{"type", [this](const TomlEntry& e) { type(e); }},
-               {"prompt", [this](const TomlEntry& e) { prompt(e); }},
-               {"choices", [this](const TomlEntry& e) { texts(e, kMaxChoices, ask_.choices); }},
-               {"answer", [](const TomlEntry&) {}},  // read last: it depends on the others
-               {"modulo", [this](const TomlEntry& e) { modulo(e); }},
-               {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints); }}},
-              report_);
+    read_keys(
+        table_, "the question",
+        {{"type", [this](const TomlEntry& e) { type(e); }},
+         {"prompt", [this](const TomlEntry& e) { prompt(e); }},
+         {"choices", [this](const TomlEntry& e) { texts(e, kMaxChoices, ask_.choices, ask_.choice_texts); }},
+         {"answer", [](const TomlEntry&) {}},  // read last: it depends on the others
+         {"modulo", [this](const TomlEntry& e) { modulo(e); }},
+         {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints, ask_.hint_texts); }}},
+        report_);
     for (const char* key : {"type", "prompt", "answer"}) {
       if (table_.find(key) == nullptr) fail(ask_.place, "a question lacks " + in_quotes(key));
     }
@@ -73,16 +73,21 @@ class AskReader {
     ok_ = ok_ && text;
     if (!text) return;
     if (is_blank(*text)) fail(entry.value.place, "a prompt says what is asked");
-    check_inline_math(*text, inside_quotes(entry.value.place), report_);
+    ask_.prompt_text = line(*text, entry.value.place);
     ask_.prompt = std::move(*text);
   }
 
-  void texts(const TomlEntry& entry, std::size_t max_count, std::vector<std::string>& into) {
+  RichText line(const std::string& text, SourcePlace place) {
+    return texts_.line(located_string(texts_.source(), place, text));
+  }
+
+  void texts(const TomlEntry& entry, std::size_t max_count, std::vector<std::string>& into,
+             std::vector<RichText>& rich) {
     const auto list = read_texts(entry, max_count, report_);
     ok_ = ok_ && list;
     if (!list) return;
     for (const PlacedText& text : *list) {
-      check_inline_math(text.text, inside_quotes(text.place), report_);
+      rich.push_back(line(text.text, text.place));
       into.push_back(text.text);
     }
   }
@@ -141,6 +146,7 @@ class AskReader {
   }
 
   const TomlTable& table_;
+  TextReader& texts_;
   Report& report_;
   Ask ask_;
   bool ok_ = true;
@@ -148,8 +154,8 @@ class AskReader {
 
 }  // namespace
 
-std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place, Report& report) {
-  return AskReader(table, std::move(id), place, report).read();
+std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts) {
+  return AskReader(table, std::move(id), place, texts).read();
 }
 
 }  // namespace polhode

@@ -2,8 +2,8 @@
 // Keys of an ```ask fence.
 #pragma once
 
+#include "lessons/inline_text.h"
 #include "lessons/lesson.h"
-#include "lessons/report.h"
 #include "lessons/toml_tree.h"
 
 #include <optional>
@@ -16,6 +16,6 @@ inline constexpr std::size_t kMaxHints = 16;
 
 /// The question its keys state; `place` is that of the fence. Nothing, and reports, if a key is wrong or
 /// missing.
-std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place, Report& report);
+std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts);
 
 }  // namespace polhode

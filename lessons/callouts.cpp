@@ -2,7 +2,6 @@
 #include "lessons/callouts.h"
 
 #include "lessons/heading.h"
-#include "lessons/math_text.h"
 #include "lessons/suggest.h"
 
 #include <algorithm>
@@ -22,17 +21,6 @@ std::string_view quoted_part(std::string_view line) {
   return line;
 }
 
-// With a space for the > of each line: every other byte stays at its place.
-std::string without_quote_marks(std::string_view lines) {
-  std::string copy(lines);
-  for (std::size_t begin = 0; begin < copy.size();
-       begin = std::min(copy.find('\n', begin), copy.size() - 1) + 1) {
-    const std::size_t mark = copy.find_first_not_of(" \t", begin);
-    if (mark != std::string::npos && copy[mark] == '>') copy[mark] = ' ';
-  }
-  return copy;
-}
-
 std::optional<Callout::Kind> kind_from(std::string_view name) {
   if (name == "said") return Callout::Kind::said;
   if (name == "meant") return Callout::Kind::meant;
@@ -41,7 +29,8 @@ std::optional<Callout::Kind> kind_from(std::string_view name) {
 
 class CalloutReader {
  public:
-  CalloutReader(const SourceText& source, Report& report) : source_(source), report_(report) {}
+  explicit CalloutReader(TextReader& texts)
+      : texts_(texts), source_(texts.source()), report_(texts.report()) {}
 
   void read_line(int number) {
     const std::string_view line = source_.line(number);
@@ -60,14 +49,17 @@ class CalloutReader {
       }
       return;
     }
-    callouts_.back().markdown += '\n';
-    callouts_.back().markdown += part;
+    // The line end before it.
+    located_.back().append("\n", source_.begin_of(number) - 1);
+    located_.back().append(part, source_.offset_of(part));
   }
 
   std::vector<Callout> take() {
-    for (Callout& callout : callouts_) {
-      callout.markdown = trimmed_lines(callout.markdown);
+    for (std::size_t i = 0; i < callouts_.size(); ++i) {
+      Callout& callout = callouts_[i];
+      callout.markdown = trimmed_lines(located_[i].text());
       if (callout.markdown.empty()) report_.error(callout.place, "this call-out is empty");
+      callout.text = texts_.passage(located_[i]);
     }
     return std::move(callouts_);
   }
@@ -87,20 +79,22 @@ class CalloutReader {
     if (!kind)
       report_.error(place, "unknown call-out " + in_quotes(mark), suggestion(name, {"said", "meant"}));
     const std::string_view rest = trimmed(text.substr(mark.size()));
-    callouts_.push_back({kind.value_or(Callout::Kind::said), std::string(kind ? rest : mark), place});
+    callouts_.push_back({kind.value_or(Callout::Kind::said), "", {}, place});
+    located_.emplace_back(source_, kind ? rest : mark);
   }
 
+  TextReader& texts_;
   const SourceText& source_;
   Report& report_;
   std::vector<Callout> callouts_;
+  std::vector<LocatedText> located_;  // their Markdown
   bool failed_ = false;
 };
 
 }  // namespace
 
-std::vector<Callout> read_callouts(const SourceText& source, int first_line, int last_line, Report& report) {
-  check_inline_math(without_quote_marks(source.lines(first_line, last_line)), {first_line, 1}, report);
-  CalloutReader reader(source, report);
+std::vector<Callout> read_callouts(int first_line, int last_line, TextReader& texts) {
+  CalloutReader reader(texts);
   for (int line = first_line; line <= last_line; ++line) reader.read_line(line);
   return reader.take();
 }

@@ -2,9 +2,8 @@
 // Block quotes: what the lecture said, and what it meant.
 #pragma once
 
+#include "lessons/inline_text.h"
 #include "lessons/lesson.h"
-#include "lessons/report.h"
-#include "lessons/source_text.h"
 
 #include <vector>
 
@@ -14,6 +13,6 @@ namespace polhode {
 inline constexpr std::size_t kMaxCallouts = 64;
 
 /// Call-outs of a quote on the lines first…last; each starts on a line that opens with [!said] or [!meant].
-std::vector<Callout> read_callouts(const SourceText& source, int first_line, int last_line, Report& report);
+std::vector<Callout> read_callouts(int first_line, int last_line, TextReader& texts);
 
 }  // namespace polhode

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/front_matter.h"
 
-#include "lessons/math_text.h"
 #include "lessons/suggest.h"
 #include "physics/bodies.h"
 
@@ -164,7 +163,8 @@ void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
     report.error(entry.value.place, "unknown role " + in_quotes(*role), suggestion(*role, roles));
 }
 
-void read_symbol(const TomlEntry& entry, FrontMatter& front, Report& report) {
+void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
   const auto* table = entry.value.as<TomlTable>();
   if (table == nullptr) {
     report.error(entry.value.place, "a symbol takes a table, found " + std::string(entry.value.kind()),
@@ -184,29 +184,33 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, Report& report) {
              {"unit", text_into(symbol.unit)}},
             report);
   if (const TomlEntry* tex = table->find("tex")) {
-    read_math(symbol.tex, inside_quotes(tex->value.place), report);
+    const LocatedText located = located_string(texts.source(), tex->value.place, symbol.tex);
+    symbol.offset = located.offset_of(0);
+    if (auto math = texts.formula(located)) symbol.math = std::move(*math);
   } else {
     report.error(entry.place, "symbol " + in_quotes(entry.key) + " lacks \"tex\"");
   }
   front.symbols.insert_or_assign(entry.key, std::move(symbol));
 }
 
-void read_symbols(const TomlEntry& entry, FrontMatter& front, Report& report) {
+void read_symbols(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
   const auto* table = entry.value.as<TomlTable>();
   if (table == nullptr) {
     report.error(entry.value.place, "\"symbols\" takes a table, found " + std::string(entry.value.kind()));
     return;
   }
-  for (const TomlEntry& symbol : table->entries) read_symbol(symbol, front, report);
+  for (const TomlEntry& symbol : table->entries) read_symbol(symbol, front, texts);
 }
 
-void read_base_scene(const TomlEntry& entry, FrontMatter& front, Report& report) {
+void read_base_scene(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
   const auto* table = entry.value.as<TomlTable>();
   if (table == nullptr) {
     report.error(entry.value.place, "\"scene\" takes a table, found " + std::string(entry.value.kind()));
     return;
   }
-  for (const PlacedText& name : read_scene_keys(*table, front.bodies, front.scene, report)) {
+  for (const PlacedText& name : read_scene_keys(*table, front.bodies, front.scene, texts)) {
     if (overlay_from(name.text)) continue;
     report.error(name.place,
                  "the front matter can highlight overlays only, " + in_quotes(name.text) + " is none",
@@ -214,19 +218,67 @@ void read_base_scene(const TomlEntry& entry, FrontMatter& front, Report& report)
   }
 }
 
-void read_front_table(const TomlTable& table, FrontMatter& front, Report& report) {
-  // The scene comes last: it names bodies.
+// '…', or { arguments = 1, tex = '…' }.
+void read_macro(const TomlEntry& entry, TextReader& texts) {
+  Report& report = texts.report();
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  if (!std::all_of(entry.key.begin(), entry.key.end(), is_letter)) {
+    report.error(entry.place, "bad name of a macro " + in_quotes(entry.key),
+                 "a macro's name has letters only");
+    return;
+  }
+  MathMacro macro;
+  const auto arguments = [&](const TomlEntry& e) {
+    const auto* count = e.value.as<std::int64_t>();
+    if (count == nullptr || *count < 0 || *count > 9)
+      report.error(e.value.place, "a macro has 0 to 9 arguments");
+    else
+      macro.arguments = static_cast<int>(*count);
+  };
+  const auto tex = [&](const TomlEntry& e) {
+    if (auto text = read_text(e, report)) macro.body = std::move(*text);
+  };
+  if (const auto* table = entry.value.as<TomlTable>()) {
+    read_keys(*table, "macro " + in_quotes(entry.key), {{"arguments", arguments}, {"tex", tex}}, report);
+    if (table->find("tex") == nullptr)
+      report.error(entry.place, "macro " + in_quotes(entry.key) + " lacks \"tex\"");
+  } else {
+    tex(entry);
+  }
+  texts.macros().insert_or_assign(entry.key, std::move(macro));
+}
+
+void read_macros(const TomlEntry& entry, TextReader& texts) {
+  const auto* table = entry.value.as<TomlTable>();
+  if (table == nullptr) {
+    texts.report().error(entry.value.place,
+                         "\"macros\" takes a table, found " + std::string(entry.value.kind()),
+                         "write [macros], and name = '…' below");
+    return;
+  }
+  if (table->entries.size() > kMaxMacros) {
+    texts.report().error(entry.place, "a lesson has at most " + std::to_string(kMaxMacros) + " macros");
+    return;
+  }
+  for (const TomlEntry& macro : table->entries) read_macro(macro, texts);
+}
+
+void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
+  // Formulas use macros, so these come first; the scene names bodies, so it comes last.
+  if (const TomlEntry* macros = table.find("macros")) read_macros(*macros, texts);
   const TomlEntry* scene = table.find("scene");
-  const auto later = [](const TomlEntry&) {};
+  const auto later = [](const TomlEntry&) {};  // or already
   read_keys(table, "the front matter",
             {{"format", [&](const TomlEntry& e) { read_format(e, report); }},
              {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
              {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
              {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
-             {"symbols", [&](const TomlEntry& e) { read_symbols(e, front, report); }},
+             {"macros", later},
+             {"symbols", [&](const TomlEntry& e) { read_symbols(e, front, texts); }},
              {"scene", later}},
             report);
-  if (scene != nullptr) read_base_scene(*scene, front, report);
+  if (scene != nullptr) read_base_scene(*scene, front, texts);
   for (const char* key : {"format", "id", "title"}) {
     if (table.find(key) == nullptr) {
       report.error({1, 1}, "the front matter lacks " + in_quotes(key));
@@ -241,7 +293,9 @@ const std::vector<std::string>& color_roles() {
   return roles;
 }
 
-FrontMatter read_front_matter(const SourceText& source, Report& report) {
+FrontMatter read_front_matter(TextReader& texts) {
+  Report& report = texts.report();
+  const SourceText& source = texts.source();
   FrontMatter front;
   if (trimmed(source.line(1)) != kFence) {
     report.error({1, 1}, "a lesson starts with a line +++ and its front matter",
@@ -258,7 +312,7 @@ FrontMatter read_front_matter(const SourceText& source, Report& report) {
   }
   front.next_line = last + 1;
   if (const auto table = parse_toml(source.lines(2, last - 1), 2, report)) {
-    read_front_table(*table, front, report);
+    read_front_table(*table, front, texts);
   } else {
     front.bodies.complete = false;
   }

@@ -2,8 +2,8 @@
 // The TOML between the +++ lines at the top of a lesson.
 #pragma once
 
+#include "lessons/inline_text.h"
 #include "lessons/lesson.h"
-#include "lessons/report.h"
 #include "lessons/scene_keys.h"
 
 #include <map>
@@ -17,12 +17,14 @@ struct FrontMatter {
   std::string title;
   std::map<std::string, Symbol> symbols;
   LessonBodies bodies;
-  Scene scene;        ///< what every stage starts from
+  LessonScene scene;  ///< what every stage starts from
   int next_line = 1;  ///< first line after the closing +++
 };
 
-/// Reports what is wrong and goes on with defaults.
-FrontMatter read_front_matter(const SourceText& source, Report& report);
+/// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.
+FrontMatter read_front_matter(TextReader& texts);
+
+inline constexpr std::size_t kMaxMacros = 64;
 
 /// Roles a symbol's colour can have.
 const std::vector<std::string>& color_roles();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/heading.h"
 
-#include "lessons/math_text.h"
-
 #include <algorithm>
 #include <cctype>
 
@@ -29,7 +27,9 @@ std::string slug(std::string_view title) {
 
 }  // namespace
 
-Heading read_heading(std::string_view line, int number, Report& report) {
+Heading read_heading(int number, TextReader& texts) {
+  Report& report = texts.report();
+  const std::string_view line = texts.source().line(number);
   const SourcePlace start{number, 1};
   const auto place_of = [&](std::string_view part) {
     return advanced(start, line, static_cast<std::size_t>(part.data() - line.data()));
@@ -49,7 +49,7 @@ Heading read_heading(std::string_view line, int number, Report& report) {
   heading.title = title;
   heading.id_place = place_of(id);
   if (title.empty()) report.error(start, "this stage has no title", "# Title {" + slug(id) + "}");
-  check_inline_math(title, place_of(title), report);
+  heading.title_text = texts.line(LocatedText(texts.source(), title));
   if (is_id(id))
     heading.id = id;
   else

@@ -2,6 +2,7 @@
 // The line that starts a stage, and words of a line with their places.
 #pragma once
 
+#include "lessons/inline_text.h"
 #include "lessons/keys.h"
 #include "lessons/report.h"
 
@@ -13,12 +14,13 @@ namespace polhode {
 
 struct Heading {
   std::string title;
+  RichText title_text;
   std::string id;  ///< empty after an error
   SourcePlace id_place;
 };
 
 /// Reads `# Title {stage-id}`, line `number` of the source.
-Heading read_heading(std::string_view line, int number, Report& report);
+Heading read_heading(int number, TextReader& texts);
 
 /// The words of a line from byte `begin` on (past its end: none), at most four of them.
 std::vector<PlacedText> read_words(std::string_view line, std::size_t begin, int number);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A lesson as data: stages, their steps, and on each step text, mathematics, claims, questions and a scene.
-// The file format is in lessons/FORMAT.md.
+// The file format is in lessons/FORMAT.md. Texts are there as they are written and ready to be set; the
+// places in the latter count bytes of Lesson::source.
 #pragma once
 
 #include "lessons/diagnostic.h"
 #include "render/scene/scene.h"
+#include "render/type/rich_text.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,6 +19,7 @@ namespace polhode {
 /// Prose between two fences: Markdown as written (inline $…$ included), without the block's own syntax.
 struct Prose {
   std::string markdown;
+  RichText text;
   SourcePlace place;
 };
 
@@ -24,6 +28,8 @@ struct Equation {
   std::string id;
   std::string tex;
   std::string tag;  ///< of \tag{…}, e.g. "5"; empty: unnumbered
+  Math math;
+  std::size_t offset = 0;  ///< of the TeX in Lesson::source
   SourcePlace place;
 };
 
@@ -49,6 +55,7 @@ struct Claim {
 struct Callout {
   enum class Kind { said, meant } kind = Kind::said;
   std::string markdown;
+  RichText text;
   SourcePlace place;
 };
 
@@ -57,10 +64,13 @@ struct Ask {
   std::string id;
   Type type = Type::expression;
   std::string prompt;
+  RichText prompt_text;
   std::vector<std::string> choices;
+  std::vector<RichText> choice_texts;
   std::vector<std::string> answers;  ///< an expression; or 1-based indices into choices, as text
   std::string modulo;                ///< identity | motion | free; of expressions
   std::vector<std::string> hints;
+  std::vector<RichText> hint_texts;
   SourcePlace place;
 };
 
@@ -70,19 +80,24 @@ using Block = std::variant<Prose, Equation, Claim, Callout, Ask>;
 struct Step {
   std::vector<Block> blocks;
   std::optional<Scene> scene;  ///< absent: text alone
+  /// The scene's, null if it has none; steps that go on with a caption share it.
+  std::shared_ptr<const RichText> caption;
 };
 
 struct Stage {
   std::string id;
   std::string title;
+  RichText title_text;
   std::vector<Step> steps;  ///< at least one
   SourcePlace place;
 };
 
 struct Symbol {
   std::string tex;
-  std::string role;  ///< colour role
-  std::string say;   ///< spoken form
+  Math math;
+  std::size_t offset = 0;  ///< of the TeX in Lesson::source
+  std::string role;        ///< colour role
+  std::string say;         ///< spoken form
   std::string unit;
 };
 
@@ -90,7 +105,9 @@ struct Lesson {
   std::string id;
   std::string title;
   std::map<std::string, Symbol> symbols;
+  MathMacros macros;  ///< of the author
   std::vector<Stage> stages;
+  std::string source;  ///< the whole file, without a byte order mark
 
   const Stage* find_stage(std::string_view stage_id) const;
 };

@@ -33,9 +33,11 @@ bool refuse_whole(std::string_view bytes, Report& report, const SourceText& sour
   return false;
 }
 
-std::vector<Stage> read_stages(const SourceText& source, const FrontMatter& front, Report& report) {
+std::vector<Stage> read_stages(const FrontMatter& front, TextReader& texts) {
+  const SourceText& source = texts.source();
+  Report& report = texts.report();
   const MarkdownReading markdown = read_markdown(source, front.next_line, report);
-  StageBuilder builder(source, front, report);
+  StageBuilder builder(front, texts);
   for (const MarkdownBlock& block : markdown.blocks) {
     if (!builder.add(block) || report.is_full()) return {};
   }
@@ -56,11 +58,12 @@ LessonReading read_lesson(std::string_view text, std::string_view file_name) {
   Report report(source, file_name);
   LessonReading reading;
   if (!refuse_whole(text, report, source)) {
-    FrontMatter front = read_front_matter(source, report);
-    std::vector<Stage> stages = read_stages(source, front, report);
+    TextReader texts(report);
+    FrontMatter front = read_front_matter(texts);
+    std::vector<Stage> stages = read_stages(front, texts);
     if (!report.has_errors()) {
-      reading.lesson =
-          Lesson{std::move(front.id), std::move(front.title), std::move(front.symbols), std::move(stages)};
+      reading.lesson = Lesson{std::move(front.id),       std::move(front.title), std::move(front.symbols),
+                              std::move(texts.macros()), std::move(stages),      std::string(text)};
     }
   }
   reading.diagnostics = report.take();

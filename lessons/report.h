@@ -21,6 +21,7 @@ class Report {
 
   void error(SourcePlace place, std::string message, std::string hint = {});
   void warning(SourcePlace place, std::string message, std::string hint = {});
+  const SourceText& source() const { return source_; }
   bool has_errors() const { return !errors_.empty(); }
   /// Nothing more is kept: a reader may stop.
   bool is_full() const { return errors_.size() > kMaxDiagnostics; }

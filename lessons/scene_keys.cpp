@@ -21,8 +21,12 @@ constexpr double kMaxElevationDeg = 90;
 // One table's keys into one scene.
 class SceneKeys {
  public:
-  SceneKeys(const LessonBodies& bodies, Scene& scene, Report& report)
-      : bodies_(bodies), scene_(scene), report_(report) {}
+  SceneKeys(const LessonBodies& bodies, LessonScene& scene, TextReader& texts)
+      : bodies_(bodies),
+        scene_(scene.scene),
+        caption_(scene.caption),
+        texts_(texts),
+        report_(texts.report()) {}
 
   std::vector<PlacedText> read(const TomlTable& table) {
     read_keys(
@@ -267,6 +271,8 @@ class SceneKeys {
       report_.error(entry.value.place, "a caption has at most " + std::to_string(kMaxCaptionCharacters) +
                                            " characters, found " + std::to_string(count_characters(*text)));
     } else {
+      caption_ = std::make_shared<const RichText>(
+          texts_.caption(located_string(texts_.source(), entry.value.place, *text)));
       scene_.caption = std::move(*text);
     }
   }
@@ -289,15 +295,17 @@ class SceneKeys {
 
   const LessonBodies& bodies_;
   Scene& scene_;
+  std::shared_ptr<const RichText>& caption_;
+  TextReader& texts_;
   Report& report_;
   std::vector<PlacedText> highlighted_;
 };
 
 }  // namespace
 
-std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies, Scene& scene,
-                                        Report& report) {
-  return SceneKeys(bodies, scene, report).read(table);
+std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
+                                        LessonScene& scene, TextReader& texts) {
+  return SceneKeys(bodies, scene, texts).read(table);
 }
 
 }  // namespace polhode

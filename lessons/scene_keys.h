@@ -2,10 +2,12 @@
 // Keys of a scene, in the front matter's [scene] and in ```scene fences.
 #pragma once
 
+#include "lessons/inline_text.h"
 #include "lessons/keys.h"
 #include "render/scene/scene.h"
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,9 +24,15 @@ struct LessonBodies {
   bool complete = true;  ///< false after an error in one: an unknown name is then no second error
 };
 
+/// A scene and what it needs besides.
+struct LessonScene {
+  Scene scene;
+  std::shared_ptr<const RichText> caption;  ///< Scene::caption, ready to be set; null: none
+};
+
 /// Changes `scene` by the keys of a table; a key replaces its whole value.
 /// @return what the table highlights, with places; the names are not checked here.
-std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies, Scene& scene,
-                                        Report& report);
+std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
+                                        LessonScene& scene, TextReader& texts);
 
 }  // namespace polhode

@@ -75,6 +75,17 @@ SourcePlace SourceText::place_of(std::size_t offset) const {
   return {line, 1 + count_characters(text_.substr(begin_of(line), offset - begin_of(line)))};
 }
 
+std::size_t SourceText::offset_of(SourcePlace place) const {
+  const SourcePlace nearest = clamp(place);
+  const std::string_view text = line(nearest.line);
+  std::size_t at = 0;
+  for (int column = 1; column < nearest.column; ++column) {
+    ++at;
+    while (at < text.size() && !starts_character(text[at])) ++at;
+  }
+  return begin_of(nearest.line) + at;
+}
+
 SourcePlace SourceText::clamp(SourcePlace place) const {
   if (place.line < 1) return {1, 1};
   const int last = std::min(place.line, line_count());

@@ -30,9 +30,13 @@ class SourceText {
   int line_of(std::size_t offset) const;
   SourcePlace place_of(std::size_t offset) const;
   /// Place of a view into this text.
-  SourcePlace place_of(std::string_view part) const {
-    return place_of(static_cast<std::size_t>(part.data() - text_.data()));
+  SourcePlace place_of(std::string_view part) const { return place_of(offset_of(part)); }
+  /// Byte where a view into this text begins.
+  std::size_t offset_of(std::string_view part) const {
+    return static_cast<std::size_t>(part.data() - text_.data());
   }
+  /// Byte of the nearest place that exists.
+  std::size_t offset_of(SourcePlace place) const;
   /// The nearest place that exists.
   SourcePlace clamp(SourcePlace place) const;
 

@@ -5,7 +5,6 @@
 #include "lessons/callouts.h"
 #include "lessons/claim_lines.h"
 #include "lessons/heading.h"
-#include "lessons/math_text.h"
 #include "lessons/reader.h"
 #include "lessons/suggest.h"
 
@@ -77,9 +76,10 @@ bool StageBuilder::start_stage(const MarkdownBlock& block) {
   }
   Stage stage;
   stage.place = {block.first_line, 1};
-  const Heading heading = read_heading(source_.line(block.first_line), block.first_line, report_);
+  Heading heading = read_heading(block.first_line, texts_);
   stage.id = heading.id;
   stage.title = heading.title;
+  stage.title_text = std::move(heading.title_text);
   if (!stage.id.empty()) {
     const auto [taken, is_new] = stage_lines_.emplace(stage.id, block.first_line);
     if (!is_new) {
@@ -116,7 +116,9 @@ void StageBuilder::finish_step() {
     report_.error(step_place_, only_one ? "this stage is empty" : "this step is empty",
                   only_one ? "write its text below the heading" : "leave out one ---");
   }
-  if (has_scene_) step().scene = scene_;
+  if (!has_scene_) return;
+  step().scene = scene_.scene;
+  step().caption = scene_.caption;
 }
 
 void StageBuilder::finish_stage() {
@@ -154,12 +156,11 @@ void StageBuilder::check_highlights() {
 void StageBuilder::add_prose(const MarkdownBlock& block) {
   const SourcePlace place{block.first_line, 1};
   const std::string_view text = source_.lines(block.first_line, block.last_line);
-  check_inline_math(text, place, report_);
-  step().blocks.push_back(Prose{std::string(text), place});
+  step().blocks.push_back(Prose{std::string(text), texts_.passage(LocatedText(source_, text)), place});
 }
 
 void StageBuilder::add_quote(const MarkdownBlock& block) {
-  for (Callout& callout : read_callouts(source_, block.first_line, block.last_line, report_)) {
+  for (Callout& callout : read_callouts(block.first_line, block.last_line, texts_)) {
     ++parts_;
     step().blocks.push_back(std::move(callout));
   }
@@ -216,18 +217,26 @@ void StageBuilder::add_math(const Fence& fence) {
     report_.error(fence.place, "this equation is empty");
     return;
   }
-  Equation equation{fence.words[1].text, std::string(tex), "", fence.place};
-  const MathNames names = read_math(tex, {fence.first_line, 1}, report_);
-  for (const PlacedText& tag : names.tags) {
-    equation.tag += (equation.tag.empty() ? "" : ", ") + tag.text;
-    const auto [first, is_new] = tag_lines_.emplace(tag.text, tag.place.line);
-    if (!is_new) {
-      report_.warning(tag.place,
-                      "tag (" + tag.text + ") is there already, on line " + std::to_string(first->second));
-    }
-  }
-  for (const PlacedText& term : names.terms) terms_.insert(term.text);
+  Equation equation{fence.words[1].text, std::string(tex), "", {}, source_.offset_of(tex), fence.place};
+  if (auto math = texts_.formula(LocatedText(source_, tex))) equation.math = std::move(*math);
+  equation.tag = equation.math.tag;
+  take_tag(equation);
+  terms_.insert(equation.math.terms.begin(), equation.math.terms.end());
   step().blocks.push_back(std::move(equation));
+}
+
+/// Several tags of one equation are joined by commas.
+void StageBuilder::take_tag(const Equation& equation) {
+  std::size_t begin = 0;
+  for (const std::size_t at : equation.math.tag_offsets) {
+    const std::size_t end = std::min(equation.tag.find(", ", begin), equation.tag.size());
+    const std::string tag = equation.tag.substr(begin, end - begin);
+    begin = std::min(end + 2, equation.tag.size());
+    const SourcePlace place = source_.place_of(equation.offset + at);
+    const auto [first, is_new] = tag_lines_.emplace(tag, place.line);
+    if (!is_new)
+      report_.warning(place, "tag (" + tag + ") is there already, on line " + std::to_string(first->second));
+  }
 }
 
 void StageBuilder::add_claim(const Fence& fence) {
@@ -256,7 +265,7 @@ void StageBuilder::add_scene(const Fence& fence) {
   has_scene_ = step_has_scene_ = true;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
-  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, report_);
+  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
 }
 
@@ -264,7 +273,7 @@ void StageBuilder::add_ask(const Fence& fence) {
   take_id(fence, ask_lines_, "question");
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
-  if (auto ask = read_ask(*table, fence.words[1].text, fence.place, report_)) {
+  if (auto ask = read_ask(*table, fence.words[1].text, fence.place, texts_)) {
     step().blocks.push_back(std::move(*ask));
   }
 }

@@ -17,8 +17,8 @@ namespace polhode {
 /// Give it every block in order, then take the stages.
 class StageBuilder {
  public:
-  StageBuilder(const SourceText& source, const FrontMatter& front, Report& report)
-      : source_(source), front_(front), report_(report) {}
+  StageBuilder(const FrontMatter& front, TextReader& texts)
+      : source_(texts.source()), front_(front), texts_(texts), report_(texts.report()) {}
 
   /// False if a limit is passed: it was reported, and nothing more need be read.
   bool add(const MarkdownBlock& block);
@@ -38,6 +38,7 @@ class StageBuilder {
   void add_quote(const MarkdownBlock& quote);
   void add_fence(const MarkdownBlock& block);
   void add_math(const Fence& fence);
+  void take_tag(const Equation& equation);
   void add_claim(const Fence& fence);
   void add_scene(const Fence& fence);
   void add_ask(const Fence& fence);
@@ -47,6 +48,7 @@ class StageBuilder {
 
   const SourceText& source_;
   const FrontMatter& front_;
+  TextReader& texts_;
   Report& report_;
   std::vector<Stage> stages_;
   std::map<std::string, int> stage_lines_;  // ids in use and their lines
@@ -55,7 +57,7 @@ class StageBuilder {
   bool said_text_before_stage_ = false;
 
   // Of the stage being read.
-  Scene scene_;
+  LessonScene scene_;
   bool has_scene_ = false;
   bool step_has_scene_ = false;
   bool step_is_empty_ = true;  ///< nothing stands in it, right or wrong

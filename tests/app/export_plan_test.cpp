@@ -22,9 +22,9 @@ Step drawn(double at_s) {
 Lesson lesson() {
   Lesson result;
   result.id = "l";
-  result.stages.push_back({"a", "A", {drawn(1), drawn(2)}, {}});
-  result.stages.push_back({"b", "B", {Step{}}, {}});
-  result.stages.push_back({"c", "C", {drawn(3), Step{}}, {}});
+  result.stages.push_back({"a", "A", {}, {drawn(1), drawn(2)}, {}});
+  result.stages.push_back({"b", "B", {}, {Step{}}, {}});
+  result.stages.push_back({"c", "C", {}, {drawn(3), Step{}}, {}});
   return result;
 }
 

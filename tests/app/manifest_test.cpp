@@ -80,9 +80,12 @@ TEST(Manifest, OptionsWithoutEffectOnAKindAreNull) {
 }
 
 TEST(TexShown, GrowsWithTheSteps) {
-  Stage stage{"a", "A", {Step{}, Step{}}, {}};
-  stage.steps[0].blocks.push_back(Equation{"e1", "x", "", {}});
-  stage.steps[1].blocks.push_back(Equation{"e2", "y", "", {}});
+  Stage stage{"a", "A", {}, {Step{}, Step{}}, {}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    Equation equation;
+    equation.tex = i == 0 ? "x" : "y";
+    stage.steps[i].blocks.emplace_back(std::move(equation));
+  }
   EXPECT_THAT(tex_shown(stage, 1), ElementsAre("x"));
   EXPECT_THAT(tex_shown(stage, 2), ElementsAre("x", "y"));
 }

@@ -15,7 +15,7 @@ using ::testing::SizeIs;
 using testing::TextReport;
 
 std::vector<Callout> callouts_from(TextReport& at) {
-  return read_callouts(at.source, 1, at.source.line_count(), at.report);
+  return read_callouts(1, at.source.line_count(), at.texts);
 }
 
 TEST(Callouts, StartAtTheirMarks) {

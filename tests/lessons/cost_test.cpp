@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // 1 MiB of anything takes at most 1 s and 64 MiB (figure L2). Each input is a family some Markdown, TOML or
 // TeX reader was slow on, or fills one of our own lists.
+#include "lessons/inline_text.h"
 #include "lessons/scene_keys.h"
 #include "tests/lessons/support.h"
 
@@ -50,6 +51,13 @@ std::string runs_of_backticks() {
   for (std::size_t run = 1; text.size() + run + 1 <= kMaxLessonBytes; ++run)
     text += 'a' + std::string(run, '`');
   return text;
+}
+
+// Texts as long as they may be, of this again and again.
+std::string passages_of(const std::string& unit) {
+  std::string passage;
+  while (passage.size() + unit.size() <= kMaxPassageBytes) passage += unit;
+  return stage_of(passage + "\n\n---\n");
 }
 
 std::string tables_in_scenes() {
@@ -124,6 +132,20 @@ const std::vector<Input>& inputs() {
       {"math_terms", [] { return math_of("\\term{a}{b}"); }},
       {"numbered", [] { return stage_of("1. a\n"); }},
       {"one_dollar_each", [] { return stage_of("a\n\n$"); }},
+      {"passages_of_angles", [] { return passages_of("<a "); }},
+      {"passages_of_backticks", [] { return passages_of("`` ` a"); }},
+      {"passages_of_brackets", [] { return passages_of("["); }},
+      {"passages_of_emphasis", [] { return passages_of("*a **b _c "); }},
+      {"passages_of_entities", [] { return passages_of("&amp;"); }},
+      {"passages_of_escapes", [] { return passages_of("\\*a"); }},
+      {"passages_of_formulas", [] { return passages_of("$a_1^2$ "); }},
+      {"passages_of_images", [] { return passages_of("![[a]("); }},
+      {"passages_of_items", [] { return passages_of("- a\n"); }},
+      {"passages_of_links", [] { return passages_of("[a](b) "); }},
+      {"passages_of_references", [] { return passages_of("[a]: b\n\n[a]\n\n"); }},
+      {"passages_of_words", [] { return passages_of("*a* b "); }},
+      {"fences_of_formulas",
+       [] { return stage_of("```math a\n" + repeated("\\frac{a_1}{b^2}", 450) + "\n```\n---\n"); }},
       {"quote_marks", [] { return stage_of(">"); }},
       {"rules", [] { return stage_of("---\n"); }},
       {"scenes", [] { return stage_of("```scene\n```\n---\n"); }},

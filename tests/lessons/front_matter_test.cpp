@@ -21,7 +21,7 @@ TEST(FrontMatter, ReadsEverything) {
       "[body.plate]\nmoments = [1, 2, 3]\ndraw = 'box'\n[body.brick]\nshape = 'box'\nsize_m = [1, 2, 3]\n"
       "mass_kg = 12\n[symbols]\nL = { tex = '\\vec L', role = 'L', say = 'angular momentum', unit = 'x' }\n"
       "[scene]\nbody = 'plate'\nat = 3\n+++\nrest");
-  const FrontMatter front = read_front_matter(at.source, at.report);
+  const FrontMatter front = read_front_matter(at.texts);
   EXPECT_THAT(at.lines(), IsEmpty());
   EXPECT_EQ(front.id, "a");
   EXPECT_EQ(front.title, "A");
@@ -34,20 +34,20 @@ TEST(FrontMatter, ReadsEverything) {
   EXPECT_EQ(front.symbols.at("L").role, "L");
   EXPECT_EQ(front.symbols.at("L").say, "angular momentum");
   EXPECT_EQ(front.symbols.at("L").unit, "x");
-  EXPECT_EQ(front.scene.body.name, "plate");
-  EXPECT_EQ(front.scene.at_s, 3);
+  EXPECT_EQ(front.scene.scene.body.name, "plate");
+  EXPECT_EQ(front.scene.scene.at_s, 3);
 }
 
 TEST(FrontMatter, ReportsImpossibleMomentsWithTheReasonOfPhysics) {
   TextReport at(std::string(kHead) + "[body.plate]\nmoments = [1.0, 2.0, 3.5]\n+++\n");
-  const FrontMatter front = read_front_matter(at.source, at.report);
+  const FrontMatter front = read_front_matter(at.texts);
   EXPECT_FALSE(front.bodies.complete);
   EXPECT_THAT(at.lines(), ElementsAre("6:1: error: " + *why_impossible(1.0, 2.0, 3.5)));
 }
 
 TEST(FrontMatter, GoesOnAfterASyntaxError) {
   TextReport at("+++\nid = \n+++\nrest");
-  const FrontMatter front = read_front_matter(at.source, at.report);
+  const FrontMatter front = read_front_matter(at.texts);
   EXPECT_EQ(at.source.line(front.next_line), "rest");
   EXPECT_FALSE(front.bodies.complete);
   EXPECT_EQ(at.lines().size(), 1U);
@@ -55,27 +55,39 @@ TEST(FrontMatter, GoesOnAfterASyntaxError) {
 
 TEST(FrontMatter, MayEndWithTheText) {
   TextReport at(std::string(kHead) + "+++");
-  EXPECT_EQ(read_front_matter(at.source, at.report).next_line, at.source.line_count() + 1);
+  EXPECT_EQ(read_front_matter(at.texts).next_line, at.source.line_count() + 1);
   EXPECT_THAT(at.lines(), IsEmpty());
+}
+
+TEST(FrontMatter, MacrosServeSymbolsAboveThem) {
+  TextReport at(std::string(kHead) +
+                "symbols.w = { tex = '\\w' }\n[macros]\nw = '\\vec\\omega'\nddt = { arguments = 1, tex = "
+                "'\\frac{d#1}{dt}' }\n+++\n");
+  const FrontMatter front = read_front_matter(at.texts);
+  EXPECT_THAT(at.lines(), IsEmpty());
+  EXPECT_EQ(at.texts.macros().at("ddt").arguments, 1);
+  EXPECT_EQ(at.texts.macros().at("ddt").body, "\\frac{d#1}{dt}");
+  EXPECT_NE(front.symbols.at("w").math.root, nullptr);
 }
 
 class FrontMatterRefuses : public ::testing::TestWithParam<const char*> {};
 TEST_P(FrontMatterRefuses, Lines) {
   TextReport at(std::string(kHead) + GetParam() + "\n+++\n");
-  read_front_matter(at.source, at.report);
+  read_front_matter(at.texts);
   EXPECT_TRUE(at.report.has_errors()) << GetParam();
 }
 INSTANTIATE_TEST_SUITE_P(
     All, FrontMatterRefuses,
-    ::testing::Values("body = 'book'", "scene = 1", "symbols = 'L'", "symbols.L = 'L'", "body.plate = 1",
-                      "body.plate = {}", "body.plate = { shape = 'box' }",
-                      "body.p_q = { moments = [1, 1, 1] }", "include = 'other.md'",
-                      "symbols.L = { tex = '{' }", "symbols.L = {}",
-                      "body.p = { moments = [1, 1, 1], mass_kg = 1 }",
-                      "body.p = { moments = [1, 1, 1], draw = 'ball' }",
-                      "body.p = { shape = 'box', size_m = [1, 1, 1], mass_kg = 1, draw = 'box' }",
-                      "body.p = { shape = 'box', size_m = [1, -1, 1], mass_kg = 1 }",
-                      "body.p = { shape = 'ring', size_m = [1, 1, 1], mass_kg = 1 }"));
+    ::testing::Values(
+        "body = 'book'", "scene = 1", "symbols = 'L'", "symbols.L = 'L'", "body.plate = 1", "body.plate = {}",
+        "body.plate = { shape = 'box' }", "body.p_q = { moments = [1, 1, 1] }", "include = 'other.md'",
+        "macros = 1", "macros.w2 = 'x'", "macros.w = 1", "macros.w = { arguments = 1 }",
+        "macros.w = { tex = 'x', arguments = 10 }", "macros.w = { tex = 'x', arguments = 'one' }",
+        "symbols.L = { tex = '\\vecc' }", "symbols.L = { tex = '{' }", "symbols.L = {}",
+        "body.p = { moments = [1, 1, 1], mass_kg = 1 }", "body.p = { moments = [1, 1, 1], draw = 'ball' }",
+        "body.p = { shape = 'box', size_m = [1, 1, 1], mass_kg = 1, draw = 'box' }",
+        "body.p = { shape = 'box', size_m = [1, -1, 1], mass_kg = 1 }",
+        "body.p = { shape = 'ring', size_m = [1, 1, 1], mass_kg = 1 }"));
 
 }  // namespace
 }  // namespace polhode

@@ -16,7 +16,7 @@ using testing::TextReport;
 
 TEST(Heading, HasATitleAndAnId) {
   TextReport at("# The tensor $\\mathbf{I}$ {tensor-I} ");
-  const Heading heading = read_heading(at.text, 1, at.report);
+  const Heading heading = read_heading(1, at.texts);
   EXPECT_THAT(at.lines(), IsEmpty());
   EXPECT_EQ(heading.title, "The tensor $\\mathbf{I}$");
   EXPECT_EQ(heading.id, "tensor-I");
@@ -25,7 +25,7 @@ TEST(Heading, HasATitleAndAnId) {
 
 TEST(Heading, WithoutIdGetsAProposal) {
   TextReport at("# Ω and L: what for?");
-  EXPECT_EQ(read_heading(at.text, 1, at.report).id, "");
+  EXPECT_EQ(read_heading(1, at.texts).id, "");
   EXPECT_THAT(at.lines(),
               ElementsAre("1:1: error: this heading has no stage id in braces at its end (end it with "
                           "{and-l-what-for})"));
@@ -34,7 +34,7 @@ TEST(Heading, WithoutIdGetsAProposal) {
 TEST(Heading, RefusesBadIdsAndEmptyTitles) {
   for (const char* line : {"# A {b c}", "# A {}", "# {a}", "# A {a} b", "# A }", "#", "# A {a"}) {
     TextReport at(line);
-    read_heading(at.text, 1, at.report);
+    read_heading(1, at.texts);
     EXPECT_THAT(at.lines(), SizeIs(1)) << line;
   }
 }

@@ -36,7 +36,7 @@ std::string lists(int depth) {
 
 std::string bytes(int count) {
   const std::string text = lesson_with("text ");
-  return text + std::string(static_cast<std::size_t>(count) - text.size(), 'a');
+  return text + std::string(static_cast<std::size_t>(count) - text.size(), '\n');
 }
 
 // Arrays in a key whose value is of the wrong kind whatever the depth: only the message tells.

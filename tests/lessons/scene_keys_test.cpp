@@ -22,15 +22,16 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // The scene after these keys; fails the test on any report.
 Scene scene_from(const std::string& text, Scene scene = {}, const LessonBodies& bodies = {}) {
   TextReport at(text);
-  read_scene_keys(testing::toml(text), bodies, scene, at.report);
+  LessonScene changed{std::move(scene), {}};
+  read_scene_keys(testing::toml(text), bodies, changed, at.texts);
   EXPECT_THAT(at.lines(), IsEmpty()) << text;
-  return scene;
+  return changed.scene;
 }
 
 bool is_refused(const std::string& text) {
   TextReport at(text);
-  Scene scene;
-  read_scene_keys(testing::toml(text), {}, scene, at.report);
+  LessonScene scene;
+  read_scene_keys(testing::toml(text), {}, scene, at.texts);
   return at.report.has_errors();
 }
 
@@ -135,8 +136,8 @@ TEST(SceneKeys, TurnAzimuthsByWholeTurns) {
 
 TEST(SceneKeys, ReturnWhatIsHighlightedWithPlaces) {
   TextReport at("highlight = ['turn', 'L']");
-  Scene scene;
-  const auto names = read_scene_keys(testing::toml(at.text), {}, scene, at.report);
+  LessonScene scene;
+  const auto names = read_scene_keys(testing::toml(at.text), {}, scene, at.texts);
   ASSERT_EQ(names.size(), 2U);
   EXPECT_EQ(names[0].text, "turn");
   EXPECT_EQ(names[0].place, (SourcePlace{1, 14}));

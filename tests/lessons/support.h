@@ -2,6 +2,7 @@
 // Lessons to test with.
 #pragma once
 
+#include "lessons/inline_text.h"
 #include "lessons/reader.h"
 #include "lessons/report.h"
 #include "lessons/toml_tree.h"
@@ -27,12 +28,13 @@ std::vector<std::string> complaints(const std::string& text);
 /// A report on its own text, and the lines it holds.
 struct TextReport {
   explicit TextReport(std::string the_text)
-      : text(std::move(the_text)), source(text), report(source, "text") {}
+      : text(std::move(the_text)), source(text), report(source, "text"), texts(report) {}
   std::vector<std::string> lines() { return lines_of(report.take()); }
 
   std::string text;
   SourceText source;
   Report report;
+  TextReader texts;
 };
 
 /// Table of a TOML text; fails the test and returns an empty one if it is none.
