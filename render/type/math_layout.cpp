@@ -91,8 +91,9 @@ double space_between(MathClass left, MathClass right, Style style) {
 }
 
 /// Rules 5 and 6: a binary operator without two operands is an ordinary sign.
-void settle_classes(std::vector<Item>& items) {
-  Item* last = nullptr;
+void settle_classes(std::vector<Item>& items, bool continues) {
+  Item before;
+  Item* last = continues ? &before : nullptr;
   for (Item& item : items) {
     if (item.node->kind == Kind::space) continue;
     const bool no_left = last == nullptr || last->atom == MathClass::binary ||
@@ -104,7 +105,8 @@ void settle_classes(std::vector<Item>& items) {
     if (no_right && last != nullptr && last->atom == MathClass::binary) last->atom = MathClass::ordinary;
     last = &item;
   }
-  if (last != nullptr && last->atom == MathClass::binary) last->atom = MathClass::ordinary;
+  const bool alone = continues && items.size() == 1;
+  if (last != nullptr && last->atom == MathClass::binary && !alone) last->atom = MathClass::ordinary;
 }
 
 class MathLayout {
@@ -291,7 +293,7 @@ class MathLayout {
       flatten(child, style, paint, into);
   }
 
-  std::vector<Item> items_of(const MathNode& node, Style style, const Paint& paint) {
+  std::vector<Item> items_of(const MathNode& node, Style style, const Paint& paint, bool continues = false) {
     std::vector<Item> items;
     if (node.absent()) return items;
     if (node.kind == Kind::row) {
@@ -299,7 +301,7 @@ class MathLayout {
     } else {
       flatten_single(node, style, paint, items);
     }
-    settle_classes(items);
+    settle_classes(items, continues);
     return items;
   }
 
@@ -320,8 +322,7 @@ class MathLayout {
   /// first atom stands as if something were before it.
   Box row(const MathNode& node, Style style, const Paint& paint, std::vector<Placed>* placed = nullptr,
           bool continues = false) {
-    std::vector<Item> items = items_of(node, style, paint);
-    if (continues) restore_first(items);
+    const std::vector<Item> items = items_of(node, style, paint, continues);
     Box box;
     std::optional<MathClass> last;
     if (continues) last = MathClass::ordinary;
@@ -349,11 +350,6 @@ class MathLayout {
         placed->push_back({begin, x, box.width, part.height, part.depth, item.atom, 0.0});
     }
     return box;
-  }
-
-  static void restore_first(std::vector<Item>& items) {
-    if (!items.empty() && items.front().node->atom == MathClass::binary && items.size() > 1)
-      items.front().atom = MathClass::binary;
   }
 
   /// A field that is one atom keeps its shape: a character's scripts and accents stand closer.
@@ -1171,27 +1167,28 @@ class MathLayout {
 
   // --- grids --------------------------------------------------------------------------------------------
 
-  /// How a kind of grid is spaced, em.
+  /// How a kind of grid is spaced, em: TeX's struts and skips for a ten-point font on twelve points.
   struct Spacing {
     double strut_height = 0, strut_depth = 0;  ///< of each row at least
-    double pitch = 0;                          ///< from baseline to baseline at least
+    double leading = 0;                        ///< more between rows
     double gap = 0;                            ///< between ink of neighbouring rows at least
     double between = 0;                        ///< columns
     double outside = 0;
+    bool trimmed = false;  ///< the struts of the first and the last row do not count outwards
   };
-  static Spacing spacing_of(MathGrid::Kind kind) {
-    switch (kind) {
+  static Spacing spacing_of(const MathGrid& grid) {
+    switch (grid.kind) {
       case MathGrid::Kind::aligned:
       case MathGrid::Kind::gathered:
-        return {0, 0, 1.5, 0.4, 1.0, 0};
+        return {0.84, 0.36, 0.3, 0.3, 1.0, 0, true};
       case MathGrid::Kind::cases:
-        return {1.008, 0.432, 1.44, 0.2, 1.0, 0};
+        return {1.008, 0.432, 0, 0.12, 1.0, 0};
       case MathGrid::Kind::small:
-        return {0, 0, 0.84, 0.15, 0.36, 0};
+        return {0, 0, 0, 0.2, 0.36, grid.columns > 1 ? 0.22 : 0.0};
       case MathGrid::Kind::array:
-        return {0.84, 0.36, 1.2, 0.2, 1.0, 0.5};
+        return {0.84, 0.36, 0, 0.12, 1.0, 0.5};
       default:
-        return {0.84, 0.36, 1.2, 0.2, 1.0, 0};
+        return {0.84, 0.36, 0, 0.12, 1.0, 0};
     }
   }
 
@@ -1222,7 +1219,7 @@ class MathLayout {
     const MathNode& node = *item.node;
     const MathGrid& grid = *node.grid;
     const Style style = cell_style(grid.kind, item.style);
-    const Spacing spacing = spacing_of(grid.kind);
+    const Spacing spacing = spacing_of(grid);
     const double s = size(style);
     const auto columns = static_cast<std::size_t>(std::max(grid.columns, 1));
     const std::size_t rows = node.children.size() / columns;
@@ -1247,11 +1244,18 @@ class MathLayout {
       const bool inside_pair = grid.kind == MathGrid::Kind::aligned && c % 2 == 0;
       lefts[c + 1] = lefts[c] + widths[c] + (inside_pair ? 0.0 : spacing.between * s);
     }
-    std::vector<double> baselines(rows, heights.empty() ? 0.0 : heights.front());
+    std::vector<double> pitches(rows, 0.0);
     for (std::size_t r = 1; r < rows; ++r) {
-      const double pitch = std::max(spacing.pitch * s, ink_pitch(cells, columns, r, spacing, s));
-      baselines[r] = baselines[r - 1] + std::max(pitch, depths[r - 1] + heights[r]) + grid.skips[r - 1] * s;
+      const double struts = depths[r - 1] + heights[r] + spacing.leading * s;
+      const double ink = ink_depth(cells, columns, r - 1) + spacing.gap * s + ink_height(cells, columns, r);
+      pitches[r] = std::max(struts, ink) + grid.skips[r - 1] * s;
     }
+    if (spacing.trimmed && rows > 0) {
+      heights.front() = ink_height(cells, columns, 0);
+      depths.back() = ink_depth(cells, columns, rows - 1);
+    }
+    std::vector<double> baselines(rows, heights.empty() ? 0.0 : heights.front());
+    for (std::size_t r = 1; r < rows; ++r) baselines[r] = baselines[r - 1] + pitches[r];
     const double width = lefts[columns - 1] + widths[columns - 1] + spacing.outside * s;
     const double total = rows == 0 ? 0.0 : baselines.back() + depths.back();
     const double top = -(axis(item.style) + 0.5 * total);
@@ -1298,15 +1302,15 @@ class MathLayout {
     return width;
   }
 
-  /// From the baseline of row r − 1 to that of row r, so that their ink keeps its distance.
-  static double ink_pitch(const std::vector<Box>& cells, std::size_t columns, std::size_t r,
-                          const Spacing& spacing, double s) {
-    double depth = 0.0, height = 0.0;
-    for (std::size_t c = 0; c < columns; ++c) {
-      depth = std::max(depth, cells[(r - 1) * columns + c].depth);
-      height = std::max(height, cells[r * columns + c].height);
-    }
-    return depth + spacing.gap * s + height;
+  static double ink_height(const std::vector<Box>& cells, std::size_t columns, std::size_t r) {
+    double height = 0.0;
+    for (std::size_t c = 0; c < columns; ++c) height = std::max(height, cells[r * columns + c].height);
+    return height;
+  }
+  static double ink_depth(const std::vector<Box>& cells, std::size_t columns, std::size_t r) {
+    double depth = 0.0;
+    for (std::size_t c = 0; c < columns; ++c) depth = std::max(depth, cells[r * columns + c].depth);
+    return depth;
   }
 
   void grid_lines(const Item& item, const MathGrid& grid, const std::vector<double>& lefts,

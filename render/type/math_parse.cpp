@@ -521,14 +521,17 @@ class MathParser {
   /// All primes that follow, and the superscript behind them.
   MathNode primes(const Token& first) {
     MathNode made = node_of(Kind::row, first.span);
-    made.children.push_back(symbol(first, U'′', MathClass::ordinary));
-    while (tokens_.peek().is(U'\'')) {
-      const Token more = tokens_.next();
-      made.children.push_back(symbol(more, U'′', MathClass::ordinary));
-      made.span = joined(made.span, more.span);
+    Token mark = first;
+    for (int count = 1; mark.kind != Token::Kind::end; count = 1) {
+      Token all = mark;
+      for (; count < 4 && tokens_.peek().is(U'\''); ++count) all.span = joined(all.span, tokens_.next().span);
+      constexpr std::u32string_view kPrimes = U"′″‴⁗";
+      made.children.push_back(symbol(all, kPrimes[static_cast<std::size_t>(count - 1)], MathClass::ordinary));
+      made.span = joined(made.span, all.span);
+      mark = tokens_.peek().is(U'\'') ? tokens_.next() : Token{};
     }
     if (tokens_.peek().is(U'^')) {
-      const Token mark = tokens_.next();
+      mark = tokens_.next();
       MathNode above = argument(mark, "x^{…}");
       made.span = joined(made.span, above.span);
       made.children.push_back(std::move(above));
@@ -593,10 +596,33 @@ class MathParser {
     made.children.push_back(argument(token, written(token) + "{…}"));
     alphabet_ = before;
     finish(made);
+    if (auto word = as_word(made, wanted)) return std::move(*word);
     const MathNode& only = without_groups(made.children.front());
     made.atom = only.atom;
     made.limits = only.limits;
     return made;
+  }
+
+  /// \mathrm{max} is a word of the text's font, with its kerning.
+  static std::optional<MathNode> as_word(const MathNode& letters, Alphabet wanted) {
+    static const std::map<Alphabet, Face> kFaces = {{Alphabet::upright, Face::serif},
+                                                    {Alphabet::bold, Face::serif_bold},
+                                                    {Alphabet::italic, Face::serif_italic},
+                                                    {Alphabet::sans, Face::sans},
+                                                    {Alphabet::mono, Face::mono}};
+    const auto face = kFaces.find(wanted);
+    const MathNode& row = letters.children.front();
+    if (face == kFaces.end() || row.kind != Kind::row || row.children.size() < 2) return std::nullopt;
+    MathNode word = node_of(Kind::text, letters.span);
+    word.face = face->second;
+    for (const MathNode& child : row.children) {
+      const bool is_letter = (U'a' <= child.character && child.character <= U'z') ||
+                             (U'A' <= child.character && child.character <= U'Z');
+      if (child.kind != Kind::symbol || !is_letter || child.alphabet != wanted) return std::nullopt;
+      append_utf8(word.text, child.character);
+      word.sources.push_back(child.span);
+    }
+    return word;
   }
 
   /// The span of a node that holds its children.
@@ -710,8 +736,10 @@ class MathParser {
     MathNode made = delimiter(token, written(token) + "(");
     made.span = joined(made.span, token.span);
     made.atom = command.atom;
-    // Plain TeX's 8.5, 11.5, 14.5 and 17.5 pt at 10 pt; amsmath's \big is 1.2 of a parenthesis' height.
-    static constexpr std::array<double, 5> kHeights = {0.0, 1.2, 1.8, 2.4, 3.0};
+    // amsmath: 1.2, 1.8, 2.4 and 3 times the height of a parenthesis.
+    static constexpr double kParenthesis = 0.829;
+    static constexpr std::array<double, 5> kHeights = {0.0, 1.2 * kParenthesis, 1.8 * kParenthesis,
+                                                       2.4 * kParenthesis, 3.0 * kParenthesis};
     made.amount = kHeights[static_cast<std::size_t>(command.amount)];
     return made;
   }
