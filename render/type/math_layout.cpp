@@ -4,7 +4,7 @@
 #include "render/type/math.h"
 #include "render/type/math_alphabets.h"
 #include "render/type/math_delimiters.h"
-#include "render/type/math_tree.h"
+#include "render/type/math_symbols.h"
 
 #include <algorithm>
 #include <array>
@@ -111,11 +111,8 @@ void settle_classes(std::vector<Item>& items, bool continues) {
 
 class MathLayout {
  public:
-  MathLayout(const MathStyle& style, const Fonts& fonts) : style_(style), fonts_(fonts), font_(fonts) {
-    if (style.symbols == nullptr) return;
-    for (const MathSymbol& symbol : *style.symbols)
-      if (symbol.math.root && !atoms_of(symbol).empty()) symbols_.push_back(&symbol);
-  }
+  MathLayout(const MathStyle& style, const Fonts& fonts)
+      : style_(style), fonts_(fonts), font_(fonts), symbols_(style.symbols) {}
 
   Result<DisplayList, std::vector<TypeError>> run(const MathNode& root) {
     Paint paint;
@@ -189,56 +186,12 @@ class MathLayout {
 
   // --- symbols of the lesson ----------------------------------------------------------------------------
 
-  static std::vector<const MathNode*> atoms_of(const MathSymbol& symbol) {
-    const MathNode& root = without_groups(*symbol.math.root);
-    std::vector<const MathNode*> atoms;
-    if (root.kind != Kind::row) return {&root};
-    for (const MathNode& child : root.children) atoms.push_back(&child);
-    return atoms;
-  }
-
   Paint named(const Paint& paint, const MathSymbol& symbol, bool sealed) {
     Paint p = paint;
     if (!p.fixed_color) p.color = symbol.color;
     p.naming.symbol = index_of(out_, symbol.name);
     p.sealed = sealed;
     return p;
-  }
-
-  /// The symbol that begins at children[i], and how many of them it takes.
-  const MathSymbol* symbol_at(const std::vector<MathNode>& children, std::size_t i,
-                              std::size_t& count) const {
-    const MathSymbol* longest = nullptr;
-    count = 0;
-    for (const MathSymbol* symbol : symbols_) {
-      const MathNode& root = without_groups(*symbol->math.root);
-      if (root.kind != Kind::row) {
-        if (count >= 1 || !same_math(root, children[i])) continue;
-        longest = symbol;
-        count = 1;
-        continue;
-      }
-      const std::size_t n = root.children.size();
-      if (n <= count || n > children.size() - i) continue;
-      if (!std::equal(root.children.begin(), root.children.end(),
-                      children.begin() + static_cast<std::ptrdiff_t>(i), same_math))
-        continue;
-      longest = symbol;
-      count = n;
-    }
-    return longest;
-  }
-
-  /// A symbol ω₁ in ω₁²: nucleus and subscript are its own.
-  const MathSymbol* symbol_below_power(const MathNode& node) const {
-    if (node.kind != Kind::scripts || node.children[1].absent() || node.children[2].absent()) return nullptr;
-    for (const MathSymbol* symbol : symbols_) {
-      const MathNode& root = without_groups(*symbol->math.root);
-      if (root.kind == Kind::scripts && root.children[2].absent() &&
-          same_math(root.children[0], node.children[0]) && same_math(root.children[1], node.children[1]))
-        return symbol;
-    }
-    return nullptr;
   }
 
   // --- rows ---------------------------------------------------------------------------------------------
@@ -266,15 +219,14 @@ class MathLayout {
       style.level = static_cast<int>(node.amount);
     } else if (!node.absent()) {
       into.push_back({&node, paint, style, node.atom, nullptr});
-      if (!paint.sealed) into.back().base_symbol = symbol_below_power(node);
+      if (!paint.sealed) into.back().base_symbol = symbols_.below_power(node);
     }
   }
 
   void flatten_all(const std::vector<MathNode>& children, Style& style, const Paint& paint,
                    std::vector<Item>& into) {
     for (std::size_t i = 0; i < children.size(); ++i) {
-      std::size_t count = 0;
-      const MathSymbol* symbol = paint.sealed ? nullptr : symbol_at(children, i, count);
+      const auto [symbol, count] = paint.sealed ? MathSymbols::Found{} : symbols_.at(children, i);
       if (symbol == nullptr) {
         flatten_child(children[i], style, paint, into);
         continue;
@@ -307,14 +259,8 @@ class MathLayout {
 
   /// An argument without braces.
   void flatten_single(const MathNode& node, Style style, const Paint& paint, std::vector<Item>& into) {
-    Paint own = paint;
-    if (!paint.sealed) {
-      for (const MathSymbol* symbol : symbols_)
-        if (without_groups(*symbol->math.root).kind != Kind::row && same_math(*symbol->math.root, node)) {
-          own = named(paint, *symbol, true);
-          break;
-        }
-    }
+    const MathSymbol* symbol = paint.sealed ? nullptr : symbols_.of(node);
+    const Paint own = symbol == nullptr ? paint : named(paint, *symbol, true);
     flatten(node, style, own, into);
   }
 
@@ -1402,7 +1348,7 @@ class MathLayout {
   const MathStyle& style_;
   const Fonts& fonts_;
   MathFont font_;
-  std::vector<const MathSymbol*> symbols_;
+  MathSymbols symbols_;
   DisplayList out_;
   std::vector<TypeError> errors_;
 };
