@@ -51,12 +51,12 @@ StageInfo info_of(const Stage& stage) {
   const auto drawn = std::find_if(stage.steps.rbegin(), stage.steps.rend(),
                                   [](const Step& s) { return s.scene.has_value(); });
   if (drawn == stage.steps.rend()) return info;
-  const SceneModel model = make_model(*drawn->scene);
+  const SceneModel model = make_model(*drawn->scene, Product::page);
   info.has_scene = true;
   info.needs = names_of(model.needs);
   info.motion = model.motion->method();
   info.why = model.why;
-  info.setup_ns = median_ns(kSetups, [&] { static_cast<void>(make_model(*drawn->scene)); });
+  info.setup_ns = median_ns(kSetups, [&] { static_cast<void>(make_model(*drawn->scene, Product::page)); });
   info.call_ns = call_cost_ns(model);
   info.horizon = horizon_of(problem_of(*drawn->scene));
   return info;
@@ -146,8 +146,8 @@ void add_info(CLI::App& app, Action& action) {
   command->add_option("LESSON", options->lesson, "Id or file")->required()->option_text(" ");
   command->add_flag("--json", options->json, "the same as JSON, costs in ns");
   command->footer(
-      "Of each stage's last scene: setup is the time to choose the motion and compute the parts required,\n"
-      "call the time of one evaluation at a time t; both measured now, medians. Horizon: how many polhode\n"
+      "Of a page of each stage's last scene: setup is the time to choose the motion and compute the parts\n"
+      "required, call that of one evaluation at a time t; both measured now, medians. Horizon: how many polhode\n"
       "periods pass until rounding of the inputs alone moves the phase by 0.1 rad; none without a period.");
   command->callback(
       [options, &action] { action = [options] { return show_info(options->lesson, options->json); }; });

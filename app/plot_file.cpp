@@ -4,7 +4,6 @@
 #include "app/exit_codes.h"
 #include "app/picture_metadata.h"
 #include "render/gl/renderer.h"
-#include "render/type/font.h"
 
 #include <fmt/format.h>
 
@@ -38,12 +37,9 @@ std::string description_of(const WorkPrecisionPlot& plot) {
 }
 
 void write_plot(const std::filesystem::path& path, const WorkPrecisionPlot& plot) {
-  const LabelFont font = or_fail(LabelFont::open());
-  const auto width = [&](std::string_view text, double size_px) { return font.width(text, size_px); };
-  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, width);
-
   const std::unique_ptr<GlContext> context = or_fail(open_context(ContextKind::any));
   const std::unique_ptr<Renderer> renderer = or_fail(Renderer::create(*context));
+  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, renderer->fonts());
   const Image image = or_fail(renderer->draw(sheet, kPlotSize, {Background::Kind::paper, {}}));
   const PngMetadata metadata{{{"Title", plot.title},
                               {"Description", description_of(plot)},

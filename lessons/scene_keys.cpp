@@ -6,6 +6,7 @@
 #include "lessons/suggest.h"
 #include "physics/method.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -44,7 +45,8 @@ class SceneKeys {
          {"rate", [this](const TomlEntry& e) { assign(scene_.rate, read_positive_number(e, report_)); }},
          {"highlight", [this](const TomlEntry& e) { highlight(e); }},
          {"quality", [this](const TomlEntry& e) { quality(e); }},
-         {"caption", [this](const TomlEntry& e) { caption(e); }}},
+         {"caption", [this](const TomlEntry& e) { caption(e); }},
+         {"meters", [this](const TomlEntry& e) { meters(e); }}},
         report_);
     return std::move(highlighted_);
   }
@@ -273,6 +275,22 @@ class SceneKeys {
           texts_.caption(located_string(texts_.source(), entry.value.place, *text)));
       scene_.caption = std::move(*text);
     }
+  }
+
+  void meters(const TomlEntry& entry) {
+    const auto names = read_texts(entry, static_cast<std::size_t>(kMeterCount), report_);
+    if (!names) return;
+    std::vector<Meter> meters;
+    for (const PlacedText& name : *names) {
+      const auto meter = meter_from(name.text);
+      if (!meter)
+        unknown("meter", name, meter_names());
+      else if (std::find(meters.begin(), meters.end(), *meter) != meters.end())
+        report_.warning(name.place, "the meter " + in_quotes(name.text) + " is there already");
+      else
+        meters.push_back(*meter);
+    }
+    scene_.meters = std::move(meters);
   }
 
   const LessonBodies& bodies_;

@@ -3,6 +3,7 @@
 
 #include "render/gl/shader_sources.h"
 #include "render/scene/palette.h"
+#include "render/type/paragraph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ struct FlatPass::Parts {
   double type_px;  ///< what the sizes of type are relative to: the height, or less in a narrow picture
   Color halo;
   Geometry<Vertex> boxes;
-  std::vector<PlacedText> lines;
+  std::vector<PlacedType> lines;
 
   /// Rounded box centred at `center` (px from the upper left), turned by `angle`; half sizes along its own
   /// axes.
@@ -112,19 +113,25 @@ struct FlatPass::Parts {
   }
 };
 
-Result<std::unique_ptr<FlatPass>> FlatPass::create(const Gl& gl, TextPass& text) {
+Result<std::unique_ptr<FlatPass>> FlatPass::create(const Gl& gl, GlyphPass& type, const Fonts& fonts) {
   auto box = Program::create(gl, "box", shaders::kFlatVert, shaders::kBoxFrag);
   if (!box) return failure(box.error());
-  return std::unique_ptr<FlatPass>(new FlatPass(gl, text, std::move(box).value()));
+  return std::unique_ptr<FlatPass>(new FlatPass(gl, type, fonts, std::move(box).value()));
+}
+
+DisplayList FlatPass::line_of(const std::string& text, double size_px, const Color& ink) const {
+  TextStyle style;
+  style.size = size_px;
+  style.color = ink;
+  style.sans = true;
+  return set_line(text, style, fonts_);
 }
 
 void FlatPass::add_line(const std::string& text, double size_px, double x, double y, double align,
-                        const Color& ink, Parts& parts) {
-  const TextMask& m = text_.mask(text, size_px);
-  const double left = x - align * (m.width - 2 * m.margin) - m.margin;
-  parts.lines.push_back({&m, static_cast<int>(std::lround(left)),
-                         static_cast<int>(std::lround(y)) - m.baseline, readable(ink, parts.halo),
-                         parts.halo});
+                        const Color& ink, const Color& halo, Parts& parts) {
+  DisplayList line = line_of(text, size_px, ink);
+  const double left = x - align * line.width;
+  parts.lines.push_back({.list = std::move(line), .at = {left, y}, .halo = halo, .text = text});
 }
 
 void FlatPass::add_color_bar(double x, double y, double width, double marker, Parts& parts) {
@@ -143,9 +150,9 @@ void FlatPass::add_color_bar(double x, double y, double width, double marker, Pa
   parts.add_box({at, y + 0.5 * height}, {0.08 * em, 0.5 * height + 0.10 * em}, 0.0, 0.08 * em,
                 kPolhodeRole.paint, 0.0);
   const double below = y + height + 1.05 * em;
-  add_line("𝐼₁", 0.9 * em, x, below, 0.0, kInk, parts);
-  add_line("𝐿²/2𝑇", 0.9 * em, x + 0.5 * width, below, 0.5, kInk, parts);
-  add_line("𝐼₃", 0.9 * em, x + width, below, 1.0, kInk, parts);
+  add_line("$I_1$", 0.9 * em, x, below, 0.0, kInk, kNoColor, parts);
+  add_line("$L^2/2T$", 0.9 * em, x + 0.5 * width, below, 0.5, kInk, kNoColor, parts);
+  add_line("$I_3$", 0.9 * em, x + width, below, 1.0, kInk, kNoColor, parts);
 }
 
 PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bool at_bottom, Parts& parts) {
@@ -153,10 +160,7 @@ PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bo
   const double margin = kMargin * parts.type_px;
   const double pad = 0.8 * em;
   double width = 0.0;
-  for (const std::string& line : readout.lines) {
-    const TextMask& m = text_.mask(line, em);
-    width = std::max(width, static_cast<double>(m.width - 2 * m.margin));
-  }
+  for (const std::string& line : readout.lines) width = std::max(width, line_of(line, em, kInk).width);
   const double bar = readout.color_bar ? 2.2 * em : 0.0;
   const double lines = static_cast<double>(readout.lines.size());
   const double height = 2.0 * pad + (lines - 1.0) * kLineSpacing * em + em + bar;
@@ -166,17 +170,12 @@ PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bo
 
   parts.add_box({0.5 * (panel.x0 + panel.x1), 0.5 * (panel.y0 + panel.y1)},
                 {0.5 * panel.width(), 0.5 * panel.height()}, 0.0, 0.45 * em, kPanel, 1.0);
-  const std::size_t before = parts.lines.size();
   double baseline = y + pad + 0.82 * em;
   for (const std::string& line : readout.lines) {
-    add_line(line, em, x + pad, baseline, 0.0, kInk, parts);
+    add_line(line, em, x + pad, baseline, 0.0, kInk, kNoColor, parts);  // on the panel, whatever the backdrop
     baseline += kLineSpacing * em;
   }
   if (readout.color_bar) add_color_bar(x + pad, baseline - 0.75 * em, width, readout.marker, parts);
-  for (std::size_t i = before; i < parts.lines.size(); ++i) {  // on the panel, whatever the backdrop
-    parts.lines[i].ink = kInk;
-    parts.lines[i].halo = kNoColor;
-  }
   return panel;
 }
 
@@ -184,17 +183,19 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
                           Parts& parts) {
   const double base = kLabelSize * parts.type_px;
   std::vector<LabelRequest> requests;
-  std::vector<const TextMask*> masks;
+  std::vector<DisplayList> lines;
+  std::vector<TypeBox> inks;
   for (const Label& label : pane.list.labels) {
     const double em = base * label.size;
-    const TextMask& m = text_.mask(label.text, em);
-    masks.push_back(&m);
+    lines.push_back(line_of(label.text, em, readable(label.color, parts.halo)));
+    inks.push_back(ink_box(lines.back(), fonts_));
     const Vec2 anchor = to_pixel(pane, frame, label.anchor),
                away = anchor - to_pixel(pane, frame, Vec3::Zero());
     const bool pointed = !label.leader && away.norm() > em;  // the name of an arrow stands beyond its tip
     requests.push_back({.anchor = anchor,
-                        .width = static_cast<double>(m.width - 2 * m.margin),
-                        .height = 0.95 * em,
+                        .width = inks.back().x1 - inks.back().x0,
+                        .height = inks.back().y1 - inks.back().y0,
+                        .unit = 0.95 * em,
                         .outward = pointed ? Vec2(away.normalized()) : Vec2(0, 0),
                         .leader = label.leader});
   }
@@ -210,9 +211,10 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
       parts.add_stroke(requests[i].anchor, placed[i].leader_end, 3.2 * width, parts.halo);
       parts.add_stroke(requests[i].anchor, placed[i].leader_end, width, ink);
     }
-    const int x = static_cast<int>(std::lround(box.x0)) - masks[i]->margin;
-    const int baseline = static_cast<int>(std::lround(box.y1 - 0.22 * em));
-    parts.lines.push_back({masks[i], x, baseline - masks[i]->baseline, ink, parts.halo});
+    parts.lines.push_back({.list = std::move(lines[i]),
+                           .at = {box.x0 - inks[i].x0, box.y0 - inks[i].y0},
+                           .halo = parts.halo,
+                           .text = label.text});
   }
 }
 
@@ -221,16 +223,17 @@ void FlatPass::add_frame_titles(const Figure& figure, Size size, Parts& parts) {
   double bottom = size.height - margin;
   if (!figure.caption.empty()) {
     const double wanted = kCaptionSize * em;
-    const TextMask& m = text_.mask(figure.caption, wanted);
-    const double fitting = std::min(1.0, (size.width - 2.0 * margin) / (m.width - 2.0 * m.margin));
-    add_line(figure.caption, fitting * wanted, 0.5 * size.width, bottom - 0.3 * wanted, 0.5, kInk, parts);
+    const double fitting =
+        std::min(1.0, (size.width - 2.0 * margin) / line_of(figure.caption, wanted, kInk).width);
+    add_line(figure.caption, fitting * wanted, 0.5 * size.width, bottom - 0.3 * wanted, 0.5,
+             readable(kInk, parts.halo), parts.halo, parts);
     bottom -= 2.0 * wanted;
   }
   for (const Pane& pane : figure.panes) {
     const PixelBox frame = pixels_of(pane, size);
     if (!pane.title.empty())
       add_line(pane.title, kTitleSize * em, 0.5 * (frame.x0 + frame.x1), frame.y0 + margin + kTitleSize * em,
-               0.5, kAxesRole.ink, parts);
+               0.5, readable(kAxesRole.ink, parts.halo), parts.halo, parts);
     if (frame.x0 > 0.0)
       parts.add_stroke({frame.x0, frame.y0 + margin}, {frame.x0, bottom}, 0.0018 * em,
                        color_from_hex(0xA9B0B8));
@@ -238,7 +241,6 @@ void FlatPass::add_frame_titles(const Figure& figure, Size size, Parts& parts) {
 }
 
 void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
-  text_.forget_old();
   Parts parts{.size = size,
               .type_px = std::min<double>(size.height, size.width * 9.0 / 16.0),
               .halo = halo,
@@ -248,10 +250,11 @@ void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
   for (const Pane& pane : figure.panes) {
     const PixelBox frame = pixels_of(pane, size);
     std::vector<PixelBox> taken;
-    for (const PlacedText& line : parts.lines)
-      taken.push_back({static_cast<double>(line.x), static_cast<double>(line.y),
-                       static_cast<double>(line.x + line.mask->width),
-                       static_cast<double>(line.y + line.mask->height)});
+    for (const PlacedType& line : parts.lines) {
+      const TypeBox ink = ink_box(line.list, fonts_);
+      taken.push_back(
+          {line.at.x() + ink.x0, line.at.y() + ink.y0, line.at.x() + ink.x1, line.at.y() + ink.y1});
+    }
     for (const Readout& readout : pane.list.readouts)
       taken.push_back(add_readout(readout, frame, figure.panes.size() > 1, parts));
     add_labels(pane, frame, taken, parts);
@@ -263,7 +266,7 @@ void FlatPass::draw_parts(const Parts& parts, Size size) {
   box_.use();
   box_.set("u_size", static_cast<float>(size.width), static_cast<float>(size.height));
   stream_.draw(parts.boxes);
-  text_.draw(parts.lines, size);
+  type_.draw(parts.lines, size);
 }
 
 }  // namespace polhode

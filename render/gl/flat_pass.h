@@ -3,7 +3,7 @@
 // the resolved picture with analytic edges. Internal to render/gl.
 #pragma once
 
-#include "render/gl/text_pass.h"
+#include "render/gl/glyph_pass.h"
 #include "render/scene/figure.h"
 #include "render/scene/label_layout.h"
 
@@ -11,8 +11,8 @@ namespace polhode {
 
 class FlatPass {
  public:
-  /// `text` must outlive the pass.
-  static Result<std::unique_ptr<FlatPass>> create(const Gl& gl, TextPass& text);
+  /// `type` and `fonts` must outlive the pass.
+  static Result<std::unique_ptr<FlatPass>> create(const Gl& gl, GlyphPass& type, const Fonts& fonts);
 
   /// Draws into the bound framebuffer of this size. `halo` is the colour behind text (straight alpha).
   void draw(const Figure& figure, Size size, const Color& halo);
@@ -26,17 +26,20 @@ class FlatPass {
   };
   struct Parts;  // what one picture is made of, gathered before it is drawn
 
-  FlatPass(const Gl& gl, TextPass& text, Program box)
-      : text_(text), box_(std::move(box)), stream_(gl, {2, 2, 4, 4}) {}
+  FlatPass(const Gl& gl, GlyphPass& type, const Fonts& fonts, Program box)
+      : type_(type), fonts_(fonts), box_(std::move(box)), stream_(gl, {2, 2, 4, 4}) {}
+  DisplayList line_of(const std::string& text, double size_px, const Color& ink) const;
   void add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken, Parts& parts);
   PixelBox add_readout(const Readout& readout, const PixelBox& frame, bool at_bottom, Parts& parts);
   void add_color_bar(double x, double y, double width, double marker, Parts& parts);
+  /// `align` is the part of the line that lies left of x.
   void add_line(const std::string& text, double size_px, double x, double y, double align, const Color& ink,
-                Parts& parts);
+                const Color& halo, Parts& parts);
   void add_frame_titles(const Figure& figure, Size size, Parts& parts);
   void draw_parts(const Parts& parts, Size size);
 
-  TextPass& text_;
+  GlyphPass& type_;
+  const Fonts& fonts_;
   Program box_;
   VertexStream stream_;
 };

@@ -29,6 +29,9 @@ class Framebuffer {
   /// Averages the samples into the texture (nothing to do without multisampling). Disables the scissor test,
   /// which would cut the copy, and binds other framebuffers: bind() again before drawing more.
   void resolve() const;
+  /// Copies the resolved pixels into the texture of another one, whose lower left corner of them lies at (x,
+  /// y); what falls outside is left out.
+  void copy_to(const Framebuffer& other, int x, int y) const;
   /// The texture's pixels, top row first, as they were drawn: alpha stays premultiplied if the drawing
   /// premultiplied. Call resolve() before. 1080p: 2 ms of CPU.
   Image read() const;

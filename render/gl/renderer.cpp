@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <list>
 
 namespace polhode {
 namespace {
@@ -69,13 +70,31 @@ double floor_top(const Viewpoint& at, double floor_z) {
   return clip.w() > 0.0 ? std::clamp(clip.y() / clip.w(), -1.0, 1.0) : 1.0;
 }
 
+/// What a figure is drawn in. Lines and solids need several samples a pixel. The rest has analytic edges
+/// and one sample: half the cost. `fine` is what is averaged into the picture; nothing without
+/// supersampling.
+struct Canvas {
+  Size size;
+  Quality quality;
+  Framebuffer layer;
+  std::optional<Framebuffer> fine;
+  Framebuffer picture;
+};
+
+double samples_of(Size size, const Quality& quality) {
+  return static_cast<double>(size.width) * size.height * std::max(1, quality.samples) *
+         quality.supersampling * quality.supersampling;
+}
+
 class GlRenderer final : public Renderer {
  public:
   static Result<std::unique_ptr<Renderer>> create(const Gl& gl);
 
   Result<Image> draw(const Figure& figure, Size size, const Background& background,
                      const Quality& quality) override;
-  Result<Image> draw(const Sheet& sheet, Size size, const Background& background) override;
+  Result<Image> draw(const Sheet& sheet, std::span<const Inset> insets, Size size,
+                     const Background& background) override;
+  const Fonts& fonts() const override { return *flat_.fonts; }
   int most_samples() const override { return limits(gl()).samples; }
   std::string driver() const override { return driver_name(gl()); }
 
@@ -84,7 +103,8 @@ class GlRenderer final : public Renderer {
     Program backdrop, floor, glass, tube, mesh, composite, average;
   };
   struct FlatPasses {
-    std::unique_ptr<TextPass> text;  ///< what the others draw text with
+    std::unique_ptr<const Fonts> fonts;
+    std::unique_ptr<GlyphPass> type;
     std::unique_ptr<FlatPass> figure;
     std::unique_ptr<SheetPass> sheet;
   };
@@ -98,9 +118,13 @@ class GlRenderer final : public Renderer {
         nothing_(*gl_, {}) {}
 
   const Gl& gl() const { return *gl_; }
+  const Canvas& canvas() const { return canvases_.front(); }
+  Result<Canvas> make_canvas(Size size, const Quality& quality) const;
   Status prepare(Size size, const Quality& quality);
   void start();
-  Result<Image> read_picture(const Background& background);
+  void draw_figure(const Figure& figure, const Background& background);
+  Status draw_inset(const Inset& inset);
+  Result<Image> read_picture(const Framebuffer& picture, const Background& background);
   struct Shown {
     std::array<int, 4> viewport;  ///< x, y, width, height, px from the lower left
     Viewpoint at;
@@ -109,7 +133,8 @@ class GlRenderer final : public Renderer {
   void draw_layer(const Figure& figure);
   void draw_picture(const Figure& figure, const Background& background);
   void average();
-  void draw_backdrop(const std::array<int, 4>& viewport, const Background& background);
+  void draw_backdrop(const std::array<int, 4>& viewport, const Background& background, int fineness);
+  void lay_over(GLuint texture, int x, int y);
   void draw_floor(const Pane& pane, const Viewpoint& at);
   void draw_glass(const Pane& pane, const Viewpoint& at, bool front);
   void draw_lines_and_solids(const Pane& pane, const Viewpoint& at);
@@ -118,10 +143,8 @@ class GlRenderer final : public Renderer {
   Programs programs_;
   FlatPasses flat_;
   VertexStream tubes_, meshes_, nothing_;
-  // Lines and solids need several samples a pixel. The rest has analytic edges and one sample: half the cost.
-  // `fine_` is what is averaged into the picture; nothing without supersampling.
-  std::optional<Framebuffer> layer_, fine_, picture_;
-  Quality quality_;  ///< that these are made for
+  std::list<Canvas> canvases_;  ///< the one in use first
+  std::optional<Framebuffer> page_;
 };
 
 Color sky_of(const Background& background) {
@@ -159,35 +182,50 @@ void make_opaque(Image& image) {
   for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
 }
 
-Status GlRenderer::prepare(Size size, const Quality& quality) {
-  if (picture_ && picture_->size() == size && quality_ == quality) return success();
-  layer_.reset();
-  fine_.reset();
-  picture_.reset();
-  quality_ = quality;
+Result<Canvas> GlRenderer::make_canvas(Size size, const Quality& quality) const {
   const Size fine_size{size.width * quality.supersampling, size.height * quality.supersampling};
   auto layer = Framebuffer::create(gl(), fine_size, quality.samples);
   if (!layer) return failure(layer.error());
   auto picture = Framebuffer::create(gl(), size, 0);
   if (!picture) return failure(picture.error());
+  Canvas made{size, quality, std::move(layer).value(), std::nullopt, std::move(picture).value()};
   if (quality.supersampling > 1) {
     auto fine = Framebuffer::create(gl(), fine_size, 0);
     if (!fine) return failure(fine.error());
-    fine_ = std::move(fine).value();
+    made.fine = std::move(fine).value();
   }
-  layer_ = std::move(layer).value();
-  picture_ = std::move(picture).value();
+  return made;
+}
+
+/// Puts a canvas of this size and quality first. Some are kept, because figures of a few sizes take turns in
+/// the pages of a film.
+Status GlRenderer::prepare(Size size, const Quality& quality) {
+  const auto found = std::find_if(canvases_.begin(), canvases_.end(),
+                                  [&](const Canvas& c) { return c.size == size && c.quality == quality; });
+  if (found != canvases_.end()) {
+    canvases_.splice(canvases_.begin(), canvases_, found);
+    return success();
+  }
+  constexpr double kKept = 64e6;  // samples; a page at 3840 x 2160 and its figures
+  double total = samples_of(size, quality);
+  for (const Canvas& c : canvases_) total += samples_of(c.size, c.quality);
+  for (; total > kKept && !canvases_.empty(); canvases_.pop_back())
+    total -= samples_of(canvases_.back().size, canvases_.back().quality);
+  auto made = make_canvas(size, quality);
+  if (!made) return failure(made.error());
+  canvases_.push_front(std::move(made).value());
   return success();
 }
 
-void GlRenderer::draw_backdrop(const std::array<int, 4>& viewport, const Background& background) {
+void GlRenderer::draw_backdrop(const std::array<int, 4>& viewport, const Background& background,
+                               int fineness) {
   const Program& p = programs_.backdrop;
   p.use();
   p.set("u_viewport_origin", static_cast<float>(viewport[0]), static_cast<float>(viewport[1]));
   p.set("u_viewport_size", static_cast<float>(viewport[2]), static_cast<float>(viewport[3]));
   const Color sky = sky_of(background);
   p.set("u_sky", sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
-  p.set("u_fineness", static_cast<float>(quality_.supersampling));
+  p.set("u_fineness", static_cast<float>(fineness));
   p.set("u_studio", background.kind == Background::Kind::studio ? 1.0F : 0.0F);
   gl().Disable(GL_BLEND);
   nothing_.draw_without_vertices(GL_TRIANGLES, 3);
@@ -204,7 +242,7 @@ void GlRenderer::draw_floor(const Pane& pane, const Viewpoint& at) {
   p.set("u_light", floats(at.light));
   p.set("u_floor_z", static_cast<float>(floor.z));
   p.set("u_grid", static_cast<float>(floor.grid));
-  p.set("u_fineness", static_cast<float>(quality_.supersampling));
+  p.set("u_fineness", static_cast<float>(canvas().quality.supersampling));
   p.set("u_ball", pane.list.ellipsoids.empty() ? 0.0F : 1.0F);
   if (!pane.list.ellipsoids.empty()) {
     const GlassEllipsoid& e = pane.list.ellipsoids.front();
@@ -224,7 +262,7 @@ void GlRenderer::draw_glass(const Pane& pane, const Viewpoint& at, bool front) {
   p.set("u_eye", floats(at.eye));
   p.set("u_light", floats(at.light));
   p.set("u_front", front ? 1.0F : 0.0F);
-  p.set("u_fineness", static_cast<float>(quality_.supersampling));
+  p.set("u_fineness", static_cast<float>(canvas().quality.supersampling));
   if (front)
     gl().Enable(GL_DEPTH_TEST);
   else
@@ -279,43 +317,51 @@ GlRenderer::Shown GlRenderer::show(const Pane& pane, Size size) const {
 
 /// Lines, solids and the glass in front of them: what hides one another.
 void GlRenderer::draw_layer(const Figure& figure) {
-  layer_->bind();
+  const Framebuffer& layer = canvas().layer;
+  layer.bind();
   gl().ClearColor(0, 0, 0, 0);
   gl().DepthMask(GL_TRUE);
   gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   for (const Pane& pane : figure.panes) {
-    const Shown shown = show(pane, layer_->size());
+    const Shown shown = show(pane, layer.size());
     draw_lines_and_solids(pane, shown.at);
   }
-  layer_->resolve();
+  layer.resolve();
 }
 
 /// From the back to the front: backdrop and floor, far side of the glass, the layer, text.
 void GlRenderer::draw_picture(const Figure& figure, const Background& background) {
-  const Framebuffer& canvas = fine_ ? *fine_ : *picture_;
-  canvas.bind();
+  const Framebuffer& picture = canvas().picture;
+  const Framebuffer& drawn = canvas().fine ? *canvas().fine : picture;
+  drawn.bind();
   for (const Pane& pane : figure.panes) {
-    const Shown shown = show(pane, canvas.size());
-    draw_backdrop(shown.viewport, background);
+    const Shown shown = show(pane, drawn.size());
+    draw_backdrop(shown.viewport, background, canvas().quality.supersampling);
     draw_floor(pane, shown.at);
     draw_glass(pane, shown.at, false);
   }
-  gl().Viewport(0, 0, canvas.size().width, canvas.size().height);
+  gl().Viewport(0, 0, drawn.size().width, drawn.size().height);
+  lay_over(canvas().layer.texture(), 0, 0);
+  if (canvas().fine) average();
+  flat_.figure->draw(figure, picture.size(), halo_of(background));
+}
+
+/// A premultiplied picture over the viewport, whose lower left corner is at (x, y).
+void GlRenderer::lay_over(GLuint texture, int x, int y) {
   programs_.composite.use();
   programs_.composite.set("u_layer", 0);
-  gl().BindTexture(GL_TEXTURE_2D, layer_->texture());
+  programs_.composite.set("u_corner", static_cast<float>(x), static_cast<float>(y));
+  gl().BindTexture(GL_TEXTURE_2D, texture);
   nothing_.draw_without_vertices(GL_TRIANGLES, 3);
-  if (fine_) average();
-  flat_.figure->draw(figure, picture_->size(), halo_of(background));
 }
 
 void GlRenderer::average() {
-  picture_->bind();
+  canvas().picture.bind();
   gl().Disable(GL_BLEND);
   programs_.average.use();
   programs_.average.set("u_fine", 0);
-  programs_.average.set("u_fineness", quality_.supersampling);
-  gl().BindTexture(GL_TEXTURE_2D, fine_->texture());
+  programs_.average.set("u_fineness", canvas().quality.supersampling);
+  gl().BindTexture(GL_TEXTURE_2D, canvas().fine->texture());
   nothing_.draw_without_vertices(GL_TRIANGLES, 3);
   gl().Enable(GL_BLEND);
 }
@@ -326,29 +372,60 @@ void GlRenderer::start() {
   gl().BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-Result<Image> GlRenderer::draw(const Figure& figure, Size size, const Background& background,
-                               const Quality& quality) {
-  if (Status ready = prepare(size, quality); !ready) return failure(ready.error());
+/// Into the picture of the first canvas.
+void GlRenderer::draw_figure(const Figure& figure, const Background& background) {
   start();
   draw_layer(figure);
   gl().Disable(GL_DEPTH_TEST);
   draw_picture(figure, background);
-
-  return read_picture(background);
 }
 
-Result<Image> GlRenderer::draw(const Sheet& sheet, Size size, const Background& background) {
-  if (Status ready = prepare(size, {}); !ready) return failure(ready.error());
+Result<Image> GlRenderer::draw(const Figure& figure, Size size, const Background& background,
+                               const Quality& quality) {
+  if (Status ready = prepare(size, quality); !ready) return failure(ready.error());
+  draw_figure(figure, background);
+  return read_picture(canvas().picture, background);
+}
+
+/// Over what is on the page.
+Status GlRenderer::draw_inset(const Inset& inset) {
+  const PixelRect& at = inset.place;
+  if (Status ready = prepare({at.width, at.height}, inset.quality); !ready) return failure(ready.error());
+  draw_figure(inset.figure, inset.background);
+  const int bottom = page_->size().height - at.y - at.height;
+  if (inset.background.kind != Background::Kind::transparent) {
+    canvas().picture.copy_to(*page_, at.x, bottom);
+    return success();
+  }
+  page_->bind();
+  gl().Viewport(at.x, bottom, at.width, at.height);
+  lay_over(canvas().picture.texture(), at.x, bottom);
+  return success();
+}
+
+Result<Image> GlRenderer::draw(const Sheet& sheet, std::span<const Inset> insets, Size size,
+                               const Background& background) {
+  if (!page_ || page_->size() != size) {
+    page_.reset();
+    auto page = Framebuffer::create(gl(), size, 0);
+    if (!page) return failure(page.error());
+    page_ = std::move(page).value();
+  }
   start();
   gl().Disable(GL_DEPTH_TEST);
-  picture_->bind();
-  draw_backdrop({0, 0, size.width, size.height}, background);
-  flat_.sheet->draw(sheet, size);
-  return read_picture(background);
+  page_->bind();
+  draw_backdrop({0, 0, size.width, size.height}, background, 1);
+  flat_.sheet->draw(sheet.shapes, size);
+  for (const Inset& inset : insets)
+    if (Status drawn = draw_inset(inset); !drawn) return failure(drawn.error());
+  page_->bind();
+  flat_.sheet->draw(sheet.over_insets, size);
+  flat_.type->draw(sheet.texts, size);
+  return read_picture(*page_, background);
 }
 
-Result<Image> GlRenderer::read_picture(const Background& background) {
-  Image image = picture_->read();
+Result<Image> GlRenderer::read_picture(const Framebuffer& picture, const Background& background) {
+  Image image = picture.read();
   if (const std::string errors = pending_errors(gl()); !errors.empty())
     return failure("OpenGL reported " + errors + " while drawing; driver: " + driver());
   if (background.kind == Background::Kind::transparent)
@@ -374,13 +451,17 @@ Result<std::unique_ptr<Renderer>> GlRenderer::create(const Gl& table) {
   if (!composite) return failure(composite.error());
   auto average = Program::create(*gl, "average", shaders::kScreenVert, shaders::kAverageFrag);
   if (!average) return failure(average.error());
-  auto text = TextPass::create(*gl);
-  if (!text) return failure(text.error());
-  auto flat = FlatPass::create(*gl, **text);
+  auto opened = Fonts::open();
+  if (!opened) return failure(opened.error());
+  auto fonts = std::make_unique<const Fonts>(std::move(opened).value());
+  auto type = GlyphPass::create(*gl, *fonts);
+  if (!type) return failure(type.error());
+  auto flat = FlatPass::create(*gl, **type, *fonts);
   if (!flat) return failure(flat.error());
-  auto sheet = SheetPass::create(*gl, **text);
+  auto sheet = SheetPass::create(*gl);
   if (!sheet) return failure(sheet.error());
-  FlatPasses passes{std::move(text).value(), std::move(flat).value(), std::move(sheet).value()};
+  FlatPasses passes{std::move(fonts), std::move(type).value(), std::move(flat).value(),
+                    std::move(sheet).value()};
   Programs programs{std::move(backdrop).value(), std::move(floor).value(), std::move(glass).value(),
                     std::move(tube).value(),     std::move(mesh).value(),  std::move(composite).value(),
                     std::move(average).value()};

@@ -7,9 +7,11 @@
 #include "render/image/image.h"
 #include "render/scene/figure.h"
 #include "render/scene/sheet.h"
+#include "render/type/fonts.h"
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,8 +35,21 @@ struct Quality {
   bool operator==(const Quality&) const = default;
 };
 
-/// Owns all GL objects; one per context, reused for every frame. Compiles its shaders once (0.2-0.4 s on
-/// llvmpipe).
+struct PixelRect {
+  int x = 0, y = 0;  ///< of the upper left corner
+  int width = 0, height = 0;
+};
+
+/// A figure set into a sheet.
+struct Inset {
+  Figure figure;
+  PixelRect place;
+  Background background;
+  Quality quality;
+};
+
+/// Owns all GL objects and the fonts; one per context, reused for every frame. Compiles its shaders once
+/// (0.2-0.4 s on llvmpipe).
 class Renderer {
  public:
   /// The error names the function, shader or font that is missing. `context` must outlive the renderer.
@@ -44,8 +59,16 @@ class Renderer {
   /// The error says what the driver refused (size, samples, memory).
   virtual Result<Image> draw(const Figure& figure, Size size, const Background& background,
                              const Quality& quality = {}) = 0;
-  /// The sheet is laid out for this size.
-  virtual Result<Image> draw(const Sheet& sheet, Size size, const Background& background) = 0;
+  /// The sheet is laid out for this size. Insets lie over its shapes and under all else, the later over the
+  /// earlier; one with an opaque background is the picture that the figure makes alone, byte for byte.
+  virtual Result<Image> draw(const Sheet& sheet, std::span<const Inset> insets, Size size,
+                             const Background& background) = 0;
+  Result<Image> draw(const Sheet& sheet, Size size, const Background& background) {
+    return draw(sheet, std::span<const Inset>(), size, background);
+  }
+
+  /// What it draws text with, for those who lay it out.
+  virtual const Fonts& fonts() const = 0;
 
   /// That the driver has, of Quality::samples.
   virtual int most_samples() const = 0;

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Draws a sheet: shapes with soft edges, then text. Internal to render/gl.
+// Draws the flat shapes of a sheet with soft edges. Internal to render/gl.
 #pragma once
 
-#include "render/gl/text_pass.h"
+#include "render/gl/shader.h"
+#include "render/gl/stream.h"
+#include "render/image/image.h"
 #include "render/scene/sheet.h"
+
+#include <memory>
 
 namespace polhode {
 
 class SheetPass {
  public:
-  /// `text` must outlive the pass.
-  static Result<std::unique_ptr<SheetPass>> create(const Gl& gl, TextPass& text);
+  static Result<std::unique_ptr<SheetPass>> create(const Gl& gl);
 
   /// Draws into the bound framebuffer of this size, with premultiplied blending on.
-  void draw(const Sheet& sheet, Size size);
+  void draw(const std::vector<FlatShape>& shapes, Size size);
 
  private:
-  SheetPass(const Gl& gl, TextPass& text, Program program)
-      : text_(text), program_(std::move(program)), stream_(gl, {2, 4}) {}
+  SheetPass(const Gl& gl, Program program) : program_(std::move(program)), stream_(gl, {2, 4}) {}
 
-  TextPass& text_;
   Program program_;
   VertexStream stream_;
 };

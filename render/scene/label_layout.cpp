@@ -5,11 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace polhode {
 namespace {
 
 constexpr int kDirections = 16;
+
+double unit_of(const LabelRequest& label) { return label.unit > 0.0 ? label.unit : label.height; }
 
 /// Box whose nearest edge point lies `gap` from the anchor in a direction (y down).
 PixelBox box_beside(const LabelRequest& label, double angle, double gap) {
@@ -38,7 +41,7 @@ std::vector<double> gaps_of(const LabelRequest& label) {
   std::vector<double> heights;
   if (!label.leader || label.close) heights = {0.22, 0.55, 1.0};
   if (label.leader) heights.insert(heights.end(), {1.2, 1.9, 2.9, 4.2});
-  for (double& gap : heights) gap = gap * label.height + label.clear;
+  for (double& gap : heights) gap = gap * unit_of(label) + label.clear;
   return heights;
 }
 
@@ -71,7 +74,7 @@ double crossed(const Vec2& from, const Vec2& to, double clear, const Crowd& crow
 
 double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const Crowd& crowd) {
   const double area = std::max(1.0, box.width() * box.height());
-  const double unit = label.height;
+  const double unit = unit_of(label);
   const PixelBox with_air = box.grown(0.18 * unit);
 
   double cost = 0.35 * gap / unit;
@@ -119,7 +122,7 @@ Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {
       if (cost < best.cost - 1e-9) best = {{.box = box}, cost};
     }
   // The line stops short of the text.
-  const double unit = label.height;
+  const double unit = unit_of(label);
   best.label.leader_end = nearest_on(best.label.box.grown(0.16 * unit), label.anchor);
   best.label.has_leader =
       label.leader && (best.label.leader_end - label.anchor).norm() > 0.5 * unit + label.clear;
@@ -175,6 +178,38 @@ std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels,
     if (made.cost < best.cost) best = std::move(made);
   }
   return std::move(best.placed);
+}
+
+// With spacing·i taken off the i-th place, the places need only ascend: isotonic regression, whose solution
+// within bounds is the clamped one. Neighbours that would cross share their mean.
+std::vector<double> spread_apart(const std::vector<double>& wanted, double spacing, double low, double high) {
+  std::vector<std::size_t> order(wanted.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return wanted[a] < wanted[b]; });
+
+  struct Group {
+    double mean;
+    std::size_t count;
+  };
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    groups.push_back({wanted[order[i]] - spacing * static_cast<double>(i), 1});
+    while (groups.size() > 1 && groups[groups.size() - 2].mean > groups.back().mean) {
+      const Group last = groups.back();
+      groups.pop_back();
+      Group& before = groups.back();
+      const auto n = static_cast<double>(before.count), m = static_cast<double>(last.count);
+      before = {(n * before.mean + m * last.mean) / (n + m), before.count + last.count};
+    }
+  }
+
+  const double highest = std::max(low, high - spacing * (static_cast<double>(wanted.size()) - 1.0));
+  std::vector<double> placed(wanted.size());
+  std::size_t i = 0;
+  for (const Group& group : groups)
+    for (std::size_t k = 0; k < group.count; ++k, ++i)
+      placed[order[i]] = std::clamp(group.mean, low, highest) + spacing * static_cast<double>(i);
+  return placed;
 }
 
 }  // namespace polhode

@@ -21,6 +21,7 @@ struct PixelBox {
 struct LabelRequest {
   Vec2 anchor{0, 0};
   double width = 0, height = 0;
+  double unit = 0;      ///< distances are multiples of it; 0: of the height
   Vec2 outward{0, 0};   ///< unit or zero: where there is nothing else, the label goes that way
   bool leader = false;  ///< may stand away from its anchor, joined to it by a line
   double clear = 0;     ///< radius around the anchor that is not to be covered: of a mark
@@ -48,5 +49,10 @@ struct LabelRules {
 std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels,
                                       const std::vector<Vec2>& obstacles, const std::vector<PixelBox>& taken,
                                       const PixelBox& frame, const LabelRules& rules = {});
+
+/// Places along a line for labels of one height that want to stand at `wanted`: at least `spacing` apart, in
+/// the order of what they want, within [low, high] as far as there is room, and moved as little as possible
+/// (least sum of squares).
+std::vector<double> spread_apart(const std::vector<double>& wanted, double spacing, double low, double high);
 
 }  // namespace polhode

@@ -84,6 +84,11 @@ std::string why(const MotionSpec& spec, const MethodChoice& choice, const Motion
   return "torque acts: no closed form, " + std::string(facts_of(choice.method).term) + " with error control";
 }
 
+/// The longest |t| that a motion can be asked for in the time there is for a still.
+double reach_of(const Motion& motion, const std::optional<double>& step_s) {
+  return step_s ? std::min(motion.max_time_s(), kMostSteps * *step_s) : motion.max_time_s();
+}
+
 void check_reach(const MethodChoice& choice, const Motion& motion, double reach_s) {
   const std::string name(facts_of(choice.method).name);
   if (choice.step_s && reach_s / *choice.step_s > kMostSteps)
@@ -167,7 +172,19 @@ OverlaySet drawn_overlays(const Scene& scene) {
   return drawn;
 }
 
-Requirements requirements(const Scene& scene) {
+std::vector<Meter> shown_meters(const Scene& scene) {
+  if (scene.meters) return *scene.meters;
+  if (scene.torque.empty()) return {Meter::omega, Meter::drift};
+  return {Meter::omega, Meter::energy, Meter::momentum};
+}
+
+namespace {
+
+bool needs_attitude(Meter meter, const Scene& scene) {
+  return meter == Meter::drift || (meter == Meter::momentum && !scene.torque.empty());
+}
+
+Requirements requirements_of_figure(const Scene& scene) {
   const OverlaySet show = drawn_overlays(scene);
   const auto shown = [&](Overlay o) { return show.contains(o); };
   const bool in_space = contains(scene.views, View::space);
@@ -196,6 +213,18 @@ Requirements requirements(const Scene& scene) {
   return needs;
 }
 
+}  // namespace
+
+Requirements requirements(const Scene& scene, Product product) {
+  Requirements needs = requirements_of_figure(scene);
+  if (product == Product::figure) return needs;
+  for (Meter meter : shown_meters(scene)) {
+    needs.meters = needs.omega = true;
+    needs.attitude = needs.attitude || needs_attitude(meter, scene);
+  }
+  return needs;
+}
+
 std::vector<std::string> names_of(const Requirements& needs) {
   std::vector<std::string> names;
   const auto add = [&](bool needed, const char* name) {
@@ -211,6 +240,7 @@ std::vector<std::string> names_of(const Requirements& needs) {
   add(needs.trail_omega, "trail-omega");
   add(needs.cones, "cones");
   add(needs.solid, "solid");
+  add(needs.meters, "meters");
   return names;
 }
 
@@ -220,11 +250,11 @@ Problem problem_of(const Scene& scene) {
 
 void check_scene(const Scene& scene) { choose_motion(scene, problem_of(scene), requirements(scene)); }
 
-SceneModel make_model(const Scene& scene, double chord_tolerance) {
+SceneModel make_model(const Scene& scene, Product product, double chord_tolerance) {
   SceneModel model;
   model.scene = scene;
   model.drawn = drawn_overlays(scene);
-  model.needs = requirements(scene);
+  model.needs = requirements(scene, product);
   const Problem problem = problem_of(scene);
   model.q0_SB = problem.start.q_SB;
 
@@ -238,6 +268,7 @@ SceneModel make_model(const Scene& scene, double chord_tolerance) {
         std::max(model.L_reference,
                  angular_momentum_B(scene.body.moments, model.motion->w_B_at(scene.at_s)).stableNorm());
   model.span_s = span_of(scene);
+  model.reach_s = reach_of(*model.motion, scene.motion.step_s);
   model.rate = scene.rate.value_or(natural_span(scene) / kShownSecondsPerPeriod);
   compute_parts(model, chord_tolerance);
   return model;

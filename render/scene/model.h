@@ -25,7 +25,8 @@ struct Requirements {
   bool trail_L = false;
   bool trail_omega = false;
   bool cones = false;
-  bool solid = false;  ///< a shape to draw
+  bool solid = false;   ///< a shape to draw
+  bool meters = false;  ///< plots against time
   bool operator==(const Requirements&) const = default;
 };
 
@@ -35,7 +36,14 @@ struct Requirements {
 /// axes alone.
 OverlaySet drawn_overlays(const Scene& scene);
 
-Requirements requirements(const Scene& scene);
+/// The plots of a page about the scene: its own, else without torque omega and drift, with torque omega,
+/// energy and momentum.
+std::vector<Meter> shown_meters(const Scene& scene);
+
+/// What a scene is modelled for: a figure needs nothing of what the plots of a page do.
+enum class Product { figure, page };
+
+Requirements requirements(const Scene& scene, Product product = Product::figure);
 
 /// Body, state at t = 0 and torque of a scene: what there is to be followed in time.
 Problem problem_of(const Scene& scene);
@@ -57,6 +65,7 @@ struct SceneModel {
   Quat q0_SB = Quat::Identity();         ///< attitude at t = 0
   double L_reference = 0.0;  ///< |L| that is drawn at full length, kg m²/s: the larger of start and `at`
   double span_s = 0.0;       ///< what curves over time cover and one loop of a film shows
+  double reach_s = 0.0;      ///< the longest |t| that the motion is to be asked for
   double rate = 1.0;         ///< simulated seconds per shown second
   Curve polhode_B;
   std::vector<PolhodeOfFamily> family_B;
@@ -74,6 +83,7 @@ inline constexpr double kChordTolerance = 2e-4;
 
 /// Chooses the cheapest motion that gives what is asked and computes the parts asked for.
 /// @throws std::domain_error if the body, the state or the chosen method cannot serve.
-SceneModel make_model(const Scene& scene, double chord_tolerance = kChordTolerance);
+SceneModel make_model(const Scene& scene, Product product = Product::figure,
+                      double chord_tolerance = kChordTolerance);
 
 }  // namespace polhode

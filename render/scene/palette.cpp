@@ -7,6 +7,16 @@
 
 namespace polhode {
 
+std::optional<Role> role_from(std::string_view name) {
+  if (name == "omega") return kOmegaRole;
+  if (name == "L") return kLRole;
+  if (name == "N") return kNRole;
+  if (name == "polhode") return kPolhodeRole;
+  if (name == "herpolhode") return kHerpolhodeRole;
+  if (name == "axes") return kAxesRole;
+  return std::nullopt;
+}
+
 Color family_color(double s) {
   constexpr std::array<Color, 5> kStops = {color_from_hex(0x4C3A9E), color_from_hex(0x7F7CC4),
                                            color_from_hex(0x8E9BAA), color_from_hex(0x4FA3B5),

@@ -6,6 +6,9 @@
 
 #include "render/scene/draw_list.h"
 
+#include <optional>
+#include <string_view>
+
 namespace polhode {
 
 struct Role {
@@ -19,6 +22,9 @@ inline constexpr Role kNRole{color_from_hex(0x9C4A7C), color_from_hex(0xC0609C)}
 inline constexpr Role kPolhodeRole{color_from_hex(0x00734F), color_from_hex(0x009E73)};
 inline constexpr Role kHerpolhodeRole{color_from_hex(0x6B5B00), color_from_hex(0xB39700)};
 inline constexpr Role kAxesRole{color_from_hex(0x4A4F57), color_from_hex(0x8A9099)};
+/// omega | L | N | polhode | herpolhode | axes, as lessons name them; nothing otherwise.
+std::optional<Role> role_from(std::string_view name);
+
 inline constexpr Color kSeparatrixPaint = color_from_hex(0x59616C);
 inline constexpr Color kInk = color_from_hex(0x23262B);
 inline constexpr Color kGlassTint = color_from_hex(0x8FC3DA);

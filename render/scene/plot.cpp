@@ -5,6 +5,7 @@
 #include "render/scene/log_axis.h"
 #include "render/scene/palette.h"
 #include "render/scene/plot_style.h"
+#include "render/type/paragraph.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,9 +75,9 @@ std::vector<bool> strong_ones_of(const std::vector<PlotSeries>& all) {
 /// Makes the sheet of one plot, part after part.
 class PlotLayout {
  public:
-  PlotLayout(const WorkPrecisionPlot& plot, double width, double height, const TextWidth& text_width)
+  PlotLayout(const WorkPrecisionPlot& plot, double width, double height, const Fonts& fonts)
       : plot_(plot),
-        text_width_(text_width),
+        fonts_(fonts),
         unit_(std::min(height, width * 9.0 / 16.0) / 1080.0),
         x_(LogAxis::covering(works_of(plot), false, true)),
         y_(LogAxis::covering(errors_of(plot), true, false)),
@@ -109,6 +110,15 @@ class PlotLayout {
     std::size_t best = 0;  ///< the point it is named at: after it more work gains nothing
   };
 
+  DisplayList line_of(const std::string& text, double size, const Color& color) const {
+    TextStyle style;
+    style.size = size;
+    style.color = color;
+    style.sans = true;
+    return set_line(text, style, fonts_);
+  }
+  double width_of(const std::string& text, double size) const { return line_of(text, size, kInk).width; }
+
   double px(double length) const { return unit_ * length; }
   bool shows(const std::pair<double, double>& p) const { return x_.shows(p.first) && y_.shows(p.second); }
   Vec2 at(const std::pair<double, double>& p) const { return {x_.px(p.first), y_.px(p.second)}; }
@@ -121,14 +131,14 @@ class PlotLayout {
     y_.end_px = frame_.y0;
     double widest = 0.0;
     for (int n : y_.marks(px(kDecadeSpacing)).labelled)
-      widest = std::max(widest, text_width_(power_of_ten(n), px(kTickSize)));
+      widest = std::max(widest, width_of(power_of_ten(n), px(kTickSize)));
     frame_.x0 += widest + px(20);
     double widest_name = 0.0;
     for (const PlotSeries& s : plot_.series)
-      widest_name = std::max(widest_name, text_width_(s.label, px(kNameSize)));
+      widest_name = std::max(widest_name, width_of(s.label, px(kNameSize)));
     frame_.x1 -= std::min(0.75 * widest_name, 0.2 * width);
     if (shows_tolerance())
-      frame_.x1 = std::min(frame_.x1, width - px(52) - text_width_(tolerance_text(), px(kNameSize)));
+      frame_.x1 = std::min(frame_.x1, width - px(52) - width_of(tolerance_text(), px(kNameSize)));
     x_.start_px = frame_.x0;
     x_.end_px = frame_.x1;
     room_ = {frame_.x0 + px(8), frame_.y0 - px(8), width - px(28), frame_.y1 - px(6)};
@@ -155,9 +165,11 @@ class PlotLayout {
 
   void add_text(std::string text, const Vec2& where, double size, double align, const Color& color,
                 const Color& halo = {0, 0, 0, 0}) {
-    const double width = text_width_(text, size), left = where.x() - align * width;
-    taken_.push_back({left, where.y() - 0.8 * size, left + width, where.y() + 0.25 * size});
-    sheet_.texts.push_back({std::move(text), where, size, align, color, halo});
+    DisplayList line = line_of(text, size, color);
+    const double left = where.x() - align * line.width;
+    taken_.push_back({left, where.y() - 0.8 * size, left + line.width, where.y() + 0.25 * size});
+    sheet_.texts.push_back(
+        {.list = std::move(line), .at = {left, where.y()}, .halo = halo, .text = std::move(text)});
   }
 
   bool shows_tolerance() const { return plot_.tolerance && y_.shows(*plot_.tolerance); }
@@ -303,7 +315,7 @@ class PlotLayout {
       names.push_back(name);
       requests.push_back(
           {.anchor = anchor,
-           .width = text_width_(*name.text, name.size) + name.mark_room() + 2.0 * kNameAir * name.size,
+           .width = width_of(*name.text, name.size) + name.mark_room() + 2.0 * kNameAir * name.size,
            .height = (0.95 + 2.0 * kNameAir) * name.size,
            .outward = outward,
            .leader = true,
@@ -354,13 +366,15 @@ class PlotLayout {
       if (name.mark)
         add_mark(sheet_, {box.x0 + 0.32 * name.size, baseline - 0.35 * name.size}, px(7.5), *name.mark,
                  kPaper);
-      sheet_.texts.push_back(
-          {*name.text, {box.x0 + name.mark_room(), baseline}, name.size, 0.0, name.ink, kPaperHalo});
+      sheet_.texts.push_back({.list = line_of(*name.text, name.size, name.ink),
+                              .at = {box.x0 + name.mark_room(), baseline},
+                              .halo = kPaperHalo,
+                              .text = *name.text});
     }
   }
 
   const WorkPrecisionPlot& plot_;
-  const TextWidth& text_width_;
+  const Fonts& fonts_;
   double unit_;  ///< px of this picture for one of a picture 1080 px high
   LogAxis x_, y_;
   std::vector<CurveStyle> styles_;
@@ -375,8 +389,8 @@ class PlotLayout {
 
 }  // namespace
 
-Sheet lay_out(const WorkPrecisionPlot& plot, double width_px, double height_px, const TextWidth& text_width) {
-  return PlotLayout(plot, width_px, height_px, text_width).make();
+Sheet lay_out(const WorkPrecisionPlot& plot, double width_px, double height_px, const Fonts& fonts) {
+  return PlotLayout(plot, width_px, height_px, fonts).make();
 }
 
 }  // namespace polhode

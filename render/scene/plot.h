@@ -4,6 +4,7 @@
 #pragma once
 
 #include "render/scene/sheet.h"
+#include "render/type/fonts.h"
 
 #include <optional>
 #include <string>
@@ -30,8 +31,9 @@ struct PlotSeries {
   PlotLook look = PlotLook::grey;
 };
 
-/// Texts are UTF-8 in the notation of render/type/font.h. Points whose work is not finite and > 0, or whose
-/// error is not finite and >= 0, are not drawn; an error of 0 has a row of its own below the decades.
+/// Texts are lines as set_line() of render/type/paragraph.h sets them. Points whose work is not finite and >
+/// 0, or whose error is not finite and >= 0, are not drawn; an error of 0 has a row of its own below the
+/// decades.
 struct WorkPrecisionPlot {
   std::string title{};
   std::string x_label{}, y_label{};  ///< with units
@@ -44,6 +46,6 @@ struct WorkPrecisionPlot {
 
 /// Pure: depends on its arguments alone. About 0.2 s for fifteen curves, nearly all of it for where their
 /// names go.
-Sheet lay_out(const WorkPrecisionPlot& plot, double width_px, double height_px, const TextWidth& text_width);
+Sheet lay_out(const WorkPrecisionPlot& plot, double width_px, double height_px, const Fonts& fonts);
 
 }  // namespace polhode

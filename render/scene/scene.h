@@ -6,6 +6,7 @@
 #include "physics/bodies.h"
 #include "physics/method.h"
 #include "physics/torque.h"
+#include "render/scene/meter.h"
 #include "render/scene/overlay.h"
 
 #include <optional>
@@ -56,6 +57,7 @@ struct Scene {
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
   std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
   std::string caption;                 ///< one line in the picture
+  std::optional<std::vector<Meter>> meters;  ///< of a page; absent: by whether there is torque
 };
 
 /// One term from its text: `space:x,y,z` | `body:x,y,z` | `heavy:MGR,ax,ay,az` | `damping:C` | `sink:C`.

@@ -4,10 +4,9 @@
 #pragma once
 
 #include "render/scene/draw_list.h"
+#include "render/type/display_list.h"
 
-#include <functional>
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -30,24 +29,26 @@ struct Area {
   Color color;
 };
 
-/// One line of text, in the fonts and notation of render/type/font.h.
-struct TextRun {
-  std::string text;
-  Vec2 at{0, 0};     ///< on the baseline
-  double size = 24;  ///< em
-  double align = 0;  ///< part of the width that lies left of `at`: 0 starts there, ½ is centred, 1 ends there
-  Color color;
-  Color halo{0, 0, 0, 0};
+/// Type with the place of its origin, the left end of its first baseline.
+struct PlacedType {
+  DisplayList list{};
+  Vec2 at{0, 0};
+  Color halo{0, 0, 0, 0};  ///< around the type, under the ink of all texts; alpha 0: none
+  /// Still type has its baselines on whole pixels, and rules along the axes fill whole pixels; what moves
+  /// slowly would jump so.
+  bool moving = false;
+  std::string text{};  ///< what it was set from
 };
 
 using FlatShape = std::variant<Stroke, Area>;
 
 struct Sheet {
-  std::vector<FlatShape> shapes;  ///< the later over the earlier
-  std::vector<TextRun> texts;     ///< over all shapes
+  std::vector<FlatShape> shapes{};       ///< the later over the earlier; figures set into the sheet over them
+  std::vector<FlatShape> over_insets{};  ///< and these over the figures
+  std::vector<PlacedType> texts{};       ///< over everything
 };
 
-/// Advance width of a line of text, px: layouts measure with it without knowing a font.
-using TextWidth = std::function<double(std::string_view text, double size_px)>;
+/// Adds `part` over `sheet`, its origin at `at`.
+void append(Sheet& sheet, Sheet part, const Vec2& at);
 
 }  // namespace polhode

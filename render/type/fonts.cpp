@@ -87,6 +87,36 @@ GlyphMask mask_of(const FT_Bitmap& bitmap, int left, int top) {
   return mask;
 }
 
+/// FreeType refuses glyphs a few thousand pixels wide, but draws their parts.
+GlyphMask mask_in_parts(FT_Library library, FT_Outline& outline) {
+  constexpr int kSide = 1024;
+  FT_BBox box;
+  FT_Outline_Get_CBox(&outline, &box);
+  const auto left = static_cast<int>(box.xMin >> 6), bottom = static_cast<int>(box.yMin >> 6);
+  GlyphMask mask{static_cast<int>((box.xMax + 63) >> 6) - left,
+                 static_cast<int>((box.yMax + 63) >> 6) - bottom,
+                 left,
+                 0,
+                 {}};
+  mask.top = bottom + mask.height;
+  mask.ink.assign(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height), 0);
+  for (int y = 0; y < mask.height; y += kSide)
+    for (int x = 0; x < mask.width; x += kSide) {
+      FT_Bitmap part{};
+      part.width = static_cast<unsigned>(std::min(kSide, mask.width - x));
+      part.rows = static_cast<unsigned>(std::min(kSide, mask.height - y));
+      part.pitch = mask.width;
+      part.buffer = mask.ink.data() + static_cast<std::ptrdiff_t>(y) * mask.width + x;
+      part.num_grays = 256;
+      part.pixel_mode = FT_PIXEL_MODE_GRAY;
+      const FT_Pos right = 64 * (left + x), up = 64 * (mask.top - y - static_cast<int>(part.rows));
+      FT_Outline_Translate(&outline, -right, -up);
+      if (FT_Outline_Get_Bitmap(library, &outline, &part) != 0) return {};
+      FT_Outline_Translate(&outline, right, up);
+    }
+  return mask;
+}
+
 }  // namespace
 
 struct Fonts::Faces {
@@ -172,7 +202,8 @@ GlyphMask Fonts::mask(Face face, std::uint32_t glyph, double size_px, double shi
   if (FT_Load_Glyph(outlines, glyph, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP) != 0) return {};
   const FT_GlyphSlot slot = outlines->glyph;
   FT_Outline_Translate(&slot->outline, std::lround(64.0 * shift_x), -std::lround(64.0 * shift_y));
-  if (FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0) return {};
+  if (FT_Render_Glyph(slot, FT_RENDER_MODE_NORMAL) != 0)
+    return mask_in_parts(faces_->library.get(), slot->outline);
   return mask_of(slot->bitmap, slot->bitmap_left, slot->bitmap_top);
 }
 

@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Sheets as the renderer draws them.
-#include "render/gl/renderer.h"
+#include "tests/gl/drawn.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 namespace polhode {
 namespace {
 
-struct Drawn {
-  std::unique_ptr<GlContext> context;
-  std::unique_ptr<Renderer> renderer;
-
-  Drawn() {
-    auto opened = open_context(ContextKind::any);
-    if (!opened) throw std::runtime_error(opened.error());
-    context = std::move(opened).value();
-    auto made = Renderer::create(*context);
-    if (!made) throw std::runtime_error(made.error());
-    renderer = std::move(made).value();
-  }
-  Image draw(const Sheet& sheet, const char* background = "white") {
-    auto image = renderer->draw(sheet, {120, 80}, background_from(background).value());
-    if (!image) throw std::runtime_error(image.error());
-    return std::move(image).value();
-  }
-};
+using test::Drawn;
+using test::shaped;
 
 std::array<int, 3> rgb(const Image& image, int x, int y) {
   const std::uint8_t* p = image.pixel(x, y);
@@ -53,22 +38,20 @@ TEST(Sheet, EdgesCoverWhatTheyCoverOfAPixel) {
   EXPECT_NEAR(rgb(Drawn().draw(sheet), 50, 10)[0], 255 * 0.25, 2);
 }
 
-TEST(Sheet, TextIsAlignedAtItsAnchor) {
+TEST(Sheet, TextStartsAtItsOriginOverAllShapes) {
+  Drawn drawn;
   Sheet sheet;
-  sheet.texts.push_back({.text = "■■", .at = {60, 50}, .size = 20, .align = 1.0, .color = {0, 0, 0, 1}});
-  const Image right = Drawn().draw(sheet);
-  sheet.texts[0].align = 0.0;
-  const Image left = Drawn().draw(sheet);
-  const auto ink = [](const Image& image, int x0, int x1) {
-    long sum = 0;
-    for (int y = 0; y < image.size.height; ++y)
-      for (int x = x0; x < x1; ++x) sum += 255 - image.pixel(x, y)[0];
-    return sum;
-  };
-  EXPECT_GT(ink(right, 0, 60), 0);
-  EXPECT_EQ(ink(right, 62, 120), 0);
-  EXPECT_GT(ink(left, 60, 120), 0);
-  EXPECT_EQ(ink(left, 0, 58), 0);
+  sheet.shapes.push_back(Area{{{0, 0}, {120, 0}, {120, 80}, {0, 80}}, {1, 0, 0, 1}});
+  sheet.over_insets.push_back(Area{{{0, 0}, {90, 0}, {90, 80}, {0, 80}}, {0, 1, 0, 1}});
+  sheet.texts.push_back({.list = shaped(drawn.fonts(), "HH", 30, {0, 0, 1, 1}), .at = {60, 50}});
+  const Image image = drawn.draw(sheet);
+  int left = 120, bottom = 0;
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < 120; ++x)
+      if (image.pixel(x, y)[2] > 128) left = std::min(left, x), bottom = std::max(bottom, y);
+  EXPECT_GE(left, 60);
+  EXPECT_LE(left, 62) << "a small space before the stem";
+  EXPECT_EQ(bottom, 49) << "the baseline is the edge between two rows";
 }
 
 TEST(Sheet, TransparentMeansTrueAlpha) {
@@ -84,12 +67,98 @@ TEST(Sheet, DependsOnNothingDrawnBefore) {
   Drawn drawn;
   Sheet sheet;
   sheet.shapes.push_back(Stroke{{{5, 5}, {90, 60}}, 3, {0.2F, 0.4F, 0.6F, 1}, 7});
-  sheet.texts.push_back({.text = "10⁻⁶", .at = {40, 50}, .size = 22, .color = {0, 0, 0, 1}});
+  sheet.texts.push_back({.list = shaped(drawn.fonts(), "10", 22, {0, 0, 0, 1}), .at = {40, 50}});
   const Image first = drawn.draw(sheet);
   Figure figure;
   figure.panes.resize(1);
   ASSERT_TRUE(drawn.renderer->draw(figure, {64, 64}, {}).ok());
   EXPECT_EQ(first.rgba, drawn.draw(sheet).rgba);
+}
+
+Figure figure_of(double at_s) {
+  Scene scene;
+  scene.w0_B = Vec3(0.2, 1.1, 1.6);
+  scene.show = {Overlay::energy_ellipsoid, Overlay::omega, Overlay::plane};
+  return make_figure(make_model(scene), at_s, 1.5);
+}
+
+bool same_part(const Image& whole, int x0, int y0, const Image& part) {
+  for (int y = 0; y < part.size.height; ++y)
+    for (int x = 0; x < part.size.width; ++x)
+      for (int k = 0; k < 4; ++k)
+        if (whole.pixel(x0 + x, y0 + y)[k] != part.pixel(x, y)[k]) return false;
+  return true;
+}
+
+TEST(Insets, AreTheFiguresPicturesByteForByte) {
+  Drawn drawn;
+  const Figure figure = figure_of(0.4);
+  const Image alone = drawn.renderer->draw(figure, {150, 100}, {}).value();
+  const Image fine = drawn.renderer->draw(figure, {90, 60}, {}, {0, 2}).value();
+  const std::vector<Inset> insets = {{figure, {20, 30, 150, 100}, {}, {}},
+                                     {figure, {200, 7, 90, 60}, {}, {0, 2}}};
+  const Image page = drawn.draw({}, "paper", {300, 200}, insets);
+  EXPECT_TRUE(same_part(page, 20, 30, alone));
+  EXPECT_TRUE(same_part(page, 200, 7, fine));
+  EXPECT_EQ(rgb(page, 19, 30), (Rgb{0xFB, 0xFA, 0xF6}));
+  EXPECT_EQ(rgb(page, 170, 129), (Rgb{0xFB, 0xFA, 0xF6}));
+}
+
+TEST(Insets, LieOverShapesAndUnderTheRest) {
+  Drawn drawn;
+  const auto bar = [](double x, const Color& color) {
+    return Area{{{x, 0}, {x + 40, 0}, {x + 40, 200}, {x, 200}}, color};
+  };
+  Sheet sheet;
+  sheet.shapes.push_back(bar(30, {1, 0, 0, 1}));
+  sheet.over_insets.push_back(bar(100, {0, 0, 1, 1}));
+  const std::vector<Inset> insets = {{figure_of(0.4), {20, 30, 150, 100}, {}, {}}};
+  const Image page = drawn.draw(sheet, "paper", {300, 200}, insets);
+  EXPECT_EQ(rgb(page, 50, 20), (Rgb{255, 0, 0}));
+  EXPECT_NE(rgb(page, 50, 40), (Rgb{255, 0, 0}));
+  EXPECT_EQ(rgb(page, 120, 40), (Rgb{0, 0, 255}));
+}
+
+TEST(Insets, ATransparentOneShowsWhatIsUnderIt) {
+  Drawn drawn;
+  const Figure figure = figure_of(0.4);
+  Sheet sheet;
+  sheet.shapes.push_back(Area{{{0, 0}, {300, 0}, {300, 200}, {0, 200}}, color_from_hex(0x204060)});
+  Background clear = background_from("transparent").value();
+  const std::vector<Inset> insets = {{figure, {20, 30, 150, 100}, clear, {}}};
+  const Image page = drawn.draw(sheet, "paper", {300, 200}, insets);
+  const Image part = drawn.renderer->draw(figure, {150, 100}, clear).value();
+  int worst = 0;
+  constexpr int kUnder[] = {0x20, 0x40, 0x60};
+  for (int y = 0; y < 100; ++y)
+    for (int x = 0; x < 150; ++x) {
+      const std::uint8_t* p = part.pixel(x, y);
+      for (int k = 0; k < 3; ++k)
+        worst = std::max(worst, std::abs(page.pixel(20 + x, 30 + y)[k] -
+                                         (p[k] * p[3] + kUnder[k] * (255 - p[3]) + 127) / 255));
+    }
+  EXPECT_LE(worst, 3) << "two roundings of eight bits on either side";
+}
+
+TEST(Insets, MayLeaveThePage) {
+  Drawn drawn;
+  const std::vector<Inset> insets = {{figure_of(0.4), {-50, 150, 150, 100}, {}, {}},
+                                     {figure_of(0.4), {250, -20, 150, 100}, {}, {}}};
+  const Image page = drawn.draw({}, "paper", {300, 200}, insets);
+  const Image alone = drawn.renderer->draw(figure_of(0.4), {150, 100}, {}).value();
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(page.pixel(10, 160)[k], alone.pixel(60, 10)[k]);
+    EXPECT_EQ(page.pixel(260, 40)[k], alone.pixel(10, 60)[k]);
+  }
+}
+
+TEST(Insets, OneThatCannotBeDrawnIsAnErrorAndTheNextPageIsDrawn) {
+  Drawn drawn;
+  for (const PixelRect& place : {PixelRect{0, 0, 0, 10}, PixelRect{0, 0, 17000, 10}}) {
+    const std::vector<Inset> insets = {{figure_of(0.4), place, {}, {}}};
+    EXPECT_FALSE(drawn.renderer->draw({}, insets, {60, 40}, {}).ok());
+    EXPECT_TRUE(drawn.renderer->draw(Sheet{}, {60, 40}, {}).ok());
+  }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 // POLHODE_REMAKE="name name ..." (or "all") rewrites goldens instead of comparing them.
 #include "render/image/compare.h"
 #include "render/image/png.h"
-#include "render/type/font.h"
 #include "tests/golden/scenes.h"
 #include "tests/scene/plot_examples.h"
 
@@ -200,10 +199,8 @@ constexpr Size kPlotSize{960, 540};
 constexpr const char* kPlotName = "work-precision";
 
 Image plot_picture(const WorkPrecisionPlot& plot) {
-  static const LabelFont kFont = LabelFont::open().value();
-  const auto width = [](std::string_view text, double size_px) { return kFont.width(text, size_px); };
-  auto image = stage().renderer->draw(lay_out(plot, kPlotSize.width, kPlotSize.height, width), kPlotSize,
-                                      background_from("paper").value());
+  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, stage().renderer->fonts());
+  auto image = stage().renderer->draw(sheet, kPlotSize, background_from("paper").value());
   if (!image) throw std::runtime_error(image.error());
   return std::move(image).value();
 }

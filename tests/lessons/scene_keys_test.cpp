@@ -40,7 +40,8 @@ TEST(SceneKeys, ReadEveryKey) {
       "body = 'racket'\nomega = [1, 2, 3]\nattitude = 'L-up'\ntorque = ['space:1,2,3', 'damping:0.5']\n"
       "motion = 'symmetric'\nviews = ['body', 'space']\nshow = ['omega', 'trail-L']\n"
       "camera = { azimuth_deg = 90, elevation_deg = -30, distance = 3, zoom = 2 }\nat = -1.5\nduration = 2\n"
-      "rate = 0.5\nhighlight = ['turn', 'omega']\nquality = 'draft'\ncaption = 'A caption'");
+      "rate = 0.5\nhighlight = ['turn', 'omega']\nquality = 'draft'\ncaption = 'A caption'\n"
+      "meters = ['drift', 'omega']");
   EXPECT_EQ(scene.body.name, "racket");
   EXPECT_EQ(scene.w0_B, Vec3(1, 2, 3));
   EXPECT_EQ(std::get<LPoints>(*scene.attitude), LPoints::up);
@@ -60,6 +61,16 @@ TEST(SceneKeys, ReadEveryKey) {
   EXPECT_EQ(scene.rate, 0.5);
   EXPECT_THAT(scene.highlight, ElementsAre("turn", "omega"));
   EXPECT_EQ(scene.caption, "A caption");
+  EXPECT_THAT(*scene.meters, ElementsAre(Meter::drift, Meter::omega));
+}
+
+TEST(SceneKeys, MetersMayBeNoneOrKept) {
+  EXPECT_FALSE(scene_from("at = 1").meters);
+  EXPECT_THAT(*scene_from("meters = []").meters, IsEmpty());
+  EXPECT_THAT(*scene_from("meters = 'energy'").meters, ElementsAre(Meter::energy));
+  EXPECT_TRUE(is_refused("meters = ['speed']"));
+  EXPECT_TRUE(is_refused("meters = 3"));
+  EXPECT_TRUE(is_refused("meters = ['omega', 'omega', 'omega', 'omega', 'omega']"));
 }
 
 TEST(SceneKeys, LeaveTheRestOfTheSceneAlone) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace polhode {
 namespace {
@@ -90,6 +91,34 @@ TEST(LabelLayout, TheSameRequestsGiveTheSamePlaces) {
   const auto a = place_labels(labels, {{130, 80}}, {}, kFrame),
              b = place_labels(labels, {{130, 80}}, {}, kFrame);
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].box.x0, b[i].box.x0);
+}
+
+TEST(SpreadApart, WhatHasRoomStaysWhereItWants) {
+  const std::vector<double> wanted = {80, 10, 45};
+  EXPECT_EQ(spread_apart(wanted, 20, 0, 100), wanted);
+}
+
+TEST(SpreadApart, NeighboursShareTheWay) {
+  EXPECT_EQ(spread_apart({50, 52, 10}, 20, 0, 100), (std::vector<double>{41, 61, 10}));
+  EXPECT_EQ(spread_apart({50, 50, 50}, 10, 0, 100), (std::vector<double>{40, 50, 60}));
+}
+
+TEST(SpreadApart, StaysWithinTheEndsAndInOrder) {
+  const std::vector<double> wanted = {-5, 3, 2, 97, 120, 99};
+  const std::vector<double> placed = spread_apart(wanted, 12, 0, 100);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    EXPECT_GE(placed[i], 0.0);
+    EXPECT_LE(placed[i], 100.0);
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_GE(std::abs(placed[i] - placed[k]), 12 - 1e-9);
+      EXPECT_EQ(placed[i] < placed[k], wanted[i] < wanted[k]);
+    }
+  }
+}
+
+TEST(SpreadApart, WithoutRoomItBeginsAtTheLowEnd) {
+  EXPECT_EQ(spread_apart({5, 5, 5}, 10, 0, 15), (std::vector<double>{0, 10, 20}));
+  EXPECT_TRUE(spread_apart({}, 10, 0, 15).empty());
 }
 
 }  // namespace

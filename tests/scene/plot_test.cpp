@@ -15,30 +15,30 @@ namespace {
 
 constexpr double kWidth = 1920, kHeight = 1080;
 
-/// Half an em for each code point: wider than TeX Gyre Heros sets most words.
-double width_of(std::string_view text, double size_px) {
-  const auto starts = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  return 0.5 * size_px * static_cast<double>(std::count_if(text.begin(), text.end(), starts));
+const Fonts& fonts() {
+  static const Fonts kFonts = Fonts::open().value();
+  return kFonts;
 }
 
 Sheet sheet_of(const WorkPrecisionPlot& plot, double width = kWidth, double height = kHeight) {
-  return lay_out(plot, width, height, width_of);
+  return lay_out(plot, width, height, fonts());
 }
 
-PixelBox box_of(const TextRun& run) {
-  const double width = width_of(run.text, run.size), left = run.at.x() - run.align * width;
-  return {left, run.at.y() - 0.72 * run.size, left + width, run.at.y() + 0.2 * run.size};
+PixelBox box_of(const PlacedType& type) {
+  const TypeBox ink = ink_box(type.list, fonts());
+  const Vec2& at = type.at;
+  return {at.x() + ink.x0, at.y() + ink.y0, at.x() + ink.x1, at.y() + ink.y1};
 }
 
-std::vector<const TextRun*> runs_of(const Sheet& sheet, const std::string& text) {
-  std::vector<const TextRun*> found;
-  for (const TextRun& run : sheet.texts)
-    if (run.text == text) found.push_back(&run);
+std::vector<const PlacedType*> texts_of(const Sheet& sheet, const std::string& text) {
+  std::vector<const PlacedType*> found;
+  for (const PlacedType& type : sheet.texts)
+    if (type.text == text) found.push_back(&type);
   return found;
 }
 
-const TextRun& only_run(const Sheet& sheet, const std::string& text) {
-  const auto found = runs_of(sheet, text);
+const PlacedType& only_text(const Sheet& sheet, const std::string& text) {
+  const auto found = texts_of(sheet, text);
   if (found.size() != 1)
     throw std::runtime_error(text + " stands there " + std::to_string(found.size()) + " times");
   return *found.front();
@@ -49,6 +49,7 @@ void expect_tidy(const Sheet& sheet, double width = kWidth, double height = kHei
   const PixelBox picture{0, 0, width, height};
   for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
     const PixelBox box = box_of(sheet.texts[i]);
+    EXPECT_GT(box.width() * box.height(), 0.0) << sheet.texts[i].text << " is not set";
     EXPECT_NEAR(box.overlap(picture), box.width() * box.height(), 1e-6)
         << sheet.texts[i].text << " leaves the picture";
     for (std::size_t k = 0; k < i; ++k)
@@ -72,15 +73,15 @@ void expect_finite(const Sheet& sheet) {
           for (const Vec2& p : s.points) EXPECT_TRUE(p.allFinite());
         },
         shape);
-  for (const TextRun& run : sheet.texts) EXPECT_TRUE(run.at.allFinite()) << run.text;
+  for (const PlacedType& type : sheet.texts) EXPECT_TRUE(type.at.allFinite()) << type.text;
 }
 
 TEST(Plot, NamesEveryCurveOnceAndClearOfAllOtherText) {
   const WorkPrecisionPlot plot = ladder_plot();
   const Sheet sheet = sheet_of(plot);
-  for (const PlotSeries& s : plot.series) EXPECT_EQ(runs_of(sheet, s.label).size(), 1u) << s.label;
+  for (const PlotSeries& s : plot.series) EXPECT_EQ(texts_of(sheet, s.label).size(), 1u) << s.label;
   for (const char* text : {"tolerance 10⁻⁶", "cheapest within the tolerance", "10⁻¹²", "10⁴"})
-    EXPECT_EQ(runs_of(sheet, text).size(), 1u) << text;
+    EXPECT_EQ(texts_of(sheet, text).size(), 1u) << text;
   expect_tidy(sheet);
 }
 
@@ -100,7 +101,7 @@ TEST(Plot, ANameStandsNearTheEndOfItsCurve) {
   const Sheet sheet =
       sheet_of(plot_of({series("falls", {{1e2, 1.0}, {1e4, 1e-6}}), series("other", {{1e6, 1e-3}})}));
   // The last but one text is the first name; both curves have room, so they need no leader.
-  const TextRun &falls = only_run(sheet, "falls"), &other = only_run(sheet, "other");
+  const PlacedType &falls = only_text(sheet, "falls"), &other = only_text(sheet, "other");
   EXPECT_GT(falls.at.y(), other.at.y()) << "the more accurate one is lower";
   EXPECT_LT(falls.at.x(), other.at.x()) << "the cheaper one is further left";
 }
@@ -108,8 +109,8 @@ TEST(Plot, ANameStandsNearTheEndOfItsCurve) {
 TEST(Plot, ACurveIsNamedWhereItStopsGettingBetter) {
   std::vector<std::pair<double, double>> flat = {{1e2, 1.0}, {1e3, 1e-6}};
   for (double work : {1e4, 1e5, 1e6}) flat.emplace_back(work, 2e-6);
-  const TextRun run = only_run(sheet_of(plot_of({series("flat", flat)})), "flat");
-  EXPECT_LT(run.at.x(), 0.5 * kWidth);
+  const Sheet sheet = sheet_of(plot_of({series("flat", flat)}));
+  EXPECT_LT(only_text(sheet, "flat").at.x(), 0.5 * kWidth);
 }
 
 TEST(Plot, DrawsTheExtremes) {
@@ -142,10 +143,10 @@ TEST(Plot, DrawsTheExtremes) {
 TEST(Plot, AnErrorOfZeroLiesInItsOwnRowBelowAllOthers) {
   const Sheet sheet =
       sheet_of(plot_of({series("zero", {{10.0, 0.0}}), series("tiny", {{20.0, 1e-300}, {30.0, 1e-290}})}));
-  const double zero = only_run(sheet, "0").at.y();
-  for (const TextRun& run : sheet.texts)
-    if (run.text.starts_with("10⁻")) {
-      EXPECT_LT(run.at.y(), zero) << run.text;
+  const double zero = only_text(sheet, "0").at.y();
+  for (const PlacedType& type : sheet.texts)
+    if (type.text.starts_with("10⁻")) {
+      EXPECT_LT(type.at.y(), zero) << type.text;
     }
 }
 
@@ -156,7 +157,7 @@ TEST(Plot, TheRecommendedPointIsRinged) {
   plot.recommended_label = "take this";
   const Sheet sheet = sheet_of(plot);
   EXPECT_GT(sheet.shapes.size(), shapes);
-  EXPECT_EQ(runs_of(sheet, "take this").size(), 1u);
+  EXPECT_EQ(texts_of(sheet, "take this").size(), 1u);
   expect_tidy(sheet);
 }
 

@@ -1,5 +1,6 @@
-// Lays a premultiplied layer of the same size over what is there.
+// Lays a premultiplied layer over what is there.
 #version 330 core
 uniform sampler2D u_layer;
+uniform vec2 u_corner;  // of the layer, px
 out vec4 o_color;
-void main() { o_color = texelFetch(u_layer, ivec2(gl_FragCoord.xy), 0); }
+void main() { o_color = texelFetch(u_layer, ivec2(gl_FragCoord.xy - u_corner), 0); }

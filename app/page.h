@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A page of a lesson: text column, figure and meters, laid out for its size. What a step adds stands whole on
+// its page; of the steps before it, as much as there is room for: everything, or their equations alone.
+#pragma once
+
+#include "app/page_theme.h"
+#include "render/gl/renderer.h"
+#include "render/scene/model.h"
+
+#include <vector>
+
+namespace polhode {
+
+inline constexpr Size kSmallestPage{320, 240};
+
+struct PageRequest {
+  const Lesson& lesson;
+  const Stage& stage;
+  int number = 1;                     ///< of the stage, from 1
+  int step = 1;                       ///< from 1
+  const SceneModel* model = nullptr;  ///< null: text alone
+  double t_s = 0;
+  Size size;
+  Theme theme = Theme::paper;
+};
+
+struct Page {
+  Sheet sheet;
+  std::vector<Inset> insets;  ///< under the sheet
+  /// Of the type's normal size; below kLeastScale the step alone has more than a page can hold.
+  double scale = 1;
+};
+
+/// Type may be so much smaller than normal before earlier steps are left out.
+inline constexpr double kLeastScale = 0.86;
+
+/// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
+/// @throws CommandError invalid for text that cannot be set (lint says where)
+Page compose_page(const PageRequest& request, const Fonts& fonts);
+
+}  // namespace polhode

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The colours of a page. Text has at least 5.2:1 against what it stands on, what only helps at least 3:1.
+#pragma once
+
+#include "lessons/lesson.h"
+#include "render/scene/palette.h"
+#include "render/type/math.h"
+
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+enum class Theme { paper, dark };
+
+struct PageColors {
+  Color paper;
+  Color ink;
+  Color quiet;                  ///< stage numbers, tags, axes
+  Color accent;                 ///< the bar beside the equation in focus
+  Color panel;                  ///< behind it
+  Color line;                   ///< between parts of a page
+  Color said, meant, question;  ///< their names and bars
+  Color marked;                 ///< behind a term that the scene highlights
+  Color backdrop;               ///< of figures, where it is not the studio
+};
+const PageColors& colors_of(Theme theme);
+
+/// On dark paper colours of roles go so far towards white.
+inline constexpr float kLighterOnDark = 0.55F;
+
+/// `ink` as it is readable on the theme's paper.
+Color on_paper(const Color& ink, Theme theme);
+
+/// The symbols of a lesson with the colour of their role; those of role `axes` have the ink of the text.
+std::vector<MathSymbol> symbols_of(const Lesson& lesson, Theme theme);
+
+}  // namespace polhode

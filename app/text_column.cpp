@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "app/text_column.h"
+
+#include "app/exit_codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+// Relative to the em of prose.
+constexpr double kTitleSize = 1.62;
+constexpr double kDisplaySize = 1.34;
+constexpr double kEarlierSize = 1.0;
+constexpr double kCalloutSize = 0.94;
+constexpr double kLabelSize = 0.62;
+constexpr double kTagSize = 1.0;
+constexpr double kParagraphGap = 0.62;
+constexpr double kDisplayGap = 0.78;
+constexpr double kLineTop = 0.74;     ///< of a line without tall letters, above its baseline
+constexpr double kLineBottom = 0.24;  ///< and below it
+constexpr double kLabelIndent = 4.1;
+constexpr double kPanelPad = 0.5;
+
+/// What does not fit is set smaller, but never smaller than this part.
+constexpr double kSmallestFormula = 0.5;
+
+std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+template <class T>
+T or_refuse(Result<T, std::vector<TypeError>> set) {
+  if (!set) throw CommandError(ExitCode::invalid, "this text cannot be set: " + set.error().front().message);
+  return std::move(set).value();
+}
+
+/// The list with its highest ink or line at y = 0.
+ColumnPiece piece_of(DisplayList list, double em, double gap) {
+  ColumnPiece piece;
+  const double top = std::round(std::max(list.ascent, kLineTop * em));
+  piece.height = top + std::round(std::max(list.depth, kLineBottom * em));
+  piece.gap = gap;
+  piece.sheet.texts.push_back({.list = std::move(list), .at = {0, top}});
+  return piece;
+}
+
+/// Boxes behind the glyphs of the terms of these names.
+void mark(const DisplayList& list, const Vec2& at, const std::vector<std::string>& names, double em,
+          const Color& color, const Fonts& fonts, Sheet& sheet) {
+  for (std::size_t i = 0; i < list.names.size(); ++i) {
+    if (std::find(names.begin(), names.end(), list.names[i]) == names.end()) continue;
+    DisplayList term;
+    const auto is_of_term = [&](const auto& part) { return part.naming.term == static_cast<int>(i); };
+    std::copy_if(list.glyphs.begin(), list.glyphs.end(), std::back_inserter(term.glyphs), is_of_term);
+    std::copy_if(list.rules.begin(), list.rules.end(), std::back_inserter(term.rules), is_of_term);
+    const TypeBox box = ink_box(term, fonts);
+    if (box.empty()) continue;
+    const double pad = 0.16 * em;
+    sheet.shapes.push_back(Area{
+        rectangle(at.x() + box.x0 - pad, at.y() + box.y0 - pad, at.x() + box.x1 + pad, at.y() + box.y1 + pad),
+        color});
+  }
+}
+
+}  // namespace
+
+TextStyle TextColumn::style(double size, Color color, double width) const {
+  TextStyle style;
+  style.size = size;
+  style.color = color;
+  style.width = width;
+  style.link_color = colors().question;
+  style.symbols = &symbols_;
+  return style;
+}
+
+DisplayList TextColumn::set(const RichText& text, const TextStyle& style) const {
+  return or_refuse(set_text(text, style, fonts_));
+}
+
+ColumnPiece TextColumn::title(const RichText& title, bool continued) const {
+  const double em = kTitleSize * size_;
+  TextStyle bold = style(em, colors().ink, width_);
+  bold.bold = true;
+  bold.leading = 1.2;
+  DisplayList list = set(title, bold);
+  if (continued) {
+    TextStyle quiet = style(size_, colors().quiet, 0);
+    const DisplayList word = set_line("continued", quiet, fonts_);
+    // after the last word of a single line, if there is room
+    if (list.depth < em && list.width + 0.6 * em + word.width < width_)
+      append(list, word, list.width + 0.5 * em, 0.0);
+  }
+  return piece_of(std::move(list), em, 0.55 * em);
+}
+
+ColumnPiece TextColumn::prose(const RichText& text) const {
+  return piece_of(set(text, style(size_, colors().ink, width_)), size_, kParagraphGap * size_);
+}
+
+/// As large as it can be within `room`: broken first, then smaller.
+DisplayList TextColumn::formula(const Equation& equation, double size, double room) const {
+  MathStyle style{
+      .size = size, .display = true, .color = colors().ink, .line_width = room, .symbols = &symbols_};
+  DisplayList list = or_refuse(set_math(equation.math, style, fonts_));
+  if (list.width <= room) return list;
+  style.size *= std::max(kSmallestFormula, room / list.width);
+  return or_refuse(set_math(equation.math, style, fonts_));
+}
+
+ColumnPiece TextColumn::numbered(const Equation& equation, double size,
+                                 const std::vector<std::string>& marked) const {
+  DisplayList tag;
+  if (!equation.tag.empty())
+    tag = set_line("(" + equation.tag + ")", style(kTagSize * size_, colors().quiet, 0), fonts_);
+  const double beside = equation.tag.empty() ? 0.0 : tag.width + size_;
+  DisplayList list = formula(equation, size, width_ - beside);
+  // In the middle of the column, unless it would run into its number.
+  const double x = std::round(std::min(0.5 * (width_ - list.width), width_ - beside - list.width));
+  const double top = std::round(std::max(list.ascent, kLineTop * size));
+  ColumnPiece piece;
+  piece.height = top + std::round(std::max(list.depth, kLineBottom * size));
+  piece.gap = kDisplayGap * size_;
+  const Vec2 at(std::max(0.0, x), top);
+  mark(list, at, marked, size, colors().marked, fonts_, piece.sheet);
+  if (!equation.tag.empty())
+    piece.sheet.texts.push_back({.list = tag, .at = {std::round(width_ - tag.width), top}});
+  piece.sheet.texts.push_back({.list = std::move(list), .at = at});
+  return piece;
+}
+
+ColumnPiece TextColumn::equation(const Equation& equation, bool in_focus,
+                                 const std::vector<std::string>& marked) const {
+  ColumnPiece plain = numbered(equation, kDisplaySize * size_, marked);
+  if (!in_focus) return plain;
+  const double pad = std::round(kPanelPad * size_), bar = std::round(std::max(2.0, 0.17 * size_));
+  const double left = -std::round(0.7 * size_), right = width_ + pad;
+  ColumnPiece piece{.sheet = {}, .height = plain.height + 2.0 * pad, .gap = 0.9 * plain.gap};
+  piece.sheet.shapes = {Area{rectangle(left, 0, right, piece.height), colors().panel},
+                        Area{rectangle(left, 0, left + bar, piece.height), colors().accent}};
+  append(piece.sheet, std::move(plain.sheet), {0, pad});
+  return piece;
+}
+
+ColumnPiece TextColumn::earlier_equation(const Equation& equation) const {
+  ColumnPiece piece = numbered(equation, kEarlierSize * size_, {});
+  piece.gap = 0.4 * size_;
+  return piece;
+}
+
+/// `plain` with its name on the left, and a bar between the two.
+ColumnPiece TextColumn::labelled(const std::string& label, const Color& color, ColumnPiece plain) const {
+  const double indent = std::round(kLabelIndent * size_), bar = indent - std::round(0.55 * size_);
+  TextStyle small = style(kLabelSize * size_, color, 0);
+  small.sans = small.bold = true;
+  const double baseline = plain.sheet.texts.front().at.y();
+  ColumnPiece piece{.sheet = {}, .height = plain.height, .gap = plain.gap};
+  piece.sheet.shapes.push_back(Stroke{
+      .points = {{bar, 1}, {bar, piece.height - 1}}, .width = std::max(1.5, 0.09 * size_), .color = color});
+  piece.sheet.texts.push_back({.list = set_line(label, small, fonts_), .at = {0, baseline}});
+  append(piece.sheet, std::move(plain.sheet), {indent, 0});
+  return piece;
+}
+
+ColumnPiece TextColumn::callout(const Callout& callout) const {
+  const bool said = callout.kind == Callout::Kind::said;
+  const double em = kCalloutSize * size_;
+  const double width = width_ - std::round(kLabelIndent * size_);
+  ColumnPiece piece = piece_of(set(callout.text, style(em, colors().ink, width)), em, 0.5 * size_);
+  return labelled(said ? "As said" : "As meant", said ? colors().said : colors().meant, std::move(piece));
+}
+
+ColumnPiece TextColumn::question(const Ask& ask) const {
+  const double em = kCalloutSize * size_;
+  const double width = width_ - std::round(kLabelIndent * size_);
+  RichText text = ask.prompt_text;
+  for (std::size_t i = 0; i < ask.choice_texts.size(); ++i) {
+    RichText choice = ask.choice_texts[i];
+    if (!choice.empty()) {
+      choice.front().marker = std::string(1, static_cast<char>('A' + i)) + ".";
+      choice.front().indent = 1;
+    }
+    text.insert(text.end(), choice.begin(), choice.end());
+  }
+  TextStyle plain = style(em, colors().ink, width);
+  plain.between = 0.28;
+  return labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
+}
+
+Stack stack(const std::vector<ColumnPiece>& pieces) {
+  Stack made;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i > 0) made.height += std::round(std::max(pieces[i - 1].gap, pieces[i].gap));
+    append(made.sheet, pieces[i].sheet, {0, made.height});
+    made.height += pieces[i].height;
+  }
+  return made;
+}
+
+}  // namespace polhode

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The blocks of a lesson as they stand one below the other in the text column of a page.
+#pragma once
+
+#include "app/page_theme.h"
+#include "lessons/lesson.h"
+#include "render/scene/sheet.h"
+#include "render/type/paragraph.h"
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Something in the column: its drawing from the upper left corner, and the room it takes.
+struct ColumnPiece {
+  Sheet sheet;
+  double height = 0;  ///< whole px
+  double gap = 0;     ///< least distance to what is above and below
+};
+
+class TextColumn {
+ public:
+  /// `size` is the em of prose. All are kept by reference.
+  TextColumn(double width, double size, Theme theme, const std::vector<MathSymbol>& symbols,
+             const Fonts& fonts)
+      : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts) {}
+
+  ColumnPiece title(const RichText& title, bool continued) const;
+  /// Terms of these names are marked.
+  ColumnPiece equation(const Equation& equation, bool in_focus, const std::vector<std::string>& marked) const;
+  /// An equation of an earlier step: small, without emphasis.
+  ColumnPiece earlier_equation(const Equation& equation) const;
+  ColumnPiece prose(const RichText& text) const;
+  ColumnPiece callout(const Callout& callout) const;
+  ColumnPiece question(const Ask& ask) const;
+
+ private:
+  const PageColors& colors() const { return colors_of(theme_); }
+  TextStyle style(double size, Color color, double width) const;
+  DisplayList set(const RichText& text, const TextStyle& style) const;
+  DisplayList formula(const Equation& equation, double size, double room) const;
+  ColumnPiece numbered(const Equation& equation, double size, const std::vector<std::string>& marked) const;
+  ColumnPiece labelled(const std::string& label, const Color& color, ColumnPiece plain) const;
+
+  double width_, size_;
+  Theme theme_;
+  const std::vector<MathSymbol>& symbols_;
+  const Fonts& fonts_;
+};
+
+/// Pieces one below the other; the height they take together.
+struct Stack {
+  Sheet sheet;
+  double height = 0;
+};
+Stack stack(const std::vector<ColumnPiece>& pieces);
+
+}  // namespace polhode
