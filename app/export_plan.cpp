@@ -28,26 +28,61 @@ std::vector<Place> selected_stages(const Lesson& lesson, const std::vector<std::
   return places;
 }
 
-/// 0-based index of the last step with a scene.
-std::optional<std::size_t> last_drawn_step(const Stage& stage) {
+/// Whether there is something of the kind to draw at a step.
+bool has(const Step& step, What what) {
+  if (what == What::figure) return step.scene.has_value();
+  return what != What::equation || !equations_of(step).empty();
+}
+
+/// 0-based index.
+std::optional<std::size_t> last_step_with(const Stage& stage, What what) {
   for (std::size_t i = stage.steps.size(); i-- > 0;)
-    if (stage.steps[i].scene) return i;
+    if (has(stage.steps[i], what)) return i;
   return std::nullopt;
 }
 
-PlannedPicture picture_of(const Stage& stage, std::size_t step, std::string file) {
-  return {&stage, &*stage.steps[step].scene, static_cast<int>(step + 1), std::nullopt, 0, std::move(file)};
+/// The stage of a picture, and how its file's name begins.
+struct Subject {
+  Place place;
+  std::string stem;
+};
+
+PlannedPicture picture_of(const Subject& subject, std::size_t step, const Equation* equation,
+                          const std::string& rest_of_name) {
+  const Stage& stage = *subject.place.stage;
+  const auto& scene = stage.steps[step].scene;
+  return {&stage,
+          static_cast<int>(subject.place.number),
+          static_cast<int>(step + 1),
+          scene ? &*scene : nullptr,
+          equation,
+          std::nullopt,
+          0,
+          subject.stem + rest_of_name + ".png"};
 }
 
-void plan_steps(const Stage& stage, const std::string& stem, ExportPlan& plan) {
-  for (std::size_t step = 0; step < stage.steps.size(); ++step)
-    if (stage.steps[step].scene)
-      plan.pictures.push_back(picture_of(stage, step, fmt::format("{}-step{}.png", stem, step + 1)));
+/// A step's last equation is what it has come to.
+const Equation* result_of(const Step& step, What what) {
+  return what == What::equation ? equations_of(step).back() : nullptr;
+}
+
+void plan_steps(const Subject& subject, What what, ExportPlan& plan) {
+  const std::vector<Step>& steps = subject.place.stage->steps;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (has(steps[i], what))
+      plan.pictures.push_back(
+          picture_of(subject, i, result_of(steps[i], what), fmt::format("-step{}", i + 1)));
+}
+
+void plan_equations(const Subject& subject, ExportPlan& plan) {
+  const std::vector<Step>& steps = subject.place.stage->steps;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    for (const Equation* equation : equations_of(steps[i]))
+      plan.pictures.push_back(picture_of(subject, i, equation, "-" + equation->id));
 }
 
 struct Film {
-  const Stage* stage;
-  std::string stem;
+  Subject subject;
   std::size_t step;
 };
 
@@ -69,8 +104,8 @@ void plan_films(const std::vector<Film>& films, const ExportOptions& options, Ex
   const FrameRange range = checked_range(options, total);
   for (std::int64_t frame = range.begin; frame < range.end; ++frame) {
     const Film& film = films[static_cast<std::size_t>(frame / each)];
-    PlannedPicture picture = picture_of(
-        *film.stage, film.step, fmt::format("{}-frame{}.png", film.stem, zero_padded(frame, total - 1)));
+    PlannedPicture picture =
+        picture_of(film.subject, film.step, nullptr, "-frame" + zero_padded(frame, total - 1));
     picture.frame = frame;
     picture.frame_of_stage = frame % each;
     plan.pictures.push_back(std::move(picture));
@@ -84,21 +119,36 @@ ExportPlan plan_export(const Lesson& lesson, const ExportOptions& options) {
   std::vector<Film> films;
   const auto last_number = static_cast<std::int64_t>(lesson.stages.size());
   for (const Place& place : selected_stages(lesson, options.stages)) {
-    const Stage& stage = *place.stage;
     const auto number = static_cast<std::int64_t>(place.number);
-    const std::string stem = fmt::format("{}-{}", zero_padded(number, last_number, 2), stage.id);
-    const auto step = last_drawn_step(stage);
+    const Subject subject{place, fmt::format("{}-{}", zero_padded(number, last_number, 2), place.stage->id)};
+    const auto step = last_step_with(*place.stage, options.what);
     if (!step)
-      plan.without_scene.push_back(stage.id);
+      plan.left_out.push_back(place.stage->id);
     else if (options.each == Each::step)
-      plan_steps(stage, stem, plan);
+      plan_steps(subject, options.what, plan);
     else if (options.each == Each::frame)
-      films.push_back({&stage, stem, *step});
+      films.push_back({subject, *step});
+    else if (options.what == What::equation)
+      plan_equations(subject, plan);
     else
-      plan.pictures.push_back(picture_of(stage, *step, stem + ".png"));
+      plan.pictures.push_back(picture_of(subject, *step, nullptr, ""));
   }
   if (options.each == Each::frame) plan_films(films, options, plan);
   return plan;
+}
+
+std::vector<const Equation*> equations_of(const Step& step) {
+  std::vector<const Equation*> equations;
+  for (const Block& block : step.blocks)
+    if (const auto* equation = std::get_if<Equation>(&block)) equations.push_back(equation);
+  return equations;
+}
+
+std::vector<const Equation*> equations_of(const Stage& stage) {
+  std::vector<const Equation*> equations;
+  for (const Step& step : stage.steps)
+    for (const Equation* equation : equations_of(step)) equations.push_back(equation);
+  return equations;
 }
 
 double time_of(const PlannedPicture& picture, const ExportOptions& options, double speed) {

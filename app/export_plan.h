@@ -2,6 +2,7 @@
 // Which pictures an export makes, under which names.
 #pragma once
 
+#include "app/page_theme.h"
 #include "app/timeline.h"
 #include "lessons/lesson.h"
 #include "render/image/image.h"
@@ -12,40 +13,51 @@
 
 namespace polhode {
 
+enum class What { page, equation, figure, transcript };
 enum class Each { stage, step, frame };
 
 /// The options that decide the bytes of an export; what is not here (folder, context, syncing) does not.
 struct ExportOptions {
+  What what = What::page;
   std::vector<std::string> stages;  ///< ids; empty: all
   Each each = Each::stage;
-  Size size{1920, 1080};
+  Size size{1920, 1080};       ///< of pages and figures
   FrameRate fps;               ///< of Each::frame
   double seconds = 8;          ///< shown, per stage, of Each::frame
   std::optional<double> at_s;  ///< t of stills, of the first frame of films; absent: the scene's `at`, 0
   std::optional<FrameRange> frames;  ///< of Each::frame; absent: all
-  std::string background = "studio";
-  int dpi = 0;  ///< 0: none written
+  std::string background = "paper";  ///< of pages that of the theme
+  Theme theme = Theme::paper;        ///< of pages and equations
+  int dpi = 0;                       ///< noted in the files, 0: none; of equations also their size
 };
 
 struct PlannedPicture {
   const Stage* stage;
-  const Scene* scene;
-  int step;                           ///< 1-based
+  int number;                         ///< of the stage in the lesson, from 1
+  int step;                           ///< from 1
+  const Scene* scene;                 ///< of the step; null: none
+  const Equation* equation;           ///< of What::equation: the one to show; null in films, which show all
   std::optional<std::int64_t> frame;  ///< 0-based over the whole selection
   std::int64_t frame_of_stage = 0;    ///< 0-based within its stage
   std::string file;                   ///< name without folder
 };
 
 struct ExportPlan {
-  std::vector<PlannedPicture> pictures;    ///< in the order of the lesson; they point into it
-  std::vector<std::string> without_scene;  ///< ids of selected stages that have nothing to draw
+  std::vector<PlannedPicture> pictures;  ///< in the order of the lesson; they point into it
+  std::vector<std::string> left_out;     ///< ids of selected stages that have nothing of the kind to draw
 };
 
-/// NN-<stage>.png (its last step that has a scene), NN-<stage>-step<K>.png or NN-<stage>-frame<F>.png.
+/// NN-<stage>.png, NN-<stage>-step<K>.png or NN-<stage>-frame<F>.png; equations stage by stage are
+/// NN-<stage>-<equation>.png. A stage is shown at its last step with something of the kind to draw: a scene,
+/// an equation; pages have all steps. Not for transcripts.
 /// @throws CommandError usage: unknown stage, a range beyond the frames there are, too many frames.
 ExportPlan plan_export(const Lesson& lesson, const ExportOptions& options);
 
-/// t of a picture, s. @param speed simulated seconds per shown second
+/// What a step adds to the display mathematics of its stage, and what a stage has in all.
+std::vector<const Equation*> equations_of(const Step& step);
+std::vector<const Equation*> equations_of(const Stage& stage);
+
+/// t of a picture that has a scene, s. @param speed simulated seconds per shown second
 double time_of(const PlannedPicture& picture, const ExportOptions& options, double speed);
 
 }  // namespace polhode

@@ -4,6 +4,7 @@
 #include "app/exit_codes.h"
 #include "app/sha256.h"
 #include "app/suggest.h"
+#include "lessons/type_check.h"
 #include "render/scene/model.h"
 
 #include <fmt/format.h>
@@ -60,6 +61,10 @@ std::string all_lines(const std::vector<Diagnostic>& diagnostics) {
   std::string lines;
   for (const Diagnostic& diagnostic : diagnostics) lines += to_string(diagnostic) + '\n';
   return lines;
+}
+
+CommandError has_errors(const fs::path& path, const std::vector<Diagnostic>& diagnostics) {
+  return {ExitCode::invalid, fmt::format("lesson {} has errors:\n{}", path.string(), all_lines(diagnostics))};
 }
 
 CommandError unknown_lesson(std::string_view name, const std::vector<fs::path>& folders) {
@@ -130,22 +135,28 @@ LessonReading check_lesson(std::string_view text, std::string_view file_name) {
   std::vector<Diagnostic> found = model_diagnostics(*reading.lesson, file_name);
   if (found.empty()) return reading;
   reading.lesson.reset();
-  auto& all = reading.diagnostics;
-  all.insert(all.end(), found.begin(), found.end());
+  add_in_order(std::move(found), reading.diagnostics);
+  return reading;
+}
+
+void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
   std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
     return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
   });
-  return reading;
 }
 
 LoadedLesson load_lesson(std::string_view name) {
   const fs::path path = find_lesson(name, lesson_folders());
   const std::string text = read_lesson_text(path);
   LessonReading reading = check_lesson(text, path.string());
-  if (!reading.lesson)
-    throw CommandError(ExitCode::invalid, fmt::format("lesson {} has errors:\n{}", path.string(),
-                                                      all_lines(reading.diagnostics)));
+  if (!reading.lesson) throw has_errors(path, reading.diagnostics);
   return {std::move(*reading.lesson), path, sha256_hex(text)};
+}
+
+void check_type_of(const LoadedLesson& loaded, const Fonts& fonts) {
+  const std::vector<Diagnostic> found = check_type(loaded.lesson, fonts, loaded.path.string());
+  if (!found.empty()) throw has_errors(loaded.path, found);
 }
 
 const Stage& stage_of(const Lesson& lesson, std::string_view id) {

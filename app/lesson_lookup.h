@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/reader.h"
+#include "render/type/fonts.h"
 
 #include <filesystem>
 #include <string>
@@ -44,6 +45,12 @@ LoadedLesson load_lesson(std::string_view name);
 /// What the reader says of a text, and if it has no error, what the model says of its scenes. In the order of
 /// places.
 LessonReading check_lesson(std::string_view text, std::string_view file_name);
+
+/// Adds diagnostics to others, all in the order of their places.
+void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all);
+
+/// @throws CommandError invalid if the fonts lack something of what the lesson says, with all diagnostics.
+void check_type_of(const LoadedLesson& loaded, const Fonts& fonts);
 
 /// The stage of that id. @throws CommandError usage with "did you mean"
 const Stage& stage_of(const Lesson& lesson, std::string_view id);

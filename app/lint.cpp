@@ -2,6 +2,9 @@
 // polhode lint: what is wrong with lessons, and where.
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
+#include "app/or_fail.h"
+#include "app/page_lint.h"
+#include "lessons/type_check.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,11 +32,20 @@ struct Findings {
   bool all_read = true;
 };
 
+/// Of a lesson that reads: what the fonts lack, and if they lack nothing, what does not fit on a page.
+std::vector<Diagnostic> type_and_page_diagnostics(const Lesson& lesson, std::string_view file) {
+  const Fonts fonts = or_fail(Fonts::open());
+  std::vector<Diagnostic> found = check_type(lesson, fonts, file);
+  return found.empty() ? page_diagnostics(lesson, fonts, file) : found;
+}
+
 /// One file; a file that cannot be read is a message on stderr, and the others are still looked at.
 void lint_one(const std::string& name, Findings& findings) {
   try {
     const auto path = find_lesson(name, lesson_folders());
     LessonReading reading = check_lesson(read_lesson_text(path), path.string());
+    if (reading.lesson)
+      add_in_order(type_and_page_diagnostics(*reading.lesson, path.string()), reading.diagnostics);
     for (Diagnostic& diagnostic : reading.diagnostics) findings.diagnostics.push_back(std::move(diagnostic));
   } catch (const CommandError& error) {
     if (error.code != ExitCode::failed) throw;

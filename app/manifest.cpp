@@ -24,19 +24,38 @@ const char* name_of(Each each) {
   return "frame";
 }
 
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+const char* name_of(What what) {
+  switch (what) {
+    case What::page:
+      return "page";
+    case What::equation:
+      return "equation";
+    case What::figure:
+      return "figure";
+    case What::transcript:
+      break;
+  }
+  return "transcript";
+}
+
+Json number_or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+Json count_or_null(int count) { return count > 0 ? Json(count) : Json(nullptr); }
 
 Json file_json(const ManifestFile& file) {
   return {{"file", file.file},
-          {"stage", file.stage},
-          {"step", file.step},
+          {"stage", text_or_null(file.stage)},
+          {"step", count_or_null(file.step)},
           {"frame", file.frame ? Json(*file.frame) : Json(nullptr)},
           {"t", number_or_null(file.t_s)},
-          {"width", file.size.width},
-          {"height", file.size.height},
+          {"width", count_or_null(file.size.width)},
+          {"height", count_or_null(file.size.height)},
           {"tex", file.tex},
           {"alt", file.alt},
-          {"method", file.method}};
+          {"method", text_or_null(file.method)}};
 }
 
 /// "size is 640x360 there and 1280x720 here", of the first option that differs.
@@ -54,17 +73,21 @@ std::string first_difference(const Json& there, const Json& here) {
 
 Json to_json(const ExportOptions& options) {
   const bool film = options.each == Each::frame;
+  const bool picture = options.what != What::transcript;
+  const bool sized = picture && options.what != What::equation;
+  const bool themed = picture && options.what != What::figure;
   Json json;
   json["stage"] = options.stages;
-  json["each"] = name_of(options.each);
-  json["what"] = "figure";
-  json["size"] = fmt::format("{}x{}", options.size.width, options.size.height);
+  json["each"] = picture ? Json(name_of(options.each)) : Json(nullptr);
+  json["what"] = name_of(options.what);
+  json["size"] = sized ? Json(fmt::format("{}x{}", options.size.width, options.size.height)) : Json(nullptr);
   json["fps"] = film ? Json(to_string(options.fps)) : Json(nullptr);
   json["seconds"] = film ? Json(options.seconds) : Json(nullptr);
   json["at"] = options.at_s ? Json(*options.at_s) : Json(nullptr);
   json["frames"] =
       options.frames ? Json(fmt::format("{}:{}", options.frames->begin, options.frames->end)) : Json(nullptr);
-  json["background"] = options.background;
+  json["background"] = picture ? Json(options.background) : Json(nullptr);
+  json["theme"] = themed ? Json(options.theme == Theme::dark ? "dark" : "paper") : Json(nullptr);
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
   return json;
 }

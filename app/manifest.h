@@ -16,14 +16,15 @@ namespace polhode {
 
 inline constexpr const char* kManifestName = "manifest.json";
 
+/// What a file does not have is empty and null in the manifest.
 struct ManifestFile {
   std::string file;
   std::string stage;
-  int step = 1;
+  int step = 0;  ///< from 1; 0: none
   std::optional<std::int64_t> frame;
-  double t_s = 0;
+  std::optional<double> t_s;
   Size size;
-  std::vector<std::string> tex;  ///< the display mathematics on screen at this step
+  std::vector<std::string> tex;  ///< the display mathematics on screen
   std::string alt;
   std::string method;  ///< of the motion
 };

@@ -7,15 +7,16 @@ namespace polhode {
 
 std::string program_name_and_version() { return "polhode " POLHODE_VERSION; }
 
-PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt, double t_s,
-                             int dpi) {
-  return {{{"Title", stage.title + " \u2013 " + lesson.title},
-           {"Description", alt},
-           {"Software", program_name_and_version()},
-           {"polhode:lesson", lesson.id},
-           {"polhode:stage", stage.id},
-           {"polhode:t", digits17(t_s)}},
-          dpi};
+PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt,
+                             const std::optional<double>& t_s, int dpi) {
+  PngMetadata metadata{{{"Title", stage.title + " \u2013 " + lesson.title},
+                        {"Description", alt},
+                        {"Software", program_name_and_version()},
+                        {"polhode:lesson", lesson.id},
+                        {"polhode:stage", stage.id}},
+                       dpi};
+  if (t_s) metadata.text.emplace_back("polhode:t", digits17(*t_s));
+  return metadata;
 }
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include "lessons/lesson.h"
 #include "render/image/png.h"
 
+#include <optional>
 #include <string>
 
 namespace polhode {
@@ -12,8 +13,9 @@ namespace polhode {
 /// "polhode 0.1.0"
 std::string program_name_and_version();
 
-/// Title, Description (the alt text), Software, polhode:lesson, polhode:stage, polhode:t; no time stamp.
-PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt, double t_s,
-                             int dpi);
+/// Title, Description (the alt text), Software, polhode:lesson, polhode:stage, polhode:t if it has one; no
+/// time stamp.
+PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt,
+                             const std::optional<double>& t_s, int dpi);
 
 }  // namespace polhode

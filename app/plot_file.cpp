@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/plot_file.h"
 
-#include "app/exit_codes.h"
+#include "app/or_fail.h"
 #include "app/picture_metadata.h"
 #include "render/gl/renderer.h"
 
@@ -10,16 +10,6 @@
 #include <algorithm>
 
 namespace polhode {
-
-namespace {
-
-template <class T>
-T or_fail(Result<T>&& result) {
-  if (!result) throw CommandError(ExitCode::failed, result.error());
-  return std::move(result).value();
-}
-
-}  // namespace
 
 std::string description_of(const WorkPrecisionPlot& plot) {
   std::string text = fmt::format("{}: {} over {}, both logarithmic.", plot.title, plot.y_label, plot.x_label);

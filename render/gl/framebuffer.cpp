@@ -44,9 +44,14 @@ const char* status_name(GLenum status) {
 // Drivers answer bottom row first.
 void flip_rows(Image& image) {
   const std::size_t row = 4 * static_cast<std::size_t>(image.size.width);
+  std::vector<std::uint8_t> kept(row);
   std::uint8_t* low = image.rgba.data();
   std::uint8_t* high = low + row * static_cast<std::size_t>(image.size.height - 1);
-  for (; low < high; low += row, high -= row) std::swap_ranges(low, low + row, high);
+  for (; low < high; low += row, high -= row) {
+    std::memcpy(kept.data(), low, row);
+    std::memcpy(low, high, row);
+    std::memcpy(high, kept.data(), row);
+  }
 }
 
 }  // namespace

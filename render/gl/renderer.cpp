@@ -133,7 +133,8 @@ class GlRenderer final : public Renderer {
   void draw_layer(const Figure& figure);
   void draw_picture(const Figure& figure, const Background& background);
   void average();
-  void draw_backdrop(const std::array<int, 4>& viewport, const Background& background, int fineness);
+  void clear(const Background& background);
+  void draw_studio(const std::array<int, 4>& viewport, int fineness);
   void lay_over(GLuint texture, int x, int y);
   void draw_floor(const Pane& pane, const Viewpoint& at);
   void draw_glass(const Pane& pane, const Viewpoint& at, bool front);
@@ -152,7 +153,7 @@ Color sky_of(const Background& background) {
     case Background::Kind::paper:
       return color_from_hex(0xFBFAF6);
     case Background::Kind::color:
-      return background.color;
+      return {background.color.r, background.color.g, background.color.b, 1.0F};
     case Background::Kind::transparent:
       return {0, 0, 0, 0};
     case Background::Kind::studio:
@@ -176,10 +177,6 @@ void remove_premultiplication(Image& image) {
     for (std::size_t k = 0; k < 3; ++k)
       image.rgba[i + k] = static_cast<std::uint8_t>(std::min(255, (image.rgba[i + k] * 255 + a / 2) / a));
   }
-}
-
-void make_opaque(Image& image) {
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
 }
 
 Result<Canvas> GlRenderer::make_canvas(Size size, const Quality& quality) const {
@@ -217,16 +214,19 @@ Status GlRenderer::prepare(Size size, const Quality& quality) {
   return success();
 }
 
-void GlRenderer::draw_backdrop(const std::array<int, 4>& viewport, const Background& background,
-                               int fineness) {
+/// To the colour of the sky; what is drawn over an opaque one leaves its alpha at 1.
+void GlRenderer::clear(const Background& background) {
+  const Color sky = sky_of(background);
+  gl().ClearColor(sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
+  gl().Clear(GL_COLOR_BUFFER_BIT);
+}
+
+void GlRenderer::draw_studio(const std::array<int, 4>& viewport, int fineness) {
   const Program& p = programs_.backdrop;
   p.use();
   p.set("u_viewport_origin", static_cast<float>(viewport[0]), static_cast<float>(viewport[1]));
   p.set("u_viewport_size", static_cast<float>(viewport[2]), static_cast<float>(viewport[3]));
-  const Color sky = sky_of(background);
-  p.set("u_sky", sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
   p.set("u_fineness", static_cast<float>(fineness));
-  p.set("u_studio", background.kind == Background::Kind::studio ? 1.0F : 0.0F);
   gl().Disable(GL_BLEND);
   nothing_.draw_without_vertices(GL_TRIANGLES, 3);
   gl().Enable(GL_BLEND);
@@ -334,9 +334,11 @@ void GlRenderer::draw_picture(const Figure& figure, const Background& background
   const Framebuffer& picture = canvas().picture;
   const Framebuffer& drawn = canvas().fine ? *canvas().fine : picture;
   drawn.bind();
+  clear(background);
   for (const Pane& pane : figure.panes) {
     const Shown shown = show(pane, drawn.size());
-    draw_backdrop(shown.viewport, background, canvas().quality.supersampling);
+    if (background.kind == Background::Kind::studio)
+      draw_studio(shown.viewport, canvas().quality.supersampling);
     draw_floor(pane, shown.at);
     draw_glass(pane, shown.at, false);
   }
@@ -414,7 +416,8 @@ Result<Image> GlRenderer::draw(const Sheet& sheet, std::span<const Inset> insets
   start();
   gl().Disable(GL_DEPTH_TEST);
   page_->bind();
-  draw_backdrop({0, 0, size.width, size.height}, background, 1);
+  clear(background);
+  if (background.kind == Background::Kind::studio) draw_studio({0, 0, size.width, size.height}, 1);
   flat_.sheet->draw(sheet.shapes, size);
   for (const Inset& inset : insets)
     if (Status drawn = draw_inset(inset); !drawn) return failure(drawn.error());
@@ -428,10 +431,7 @@ Result<Image> GlRenderer::read_picture(const Framebuffer& picture, const Backgro
   Image image = picture.read();
   if (const std::string errors = pending_errors(gl()); !errors.empty())
     return failure("OpenGL reported " + errors + " while drawing; driver: " + driver());
-  if (background.kind == Background::Kind::transparent)
-    remove_premultiplication(image);
-  else
-    make_opaque(image);
+  if (background.kind == Background::Kind::transparent) remove_premultiplication(image);
   return image;
 }
 

@@ -59,15 +59,14 @@ struct Floor {
 };
 
 struct Label {
-  std::string
-      text;     ///< UTF-8; mathematical alphanumerics are set in the maths font, U+20D7 puts an arrow above
-  Vec3 anchor;  ///< what it names
+  std::string text;  ///< as set_line() of render/type/paragraph.h sets it, in sans
+  Vec3 anchor;       ///< what it names
   Color color;
   double size = 1.0;   ///< relative to the label size of the picture
   bool leader = true;  ///< draw a line to the anchor if it is placed away from it
 };
 
-/// Lines of text in the corner of the pane; the first is a heading.
+/// Lines of text in the corner of the pane, as of labels.
 struct Readout {
   std::vector<std::string> lines;
   bool color_bar = false;  ///< key of the polhode family: L²/2T from I_min to I_max

@@ -133,7 +133,7 @@ Pane make_pane(const SceneModel& model, double t_s, View view, double aspect) {
   return pane;
 }
 
-std::string title_of(View view) { return view == View::space ? "space frame 𝑆" : "body frame 𝑆*"; }
+std::string title_of(View view) { return view == View::space ? "space frame $S$" : "body frame $S^*$"; }
 
 }  // namespace
 

@@ -19,7 +19,7 @@ constexpr double kMarkGap = 0.45, kNameGap = 0.55, kTick = 0.22, kUnitGap = 0.35
 constexpr double kLeastMarkRoom = 2.3;  // so that plots above each other mostly
 constexpr double kLeastNameRoom = 2.0;  // begin and end at the same places
 constexpr double kCapHeight = 0.72;
-constexpr double kNameSpacing = 1.25;
+constexpr double kNameSpacing = 1.35;
 constexpr double kMarkSpacing = 1.9, kTimeMarkSpacing = 3.2;
 constexpr double kHairline = 0.06, kAxisLine = 0.075, kCurve = 0.12, kLeader = 0.07;
 constexpr double kDot = 0.24, kDotRim = 0.1;

@@ -82,6 +82,16 @@ bool is_invisible(char32_t c) {
   return in_any(c, kRanges) && c != 0x202F && c != 0x205F && !is_right_to_left(c);
 }
 
+Script script_of(char32_t c) {
+  if (0x2080 <= c && c <= 0x2089) return {U'0' + (c - 0x2080), false};
+  if (c == 0x2070 || (0x2074 <= c && c <= 0x2079)) return {U'0' + (c - 0x2070), true};
+  if (c == 0x00B2 || c == 0x00B3) return {U'2' + (c - 0x00B2), true};
+  if (c == 0x00B9) return {U'1', true};
+  if (c == 0x207A || c == 0x208A) return {U'+', c == 0x207A};
+  if (c == 0x207B || c == 0x208B) return {0x2212, c == 0x207B};
+  return {};
+}
+
 std::string code_point_name(char32_t c) {
   std::string digits;
   for (; c > 0 || digits.size() < 4; c >>= 4) digits.insert(digits.begin(), "0123456789ABCDEF"[c & 0xF]);

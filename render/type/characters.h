@@ -22,6 +22,14 @@ bool is_right_to_left(char32_t character);
 /// Neither ink nor space: controls, zero-width characters, byte order marks.
 bool is_invisible(char32_t character);
 
+/// A small character above or below the line, as it stands on the line: 6 of ⁶, the minus sign of ⁻. Fonts
+/// have ¹²³ at most.
+struct Script {
+  char32_t character = 0;  ///< 0: it is none
+  bool raised = false;
+};
+Script script_of(char32_t character);
+
 /// "U+05D0"
 std::string code_point_name(char32_t character);
 

@@ -33,12 +33,17 @@ constexpr double kShortFormula = 1.6;  // a name of something, which belongs to 
 /// larger.
 constexpr double kMonoSize = 0.92;
 
+constexpr double kScriptSize = 0.68;
+constexpr double kScriptRise = 0.38;
+constexpr double kScriptDrop = 0.20;
+
 // Penalties of a line that ends there; 100 is a lot.
 constexpr double kAfterHyphen = 60.0;
 constexpr double kAfterShortWord = 25.0;
 constexpr double kBeforeShortFormula = 45.0;
 
 bool is_space(char32_t c) { return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r'; }
+bool is_digit(char32_t c) { return U'0' <= c && c <= U'9'; }
 bool is_combining(char32_t c) {
   return (0x0300 <= c && c <= 0x036F) || (0x20D0 <= c && c <= 0x20F0) || (0x1AB0 <= c && c <= 0x1AFF);
 }
@@ -52,6 +57,7 @@ struct Element {
   char32_t character = 0;
   std::uint32_t span = 0;  ///< it belongs to
   SourceSpan source;
+  int script = 0;  ///< 1: small and raised, −1: small and lowered
 };
 
 /// A glyph or a formula, x from the begin of its part.
@@ -146,7 +152,23 @@ class TextSetter {
         add_characters(span, i, elements);
       if (span.break_after) elements.push_back({Element::Kind::line_end, Face::serif, 0, i, span.source});
     }
+    set_scripts(elements);
     return elements;
+  }
+
+  /// All digits of an exponent are of one size; the fonts' own ¹²³ stay where they stand alone: m², note¹.
+  static void set_scripts(std::vector<Element>& elements) {
+    const auto raised = [&](std::size_t i) { return script_of(elements[i].character).raised; };
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Script script = script_of(elements[i].character);
+      if (script.character == 0) continue;
+      const Element* before = i > 0 ? &elements[i - 1] : nullptr;
+      const bool in_exponent = (before != nullptr && (before->script > 0 || is_digit(before->character))) ||
+                               (i + 1 < elements.size() && raised(i + 1));
+      if (elements[i].character < 0x2000 && !in_exponent) continue;
+      elements[i].character = script.character;
+      elements[i].script = script.raised ? 1 : -1;
+    }
   }
 
   void add_characters(const TextSpan& span, std::uint32_t index, std::vector<Element>& into) {
@@ -223,7 +245,7 @@ class TextSetter {
       if (e.kind == Element::Kind::character) {
         std::size_t end = i + 1;
         while (end < elements.size() && elements[end].kind == Element::Kind::character &&
-               elements[end].face == e.face)
+               elements[end].face == e.face && elements[end].script == e.script)
           ++end;
         add_run(block, elements, i, end, parts);
         i = end;
@@ -269,7 +291,9 @@ class TextSetter {
       append_utf8(run_, elements[i].character);
     }
     const Face face = elements[first].face;
-    const double size = style_.size * metrics_.size(face);
+    const int script = elements[first].script;
+    const double em = style_.size * metrics_.size(face), size = script == 0 ? em : kScriptSize * em;
+    const double rise = script > 0 ? kScriptRise * em : script < 0 ? -kScriptDrop * em : 0.0;
     const std::vector<ShapedGlyph> shaped = fonts_.shape(face, run_);
     std::size_t i = first;
     double pen = shaped.empty() ? 0.0 : shaped.front().x;
@@ -288,9 +312,14 @@ class TextSetter {
              "write another one");
       LinePart& part = parts.lines.back();
       Atom atom;
-      atom.glyph = {face,        g.id,    part.width + (g.x - pen) * size,
-                    -g.y * size, size,    color_of(block.spans[e.span]),
-                    {},          e.source};
+      atom.glyph = {face,
+                    g.id,
+                    part.width + (g.x - pen) * size,
+                    -rise - g.y * size,
+                    size,
+                    color_of(block.spans[e.span]),
+                    {},
+                    e.source};
       atom.is_cluster = g.cluster != cluster && !is_combining(e.character);
       atom.span = e.span;
       parts.atoms.push_back(atom);

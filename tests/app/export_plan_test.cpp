@@ -22,9 +22,9 @@ Step drawn(double at_s) {
 Lesson lesson() {
   Lesson result;
   result.id = "l";
-  result.stages.push_back({"a", "A", {drawn(1), drawn(2)}, {}});
-  result.stages.push_back({"b", "B", {Step{}}, {}});
-  result.stages.push_back({"c", "C", {drawn(3), Step{}}, {}});
+  result.stages.push_back({"a", "A", {}, {drawn(1), drawn(2)}, {}});
+  result.stages.push_back({"b", "B", {}, {Step{}}, {}});
+  result.stages.push_back({"c", "C", {}, {drawn(3), Step{}}, {}});
   return result;
 }
 
@@ -34,8 +34,14 @@ std::vector<std::string> names(const ExportPlan& plan) {
   return result;
 }
 
-ExportOptions film(FrameRate fps, double seconds) {
+ExportOptions figures() {
   ExportOptions options;
+  options.what = What::figure;
+  return options;
+}
+
+ExportOptions film(FrameRate fps, double seconds) {
+  ExportOptions options = figures();
   options.each = Each::frame;
   options.fps = fps;
   options.seconds = seconds;
@@ -44,9 +50,9 @@ ExportOptions film(FrameRate fps, double seconds) {
 
 TEST(ExportPlan, StageShowsItsLastDrawnStep) {
   const Lesson l = lesson();
-  const ExportPlan plan = plan_export(l, {});
+  const ExportPlan plan = plan_export(l, figures());
   EXPECT_THAT(names(plan), ElementsAre("01-a.png", "03-c.png"));
-  EXPECT_THAT(plan.without_scene, ElementsAre("b"));
+  EXPECT_THAT(plan.left_out, ElementsAre("b"));
   EXPECT_EQ(plan.pictures[0].step, 2);
   EXPECT_EQ(plan.pictures[1].step, 1);
   EXPECT_EQ(time_of(plan.pictures[0], {}, 5.0), 2.0);
@@ -54,7 +60,7 @@ TEST(ExportPlan, StageShowsItsLastDrawnStep) {
 
 TEST(ExportPlan, NumberIsThePlaceInTheLessonNotInTheSelection) {
   const Lesson l = lesson();
-  ExportOptions options;
+  ExportOptions options = figures();
   options.stages = {"c", "c"};
   EXPECT_THAT(names(plan_export(l, options)), ElementsAre("03-c.png"));
   options.stages = {"c", "d"};
@@ -63,7 +69,7 @@ TEST(ExportPlan, NumberIsThePlaceInTheLessonNotInTheSelection) {
 
 TEST(ExportPlan, StepsAreNumberedFromOne) {
   const Lesson l = lesson();
-  ExportOptions options;
+  ExportOptions options = figures();
   options.each = Each::step;
   EXPECT_THAT(names(plan_export(l, options)),
               ElementsAre("01-a-step1.png", "01-a-step2.png", "03-c-step1.png"));
@@ -105,6 +111,69 @@ TEST(ExportPlan, RefusesMoreFramesThanALessonMayHave) {
 TEST(ExportPlan, NoFramesAreNoPictures) {
   const Lesson l = lesson();
   EXPECT_TRUE(plan_export(l, film({5, 1}, 0.0)).pictures.empty());
+}
+
+/// The first stage has two equations in its first step, the last one in its second.
+Lesson with_equations() {
+  Lesson result = lesson();
+  const auto add = [](Step& step, const char* id) {
+    Equation equation;
+    equation.id = id;
+    step.blocks.emplace_back(std::move(equation));
+  };
+  add(result.stages[0].steps[0], "e1");
+  add(result.stages[0].steps[0], "e2");
+  add(result.stages[2].steps[1], "e3");
+  return result;
+}
+
+ExportOptions of(What what, Each each = Each::stage) {
+  ExportOptions options;
+  options.what = what;
+  options.each = each;
+  options.seconds = 1;
+  options.fps = {2, 1};
+  return options;
+}
+
+TEST(ExportPlan, EveryStageHasPages) {
+  const Lesson l = lesson();
+  const ExportPlan plan = plan_export(l, of(What::page));
+  EXPECT_THAT(names(plan), ElementsAre("01-a.png", "02-b.png", "03-c.png"));
+  EXPECT_THAT(plan.left_out, ElementsAre());
+  EXPECT_EQ(plan.pictures[0].scene, &*l.stages[0].steps[1].scene);
+  EXPECT_EQ(plan.pictures[1].scene, nullptr);
+  EXPECT_EQ(plan.pictures[2].step, 2);
+  EXPECT_EQ(plan.pictures[2].number, 3);
+  EXPECT_THAT(
+      names(plan_export(l, of(What::page, Each::step))),
+      ElementsAre("01-a-step1.png", "01-a-step2.png", "02-b-step1.png", "03-c-step1.png", "03-c-step2.png"));
+  EXPECT_EQ(plan_export(l, of(What::page, Each::frame)).pictures.size(), 6u);
+}
+
+TEST(ExportPlan, EquationsHaveTheirNames) {
+  const Lesson l = with_equations();
+  const ExportPlan plan = plan_export(l, of(What::equation));
+  EXPECT_THAT(names(plan), ElementsAre("01-a-e1.png", "01-a-e2.png", "03-c-e3.png"));
+  EXPECT_THAT(plan.left_out, ElementsAre("b"));
+  EXPECT_EQ(plan.pictures[1].equation->id, "e2");
+  EXPECT_EQ(plan.pictures[2].step, 2);
+}
+
+TEST(ExportPlan, AStepOfEquationsIsWhatItComesTo) {
+  const Lesson l = with_equations();
+  const ExportPlan plan = plan_export(l, of(What::equation, Each::step));
+  EXPECT_THAT(names(plan), ElementsAre("01-a-step1.png", "03-c-step2.png"));
+  EXPECT_EQ(plan.pictures[0].equation->id, "e2");
+}
+
+TEST(ExportPlan, AFilmOfEquationsIsOneForEachStage) {
+  const Lesson l = with_equations();
+  const ExportPlan plan = plan_export(l, of(What::equation, Each::frame));
+  EXPECT_THAT(names(plan),
+              ElementsAre("01-a-frame0.png", "01-a-frame1.png", "03-c-frame2.png", "03-c-frame3.png"));
+  for (const PlannedPicture& picture : plan.pictures) EXPECT_EQ(picture.equation, nullptr);
+  EXPECT_EQ(equations_of(l.stages[0]).size(), 2u);
 }
 
 }  // namespace

@@ -22,8 +22,10 @@ using Words = std::vector<std::string>;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
+/// Figures.
 ProgramRun export_tiny(const fs::path& folder, Words more = {}, const RunOptions& options = {}) {
-  Words words = {"export", test_lesson("tiny.md"), "-o", folder.string(), "--size", "320x180"};
+  Words words = {"export", test_lesson("tiny.md"), "-o", folder.string(), "--what", "figure", "--size",
+                 "320x180"};
   words.insert(words.end(), more.begin(), more.end());
   return polhode(words, options);
 }
@@ -177,8 +179,8 @@ TEST(Export, RefusesAFolderOfAnotherLessonText) {
   const ScratchFolder scratch;
   write_text(scratch / "tiny.md", text_of(test_lesson("tiny.md")) + "\nOne more line.\n");
   ASSERT_EQ(export_tiny(scratch / "out", {"--stage", "steady"}).code, 0);
-  const ProgramRun other = polhode(
-      {"export", scratch / "tiny.md", "-o", scratch / "out", "--size", "320x180", "--stage", "steady"});
+  const ProgramRun other = polhode({"export", scratch / "tiny.md", "-o", scratch / "out", "--what", "figure",
+                                    "--size", "320x180", "--stage", "steady"});
   EXPECT_EQ(other.code, 1);
   EXPECT_THAT(other.err, HasSubstr("another lesson text"));
 }
@@ -210,8 +212,9 @@ TEST(Export, FullDiskLeavesNoPartialFile) {
   if (!can_mount(mount)) GTEST_SKIP() << "a small tmpfs cannot be mounted here";
   // Pictures of 640x360 do not fit into 64 KiB; what is on the disk at the end is copied out of the
   // namespace.
-  const ProgramRun run = polhode({"export", test_lesson("tiny.md"), "-o", disk, "--size", "640x360"},
-                                 in_own_namespace(mount, "cp -r " + disk + " " + kept));
+  const ProgramRun run =
+      polhode({"export", test_lesson("tiny.md"), "-o", disk, "--what", "figure", "--size", "640x360"},
+              in_own_namespace(mount, "cp -r " + disk + " " + kept));
   EXPECT_EQ(run.code, 1) << run.err;
   EXPECT_THAT(run.err, HasSubstr("No space left on device"));
   for (const std::string& name : names_in(kept)) EXPECT_TRUE(read_png(fs::path(kept) / name).ok()) << name;
@@ -261,6 +264,115 @@ TEST(Export, InterruptedEndsWith130AndWholeFiles) {
     EXPECT_THAT(name, testing::EndsWith(".png"));
     EXPECT_TRUE(read_png(scratch / name).ok()) << name;
   }
+}
+
+ProgramRun export_what(const char* what, const fs::path& folder, Words more = {},
+                       const RunOptions& options = {}) {
+  Words words = {"export", test_lesson("tiny.md"), "-o", folder.string(), "--what", what};
+  words.insert(words.end(), more.begin(), more.end());
+  return polhode(words, options);
+}
+
+TEST(ExportPages, AreTheDefaultAndEveryStageHasOne) {
+  const ScratchFolder scratch;
+  const ProgramRun run =
+      polhode({"export", test_lesson("tiny.md"), "-o", scratch.path(), "--size", "640x400"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(names_in(scratch.path()),
+              ElementsAre("01-steady.png", "02-words.png", "03-rolling.png", "manifest.json"));
+  const Json manifest = manifest_in(scratch.path());
+  EXPECT_EQ(manifest["options"]["what"], "page");
+  EXPECT_EQ(manifest["options"]["theme"], "paper");
+  const Json &steady = manifest["files"][0], &words = manifest["files"][1];
+  EXPECT_EQ(steady["width"], 640);
+  EXPECT_EQ(steady["t"], 0.5);
+  EXPECT_THAT(steady["alt"].get<std::string>(),
+              testing::AllOf(HasSubstr("The same, from the body."), HasSubstr("Figure: ")));
+  EXPECT_TRUE(words["t"].is_null());
+  EXPECT_THAT(words["alt"].get<std::string>(), HasSubstr("Nothing to draw here."));
+  const auto png = read_png(scratch / "02-words.png");
+  ASSERT_TRUE(png.ok());
+  EXPECT_EQ(png->image.rgba[0], 0xFB) << "paper";
+}
+
+TEST(ExportPages, HaveAThemeAndRepeatToTheByte) {
+  const ScratchFolder scratch;
+  const Words small = {"--size", "480x320", "--stage", "rolling", "--theme", "dark"};
+  ASSERT_EQ(export_what("page", scratch / "a", small).code, 0);
+  ASSERT_EQ(export_what("page", scratch / "b", small).code, 0);
+  EXPECT_EQ(contents(scratch / "a"), contents(scratch / "b"));
+  const auto png = read_png(scratch / "a/03-rolling.png");
+  ASSERT_TRUE(png.ok());
+  EXPECT_LT(png->image.rgba[0], 0x40) << "not dark";
+}
+
+TEST(ExportEquations, AreCroppedToTheirInk) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(export_what("equation", scratch.path(), {"--background", "transparent"}).code, 0);
+  EXPECT_THAT(names_in(scratch.path()),
+              ElementsAre("01-steady-steady-body.png", "01-steady-steady-eq.png", "manifest.json"));
+  const auto png = read_png(scratch / "01-steady-steady-eq.png");
+  ASSERT_TRUE(png.ok());
+  EXPECT_EQ(png->metadata.dpi, 300);
+  const Image& image = png->image;
+  // Ink, and a margin of at most half an em (25 px) around it.
+  const auto has_ink = [&](int x0, int y0, int x1, int y1) {
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x)
+        if (image.pixel(x, y)[3] > 0) return true;
+    return false;
+  };
+  const int w = image.size.width, h = image.size.height;
+  EXPECT_FALSE(has_ink(0, 0, w, 10) || has_ink(0, h - 10, w, h) || has_ink(0, 0, 10, h) ||
+               has_ink(w - 10, 0, w, h));
+  EXPECT_TRUE(has_ink(0, 0, w, 26) && has_ink(0, h - 26, w, h) && has_ink(0, 0, 26, h) &&
+              has_ink(w - 26, 0, w, h));
+  const Json manifest = manifest_in(scratch.path());
+  EXPECT_EQ(manifest["files"][0]["tex"], Json({"\\vec\\omega = \\mathrm{const}"}));
+  EXPECT_THAT(manifest["files"][0]["alt"].get<std::string>(), testing::StartsWith("Equation: "));
+  EXPECT_TRUE(manifest["files"][0]["t"].is_null());
+}
+
+TEST(ExportEquations, GrowWithDpi) {
+  const ScratchFolder scratch;
+  const auto size_at = [&](const char* dpi) {
+    EXPECT_EQ(export_what("equation", scratch / dpi, {"--dpi", dpi}).code, 0);
+    const auto png = read_png(scratch / dpi / "01-steady-steady-body.png");
+    EXPECT_EQ(png->metadata.dpi, std::stoi(dpi));
+    return png->image.size;
+  };
+  const Size small = size_at("100"), large = size_at("400");
+  // Both lengths are rounded up to whole pixels twice.
+  EXPECT_NEAR(large.width, 4.0 * small.width, 4 * 2 + 2);
+  EXPECT_NEAR(large.height, 4.0 * small.height, 4 * 2 + 2);
+}
+
+TEST(ExportEquations, OneTurnsIntoTheNextOnOneCanvas) {
+  const ScratchFolder scratch;
+  const Words film = {"--each", "frame", "--fps", "6", "--seconds", "1", "--dpi", "100"};
+  ASSERT_EQ(export_what("equation", scratch.path(), film).code, 0);
+  const Json files = manifest_in(scratch.path())["files"];
+  ASSERT_EQ(files.size(), 6u);
+  for (const Json& file : files) EXPECT_EQ(file["width"], files[0]["width"]);
+  EXPECT_EQ(files[0]["tex"].size(), 1u);
+  EXPECT_EQ(files[2]["tex"].size(), 2u) << "between two lines";
+  EXPECT_EQ(files[5]["tex"].size(), 1u);
+  EXPECT_NE(files[0]["tex"], files[5]["tex"]);
+  auto made = contents(scratch.path());
+  EXPECT_EQ(made["01-steady-frame0.png"].size(), made["01-steady-frame1.png"].size()) << "stands first";
+  EXPECT_NE(made["01-steady-frame2.png"], made["01-steady-frame3.png"]) << "nothing moves";
+}
+
+TEST(ExportTranscript, IsTextInWords) {
+  const ScratchFolder scratch;
+  const ProgramRun run = export_what("transcript", scratch.path());
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre("manifest.json", "tiny.txt"));
+  const std::string text = text_of(scratch / "tiny.txt");
+  EXPECT_THAT(text, testing::StartsWith("A tiny lesson\n=============\n"));
+  EXPECT_THAT(text, HasSubstr("\n3. Rolling\n----------\n"));
+  EXPECT_EQ(text.find('\\'), std::string::npos) << "TeX";
+  EXPECT_EQ(manifest_in(scratch.path())["files"][0]["file"], "tiny.txt");
 }
 
 class Compare : public testing::Test {

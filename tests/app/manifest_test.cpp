@@ -56,10 +56,36 @@ TEST(Manifest, OptionsOfAnotherKindOfExportAreNull) {
   EXPECT_EQ(to_json(options)["each"], "frame");
 }
 
+TEST(Manifest, WhatAFileDoesNotHaveIsNull) {
+  Manifest manifest = example();
+  manifest.files = {ManifestFile{}};
+  manifest.files[0].file = "tiny.txt";
+  const Json file = Json::parse(to_text(manifest))["files"][0];
+  for (const char* name : {"stage", "step", "frame", "t", "width", "height", "method"})
+    EXPECT_TRUE(file[name].is_null()) << name;
+}
+
+TEST(Manifest, OptionsWithoutEffectOnAKindAreNull) {
+  ExportOptions options;
+  for (const auto& [what, nulls] : {std::pair<What, std::vector<const char*>>{What::page, {}},
+                                    {What::figure, {"theme"}},
+                                    {What::equation, {"size"}},
+                                    {What::transcript, {"each", "size", "background", "theme"}}}) {
+    options.what = what;
+    const Json json = to_json(options);
+    for (const char* name : {"each", "size", "background", "theme"})
+      EXPECT_EQ(json[name].is_null(), std::count(nulls.begin(), nulls.end(), std::string_view(name)) > 0)
+          << json["what"] << ' ' << name;
+  }
+}
+
 TEST(TexShown, GrowsWithTheSteps) {
-  Stage stage{"a", "A", {Step{}, Step{}}, {}};
-  stage.steps[0].blocks.push_back(Equation{"e1", "x", "", {}});
-  stage.steps[1].blocks.push_back(Equation{"e2", "y", "", {}});
+  Stage stage{"a", "A", {}, {Step{}, Step{}}, {}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    Equation equation;
+    equation.tex = i == 0 ? "x" : "y";
+    stage.steps[i].blocks.emplace_back(std::move(equation));
+  }
   EXPECT_THAT(tex_shown(stage, 1), ElementsAre("x"));
   EXPECT_THAT(tex_shown(stage, 2), ElementsAre("x", "y"));
 }
@@ -81,7 +107,7 @@ TEST_F(MayExportInto, FolderWithoutManifestOrWithTheSame) {
 // Every option that decides the bytes must count.
 TEST_F(MayExportInto, NotWithOtherOptions) {
   write_text(scratch / kManifestName, to_text(example()));
-  std::vector<std::pair<std::string, ExportOptions>> others(8);
+  std::vector<std::pair<std::string, ExportOptions>> others(10);
   others[0] = {"size", {}}, others[0].second.size = {640, 360};
   others[1] = {"stage", {}}, others[1].second.stages = {"a"};
   others[2] = {"each", {}}, others[2].second.each = Each::step;
@@ -90,6 +116,8 @@ TEST_F(MayExportInto, NotWithOtherOptions) {
   others[5] = {"dpi", {}}, others[5].second.dpi = 300;
   others[6] = {"each", {}}, others[6].second.each = Each::frame;
   others[7] = {"frames", {}}, others[7].second.frames = FrameRange{0, 1};
+  others[8] = {"what", {}}, others[8].second.what = What::figure;
+  others[9] = {"theme", {}}, others[9].second.theme = Theme::dark;
   for (const auto& [name, options] : others) {
     const Status status = ask(options);
     ASSERT_FALSE(status.ok()) << name;

@@ -5,6 +5,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/renderer.h"
 #include "render/image/png.h"
+#include "render/type/paragraph.h"
 
 #include <benchmark/benchmark.h>
 
@@ -91,6 +92,58 @@ void BM_ClearResolveRead(benchmark::State& state) {
   }
 }
 
+/// Some 700 glyphs of text with a panel, laid out anew, as the page of a lesson has them beside its figure.
+Sheet text_page() {
+  std::string words;
+  for (int i = 0; i < 4; ++i)
+    words +=
+        "The tensor changes as the body turns, so we write the rate of change with axes that turn with the "
+        "body. A vector's rate in the fixed frame is its rate in the turning frame plus the turn itself. ";
+  TextSpan span;
+  span.source = {0, static_cast<std::uint32_t>(words.size())};
+  span.text = std::move(words);
+  TextStyle style;
+  style.size = 23;
+  style.width = 640;
+  Sheet sheet;
+  sheet.shapes.push_back(Area{{{60, 500}, {700, 500}, {700, 590}, {60, 590}}, color_from_hex(0xF3EEDF)});
+  sheet.texts.push_back(
+      {.list = set_text({{0, "", {span}}}, style, studio().renderer->fonts()).value(), .at = {72, 120}});
+  return sheet;
+}
+
+/// 0: text alone, on paper; 1: the same without a background; 2: with a figure, to be compared with
+/// BM_Figure.
+void BM_Page(benchmark::State& state) {
+  const Background background = background_from(state.range(0) == 1 ? "transparent" : "paper").value();
+  std::vector<Inset> insets;
+  if (state.range(0) == 2)
+    insets.push_back(
+        {make_figure(make_model(poinsot_scene()), 1.1, 820.0 / 640.0), {780, 0, 820, 640}, {}, {}});
+  const auto draw_page = [&] {
+    return studio().renderer->draw(text_page(), insets, {1600, 1000}, background).value();
+  };
+  draw_page();  // shaders and buffers
+  for (auto _ : state) benchmark::DoNotOptimize(draw_page());
+}
+
+void BM_Figure(benchmark::State& state) {
+  const Figure figure = make_figure(make_model(poinsot_scene()), 1.1, 820.0 / 640.0);
+  for (auto _ : state) benchmark::DoNotOptimize(studio().renderer->draw(figure, {820, 640}, {}).value());
+}
+
+/// A page whose glyphs were never seen: each turn at another size.
+void BM_PageOfNewGlyphs(benchmark::State& state) {
+  double more = 0.0;
+  for (auto _ : state) {
+    Sheet sheet = text_page();
+    more += 1.0 / 64.0;
+    for (Glyph& glyph : sheet.texts[0].list.glyphs) glyph.size += more;
+    benchmark::DoNotOptimize(
+        studio().renderer->draw(sheet, {1600, 1000}, background_from("paper").value()).value());
+  }
+}
+
 void BM_MakeModel(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(make_model(poinsot_scene()));
 }
@@ -112,6 +165,9 @@ BENCHMARK(BM_ClearResolveRead)
     ->MeasureProcessCPUTime()
     ->UseRealTime()
     ->Unit(kMs);
+BENCHMARK(BM_Page)->DenseRange(0, 2)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
+BENCHMARK(BM_Figure)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
+BENCHMARK(BM_PageOfNewGlyphs)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_MakeModel)->Unit(kMs);
 BENCHMARK(BM_MakeFigure)->Unit(kMs);
 

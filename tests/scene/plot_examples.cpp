@@ -27,7 +27,7 @@ WorkPrecisionPlot ladder_plot() {
   using L = PlotLook;
   WorkPrecisionPlot plot;
   plot.title = "Work and precision after 100 periods";
-  plot.note = "𝐼 = (1, 2, 3) kg m², 𝜔 = (0.1, 1.5, 0.2) rad/s; one core, g++ 12 -O3";
+  plot.note = "$I$ = (1, 2, 3) kg m², $\\omega$ = (0.1, 1.5, 0.2) rad/s; one core, g++ 12 -O3";
   plot.x_label = "work, ns per period";
   plot.y_label = "error of attitude, rad";
   plot.series = {

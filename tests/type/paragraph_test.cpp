@@ -319,6 +319,21 @@ TEST_F(Paragraph, TakesCharactersOfTheMathFaceAndAccents) {
   EXPECT_THAT(errors(one("𝐿 ≤ 𝜔⃗ → café, e\xCC\x81, 1 ½ m² “so” – naïve…")), IsEmpty());
 }
 
+TEST_F(Paragraph, DigitsOfExponentsAndIndicesAreSmallAndOfOneSize) {
+  style_.sans = true;
+  for (const char* words : {"10⁻¹²", "10²³", "ω₁₂", "L⁰"}) {
+    const DisplayList list = set(one(words));
+    const Glyph &base = list.glyphs.front(), &last = list.glyphs.back();
+    EXPECT_LT(last.size, 0.8 * style_.size) << words;
+    EXPECT_EQ(list.glyphs[list.glyphs.size() - 2].size == last.size, words != std::string("L⁰"));
+    EXPECT_EQ(last.y < base.y, words != std::string("ω₁₂")) << words;
+    EXPECT_EQ(last.face, Face::sans);
+    EXPECT_NE(last.id, 0u);
+  }
+  EXPECT_EQ(set(one("kg m²")).glyphs.back().size, style_.size) << "the font's own, where it stands alone";
+  EXPECT_EQ(set(one("kg m²")).glyphs.back().y, 0.0);
+}
+
 TEST_F(Paragraph, TallTextFitsItsOwnBox) {
   const DisplayList list = set(one({text(kProse), formula("\\sum_i \\hat x_i"), text(kProse)}));
   const TypeBox ink = ink_box(list, *fonts_);

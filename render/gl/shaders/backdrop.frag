@@ -1,10 +1,8 @@
-// The sky: one colour, or the studio's gradient. Output is premultiplied.
+// The studio's gradient.
 #version 330 core
 uniform vec2 u_viewport_origin;  // px
 uniform vec2 u_viewport_size;    // px
-uniform vec4 u_sky;              // flat colour, premultiplied
 uniform float u_fineness;        // of pixels to a side that are averaged into one: the noise is the same in all
-uniform float u_studio;          // 1: gradient instead of the flat colour
 out vec4 o_color;
 
 void main() {
@@ -15,5 +13,5 @@ void main() {
   vec2 pixel = floor(gl_FragCoord.xy / u_fineness) + 0.5;
   vec2 cell = vec2(floor(pixel.x / 16.0) * 7.0, pixel.y);
   float noise = fract(52.9829189 * fract(dot(cell, vec2(0.06711056, 0.00583715)))) - 0.5;
-  o_color = u_studio > 0.5 ? vec4(studio + noise / 255.0, 1.0) : u_sky;
+  o_color = vec4(studio + noise / 255.0, 1.0);
 }

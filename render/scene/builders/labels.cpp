@@ -39,7 +39,7 @@ Vec3 furthest(const std::vector<Vec3>& points, const Camera& camera, const Vec3&
 }
 
 void label_triads(const Moment& m, DrawList& list) {
-  constexpr std::array<const char*, 3> kSpace = {"𝑥", "𝑦", "𝑧"};
+  constexpr std::array<const char*, 3> kSpace = {"$x$", "$y$", "$z$"};
   constexpr std::array<const char*, 3> kBody = {"1", "2", "3"};
   constexpr double kBeyond = kTriadLength + 0.06;
   for (int i = 0; i < 3; ++i) {
@@ -65,10 +65,10 @@ void label_vectors(const Moment& m, DrawList& list) {
   const auto beyond = [](const Vec3& tip) -> Vec3 {
     return tip * (1.0 + kBeyond / std::max(tip.norm(), 0.1));
   };
-  if (m.shows(Overlay::omega)) add_symbol(list, "𝜔⃗", beyond(m.omega_tip_V()), kOmegaRole.ink);
-  if (m.shows(Overlay::L)) add_symbol(list, "𝐿⃗", beyond(m.L_tip_V()), kLRole.ink);
+  if (m.shows(Overlay::omega)) add_symbol(list, "$\\vec\\omega$", beyond(m.omega_tip_V()), kOmegaRole.ink);
+  if (m.shows(Overlay::L)) add_symbol(list, "$\\vec L$", beyond(m.L_tip_V()), kLRole.ink);
   for (const Arrow& arrow : list.arrows)
-    if (arrow.color == kNRole.paint) add_symbol(list, "𝑁⃗", arrow.tip, kNRole.ink);
+    if (arrow.color == kNRole.paint) add_symbol(list, "$\\vec N$", arrow.tip, kNRole.ink);
 }
 
 /// The tubes of a draw list by role, because a curve is labelled where it was drawn.
@@ -111,9 +111,11 @@ void label_surfaces(const Moment& m, const Camera& camera, DrawList& list) {
   }
   if (m.shows(Overlay::momentum_sphere) && m.shows(Overlay::momentum_ellipsoid) &&
       list.ellipsoids.size() > 1) {
-    add_text(list, "2𝑇 = const.", on_silhouette(list.ellipsoids.front(), screen_direction(camera, -0.8, 0.6)),
+    add_text(list, "$2T$ = const.",
+             on_silhouette(list.ellipsoids.front(), screen_direction(camera, -0.8, 0.6)),
              color_from_hex(0x2F6178));
-    add_text(list, "|𝐿⃗| = const.", on_silhouette(list.ellipsoids.back(), screen_direction(camera, 0.8, 0.6)),
+    add_text(list, "$|\\vec L|$ = const.",
+             on_silhouette(list.ellipsoids.back(), screen_direction(camera, 0.8, 0.6)),
              color_from_hex(0x6B5B2E));
   }
 }
@@ -148,10 +150,12 @@ void add_labels(const Moment& m, const Camera& camera, DrawList& list) {
 void add_values(const Moment& m, DrawList& list) {
   const double L = m.L_B.norm();
   Readout readout;
-  readout.lines.push_back("𝐼₁ = " + number(m.I()[0]) + "   𝐼₂ = " + number(m.I()[1]) +
-                          "   𝐼₃ = " + number(m.I()[2]) + " kg m²");
-  readout.lines.push_back("2𝑇 = 𝜔⃗·𝐿⃗ = " + number(m.two_T) + " J   |𝐿⃗| = " + number(L) + " kg m²/s");
-  if (m.two_T > 0.0) readout.lines.push_back("𝐿²/2𝑇 = " + number(L * L / m.two_T) + " kg m²");
+  const std::string gap = "\u2003";  // an em
+  readout.lines.push_back("$I_1$ = " + number(m.I()[0]) + gap + "$I_2$ = " + number(m.I()[1]) + gap +
+                          "$I_3$ = " + number(m.I()[2]) + " kg m²");
+  readout.lines.push_back("$2T = \\vec\\omega\\cdot\\vec L$ = " + number(m.two_T) + " J" + gap +
+                          "$|\\vec L|$ = " + number(L) + " kg m²/s");
+  if (m.two_T > 0.0) readout.lines.push_back("$L^2/2T$ = " + number(L * L / m.two_T) + " kg m²");
   Vec3 sorted = m.I().vector();
   std::sort(sorted.begin(), sorted.end());
   readout.color_bar = m.shows(Overlay::polhode_family) && m.two_T > 0.0 && sorted[2] > sorted[0];

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "app/export_options.h"
+
+#include "app/exit_codes.h"
+#include "app/numbers.h"
+#include "app/page.h"
+#include "app/suggest.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace polhode {
+
+namespace {
+
+constexpr int kMostDpi = 100'000;
+const std::vector<std::string> kWhats = {"page", "equation", "figure", "transcript"};
+
+CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
+
+/// The place of `typed` in `choices`, or `standard` if nothing was typed.
+std::size_t choice(std::string_view option, const std::string& typed, const std::vector<std::string>& choices,
+                   std::size_t standard = 0) {
+  if (typed.empty()) return standard;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (choices[i] == typed) return i;
+  throw usage(fmt::format("{}: \"{}\" is none of {}{}", option, typed, fmt::join(choices, ", "),
+                          did_you_mean(typed, choices)));
+}
+
+template <class T>
+T read_or_refuse(const std::optional<T>& value, std::string_view option, std::string_view typed,
+                 std::string_view form) {
+  if (!value) throw usage(fmt::format("{}: \"{}\" is not {}", option, typed, form));
+  return *value;
+}
+
+struct GivenOption {
+  const char* name;
+  const std::string& typed;
+};
+
+void refuse_given(std::initializer_list<GivenOption> options, const std::string& reason) {
+  for (const auto& [name, typed] : options)
+    if (!typed.empty()) throw usage(fmt::format("{} {}", name, reason));
+}
+
+void check_combination(const TypedExport& typed, What what, Each each) {
+  if (each != Each::frame)
+    refuse_given({{"--fps", typed.fps}, {"--seconds", typed.seconds}, {"--frames", typed.frames}},
+                 "goes with --each frame");
+  if (what == What::transcript)
+    refuse_given({{"--each", typed.each},
+                  {"--size", typed.size},
+                  {"--at", typed.at},
+                  {"--background", typed.background},
+                  {"--theme", typed.theme},
+                  {"--dpi", typed.dpi},
+                  {"--context", typed.context}},
+                 "is of pictures; a transcript is text");
+  if (what == What::equation) {
+    refuse_given({{"--size", typed.size}}, "goes with pages and figures; --dpi sets the size of equations");
+    refuse_given({{"--at", typed.at}}, "goes with pages and figures; equations have no time");
+  }
+  if (what == What::figure) refuse_given({{"--theme", typed.theme}}, "goes with pages and equations");
+}
+
+std::string background_name(const std::string& typed, What what) {
+  if (what == What::page) {
+    if (!typed.empty() && typed != "paper")
+      throw usage(
+          fmt::format("--background {}: a page has the paper of its --theme; --background goes with "
+                      "--what figure and --what equation",
+                      typed));
+    return "paper";
+  }
+  if (typed.empty()) return what == What::figure ? "studio" : "paper";
+  const std::vector<std::string> names = {"studio", "paper", "white", "transparent", "#rrggbb"};
+  if (!background_from(typed))
+    throw usage(fmt::format("--background: \"{}\" is none of {}{}", typed, fmt::join(names, ", "),
+                            did_you_mean(typed, names)));
+  return typed;
+}
+
+Size size_of(const std::string& typed, What what) {
+  const Size size = picture_size("--size", typed, kMaxImageSide);
+  if (what == What::page && (size.width < kSmallestPage.width || size.height < kSmallestPage.height))
+    throw usage(fmt::format("--size {}: a page has at least {}x{} pixels", typed, kSmallestPage.width,
+                            kSmallestPage.height));
+  return size;
+}
+
+int dpi_of(const std::string& typed, What what) {
+  const bool sets_size = what == What::equation;
+  if (typed.empty()) return sets_size ? kDefaultEquationDpi : 0;
+  return static_cast<int>(whole_number("--dpi", typed, sets_size ? kFewestEquationDpi : 1, kMostDpi));
+}
+
+}  // namespace
+
+ExportOptions export_options(const TypedExport& typed) {
+  ExportOptions options;
+  options.what = static_cast<What>(choice("--what", typed.what, kWhats));
+  options.stages = typed.stages;
+  options.each = static_cast<Each>(choice("--each", typed.each, {"stage", "step", "frame"}));
+  check_combination(typed, options.what, options.each);
+  if (!typed.size.empty()) options.size = size_of(typed.size, options.what);
+  if (!typed.fps.empty())
+    options.fps = read_or_refuse(frame_rate_from(typed.fps), "--fps", typed.fps,
+                                 "a frame rate; write it like 25 or 30000/1001, terms from 1 to 1000000");
+  if (!typed.seconds.empty()) options.seconds = finite_number("--seconds", typed.seconds);
+  if (options.seconds < 0) throw usage(fmt::format("--seconds: {} is negative", typed.seconds));
+  if (!typed.at.empty()) options.at_s = finite_number("--at", typed.at);
+  if (!typed.frames.empty())
+    options.frames = read_or_refuse(frame_range_from(typed.frames), "--frames", typed.frames,
+                                    "a range A:B with 0 <= A < B, like 0:48");
+  options.background = background_name(typed.background, options.what);
+  options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
+  options.dpi = dpi_of(typed.dpi, options.what);
+  return options;
+}
+
+ExportOutput export_output(const TypedExport& typed) {
+  ExportOutput out;
+  out.folder = typed.folder;
+  out.durability =
+      choice("--sync", typed.sync, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
+  constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
+  out.context = kKinds[choice("--context", typed.context, {"auto", "osmesa", "egl"})];
+  return out;
+}
+
+Background background_of(const ExportOptions& options) {
+  if (options.what != What::figure && options.background == "paper")
+    return {Background::Kind::color, colors_of(options.theme).paper};
+  return *background_from(options.background);
+}
+
+}  // namespace polhode

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The options of `polhode export`, from what was typed.
+#pragma once
+
+#include "app/export_plan.h"
+#include "render/gl/renderer.h"
+#include "render/image/atomic_file.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// As typed; empty where not given.
+struct TypedExport {
+  std::string lesson, folder;
+  std::vector<std::string> stages;
+  std::string each, what, size, fps, seconds, at, frames, background, theme, dpi, sync, context;
+};
+
+/// Of equations: 12 pt type has so many dots per inch where nothing else is said.
+inline constexpr int kDefaultEquationDpi = 300;
+/// Fewer give no legible formula.
+inline constexpr int kFewestEquationDpi = 24;
+
+/// @throws CommandError usage: what is malformed, out of range, or does not go with the kind of export.
+ExportOptions export_options(const TypedExport& typed);
+
+/// How and where files are written: what does not decide their bytes.
+struct ExportOutput {
+  std::filesystem::path folder;
+  Durability durability = Durability::rename_only;
+  ContextKind context = ContextKind::any;
+};
+ExportOutput export_output(const TypedExport& typed);
+
+/// Behind the pictures of an export.
+Background background_of(const ExportOptions& options);
+
+}  // namespace polhode

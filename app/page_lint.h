@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Whether what a lesson's steps add fits on a page.
+#pragma once
+
+#include "lessons/lesson.h"
+#include "render/type/fonts.h"
+
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+/// Composes the page of every step, wide and narrow. A warning, at the step's first line, where the type has
+/// to be much smaller than normal for it; an error where no page can hold it. About 5 ms a step.
+std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& fonts,
+                                         std::string_view file_name);
+
+}  // namespace polhode

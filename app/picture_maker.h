@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// One maker for each kind of picture that is exported.
+#pragma once
+
+#include "app/export_options.h"
+#include "app/lesson_lookup.h"
+#include "render/scene/model.h"
+
+#include <memory>
+
+namespace polhode {
+
+/// A picture with what the manifest says of it.
+struct MadePicture {
+  Image image;
+  std::string alt;
+  std::vector<std::string> tex;  ///< the display mathematics in it
+  std::optional<double> t_s;
+  std::string method;  ///< of the motion; empty: none
+};
+
+class PictureMaker {
+ public:
+  virtual ~PictureMaker() = default;
+  /// Does what can fail without drawing. @throws CommandError
+  virtual void check(const PlannedPicture& picture) = 0;
+  /// @throws CommandError
+  virtual MadePicture make(const PlannedPicture& picture) = 0;
+};
+
+/// What a maker works with; all outlive it.
+struct MakerContext {
+  const Lesson& lesson;
+  const ExportOptions& options;
+  Renderer& renderer;
+};
+
+std::unique_ptr<PictureMaker> make_figure_maker(const MakerContext& context);
+std::unique_ptr<PictureMaker> make_page_maker(const MakerContext& context);
+std::unique_ptr<PictureMaker> make_equation_maker(const MakerContext& context);
+
+/// The model of the scene asked for last: neighbours in an export mostly share it.
+class ModelOfScene {
+ public:
+  explicit ModelOfScene(Product product) : product_(product) {}
+  const SceneModel& of(const Scene& scene);
+
+ private:
+  Product product_;
+  const Scene* scene_ = nullptr;
+  SceneModel model_;
+};
+
+/// A motion may overflow (a huge torque), or lie beyond the steps that its method takes.
+/// @throws CommandError failed
+void check_computable(const Stage& stage, const SceneModel& model, double t_s);
+
+}  // namespace polhode

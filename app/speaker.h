@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Lessons as they would be read aloud: for alternative texts and transcripts. Formulas are in words, symbols
+// as the lesson's `say` has them.
+#pragma once
+
+#include "lessons/lesson.h"
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+class Speaker {
+ public:
+  /// `lesson` must outlive it.
+  explicit Speaker(const Lesson& lesson);
+
+  std::string words(const Math& math) const;
+  /// Paragraphs and items of lists one after the other, in one line.
+  std::string words(const RichText& text) const;
+  std::string words(const TextBlock& block) const;
+  /// "Equation (5): d L over d t equals N."
+  std::string words(const Equation& equation) const;
+  std::string words(const Callout& callout) const;
+  /// With its choices, without hints and answer.
+  std::string words(const Ask& ask) const;
+  /// Title, and what the step (from 1) adds.
+  std::string words_of_page(const Stage& stage, int step) const;
+
+ private:
+  const Lesson& lesson_;
+  std::vector<MathSymbol> symbols_;
+};
+
+/// "The lecture said", "What it meant"
+std::string_view words_of(Callout::Kind kind);
+
+}  // namespace polhode
