@@ -11,7 +11,7 @@
 namespace polhode {
 
 /// Sets every text and formula of a lesson once. An error for each character that no font has or that runs
-/// from right to left, with its place, at most 100; in the order of their places. About 10 ms for a lecture.
+/// from right to left, with its place, at most 100; in the order of their places. About 25 ms for a lecture.
 std::vector<Diagnostic> check_type(const Lesson& lesson, const Fonts& fonts, std::string_view file_name);
 
 }  // namespace polhode

@@ -9,11 +9,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 namespace polhode {
 namespace {
 
 constexpr std::size_t kMaxErrors = 16;
+constexpr int kMaxFormulaTries = 12;  // to make one narrow enough
 
 // Lengths in em of the text.
 constexpr double kRag = 2.6;           // what a ragged line may lack
@@ -25,8 +27,7 @@ constexpr double kListBetween = 0.5;   // of the space between other blocks
 constexpr double kLineGap = 0.08;      // at least, between what is on two lines
 constexpr double kLinkDrop = 0.13;     // of the line below a link
 constexpr double kLinkThickness = 0.045;
-constexpr double kShortFormula = 1.6;   // a name of something, which belongs to the word before it
-constexpr double kLeastFormula = 0.25;  // to which a formula that is too wide may shrink
+constexpr double kShortFormula = 1.6;  // a name of something, which belongs to the word before it
 
 /// Of the size at which the x-heights are equal: the letters of a typewriter are so wide that they look
 /// larger.
@@ -182,11 +183,23 @@ class TextSetter {
         if (into.empty() || into.back().kind == Element::Kind::line_end || into.back().character == U' ')
           continue;
       } else {
+        if (!span.code) element.character = curled(c, into);
         check_character(element);
         if (element.character >= 0x80) choose_face(element, into);
       }
       into.push_back(element);
     }
+  }
+
+  /// A straight quotation mark opens after a space, a bracket or a dash, and closes after anything else.
+  static char32_t curled(char32_t c, const std::vector<Element>& before) {
+    if (c != U'\'' && c != U'"') return c;
+    constexpr std::u32string_view kBeforeOpening = U" ([{\u2013\u2014\u2018\u201C";
+    const bool opens = before.empty() || before.back().kind == Element::Kind::line_end ||
+                       (before.back().kind == Element::Kind::character &&
+                        kBeforeOpening.find(before.back().character) != std::u32string_view::npos);
+    if (c == U'"') return opens ? 0x201C : 0x201D;
+    return opens ? 0x2018 : 0x2019;
   }
 
   void check_character(Element& e) {
@@ -354,13 +367,10 @@ class TextSetter {
     math.color = color_of(span);
     math.symbols = style_.symbols;
     auto set = set_math(span.math, math, fonts_);
-    if (set && width > 0.0 && set->width > width) {
-      math.line_width = width;
+    if (width > 0.0) math.line_width = width;
+    for (int i = 0; i < kMaxFormulaTries && set && width > 0.0 && set->width > width; ++i) {
+      if (i > 0) math.size *= std::max(0.5, 0.99 * width / set->width);
       set = set_math(span.math, math, fonts_);
-      if (set && set->width > width) {
-        math.size *= std::max(kLeastFormula, 0.995 * width / set->width);
-        set = set_math(span.math, math, fonts_);
-      }
     }
     if (!set) {
       for (const TypeError& error : set.error())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Thousands of damaged lessons: no crash, and every refusal says at least one place that exists (figure L1 in
 // small; the same under the sanitizers of the asan preset).
+#include "tests/fuzz/mutator.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
@@ -36,41 +37,7 @@ const std::vector<std::string> kPieces = {"+++\n",       "---\n",
                                           ".",           "#",
                                           "0x",          "9223372036854775808"};
 
-class Mutator {
- public:
-  explicit Mutator(unsigned seed) : random_(seed) {}
-
-  std::string operator()(std::string text) {
-    for (int changes = 1 + below(4); changes > 0; --changes) change(text);
-    return text;
-  }
-
- private:
-  int below(std::size_t n) { return n == 0 ? 0 : static_cast<int>(random_() % n); }
-
-  void change(std::string& text) {
-    const auto at = static_cast<std::size_t>(below(text.size() + 1));
-    const auto length = static_cast<std::size_t>(below(40));
-    switch (below(5)) {
-      case 0:
-        text.erase(std::min(at, text.size()), length);
-        break;
-      case 1:
-        text.insert(at, kPieces[static_cast<std::size_t>(below(kPieces.size()))]);
-        break;
-      case 2:
-        text.insert(at, text.substr(static_cast<std::size_t>(below(text.size() + 1)), length));
-        break;
-      case 3:
-        text.resize(at);
-        break;
-      default:
-        if (at < text.size()) text[at] = static_cast<char>(below(256));
-    }
-  }
-
-  std::mt19937 random_;
-};
+using testing::Mutator;
 
 void expect_sound(const std::string& text, const std::string& what) {
   const LessonReading reading = read_lesson(text, "lesson.md");
@@ -89,8 +56,9 @@ void expect_sound(const std::string& text, const std::string& what) {
 
 TEST(Robustness, DamagedLessonsAreReadOrRefusedWithAPlace) {
   const std::string sample = testing::example_lesson();
-  Mutator mutate(2024);
-  for (int i = 0; i < kMutations; ++i) expect_sound(mutate(sample), "mutation " + std::to_string(i));
+  Mutator mutate(2024, kPieces);
+  for (int i = 0; i < testing::fuzz_count(kMutations); ++i)
+    expect_sound(mutate(sample), "mutation " + std::to_string(i));
 }
 
 TEST(Robustness, EveryBeginningOfALessonIsReadOrRefused) {
@@ -100,7 +68,7 @@ TEST(Robustness, EveryBeginningOfALessonIsReadOrRefused) {
 }
 
 TEST(Robustness, DamagedBrokenLessonsToo) {
-  Mutator mutate(7);
+  Mutator mutate(7, kPieces);
   for (const auto& path : testing::files_in(testing::source_dir() / "tests/data/lessons/invalid", ".md")) {
     const std::string text = testing::read_file(path);
     for (int i = 0; i < 20; ++i)

@@ -284,6 +284,22 @@ TEST_F(Paragraph, SpacesCountOnce) {
   EXPECT_TRUE(set(one("")).glyphs.empty());
 }
 
+TEST_F(Paragraph, QuotationMarksAreCurled) {
+  const auto same = [this](const char* straight, const char* curly) {
+    std::vector<std::uint32_t> a, b;
+    for (const Glyph& g : set(one(straight)).glyphs) a.push_back(g.id);
+    for (const Glyph& g : set(one(curly)).glyphs) b.push_back(g.id);
+    EXPECT_EQ(a, b) << straight;
+  };
+  same("Euler's \"4 'equations'\", (\"so\")", "Euler’s “4 ‘equations’”, (“so”)");
+  EXPECT_EQ(set(one({text("\""), formula("L"), text("\"")})).glyphs.back().id,
+            *fonts_->glyph(Face::serif, 0x201D))
+      << "closes after a formula";
+  TextSpan code = text("'");
+  code.code = true;
+  EXPECT_EQ(set(one({code})).glyphs.at(0).id, *fonts_->glyph(Face::mono, U'\''));
+}
+
 TEST_F(Paragraph, RefusesWhatCannotBeSetWithItsPlace) {
   EXPECT_THAT(errors(one("ab \xFF.")), ElementsAre("3: this is not UTF-8 text"));
   EXPECT_THAT(errors(one("ω שלום")), SizeIs(4));
