@@ -46,7 +46,10 @@ void add_symbol(std::string& text, std::string_view words) {
   const bool is_word = rest.size() > 1 && is_lower(rest[0]) && is_lower(rest[1]);
   const bool begins = text.empty() || text.ends_with(". ");
   text += rest;
-  if (is_word && begins) text[text.size() - rest.size()] += 'A' - 'a';
+  if (is_word && begins) {
+    char& first = text[text.size() - rest.size()];
+    first = static_cast<char>(first - 'a' + 'A');
+  }
 }
 
 void add(std::string& text, const std::string& more) {
