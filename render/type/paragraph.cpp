@@ -452,20 +452,27 @@ class TextSetter {
     if (width > 0.0) split_wide_parts(parts, width);
 
     LineShape shape;
-    shape.width = width > 0.0 ? width : 1e9;
+    shape.width = width;
     shape.rag = kRag * style_.size;
-    shape.edge = width <= 0.0       ? LineShape::Edge::ragged
-                 : style_.bold      ? LineShape::Edge::balanced
+    shape.edge = style_.bold        ? LineShape::Edge::balanced
                  : style_.justified ? LineShape::Edge::justified
                                     : LineShape::Edge::ragged;
     const bool in_list = before != nullptr && before->indent > 0 && block.indent > 0;
     block_gap_ = before == nullptr ? 0.0 : style_.between * style_.size * (in_list ? kListBetween : 1.0);
     std::size_t begin = 0;
-    for (const std::size_t end : break_lines(parts.lines, shape)) {
+    for (const std::size_t end : width > 0.0 ? break_lines(parts.lines, shape) : forced_ends(parts.lines)) {
       set_line(block, parts, begin, end, x, space_change(parts.lines, begin, end, shape));
       if (begin == 0 && !block.marker.empty()) set_marker(block, x);
       begin = end;
     }
+  }
+
+  /// The lines of a text without width.
+  static std::vector<std::size_t> forced_ends(const std::vector<LinePart>& lines) {
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i].ends_line || i + 1 == lines.size()) ends.push_back(i + 1);
+    return ends;
   }
 
   struct Extent {
