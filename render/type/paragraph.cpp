@@ -39,7 +39,7 @@ constexpr double kScriptDrop = 0.20;
 
 // Penalties of a line that ends there; 100 is a lot.
 constexpr double kAfterHyphen = 60.0;
-constexpr double kAfterShortWord = 25.0;
+constexpr double kAfterShortWord = 50.0;
 constexpr double kBeforeShortFormula = 45.0;
 
 bool is_space(char32_t c) { return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r'; }
