@@ -88,10 +88,9 @@ std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s)
 
 }  // namespace
 
-std::string alt_text(const Stage& stage, const Scene& scene, const Vec3& w_B, double t_s) {
-  std::string text =
-      fmt::format("{}. {}: {}. ", stage.title, view_words(scene.views), shown_words(drawn_overlays(scene)));
-  if (!scene.caption.empty()) text += scene.caption + (scene.caption.ends_with('.') ? " " : ". ");
+std::string alt_text(const Scene& scene, const std::string& caption, const Vec3& w_B, double t_s) {
+  std::string text = fmt::format("{}: {}. ", view_words(scene.views), shown_words(drawn_overlays(scene)));
+  if (!caption.empty()) text += caption + (caption.ends_with('.') ? " " : ". ");
   const Vec3& I = scene.body.moments.vector();
   text += fmt::format("The body is \"{}\" with principal moments {:.4g}, {:.4g}, {:.4g} kg m². ",
                       scene.body.name, I[0], I[1], I[2]);

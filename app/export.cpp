@@ -177,9 +177,8 @@ void add_export(CLI::App& app, Action& action) {
   option("--size", typed->size, "WxH", "pixels, each 1 to 16384, of pages from 320x240 (default: 1920x1080)");
   option("--theme", typed->theme, "NAME", "of pages and equations: paper or dark (default: paper)");
   option("--background", typed->background, "NAME",
-         "studio, paper, white, transparent, #rrggbb (default: of figures studio, else paper)");
-  option("--dpi", typed->dpi, "N",
-         "dots per inch noted in the files (default: none); equations are 12 pt type at it (300)");
+         "studio (default of figures), paper, white, transparent, #rrggbb");
+  option("--dpi", typed->dpi, "N", "dots per inch to note in the files; sizes 12 pt equations (300)");
   option("--fps", typed->fps, "N|A/B", "frames per shown second, with --each frame (default: 30)");
   option("--seconds", typed->seconds, "S", "shown seconds per stage, with --each frame (default: 8)");
   option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
@@ -187,18 +186,13 @@ void add_export(CLI::App& app, Action& action) {
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   command->footer(
-      "A page is text, equations, figure and plots; a stage is shown at its last step, with --each step step "
-      "by\n"
-      "step. An equation is cropped to its ink; with --each frame one line of a stage turns into the next. "
-      "A\n"
-      "transcript is plain text with the formulas in words.\n"
-      "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt; NN "
-      "is\n"
-      "the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last. The "
-      "bytes\n"
-      "depend on lesson and options alone. A folder with an export of other options or another lesson text "
-      "is\n"
-      "refused.");
+      "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
+      "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
+      "A transcript is plain text with the formulas in words.\n"
+      "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
+      "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
+      "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"
+      "lesson text is refused.");
   command->callback([typed, &action] { action = [typed] { return run_export(*typed); }; });
 }
 

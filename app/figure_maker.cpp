@@ -3,6 +3,7 @@
 #include "app/manifest.h"
 #include "app/or_fail.h"
 #include "app/picture_maker.h"
+#include "app/speaker.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 class FigureMaker : public PictureMaker {
  public:
-  explicit FigureMaker(const MakerContext& context) : context_(context) {}
+  explicit FigureMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
 
   void check(const PlannedPicture& picture) override {
     const SceneModel& model = models_.of(*picture.scene);
@@ -27,12 +28,16 @@ class FigureMaker : public PictureMaker {
     const double aspect = static_cast<double>(options.size.width) / options.size.height;
     Image image = or_fail(
         context_.renderer.draw(make_figure(model, t_s, aspect), options.size, background_of(options)));
-    return {std::move(image), alt_text(*picture.stage, *picture.scene, model.motion->w_B_at(t_s), t_s),
-            tex_shown(*picture.stage, picture.step), t_s, std::string(model.motion->method())};
+    const std::string alt = speaker_.words_of_title(*picture.stage) + ' ' +
+                            alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
+                                     model.motion->w_B_at(t_s), t_s);
+    return {std::move(image), alt, tex_shown(*picture.stage, picture.step), t_s,
+            std::string(model.motion->method())};
   }
 
  private:
   MakerContext context_;
+  Speaker speaker_;
   ModelOfScene models_{Product::figure};
 };
 

@@ -146,10 +146,10 @@ void add_info(CLI::App& app, Action& action) {
   command->add_option("LESSON", options->lesson, "Id or file")->required()->option_text(" ");
   command->add_flag("--json", options->json, "the same as JSON, costs in ns");
   command->footer(
-      "Of a page of each stage's last scene: setup is the time to choose the motion and compute the parts\n"
-      "required, call that of one evaluation at a time t; both measured now, medians. Horizon: how many "
-      "polhode\n"
-      "periods pass until rounding of the inputs alone moves the phase by 0.1 rad; none without a period.");
+      "Of a page of each stage's last scene: setup is the time to choose the motion and compute the\n"
+      "parts required, call that of one evaluation at a time t; both measured now, medians. Horizon: how\n"
+      "many polhode periods pass until rounding of the inputs alone moves the phase by 0.1 rad; none\n"
+      "without a period.");
   command->callback(
       [options, &action] { action = [options] { return show_info(options->lesson, options->json); }; });
 }

@@ -30,8 +30,9 @@ class PageMaker : public PictureMaker {
     if (!shown.model) return made;
     made.t_s = shown.t_s;
     made.method = shown.model->motion->method();
-    made.alt += " Figure: " +
-                alt_text(*picture.stage, *picture.scene, shown.model->motion->w_B_at(shown.t_s), shown.t_s);
+    made.alt +=
+        " Figure: " + alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
+                               shown.model->motion->w_B_at(shown.t_s), shown.t_s);
     return made;
   }
 

@@ -69,8 +69,15 @@ std::string Speaker::words(const Ask& ask) const {
   return text;
 }
 
+std::string Speaker::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
+
+std::string Speaker::words_of_caption(const Stage& stage, int step) const {
+  const auto& caption = stage.steps[static_cast<std::size_t>(step - 1)].caption;
+  return caption ? words(*caption) : std::string();
+}
+
 std::string Speaker::words_of_page(const Stage& stage, int step) const {
-  std::string text = sentence(words(stage.title_text));
+  std::string text = words_of_title(stage);
   for (const Block& block : stage.steps[static_cast<std::size_t>(step - 1)].blocks) {
     if (const auto* prose = std::get_if<Prose>(&block)) add(text, words(prose->text));
     if (const auto* equation = std::get_if<Equation>(&block)) add(text, words(*equation));

@@ -24,7 +24,11 @@ class Speaker {
   std::string words(const Callout& callout) const;
   /// With its choices, without hints and answer.
   std::string words(const Ask& ask) const;
-  /// Title, and what the step (from 1) adds.
+  /// "Euler's equation in vector form."
+  std::string words_of_title(const Stage& stage) const;
+  /// Of the step's figure (steps from 1); empty: none.
+  std::string words_of_caption(const Stage& stage, int step) const;
+  /// Title, and what the step adds.
   std::string words_of_page(const Stage& stage, int step) const;
 
  private:

@@ -30,9 +30,9 @@ class Transcript {
     text_ += '\n' + underlined(fmt::format("{}. {}", number, speaker_.words(stage.title_text)), '-');
     for (const Step& step : stage.steps) {
       for (const Block& block : step.blocks) std::visit([this](const auto& b) { add(b); }, block);
-      if (step.scene && !step.scene->caption.empty() && step.scene->caption != caption_) {
+      if (step.caption && step.scene->caption != caption_) {
         caption_ = step.scene->caption;
-        add_paragraph(speaker_.words(step.caption), "Figure: ");
+        add_paragraph(speaker_.words(*step.caption), "Figure: ");
       }
     }
   }

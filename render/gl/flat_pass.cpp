@@ -79,6 +79,27 @@ std::vector<Vec2> obstacles_of(const Pane& pane, const PixelBox& frame) {
   return points;
 }
 
+/// Boxes along the arrows of vectors, which neither labels nor leader lines may cover.
+std::vector<PixelBox> boxes_of_arrows(const Pane& pane, const PixelBox& frame) {
+  constexpr double kThin = 0.01;  // axes
+  constexpr double kAir = 1.5;    // times the radius
+  std::vector<PixelBox> boxes;
+  for (const Arrow& arrow : pane.list.arrows) {
+    if (arrow.radius <= kThin) continue;
+    const Vec2 tail = to_pixel(pane, frame, arrow.tail), tip = to_pixel(pane, frame, arrow.tip);
+    const double radius =
+        (to_pixel(pane, frame, arrow.tip + arrow.radius * pane.camera.up) - tip).norm() * kAir;
+    const double length = (tip - tail).norm();
+    if (!(length < 4.0 * frame.width() && radius > 0.0)) continue;  // behind the camera
+    const int n = std::clamp(static_cast<int>(length / (2.0 * radius)), 1, 200);
+    for (int i = 0; i < n; ++i) {
+      const Vec2 p = tail + (tip - tail) * ((i + 0.5) / n);
+      boxes.push_back({p.x() - radius, p.y() - radius, p.x() + radius, p.y() + radius});
+    }
+  }
+  return boxes;
+}
+
 }  // namespace
 
 struct FlatPass::Parts {
@@ -136,7 +157,8 @@ void FlatPass::add_line(const std::string& text, double size_px, double x, doubl
 
 void FlatPass::add_color_bar(double x, double y, double width, double marker, Parts& parts) {
   const double em = kReadoutSize * parts.type_px;
-  const double height = 0.5 * em;
+  const double height = std::max(2.0, std::round(0.5 * em));
+  y = std::round(y);  // slices overlap: soft edges would be denser there
   constexpr int kSlices = 96;
   for (int i = 0; i < kSlices; ++i) {
     const double w = width / kSlices;
@@ -200,7 +222,9 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
                         .leader = label.leader});
   }
   const PixelBox inside = frame.grown(-0.5 * kMargin * parts.type_px);
-  const auto placed = place_labels(requests, obstacles_of(pane, frame), taken, inside);
+  // Boxes of ink have no space of their own around them.
+  constexpr LabelRules kRules{.rounds = 1, .cost_covered = 0.15, .air = 0.3, .leader_gap = 0.28};
+  const auto placed = place_labels(requests, obstacles_of(pane, frame), taken, inside, kRules);
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const Label& label = pane.list.labels[i];
     const double em = base * label.size;
@@ -257,6 +281,8 @@ void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
     }
     for (const Readout& readout : pane.list.readouts)
       taken.push_back(add_readout(readout, frame, figure.panes.size() > 1, parts));
+    const std::vector<PixelBox> arrows = boxes_of_arrows(pane, frame);
+    taken.insert(taken.end(), arrows.begin(), arrows.end());
     add_labels(pane, frame, taken, parts);
   }
   draw_parts(parts, size);

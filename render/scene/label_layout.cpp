@@ -40,7 +40,7 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
 std::vector<double> gaps_of(const LabelRequest& label) {
   std::vector<double> heights;
   if (!label.leader || label.close) heights = {0.22, 0.55, 1.0};
-  if (label.leader) heights.insert(heights.end(), {1.2, 1.9, 2.9, 4.2});
+  if (label.leader) heights.insert(heights.end(), {1.2, 1.9, 2.9, 4.2, 6.0});
   for (double& gap : heights) gap = gap * unit_of(label) + label.clear;
   return heights;
 }
@@ -75,7 +75,7 @@ double crossed(const Vec2& from, const Vec2& to, double clear, const Crowd& crow
 double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const Crowd& crowd) {
   const double area = std::max(1.0, box.width() * box.height());
   const double unit = unit_of(label);
-  const PixelBox with_air = box.grown(0.18 * unit);
+  const PixelBox with_air = box.grown(crowd.rules.air * unit);
 
   double cost = 0.35 * gap / unit;
   const Vec2 away = Vec2(0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)) - label.anchor;
@@ -123,7 +123,7 @@ Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {
     }
   // The line stops short of the text.
   const double unit = unit_of(label);
-  best.label.leader_end = nearest_on(best.label.box.grown(0.16 * unit), label.anchor);
+  best.label.leader_end = nearest_on(best.label.box.grown(crowd.rules.leader_gap * unit), label.anchor);
   best.label.has_leader =
       label.leader && (best.label.leader_end - label.anchor).norm() > 0.5 * unit + label.clear;
   return best;

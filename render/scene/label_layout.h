@@ -40,6 +40,8 @@ struct LabelRules {
   int rounds = 0;  ///< in each, every label moves to what is cheapest beside all the others
   double cost_covered = 0.05;  ///< of an obstacle under a label
   double cost_crossed = 0.0;   ///< of an obstacle under a leader
+  double air = 0.18;           ///< around a label, units
+  double leader_gap = 0.16;    ///< between a label and the end of its leader, units
 };
 
 /// Places labels in the order given, each at the cheapest of a fixed set of candidates: the cost counts

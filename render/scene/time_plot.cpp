@@ -27,6 +27,7 @@ constexpr double kLeaderFrom = 0.3;  // of displacement of a name
 constexpr int kMostIntervals = 4;
 constexpr int kLeastDecades = 4;
 constexpr Color kWhite{1, 1, 1, 1};
+constexpr float kLineShare = 0.4F;       // lines need less contrast than type
 constexpr double kSimplification = 0.1;  // px
 
 Color mixed(const Color& a, const Color& b, float f) {

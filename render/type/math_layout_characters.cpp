@@ -227,10 +227,10 @@ MathBox MathLayout::above_and_below(const MathAtom& item, MathMark begin, const 
                                     const MathNode& above, const MathNode& below, double lean,
                                     const Gaps& gaps) {
   const MathTextStyle style = item.style;
-  const MathMark above_begin = mark();
-  const MathBox top = above.absent() ? MathBox{} : row(above, superscript(style), item.paint);
   const MathMark below_begin = mark();
   const MathBox bottom = below.absent() ? MathBox{} : row(below, subscript(style), item.paint);
+  const MathMark above_begin = mark();
+  const MathBox top = above.absent() ? MathBox{} : row(above, superscript(style), item.paint);
   const MathMark end = mark();
 
   // Everything stands about one middle; what sticks out to the left moves all to the right.
@@ -244,14 +244,14 @@ MathBox MathLayout::above_and_below(const MathAtom& item, MathMark begin, const 
   all.italic = 0.0;
   if (!above.absent()) {
     const double rise = std::max(measure(gaps.above, style) + top.depth, measure(gaps.above_baseline, style));
-    shift(above_begin, below_begin, top_x, -(base.height + rise));
+    shift(above_begin, end, top_x, -(base.height + rise));
     all.height = base.height + rise + top.height;
     all.width = std::max(all.width, top_x + top.width);
   }
   if (!below.absent()) {
     const double drop =
         std::max(measure(gaps.below, style) + bottom.height, measure(gaps.below_baseline, style));
-    shift(below_begin, end, bottom_x, base.depth + drop);
+    shift(below_begin, above_begin, bottom_x, base.depth + drop);
     all.depth = base.depth + drop + bottom.depth;
     all.width = std::max(all.width, bottom_x + bottom.width);
   }

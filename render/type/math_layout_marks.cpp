@@ -191,7 +191,7 @@ MathBox MathLayout::cancel(const MathAtom& item) {
   constexpr double kBeyond = 0.06;
   const double left = -kBeyond * s, right = box.width + kBeyond * s;
   const double top = -(box.height + kBeyond * s), bottom = box.depth + kBeyond * s;
-  const double thickness = 0.9 * rule_thickness(item.style);
+  const double thickness = 0.75 * rule_thickness(item.style);
   const auto stroke = [&](double y0, double y1) {
     put_rule(left, y0, right, y1, thickness, item.paint, node.span);
   };

@@ -55,7 +55,7 @@ TEST(Transcript, HasWhatIsReadInItsOrder) {
   const std::string text = transcript_of(lesson(), {});
   std::size_t at = 0;
   for (const char* part : {"A spoken lesson\n===============\n", "\n1. The first stage\n------------------\n",
-                           "angular velocity", " is long:\n", "• one item\n• another item\n",
+                           "angular velocity", " is long:\n", "\n  • one item\n  • another item\n",
                            "    Equation (7): angular velocity", "  > The lecture said: It is small.\n",
                            "  > What it meant: It is zero.\n",
                            "Question: How long is it?\n  1. short\n  2. zero\n", "\n2. The second stage\n"}) {

@@ -126,7 +126,7 @@ TEST(Usage, MistakesAreNamedOnStderrWithCode2) {
       {with(export_tiny, {"--each", "frame", "--seconds", "1e9"}), "1000000 frames"},
       {with(export_tiny, {"--each", "frame", "--seconds", "0"}), "nothing to export"},
       {with(export_tiny, {"--each", "frame", "--seconds", "1", "--frames", "5:5"}), "--frames"},
-      {with(export_tiny, {"--each", "frame", "--seconds", "1", "--frames", "0:61"}), "60 frames"},
+      {with(export_tiny, {"--each", "frame", "--seconds", "1", "--frames", "0:91"}), "90 frames"},
       {with(export_tiny, {"--what", "figure", "--background", "whtie"}), "did you mean \"white\"?"},
       {with(export_tiny, {"--what", "figure", "--background", "#12345g"}), "#rrggbb"},
       {with(export_tiny, {"--dpi", "0"}), "--dpi"},

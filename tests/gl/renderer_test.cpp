@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/gl/renderer.h"
+#include "tests/gl/drawn.h"
 
 #include <gtest/gtest.h>
 
@@ -12,18 +12,8 @@ namespace {
 
 using O = Overlay;
 
-struct Drawn {
-  std::unique_ptr<GlContext> context;
-  std::unique_ptr<Renderer> renderer;
-
-  explicit Drawn(ContextKind kind = ContextKind::any) {
-    auto opened = open_context(kind);
-    if (!opened) throw std::runtime_error(opened.error());
-    context = std::move(opened).value();
-    auto made = Renderer::create(*context);
-    if (!made) throw std::runtime_error(made.error());
-    renderer = std::move(made).value();
-  }
+struct Drawn : test::Drawn {
+  using test::Drawn::Drawn;
   Image draw(const Scene& scene, Size size, const char* background = "studio") {
     const double aspect = static_cast<double>(size.width) / size.height;
     auto image = renderer->draw(make_figure(make_model(scene), scene.at_s, aspect), size,
@@ -244,6 +234,39 @@ TEST(Quality, WhatTheDriverHasNotIsRefused) {
        {Quality{drawn.renderer->most_samples() + 1, 1}, Quality{0, 1000}, Quality{0, 0}}) {
     EXPECT_FALSE(drawn.renderer->draw(figure, {64, 64}, {}, quality).ok());
     EXPECT_TRUE(drawn.renderer->draw(figure, {64, 64}, {}).ok());
+  }
+}
+
+/// Where two pictures differ by a lot.
+std::vector<bool> differences(const Image& a, const Image& b, int levels) {
+  std::vector<bool> differ;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+    int most = 0;
+    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(a.rgba[i + k] - b.rgba[i + k]));
+    differ.push_back(most > levels);
+  }
+  return differ;
+}
+
+TEST(Labels, LeaveArrowsFree) {
+  Drawn drawn;
+  Scene scene;
+  scene.body = find_body("sphere").value();
+  scene.w0_B = Vec3(0.4, 0.2, 1.0);
+  scene.show = {O::shape, O::omega, O::L, O::axes_body, O::labels};
+  const auto draw = [&](const Figure& figure) {
+    return drawn.renderer->draw(figure, {480, 270}, {}).value();
+  };
+  for (int k = 0; k < 12; ++k) {  // names come close to arrows at some of the times
+    Figure figure = make_figure(make_model(scene), 1.5 + 0.37 * k, 16.0 / 9.0);
+    const Image named = draw(figure);
+    figure.panes[0].list.labels.clear();
+    const Image bare = draw(figure);
+    figure.panes[0].list.arrows.clear();
+    const std::vector<bool> arrows = differences(bare, draw(figure), 40), names = differences(named, bare, 4);
+    EXPECT_GT(std::count(arrows.begin(), arrows.end(), true), 200);
+    EXPECT_GT(std::count(names.begin(), names.end(), true), 100);
+    for (std::size_t i = 0; i < arrows.size(); ++i) EXPECT_FALSE(arrows[i] && names[i]) << k;
   }
 }
 

@@ -12,7 +12,7 @@
 namespace polhode::builders {
 namespace {
 
-constexpr double kSymbolSize = 1.35;
+constexpr double kSymbolSize = 1.2;
 constexpr double kTextSize = 0.8;
 
 void add_symbol(DrawList& list, const char* text, const Vec3& anchor, const Color& color) {
@@ -153,7 +153,7 @@ void add_values(const Moment& m, DrawList& list) {
   const std::string gap = "\u2003";  // an em
   readout.lines.push_back("$I_1$ = " + number(m.I()[0]) + gap + "$I_2$ = " + number(m.I()[1]) + gap +
                           "$I_3$ = " + number(m.I()[2]) + " kg m²");
-  readout.lines.push_back("$2T = \\vec\\omega\\cdot\\vec L$ = " + number(m.two_T) + " J" + gap +
+  readout.lines.push_back("$2T$ = $\\vec\\omega\\cdot\\vec L$ = " + number(m.two_T) + " J" + gap +
                           "$|\\vec L|$ = " + number(L) + " kg m²/s");
   if (m.two_T > 0.0) readout.lines.push_back("$L^2/2T$ = " + number(L * L / m.two_T) + " kg m²");
   Vec3 sorted = m.I().vector();
