@@ -79,7 +79,9 @@ class TextReader::Builder {
     parser.text = [](MD_TEXTTYPE type, const MD_CHAR* text, MD_SIZE size, void* self) {
       return static_cast<Builder*>(self)->add_text(type, {text, size});
     };
-    if (md_parse(copy_.data(), static_cast<MD_SIZE>(copy_.size()), &parser, this) != 0) return {};
+    const int stopped = md_parse(copy_.data(), static_cast<MD_SIZE>(copy_.size()), &parser, this);
+    if (stopped != 0 && !saw_limit_) error(0, "there is not enough memory to read this text");
+    if (stopped != 0) return {};
     report_lost_formulas(text_.size());
     if (saw_unread_block_ && !reader_.report_.has_errors())
       error(0, "a heading or fence inside a text is not read", "begin it at the margin");
@@ -385,12 +387,17 @@ RichText TextReader::caption(const LocatedText& text) {
     }
     block.spans.push_back(std::move(span));
   };
+  const auto add_words = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t dollar; (dollar = text.text().find("\\$", begin)) < end; begin = dollar + 1)
+      add(begin, dollar, false);  // without the backslash
+    add(begin, end, false);
+  };
   for (const SourceSpan& formula : formulas_of_line(text.text())) {
-    add(at, formula.begin - 1, false);
+    add_words(at, formula.begin - 1);
     add(formula.begin, formula.end, true);
     at = formula.end + 1;
   }
-  add(at, text.text().size(), false);
+  add_words(at, text.text().size());
   return {std::move(block)};
 }
 
@@ -401,7 +408,7 @@ std::optional<Math> TextReader::formula(const LocatedText& tex) {
 std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin, std::size_t end,
                                       const MathMacros& macros) {
   const bool was_full = math_bytes_ > kMaxLessonMathBytes;
-  math_bytes_ += end - begin;
+  if (end - begin <= kMaxMathBytes) math_bytes_ += end - begin;  // a longer one is refused for itself
   if (math_bytes_ > kMaxLessonMathBytes) {
     if (!was_full)
       report_.error(

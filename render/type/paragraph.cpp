@@ -22,10 +22,11 @@ constexpr double kRag = 2.6;           // what a ragged line may lack
 constexpr double kSpaceStretch = 0.5;  // of a word space
 constexpr double kSpaceShrink = 0.28;  // of a word space
 constexpr double kListIndent = 1.35;   // of each level
-constexpr double kMarkerGap = 0.5;     // between a marker and its text
-constexpr double kListBetween = 0.5;   // of the space between other blocks
-constexpr double kLineGap = 0.08;      // at least, between what is on two lines
-constexpr double kLinkDrop = 0.13;     // of the line below a link
+constexpr double kBulletSize = 0.8;
+constexpr double kMarkerGap = 0.5;    // between a marker and its text
+constexpr double kListBetween = 0.5;  // of the space between other blocks
+constexpr double kLineGap = 0.08;     // at least, between what is on two lines
+constexpr double kLinkDrop = 0.13;    // of the line below a link
 constexpr double kLinkThickness = 0.045;
 constexpr double kShortFormula = 1.6;  // a name of something, which belongs to the word before it
 
@@ -39,7 +40,7 @@ constexpr double kScriptDrop = 0.20;
 
 // Penalties of a line that ends there; 100 is a lot.
 constexpr double kAfterHyphen = 60.0;
-constexpr double kAfterShortWord = 25.0;
+constexpr double kAfterShortWord = 50.0;
 constexpr double kBeforeShortFormula = 45.0;
 
 bool is_space(char32_t c) { return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r'; }
@@ -439,9 +440,13 @@ class TextSetter {
     return style_.width > 0.0 ? std::min(x, 0.5 * style_.width) : x;
   }
   Face marker_face() const { return face_of({}, style_); }
+  /// The font's bullet is as heavy as bold text.
+  double marker_size(const std::string& marker) const {
+    return (marker == "•" ? kBulletSize : 1.0) * style_.size;
+  }
   double marker_width(const std::string& marker) const {
     double width = 0.0;
-    for (const ShapedGlyph& g : fonts_.shape(marker_face(), marker)) width += g.advance * style_.size;
+    for (const ShapedGlyph& g : fonts_.shape(marker_face(), marker)) width += g.advance * marker_size(marker);
     return width;
   }
 
@@ -452,20 +457,27 @@ class TextSetter {
     if (width > 0.0) split_wide_parts(parts, width);
 
     LineShape shape;
-    shape.width = width > 0.0 ? width : 1e9;
+    shape.width = width;
     shape.rag = kRag * style_.size;
-    shape.edge = width <= 0.0       ? LineShape::Edge::ragged
-                 : style_.bold      ? LineShape::Edge::balanced
+    shape.edge = style_.bold        ? LineShape::Edge::balanced
                  : style_.justified ? LineShape::Edge::justified
                                     : LineShape::Edge::ragged;
     const bool in_list = before != nullptr && before->indent > 0 && block.indent > 0;
     block_gap_ = before == nullptr ? 0.0 : style_.between * style_.size * (in_list ? kListBetween : 1.0);
     std::size_t begin = 0;
-    for (const std::size_t end : break_lines(parts.lines, shape)) {
+    for (const std::size_t end : width > 0.0 ? break_lines(parts.lines, shape) : forced_ends(parts.lines)) {
       set_line(block, parts, begin, end, x, space_change(parts.lines, begin, end, shape));
       if (begin == 0 && !block.marker.empty()) set_marker(block, x);
       begin = end;
     }
+  }
+
+  /// The lines of a text without width.
+  static std::vector<std::size_t> forced_ends(const std::vector<LinePart>& lines) {
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      if (lines[i].ends_line || i + 1 == lines.size()) ends.push_back(i + 1);
+    return ends;
   }
 
   struct Extent {
@@ -529,17 +541,21 @@ class TextSetter {
   }
 
   void set_marker(const TextBlock& block, double x) {
-    double pen = x - kMarkerGap * style_.size - marker_width(block.marker);
+    const double size = marker_size(block.marker);
+    const double pen = x - kMarkerGap * style_.size - marker_width(block.marker);
     const SourceSpan source = block.spans.empty() ? SourceSpan{} : block.spans.front().source;
-    for (const ShapedGlyph& g : fonts_.shape(marker_face(), block.marker))
+    for (const ShapedGlyph& g : fonts_.shape(marker_face(), block.marker)) {
+      const GlyphBox box = fonts_.box(marker_face(), g.id);
+      const double rise = 0.5 * (box.bottom + box.top) * (style_.size - size);  // keeps its middle
       list_.glyphs.push_back({marker_face(),
                               g.id,
-                              pen + g.x * style_.size,
-                              y_ - g.y * style_.size,
-                              style_.size,
+                              pen + g.x * size,
+                              y_ - rise - g.y * size,
+                              size,
                               style_.color,
                               {},
                               {source.begin, source.begin}});
+    }
   }
 
   // ---- The line below a link

@@ -160,6 +160,14 @@ TEST(InlineText, FormulasOfALessonHaveALimit) {
   EXPECT_THAT(at.lines(), SizeIs(1)) << "said once";
 }
 
+TEST(InlineText, AFormulaThatIsTooLongIsSaidToBe) {
+  TextReport at(std::string(kMaxLessonMathBytes, 'x'));
+  EXPECT_FALSE(at.texts.formula(LocatedText(at.source, at.source.text())));
+  ASSERT_THAT(at.lines(), SizeIs(1));
+  TextReport again("x");
+  EXPECT_TRUE(again.texts.formula(LocatedText(again.source, again.source.text())));
+}
+
 TEST(InlineText, MacrosStandInFormulas) {
   TextReport at("$\\w\\times\\v{r}$");
   at.texts.macros() = {{"w", {0, "\\vec\\omega"}}, {"v", {1, "\\vec{#1}"}}};
@@ -171,6 +179,9 @@ TEST(Captions, ArePlainTextWithFormulas) {
   TextReport at("$S$ stands *still* · $5");
   EXPECT_EQ(shown(at.texts.caption(LocatedText(at.source, at.source.text()))), "[m:S][ stands *still* · $5]");
   EXPECT_THAT(at.lines(), IsEmpty());
+  TextReport escaped("a \\$5, \\$6 $x$");
+  EXPECT_EQ(shown(escaped.texts.caption(LocatedText(escaped.source, escaped.source.text()))),
+            "[a ][$5, ][$6 ][m:x]");
   TextReport bad("a $\\vecc L$");
   bad.texts.caption(LocatedText(bad.source, bad.source.text()));
   ASSERT_THAT(bad.lines(), SizeIs(1));
