@@ -291,7 +291,6 @@ constexpr Symbol kSymbols[] = {
     {"dotsi", U'⋯', kInner},
     {"vdots", U'⋮'},
     {"ddots", U'⋱', kInner},
-    {"colon", U':', kPunct},
     {"ldotp", U'.', kPunct},
 };
 
@@ -530,6 +529,9 @@ constexpr MathCommand kOthers[] = {
     {.name = "implies", .action = Action::macro, .text = "\\;\\Longrightarrow\\;"},
     {.name = "impliedby", .action = Action::macro, .text = "\\;\\Longleftarrow\\;"},
     {.name = "iff", .action = Action::macro, .text = "\\;\\Longleftrightarrow\\;"},
+    {.name = "colon",
+     .action = Action::macro,
+     .text = "\\mspace{2mu}\\mathpunct{}\\!\\mathord{:}\\mspace{6mu}"},
     {.name = "bmod", .action = Action::macro, .text = "\\mathbin{\\text{mod}}"},
     {.name = "varGamma", .action = Action::macro, .text = "\\mathit{\\Gamma}"},
     {.name = "varDelta", .action = Action::macro, .text = "\\mathit{\\Delta}"},

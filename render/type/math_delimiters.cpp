@@ -2,6 +2,7 @@
 #include "render/type/math_delimiters.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace polhode {
 namespace {
@@ -42,38 +43,24 @@ std::vector<hb_ot_math_glyph_part_t> repeated(const std::vector<hb_ot_math_glyph
   return all;
 }
 
+/// Parts overlap as little as the font allows: where two edges lie on each other, they look darker. So the
+/// length is that of whole extenders, and may fall short by a part of one.
 StretchedGlyph joined(const MathFont& font, const std::vector<hb_ot_math_glyph_part_t>& parts, double length,
                       Stretch stretch) {
-  constexpr int kMostRepeats = 2000;
+  constexpr double kMostRepeats = 2000, kMayLack = 0.25;
   const double em = font.em();
-  const double least_overlap =
-      hb_ot_math_get_min_connector_overlap(font.harfbuzz(), direction_of(stretch)) / em;
-  double fixed = 0.0, grows = 0.0;
-  int fixed_count = 0;
-  for (const auto& part : parts) {
-    (is_extender(part) ? grows : fixed) += part.full_advance / em - least_overlap;
-    fixed_count += is_extender(part) ? 0 : 1;
-  }
-  fixed += least_overlap;
-  int times = grows > 0.0 ? static_cast<int>(std::min((length - fixed) / grows, 1.0 * kMostRepeats)) : 0;
-  times = std::max(times, 0);
-  if (fixed + times * grows < length && times < kMostRepeats) ++times;
-  if (fixed_count == 0) times = std::max(times, 1);
-
-  const auto all = repeated(parts, times);
-  const double longest = fixed + times * grows;
-  const double joints = static_cast<double>(all.size()) - 1.0;
-  const double overlap = least_overlap + (joints > 0.0 ? std::max(0.0, longest - length) / joints : 0.0);
+  const double overlap = hb_ot_math_get_min_connector_overlap(font.harfbuzz(), direction_of(stretch)) / em;
+  double fixed = overlap, grows = 0.0;
+  for (const auto& part : parts) (is_extender(part) ? grows : fixed) += part.full_advance / em - overlap;
+  const double repeats = grows > 0.0 ? std::ceil((length - fixed) / grows - kMayLack) : 0.0;
+  const auto all = repeated(parts, static_cast<int>(std::clamp(repeats, 0.0, kMostRepeats)));
   StretchedGlyph made;
   made.joined = true;
-  double at = 0.0;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0)
-      at -= std::min(overlap, std::min(all[i - 1].end_connector_length, all[i].start_connector_length) / em);
-    made.parts.push_back({all[i].glyph, at});
-    at += all[i].full_advance / em;
+  for (const auto& part : all) {
+    made.parts.push_back({part.glyph, made.length});
+    made.length += part.full_advance / em - overlap;
   }
-  made.length = at;
+  made.length += overlap;
   return made;
 }
 
@@ -97,22 +84,26 @@ std::uint32_t widest_form_within(const MathFont& font, std::uint32_t glyph, doub
   return widest;
 }
 
-std::uint32_t MathFont::script_form(std::uint32_t glyph, int level) const {
+void MathFont::find_script_lookups() {
   hb_face_t* face = hb_font_get_face(font_);
   constexpr hb_tag_t kFeature = HB_TAG('s', 's', 't', 'y');
   unsigned feature = 0;
   if (!hb_ot_layout_language_find_feature(face, HB_OT_TAG_GSUB, 0, HB_OT_LAYOUT_DEFAULT_LANGUAGE_INDEX,
                                           kFeature, &feature))
-    return glyph;
-  constexpr unsigned kMost = 8;
-  unsigned lookups[kMost];
-  unsigned count = kMost;
-  hb_ot_layout_feature_get_lookups(face, HB_OT_TAG_GSUB, feature, 0, &count, lookups);
-  for (unsigned i = 0; i < count; ++i) {
-    hb_codepoint_t forms[2] = {glyph, glyph};
-    unsigned found = 2;
-    hb_ot_layout_lookup_get_glyph_alternates(face, lookups[i], glyph, 0, &found, forms);
-    if (found > 0) return forms[std::min<unsigned>(static_cast<unsigned>(level), found) - 1];
+    return;
+  script_lookup_count_ = static_cast<unsigned>(script_lookups_.size());
+  hb_ot_layout_feature_get_lookups(face, HB_OT_TAG_GSUB, feature, 0, &script_lookup_count_,
+                                   script_lookups_.data());
+}
+
+std::uint32_t MathFont::script_form(std::uint32_t glyph, int level) const {
+  hb_face_t* face = hb_font_get_face(font_);
+  for (unsigned i = 0; i < script_lookup_count_; ++i) {
+    std::array<hb_codepoint_t, 2> forms{};
+    auto found = static_cast<unsigned>(forms.size());
+    hb_ot_layout_lookup_get_glyph_alternates(face, script_lookups_[i], glyph, 0, &found, forms.data());
+    const auto wanted = static_cast<unsigned>(std::max(level, 1));
+    if (found > 0) return forms[std::min(wanted, found) - 1];
   }
   return glyph;
 }
