@@ -82,8 +82,8 @@ bool is_refuted(const Step& step, const Equation& equation) {
   });
 }
 
-/// The equation the accent bar stands beside: of the present step the first with a number, else its first that
-/// holds.
+/// The equation the accent bar stands beside: of the present step the first with a number, else its first
+/// that holds.
 const Equation* focus_of(const Step& step) {
   const Equation* focus = nullptr;
   for (const Block& block : step.blocks)
@@ -222,8 +222,7 @@ TimePlotStyle plot_style(Theme theme, double type_size) {
           .ink = colors.ink,
           .muted = colors.quiet,
           .grid = colors.line,
-          .paper = colors.paper,
-          .lighter = theme == Theme::dark ? kLighterOnDark : 0.0F};
+          .paper = colors.paper};
 }
 
 /// The figure, full size of its place.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/page_theme.h"
 
-#include <cmath>
 
 namespace polhode {
 
@@ -35,11 +34,7 @@ constexpr PageColors kDark = {.paper = color_from_hex(0x1B1E23),
 
 const PageColors& colors_of(Theme theme) { return theme == Theme::paper ? kPaper : kDark; }
 
-Color on_paper(const Color& ink, Theme theme) {
-  if (theme == Theme::paper) return ink;
-  return {std::lerp(ink.r, 1.0F, kLighterOnDark), std::lerp(ink.g, 1.0F, kLighterOnDark),
-          std::lerp(ink.b, 1.0F, kLighterOnDark), ink.a};
-}
+Color on_paper(const Color& ink, Theme theme) { return theme == Theme::dark ? on_dark(ink) : ink; }
 
 std::vector<MathSymbol> symbols_of(const Lesson& lesson, Theme theme) {
   std::vector<MathSymbol> symbols;

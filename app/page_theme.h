@@ -26,9 +26,6 @@ struct PageColors {
 };
 const PageColors& colors_of(Theme theme);
 
-/// On dark paper colours of roles go so far towards white.
-inline constexpr float kLighterOnDark = 0.55F;
-
 /// `ink` as it is readable on the theme's paper.
 Color on_paper(const Color& ink, Theme theme);
 

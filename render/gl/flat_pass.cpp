@@ -25,13 +25,7 @@ constexpr Color kPanel = color_from_hex(0xFFFFFF, 0.84F);
 constexpr Color kNoColor{0, 0, 0, 0};
 
 /// Inks are made for light backdrops; on a dark one (told by the halo) they are lightened.
-Color readable(const Color& ink, const Color& halo) {
-  const float brightness = 0.3F * halo.r + 0.6F * halo.g + 0.1F * halo.b;
-  if (brightness > 0.5F) return ink;
-  constexpr float kLighter = 0.55F;
-  return {std::lerp(ink.r, 1.0F, kLighter), std::lerp(ink.g, 1.0F, kLighter),
-          std::lerp(ink.b, 1.0F, kLighter), ink.a};
-}
+Color readable(const Color& ink, const Color& halo) { return is_dark(halo) ? on_dark(ink) : ink; }
 
 std::array<float, 4> floats(const Color& c) { return {c.r, c.g, c.b, c.a}; }
 

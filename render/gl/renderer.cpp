@@ -136,7 +136,7 @@ class GlRenderer final : public Renderer {
   void clear(const Background& background);
   void draw_studio(const std::array<int, 4>& viewport, int fineness);
   void lay_over(GLuint texture, int x, int y);
-  void draw_floor(const Pane& pane, const Viewpoint& at);
+  void draw_floor(const Pane& pane, const Viewpoint& at, const Background& background);
   void draw_glass(const Pane& pane, const Viewpoint& at, bool front);
   void draw_lines_and_solids(const Pane& pane, const Viewpoint& at);
 
@@ -232,7 +232,7 @@ void GlRenderer::draw_studio(const std::array<int, 4>& viewport, int fineness) {
   gl().Enable(GL_BLEND);
 }
 
-void GlRenderer::draw_floor(const Pane& pane, const Viewpoint& at) {
+void GlRenderer::draw_floor(const Pane& pane, const Viewpoint& at, const Background& background) {
   if (pane.list.floors.empty()) return;
   const Floor& floor = pane.list.floors.front();
   const Program& p = programs_.floor;
@@ -242,6 +242,15 @@ void GlRenderer::draw_floor(const Pane& pane, const Viewpoint& at) {
   p.set("u_light", floats(at.light));
   p.set("u_floor_z", static_cast<float>(floor.z));
   p.set("u_grid", static_cast<float>(floor.grid));
+  if (is_dark(halo_of(background))) {
+    p.set("u_near", 0.17F, 0.19F, 0.22F);
+    p.set("u_far", 0.145F, 0.16F, 0.185F);
+    p.set("u_line", 0.33F, 0.37F, 0.43F);
+  } else {
+    p.set("u_near", 0.800F, 0.830F, 0.865F);
+    p.set("u_far", 0.86F, 0.88F, 0.905F);
+    p.set("u_line", 0.60F, 0.66F, 0.72F);
+  }
   p.set("u_fineness", static_cast<float>(canvas().quality.supersampling));
   p.set("u_ball", pane.list.ellipsoids.empty() ? 0.0F : 1.0F);
   if (!pane.list.ellipsoids.empty()) {
@@ -339,7 +348,7 @@ void GlRenderer::draw_picture(const Figure& figure, const Background& background
     const Shown shown = show(pane, drawn.size());
     if (background.kind == Background::Kind::studio)
       draw_studio(shown.viewport, canvas().quality.supersampling);
-    draw_floor(pane, shown.at);
+    draw_floor(pane, shown.at, background);
     draw_glass(pane, shown.at, false);
   }
   gl().Viewport(0, 0, drawn.size().width, drawn.size().height);

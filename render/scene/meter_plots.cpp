@@ -79,7 +79,7 @@ TimePlot omega_plot(const Samples& samples) {
 TimePlot energy_plot(const PrincipalMoments& I, const Samples& samples) {
   TimePlot plot{.title = "Kinetic energy", .unit = "J", .t = samples.t_s};
   const auto energy = [&](const RigidBodyState& s) { return kinetic_energy(I, s.w_B); };
-  plot.series.push_back({"$T$", kPolhodeRole, values_of(samples, energy), kSolid});
+  plot.series.push_back({"$T$", kTRole, values_of(samples, energy), kSolid});
   return plot;
 }
 
@@ -151,7 +151,7 @@ TimePlot drift_plot(const SceneModel& model, const Samples& samples) {
     L.push_back(relative_change(now.L, start.L));
     angle.push_back(angle_between(now.L_S, start.L_S));
   }
-  plot.series.push_back({"$T$", kPolhodeRole, std::move(T), kSolid});
+  plot.series.push_back({"$T$", kTRole, std::move(T), kSolid});
   plot.series.push_back({"$|\\vec L|$", kLRole, std::move(L), kSolid});
   plot.series.push_back({"$\\angle\\vec L$", kLRole, std::move(angle), kDashes});
   return thinned(plot, kDriftPoints);

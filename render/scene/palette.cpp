@@ -17,6 +17,15 @@ std::optional<Role> role_from(std::string_view name) {
   return std::nullopt;
 }
 
+bool is_dark(const Color& paper) { return 0.3F * paper.r + 0.6F * paper.g + 0.1F * paper.b <= 0.5F; }
+
+Color on_dark(const Color& color) {
+  constexpr float kBrightest = 0.94F, kTowardsWhite = 0.30F;
+  const float scale = kBrightest / std::max({color.r, color.g, color.b, 0.1F});
+  const auto lighter = [&](float c) { return std::lerp(c * scale, 1.0F, kTowardsWhite); };
+  return {lighter(color.r), lighter(color.g), lighter(color.b), color.a};
+}
+
 Color family_color(double s) {
   constexpr std::array<Color, 5> kStops = {color_from_hex(0x4C3A9E), color_from_hex(0x7F7CC4),
                                            color_from_hex(0x8E9BAA), color_from_hex(0x4FA3B5),

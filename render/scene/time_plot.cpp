@@ -26,7 +26,6 @@ constexpr double kDot = 0.24, kDotRim = 0.1;
 constexpr double kLeaderFrom = 0.3;  // of displacement of a name
 constexpr int kMostIntervals = 4;
 constexpr int kLeastDecades = 4;
-constexpr Color kWhite{1, 1, 1, 1};
 constexpr float kLineShare = 0.4F;       // lines need less contrast than type
 constexpr double kSimplification = 0.1;  // px
 
@@ -155,10 +154,9 @@ class TimePlotLayout {
     return zero ? series.label + " = 0" : series.label;
   }
 
-  Color line_color(const TimeSeries& series) const {
-    return mixed(series.role.paint, kWhite, style_.lighter);
-  }
-  Color name_color(const TimeSeries& series) const { return mixed(series.role.ink, kWhite, style_.lighter); }
+  Color on_its_paper(const Color& color) const { return is_dark(style_.paper) ? on_dark(color) : color; }
+  Color line_color(const TimeSeries& series) const { return on_its_paper(series.role.paint); }
+  Color name_color(const TimeSeries& series) const { return on_its_paper(series.role.ink); }
 
   void add_line(std::vector<Vec2> points, double width, const Color& color, double dash = 0.0) {
     sheet_.shapes.push_back(Stroke{std::move(points), width, color, dash});

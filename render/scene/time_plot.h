@@ -35,7 +35,6 @@ struct TimePlot {
 struct TimePlotStyle {
   double type_size = 16;  ///< of labels
   Color ink = kInk, muted = kAxesRole.ink, grid = color_from_hex(0xE3DED2), paper = color_from_hex(0xFBFAF6);
-  float lighter = 0;  ///< how far the colours of curves go towards white, on dark paper
 };
 
 /// In `box`; text needs at least 12 sizes of type by 7. Values that are not finite leave gaps. Pure.

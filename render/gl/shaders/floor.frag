@@ -11,6 +11,8 @@ uniform mat3 u_to_ball;
 uniform vec3 u_ball_center;      // view frame
 uniform vec3 u_light;            // unit, towards the key light
 uniform vec3 u_tint;
+uniform vec3 u_near, u_far;      // its colour below the body, and further out
+uniform vec3 u_line;             // of the grid
 uniform float u_fineness;        // of pixels to a side that are averaged into one: lines keep their width
 out vec4 o_color;
 
@@ -31,8 +33,8 @@ void main() {
   vec2 cells = point.xy / u_grid;
   vec2 w = max(u_fineness * fwidth(cells), 1e-6);
   float lines = max(0.30 * grid(4.0 * cells, 4.0 * w, 1.0), 0.62 * grid(cells, w, 1.5));
-  vec3 color = mix(vec3(0.800, 0.830, 0.865), vec3(0.86, 0.88, 0.905), clamp(0.2 * reach, 0.0, 1.0));
-  color = mix(color, vec3(0.60, 0.66, 0.72), lines);
+  vec3 color = mix(u_near, u_far, clamp(0.2 * reach, 0.0, 1.0));
+  color = mix(color, u_line, lines);
 
   vec3 p = u_to_ball * (point - u_ball_center);
   float p2 = dot(p, p);
