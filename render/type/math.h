@@ -51,7 +51,7 @@ struct MathStyle {
   double size = 24;      ///< em, px
   bool display = false;  ///< large operators with limits above and below, full fractions
   Color color;
-  double line_width = 0;                             ///< px; a longer display is broken; 0: never
+  double line_width = 0;                             ///< px; a longer formula is broken; 0: never
   const std::vector<MathSymbol>* symbols = nullptr;  ///< looked for; may be null
 };
 

@@ -71,6 +71,7 @@ struct MathCommand {
 const MathCommand* math_command(std::string_view name);
 /// Every command, in the order of the tables.
 const std::vector<MathCommand>& math_commands();
+const std::vector<std::string_view>& math_command_names();
 
 /// The name of a symbol's command, without backslash; empty if it has none.
 std::string_view name_of_symbol(char32_t character);
@@ -90,12 +91,12 @@ char32_t negated(char32_t relation);
 
 /// Environments: nothing if the name is not known.
 std::optional<MathGrid> math_environment(std::string_view name);
-const std::vector<std::string>& math_environment_names();
+const std::vector<std::string_view>& math_environment_names();
 
 std::optional<Color> named_color(std::string_view name);
-const std::vector<std::string>& color_names();
+const std::vector<std::string_view>& color_names();
 
 /// The known name most like `word`, if it is near enough to be meant; empty otherwise.
-std::string near_name(std::string_view word, const std::vector<std::string>& known);
+std::string near_name(std::string_view word, const std::vector<std::string_view>& known);
 
 }  // namespace polhode

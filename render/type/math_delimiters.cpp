@@ -43,24 +43,31 @@ std::vector<hb_ot_math_glyph_part_t> repeated(const std::vector<hb_ot_math_glyph
   return all;
 }
 
-/// Parts overlap as little as the font allows: where two edges lie on each other, they look darker. So the
-/// length is that of whole extenders, and may fall short by a part of one.
+/// Parts overlap as little as the font allows, for where two edges lie on each other they look darker; so the
+/// length is that of whole extenders, and may fall short by a part of one. Only where that would be much too
+/// long they overlap more.
 StretchedGlyph joined(const MathFont& font, const std::vector<hb_ot_math_glyph_part_t>& parts, double length,
                       Stretch stretch) {
-  constexpr double kMostRepeats = 2000, kMayLack = 0.25;
+  constexpr double kMostRepeats = 2000, kMayLack = 0.25, kMuch = 0.3;
   const double em = font.em();
-  const double overlap = hb_ot_math_get_min_connector_overlap(font.harfbuzz(), direction_of(stretch)) / em;
-  double fixed = overlap, grows = 0.0;
-  for (const auto& part : parts) (is_extender(part) ? grows : fixed) += part.full_advance / em - overlap;
-  const double repeats = grows > 0.0 ? std::ceil((length - fixed) / grows - kMayLack) : 0.0;
-  const auto all = repeated(parts, static_cast<int>(std::clamp(repeats, 0.0, kMostRepeats)));
+  const double least = hb_ot_math_get_min_connector_overlap(font.harfbuzz(), direction_of(stretch)) / em;
+  double fixed = least, grows = 0.0;
+  for (const auto& part : parts) (is_extender(part) ? grows : fixed) += part.full_advance / em - least;
+  const double repeats =
+      grows > 0.0 ? std::clamp(std::ceil((length - fixed) / grows - kMayLack), 0.0, kMostRepeats) : 0.0;
+  const auto all = repeated(parts, static_cast<int>(repeats));
+  const double excess = fixed + repeats * grows - length, joints = static_cast<double>(all.size()) - 1.0;
+  const double more = excess > kMuch && joints > 0.0 ? excess / joints : 0.0;
   StretchedGlyph made;
   made.joined = true;
-  for (const auto& part : all) {
-    made.parts.push_back({part.glyph, made.length});
-    made.length += part.full_advance / em - overlap;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i > 0) {
+      const double room = std::min(all[i - 1].end_connector_length, all[i].start_connector_length) / em;
+      made.length -= std::min(least + more, std::max(room, least));
+    }
+    made.parts.push_back({all[i].glyph, made.length});
+    made.length += all[i].full_advance / em;
   }
-  made.length += overlap;
   return made;
 }
 

@@ -64,7 +64,7 @@ Result<DisplayList, std::vector<TypeError>> MathLayout::run(const MathNode& root
   out_.width = box.width;
   out_.ascent = std::max(box.height, 0.0);
   out_.depth = std::max(box.depth, 0.0);
-  const bool too_wide = style_.display && style_.line_width > 0.0 && box.width > style_.line_width;
+  const bool too_wide = style_.line_width > 0.0 && box.width > style_.line_width;
   if (too_wide) break_lines(placed);
   if (!errors_.empty()) return Failure<std::vector<TypeError>>{std::move(errors_)};
   return std::move(out_);

@@ -141,7 +141,7 @@ MathTokens::List MathTokens::read(std::string_view tex, bool is_macro) {
   return Scan(tex, is_macro, errors_).run();
 }
 
-const MathToken& MathTokens::peek_raw() {
+MathToken MathTokens::peek_raw() {
   expand();
   return ahead_.empty() ? end_ : ahead_.back();
 }
@@ -152,7 +152,7 @@ MathToken MathTokens::next_raw() {
   return token;
 }
 
-const MathToken& MathTokens::peek() {
+MathToken MathTokens::peek() {
   while (peek_raw().kind == MathToken::Kind::space) ahead_.pop_back();
   return peek_raw();
 }

@@ -43,10 +43,10 @@ class MathTokens {
   MathTokens(std::string_view tex, const MathMacros& macros, MathErrors& errors);
 
   /// The first token that is no space.
-  const MathToken& peek();
+  MathToken peek();
   MathToken next();
   /// The first token, spaces included.
-  const MathToken& peek_raw();
+  MathToken peek_raw();
   MathToken next_raw();
 
   /// The rest is left out.

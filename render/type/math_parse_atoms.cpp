@@ -154,9 +154,9 @@ MathNode MathParser::command(const Token& token) {
 }
 
 MathNode MathParser::unknown(const Token& token) {
-  std::vector<std::string> names;
+  std::vector<std::string_view> names;
   for (const auto& [name, macro] : tokens_.macros()) names.push_back(name);
-  for (const MathCommand& c : math_commands()) names.emplace_back(c.name);
+  names.insert(names.end(), math_command_names().begin(), math_command_names().end());
   const std::string near = near_name(token.name, names);
   tokens_.error(token, "unknown command \\" + std::string(token.name),
                 near.empty() ? "" : "did you mean \\" + near + "?");

@@ -188,6 +188,13 @@ TEST(MathMacros, StandForTheirBodies) {
   EXPECT_TRUE(same_math(tree("\\w{}", {{"w", {1, "a#1"}}}), tree("a")));
 }
 
+TEST(MathMacros, MayBeLongerThanTheFormula) {
+  const std::string body(3000, 'x');
+  const MathNode made = tree("\\long & \\long", {{"long", {0, body}}});
+  EXPECT_EQ(made.kind, Kind::grid);
+  EXPECT_EQ(made.span, (SourceSpan{0, 13}));
+}
+
 TEST(MathMacros, AreBounded) {
   EXPECT_THAT(complaints("a\\f", {{"f", {0, "x\\g"}}, {"g", {0, "\\f"}}}),
               ElementsAre("1: macro \\f calls itself"));
