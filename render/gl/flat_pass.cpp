@@ -24,13 +24,15 @@ constexpr int kPointsOnGlass = 400;
 constexpr Color kPanel = color_from_hex(0xFFFFFF, 0.84F);
 constexpr Color kNoColor{0, 0, 0, 0};
 
-/// Inks are made for light backdrops; on a dark one (told by the halo) they are lightened.
+/// Inks are made for light backdrops; on a dark one (told by the halo) they are lightened: greys nearly to
+/// white, the others so far that they keep their hue.
 Color readable(const Color& ink, const Color& halo) {
   const float brightness = 0.3F * halo.r + 0.6F * halo.g + 0.1F * halo.b;
   if (brightness > 0.5F) return ink;
-  constexpr float kLighter = 0.55F;
-  return {std::lerp(ink.r, 1.0F, kLighter), std::lerp(ink.g, 1.0F, kLighter),
-          std::lerp(ink.b, 1.0F, kLighter), ink.a};
+  const float chroma = std::max({ink.r, ink.g, ink.b}) - std::min({ink.r, ink.g, ink.b});
+  const float lighter = std::lerp(0.85F, 0.55F, std::min(1.0F, chroma / 0.3F));
+  return {std::lerp(ink.r, 1.0F, lighter), std::lerp(ink.g, 1.0F, lighter), std::lerp(ink.b, 1.0F, lighter),
+          ink.a};
 }
 
 std::array<float, 4> floats(const Color& c) { return {c.r, c.g, c.b, c.a}; }
