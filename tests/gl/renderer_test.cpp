@@ -270,6 +270,25 @@ TEST(Labels, LeaveArrowsFree) {
   }
 }
 
+TEST(Labels, CaptionsStandOutOnAnyBackdrop) {
+  Drawn drawn;
+  Scene scene = top_scene({});
+  scene.caption = "HHHHHH";
+  for (const char* background : {"#1F2328", "#FBFAF6", "studio", "white"}) {
+    const Image image = drawn.draw(scene, {640, 360}, background);
+    int least = 255, most = 0;
+    for (int y = 320; y < 360; ++y)
+      for (int x = 280; x < 360; ++x) {
+        least = std::min<int>(least, image.pixel(x, y)[1]);
+        most = std::max<int>(most, image.pixel(x, y)[1]);
+      }
+    // 7:1 (WCAG 2.1 §1.4.6) against paper, with luminance 0.95, is (0.95 + 0.05) / 7 − 0.05: sRGB level 86.
+    // And against #1F2328, with luminance 0.017: level 173.
+    EXPECT_LT(least, 86) << background;
+    EXPECT_GT(most, 173) << background;
+  }
+}
+
 TEST(Background, IsReadFromItsName) {
   EXPECT_EQ(background_from("#ff8000")->color, (Color{1.0F, 128.0F / 255.0F, 0.0F, 1.0F}));
   for (const char* text : {"", "black", "#12345", "#1234567", "#12345g", "#-12345", "studio "})
