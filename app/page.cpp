@@ -73,13 +73,23 @@ Grid grid_of(const PageRequest& request, std::size_t meters) {
   return w > 1.05 * h ? side_by_side(w, h, meters) : one_above_the_other(w, h, meters);
 }
 
-/// The equation the accent bar stands beside: of the present step the first with a number, else its first.
+/// Whether a claim says of an equation that it is wrong, or does not follow.
+bool is_refuted(const Step& step, const Equation& equation) {
+  return std::any_of(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
+    const auto* claim = std::get_if<Claim>(&block);
+    return claim && claim->equation == equation.id &&
+           (claim->kind == ClaimKind::is_false || claim->kind == ClaimKind::non_sequitur);
+  });
+}
+
+/// The equation the accent bar stands beside: of the present step the first with a number, else its first that
+/// holds.
 const Equation* focus_of(const Step& step) {
   const Equation* focus = nullptr;
   for (const Block& block : step.blocks)
     if (const auto* equation = std::get_if<Equation>(&block)) {
       if (!equation->tag.empty()) return equation;
-      if (!focus) focus = equation;
+      if (!focus && !is_refuted(step, *equation)) focus = equation;
     }
   return focus;
 }

@@ -15,6 +15,43 @@ std::string sentence(std::string text) {
   return text;
 }
 
+bool same_letters(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// Prose often names a quantity before its symbol: "the angular velocity" and "angular velocity" are one. The
+/// symbol's words without those that the text ends with.
+std::string_view unsaid_part(std::string_view text, std::string_view symbol) {
+  constexpr std::size_t kShortest = 3;  // "S" may well follow "S"
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  for (std::size_t end = symbol.size(); end >= kShortest; end = symbol.rfind(' ', end - 1)) {
+    if (end == std::string_view::npos) break;
+    const std::string_view begin = symbol.substr(0, end);
+    if (begin.size() > text.size()) continue;
+    const std::string_view tail = text.substr(text.size() - begin.size());
+    const bool whole_words = tail.size() == text.size() || text[text.size() - tail.size() - 1] == ' ';
+    if (whole_words && same_letters(tail, begin)) return symbol.substr(std::min(end + 1, symbol.size()));
+  }
+  return symbol;
+}
+
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+
+/// At the start of a sentence a word, which a single letter is not, has a capital.
+void add_symbol(std::string& text, std::string_view words) {
+  const std::string_view rest = unsaid_part(text, words);
+  if (rest.empty() && text.ends_with(' ')) text.pop_back();
+  const bool is_word = rest.size() > 1 && is_lower(rest[0]) && is_lower(rest[1]);
+  const bool begins = text.empty() || text.ends_with(". ");
+  text += rest;
+  if (is_word && begins) {
+    char& first = text[text.size() - rest.size()];
+    first = static_cast<char>(first - 'a' + 'A');
+  }
+}
+
 void add(std::string& text, const std::string& more) {
   if (!text.empty() && !more.empty()) text += ' ';
   text += more;
@@ -40,7 +77,10 @@ std::string Speaker::words(const Math& math) const {
 std::string Speaker::words(const TextBlock& block) const {
   std::string text;
   for (const TextSpan& span : block.spans) {
-    text += span.kind == TextSpan::Kind::math ? words(span.math) : span.text;
+    if (span.kind == TextSpan::Kind::math)
+      add_symbol(text, words(span.math));
+    else
+      text += span.text;
     if (span.break_after) text += ' ';
   }
   return text;

@@ -171,7 +171,7 @@ ColumnPiece TextColumn::callout(const Callout& callout) const {
   const bool said = callout.kind == Callout::Kind::said;
   const double em = kCalloutSize * size_;
   const double width = width_ - std::round(kLabelIndent * size_);
-  ColumnPiece piece = piece_of(set(callout.text, style(em, colors().ink, width)), em, 0.5 * size_);
+  ColumnPiece piece = piece_of(set(callout.text, style(em, colors().ink, width)), em, kParagraphGap * size_);
   return labelled(said ? "As said" : "As meant", said ? colors().said : colors().meant, std::move(piece));
 }
 

@@ -51,6 +51,11 @@ RuleBox on_grid(const Rule& rule, const PlacedType& type) {
   if (type.moving || (rule.x0 != rule.x1 && rule.y0 != rule.y1)) return box;
   const int across = rule.y0 == rule.y1 ? 1 : 0;  // the axis along which it is thin
   std::tie(box.middle[across], box.half.y()) = snapped(box.middle[across], rule.thickness);
+  const int lengthwise = 1 - across;
+  const double begin = std::floor(std::min(from[lengthwise], to[lengthwise])),
+               end = std::ceil(std::max(from[lengthwise], to[lengthwise]));
+  box.middle[lengthwise] = 0.5 * (begin + end);
+  box.half.x() = 0.5 * (end - begin);
   return box;
 }
 

@@ -41,8 +41,9 @@ struct RuleBox {
   double coverage(const Vec2& p) const;
 };
 
-/// Horizontal and vertical rules of still type fill whole rows or columns of pixels, at least one, so that
-/// all of one thickness look alike.
+/// Horizontal and vertical rules of still type fill whole pixels: rows or columns as the thickness says, at
+/// least one, so that all of one thickness look alike; and all that they touch lengthwise, so that those that
+/// meet do.
 RuleBox on_grid(const Rule& rule, const PlacedType& type);
 
 /// Everything within the halo's radius of a type's ink, with a soft edge. The mask's origin lies in pixel

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 namespace polhode {
 namespace {
@@ -51,6 +52,8 @@ struct OpenFace {
   std::unique_ptr<FT_FaceRec_, FaceDeleter> outlines;
   std::unique_ptr<hb_font_t, FontDeleter> font;
   double units_per_em = 1000.0;
+  /// Of glyphs asked for: HarfBuzz walks a glyph's outline each time.
+  mutable std::unordered_map<std::uint32_t, GlyphBox> boxes;
 };
 
 /// Debian's folder, and the one of TeX Live from upstream.
@@ -162,10 +165,12 @@ double Fonts::advance(Face face, std::uint32_t glyph) const {
 
 GlyphBox Fonts::box(Face face, std::uint32_t glyph) const {
   const OpenFace& f = (*faces_)[face];
+  const auto [known, is_new] = f.boxes.try_emplace(glyph);
+  if (!is_new) return known->second;
   hb_glyph_extents_t e{};
   hb_font_get_glyph_extents(f.font.get(), glyph, &e);
-  return {e.x_bearing / f.units_per_em, (e.y_bearing + e.height) / f.units_per_em,
-          (e.x_bearing + e.width) / f.units_per_em, e.y_bearing / f.units_per_em};
+  return known->second = {e.x_bearing / f.units_per_em, (e.y_bearing + e.height) / f.units_per_em,
+                          (e.x_bearing + e.width) / f.units_per_em, e.y_bearing / f.units_per_em};
 }
 
 std::vector<ShapedGlyph> Fonts::shape(Face face, std::string_view utf8) const {

@@ -19,6 +19,7 @@ class MathFont {
       : font_(fonts.harfbuzz(Face::math)), em_(fonts.units_per_em(Face::math)) {
     for (std::size_t i = 0; i < constants_.size(); ++i)
       constants_[i] = hb_ot_math_get_constant(font_, static_cast<hb_ot_math_constant_t>(i)) / scale_of(i);
+    find_script_lookups();
   }
 
   double operator[](hb_ot_math_constant_t constant) const {
@@ -45,6 +46,7 @@ class MathFont {
   double em() const { return em_; }
 
  private:
+  void find_script_lookups();
   /// Percentages are the first two and the last one.
   double scale_of(std::size_t constant) const {
     return constant < 2 || constant == HB_OT_MATH_CONSTANT_RADICAL_DEGREE_BOTTOM_RAISE_PERCENT ? 100.0 : em_;
@@ -53,6 +55,8 @@ class MathFont {
   hb_font_t* font_;
   double em_;
   std::array<double, 56> constants_{};
+  std::array<unsigned, 8> script_lookups_{};
+  unsigned script_lookup_count_ = 0;
 };
 
 }  // namespace polhode

@@ -219,10 +219,11 @@ MathBox MathLayout::framed(const MathAtom& item) {
   const auto put = [&](double x0, double y0, double x1, double y1) {
     put_rule(x0, y0, x1, y1, thickness, item.paint, item.node->span);
   };
-  put(0, top + half, right, top + half);
-  put(0, bottom - half, right, bottom - half);
-  put(half, top + thickness, half, bottom - thickness);
-  put(right - half, top + thickness, right - half, bottom - thickness);
+  // Rules end at each other's middles, and meet on whatever pixels these are drawn.
+  put(half, top + half, right - half, top + half);
+  put(half, bottom - half, right - half, bottom - half);
+  put(half, top + half, half, bottom - half);
+  put(right - half, top + half, right - half, bottom - half);
   return {right, -top, bottom, 0, {}, {}};
 }
 

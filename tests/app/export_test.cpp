@@ -238,6 +238,21 @@ TEST(Export, AbsentOsmesaIsNamedWithItsPackage) {
   EXPECT_EQ(fallback.code, 0) << "auto did not turn to EGL: " << fallback.err;
 }
 
+TEST(Export, AMissingFontIsNamedWithItsPackage) {
+  const std::string setup =
+      "for f in $(find /usr/share -name \"texgyrepagella-math*\"); do mount --bind /dev/null \"$f\" || exit "
+      "99; done";
+  if (!can_mount(setup)) GTEST_SKIP() << "a font cannot be hidden here";
+  const ScratchFolder scratch;
+  for (const char* what : {"page", "equation"}) {
+    const ProgramRun run = polhode({"export", test_lesson("tiny.md"), "-o", scratch / what, "--what", what},
+                                   in_own_namespace(setup));
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.err, HasSubstr("fonts-texgyre-math"));
+    EXPECT_FALSE(fs::exists(scratch / what));
+  }
+}
+
 TEST(Export, WithoutAnyContextBothPackagesAreNamed) {
   const std::string setup = hide("libOSMesa.so.") + " && " + hide("libEGL.so.");
   if (!can_mount(setup)) GTEST_SKIP() << "libraries cannot be hidden here";

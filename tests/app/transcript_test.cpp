@@ -82,6 +82,26 @@ TEST(Speaker, SaysAPage) {
                              HasSubstr("Equation (7): "), HasSubstr("Choice 2: zero.")));
 }
 
+std::string spoken_prose(const std::string& prose) {
+  std::string text = kLesson;
+  text.replace(text.find("More words."), std::string("More words.").size(), prose);
+  LessonReading reading = read_lesson(text, "spoken.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  const Lesson& l = *reading.lesson;
+  return Speaker(l).words(std::get<Prose>(l.stages[1].steps[0].blocks[0]).text);
+}
+
+TEST(Speaker, SaysAQuantityAndItsSymbolOnce) {
+  EXPECT_EQ(spoken_prose("The angular velocity $\\vec\\omega$ is."), "The angular velocity is.");
+  EXPECT_EQ(spoken_prose("Angular velocity $\\vec\\omega$, too"), "Angular velocity, too");
+  EXPECT_EQ(spoken_prose("An angular $\\vec\\omega$ is."), "An angular velocity is.");
+  EXPECT_EQ(spoken_prose("Rectangular $\\vec\\omega$"), "Rectangular angular velocity");
+  EXPECT_EQ(spoken_prose("It. $\\vec\\omega$ is"), "It. Angular velocity is");
+  EXPECT_EQ(spoken_prose("e.g.\u00A0$\\vec\\omega$"), "e.g.\u00A0angular velocity");
+  EXPECT_EQ(spoken_prose("$e$ is"), "e is");
+  EXPECT_EQ(spoken_prose("In $S$ $S$ is"), "In S S is");
+}
+
 std::size_t widest(const std::string& text) {
   std::size_t most = 0, line = 0;
   for (char c : text) {

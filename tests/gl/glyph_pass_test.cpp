@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Type as the renderer draws it, against FreeType's own masks.
+#include "render/type/math.h"
 #include "tests/gl/drawn.h"
 
 #include <gtest/gtest.h>
@@ -226,6 +227,32 @@ TEST(GlyphPass, RulesAlongTheAxesFillWholePixels) {
       EXPECT_EQ(full_columns, rows) << thickness << " " << shift;
       EXPECT_NEAR(ink_of(flat), 80.0 * rows, 0.01 * rows) << "and no pixel in part";
       EXPECT_NEAR(ink_of(upright), 40.0 * rows, 0.01 * rows);
+    }
+}
+
+TEST(GlyphPass, AFrameIsClosedWhereverItStands) {
+  Drawn drawn;
+  const auto math = parse_math("\\boxed{x}").value();
+  for (double size : {14.0, 21.0, 23.0, 31.0})
+    for (double shift : {0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9}) {
+      MathStyle style;
+      style.size = size;
+      DisplayList frame = set_math(math, style, drawn.fonts()).value();
+      frame.glyphs.clear();
+      const Image image = drawn.draw(sheet_of({placed(frame, {40 + shift, 50 + shift})}));
+      int x0 = 120, x1 = 0, y0 = 80, y1 = 0;
+      for (int y = 0; y < 80; ++y)
+        for (int x = 0; x < 120; ++x)
+          if (image.pixel(x, y)[0] < 255)
+            x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+      for (int x = x0; x <= x1; ++x) {
+        ASSERT_EQ(image.pixel(x, y0)[0], 0) << size << " " << shift;
+        ASSERT_EQ(image.pixel(x, y1)[0], 0);
+      }
+      for (int y = y0; y <= y1; ++y) {
+        ASSERT_EQ(image.pixel(x0, y)[0], 0);
+        ASSERT_EQ(image.pixel(x1, y)[0], 0);
+      }
     }
 }
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "app/page_lint.h"
+
+#include "lessons/reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+
+/// The first step has a line, the second as many paragraphs as are asked for, from line 9 on.
+std::vector<Diagnostic> found_with(int paragraphs) {
+  std::string text =
+      "+++\nformat = 1\nid = \"long\"\ntitle = \"Long\"\n+++\n# A stage {one}\nShort.\n\n---\n\n";
+  for (int i = 0; i < paragraphs; ++i)
+    text +=
+        "Some words that fill a line of the column and then some more of the line below it, all in all "
+        "two.\n\n";
+  const LessonReading reading = read_lesson(text, "long.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  static const Fonts kFonts = Fonts::open().value();
+  return page_diagnostics(*reading.lesson, kFonts, "long.md");
+}
+
+TEST(PageLint, AStepThatFitsIsFine) { EXPECT_TRUE(found_with(4).empty()); }
+
+TEST(PageLint, ALongStepIsWarnedOfWhereItBegins) {
+  const auto found = found_with(17);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  EXPECT_EQ(found[0].file, "long.md");
+  EXPECT_EQ(found[0].place.line, 11);
+  EXPECT_THAT(found[0].message, HasSubstr("step 2 of stage \"one\" is long"));
+  EXPECT_THAT(found[0].hint, HasSubstr("---"));
+}
+
+TEST(PageLint, AStepThatNoPageHoldsIsAnError) {
+  const auto found = found_with(150);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::error);
+  EXPECT_EQ(found[0].place.line, 11);
+}
+
+}  // namespace
+}  // namespace polhode

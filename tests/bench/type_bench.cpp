@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What formulas cost: one core, nothing kept from one run to the next but the open fonts.
+#include "render/type/math.h"
+#include "tests/bench/table.h"
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace polhode::bench {
+namespace {
+
+std::vector<std::string> formulas_of_the_lecture() {
+  std::ifstream in(POLHODE_SOURCE_DIR "/tests/data/formulas/lecture.tsv");
+  std::vector<std::string> formulas;
+  for (std::string line; std::getline(in, line);) formulas.push_back(line.substr(line.find('\t') + 1));
+  return formulas;
+}
+
+std::size_t set_all(const std::vector<std::string>& formulas, const Fonts& fonts) {
+  MathStyle style;
+  style.size = 30.0;
+  style.display = true;
+  std::size_t glyphs = 0;
+  for (const std::string& tex : formulas) {
+    const auto math = parse_math(tex);
+    if (!math.ok()) continue;
+    const auto list = set_math(*math, style, fonts);
+    if (list.ok()) glyphs += list->glyphs.size();
+  }
+  return glyphs;
+}
+
+int run() {
+  const auto formulas = formulas_of_the_lecture();
+  std::vector<double> cold_ms, warm_ms;
+  std::size_t glyphs = 0;
+  constexpr int kRuns = 40;
+  for (int i = 0; i < kRuns; ++i) {
+    const auto fonts = Fonts::open();
+    if (!fonts.ok()) {
+      std::fprintf(stderr, "%s\n", fonts.error().c_str());
+      return 1;
+    }
+    cold_ms.push_back(1e3 * cpu_s([&] { glyphs = set_all(formulas, *fonts); }));
+    warm_ms.push_back(1e3 * cpu_s([&] { glyphs = set_all(formulas, *fonts); }));
+  }
+  const std::string what =
+      std::to_string(formulas.size()) + " formulas, " + std::to_string(glyphs) + " glyphs";
+  print_row_heading();
+  print({"formulas of the lecture, fonts just opened, ms", spread_of(cold_ms), at_most(5.0),
+         "read and set: " + what});
+  print({"the same again, ms", spread_of(warm_ms), {}, what});
+  return 0;
+}
+
+}  // namespace
+}  // namespace polhode::bench
+
+int main() { return polhode::bench::run(); }
