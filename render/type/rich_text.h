@@ -9,7 +9,8 @@
 
 namespace polhode {
 
-/// A stretch of text of one kind. Offsets count bytes of the Markdown it came from.
+/// A stretch of text of one kind. If `source` is as long as `text`, each byte of the one comes from that of
+/// the other; else the text is spelt otherwise there (`&amp;`), and all of it comes from all of that.
 struct TextSpan {
   enum class Kind { text, math } kind = Kind::text;
   std::string text;  ///< UTF-8; of a formula its TeX
@@ -17,7 +18,7 @@ struct TextSpan {
   bool bold = false, italic = false, code = false;
   std::string link;  ///< where it leads; empty: nowhere
   bool break_after = false;
-  SourceSpan source;
+  SourceSpan source;  ///< of a formula without its dollars
 };
 
 /// A paragraph, or an item of a list.

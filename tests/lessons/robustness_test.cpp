@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Thousands of damaged lessons: no crash, and every refusal says at least one place that exists (figure L1 in
 // small; the same under the sanitizers of the asan preset).
-#include "tests/fuzz/mutator.h"
+#include "tests/fuzz/mutate.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ const std::vector<std::string> kPieces = {"+++\n",       "---\n",
                                           ".",           "#",
                                           "0x",          "9223372036854775808"};
 
-using testing::Mutator;
+using fuzz::Mutator;
 
 void expect_sound(const std::string& text, const std::string& what) {
   const LessonReading reading = read_lesson(text, "lesson.md");
@@ -56,9 +56,8 @@ void expect_sound(const std::string& text, const std::string& what) {
 
 TEST(Robustness, DamagedLessonsAreReadOrRefusedWithAPlace) {
   const std::string sample = testing::example_lesson();
-  Mutator mutate(2024, kPieces);
-  for (int i = 0; i < testing::fuzz_count(kMutations); ++i)
-    expect_sound(mutate(sample), "mutation " + std::to_string(i));
+  Mutator mutated({sample}, kPieces, 2024);
+  for (int i = 0; i < kMutations; ++i) expect_sound(mutated.next(), "mutation " + std::to_string(i));
 }
 
 TEST(Robustness, EveryBeginningOfALessonIsReadOrRefused) {
@@ -68,11 +67,10 @@ TEST(Robustness, EveryBeginningOfALessonIsReadOrRefused) {
 }
 
 TEST(Robustness, DamagedBrokenLessonsToo) {
-  Mutator mutate(7, kPieces);
   for (const auto& path : testing::files_in(testing::source_dir() / "tests/data/lessons/invalid", ".md")) {
-    const std::string text = testing::read_file(path);
+    Mutator mutated({testing::read_file(path)}, kPieces, 7);
     for (int i = 0; i < 20; ++i)
-      expect_sound(mutate(text), path.filename().string() + ' ' + std::to_string(i));
+      expect_sound(mutated.next(), path.filename().string() + ' ' + std::to_string(i));
   }
 }
 
