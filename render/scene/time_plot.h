@@ -38,7 +38,8 @@ struct TimePlotStyle {
   float lighter = 0;  ///< how far the colours of curves go towards white, on dark paper
 };
 
-/// In `box`; text needs at least 12 sizes of type by 7. Values that are not finite leave gaps. Pure.
+/// In `box`; where that is smaller than 18 sizes of type by 7.5, the type is smaller. Values that are not
+/// finite leave gaps. Pure.
 Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts);
 
 }  // namespace polhode
