@@ -13,8 +13,9 @@ namespace polhode {
 namespace {
 
 // Lengths in sizes of type.
-constexpr double kTitleRoom = 2.1, kTimeRoom = 1.7;  // above and below the axes
-constexpr double kTitleGap = 0.6;                    // between title and unit
+constexpr double kTitleRoom = 2.1, kTimeRoom = 1.7;       // above and below the axes
+constexpr double kLeastWidth = 18.0, kLeastHeight = 7.5;  // of a plot
+constexpr double kTitleGap = 0.6;                         // between title and unit
 constexpr double kMarkGap = 0.45, kNameGap = 0.55, kTick = 0.22, kUnitGap = 0.35;
 constexpr double kLeastMarkRoom = 2.3;  // so that plots above each other mostly
 constexpr double kLeastNameRoom = 2.0;  // begin and end at the same places
@@ -89,6 +90,13 @@ class ValueAxis {
   std::vector<Tick> ticks_;
 };
 
+/// With type small enough for the box.
+TimePlotStyle fitting(const TimePlotStyle& style, const PixelBox& box) {
+  TimePlotStyle fitted = style;
+  fitted.type_size = std::min({style.type_size, box.width() / kLeastWidth, box.height() / kLeastHeight});
+  return fitted;
+}
+
 /// A stretch of a curve without gaps.
 using Stretch = std::vector<Vec2>;
 
@@ -98,7 +106,7 @@ class TimePlotLayout {
   TimePlotLayout(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts)
       : plot_(plot),
         box_(box),
-        style_(style),
+        style_(fitting(style, box)),
         fonts_(fonts),
         axis_(plot, box.y1 - px(kTimeRoom), box.y0 + px(kTitleRoom), intervals()) {
     place_axes();
@@ -291,7 +299,7 @@ class TimePlotLayout {
 
   const TimePlot& plot_;
   PixelBox box_;
-  const TimePlotStyle& style_;
+  TimePlotStyle style_;
   const Fonts& fonts_;
   ValueAxis axis_;
   LinearAxis time_;

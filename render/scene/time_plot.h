@@ -37,7 +37,8 @@ struct TimePlotStyle {
   Color ink = kInk, muted = kAxesRole.ink, grid = color_from_hex(0xE3DED2), paper = color_from_hex(0xFBFAF6);
 };
 
-/// In `box`; text needs at least 12 sizes of type by 7. Values that are not finite leave gaps. Pure.
+/// In `box`; where that is smaller than 18 sizes of type by 7.5, the type is smaller. Values that are not
+/// finite leave gaps. Pure.
 Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts);
 
 }  // namespace polhode

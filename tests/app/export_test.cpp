@@ -321,6 +321,17 @@ TEST(ExportPages, HaveAThemeAndRepeatToTheByte) {
   EXPECT_LT(png->image.rgba[0], 0x40) << "not dark";
 }
 
+TEST(ExportPages, FramesDoNotDependOnTheRangeTheyAreMadeIn) {
+  const ScratchFolder scratch;
+  Words film = {"--size", "320x240", "--stage", "rolling", "--each", "frame", "--fps", "2", "--seconds", "2"};
+  ASSERT_EQ(export_what("page", scratch / "whole", film).code, 0);
+  film.insert(film.end(), {"--frames", "2:3"});
+  ASSERT_EQ(export_what("page", scratch / "part", film).code, 0);
+  const std::string name = "03-rolling-frame2.png";
+  EXPECT_EQ(text_of(scratch / "part" / name), text_of(scratch / "whole" / name));
+  EXPECT_NE(text_of(scratch / "whole/03-rolling-frame1.png"), text_of(scratch / "whole" / name));
+}
+
 TEST(ExportEquations, AreCroppedToTheirInk) {
   const ScratchFolder scratch;
   ASSERT_EQ(export_what("equation", scratch.path(), {"--background", "transparent"}).code, 0);

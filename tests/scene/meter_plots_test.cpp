@@ -67,16 +67,18 @@ TEST(MeterPlots, DriftIsFromTheStart) {
 TEST(MeterPlots, AFreeMotionInClosedFormDriftsByRoundingAlone) {
   Scene scene;
   scene.w0_B = {0.5, 2, 1};
-  for (const TimeSeries& series : meter_plots(page_of(scene, {Meter::drift}), 1).front().series)
-    EXPECT_LT(largest(series.y), 64 * kEpsilon) << series.label;
+  const TimePlot plot = meter_plots(page_of(scene, {Meter::drift}), 1).front();
+  ASSERT_EQ(plot.series.size(), 3u);
+  for (const TimeSeries& series : plot.series) EXPECT_LT(largest(series.y), 64 * kEpsilon) << series.label;
 }
 
 TEST(MeterPlots, AnIntegratorDriftsByMore) {
   Scene scene;
   scene.w0_B = {0.5, 2, 1};
   scene.motion = {.method = Method::explicit_euler, .step_s = 0.01};
-  for (const TimeSeries& series : meter_plots(page_of(scene, {Meter::drift}), 1).front().series)
-    EXPECT_GT(largest(series.y), 1e-4) << series.label;
+  const TimePlot plot = meter_plots(page_of(scene, {Meter::drift}), 1).front();
+  ASSERT_EQ(plot.series.size(), 3u);
+  for (const TimeSeries& series : plot.series) EXPECT_GT(largest(series.y), 1e-4) << series.label;
 }
 
 TEST(MeterPlots, TheWindowHoldsTheMarkedTimeAndStandsStillWithinIt) {

@@ -177,7 +177,8 @@ TEST(TimePlot, DrawsTheExtremes) {
 
 TEST(TimePlot, KeepsTidyWhenSmallAndWhenLarge) {
   TimePlot plot = plot_of({ramp(0, 3), ramp(1, -1), ramp(1, -1)});
-  for (const auto& [width, height] : {std::pair{180.0, 105.0}, {240.0, 120.0}, {900.0, 600.0}}) {
+  for (const auto& [width, height] :
+       {std::pair{120.0, 30.0}, {60.0, 200.0}, {240.0, 120.0}, {900.0, 600.0}}) {
     const PixelBox box{10, 20, 10 + width, 20 + height};
     expect_tidy(sheet_of(plot, box), box);
   }
