@@ -181,7 +181,7 @@ MathNode MathParser::cells(MathGrid grid, const Token& at) {
       const bool too_many = grid.kind == MathGrid::Kind::array && rows.back().size() >= grid.places.size();
       if (too_many && !grid.places.empty())
         tokens_.error(separator,
-                      "more cells than the " + std::to_string(grid.places.size()) + " columns of the array");
+                      "more cells than columns of the array, " + std::to_string(grid.places.size()));
       continue;
     }
     grid.skips.resize(rows.size(), 0.0);
@@ -193,7 +193,8 @@ MathNode MathParser::cells(MathGrid grid, const Token& at) {
 }
 
 void MathParser::lines_above(MathGrid& grid, int at_row) {
-  while (tokens_.peek().is_command("hline")) {
+  const bool inside = open_.back().kind == Open::Kind::environment;
+  while (inside && tokens_.peek().is_command("hline")) {
     tokens_.next();
     grid.rows_with_line.push_back(at_row);
   }

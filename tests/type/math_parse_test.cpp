@@ -6,7 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 namespace polhode {
 namespace {
@@ -102,6 +106,46 @@ TEST(ParseMath, NamesTheNearestCommand) {
   EXPECT_THAT(complaints("\\begin{pmatix} a \\end{pmatix}"),
               ElementsAre("0: unknown environment pmatix (did you mean pmatrix?)"));
   EXPECT_THAT(complaints("\\textcolor{bleu}{x}"), ElementsAre("0: unknown color bleu (did you mean blue?)"));
+}
+
+/// Each line: TeX, offset of the first error, its message, its hint.
+TEST(ParseMath, RefusesWrongFormulasWhereTheyAreWrong) {
+  std::ifstream in(POLHODE_SOURCE_DIR "/tests/data/formulas/wrong.tsv");
+  int count = 0;
+  for (std::string line; std::getline(in, line); ++count) {
+    std::array<std::string, 4> fields;
+    std::istringstream cells(line);
+    for (std::string& field : fields) std::getline(cells, field, '\t');
+    const auto math = parse_math(fields[0]);
+    ASSERT_FALSE(math.ok()) << line;
+    const auto& errors = math.error();
+    const auto found = std::find_if(errors.begin(), errors.end(),
+                                    [&](const TypeError& e) { return e.message == fields[2]; });
+    ASSERT_NE(found, errors.end()) << line << ": " << errors.front().message;
+    EXPECT_EQ(std::to_string(found->offset), fields[1]) << line;
+    EXPECT_EQ(found->hint, fields[3]) << line;
+  }
+  EXPECT_GE(count, 30);
+}
+
+/// Two letters of each command's name change places.
+TEST(ParseMath, KnowsCommandsThatAreMisspelt) {
+  int misspelt = 0, meant = 0;
+  for (const std::string_view name : math_command_names()) {
+    if (name.size() < 5) continue;
+    std::string wrong(name);
+    std::swap(wrong[2], wrong[3]);
+    if (math_command(wrong) != nullptr) continue;
+    const auto math = parse_math("x + \\" + wrong + " y");
+    ASSERT_FALSE(math.ok()) << wrong;
+    EXPECT_EQ(math.error().front().offset, 4U);
+    EXPECT_FALSE(math.error().front().hint.empty()) << wrong;
+    ++misspelt;
+    meant += math.error().front().hint == "did you mean \\" + std::string(name) + "?" ? 1 : 0;
+  }
+  EXPECT_GE(misspelt, 200);
+  // Others, as \mathrm and \mathsf, are as near to each other as to what was written.
+  EXPECT_GE(meant, misspelt * 95 / 100);
 }
 
 TEST(ParseMath, SaysWhatACommandLacks) {
