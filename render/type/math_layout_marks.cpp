@@ -188,10 +188,12 @@ MathBox MathLayout::cancel(const MathAtom& item) {
   const MathNode& node = *item.node;
   const double s = size(item.style);
   const MathBox box = with_italic(nucleus(node.children[0], item.style, item.paint));
-  constexpr double kBeyond = 0.06;
-  const double left = -kBeyond * s, right = box.width + kBeyond * s;
-  const double top = -(box.height + kBeyond * s), bottom = box.depth + kBeyond * s;
-  const double thickness = 0.75 * rule_thickness(item.style);
+  // Through one letter it is flatter than the diagonal, which would lie along the slanted stem.
+  const bool narrow = box.width < box.height + box.depth;
+  const double beside = (narrow ? 0.1 : 0.06) * s, beyond = (narrow ? -0.06 : 0.04) * s;
+  const double left = -beside, right = box.width + beside;
+  const double top = -(box.height + beyond), bottom = box.depth + beyond;
+  const double thickness = 0.7 * rule_thickness(item.style);
   const auto stroke = [&](double y0, double y1) {
     put_rule(left, y0, right, y1, thickness, item.paint, node.span);
   };

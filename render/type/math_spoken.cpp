@@ -214,6 +214,7 @@ class Speaker {
         atoms(n.children);
         return word(n.character == U'-' ? "bar" : "underlined");
       case Kind::space:
+        return pause(n.amount);
       case Kind::style:
       case Kind::phantom:
       case Kind::nothing:
@@ -221,6 +222,14 @@ class Speaker {
       default:
         return atoms(n.children);
     }
+  }
+
+  /// A wide space parts what is said, unless a sign has done so.
+  void pause(double em) {
+    constexpr double kWide = 0.99;
+    const bool parted =
+        text_.empty() || std::string_view(",;:.").find(text_.back()) != std::string_view::npos;
+    if (em >= kWide && !parted) word(",");
   }
 
   void aside(std::string_view what, const MathNode& n) {

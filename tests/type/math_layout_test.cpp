@@ -399,6 +399,7 @@ TEST(SpokenMath, IsWhatAReaderWouldSay) {
   EXPECT_EQ(said("\\sum_{i=1}^n a_i"), "the sum from i equals 1 to n of a sub i");
   EXPECT_EQ(said("\\sqrt{x}"), "the square root of x");
   EXPECT_EQ(said("\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}"), "the matrix with rows 1, 2; 3, 4");
+  EXPECT_EQ(said("a_i \\qquad (i = 1, 2)"), "a sub i, open parenthesis i equals 1, 2 close parenthesis");
   EXPECT_EQ(said("\\text{tempting:}\\quad a = 0"), "tempting: a equals 0");
 }
 
