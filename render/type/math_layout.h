@@ -156,9 +156,15 @@ class MathLayout {
   struct Gaps {
     hb_ot_math_constant_t above, above_baseline, below, below_baseline;
   };
-  /// The base is what was made since `begin`.
-  MathBox above_and_below(const MathAtom& item, MathMark begin, const MathBox& base, const MathNode& above,
-                          const MathNode& below, double lean, const Gaps& gaps);
+  /// What stands above and below a base: set, but not yet in its place.
+  struct Labels {
+    MathMark begin, above_begin, end;  // the lower one comes first
+    std::optional<MathBox> above, below;
+  };
+  Labels set_labels(const MathAtom& item, const MathNode& above, const MathNode& below);
+  /// The base is what was made since `begin` and is no label.
+  MathBox above_and_below(const MathAtom& item, MathMark begin, const MathBox& base, const Labels& labels,
+                          double lean, const Gaps& gaps);
 
   // --- fractions and radicals ---------------------------------------------------------------------------
   /// Rule 15.

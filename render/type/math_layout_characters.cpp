@@ -218,40 +218,47 @@ MathBox MathLayout::limits(const MathAtom& item) {
   const bool leans = base.glyph.has_value() && node.children[0].atom == MathClass::large;
   const double lean = leans ? font_.italic_correction(*base.glyph) * size(style) : 0.0;
   return above_and_below(
-      item, begin, base, node.children[2], node.children[1], lean,
+      item, begin, base, set_labels(item, node.children[2], node.children[1]), lean,
       {HB_OT_MATH_CONSTANT_UPPER_LIMIT_GAP_MIN, HB_OT_MATH_CONSTANT_UPPER_LIMIT_BASELINE_RISE_MIN,
        HB_OT_MATH_CONSTANT_LOWER_LIMIT_GAP_MIN, HB_OT_MATH_CONSTANT_LOWER_LIMIT_BASELINE_DROP_MIN});
 }
 
+MathLayout::Labels MathLayout::set_labels(const MathAtom& item, const MathNode& above,
+                                          const MathNode& below) {
+  Labels labels;
+  labels.begin = mark();
+  if (!below.absent()) labels.below = row(below, subscript(item.style), item.paint);
+  labels.above_begin = mark();
+  if (!above.absent()) labels.above = row(above, superscript(item.style), item.paint);
+  labels.end = mark();
+  return labels;
+}
+
 MathBox MathLayout::above_and_below(const MathAtom& item, MathMark begin, const MathBox& base,
-                                    const MathNode& above, const MathNode& below, double lean,
-                                    const Gaps& gaps) {
+                                    const Labels& labels, double lean, const Gaps& gaps) {
   const MathTextStyle style = item.style;
-  const MathMark below_begin = mark();
-  const MathBox bottom = below.absent() ? MathBox{} : row(below, subscript(style), item.paint);
-  const MathMark above_begin = mark();
-  const MathBox top = above.absent() ? MathBox{} : row(above, superscript(style), item.paint);
-  const MathMark end = mark();
+  const bool has_above = labels.above.has_value(), has_below = labels.below.has_value();
+  const MathBox top = labels.above.value_or(MathBox{}), bottom = labels.below.value_or(MathBox{});
 
   // Everything stands about one middle; what sticks out to the left moves all to the right.
   const double middle = 0.5 * base.width;
   const double top_x = middle + 0.5 * lean - 0.5 * top.width;
   const double bottom_x = middle - 0.5 * lean - 0.5 * bottom.width;
-  const double left = std::min({0.0, above.absent() ? 0.0 : top_x, below.absent() ? 0.0 : bottom_x});
+  const double left = std::min({0.0, has_above ? top_x : 0.0, has_below ? bottom_x : 0.0});
   MathBox all = base;
   all.glyph.reset();
   all.attachment.reset();
   all.italic = 0.0;
-  if (!above.absent()) {
+  if (has_above) {
     const double rise = std::max(measure(gaps.above, style) + top.depth, measure(gaps.above_baseline, style));
-    shift(above_begin, end, top_x, -(base.height + rise));
+    shift(labels.above_begin, labels.end, top_x, -(base.height + rise));
     all.height = base.height + rise + top.height;
     all.width = std::max(all.width, top_x + top.width);
   }
-  if (!below.absent()) {
+  if (has_below) {
     const double drop =
         std::max(measure(gaps.below, style) + bottom.height, measure(gaps.below_baseline, style));
-    shift(below_begin, above_begin, bottom_x, base.depth + drop);
+    shift(labels.begin, labels.above_begin, bottom_x, base.depth + drop);
     all.depth = base.depth + drop + bottom.depth;
     all.width = std::max(all.width, bottom_x + bottom.width);
   }

@@ -145,7 +145,7 @@ MathBox MathLayout::stacked(const MathAtom& item) {
   const MathMark begin = mark();
   const MathBox base = with_italic(nucleus(node.children[0], item.style, item.paint));
   return above_and_below(
-      item, begin, base, node.children[1], node.children[2], 0.0,
+      item, begin, base, set_labels(item, node.children[1], node.children[2]), 0.0,
       {HB_OT_MATH_CONSTANT_UPPER_LIMIT_GAP_MIN, HB_OT_MATH_CONSTANT_UPPER_LIMIT_BASELINE_RISE_MIN,
        HB_OT_MATH_CONSTANT_LOWER_LIMIT_GAP_MIN, HB_OT_MATH_CONSTANT_LOWER_LIMIT_BASELINE_DROP_MIN});
 }
@@ -160,26 +160,28 @@ MathBox MathLayout::arrow(const MathAtom& item) {
   const MathNode& node = *item.node;
   const MathTextStyle style = item.style;
   const double s = size(style);
-  const MathMark begin = mark();
-  const double above = row(node.children[0], superscript(style), item.paint).width;
-  const double below =
-      node.children[1].absent() ? 0.0 : row(node.children[1], subscript(style), item.paint).width;
-  out_.glyphs.resize(begin.glyphs);
-  out_.rules.resize(begin.rules);
+  Labels labels = set_labels(item, node.children[0], node.children[1]);
   const auto glyph = fonts_.glyph(Face::math, node.character);
   if (!glyph) {
     fail(node.span, node.character);
     return {};
   }
   constexpr double kAround = 0.6, kLeast = 1.2, kSide = 0.08;
-  const double wanted = std::max({above + kAround * s, below + kAround * s, kLeast * s});
+  const double widest =
+      std::max(labels.above ? labels.above->width : 0.0, labels.below ? labels.below->width : 0.0);
+  const double wanted = std::max(widest + kAround * s, kLeast * s);
   const MathMark arrow_begin = mark();
   MathBox made =
       put_horizontal(stretched(font_, *glyph, Stretch::horizontal, wanted / s), style, item.paint, node.span);
   shift(arrow_begin, kSide * s, 0.0);
   made.width += 2.0 * kSide * s;
+  // The arrow is read before its labels.
+  const MathMark begin = labels.begin;
+  const std::size_t added = mark().glyphs - arrow_begin.glyphs;
+  read_first(begin, arrow_begin);
+  for (MathMark* at : {&labels.begin, &labels.above_begin, &labels.end}) at->glyphs += added;
   return above_and_below(
-      item, arrow_begin, made, node.children[0], node.children[1], 0.0,
+      item, begin, made, labels, 0.0,
       {HB_OT_MATH_CONSTANT_STRETCH_STACK_GAP_ABOVE_MIN, HB_OT_MATH_CONSTANT_STRETCH_STACK_TOP_SHIFT_UP,
        HB_OT_MATH_CONSTANT_STRETCH_STACK_GAP_BELOW_MIN, HB_OT_MATH_CONSTANT_STRETCH_STACK_GAP_BELOW_MIN});
 }

@@ -353,6 +353,27 @@ TEST(MathLayout, TallDelimitersArePutTogether) {
   }
 }
 
+TEST(MathLayout, NestedLabelsAreSetOnce) {
+  for (const std::string piece :
+       {"\\xrightarrow[a]{", "\\overset{a}{", "\\underbrace{", "\\hat{", "\\sqrt{", "\\left(", "\\frac{a}{",
+        "\\mathbf{", "\\term{t}{", "x^{", "\\phantom{", "\\cancel{"}) {
+    std::string tex;
+    for (int i = 0; i < 60; ++i) tex += piece;
+    tex += "x";
+    for (int i = 0; i < 60; ++i) tex += piece == "\\left(" ? "\\right)" : "}";
+    // Arrows have parts for each em of their labels; twice the labels for each level would never end.
+    EXPECT_LE(set(tex).glyphs.size(), 60U * 60U * 4U) << piece;
+  }
+}
+
+TEST(MathLayout, LabelledArrowsAreReadBeforeTheirLabels) {
+  const std::string tex = "A\\xrightarrow[b]{c}D";
+  std::string read;
+  for (const Glyph& g : set(tex).glyphs)
+    if (read.empty() || read.back() != tex[g.source.begin]) read += tex[g.source.begin];
+  EXPECT_EQ(read, "A\\bcD");
+}
+
 TEST(MathLayout, SaysWhichCharacterTheFontsLack) {
   const auto list = set_math(parsed("x + 漢"), display(), fonts());
   ASSERT_FALSE(list.ok());
