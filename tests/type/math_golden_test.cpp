@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace polhode {
@@ -95,6 +96,29 @@ TEST_P(MathGolden, ListsAreTheStoredOnes) {
     EXPECT_EQ(stored, line);
   }
   EXPECT_FALSE(std::getline(in, stored)) << stored;
+}
+
+/// lecture.tsv holds each ```math block of the lesson, its white space as single spaces.
+TEST(FormulasOfTheLecture, AreThoseOfTheLesson) {
+  std::map<std::string, std::string> stored;
+  for (const auto& [name, tex] : testing::named_formulas("lecture")) stored[name] = tex;
+  std::ifstream in(POLHODE_SOURCE_DIR "/lessons/euler-equations.md");
+  std::string name, tex;
+  int blocks = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("```math ")) {
+      name = line.substr(8);
+      tex.clear();
+    } else if (line == "```" && !name.empty()) {
+      EXPECT_EQ(stored[name], tex) << name;
+      name.clear();
+      ++blocks;
+    } else if (!name.empty()) {
+      std::istringstream words(line);
+      for (std::string word; words >> word;) tex += (tex.empty() ? "" : " ") + word;
+    }
+  }
+  EXPECT_GE(blocks, 90);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formulas, MathGolden, ::testing::Values("lecture", "corpus"));
