@@ -43,7 +43,7 @@ PixelRect rounded(double x0, double y0, double x1, double y1) {
 Grid side_by_side(double w, double h, std::size_t meters) {
   const double em = std::min(w / (1600.0 / 23.25), h / 36.0);
   const double split = std::round((kMargin + kMeasure + kGutter) * em);
-  const double below = meters == 0 ? 0.0 : std::max(meters > 3 ? 0.48 * h : 0.30 * h, 0.0);
+  const double below = meters == 0 ? 0.0 : meters > 3 ? 0.48 * h : 0.30 * h;
   return {em,
           {kMargin * em, kTop * em, (kMargin + kMeasure) * em, h - kBottom * em},
           rounded(split, 0, w, h - below),
@@ -53,7 +53,8 @@ Grid side_by_side(double w, double h, std::size_t meters) {
 /// The figure on top, meters below it, then the text.
 Grid one_above_the_other(double w, double h, std::size_t meters) {
   const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0);
-  const double figure = 0.34 * h, below = meters == 0 ? figure : figure + 0.14 * h;
+  const double rows = meters == 0 ? 0.0 : meters > 3 ? 2.0 : 1.0;
+  const double figure = (rows > 1.0 ? 0.27 : 0.34) * h, below = figure + 0.14 * rows * h;
   const double left = 0.5 * (w - kMeasure * em);
   return {em,
           {left, below + 1.6 * em, left + kMeasure * em, h - kBottom * em},
@@ -171,7 +172,9 @@ class PageText {
     for (const Block& block : step.blocks) {
       if (const auto* equation = std::get_if<Equation>(&block)) {
         pieces.whole.push_back(column.equation(*equation, equation == focus, marked));
-        if (!is_present) pieces.equations.push_back(column.earlier_equation(*equation));
+        // Without the words that refute it, what is wrong would stand there as if it were right.
+        if (!is_present && !is_refuted(step, *equation))
+          pieces.equations.push_back(column.earlier_equation(*equation));
       }
       if (const auto* prose = std::get_if<Prose>(&block)) pieces.whole.push_back(column.prose(prose->text));
       if (const auto* callout = std::get_if<Callout>(&block))
