@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace polhode {
 namespace {
@@ -80,7 +79,7 @@ class ShapeBuilder {
   void add_vertex(const Vec2& p, const Color& c, float coverage) {
     const float a = c.a * coverage;
     made.vertices.push_back(
-        {{static_cast<float>(p.x()), static_cast<float>(p.y())}, {c.r * a, c.g * a, c.b * a, a}});
+        {{static_cast<float>(p.x()), static_cast<float>(p.y())}, {c.r * a, c.g * a, c.b * a, a}, kNoPiece});
   }
 
   /// Full colour within `inner`, which is seen whole from `center`, none outside `outer`.
@@ -102,24 +101,21 @@ class ShapeBuilder {
 
   /// A straight piece with round ends.
   void add_piece(const Vec2& from, const Vec2& to, const Stroke& stroke) {
-    const double radius = 0.5 * stroke.width;
-    add_fringed(0.5 * (from + to), capsule(from, to, radius - kHalfFringe, radius),
-                capsule(from, to, radius + kHalfFringe, radius), stroke.color);
-  }
-
-  /// Outline at a distance from the piece; `radius` decides how many corners it has.
-  static std::vector<Vec2> capsule(const Vec2& from, const Vec2& to, double distance, double radius) {
-    const Vec2 way = to - from;
-    const double angle = way.norm() > 0.0 ? std::atan2(way.y(), way.x()) : 0.0;
-    const int pieces = std::max(6, static_cast<int>(std::ceil(2.0 * radius)));
-    std::vector<Vec2> outline;
-    for (int end = 0; end < 2; ++end)
-      for (int k = 0; k <= pieces; ++k) {
-        const double a =
-            angle + std::numbers::pi * ((end == 0 ? -0.5 : 0.5) + static_cast<double>(k) / pieces);
-        outline.push_back((end == 0 ? to : from) + distance * Vec2(std::cos(a), std::sin(a)));
-      }
-    return outline;
+    const Vec2 middle = 0.5 * (from + to), way = to - from;
+    const double half = 0.5 * way.norm(), radius = 0.5 * stroke.width;
+    const Vec2 along = half > 0.0 ? Vec2(way / (2.0 * half)) : Vec2(1.0, 0.0), across(-along.y(), along.x());
+    const double reach = radius + kHalfFringe;
+    const Color& c = stroke.color;
+    const auto first = static_cast<std::uint32_t>(made.vertices.size());
+    for (int k = 0; k < 4; ++k) {
+      const double x = (k & 1 ? 1.0 : -1.0) * (half + reach), y = (k & 2 ? 1.0 : -1.0) * reach;
+      const Vec2 p = middle + x * along + y * across;
+      made.vertices.push_back({{static_cast<float>(p.x()), static_cast<float>(p.y())},
+                               {c.r * c.a, c.g * c.a, c.b * c.a, c.a},
+                               {static_cast<float>(x), static_cast<float>(y), static_cast<float>(half),
+                                static_cast<float>(radius)}});
+    }
+    for (std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) made.indices.push_back(first + k);
   }
 
   void add_dashes(const Stroke& stroke) {

@@ -19,7 +19,7 @@ class SheetPass {
   void draw(const std::vector<FlatShape>& shapes, Size size);
 
  private:
-  SheetPass(const Gl& gl, Program program) : program_(std::move(program)), stream_(gl, {2, 4}) {}
+  SheetPass(const Gl& gl, Program program) : program_(std::move(program)), stream_(gl, {2, 4, 4}) {}
 
   Program program_;
   VertexStream stream_;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What formulas cost: one core, nothing kept from one run to the next but the open fonts.
 #include "render/type/math.h"
+#include "tests/bench/page_cost.h"
 #include "tests/bench/table.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -52,6 +54,10 @@ int run() {
   print({"formulas of the lecture, fonts just opened, ms", spread_of(cold_ms), at_most(5.0),
          "read and set: " + what});
   print({"the same again, ms", spread_of(warm_ms), {}, what});
+  const auto pages = page_costs_ms();
+  print({"a page less its figure, no glyph kept, ms", spread_of(pages), at_most(15.0),
+         std::to_string(pages.size()) + " pages of 1600x1000, laid out and drawn; the dearest " +
+             std::to_string(*std::max_element(pages.begin(), pages.end()))});
   return 0;
 }
 

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/page_cost.h"
+
+#include "app/lesson_lookup.h"
+#include "app/page.h"
+#include "tests/bench/timing.h"
+
+#include <stdexcept>
+
+namespace polhode::bench {
+namespace {
+
+constexpr Size kPage{1600, 1000};
+
+template <class T>
+T value_of(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error());
+  return std::move(result).value();
+}
+
+/// A shape, a glyph and a rule: the driver compiles what draws them when they first come.
+Sheet sheet_of_all_kinds() {
+  Sheet sheet;
+  sheet.shapes = {Area{{{10, 10}, {20, 10}, {10, 20}}, kInk},
+                  Stroke{.points = {{30, 30}, {40, 40}}, .color = kInk}};
+  DisplayList list;
+  list.glyphs.push_back(
+      {.face = Face::mono, .id = 50, .size = 7.0, .color = kInk, .naming = {}, .source = {}});
+  list.rules.push_back({.x1 = 10, .color = kInk, .naming = {}, .source = {}});
+  sheet.texts.push_back({.list = list, .at = {50, 50}, .halo = kOmegaRole.ink});
+  return sheet;
+}
+
+/// ms of CPU that a page takes beyond its figure: laid out and drawn by a renderer that has drawn no text
+/// yet.
+double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& context) {
+  const Step& step = stage.steps.back();
+  const SceneModel model = make_model(step.scene.value(), Product::page);
+  const auto renderer = value_of(Renderer::create(context));
+  const PageRequest request{.lesson = lesson,
+                            .stage = stage,
+                            .step = static_cast<int>(stage.steps.size()),
+                            .model = &model,
+                            .t_s = step.scene->at_s,
+                            .size = kPage};
+  const Inset inset = compose_page(request, renderer->fonts()).insets.front();
+  const Size size{inset.place.width, inset.place.height};
+  const auto draw_figure = [&] {
+    const double aspect = static_cast<double>(size.width) / size.height;
+    Figure figure = make_figure(model, request.t_s, aspect);
+    value_of(renderer->draw(figure, size, inset.background));
+  };
+  draw_figure();  // shaders, buffers, and the figure's own names
+  const double figure = spread_of({cpu_s(draw_figure), cpu_s(draw_figure), cpu_s(draw_figure)}).median;
+  value_of(renderer->draw(sheet_of_all_kinds(), kPage, {}));
+  const double page = cpu_s([&] {
+    const Page made = compose_page(request, renderer->fonts());
+    value_of(renderer->draw(made.sheet, made.insets, kPage, {Background::Kind::paper, {}}));
+  });
+  return 1e3 * (page - figure);
+}
+
+}  // namespace
+
+std::vector<double> page_costs_ms() {
+  const LoadedLesson loaded = load_lesson(POLHODE_SOURCE_DIR "/lessons/euler-equations.md");
+  const auto context = value_of(open_context(ContextKind::any));
+  std::vector<double> costs;
+  for (const Stage& stage : loaded.lesson.stages)
+    if (stage.steps.back().scene) {
+      const auto cost = [&] { return cost_ms(loaded.lesson, stage, *context); };
+      costs.push_back(spread_of({cost(), cost(), cost()}).median);
+    }
+  return costs;
+}
+
+}  // namespace polhode::bench
