@@ -74,24 +74,28 @@ Grid grid_of(const PageRequest& request, std::size_t meters) {
   return w > 1.05 * h ? side_by_side(w, h, meters) : one_above_the_other(w, h, meters);
 }
 
-/// Whether a claim says of an equation that it is wrong, or does not follow.
-bool is_refuted(const Step& step, const Equation& equation) {
-  return std::any_of(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
+/// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
+bool is_refuted(const Stage& stage, const Equation& equation) {
+  const auto refutes = [&](const Block& block) {
     const auto* claim = std::get_if<Claim>(&block);
     return claim && claim->equation == equation.id &&
            (claim->kind == ClaimKind::is_false || claim->kind == ClaimKind::non_sequitur);
+  };
+  return std::any_of(stage.steps.begin(), stage.steps.end(), [&](const Step& step) {
+    return std::any_of(step.blocks.begin(), step.blocks.end(), refutes);
   });
 }
 
-/// The equation the accent bar stands beside: of the present step the first with a number, else its first
-/// that holds.
-const Equation* focus_of(const Step& step) {
+/// The equation the accent bar stands beside: of those of the present step that hold the first with a number,
+/// else the first.
+const Equation* focus_of(const Stage& stage, const Step& step) {
   const Equation* focus = nullptr;
-  for (const Block& block : step.blocks)
-    if (const auto* equation = std::get_if<Equation>(&block)) {
-      if (!equation->tag.empty()) return equation;
-      if (!focus && !is_refuted(step, *equation)) focus = equation;
-    }
+  for (const Block& block : step.blocks) {
+    const auto* equation = std::get_if<Equation>(&block);
+    if (!equation || is_refuted(stage, *equation)) continue;
+    if (!equation->tag.empty()) return equation;
+    if (!focus) focus = equation;
+  }
   return focus;
 }
 
@@ -165,7 +169,7 @@ class PageText {
 
   StepPieces pieces_of(const Step& step, bool is_present, double scale) const {
     const TextColumn column = this->column(scale);
-    const Equation* focus = is_present ? focus_of(step) : nullptr;
+    const Equation* focus = is_present ? focus_of(request_.stage, step) : nullptr;
     const std::vector<std::string> marked =
         is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
     StepPieces pieces;
@@ -173,7 +177,7 @@ class PageText {
       if (const auto* equation = std::get_if<Equation>(&block)) {
         pieces.whole.push_back(column.equation(*equation, equation == focus, marked));
         // Without the words that refute it, what is wrong would stand there as if it were right.
-        if (!is_present && !is_refuted(step, *equation))
+        if (!is_present && !is_refuted(request_.stage, *equation))
           pieces.equations.push_back(column.earlier_equation(*equation));
       }
       if (const auto* prose = std::get_if<Prose>(&block)) pieces.whole.push_back(column.prose(prose->text));
@@ -264,6 +268,8 @@ Page compose_page(const PageRequest& request, const Fonts& fonts) {
   PageText::Fitted text = PageText(request, grid, fonts).fit();
   Page page;
   page.scale = text.scale;
+  page.column = grid.text;
+  page.meters = grid.meters;
   append(page.sheet, std::move(text.stack.sheet), {std::round(grid.text.x0), std::round(grid.text.y0)});
   if (!request.model) return page;
   page.insets.push_back(figure_inset(request, grid.figure));

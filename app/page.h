@@ -5,6 +5,7 @@
 
 #include "app/page_theme.h"
 #include "render/gl/renderer.h"
+#include "render/scene/label_layout.h"
 #include "render/scene/model.h"
 
 #include <vector>
@@ -29,6 +30,8 @@ struct Page {
   std::vector<Inset> insets;  ///< under the sheet
   /// Of the type's normal size; below kLeastScale the step alone has more than a page can hold.
   double scale = 1;
+  /// Where text and meters stand; bars and panels of the column reach one em further to each side.
+  PixelBox column, meters;
 };
 
 /// Type may be so much smaller than normal before earlier steps are left out.

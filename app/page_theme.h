@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The colours of a page. Text has at least 5.2:1 against what it stands on, what only helps at least 3:1.
+// The colours of a page. Text has at least 5.2:1 on the paper, 4.5:1 on the panel behind an equation, and 3:1
+// on a marked term, whose type is large; bars have at least 3:1. Panels, marks and lines say nothing that
+// text does not say, and are faint.
 #pragma once
 
 #include "lessons/lesson.h"

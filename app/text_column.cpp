@@ -26,9 +26,6 @@ constexpr double kLineBottom = 0.24;  ///< and below it
 constexpr double kLabelIndent = 4.1;
 constexpr double kPanelPad = 0.5;
 
-/// What does not fit is set smaller, but never smaller than this part.
-constexpr double kSmallestFormula = 0.5;
-
 std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
@@ -109,7 +106,7 @@ DisplayList TextColumn::formula(const Equation& equation, double size, double ro
       .size = size, .display = true, .color = colors().ink, .line_width = room, .symbols = &symbols_};
   DisplayList list = or_refuse(set_math(equation.math, style, fonts_));
   if (list.width <= room) return list;
-  style.size *= std::max(kSmallestFormula, room / list.width);
+  style.size *= room / list.width;
   return or_refuse(set_math(equation.math, style, fonts_));
 }
 
