@@ -104,6 +104,7 @@ class EquationMaker : public PictureMaker {
     style.size = em_;
     style.display = true;
     style.color = colors_of(context_.options.theme).ink;
+    style.strike = colors_of(context_.options.theme).accent;
     style.symbols = &symbols_;
     auto set = set_math(equation.math, style, context_.renderer.fonts());
     if (!set)

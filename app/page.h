@@ -30,15 +30,20 @@ struct Page {
   std::vector<Inset> insets;  ///< under the sheet
   /// Of the type's normal size; below kLeastScale the step alone has more than a page can hold.
   double scale = 1;
+  /// Of the size of a display that fits the column; of the one that had to be set smallest.
+  double formula_scale = 1;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.
   PixelBox column, meters;
 };
 
 /// Type may be so much smaller than normal before earlier steps are left out.
 inline constexpr double kLeastScale = 0.86;
+/// A display set smaller than this part of its size is hard to read.
+inline constexpr double kLeastFormulaScale = 0.6;
 
 /// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
-/// @throws CommandError invalid for text that cannot be set (lint says where)
+/// @throws CommandError invalid for text that cannot be set, and for a step with more than a page holds (lint
+/// says where)
 Page compose_page(const PageRequest& request, const Fonts& fonts);
 
 }  // namespace polhode

@@ -12,7 +12,7 @@ namespace polhode {
 
 namespace {
 
-constexpr Size kPages[] = {{1920, 1080}, {1024, 768}};
+constexpr Size kPages[] = {{1920, 1080}, {1024, 768}, {1080, 1920}};
 
 SourcePlace place_of(const Stage& stage, const Step& step) {
   if (step.blocks.empty()) return stage.place;
@@ -47,22 +47,33 @@ class PageLint {
  private:
   /// Whether the page is as it should be.
   bool check(const PageRequest& request, SourcePlace place) {
+    const auto on_page = [&] {
+      return fmt::format("on a page of {}x{}", request.size.width, request.size.height);
+    };
     try {
       const Page page = compose_page(request, fonts_);
-      if (page.scale >= kLeastScale) return true;
-      add(Severity::warning, place,
-          fmt::format(
-              "step {} of stage \"{}\" is long: on a page of {}x{} its type has {:.0f} % of the normal size",
-              request.step, request.stage.id, request.size.width, request.size.height, 100.0 * page.scale));
+      if (page.scale < kLeastScale)
+        warn(place,
+             fmt::format("step {} of stage \"{}\" is long: {} its type has {:.0f} % of the normal size",
+                         request.step, request.stage.id, on_page(), 100.0 * page.scale),
+             kSplit);
+      if (page.formula_scale < kLeastFormulaScale)
+        warn(place,
+             fmt::format("step {} of stage \"{}\" has a wide formula: {} it has {:.0f} % of its normal size",
+                         request.step, request.stage.id, on_page(), 100.0 * page.formula_scale),
+             "write it in several lines: \\begin{aligned} … \\end{aligned}");
+      return page.scale >= kLeastScale && page.formula_scale >= kLeastFormulaScale;
     } catch (const CommandError& error) {
-      add(Severity::error, place, error.what());
+      found_.push_back({Severity::error, file_, place, error.what(), kSplit});
+      return false;
     }
-    return false;
   }
 
-  void add(Severity severity, SourcePlace place, std::string message) {
-    found_.push_back({severity, file_, place, std::move(message), "split it with ---"});
+  void warn(SourcePlace place, std::string message, std::string hint) {
+    found_.push_back({Severity::warning, file_, place, std::move(message), std::move(hint)});
   }
+
+  static constexpr const char* kSplit = "split it with ---";
 
   const Lesson& lesson_;
   const Fonts& fonts_;

@@ -10,8 +10,9 @@
 
 namespace polhode {
 
-/// Composes the page of every step, wide and narrow. A warning, at the step's first line, where the type has
-/// to be much smaller than normal for it; an error where no page can hold it. About 5 ms a step.
+/// Composes the page of every step, wide, narrow and upright. A warning, at the step's first line, where its
+/// type or a formula has to be much smaller than normal; an error where no page can hold it. About 5 ms a
+/// step of the lecture.
 std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& fonts,
                                          std::string_view file_name);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/page_theme.h"
 
-
 namespace polhode {
 
 namespace {

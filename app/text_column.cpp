@@ -19,7 +19,9 @@ constexpr double kEarlierSize = 1.0;
 constexpr double kCalloutSize = 0.94;
 constexpr double kLabelSize = 0.62;
 constexpr double kTagSize = 1.0;
-constexpr double kParagraphGap = 0.62;
+constexpr double kWidestTag = 0.4;  ///< of the column
+constexpr double kParagraphGap =
+    0.87;  // to the eye as wide as `between` below: those are lines without tails
 constexpr double kDisplayGap = 0.78;
 constexpr double kLineTop = 0.74;     ///< of a line without tall letters, above its baseline
 constexpr double kLineBottom = 0.24;  ///< and below it
@@ -71,6 +73,7 @@ TextStyle TextColumn::style(double size, Color color, double width) const {
   style.size = size;
   style.color = color;
   style.width = width;
+  style.between = 0.38;
   style.link_color = colors().question;
   style.symbols = &symbols_;
   return style;
@@ -80,19 +83,12 @@ DisplayList TextColumn::set(const RichText& text, const TextStyle& style) const 
   return or_refuse(set_text(text, style, fonts_));
 }
 
-ColumnPiece TextColumn::title(const RichText& title, bool continued) const {
+ColumnPiece TextColumn::title(const RichText& title) const {
   const double em = kTitleSize * size_;
   TextStyle bold = style(em, colors().ink, width_);
   bold.bold = true;
   bold.leading = 1.2;
   DisplayList list = set(title, bold);
-  if (continued) {
-    TextStyle quiet = style(size_, colors().quiet, 0);
-    const DisplayList word = set_line("continued", quiet, fonts_);
-    // after the last word of a single line, if there is room
-    if (list.depth < em && list.width + 0.6 * em + word.width < width_)
-      append(list, word, list.width + 0.5 * em, 0.0);
-  }
   return piece_of(std::move(list), em, 0.55 * em);
 }
 
@@ -101,28 +97,42 @@ ColumnPiece TextColumn::prose(const RichText& text) const {
 }
 
 /// As large as it can be within `room`: broken first, then smaller.
-DisplayList TextColumn::formula(const Equation& equation, double size, double room) const {
-  MathStyle style{
-      .size = size, .display = true, .color = colors().ink, .line_width = room, .symbols = &symbols_};
+TextColumn::Formula TextColumn::formula(const Equation& equation, double size, double room) const {
+  MathStyle style{.size = size,
+                  .display = true,
+                  .color = colors().ink,
+                  .strike = colors().accent,
+                  .line_width = room,
+                  .symbols = &symbols_};
   DisplayList list = or_refuse(set_math(equation.math, style, fonts_));
-  if (list.width <= room) return list;
-  style.size *= room / list.width;
-  return or_refuse(set_math(equation.math, style, fonts_));
+  constexpr int kMostTries = 8;  // a smaller formula may be broken elsewhere
+  for (int i = 0; i < kMostTries && list.width > room; ++i) {
+    style.size *= 0.999 * room / list.width;
+    list = or_refuse(set_math(equation.math, style, fonts_));
+  }
+  return {std::move(list), style.size / size};
 }
 
 ColumnPiece TextColumn::numbered(const Equation& equation, double size,
                                  const std::vector<std::string>& marked) const {
   DisplayList tag;
-  if (!equation.tag.empty())
-    tag = set_line("(" + equation.tag + ")", style(kTagSize * size_, colors().quiet, 0), fonts_);
+  if (!equation.tag.empty()) {
+    TextStyle quiet = style(kTagSize * size_, colors().quiet, 0);
+    tag = set_line("(" + equation.tag + ")", quiet, fonts_);
+    if (tag.width > kWidestTag * width_) {
+      quiet.size *= kWidestTag * width_ / tag.width;
+      tag = set_line("(" + equation.tag + ")", quiet, fonts_);
+    }
+  }
   const double beside = equation.tag.empty() ? 0.0 : tag.width + size_;
-  DisplayList list = formula(equation, size, width_ - beside);
+  auto [list, formula_scale] = formula(equation, size, width_ - beside);
   // In the middle of the column, unless it would run into its number.
   const double x = std::round(std::min(0.5 * (width_ - list.width), width_ - beside - list.width));
   const double top = std::round(std::max(list.ascent, kLineTop * size));
   ColumnPiece piece;
   piece.height = top + std::round(std::max(list.depth, kLineBottom * size));
   piece.gap = kDisplayGap * size_;
+  piece.formula_scale = formula_scale;
   const Vec2 at(std::max(0.0, x), top);
   mark(list, at, marked, size, colors().marked, fonts_, piece.sheet);
   if (!equation.tag.empty())
@@ -137,7 +147,10 @@ ColumnPiece TextColumn::equation(const Equation& equation, bool in_focus,
   if (!in_focus) return plain;
   const double pad = std::round(kPanelPad * size_), bar = std::round(std::max(2.0, 0.17 * size_));
   const double left = -std::round(0.7 * size_), right = width_ + pad;
-  ColumnPiece piece{.sheet = {}, .height = plain.height + 2.0 * pad, .gap = 0.9 * plain.gap};
+  ColumnPiece piece{.sheet = {},
+                    .height = plain.height + 2.0 * pad,
+                    .gap = 0.9 * plain.gap,
+                    .formula_scale = plain.formula_scale};
   piece.sheet.shapes = {Area{rectangle(left, 0, right, piece.height), colors().panel},
                         Area{rectangle(left, 0, left + bar, piece.height), colors().accent}};
   append(piece.sheet, std::move(plain.sheet), {0, pad});
@@ -189,14 +202,21 @@ ColumnPiece TextColumn::question(const Ask& ask) const {
   return labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
 }
 
-Stack stack(const std::vector<ColumnPiece>& pieces) {
+Stack stack(const std::vector<const ColumnPiece*>& pieces) {
   Stack made;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (i > 0) made.height += std::round(std::max(pieces[i - 1].gap, pieces[i].gap));
-    append(made.sheet, pieces[i].sheet, {0, made.height});
-    made.height += pieces[i].height;
+    if (i > 0) made.height += std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap));
+    append(made.sheet, pieces[i]->sheet, {0, made.height});
+    made.height += pieces[i]->height;
   }
   return made;
+}
+
+double height_of(const std::vector<const ColumnPiece*>& pieces) {
+  double height = 0.0;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    height += pieces[i]->height + (i > 0 ? std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap)) : 0.0);
+  return height;
 }
 
 }  // namespace polhode

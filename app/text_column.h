@@ -15,8 +15,9 @@ namespace polhode {
 /// Something in the column: its drawing from the upper left corner, and the room it takes.
 struct ColumnPiece {
   Sheet sheet;
-  double height = 0;  ///< whole px
-  double gap = 0;     ///< least distance to what is above and below
+  double height = 0;         ///< whole px
+  double gap = 0;            ///< least distance to what is above and below
+  double formula_scale = 1;  ///< of its normal size, of a display that is wider than the column
 };
 
 class TextColumn {
@@ -26,7 +27,7 @@ class TextColumn {
              const Fonts& fonts)
       : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts) {}
 
-  ColumnPiece title(const RichText& title, bool continued) const;
+  ColumnPiece title(const RichText& title) const;
   /// Terms of these names are marked.
   ColumnPiece equation(const Equation& equation, bool in_focus, const std::vector<std::string>& marked) const;
   /// An equation of an earlier step: small, without emphasis.
@@ -39,7 +40,11 @@ class TextColumn {
   const PageColors& colors() const { return colors_of(theme_); }
   TextStyle style(double size, Color color, double width) const;
   DisplayList set(const RichText& text, const TextStyle& style) const;
-  DisplayList formula(const Equation& equation, double size, double room) const;
+  struct Formula {
+    DisplayList list;
+    double scale = 1;
+  };
+  Formula formula(const Equation& equation, double size, double room) const;
   ColumnPiece numbered(const Equation& equation, double size, const std::vector<std::string>& marked) const;
   ColumnPiece labelled(const std::string& label, const Color& color, ColumnPiece plain) const;
 
@@ -54,6 +59,8 @@ struct Stack {
   Sheet sheet;
   double height = 0;
 };
-Stack stack(const std::vector<ColumnPiece>& pieces);
+Stack stack(const std::vector<const ColumnPiece*>& pieces);
+/// The same without drawing.
+double height_of(const std::vector<const ColumnPiece*>& pieces);
 
 }  // namespace polhode

@@ -259,11 +259,9 @@ void FlatPass::add_frame_titles(const Figure& figure, Size size, Parts& parts) {
 }
 
 void FlatPass::draw(const Figure& figure, Size size, const Color& halo) {
-  Parts parts{.size = size,
-              .type_px = std::min<double>(size.height, size.width * 9.0 / 16.0),
-              .halo = halo,
-              .boxes = {},
-              .lines = {}};
+  const double type_px = figure.caption_px > 0.0 ? figure.caption_px / kCaptionSize
+                                                 : std::min<double>(size.height, size.width * 9.0 / 16.0);
+  Parts parts{.size = size, .type_px = type_px, .halo = halo, .boxes = {}, .lines = {}};
   add_frame_titles(figure, size, parts);
   for (const Pane& pane : figure.panes) {
     const PixelBox frame = pixels_of(pane, size);

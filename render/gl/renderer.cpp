@@ -257,7 +257,8 @@ void GlRenderer::draw_floor(const Pane& pane, const Viewpoint& at, const Backgro
     const GlassEllipsoid& e = pane.list.ellipsoids.front();
     set_mat3(p, "u_to_ball", to_ball(e));
     p.set("u_ball_center", floats(e.center));
-    p.set("u_tint", e.tint.r, e.tint.g, e.tint.b);
+    const float dim = is_dark(halo_of(background)) ? 0.35F : 1.0F;  // a mirror image on a dark floor
+    p.set("u_tint", dim * e.tint.r, dim * e.tint.g, dim * e.tint.b);
   }
   p.set("u_bounds", -1.0F, -1.0F, 1.0F, static_cast<float>(floor_top(at, floor.z)));
   nothing_.draw_without_vertices(GL_TRIANGLE_STRIP, 4);

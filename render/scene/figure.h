@@ -22,6 +22,7 @@ struct Pane {
 struct Figure {
   std::vector<Pane> panes;
   std::string caption;
+  double caption_px = 0;  ///< em of the caption; all other type goes with it. 0: from the size of the picture
 };
 
 /// Pure: depends on its arguments alone. `aspect` = width / height of the picture.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSamplesPerTurn = 64;
 constexpr double kFewestSamples = 240, kMostSamples = 2000;
-constexpr int kDriftPoints = 160;  // rounding errors scatter: more would be a blot
+constexpr int kDriftPoints = 32;  // rounding errors scatter: the largest of each stretch, or it were a blot
 constexpr double kDots = 0.26, kDashes = 0.6, kSolid = 0.0;
 
 /// The samples of one motion over the window of the plots.

@@ -26,7 +26,7 @@ constexpr double kHairline = 0.06, kAxisLine = 0.075, kCurve = 0.12, kLeader = 0
 constexpr double kDot = 0.24, kDotRim = 0.1;
 constexpr double kLeaderFrom = 0.3;  // of displacement of a name
 constexpr int kMostIntervals = 4;
-constexpr int kLeastDecades = 4;
+constexpr int kLeastDecades = 2;
 constexpr float kLineShare = 0.4F;       // lines need less contrast than type
 constexpr double kSimplification = 0.1;  // px
 

@@ -196,8 +196,10 @@ MathBox MathLayout::cancel(const MathAtom& item) {
   const double left = -beside, right = box.width + beside;
   const double top = -(box.height + beyond), bottom = box.depth + beyond;
   const double thickness = 0.7 * rule_thickness(item.style);
+  MathPaint striking = item.paint;
+  if (style_.strike && node.character != U'n') striking.color = *style_.strike;
   const auto stroke = [&](double y0, double y1) {
-    put_rule(left, y0, right, y1, thickness, item.paint, node.span);
+    put_rule(left, y0, right, y1, thickness, striking, node.span);
   };
   if (node.character == U'n') {
     const double middle = 0.5 * box.width, half = 0.2 * s, tall = 0.4 * s;

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: MIT
+#include "app/page_text.h"
+
+#include "app/exit_codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace polhode {
+
+namespace {
+
+constexpr double kHeaderSize = 0.62;  // em of prose
+constexpr double kHeaderToTitle = 0.9;
+constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads
+constexpr double kSmaller = 0.94;
+
+/// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
+bool is_refuted(const Stage& stage, const Equation& equation) {
+  const auto refutes = [&](const Block& block) {
+    const auto* claim = std::get_if<Claim>(&block);
+    return claim && claim->equation == equation.id &&
+           (claim->kind == ClaimKind::is_false || claim->kind == ClaimKind::non_sequitur);
+  };
+  return std::any_of(stage.steps.begin(), stage.steps.end(), [&](const Step& step) {
+    return std::any_of(step.blocks.begin(), step.blocks.end(), refutes);
+  });
+}
+
+/// The equation the accent bar stands beside: of those of the present step that hold the first with a number,
+/// else the first.
+const Equation* focus_of(const Stage& stage, const Step& step) {
+  const Equation* focus = nullptr;
+  for (const Block& block : step.blocks) {
+    const auto* equation = std::get_if<Equation>(&block);
+    if (!equation || is_refuted(stage, *equation)) continue;
+    if (!equation->tag.empty()) return equation;
+    if (!focus) focus = equation;
+  }
+  return focus;
+}
+
+using Pieces = std::vector<ColumnPiece>;
+using PieceRefs = std::vector<const ColumnPiece*>;
+
+void add(PieceRefs& refs, const Pieces& pieces) {
+  for (const ColumnPiece& piece : pieces) refs.push_back(&piece);
+}
+
+/// What of the earlier steps a page shows: nothing before `equations_from`, everything from `whole_from`.
+struct Selection {
+  std::size_t equations_from = 0, whole_from = 0;
+  /// The less, the more is shown.
+  std::size_t rank() const { return equations_from + whole_from; }
+};
+
+/// The text at one size; each step is set when it is first asked for.
+class ScaledText {
+ public:
+  ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, double width, double em,
+             double scale, const Fonts& fonts)
+      : request_(request),
+        fonts_(fonts),
+        width_(width),
+        em_(em),
+        scale_(scale),
+        column_(width, scale * em, request.theme, symbols, fonts),
+        last_(static_cast<std::size_t>(request.step - 1)),
+        begun_{header(false), column_.title(request.stage.title_text)},
+        continued_{header(true), column_.title(request.stage.title_text)},
+        whole_(last_ + 1),
+        equations_(last_ + 1) {}
+
+  double scale() const { return scale_; }
+
+  /// The most that fits; nothing if the step alone does not.
+  std::optional<Selection> most(double height) {
+    const std::size_t whole_from = first_that_fits(last_ + 1, height, [&](std::size_t i) {
+      PieceRefs tried = heading(i > 0);
+      for (std::size_t k = i; k <= last_; ++k) add(tried, whole(k));
+      return tried;
+    });
+    if (whole_from > last_) return std::nullopt;
+    for (std::size_t from = whole_from; from <= last_; ++from) {
+      const std::size_t equations_from = with_equations(from, height);
+      if (equations_from == 0 || from == last_) return Selection{equations_from, from};
+    }
+    return std::nullopt;
+  }
+
+  Stack stacked(const Selection& shown) { return stack(pieces(shown)); }
+
+  double formula_scale(const Selection& shown) {
+    double least = 1.0;
+    for (const ColumnPiece* piece : pieces(shown)) least = std::min(least, piece->formula_scale);
+    return least;
+  }
+
+ private:
+  /// The smallest index below `end` from which on `pieces_from` fits; steps are tried from
+  /// the newest back.
+  template <class PiecesFrom>
+  std::size_t first_that_fits(std::size_t end, double height, const PiecesFrom& pieces_from) {
+    while (end > 0 && height_of(pieces_from(end - 1)) <= height) --end;
+    return end;
+  }
+
+  std::size_t with_equations(std::size_t whole_from, double height) {
+    return first_that_fits(whole_from, height, [&](std::size_t i) {
+      PieceRefs tried = heading(whole_from > 0);
+      for (std::size_t k = i; k < whole_from; ++k) add(tried, equations(k));
+      for (std::size_t k = whole_from; k <= last_; ++k) add(tried, whole(k));
+      return tried;
+    });
+  }
+
+  PieceRefs pieces(const Selection& shown) {
+    PieceRefs all = heading(shown.whole_from > 0);
+    for (std::size_t i = shown.equations_from; i < shown.whole_from; ++i) add(all, equations(i));
+    for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i));
+    return all;
+  }
+
+  PieceRefs heading(bool continued) const {
+    PieceRefs refs;
+    add(refs, continued ? continued_ : begun_);
+    return refs;
+  }
+
+  /// Lesson, stage, step: small, above the title; without the lesson's title where that is too long.
+  ColumnPiece header(bool continued) const {
+    TextStyle quiet;
+    quiet.size = kHeaderSize * em_;
+    quiet.color = colors_of(request_.theme).quiet;
+    quiet.sans = true;
+    std::string place = fmt::format("stage {} of {}", request_.number, request_.lesson.stages.size());
+    if (request_.stage.steps.size() > 1)
+      place += fmt::format("  ·  step {} of {}", request_.step, request_.stage.steps.size());
+    if (continued) place += "  ·  continued";
+    DisplayList line = set_line(request_.lesson.title + "  ·  " + place, quiet, fonts_);
+    if (line.width > width_) line = set_line(place, quiet, fonts_);
+    ColumnPiece piece;
+    piece.height = std::round(quiet.size);
+    piece.gap = kHeaderToTitle * em_;
+    piece.sheet.texts.push_back({.list = std::move(line), .at = {0, std::round(0.8 * quiet.size)}});
+    return piece;
+  }
+
+  const Pieces& whole(std::size_t i) {
+    if (!whole_[i]) whole_[i] = made_whole(request_.stage.steps[i], i == last_);
+    return *whole_[i];
+  }
+
+  Pieces made_whole(const Step& step, bool is_present) const {
+    const Equation* focus = is_present ? focus_of(request_.stage, step) : nullptr;
+    const std::vector<std::string> marked =
+        is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
+    Pieces pieces;
+    for (const Block& block : step.blocks) {
+      if (const auto* equation = std::get_if<Equation>(&block))
+        pieces.push_back(column_.equation(*equation, equation == focus, marked));
+      if (const auto* prose = std::get_if<Prose>(&block)) pieces.push_back(column_.prose(prose->text));
+      if (const auto* callout = std::get_if<Callout>(&block)) pieces.push_back(column_.callout(*callout));
+      if (const auto* ask = std::get_if<Ask>(&block)) pieces.push_back(column_.question(*ask));
+    }
+    return pieces;
+  }
+
+  /// Without the words that refute it, what is wrong would stand there as if it were right.
+  const Pieces& equations(std::size_t i) {
+    if (equations_[i]) return *equations_[i];
+    Pieces pieces;
+    for (const Block& block : request_.stage.steps[i].blocks)
+      if (const auto* equation = std::get_if<Equation>(&block);
+          equation && !is_refuted(request_.stage, *equation))
+        pieces.push_back(column_.earlier_equation(*equation));
+    equations_[i] = std::move(pieces);
+    return *equations_[i];
+  }
+
+  const PageRequest& request_;
+  const Fonts& fonts_;
+  double width_, em_, scale_;
+  TextColumn column_;
+  std::size_t last_;          ///< index of the step
+  Pieces begun_, continued_;  ///< header and title
+  std::vector<std::optional<Pieces>> whole_, equations_;
+};
+
+}  // namespace
+
+FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts) {
+  const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
+  const auto text_at = [&](double scale) { return ScaledText(request, symbols, width, em, scale, fonts); };
+  const auto fitted = [](ScaledText& text, const Selection& shown) {
+    return FittedText{text.stacked(shown), text.scale(), text.formula_scale(shown)};
+  };
+  std::optional<FittedText> best;
+  std::size_t best_rank = 0;
+  for (const double scale : std::array{1.0, 0.93, kLeastScale}) {
+    ScaledText text = text_at(scale);
+    const auto shown = text.most(height);
+    if (!shown || (best && shown->rank() >= best_rank)) continue;
+    best_rank = shown->rank();
+    best = fitted(text, *shown);
+    if (best_rank == 0) break;
+  }
+  if (best) return std::move(*best);
+  for (double scale = kSmaller * kLeastScale; scale > kLeastOfAll; scale *= kSmaller) {
+    ScaledText text = text_at(scale);
+    if (const auto shown = text.most(height)) return fitted(text, *shown);
+  }
+  throw CommandError(ExitCode::invalid, fmt::format("stage \"{}\": step {} has more text than a page holds",
+                                                    request.stage.id, request.step));
+}
+
+}  // namespace polhode

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What stands in the text column of a page, and how large: the present step whole, and of the steps before it
+// as much as there is room for.
+#pragma once
+
+#include "app/page.h"
+#include "app/text_column.h"
+
+namespace polhode {
+
+struct FittedText {
+  Stack stack;
+  double scale = 1;          ///< of the type's normal size
+  double formula_scale = 1;  ///< of the display that had to be set smallest to fit the column's width
+};
+
+/// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a
+/// little smaller; else less of what came before (of the earliest steps first their equations alone, then
+/// nothing); else much smaller. Sets no more of the earlier steps than a page can hold.
+/// @throws CommandError invalid if a text cannot be set, or the step has more than a page holds
+FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts);
+
+}  // namespace polhode
