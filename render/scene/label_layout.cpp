@@ -113,6 +113,15 @@ std::vector<Vec2> within_reach(const LabelRequest& label, const std::vector<Vec2
   return near;
 }
 
+/// Moved no further than it must be to lie in the frame, if that is large enough.
+PixelBox moved_into(const PixelBox& frame, const PixelBox& box) {
+  const auto shift = [](double low, double high, double from, double to) {
+    return to - from < high - low ? std::clamp(0.0, low - from, high - to) : 0.0;
+  };
+  const double dx = shift(frame.x0, frame.x1, box.x0, box.x1), dy = shift(frame.y0, frame.y1, box.y0, box.y1);
+  return {box.x0 + dx, box.y0 + dy, box.x1 + dx, box.y1 + dy};
+}
+
 Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {
   Candidate best{{}, std::numeric_limits<double>::infinity()};
   for (double gap : gaps_of(label))
@@ -121,6 +130,8 @@ Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {
       const double cost = cost_of(box, label, gap, crowd);
       if (cost < best.cost - 1e-9) best = {{.box = box}, cost};
     }
+  // No name is cut, even if its anchor lies where none of its places has room.
+  if (best.label.box.overlap(crowd.frame) > 0.0) best.label.box = moved_into(crowd.frame, best.label.box);
   // The line stops short of the text.
   const double unit = unit_of(label);
   best.label.leader_end = nearest_on(best.label.box.grown(crowd.rules.leader_gap * unit), label.anchor);

@@ -46,8 +46,8 @@ struct LabelRules {
 
 /// Places labels in the order given, each at the cheapest of a fixed set of candidates: the cost counts
 /// overlap with labels and boxes already placed, obstacles covered, leaders crossed, distance, and leaving
-/// `frame`. `obstacles` are points on lines that should stay visible, `taken` boxes that are not to be
-/// covered.
+/// `frame`; what would stand in it in part is moved into it. `obstacles` are points on lines that should stay
+/// visible, `taken` boxes that are not to be covered.
 std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& labels,
                                       const std::vector<Vec2>& obstacles, const std::vector<PixelBox>& taken,
                                       const PixelBox& frame, const LabelRules& rules = {});

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Golden images at 480x270, by the golden rule of render/image/compare.h, each proved able to fail.
-// POLHODE_REMAKE="name name ..." (or "all") rewrites goldens instead of comparing them.
 #include "render/image/compare.h"
-#include "render/image/png.h"
+#include "tests/golden/approval.h"
 #include "tests/golden/scenes.h"
 #include "tests/scene/plot_examples.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace polhode::golden {
 namespace {
@@ -21,54 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Size kSize{480, 270};
-const fs::path kFolder = fs::path(POLHODE_SOURCE_DIR) / "tests/golden";
-const fs::path kFailed = fs::path(POLHODE_SOURCE_DIR) / "out/check";
-
-/// One context and renderer for all tests of this process. CMake sets GALLIUM_OVERRIDE_CPU_CAPS=sse4.1, which
-/// puts every x86 machine into one class of pixels.
-struct Stage {
-  std::unique_ptr<GlContext> context;
-  std::unique_ptr<Renderer> renderer;
-};
-Stage& stage() {
-  static Stage made = [] {
-    auto context = open_context(ContextKind::any);
-    if (!context) throw std::runtime_error(context.error());
-    auto renderer = Renderer::create(**context);
-    if (!renderer) throw std::runtime_error(renderer.error());
-    return Stage{std::move(context).value(), std::move(renderer).value()};
-  }();
-  return made;
-}
-
-/// "Mesa 22.3.6" of "llvmpipe (LLVM 15.0.6, 128 bits); 4.5 (Core Profile) Mesa 22.3.6".
-std::string mesa_of(const std::string& driver) {
-  const auto at = driver.rfind("Mesa ");
-  return at == std::string::npos ? driver : driver.substr(at);
-}
-
-std::string recorded_mesa() {
-  std::ifstream file(kFolder / "DRIVER");
-  std::string line;
-  std::getline(file, line);
-  return mesa_of(line);
-}
-
-/// A transparent picture as it shows on a violet slide. Straight colours of nearly transparent pixels say
-/// little: a rounding of one level at alpha 2 changes them by 127.
-void lay_over_violet(Image& image) {
-  constexpr int kViolet[] = {192, 64, 192};
-  for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-    const int a = image.rgba[i + 3];
-    for (std::size_t k = 0; k < 3; ++k)
-      image.rgba[i + k] =
-          static_cast<std::uint8_t>((image.rgba[i + k] * a + kViolet[k] * (255 - a) + 127) / 255);
-    image.rgba[i + 3] = 255;
-  }
-}
 
 Image draw(const Figure& figure, const std::string& background) {
-  auto image = stage().renderer->draw(figure, kSize, background_from(background).value());
+  auto image = renderer().draw(figure, kSize, background_from(background).value());
   if (!image) throw std::runtime_error(image.error());
   if (background == "transparent") lay_over_violet(*image);
   return std::move(image).value();
@@ -122,44 +73,6 @@ const Exception* exception_of(const Golden& golden, Mutation mutation) {
   return nullptr;
 }
 
-bool to_remake(const std::string& name) {
-  const char* names = std::getenv("POLHODE_REMAKE");
-  if (names == nullptr) return false;
-  std::istringstream words(names);
-  for (std::string word; words >> word;)
-    if (word == name || word == "all") return true;
-  return false;
-}
-
-void keep_evidence(const std::string& name, const Image& want, const Image& got) {
-  fs::create_directories(kFailed);
-  EXPECT_TRUE(write_png(kFailed / (name + "-want.png"), want, {}).ok());
-  EXPECT_TRUE(write_png(kFailed / (name + "-got.png"), got, {}).ok());
-  EXPECT_TRUE(write_png(kFailed / (name + "-diff.png"), difference_image(want, got), {}).ok());
-}
-
-/// By the golden rule; rewrites the golden if asked to.
-void expect_as_approved(const std::string& name, const Image& got) {
-  EXPECT_FALSE(is_blank(got));
-  const fs::path path = kFolder / (name + ".png");
-  if (to_remake(name)) {
-    ASSERT_TRUE(write_png(path, got, {}).ok());
-    std::ofstream(kFolder / "DRIVER") << stage().renderer->driver() << '\n';
-    GTEST_SKIP() << "remade " << path;
-  }
-  const std::string driver = stage().renderer->driver();
-  if (mesa_of(driver) != recorded_mesa())
-    GTEST_SKIP() << "goldens were made on " << recorded_mesa() << ", this is " << driver;
-
-  const auto want = read_png(path);
-  ASSERT_TRUE(want.ok()) << want.error();
-  const Comparison c = compare_images(want->image, got);
-  if (!c.equal()) keep_evidence(name, want->image, got);
-  EXPECT_TRUE(c.equal()) << name << ": " << c.over_3 << " of " << c.pixels << " pixels off by more than "
-                         << kGoldenLevels << " levels, at most " << c.max << "; see out/check/" << name
-                         << "-*.png; driver " << driver;
-}
-
 class GoldenImage : public testing::TestWithParam<Golden> {};
 
 TEST_P(GoldenImage, IsAsApproved) { expect_as_approved(GetParam().name, picture(GetParam())); }
@@ -199,8 +112,8 @@ constexpr Size kPlotSize{960, 540};
 constexpr const char* kPlotName = "work-precision";
 
 Image plot_picture(const WorkPrecisionPlot& plot) {
-  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, stage().renderer->fonts());
-  auto image = stage().renderer->draw(sheet, kPlotSize, background_from("paper").value());
+  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, renderer().fonts());
+  auto image = renderer().draw(sheet, kPlotSize, background_from("paper").value());
   if (!image) throw std::runtime_error(image.error());
   return std::move(image).value();
 }
@@ -231,6 +144,7 @@ TEST(GoldenPlot, RepeatsToTheByte) {
 TEST(Goldens, NoFileIsWithoutItsRow) {
   std::set<std::string> names = {std::string(kPlotName) + ".png"};
   for (const Golden& golden : all()) names.insert(golden.name + ".png");
+  for (const std::string& name : page_names()) names.insert(name + ".png");
   for (const auto& entry : fs::directory_iterator(kFolder))
     EXPECT_TRUE(entry.path().extension() != ".png" || names.contains(entry.path().filename().string()))
         << entry.path();

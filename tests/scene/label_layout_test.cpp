@@ -26,6 +26,13 @@ TEST(LabelLayout, LabelsStayInTheFrame) {
   }
 }
 
+TEST(LabelLayout, LabelsOfWhatLiesJustOutsideAreNotCut) {
+  for (const Vec2& anchor : {Vec2(850, 225), Vec2(-40, 225), Vec2(400, 465), Vec2(820, -10)}) {
+    const auto placed = place_labels({{.anchor = anchor, .width = 90, .height = 24}}, {}, {}, kFrame);
+    EXPECT_NEAR(placed[0].box.overlap(kFrame), 90.0 * 24.0, 1e-6) << anchor.transpose();
+  }
+}
+
 TEST(LabelLayout, LabelsKeepOffTakenBoxes) {
   const PixelBox panel{300, 180, 560, 270};
   const auto placed =
