@@ -52,8 +52,8 @@ struct MathStyle {
   double size = 24;      ///< em, px
   bool display = false;  ///< large operators with limits above and below, full fractions
   Color color;
-  std::optional<Color> strike;  ///< of \cancel's strokes; absent: that of what they strike
-  double line_width = 0;        ///< px; a longer formula is broken; 0: never
+  std::optional<Color> strike = {};  ///< of \cancel's strokes; absent: that of what they strike
+  double line_width = 0;             ///< px; a longer formula is broken; 0: never
   const std::vector<MathSymbol>* symbols = nullptr;  ///< looked for; may be null
 };
 
