@@ -183,6 +183,16 @@ TEST(MathLayout, GlyphsAreInReadingOrder) {
   EXPECT_EQ(read, "(ab)23sxbnkb") << "s: the root, b: \\binom's parentheses";
 }
 
+TEST(MathLayout, AParenthesisMadeOfPartsIsReadAsOne) {
+  const std::string tall = "{\\frac{\\frac{\\frac{a}{a}}{\\frac{a}{a}}}{\\frac{\\frac{a}{a}}{\\frac{a}{a}}}}";
+  const std::string tex = "\\binom" + tall + tall;
+  std::string read;
+  for (const Glyph& g : set(tex).glyphs) read += g.source.begin == 0 ? '(' : tex[g.source.begin];
+  const std::size_t parts = read.find('a');
+  ASSERT_GT(parts, 1U) << "more than one glyph is needed";
+  EXPECT_EQ(read, std::string(parts, '(') + std::string(16, 'a') + std::string(parts, '('));
+}
+
 TEST(MathLayout, RootsCoverWhatIsUnderThem) {
   const DisplayList list = set("\\sqrt{a+b}");
   ASSERT_THAT(list.rules, SizeIs(1));
