@@ -2,6 +2,7 @@
 // Text inside of formulas, and environments.
 #include "render/type/characters.h"
 #include "render/type/math_parser.h"
+#include "render/type/near_name.h"
 
 #include <array>
 #include <cstdlib>
