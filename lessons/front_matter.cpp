@@ -200,6 +200,10 @@ void read_symbols(const TomlEntry& entry, FrontMatter& front, TextReader& texts)
     report.error(entry.value.place, "\"symbols\" takes a table, found " + std::string(entry.value.kind()));
     return;
   }
+  if (table->entries.size() > kMaxSymbols) {
+    report.error(entry.place, "a lesson has at most " + std::to_string(kMaxSymbols) + " symbols");
+    return;
+  }
   for (const TomlEntry& symbol : table->entries) read_symbol(symbol, front, texts);
 }
 

@@ -25,6 +25,8 @@ struct FrontMatter {
 FrontMatter read_front_matter(TextReader& texts);
 
 inline constexpr std::size_t kMaxMacros = 64;
+/// Each atom of a formula is compared with each symbol.
+inline constexpr std::size_t kMaxSymbols = 200;
 
 /// Roles a symbol's colour can have.
 const std::vector<std::string>& color_roles();

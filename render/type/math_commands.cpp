@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/type/math_commands.h"
 
-#include <algorithm>
-#include <array>
-#include <bit>
 #include <unordered_map>
 
 namespace polhode {
@@ -634,34 +631,6 @@ constexpr std::pair<char32_t, char32_t> kNegations[] = {
     {U'∣', U'∤'}, {U'→', U'↛'}, {U'←', U'↚'}, {U'⇒', U'⇏'}, {U'⇔', U'⇎'}, {U'⊢', U'⊬'},
 };
 
-constexpr std::size_t kLongestName = 32;
-
-/// Insertions, deletions, replacements and swaps of neighbours that turn a into b; neither is longer than
-/// kLongestName.
-int edit_distance(std::string_view a, std::string_view b) {
-  std::array<std::array<int, kLongestName + 1>, 3> rows{};  // of prefixes of a: this one and the two before
-  for (std::size_t j = 0; j <= b.size(); ++j) rows[0][j] = static_cast<int>(j);
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    auto& row = rows[i % 3];
-    const auto& last = rows[(i + 2) % 3];
-    const auto& before = rows[(i + 1) % 3];
-    row[0] = static_cast<int>(i);
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        row[j] = std::min(row[j], before[j - 2] + 1);
-    }
-  }
-  return rows[a.size() % 3][b.size()];
-}
-
-/// One bit for each letter that occurs, capitals and small ones in one.
-std::uint32_t letters_of(std::string_view name) {
-  std::uint32_t letters = 0;
-  for (const char c : name) letters |= 1U << (static_cast<unsigned char>(c) & 31U);
-  return letters;
-}
-
 template <class Table>
 std::vector<std::string_view> names_of(const Table& table) {
   std::vector<std::string_view> names;
@@ -769,29 +738,6 @@ std::optional<Color> named_color(std::string_view name) {
 const std::vector<std::string_view>& color_names() {
   static const std::vector<std::string_view> kNames = names_of(kColors);
   return kNames;
-}
-
-std::string near_name(std::string_view word, const std::vector<std::string_view>& known) {
-  if (word.empty() || word.size() > kLongestName) return {};
-  const std::uint32_t letters = letters_of(word);
-  std::string_view nearest;
-  int smallest = 0;
-  for (const std::string_view name : known) {
-    if (name.size() > kLongestName || name.size() < 2) continue;
-    const auto longer = static_cast<int>(std::max(word.size(), name.size()));
-    const int allowed = std::max(1, longer / 3);
-    // A change adds or takes two kinds of letters at most.
-    if (longer - static_cast<int>(std::min(word.size(), name.size())) > allowed ||
-        std::popcount(letters ^ letters_of(name)) > 2 * allowed)
-      continue;
-    int distance = 2 * edit_distance(word, name);
-    if (distance > 2 * allowed) continue;
-    distance += word.front() == name.front() ? 0 : 1;
-    if (!nearest.empty() && distance >= smallest) continue;
-    nearest = name;
-    smallest = distance;
-  }
-  return std::string(nearest);
 }
 
 }  // namespace polhode

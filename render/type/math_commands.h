@@ -96,7 +96,4 @@ const std::vector<std::string_view>& math_environment_names();
 std::optional<Color> named_color(std::string_view name);
 const std::vector<std::string_view>& color_names();
 
-/// The known name most like `word`, if it is near enough to be meant; empty otherwise.
-std::string near_name(std::string_view word, const std::vector<std::string_view>& known);
-
 }  // namespace polhode

@@ -133,12 +133,15 @@ class MathLayout {
   MathBox text(const MathAtom& item);
   void put_text_glyph(Face face, std::uint32_t id, double x, double y, double s, const MathPaint& paint,
                       SourceSpan source, MathBox& box);
-  struct Cluster {
+  /// The characters of a text, in their order.
+  struct Clusters {
+    const MathNode& node;
+    std::size_t at = 0, index = 0;
     char32_t character = 0;
     SourceSpan source;
+    /// Goes on to the character at a byte; its source reaches to the next glyph's at most.
+    void go_to(std::size_t byte);
   };
-  /// The character at a byte of a text; its source reaches to the next glyph's at most.
-  static Cluster cluster_at(const MathNode& node, std::size_t byte);
 
   // --- scripts ------------------------------------------------------------------------------------------
   /// Rule 18.
@@ -174,8 +177,6 @@ class MathLayout {
   /// Around \binom; its width.
   double fraction_delimiter(char32_t character, const MathAtom& item, MathTextStyle style,
                             const MathBox& inside, double x);
-  /// The first glyph of those made since `made` is read before those since `begin`.
-  void open_first(MathMark begin, MathMark made);
   /// Rule 11, with the sign's foot and the degree as the MATH table has it.
   MathBox radical(const MathAtom& item);
 

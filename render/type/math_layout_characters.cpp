@@ -78,8 +78,9 @@ MathBox MathLayout::text(const MathAtom& item) {
   const MathNode& node = *item.node;
   const double s = size(item.style);
   MathBox box;
+  Clusters cluster{node, 0, 0, 0, {}};
   for (const ShapedGlyph& g : fonts_.shape(node.face, node.text)) {
-    const Cluster cluster = cluster_at(node, g.cluster);
+    cluster.go_to(g.cluster);
     if (g.id == 0) {
       const auto found = find_glyph(cluster.character, Alphabet::upright, item.style);
       if (!found) {
@@ -105,15 +106,12 @@ void MathLayout::put_text_glyph(Face face, std::uint32_t id, double x, double y,
   box.depth = std::max(box.depth, y - ink.bottom * s);
 }
 
-MathLayout::Cluster MathLayout::cluster_at(const MathNode& node, std::size_t byte) {
-  std::size_t at = 0, index = 0;
-  Cluster cluster;
+void MathLayout::Clusters::go_to(std::size_t byte) {
   while (at < node.text.size() && at <= byte) {
-    cluster.character = next_character(node.text, at);
-    cluster.source = node.sources[std::min(index, node.sources.size() - 1)];
+    character = next_character(node.text, at);
+    source = node.sources[std::min(index, node.sources.size() - 1)];
     ++index;
   }
-  return cluster;
 }
 
 MathBox MathLayout::scripts(const MathAtom& item) {

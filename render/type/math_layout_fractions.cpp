@@ -62,10 +62,10 @@ MathBox MathLayout::fraction(const MathAtom& item) {
       node.binomial ? fraction_delimiter(U'(', item, style, box, 0.0) : kNoDelimiter * size(style);
   shift(top_begin, bottom_begin, opening + 0.5 * (width - top.width), -up);
   shift(bottom_begin, end, opening + 0.5 * (width - bottom.width), down);
+  if (node.binomial) read_first(top_begin, end);
   if (has_bar) put_rule(opening, -middle, opening + width, -middle, thickness, item.paint, node.span);
   const double closing = node.binomial ? fraction_delimiter(U')', item, style, box, opening + width)
                                        : kNoDelimiter * size(style);
-  if (node.binomial) open_first(top_begin, end);
   box.width = opening + width + closing;
   return box;
 }
@@ -78,11 +78,6 @@ double MathLayout::fraction_delimiter(char32_t character, const MathAtom& item, 
       delimiter(character, delimiter_length(half, style), style, item.paint, item.node->span);
   shift(begin, x, 0.0);
   return made.width;
-}
-
-void MathLayout::open_first(MathMark begin, MathMark made) {
-  const auto at = [this](std::size_t i) { return out_.glyphs.begin() + static_cast<std::ptrdiff_t>(i); };
-  if (made.glyphs < out_.glyphs.size()) std::rotate(at(begin.glyphs), at(made.glyphs), at(made.glyphs) + 1);
 }
 
 MathBox MathLayout::radical(const MathAtom& item) {

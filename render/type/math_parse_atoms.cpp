@@ -2,6 +2,7 @@
 // Atoms, arguments and scripts.
 #include "render/type/characters.h"
 #include "render/type/math_parser.h"
+#include "render/type/near_name.h"
 
 #include <array>
 #include <cstdlib>

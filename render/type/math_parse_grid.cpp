@@ -2,6 +2,7 @@
 // Text inside of formulas, and environments.
 #include "render/type/characters.h"
 #include "render/type/math_parser.h"
+#include "render/type/near_name.h"
 
 #include <array>
 #include <cstdlib>
@@ -128,7 +129,7 @@ MathNode MathParser::environment(const Token& token) {
   if (!open(Open::Kind::environment, "\\begin{" + *name + "}", "\\end{" + *name + "}", token)) return {};
   if (grid->kind == MathGrid::Kind::array) array_columns(token, *grid);
   if (name->ends_with("at")) plain_argument(token, "\\begin{" + *name + "}{2}");
-  if (grid->kind == MathGrid::Kind::aligned && tokens_.peek().is(U'[')) skip_bracket();
+  if (grid->kind == MathGrid::Kind::aligned && tokens_.peek().is(U'[')) vertical_place(*name);
   const Alphabet before = std::exchange(alphabet_, Alphabet::normal);
   MathNode made = cells(*grid, token);
   alphabet_ = before;
@@ -137,9 +138,16 @@ MathNode MathParser::environment(const Token& token) {
   return made;
 }
 
-void MathParser::skip_bracket() {
-  while (tokens_.peek().kind == Token::Kind::character && !tokens_.peek().is(U']')) tokens_.next();
-  if (tokens_.peek().is(U']')) tokens_.next();
+void MathParser::vertical_place(const std::string& environment) {
+  const Token bracket = tokens_.next();
+  const Token place = tokens_.peek();
+  const bool known = place.is(U't') || place.is(U'c') || place.is(U'b');
+  if (known) tokens_.next();
+  if (known && tokens_.peek().is(U']'))
+    tokens_.next();
+  else
+    tokens_.error(bracket, "\\begin{" + environment + "} takes [t], [c] or [b]",
+                  "put {} before another bracket");
 }
 
 void MathParser::array_columns(const Token& token, MathGrid& grid) {

@@ -144,7 +144,8 @@ class MathParser {
   std::optional<std::string> environment_name(std::string_view command, const Token& token);
   MathNode environment(const Token& token);
   /// [t] of aligned: alignments are centred on the axis always.
-  void skip_bracket();
+  /// [t], [c] or [b] is read; a formula's lines stand about the axis whatever it says.
+  void vertical_place(const std::string& environment);
   void array_columns(const Token& token, MathGrid& grid);
   MathNode substack(const Token& token);
   /// Cells until what closes the innermost opener; rows shorter than others are filled with empty cells.

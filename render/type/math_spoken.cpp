@@ -164,7 +164,7 @@ class Speaker {
       }
       if (is_bar(children[i])) {
         if (!inside_bars) word("the magnitude of");
-        if (children[i].kind == Kind::scripts) powers(children[i]);
+        if (children[i].kind == Kind::scripts) subscript_and_powers(children[i]);
         inside_bars = !inside_bars;
         continue;
       }
@@ -204,7 +204,9 @@ class Speaker {
       case Kind::arrow:
         word("goes to");
         word("by");
-        return node(n.children[0]);
+        node(n.children[0]);
+        if (!n.children[1].absent()) aside("with below", n.children[1]);
+        return;
       case Kind::stacked:
         node(n.children[0]);
         if (!n.children[1].absent()) aside("with above", n.children[1]);
@@ -267,10 +269,13 @@ class Speaker {
       return;
     }
     const MathSymbol* below = symbols_.below_power(n);
-    if (!symbol_said(below)) {
-      node(n.children[0]);
-      if (!n.children[1].absent()) aside("sub", n.children[1]);
-    }
+    if (symbol_said(below)) return powers(n);
+    node(n.children[0]);
+    subscript_and_powers(n);
+  }
+
+  void subscript_and_powers(const MathNode& n) {
+    if (!n.children[1].absent()) aside("sub", n.children[1]);
     powers(n);
   }
 

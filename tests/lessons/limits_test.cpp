@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each limit of reader.h is taken at the limit and refused one past it (figure L4).
+#include "lessons/front_matter.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
@@ -48,6 +49,17 @@ std::string overlays(int count) {
   return lesson_with("```scene\nshow = [" + repeated("'L', ", count) + "]\n```\n");
 }
 
+/// Front matter with a table of so many entries whose names have letters only.
+std::string table_of(const std::string& table, const std::string& value, int count) {
+  std::string text = "+++\nformat = 1\nid = 'a'\ntitle = 'A'\n[" + table + "]\n";
+  for (int i = 0; i < count; ++i)
+    text += std::string("a") + static_cast<char>('a' + i / 26) + static_cast<char>('a' + i % 26) + " = " +
+            value + "\n";
+  return text + "+++\n# T {t}\ntext\n";
+}
+std::string macros(int count) { return table_of("macros", "'x'", count); }
+std::string symbols(int count) { return table_of("symbols", "{ tex = 'x' }", count); }
+
 struct Limit {
   const char* name;
   int limit;
@@ -68,22 +80,26 @@ TEST_P(LessonLimit, IsTakenAtTheLimitAndRefusedOnePastIt) {
   EXPECT_FALSE(is_refused(limit.lesson(limit.limit), limit.message));
   EXPECT_TRUE(is_refused(limit.lesson(limit.limit + 1), limit.message));
 }
-INSTANTIATE_TEST_SUITE_P(All, LessonLimit,
-                         ::testing::Values(Limit{"bytes", static_cast<int>(kMaxLessonBytes), bytes,
-                                                 "bytes, at most"},
-                                           Limit{"stages", kMaxStages, stages, "at most 200 stages"},
-                                           Limit{"steps", kMaxStepsPerStage, steps, "at most 100 steps"},
-                                           Limit{"quotes", kMaxNesting, quotes, "nested deeper"},
-                                           Limit{"lists", kMaxNesting, lists, "nested deeper"},
-                                           Limit{"toml", kMaxNesting, toml_arrays, "nested deeper"},
-                                           Limit{"overlays", kMaxOverlays, overlays, "at most 32"}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    All, LessonLimit,
+    ::testing::Values(Limit{"bytes", static_cast<int>(kMaxLessonBytes), bytes, "bytes, at most"},
+                      Limit{"stages", kMaxStages, stages, "at most 200 stages"},
+                      Limit{"steps", kMaxStepsPerStage, steps, "at most 100 steps"},
+                      Limit{"quotes", kMaxNesting, quotes, "nested deeper"},
+                      Limit{"lists", kMaxNesting, lists, "nested deeper"},
+                      Limit{"toml", kMaxNesting, toml_arrays, "nested deeper"},
+                      Limit{"overlays", kMaxOverlays, overlays, "at most 32"},
+                      Limit{"macros", static_cast<int>(kMaxMacros), macros, "at most 64 macros"},
+                      Limit{"symbols", static_cast<int>(kMaxSymbols), symbols, "at most 200 symbols"}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 TEST(LessonLimit, LessonsAtTheirLimitsAreRead) {
   EXPECT_TRUE(read_lesson(bytes(static_cast<int>(kMaxLessonBytes)), "").lesson);
   EXPECT_TRUE(read_lesson(stages(kMaxStages), "").lesson);
   EXPECT_TRUE(read_lesson(steps(kMaxStepsPerStage), "").lesson);
   EXPECT_TRUE(read_lesson(lists(kMaxNesting), "").lesson);
+  EXPECT_TRUE(read_lesson(macros(static_cast<int>(kMaxMacros)), "").lesson);
+  EXPECT_TRUE(read_lesson(symbols(static_cast<int>(kMaxSymbols)), "").lesson);
   EXPECT_TRUE(read_lesson(overlays(kMaxOverlays), "").lesson);
 }
 

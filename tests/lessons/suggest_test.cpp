@@ -3,39 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
 namespace polhode {
 namespace {
-
-TEST(EditDistance, CountsInsertionsDeletionsReplacementsAndSwaps) {
-  EXPECT_EQ(edit_distance("omega", "omega"), 0);
-  EXPECT_EQ(edit_distance("omga", "omega"), 1);
-  EXPECT_EQ(edit_distance("omeega", "omega"), 1);
-  EXPECT_EQ(edit_distance("omaga", "omega"), 1);
-  EXPECT_EQ(edit_distance("omgea", "omega"), 1);
-  EXPECT_EQ(edit_distance("", "omega"), 5);
-  EXPECT_EQ(edit_distance("omega", ""), 5);
-  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
-}
-
-TEST(EditDistance, IsSymmetricAndBoundedByTheLongerWord) {
-  std::mt19937 random(1);
-  const auto word = [&random] {
-    std::string text(random() % 8, 'a');
-    for (char& c : text) c = static_cast<char>('a' + random() % 3);
-    return text;
-  };
-  for (int i = 0; i < 500; ++i) {
-    const std::string a = word();
-    const std::string b = word();
-    const int distance = edit_distance(a, b);
-    EXPECT_EQ(distance, edit_distance(b, a)) << a << ' ' << b;
-    EXPECT_LE(distance, static_cast<int>(std::max(a.size(), b.size()))) << a << ' ' << b;
-    EXPECT_GE(distance, std::abs(static_cast<int>(a.size()) - static_cast<int>(b.size()))) << a << ' ' << b;
-    EXPECT_EQ(distance == 0, a == b) << a << ' ' << b;
-  }
-}
 
 TEST(Suggestion, NamesTheNearest) {
   const std::vector<std::string> known = {"polhode", "herpolhode", "plane"};

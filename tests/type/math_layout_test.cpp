@@ -183,6 +183,16 @@ TEST(MathLayout, GlyphsAreInReadingOrder) {
   EXPECT_EQ(read, "(ab)23sxbnkb") << "s: the root, b: \\binom's parentheses";
 }
 
+TEST(MathLayout, AParenthesisMadeOfPartsIsReadAsOne) {
+  const std::string tall = "{\\frac{\\frac{\\frac{a}{a}}{\\frac{a}{a}}}{\\frac{\\frac{a}{a}}{\\frac{a}{a}}}}";
+  const std::string tex = "\\binom" + tall + tall;
+  std::string read;
+  for (const Glyph& g : set(tex).glyphs) read += g.source.begin == 0 ? '(' : tex[g.source.begin];
+  const std::size_t parts = read.find('a');
+  ASSERT_GT(parts, 1U) << "more than one glyph is needed";
+  EXPECT_EQ(read, std::string(parts, '(') + std::string(16, 'a') + std::string(parts, '('));
+}
+
 TEST(MathLayout, RootsCoverWhatIsUnderThem) {
   const DisplayList list = set("\\sqrt{a+b}");
   ASSERT_THAT(list.rules, SizeIs(1));
@@ -414,6 +424,9 @@ TEST(SpokenMath, IsWhatAReaderWouldSay) {
   EXPECT_EQ(said("x^2 + y^3 = 12.5"), "x squared plus y cubed equals 12.5");
   EXPECT_EQ(said("\\vec F"), "vector F");
   EXPECT_EQ(said("|\\vec L|^2"), "the magnitude of angular momentum squared");
+  EXPECT_EQ(said("|x|_2^2"), "the magnitude of x sub 2 squared");
+  EXPECT_EQ(said("a \\xrightarrow[b]{c} d"), "a goes to by c with below b d");
+  EXPECT_EQ(said("a \\xrightarrow{c} d"), "a goes to by c d");
   EXPECT_EQ(said("\\mathbf I^{-1}"), "I inverse");
   EXPECT_EQ(said("\\frac12"), "one half");
   EXPECT_EQ(said("\\frac{a+b}{c}"), "the fraction a plus b over c end of fraction");
