@@ -90,9 +90,9 @@ void note_left_out(const ExportPlan& plan, What what) {
   for (const std::string& id : plan.left_out)
     fmt::print(stderr, "polhode: stage \"{}\" has no {} and is left out\n", id, missing);
   if (plan.pictures.empty())
-    throw CommandError(
-        ExitCode::usage,
-        fmt::format("nothing to export: no frame, or no stage with a {}, was selected", missing));
+    throw CommandError(ExitCode::usage,
+                       fmt::format("nothing to export: no frame, or no stage with {} {}, was selected",
+                                   what == What::equation ? "an" : "a", missing));
 }
 
 void report_done(std::size_t count, const char* kind, const ExportOutput& out) {
@@ -107,7 +107,6 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   or_fail(may_export_into(out.folder, loaded.sha256, manifest.options));
 
   const Studio studio(out.context);
-  check_type_of(loaded, studio.renderer->fonts());
   const auto maker = maker_of({loaded.lesson, options, *studio.renderer});
   check_pictures(plan, *maker);
   manifest.renderer = studio.renderer->driver();
@@ -153,6 +152,7 @@ ExitCode run_export(const TypedExport& typed) {
   const ExportOptions options = export_options(typed);
   const ExportOutput out = export_output(typed);
   const LoadedLesson loaded = load_lesson(typed.lesson);
+  check_type_of(loaded, or_fail(Fonts::open()));
   return options.what == What::transcript ? export_transcript(loaded, options, out)
                                           : export_pictures(loaded, options, out);
 }

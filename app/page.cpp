@@ -119,6 +119,8 @@ Page compose_page(const PageRequest& request, const Fonts& fonts) {
   Page page;
   page.scale = text.scale;
   page.formula_scale = text.formula_scale;
+  page.equations = std::move(text.equations);
+  page.whole_from = text.whole_from;
   page.column = grid.text;
   page.meters = grid.meters;
   append(page.sheet, std::move(text.stack.sheet), {std::round(grid.text.x0), std::round(grid.text.y0)});

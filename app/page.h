@@ -32,6 +32,9 @@ struct Page {
   double scale = 1;
   /// Of the size of a display that fits the column; of the one that had to be set smallest.
   double formula_scale = 1;
+  /// What it shows: these equations, from the first; the steps from this one on (from 1) whole.
+  std::vector<const Equation*> equations;
+  int whole_from = 1;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.
   PixelBox column, meters;
 };

@@ -25,8 +25,8 @@ class PageMaker : public PictureMaker {
     MadePicture made;
     made.image = or_fail(context_.renderer.draw(page.sheet, page.insets, context_.options.size,
                                                 background_of(context_.options)));
-    made.alt = speaker_.words_of_page(*picture.stage, picture.step);
-    made.tex = tex_shown(*picture.stage, picture.step);
+    made.alt = speaker_.words_of_page(*picture.stage, page.whole_from, picture.step);
+    for (const Equation* equation : page.equations) made.tex.push_back(equation->tex);
     if (!shown.model) return made;
     made.t_s = shown.t_s;
     made.method = shown.model->motion->method();

@@ -100,6 +100,15 @@ class ScaledText {
     return least;
   }
 
+  std::vector<const Equation*> equations_in(const Selection& shown) const {
+    std::vector<const Equation*> all;
+    for (std::size_t i = shown.equations_from; i <= last_; ++i)
+      for (const Block& block : request_.stage.steps[i].blocks)
+        if (const auto* equation = std::get_if<Equation>(&block))
+          if (i >= shown.whole_from || !is_refuted(request_.stage, *equation)) all.push_back(equation);
+    return all;
+  }
+
  private:
   /// The smallest index below `end` from which on `pieces_from` fits; steps are tried from
   /// the newest back.
@@ -197,7 +206,8 @@ FittedText fit_text(const PageRequest& request, double width, double height, dou
   const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
   const auto text_at = [&](double scale) { return ScaledText(request, symbols, width, em, scale, fonts); };
   const auto fitted = [](ScaledText& text, const Selection& shown) {
-    return FittedText{text.stacked(shown), text.scale(), text.formula_scale(shown)};
+    return FittedText{text.stacked(shown), text.scale(), text.formula_scale(shown), text.equations_in(shown),
+                      static_cast<int>(shown.whole_from) + 1};
   };
   std::optional<FittedText> best;
   std::size_t best_rank = 0;

@@ -12,6 +12,8 @@ struct FittedText {
   Stack stack;
   double scale = 1;          ///< of the type's normal size
   double formula_scale = 1;  ///< of the display that had to be set smallest to fit the column's width
+  std::vector<const Equation*> equations;  ///< that stand there
+  int whole_from = 1;                      ///< the first step that is there whole
 };
 
 /// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a

@@ -105,7 +105,7 @@ std::string Speaker::words(const Callout& callout) const {
 std::string Speaker::words(const Ask& ask) const {
   std::string text = "Question: " + sentence(words(ask.prompt_text));
   for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
-    add(text, fmt::format("Choice {}: {}", i + 1, sentence(words(ask.choice_texts[i]))));
+    add(text, fmt::format("Choice {}: {}", letter_of_choice(i), sentence(words(ask.choice_texts[i]))));
   return text;
 }
 
@@ -116,14 +116,15 @@ std::string Speaker::words_of_caption(const Stage& stage, int step) const {
   return caption ? words(*caption) : std::string();
 }
 
-std::string Speaker::words_of_page(const Stage& stage, int step) const {
+std::string Speaker::words_of_page(const Stage& stage, int first, int last) const {
   std::string text = words_of_title(stage);
-  for (const Block& block : stage.steps[static_cast<std::size_t>(step - 1)].blocks) {
-    if (const auto* prose = std::get_if<Prose>(&block)) add(text, words(prose->text));
-    if (const auto* equation = std::get_if<Equation>(&block)) add(text, words(*equation));
-    if (const auto* callout = std::get_if<Callout>(&block)) add(text, words(*callout));
-    if (const auto* ask = std::get_if<Ask>(&block)) add(text, words(*ask));
-  }
+  for (int step = first; step <= last; ++step)
+    for (const Block& block : stage.steps[static_cast<std::size_t>(step - 1)].blocks) {
+      if (const auto* prose = std::get_if<Prose>(&block)) add(text, words(prose->text));
+      if (const auto* equation = std::get_if<Equation>(&block)) add(text, words(*equation));
+      if (const auto* callout = std::get_if<Callout>(&block)) add(text, words(*callout));
+      if (const auto* ask = std::get_if<Ask>(&block)) add(text, words(*ask));
+    }
   return text;
 }
 

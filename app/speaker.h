@@ -28,8 +28,8 @@ class Speaker {
   std::string words_of_title(const Stage& stage) const;
   /// Of the step's figure (steps from 1); empty: none.
   std::string words_of_caption(const Stage& stage, int step) const;
-  /// Title, and what the step adds.
-  std::string words_of_page(const Stage& stage, int step) const;
+  /// Title, and what the steps from `first` to `last` add.
+  std::string words_of_page(const Stage& stage, int first, int last) const;
 
  private:
   const Lesson& lesson_;

@@ -192,7 +192,7 @@ ColumnPiece TextColumn::question(const Ask& ask) const {
   for (std::size_t i = 0; i < ask.choice_texts.size(); ++i) {
     RichText choice = ask.choice_texts[i];
     if (!choice.empty()) {
-      choice.front().marker = std::string(1, static_cast<char>('A' + i)) + ".";
+      choice.front().marker = std::string(1, letter_of_choice(i)) + ".";
       choice.front().indent = 1;
     }
     text.insert(text.end(), choice.begin(), choice.end());

@@ -58,7 +58,7 @@ class Transcript {
   void add(const Ask& ask) {
     add_paragraph(speaker_.words(ask.prompt_text), "Question: ");
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
-      text_ += wrapped(speaker_.words(ask.choice_texts[i]), fmt::format("  {}. ", i + 1));
+      text_ += wrapped(speaker_.words(ask.choice_texts[i]), fmt::format("  {}. ", letter_of_choice(i)));
   }
 
   void add_paragraph(const std::string& words, const std::string& first) {

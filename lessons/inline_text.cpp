@@ -4,6 +4,7 @@
 #include "lessons/inline_math.h"
 #include "render/type/characters.h"
 #include "render/type/line_formulas.h"
+#include "render/type/math_tree.h"
 
 #include <md4c.h>
 
@@ -309,7 +310,7 @@ class TextReader::Builder {
   }
 
   void add_formula(SourceSpan formula) {
-    auto math = reader_.parse(markdown_, formula.begin, formula.end, reader_.macros_);
+    auto math = reader_.parse_inline(markdown_, formula.begin, formula.end, reader_.macros_);
     if (!math) return;
     TextSpan span = new_span(markdown_.span_of(formula.begin, formula.end));
     span.kind = TextSpan::Kind::math;
@@ -380,7 +381,7 @@ RichText TextReader::caption(const LocatedText& text) {
     span.text = text.text().substr(begin, end - begin);
     span.source = text.span_of(begin, end);
     if (math) {
-      auto parsed = parse(text, begin, end, {});
+      auto parsed = parse_inline(text, begin, end, {});
       if (!parsed) return;
       span.kind = TextSpan::Kind::math;
       span.math = std::move(*parsed);
@@ -403,6 +404,22 @@ RichText TextReader::caption(const LocatedText& text) {
 
 std::optional<Math> TextReader::formula(const LocatedText& tex) {
   return parse(tex, 0, tex.text().size(), macros_);
+}
+
+std::optional<Math> TextReader::parse_inline(const LocatedText& text, std::size_t begin, std::size_t end,
+                                             const MathMacros& macros) {
+  auto math = parse(text, begin, end, macros);
+  if (!math) return std::nullopt;
+  const auto refuse = [&](std::size_t at, const char* what) {
+    report_.error(source().place_of(text.offset_of(begin + at)), what, "write it as a ```math fence");
+  };
+  if (!math->tag_offsets.empty())
+    refuse(math->tag_offsets.front(), "\\tag numbers a display, and this formula stands in a line of text");
+  else if (math->root->kind == MathNode::Kind::grid)
+    refuse(0, "& and \\\\ make rows of a display, and this formula stands in a line of text");
+  else
+    return math;
+  return std::nullopt;
 }
 
 std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin, std::size_t end,

@@ -41,6 +41,8 @@ class TextReader {
  private:
   class Builder;
   RichText read(const LocatedText& markdown, bool one_paragraph);
+  std::optional<Math> parse_inline(const LocatedText& text, std::size_t begin, std::size_t end,
+                                   const MathMacros& macros);
   std::optional<Math> parse(const LocatedText& text, std::size_t begin, std::size_t end,
                             const MathMacros& macros);
   bool take_spans(std::size_t count, std::size_t offset);

@@ -74,6 +74,9 @@ struct Ask {
   SourcePlace place;
 };
 
+/// Choices are called A, B, C … wherever they are shown or read; there are at most 16.
+constexpr char letter_of_choice(std::size_t index) { return static_cast<char>('A' + index); }
+
 using Block = std::variant<Prose, Equation, Claim, Callout, Ask>;
 
 /// A step adds blocks to what the stage already shows; its scene is complete (inherited keys filled in).

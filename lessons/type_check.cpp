@@ -13,6 +13,7 @@ class TypeCheck {
       : lesson_(lesson), fonts_(fonts), source_(lesson.source), report_(source_, file) {}
 
   std::vector<Diagnostic> run() {
+    title();
     for (const auto& [name, symbol] : lesson_.symbols) formula(symbol.math, symbol.offset);
     for (const Stage& stage : lesson_.stages) {
       TextStyle heading = body_;
@@ -24,6 +25,15 @@ class TypeCheck {
   }
 
  private:
+  void title() {
+    TextSpan span;
+    span.text = lesson_.title;
+    const auto offset = std::min(lesson_.source.find(lesson_.title), lesson_.source.size());
+    if (const auto set = set_text({TextBlock{.indent = 0, .marker = {}, .spans = {span}}}, body_, fonts_);
+        !set)
+      report(set.error(), offset);
+  }
+
   void check(const Step& step) {
     for (const Block& block : step.blocks) std::visit([this](const auto& b) { check(b); }, block);
     if (!step.caption || step.caption == caption_) return;  // steps that go on with it share it
