@@ -77,7 +77,7 @@ TEST(Transcript, HasTheStagesAskedFor) {
 
 TEST(Speaker, SaysAPage) {
   const Lesson l = lesson();
-  EXPECT_THAT(Speaker(l).words_of_page(l.stages[0], 1),
+  EXPECT_THAT(Speaker(l).words_of_page(l.stages[0], 1, 1),
               testing::AllOf(testing::StartsWith("The first stage. The vector angular velocity is long:"),
                              HasSubstr("Equation (7): "), HasSubstr("Choice 2: zero.")));
 }
