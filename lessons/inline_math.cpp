@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/inline_math.h"
 
+#include "render/type/characters.h"
+
 #include <algorithm>
 
 namespace polhode {
@@ -83,8 +85,6 @@ class InlineScan {
     }
     i_ = end + 1;
   }
-
-  static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
   const LocatedText& markdown_;
   std::string_view text_;

@@ -16,6 +16,9 @@ char32_t next_character(std::string_view text, std::size_t& at);
 
 void append_utf8(std::string& text, char32_t character);
 
+/// Blank, tab and ends of lines: what parts words of a source.
+constexpr bool is_space(char32_t c) { return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r'; }
+
 /// Letters of scripts written from right to left, and marks that turn the direction.
 bool is_right_to_left(char32_t character);
 

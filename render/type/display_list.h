@@ -89,4 +89,7 @@ struct TypeError {
   std::string hint;  ///< what to do; may be empty
 };
 
+/// So many of them are told of one text at most.
+inline constexpr std::size_t kMaxTypeErrors = 16;
+
 }  // namespace polhode

@@ -35,6 +35,8 @@ struct GlyphMask {
   std::vector<std::uint8_t> ink;
 };
 
+/// For one thread at a time: the const functions too share HarfBuzz's buffer, FreeType's glyph slot and the
+/// boxes of glyphs met so far.
 class Fonts {
  public:
   /// The error names the font that is missing and the Debian package to install. About 1 ms.

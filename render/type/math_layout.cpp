@@ -2,7 +2,6 @@
 #include "render/type/math_layout.h"
 
 #include "render/type/characters.h"
-#include "render/type/math_alphabets.h"
 
 #include <algorithm>
 #include <array>
@@ -106,8 +105,7 @@ void MathLayout::put_rule(double x0, double y0, double x1, double y1, double thi
 }
 
 void MathLayout::fail(SourceSpan at, char32_t character) {
-  constexpr std::size_t kMostErrors = 16;
-  if (errors_.size() == kMostErrors) return;
+  if (errors_.size() == kMaxTypeErrors) return;
   std::string shown;
   append_utf8(shown, character);
   errors_.push_back({at.begin, "the fonts lack " + shown + " (" + code_point_name(character) + ")", ""});

@@ -5,8 +5,6 @@
 #include "render/type/math_layout.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace polhode {
 std::optional<MathLayout::Found> MathLayout::find_glyph(char32_t character, Alphabet alphabet,

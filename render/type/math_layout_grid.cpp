@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Matrices and alignments, and displays broken into lines.
-#include "render/type/characters.h"
-#include "render/type/math_alphabets.h"
 #include "render/type/math_layout.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace polhode {
 

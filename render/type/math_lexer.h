@@ -14,13 +14,12 @@ namespace polhode {
 class MathErrors {
  public:
   void add(std::size_t offset, std::string message, std::string hint = {});
-  bool full() const { return errors_.size() >= kMost; }
+  bool full() const { return errors_.size() >= kMaxTypeErrors; }
   bool none() const { return errors_.empty(); }
   /// In the order of their offsets.
   std::vector<TypeError> take();
 
  private:
-  static constexpr std::size_t kMost = 16;
   std::vector<TypeError> errors_;
 };
 

@@ -2,9 +2,6 @@
 #include "render/type/characters.h"
 #include "render/type/math_parser.h"
 
-#include <array>
-#include <cstdlib>
-#include <map>
 #include <utility>
 
 namespace polhode {

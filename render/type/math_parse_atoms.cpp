@@ -4,9 +4,6 @@
 #include "render/type/math_parser.h"
 #include "render/type/near_name.h"
 
-#include <array>
-#include <cstdlib>
-#include <map>
 #include <utility>
 
 namespace polhode {

@@ -22,7 +22,6 @@ bool is_term_id(std::string_view text) {
 
 }  // namespace
 
-/// "2pt", "0.5em": em. TeX's points are of a ten-point font. Nothing if it is no length.
 std::optional<double> length_in_em(const std::string& text) {
   struct Unit {
     std::string_view name;

@@ -129,9 +129,9 @@ std::string_view accent_word(char32_t accent) {
   }
 }
 
-class Speaker {
+class FormulaSpeaker {
  public:
-  Speaker(const std::vector<MathSymbol>& symbols, const std::function<std::string(std::string_view)>& say)
+  FormulaSpeaker(const std::vector<MathSymbol>& symbols, const std::function<std::string(std::string_view)>& say)
       : symbols_(&symbols), say_(say) {}
 
   std::string run(const MathNode& root) {
@@ -389,7 +389,7 @@ class Speaker {
 
 std::string spoken(const Math& math, const std::vector<MathSymbol>& symbols,
                    const std::function<std::string(std::string_view symbol)>& say) {
-  return math.root ? Speaker(symbols, say).run(*math.root) : std::string();
+  return math.root ? FormulaSpeaker(symbols, say).run(*math.root) : std::string();
 }
 
 }  // namespace polhode

@@ -14,7 +14,6 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t kMaxErrors = 16;
 constexpr int kMaxFormulaTries = 12;  // to make one narrow enough
 
 // Lengths in em of the text.
@@ -43,7 +42,6 @@ constexpr double kAfterHyphen = 60.0;
 constexpr double kAfterShortWord = 50.0;
 constexpr double kBeforeShortFormula = 45.0;
 
-bool is_space(char32_t c) { return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r'; }
 bool is_digit(char32_t c) { return U'0' <= c && c <= U'9'; }
 bool is_combining(char32_t c) {
   return (0x0300 <= c && c <= 0x036F) || (0x20D0 <= c && c <= 0x20F0) || (0x1AB0 <= c && c <= 0x1AFF);
@@ -125,14 +123,14 @@ class TextSetter {
     measure_indents(text);
     for (const TextBlock& block : text) {
       set_block(block, &block != text.data() ? &block - 1 : nullptr);
-      if (errors_.size() >= kMaxErrors) break;
+      if (errors_.size() >= kMaxTypeErrors) break;
     }
     return std::move(list_);
   }
   std::vector<TypeError> take_errors() {
     std::stable_sort(errors_.begin(), errors_.end(),
                      [](const TypeError& a, const TypeError& b) { return a.offset < b.offset; });
-    if (errors_.size() > kMaxErrors) errors_.resize(kMaxErrors);
+    if (errors_.size() > kMaxTypeErrors) errors_.resize(kMaxTypeErrors);
     return std::move(errors_);
   }
 
@@ -392,19 +390,16 @@ class TextSetter {
     Parts split;
     for (std::size_t p = 0; p < parts.lines.size(); ++p) {
       const std::size_t first = parts.first_atoms[p], end = parts.first_atoms[p + 1];
-      double begin_x = 0.0;
       std::size_t begin = first;
       for (std::size_t a = first; a < end; ++a) {
         if (a == begin || !parts.atoms[a].is_cluster) continue;
-        const double right = next_x(parts, p, a) - begin_x;
-        if (right <= width) continue;
+        if (next_x(parts, p, a) <= width) continue;
+        const double x = parts.atoms[a].glyph.x;
         split.first_atoms.push_back(begin);
-        split.lines.push_back({parts.atoms[a].glyph.x - begin_x, 0, 0, 0, 100.0, false});
+        split.lines.push_back({x, 0, 0, 0, 100.0, false});
         begin = a;
-        begin_x = parts.atoms[a].glyph.x;
-        for (std::size_t rest = a; rest < end; ++rest) parts.atoms[rest].glyph.x -= begin_x;
-        parts.lines[p].width -= begin_x;
-        begin_x = 0.0;
+        for (std::size_t rest = a; rest < end; ++rest) parts.atoms[rest].glyph.x -= x;
+        parts.lines[p].width -= x;
       }
       split.first_atoms.push_back(begin);
       split.lines.push_back(parts.lines[p]);
