@@ -28,6 +28,7 @@ class TypeCheck {
   void title() {
     TextSpan span;
     span.text = lesson_.title;
+    span.source = {0, static_cast<std::uint32_t>(lesson_.title.size())};
     const auto offset = std::min(lesson_.source.find(lesson_.title), lesson_.source.size());
     if (const auto set = set_text({TextBlock{.indent = 0, .marker = {}, .spans = {span}}}, body_, fonts_);
         !set)

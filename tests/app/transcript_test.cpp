@@ -58,7 +58,7 @@ TEST(Transcript, HasWhatIsReadInItsOrder) {
                            "angular velocity", " is long:\n", "\n  • one item\n  • another item\n",
                            "    Equation (7): angular velocity", "  > The lecture said: It is small.\n",
                            "  > What it meant: It is zero.\n",
-                           "Question: How long is it?\n  1. short\n  2. zero\n", "\n2. The second stage\n"}) {
+                           "Question: How long is it?\n  A. short\n  B. zero\n", "\n2. The second stage\n"}) {
     const std::size_t found = text.find(part, at);
     ASSERT_NE(found, std::string::npos) << part << "\nin\n" << text;
     at = found;
@@ -79,7 +79,7 @@ TEST(Speaker, SaysAPage) {
   const Lesson l = lesson();
   EXPECT_THAT(Speaker(l).words_of_page(l.stages[0], 1, 1),
               testing::AllOf(testing::StartsWith("The first stage. The vector angular velocity is long:"),
-                             HasSubstr("Equation (7): "), HasSubstr("Choice 2: zero.")));
+                             HasSubstr("Equation (7): "), HasSubstr("Choice B: zero.")));
 }
 
 std::string spoken_prose(const std::string& prose) {

@@ -67,8 +67,8 @@ TEST(InlineText, HasFormulas) {
 }
 
 TEST(InlineText, TakesMarksInFormulasForMathematics) {
-  EXPECT_EQ(passage("$a_1$ and _b_ $[c](d)$ `$e$` $\\\\f$"),
-            "[m:a_1][ and ][i:b][ ][m:[c](d)][ ][c:$e$][ ][m:\\\\f]");
+  EXPECT_EQ(passage("$a_1$ and _b_ $[c](d)$ `$e$` $\\{f$"),
+            "[m:a_1][ and ][i:b][ ][m:[c](d)][ ][c:$e$][ ][m:\\{f]");
 }
 
 TEST(InlineText, JoinsLinesAndBreaksWhereItIsTold) {
@@ -137,6 +137,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{"a &#0; b", "1:3: error: unknown character &#0;"},
                       Refused{"ωω $\\vec{a$", "1:9: error: { is never closed"},
                       Refused{"a [b](c$d$)", "1:8: error: a formula cannot stand here"},
+                      Refused{"a $b \\tag{1}$", "1:11: error: \\tag numbers a display"},
+                      Refused{"a $b & c$", "1:4: error: & and \\\\ make rows of a display"},
                       Refused{"a $$x$$", "1:3: error: display mathematics stands in a fence"}));
 
 TEST(InlineText, KeepsWhatIsLeftAfterAnError) {

@@ -82,7 +82,8 @@ TEST(ReadKeys, CallsTheHandlerOfEachKeyAndReportsTheRest) {
   const auto call = [&called](const TomlEntry& entry) { called.push_back(entry.key); };
   read_keys(table, "the scene", {{"at", call}, {"rate", call}}, at.report);
   EXPECT_THAT(called, ElementsAre("at"));
-  EXPECT_THAT(at.lines(), ElementsAre("2:1: error: unknown key \"rat\" in the scene (did you mean \"rate\"?)"));
+  EXPECT_THAT(at.lines(),
+              ElementsAre("2:1: error: unknown key \"rat\" in the scene (did you mean \"rate\"?)"));
 }
 
 }  // namespace

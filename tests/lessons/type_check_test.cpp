@@ -44,6 +44,11 @@ TEST(TypeCheck, SaysWhereAGlyphIsMissing) {
                   "21:14: error: no font has the character U+6708 (write another one)"));
 }
 
+TEST(TypeCheck, ReadsTheTitleOfTheLesson) {
+  EXPECT_THAT(complaints("+++\nformat = 1\nid = \"a\"\ntitle = \"A 水\"\n+++\n# B {b}\nc\n"),
+              ElementsAre("4:12: error: no font has the character U+6C34 (write another one)"));
+}
+
 TEST(TypeCheck, SaysWhatRunsFromRightToLeft) {
   EXPECT_THAT(complaints(testing::lesson_with("a ש\n")),
               ElementsAre("9:3: error: text from right to left is not set: U+05E9"));
