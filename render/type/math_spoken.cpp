@@ -131,7 +131,8 @@ std::string_view accent_word(char32_t accent) {
 
 class FormulaSpeaker {
  public:
-  FormulaSpeaker(const std::vector<MathSymbol>& symbols, const std::function<std::string(std::string_view)>& say)
+  FormulaSpeaker(const std::vector<MathSymbol>& symbols,
+                 const std::function<std::string(std::string_view)>& say)
       : symbols_(&symbols), say_(say) {}
 
   std::string run(const MathNode& root) {

@@ -21,9 +21,8 @@ TEST(MathFuzz, HostileFormulasAreRefusedAtOnce) {
   const auto fonts = Fonts::open();
   ASSERT_TRUE(fonts.ok()) << fonts.error();
   const std::string mebibyte(1 << 20, '{');
-  for (const std::string& tex :
-       {mebibyte, std::string(10000, '{'), std::string(8192, '^'), std::string(8192, '}'),
-        std::string(8192, '\xff')}) {
+  for (const std::string& tex : {mebibyte, std::string(10000, '{'), std::string(8192, '^'),
+                                 std::string(8192, '}'), std::string(8192, '\xff')}) {
     const auto math = parse_math(tex);
     ASSERT_FALSE(math.ok());
     EXPECT_LE(math.error().size(), 16U);

@@ -267,7 +267,8 @@ TEST(Morph, GoesOnWithoutJumps) {
 DisplayList random_list(std::size_t n, unsigned seed) {
   std::mt19937 generator(seed);
   DisplayList list;
-  for (std::size_t i = 0; i < n; ++i) list.glyphs.push_back(letter(static_cast<std::uint32_t>(generator() % 20), static_cast<double>(i)));
+  for (std::size_t i = 0; i < n; ++i)
+    list.glyphs.push_back(letter(static_cast<std::uint32_t>(generator() % 20), static_cast<double>(i)));
   return list;
 }
 
