@@ -117,14 +117,15 @@ Conserved conserved(const PrincipalMoments& I, const RigidBodyState& state, doub
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-/// The largest of each group of neighbours, so that no drift is larger than what is drawn.
+/// The largest of each group of neighbours, so that no drift is larger than what is drawn. The groups are
+/// alike: a last one of few samples would fall off.
 TimePlot thinned(const TimePlot& plot, std::size_t most) {
-  const std::size_t group = (plot.t.size() + most - 1) / most;
+  const std::size_t groups = std::min(most, plot.t.size());
   TimePlot thin = plot;
   thin.t.clear();
   for (TimeSeries& series : thin.series) series.y.clear();
-  for (std::size_t begin = 0; begin < plot.t.size(); begin += group) {
-    const std::size_t end = std::min(begin + group, plot.t.size());
+  for (std::size_t i = 0; i < groups; ++i) {
+    const std::size_t begin = i * plot.t.size() / groups, end = (i + 1) * plot.t.size() / groups;
     thin.t.push_back(begin == 0 ? plot.t.front() : plot.t[end - 1]);
     for (std::size_t k = 0; k < thin.series.size(); ++k) {
       const auto y = plot.series[k].y.begin();
