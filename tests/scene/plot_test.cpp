@@ -3,6 +3,7 @@
 
 #include "render/scene/label_layout.h"
 #include "tests/scene/plot_examples.h"
+#include "tests/scene/sheet_texts.h"
 
 #include <gtest/gtest.h>
 
@@ -15,33 +16,8 @@ namespace {
 
 constexpr double kWidth = 1920, kHeight = 1080;
 
-const Fonts& fonts() {
-  static const Fonts kFonts = Fonts::open().value();
-  return kFonts;
-}
-
 Sheet sheet_of(const WorkPrecisionPlot& plot, double width = kWidth, double height = kHeight) {
   return lay_out(plot, width, height, fonts());
-}
-
-PixelBox box_of(const PlacedType& type) {
-  const TypeBox ink = ink_box(type.list, fonts());
-  const Vec2& at = type.at;
-  return {at.x() + ink.x0, at.y() + ink.y0, at.x() + ink.x1, at.y() + ink.y1};
-}
-
-std::vector<const PlacedType*> texts_of(const Sheet& sheet, const std::string& text) {
-  std::vector<const PlacedType*> found;
-  for (const PlacedType& type : sheet.texts)
-    if (type.text == text) found.push_back(&type);
-  return found;
-}
-
-const PlacedType& only_text(const Sheet& sheet, const std::string& text) {
-  const auto found = texts_of(sheet, text);
-  if (found.size() != 1)
-    throw std::runtime_error(text + " stands there " + std::to_string(found.size()) + " times");
-  return *found.front();
 }
 
 /// Text that covers text, or leaves the picture.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/time_plot.h"
 
+#include "tests/scene/sheet_texts.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,32 +17,8 @@ constexpr double kInf = std::numeric_limits<double>::infinity(),
 constexpr PixelBox kBox{100, 50, 460, 210};
 constexpr TimePlotStyle kStyle{.type_size = 15};
 
-const Fonts& fonts() {
-  static const Fonts kFonts = Fonts::open().value();
-  return kFonts;
-}
-
 Sheet sheet_of(const TimePlot& plot, const PixelBox& box = kBox) {
   return lay_out(plot, box, kStyle, fonts());
-}
-
-PixelBox box_of(const PlacedType& type) {
-  const TypeBox ink = ink_box(type.list, fonts());
-  return {type.at.x() + ink.x0, type.at.y() + ink.y0, type.at.x() + ink.x1, type.at.y() + ink.y1};
-}
-
-std::vector<const PlacedType*> texts_of(const Sheet& sheet, const std::string& text) {
-  std::vector<const PlacedType*> found;
-  for (const PlacedType& type : sheet.texts)
-    if (type.text == text) found.push_back(&type);
-  return found;
-}
-
-const PlacedType& only_text(const Sheet& sheet, const std::string& text) {
-  const auto found = texts_of(sheet, text);
-  if (found.size() != 1)
-    throw std::runtime_error(text + " stands there " + std::to_string(found.size()) + " times");
-  return *found.front();
 }
 
 void expect_tidy(const Sheet& sheet, const PixelBox& picture = kBox) {
