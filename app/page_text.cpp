@@ -71,7 +71,7 @@ class ScaledText {
         column_(width, scale * em, request.theme, symbols, fonts),
         last_(static_cast<std::size_t>(request.step - 1)),
         begun_{header(false), column_.title(request.stage.title_text)},
-        continued_{header(true), column_.title(request.stage.title_text)},
+        continued_{header(true), begun_[1]},
         whole_(last_ + 1),
         equations_(last_ + 1) {}
 
