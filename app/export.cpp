@@ -94,7 +94,7 @@ PictureFile drawn_file(const PlannedPicture& picture, const PictureExport& e, Pi
 /// Draws and writes until all are there or someone interrupts. Returns how many there are.
 std::size_t write_pictures(const PictureExport& e, PictureMaker& maker, const InterruptWatch& watch) {
   const ProgressBar progress(static_cast<std::int64_t>(e.plan.pictures.size()));
-  PictureWriter writer(e.out.folder, e.out.durability);
+  PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
   const PlannedPicture* before = nullptr;
   std::size_t count = 0;
   for (const PlannedPicture& picture : e.plan.pictures) {

@@ -6,8 +6,8 @@
 
 namespace polhode {
 
-PictureWriter::PictureWriter(std::filesystem::path folder, Durability durability)
-    : folder_(std::move(folder)), durability_(durability), thread_([this] { work(); }) {}
+PictureWriter::PictureWriter(std::filesystem::path folder, PngPacking packing, Durability durability)
+    : folder_(std::move(folder)), durability_(durability), encoder_(packing), thread_([this] { work(); }) {}
 
 PictureWriter::~PictureWriter() {
   {
@@ -57,9 +57,9 @@ void PictureWriter::work() {
 Status PictureWriter::write(const PictureFile& picture) try {
   const std::filesystem::path path = folder_ / picture.name;
   if (picture.image) {
-    Result<std::vector<std::uint8_t>> bytes = encode_png(*picture.image, picture.metadata);
+    const auto bytes = encoder_.encode(*picture.image, picture.metadata);
     if (!bytes) return failure("Cannot write " + path.string() + ": " + bytes.error());
-    bytes_ = std::move(*bytes);
+    bytes_ = *bytes;
   }
   assert(!bytes_.empty());
   return write_file_atomically(path, bytes_, durability_);
