@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 
 namespace polhode {
@@ -58,6 +59,18 @@ Status write_file_atomically(const std::filesystem::path& path, std::span<const 
                              Durability durability = Durability::rename_only);
 Status write_file_atomically(FileOps& files, const std::filesystem::path& path,
                              std::span<const std::uint8_t> bytes, Durability durability);
+
+/// Takes the next bytes of a file; a failure (a full disk) is to be passed on.
+using AppendBytes = std::function<Status(std::span<const std::uint8_t>)>;
+
+using FillFile = std::function<Status(const AppendBytes&)>;
+
+/// The same for what is too large to hold in memory: `fill` gives the bytes piece by piece, and throws
+/// nothing. If it fails, the error ends with its words, and `path` is as it was.
+Status write_file_in_pieces(const std::filesystem::path& path, const FillFile& fill,
+                            Durability durability = Durability::rename_only);
+Status write_file_in_pieces(FileOps& files, const std::filesystem::path& path, const FillFile& fill,
+                            Durability durability);
 
 /// Flushes the file system that holds `folder` to disk (syncfs): call once after the last file of an export.
 Status sync_folder(const std::filesystem::path& folder);
