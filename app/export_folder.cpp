@@ -41,7 +41,8 @@ Failure<std::string> refuse(const fs::path& folder, const std::string& what) {
 }
 
 /// @param finished `there` is of manifest.json, not of the marker
-Status may_join(const fs::path& folder, const ExportIdentity& there, const ExportIdentity& mine, bool finished) {
+Status may_join(const fs::path& folder, const ExportIdentity& there, const ExportIdentity& mine,
+                bool finished) {
   const char* an_export = finished ? "an export" : "an unfinished export";
   if (there.options != mine.options) {
     if (without_frames(there.options) != without_frames(mine.options))
@@ -53,9 +54,10 @@ Status may_join(const fs::path& folder, const ExportIdentity& there, const Expor
   if (there.lesson_sha256 != mine.lesson_sha256)
     return refuse(folder, fmt::format("{} of another lesson text", an_export));
   if (!among(there.options, mine.options))
-    return failure(fmt::format("{} holds {} of this selection; to add to them, export a range with them in it "
-                               "and --skip-existing, or {}",
-                               folder.string(), words_of_frames(there.options), kAdvice));
+    return failure(
+        fmt::format("{} holds {} of this selection; to add to them, export a range with them in it "
+                    "and --skip-existing, or {}",
+                    folder.string(), words_of_frames(there.options), kAdvice));
   return success();
 }
 
@@ -127,8 +129,8 @@ Result<std::optional<std::string>> renderer_of_shards(const fs::path& folder, co
     const ManifestSummary& found = **there;
     if (found.of.options != mine.options || found.of.lesson_sha256 != mine.lesson_sha256 ||
         found.files != shard.size(pictures))
-      return failure(fmt::format("{} is of another export; remove it and export that shard again",
-                                 path.string()));
+      return failure(
+          fmt::format("{} is of another export; remove it and export that shard again", path.string()));
     renderers.push_back(found.renderer);
   }
   return std::optional(join_renderers(renderers));

@@ -2,9 +2,9 @@
 // The folder of an export, from before its first picture until its manifest is there.
 //
 // A hidden marker file is made before the first picture and goes away when manifest.json is there. Marker and
-// manifest say of which lesson text and options the folder is: others are refused, at whatever moment they come,
-// and whatever was killed before. Shards leave manifest.I-of-N.json; whoever finds that all of them are there
-// writes manifest.json and removes them. Two may find it at the same moment: they write the same bytes.
+// manifest say of which lesson text and options the folder is: others are refused, at whatever moment they
+// come, and whatever was killed before. Shards leave manifest.I-of-N.json; whoever finds that all of them are
+// there writes manifest.json and removes them. Two may find it at the same moment: they write the same bytes.
 #pragma once
 
 #include "app/manifest.h"
@@ -28,9 +28,9 @@ struct FolderState {
   std::string renderer;  ///< what drew the pictures that are there, as far as known
 };
 
-/// An error if the folder holds, or is about to hold, an export of other options or another lesson text: it says
-/// what differs. Of a finished export of other frames of the same selection it is none if these are among
-/// those of the new one.
+/// An error if the folder holds, or is about to hold, an export of other options or another lesson text: it
+/// says what differs. Of a finished export of other frames of the same selection it is none if these are
+/// among those of the new one.
 Result<FolderState> look_into(const std::filesystem::path& folder, const ExportIdentity& mine);
 
 /// What the marker says to `polhode verify`.
@@ -46,8 +46,8 @@ struct Marker {
 /// exporter that came in between is noticed here, with the same errors.
 Result<FolderState> begin_in(const std::filesystem::path& folder, const Marker& mine);
 
-/// The drivers of all shards, if every shard's manifest is there; nothing if one is missing. An error if one is
-/// of something else.
+/// The drivers of all shards, if every shard's manifest is there; nothing if one is missing. An error if one
+/// is of something else.
 /// @param pictures of the whole plan
 Result<std::optional<std::string>> renderer_of_shards(const std::filesystem::path& folder,
                                                       const ExportIdentity& mine, std::int64_t shards,

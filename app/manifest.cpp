@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::string_view kBetweenRenderers = "; ";
+constexpr std::string_view kBetweenRenderers = " | ";
 
 const char* name_of(Each each) {
   switch (each) {

@@ -50,16 +50,6 @@ void check_pictures(const ExportPlan& plan, PictureMaker& maker) {
   }
 }
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error && !fs::is_directory(folder, error) && !error)
-    error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("cannot make folder {}: {}", folder.string(), error.message()));
-}
-
 FolderState begin(const PictureExport& e, const std::string& renderer) {
   Marker marker{identity_of(e.loaded, e.options), renderer, e.out.resume_all, {}};
   for (const PlannedPicture& picture : e.plan.pictures) marker.files.push_back(picture.file);
@@ -70,7 +60,7 @@ FolderState begin(const PictureExport& e, const std::string& renderer) {
 /// Draws and writes until all are there or someone interrupts.
 PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep,
                             const TellProgress& tell, const InterruptWatch& watch) {
-  PictureWriter writer(e.out.folder, e.out.durability);
+  PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
   PicturesMade made;
   const PlannedPicture* before = nullptr;  // the one put last
   for (std::size_t place = 0; place < e.plan.pictures.size() && !watch.interrupted(); ++place) {
@@ -78,8 +68,8 @@ PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool ma
     const PlannedPicture& picture = e.plan.pictures[place];
     tell(made.count, picture.file);
     const PictureDescription description = maker.describe(picture);
-    PngMetadata metadata = picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s,
-                                            e.options.dpi);
+    PngMetadata metadata =
+        picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s, e.options.dpi);
     ++made.count;
     if (may_keep && check_picture(e.out.folder / picture.file, description.size, metadata).state ==
                         PictureCheck::State::whole) {
@@ -87,8 +77,8 @@ PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool ma
       continue;
     }
     const bool repeats = before && maker.same_bytes(*before, picture);
-    or_fail(writer.put({picture.file, repeats ? std::nullopt : std::optional(maker.draw(picture)),
-                        std::move(metadata)}));
+    or_fail(writer.put(
+        {picture.file, repeats ? std::nullopt : std::optional(maker.draw(picture)), std::move(metadata)}));
     before = &picture;
   }
   or_fail(writer.finish());
@@ -102,21 +92,38 @@ ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker) {
           made.size,    std::move(made.tex), std::move(made.alt), std::move(made.method)};
 }
 
-/// Of the pictures of a shard. Says nothing that this process would have to remember of pictures it drew, so
-/// that anyone can write the manifest of all.
+/// Of the pictures of a shard. Needs nothing remembered of their drawing, so that anyone can write the
+/// manifest of all; takes the same memory for any number of them.
 void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& shard,
                     const std::string& renderer, const std::string& name) {
-  std::string text = manifest_head(identity_of(e.loaded, e.options), renderer);
-  bool empty = true;
-  for (std::size_t place = 0; place < e.plan.pictures.size(); ++place) {
-    if (!shard.takes(place)) continue;
-    if (!empty) text += kManifestComma;
-    text += manifest_entry(manifest_file(e.plan.pictures[place], maker));
-    empty = false;
-  }
-  text += manifest_end(empty);
-  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  or_fail(write_file_atomically(e.out.folder / name, bytes, Durability::sync));
+  const auto fill = [&](const AppendBytes& append) -> Status {
+    std::string text = manifest_head(identity_of(e.loaded, e.options), renderer);
+    const auto flush = [&] {
+      const Status appended = append({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+      text.clear();
+      return appended;
+    };
+    bool empty = true;
+    for (std::size_t place = 0; place < e.plan.pictures.size(); ++place) {
+      if (!shard.takes(place)) continue;
+      if (!empty) text += kManifestComma;
+      text += manifest_entry(manifest_file(e.plan.pictures[place], maker));
+      empty = false;
+      constexpr std::size_t kPiece = 1 << 16;
+      if (text.size() < kPiece) continue;
+      if (Status flushed = flush(); !flushed) return flushed;
+    }
+    text += manifest_end(empty);
+    return flush();
+  };
+  const auto fill_or_say = [&](const AppendBytes& append) -> Status {
+    try {
+      return fill(append);
+    } catch (const std::exception& error) {
+      return failure(error.what());
+    }
+  };
+  or_fail(write_file_in_pieces(e.out.folder / name, fill_or_say, Durability::sync));
 }
 
 bool has_manifest_of_this(const PictureExport& e) {
@@ -148,6 +155,16 @@ bool finish(const PictureExport& e, PictureMaker& maker, const FolderState& befo
 
 }  // namespace
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && !fs::is_directory(folder, error) && !error)
+    error = std::make_error_code(std::errc::not_a_directory);
+  if (error)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("cannot make folder {}: {}", folder.string(), error.message()));
+}
+
 ExportIdentity identity_of(const LoadedLesson& loaded, const ExportOptions& options) {
   return {loaded.lesson.id, loaded.sha256, to_json(options)};
 }
@@ -161,9 +178,10 @@ PicturesMade make_pictures(const PictureExport& e, const TellProgress& tell, con
   PicturesMade made = write_pictures(e, *maker, e.out.skip_existing && before.ours, tell, watch);
   if (made.interrupted) return made;
   const bool kept_all = made.kept == made.count, kept_none = made.kept == 0;
-  const std::string renderer = kept_none  ? mine
-                               : kept_all ? before.renderer
-                                          : join_renderers({before.renderer, mine});
+  const std::string renderer = made.count == 0 ? ""
+                               : kept_none     ? mine
+                               : kept_all      ? before.renderer
+                                               : join_renderers({before.renderer, mine});
   made.finished = finish(e, *maker, before, renderer);
   return made;
 }

@@ -21,6 +21,9 @@ struct PictureExport {
 
 ExportIdentity identity_of(const LoadedLesson& loaded, const ExportOptions& options);
 
+/// With the folders above it. @throws CommandError
+void make_folder(const std::filesystem::path& folder);
+
 /// Told before each picture: how many are there, and which comes next.
 using TellProgress = std::function<void(std::size_t done, const std::string& next)>;
 
@@ -31,8 +34,9 @@ struct PicturesMade {
   bool finished = false;     ///< manifest.json is there, hence all pictures of all shards are
 };
 
-/// In this process: opens OpenGL, checks everything that can be checked without drawing, and only then writes.
-/// Two pictures are in the making at a time (a third waits), so memory does not depend on their number.
+/// In this process: opens OpenGL, checks everything that can be checked without drawing, and only then
+/// writes. Two pictures are in the making at a time (a third waits), so memory does not depend on their
+/// number.
 /// @throws CommandError
 PicturesMade make_pictures(const PictureExport& e, const TellProgress& tell, const InterruptWatch& watch);
 

@@ -18,8 +18,9 @@ constexpr const char* kForm = "write it like 2/8 (the second of eight), or slurm
 std::int64_t slurm_number(const char* name) {
   const char* value = std::getenv(name);
   if (!value || !*value)
-    throw CommandError(ExitCode::usage,
-                       fmt::format("--shard slurm: {} is not set; it is for the tasks of sbatch --array", name));
+    throw CommandError(
+        ExitCode::usage,
+        fmt::format("--shard slurm: {} is not set; it is for the tasks of sbatch --array", name));
   constexpr long long kMost = 1'000'000'000;
   return whole_number(std::string("--shard slurm: ") + name, value, 0, kMost);
 }
@@ -61,7 +62,8 @@ bool is_shard_manifest_name(std::string_view name) {
   const std::size_t middle = name.find(kMiddle);
   if (middle == name.npos) return false;
   const auto is_number = [](std::string_view text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
   };
   return is_number(name.substr(0, middle)) && is_number(name.substr(middle + kMiddle.size()));
 }

@@ -19,9 +19,7 @@ struct Shard {
 
   bool whole() const { return count == 1; }
   /// `place` of a picture in the plan, from 0.
-  bool takes(std::size_t place) const {
-    return static_cast<std::int64_t>(place) % count == index - 1;
-  }
+  bool takes(std::size_t place) const { return static_cast<std::int64_t>(place) % count == index - 1; }
   /// How many it takes of `total`.
   std::size_t size(std::size_t total) const {
     const auto n = static_cast<std::int64_t>(total);

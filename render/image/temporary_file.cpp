@@ -81,7 +81,7 @@ std::vector<fs::path> left_behind_in(const fs::path& folder) {
     const std::string name = entry->path().filename().string();
     if (!name.starts_with(kTemporaryPrefix) || !name.ends_with(kSuffix)) continue;
     const auto process = process_here(name);
-    if ((process && is_gone(*process)) || is_old(entry->path())) found.push_back(entry->path());
+    if (process ? is_gone(*process) : is_old(entry->path())) found.push_back(entry->path());
   }
   std::sort(found.begin(), found.end());
   return found;
