@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // polhode export: pictures of a lesson as PNG files, or its text.
 #include "app/commands.h"
+#include "app/ffmpeg.h"
+#include "app/film.h"
 #include "app/interrupt.h"
 #include "app/manifest.h"
 #include "app/or_fail.h"
@@ -116,11 +118,24 @@ ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker) {
           made.size,    std::move(made.tex), std::move(made.alt), std::move(made.method)};
 }
 
+/// Frames pass as they are; of stills each is shown for --seconds.
+FilmRequest film_of(const PictureExport& e) {
+  const Lesson& lesson = e.loaded.lesson;
+  FilmRequest film{.file = e.out.film, .pictures = {}, .rate = e.options.fps, .title = lesson.title};
+  for (const PlannedPicture& picture : e.plan.pictures) film.pictures.push_back(e.out.folder / picture.file);
+  if (e.options.each != Each::frame)
+    film.frames_each = std::max<std::int64_t>(1, frame_count(e.options.fps, e.options.seconds));
+  return film;
+}
+
 /// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
 /// processes drew them: what is needed of a picture is in its file, the plan and the manifest.
-void make_film_and_deck(const PictureExport& e) {
-  static_cast<void>(e);
-  // if (!e.out.film.empty()) write_film(…)
+void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
+  if (!e.out.film.empty()) {
+    const FilmRequest film = film_of(e);
+    write_film(film, watch);
+    fmt::print(stderr, "film of {} pictures: {}\n", film.pictures.size(), e.out.film);
+  }
   // if (!e.out.deck.empty()) write_deck(…)
 }
 
@@ -169,7 +184,12 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   for (const PlannedPicture& picture : plan.pictures)
     manifest.files.push_back(manifest_file(picture, *maker));
   write_manifest(manifest, out);
-  make_film_and_deck(e);
+  try {
+    make_film_and_deck(e, watch);
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "polhode: interrupted; the pictures are in {}\n", out.folder.string());
+    return ExitCode::interrupted;
+  }
   if (out.keep_folder)
     report_done(count, "picture", out);
   else
@@ -224,12 +244,14 @@ void add_export(CLI::App& app, Action& action) {
   option("--background", typed->background, "NAME",
          "studio (default of figures), paper, white, transparent, #rrggbb");
   option("--dpi", typed->dpi, "N", "dots per inch to note in the files; sizes 12 pt equations (300)");
-  option("--fps", typed->fps, "N|A/B", "frames per shown second, with --each frame (default: 30)");
-  option("--seconds", typed->seconds, "S", "shown seconds per stage, with --each frame (default: 8)");
+  option("--fps", typed->fps, "N|A/B", "frames per shown second of frames and films (default: 30)");
+  option("--seconds", typed->seconds, "S",
+         "shown seconds per stage of frames, per still of a film (default: 8)");
   option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
-  option("--film", typed->film, "FILE", "make a film of the frames; without -o they are removed then");
+  option("--film", typed->film, "FILE",
+         "make a film: .mp4, .webm, .gif or .apng; without -o its frames are removed then");
   option("--deck", typed->deck, "FILE", "make slides of the pictures; without -o these are removed then");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
