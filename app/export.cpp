@@ -258,6 +258,8 @@ void add_export(CLI::App& app, Action& action) {
   command->footer(
       "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
       "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
+      "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
+      "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
       "A transcript is plain text with the formulas in words.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"

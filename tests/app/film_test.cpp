@@ -281,5 +281,54 @@ TEST_F(Film, InterruptedLeavesNothingNotEvenFfmpeg) {
   }
 }
 
+ProgramRun export_film(const ScratchFolder& scratch, const std::string& file,
+                       const std::vector<std::string>& more = {}, const RunOptions& options = {}) {
+  std::vector<std::string> words = {
+      "export", test_lesson("tiny.md"), "--film", scratch / file, "--what", "figure", "--size", "160x90"};
+  words.insert(words.end(), more.begin(), more.end());
+  return polhode(words, options);
+}
+
+TEST_F(Film, OfAnExportLeavesOnlyTheFilmUnlessAFolderIsNamed) {
+  const ProgramRun run = export_film(other, "f.mp4", {"--fps", "5", "--seconds", "2"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("f.mp4"));
+  EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4"));
+  EXPECT_THAT(entries(other / "f.mp4", "stream=nb_read_frames,avg_frame_rate:format_tags=title", scratch),
+              AllOf(HasSubstr("nb_read_frames=20"), HasSubstr("avg_frame_rate=5/1"),
+                    HasSubstr("title=A tiny lesson")));
+  const ProgramRun kept = export_film(other, "f.mp4", {"--fps", "5", "--seconds", "2", "-o", other / "kept"});
+  EXPECT_EQ(kept.code, 0) << kept.err;
+  EXPECT_EQ(names_in(other / "kept").size(), 21u);
+}
+
+TEST_F(Film, OfStepsShowsEachForItsSeconds) {
+  const ProgramRun run = export_film(other, "f.mp4", {"--each", "step", "--seconds", "1.5", "--fps", "10"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(entries(other / "f.mp4", "stream=nb_read_frames", scratch), HasSubstr("nb_read_frames=45"));
+}
+
+TEST_F(Film, WithoutFfmpegTheFramesAreThereAndThePackageIsNamed) {
+  RunOptions options;
+  options.environment["PATH"] = other.path();
+  const ProgramRun run = export_film(other, "f.mp4", {"--fps", "2", "--seconds", "1"}, options);
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("install the package ffmpeg"), HasSubstr("f.mp4.parts")));
+  EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4.parts"));
+  EXPECT_EQ(names_in(other / "f.mp4.parts").size(), 5u);
+}
+
+TEST(FilmOptions, OtherKindsAndTooQuickGifsAreRefused) {
+  const ScratchFolder scratch;
+  for (const char* file : {"f.mov", "f", "f.mp4.zip"}) {
+    const ProgramRun run = export_film(scratch, file);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_THAT(run.err, HasSubstr(".mp4, .webm, .gif or .apng"));
+  }
+  EXPECT_EQ(export_film(scratch, "f.gif", {"--fps", "60"}).code, 2);
+  EXPECT_EQ(export_film(scratch, "f.mp4", {"--each", "stage", "--frames", "0:2"}).code, 2);
+  EXPECT_THAT(names_in(scratch.path()), IsEmpty());
+}
+
 }  // namespace
 }  // namespace polhode
