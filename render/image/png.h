@@ -18,6 +18,9 @@ namespace polhode {
 inline constexpr int kMaxPngSide = 16384;             ///< px, written and read
 inline constexpr int kMaxPngTextBytes = 1024 * 1024;  ///< of one text chunk, read
 
+/// How hard pixels are packed.
+enum class PngPacking { fast, small };
+
 struct PngMetadata {
   /// Keyword (1 to 79 printable ASCII characters) and UTF-8 text, in order; tEXt if Latin-1, else iTXt.
   std::vector<std::pair<std::string, std::string>> text;
