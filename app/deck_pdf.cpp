@@ -165,7 +165,7 @@ class PdfDeck {
     const std::string content =
         fmt::format("/Figure << /MCID 0 >> BDC\nq {:.4f} 0 0 {:.4f} 0 0 cm /Slide Do Q\nEMC\n", width,
                     height) +
-        layer_.content(slide.notes, width, height, 1);
+        layer_.content(slide, width, height, 1);
     page.replaceKey("/Contents", Object::newStream(&pdf_, content));
     page.replaceKey("/StructParents", Object::newInteger(page_elements_.getArrayNItems() / 2));
     add_structure(slide, page, width, height);
@@ -191,8 +191,9 @@ class PdfDeck {
                                                  number(height)}));
     figure.replaceKey("/A", layout);
     elements.appendItem(figure);
+    elements.appendItem(element("H1", page, 1));
     for (std::size_t i = 0; i < slide.notes.size(); ++i)
-      elements.appendItem(element("P", page, static_cast<int>(i) + 1));
+      elements.appendItem(element("P", page, static_cast<int>(i) + 2));
     page_elements_.appendItem(Object::newInteger(page_elements_.getArrayNItems() / 2));
     page_elements_.appendItem(pdf_.makeIndirectObject(elements));
   }

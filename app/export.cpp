@@ -2,6 +2,7 @@
 // polhode export: pictures of a lesson as PNG files, or its text.
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/lesson_deck.h"
 #include "app/manifest.h"
 #include "app/or_fail.h"
 #include "app/picture_maker.h"
@@ -119,9 +120,13 @@ ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker) {
 /// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
 /// processes drew them: what is needed of a picture is in its file, the plan and the manifest.
 void make_film_and_deck(const PictureExport& e) {
-  static_cast<void>(e);
   // if (!e.out.film.empty()) write_film(…)
-  // if (!e.out.deck.empty()) write_deck(…)
+  if (!e.out.deck.empty()) {
+    const Deck deck = or_fail(deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder));
+    or_fail(write_deck(e.out.deck, *deck_kind_of(e.out.deck), deck, e.out.durability));
+    fmt::print(stderr, "{} slide{} in {}\n", deck.slides.size(), deck.slides.size() == 1 ? "" : "s",
+               e.out.deck);
+  }
 }
 
 /// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed.
@@ -160,6 +165,7 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
   make_folder(out.folder);
+  if (!out.deck.empty()) make_folder(fs::absolute(out.deck).parent_path());
   const std::size_t count = write_pictures(e, *maker, watch);
   if (watch.interrupted()) {
     fmt::print(stderr, "polhode: interrupted after {} of {} pictures in {}; no manifest written\n", count,
@@ -230,7 +236,8 @@ void add_export(CLI::App& app, Action& action) {
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
   option("--film", typed->film, "FILE", "make a film of the frames; without -o they are removed then");
-  option("--deck", typed->deck, "FILE", "make slides of the pictures; without -o these are removed then");
+  option("--deck", typed->deck, "FILE",
+         "make slides of the pictures, .html or .pdf; without -o these are removed then");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   command->footer(

@@ -94,9 +94,13 @@ std::u32string code_points(std::string_view utf8) {
 
 PdfTextLayer::PdfTextLayer(const Deck& deck) {
   std::set<char32_t> found;
-  for (const DeckSlide& slide : deck.slides)
-    for (const DeckNote& note : slide.notes)
-      for (const char32_t character : code_points(note.text)) found.insert(character);
+  const auto add = [&](std::string_view text) {
+    for (const char32_t character : code_points(text)) found.insert(character);
+  };
+  for (const DeckSlide& slide : deck.slides) {
+    add(name_of(slide));
+    for (const DeckNote& note : slide.notes) add(note.text);
+  }
   found.insert(U' ');
   characters_.assign(found.begin(), found.end());
 }
@@ -123,25 +127,23 @@ std::string PdfTextLayer::shown(std::string_view line) const {
   return font ? content + "> Tj" : content;
 }
 
-std::string PdfTextLayer::content(const std::vector<DeckNote>& notes, double width, double height,
-                                  int first_id) const {
-  std::vector<std::vector<std::string>> paragraphs;
+std::string PdfTextLayer::content(const DeckSlide& slide, double width, double height, int first_id) const {
+  std::vector<std::vector<std::string>> paragraphs = {lines_of(wrapped(name_of(slide), ""))};
+  for (const DeckNote& note : slide.notes) paragraphs.push_back(lines_of(wrapped(note.text, "")));
   std::size_t lines = 0;
-  for (const DeckNote& note : notes) {
-    paragraphs.push_back(lines_of(wrapped(note.text, "")));
-    lines += paragraphs.back().size();
-  }
-  if (lines == 0) return {};
+  for (const auto& paragraph : paragraphs) lines += paragraph.size();
   const double margin = kMargin * std::min(width, height);
   const double across = (width - 2 * margin) / (kLetterWidth * kTranscriptColumns);
-  const double along = (height - 2 * margin) / (kLineHeight * static_cast<double>(lines));
+  const double along =
+      (height - 2 * margin) / (kLineHeight * static_cast<double>(std::max<std::size_t>(1, lines)));
   const double size = std::min(across, along);
 
   std::string content = "BT 3 Tr\n";
   double y = height - margin - size;
   int id = first_id;
   for (const auto& paragraph : paragraphs) {
-    content += fmt::format("/P << /MCID {} >> BDC\n", id++);
+    content += fmt::format("/{} << /MCID {} >> BDC\n", id == first_id ? "H1" : "P", id);
+    ++id;
     for (const std::string& line : paragraph) {
       content += fmt::format("{0:.3f} 0 0 {0:.3f} {1:.3f} {2:.3f} Tm {3}\n", size, margin, y, shown(line));
       y -= kLineHeight * size;

@@ -21,9 +21,10 @@ class PdfTextLayer {
   /// Of all pages that it is to write on.
   explicit PdfTextLayer(const Deck& deck);
 
-  /// The part of a page's content that sets the notes: each a paragraph with the marked content ids from
-  /// `first_id` on, in lines evenly over a page of `width` x `height` points. Select it from top to bottom.
-  std::string content(const std::vector<DeckNote>& notes, double width, double height, int first_id) const;
+  /// The part of a page's content that sets the slide's name, as a heading with the marked content id
+  /// `first_id`, and its notes, paragraphs with the next ones: in lines from the top of a page of `width` x
+  /// `height` points down, as large as there is room.
+  std::string content(const DeckSlide& slide, double width, double height, int first_id) const;
 
   /// The fonts that content() names, for the resources of each page.
   QPDFObjectHandle make_fonts(QPDF& pdf) const;
