@@ -25,6 +25,8 @@ namespace {
 using Object = QPDFObjectHandle;
 
 constexpr double kPointsPerInch = 72;
+/// Some viewers round a picture's edges outwards, and would stretch it by a pixel at its own resolution.
+constexpr double kInset_pt = 0.001;
 
 /// qpdf reports by exceptions, and so does what it calls; they end in append_pdf_deck.
 template <class T>
@@ -163,8 +165,8 @@ class PdfDeck {
     resources.getKey("/XObject").replaceKey("/Slide", image_of(pdf_, slide.png, picture.png));
     resources.replaceKey("/Font", fonts_);
     const std::string content =
-        fmt::format("/Figure << /MCID 0 >> BDC\nq {:.4f} 0 0 {:.4f} 0 0 cm /Slide Do Q\nEMC\n", width,
-                    height) +
+        fmt::format("/Figure << /MCID 0 >> BDC\nq {0:.4f} 0 0 {1:.4f} {2} {2} cm /Slide Do Q\nEMC\n",
+                    width - 2 * kInset_pt, height - 2 * kInset_pt, kInset_pt) +
         layer_.content(slide, width, height, 1);
     page.replaceKey("/Contents", Object::newStream(&pdf_, content));
     page.replaceKey("/StructParents", Object::newInteger(page_elements_.getArrayNItems() / 2));

@@ -145,7 +145,11 @@ std::string PdfTextLayer::content(const DeckSlide& slide, double width, double h
     content += fmt::format("/{} << /MCID {} >> BDC\n", id == first_id ? "H1" : "P", id);
     ++id;
     for (const std::string& line : paragraph) {
-      content += fmt::format("{0:.3f} 0 0 {0:.3f} {1:.3f} {2:.3f} Tm {3}\n", size, margin, y, shown(line));
+      // A word that no line can hold is narrow.
+      const auto columns = static_cast<double>(code_points(line).size());
+      const double narrow = std::min(1.0, static_cast<double>(kTranscriptColumns) / columns);
+      content +=
+          fmt::format("{:.4f} 0 0 {:.3f} {:.3f} {:.3f} Tm {}\n", size * narrow, size, margin, y, shown(line));
       y -= kLineHeight * size;
     }
     content += "EMC\n";
