@@ -4,6 +4,7 @@
 #include "app/ffmpeg.h"
 #include "app/film.h"
 #include "app/jobs.h"
+#include "app/lesson_deck.h"
 #include "app/or_fail.h"
 #include "app/picture_export.h"
 #include "app/progress.h"
@@ -47,7 +48,13 @@ void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
     write_film(film, watch);
     fmt::print(stderr, "film of {} pictures: {}\n", film.pictures.size(), e.out.film);
   }
-  // if (!e.out.deck.empty()) write_deck(…)
+  if (!e.out.deck.empty()) {
+    make_folder(fs::absolute(e.out.deck).parent_path());
+    const Deck deck = or_fail(deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder));
+    or_fail(write_deck(e.out.deck, *deck_kind_of(e.out.deck), deck, e.out.durability));
+    fmt::print(stderr, "{} slide{} in {}\n", deck.slides.size(), deck.slides.size() == 1 ? "" : "s",
+               e.out.deck);
+  }
 }
 
 /// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed.
@@ -126,8 +133,9 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
 /// What failed may be mended: a full disk, a lost connection.
 [[noreturn]] void fail_with_advice(const PictureExport& e, const CommandError& error) {
   std::error_code none;
-  const bool begun = fs::exists(e.out.folder / kMarkerName, none);
-  if (error.code != ExitCode::failed || !begun) throw error;
+  const bool kept =
+      fs::exists(e.out.folder / kMarkerName, none) || fs::exists(e.out.folder / kManifestName, none);
+  if (error.code != ExitCode::failed || !kept) throw error;
   throw CommandError(error.code, fmt::format("{}\nWhat is whole is kept; go on with\n  {}", error.what(),
                                              shell_line(e.out.resume)));
 }
@@ -230,7 +238,8 @@ void add_export(CLI::App& app, Action& action) {
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
   option("--film", typed->film, "FILE",
          "make a film: .mp4, .webm, .gif or .apng; without -o its frames are removed then");
-  option("--deck", typed->deck, "FILE", "make slides of the pictures; without -o these are removed then");
+  option("--deck", typed->deck, "FILE",
+         "make slides of the pictures, .html or .pdf; without -o these are removed then");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/export_options.h"
 
+#include "app/deck.h"
 #include "app/exit_codes.h"
 #include "app/film.h"
 #include "app/numbers.h"
@@ -71,6 +72,10 @@ void check_combination(const TypedExport& typed, What what, Each each) {
     refuse_given({{"--size", typed.size}}, "goes with pages and figures; --dpi sets the size of equations");
     refuse_given({{"--at", typed.at}}, "goes with pages and figures; equations have no time");
   }
+  if (each == Each::frame)
+    refuse_given({{"--deck", typed.deck}}, "goes with --each stage or step: slides have no frames");
+  if (!typed.deck.empty() && !deck_kind_of(typed.deck))
+    throw usage(fmt::format("--deck {}: the name has to end in .html or .pdf", typed.deck));
   if (what == What::figure) refuse_given({{"--theme", typed.theme}}, "goes with pages and equations");
 }
 
