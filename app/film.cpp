@@ -218,7 +218,7 @@ class Film {
         break;
     }
     return join(
-        {{"-c:v", "apng", "-pix_fmt", frame_.has_alpha ? "rgba" : "rgb24", "-pred", "mixed", "-plays", "0"},
+        {{"-c:v", "apng", "-pix_fmt", frame_.has_alpha ? "rgba" : "rgb24", "-pred", "sub", "-plays", "0"},
          title(),
          {"-f", "apng"}});
   }
