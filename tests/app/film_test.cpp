@@ -254,8 +254,7 @@ TEST_F(Film, WhatFfmpegSaysAtItsEndIsShown) {
     const StandIn stand_in(
         "for i in $(seq 99999); do echo chatter >&2; done; echo 'No such codec' >&2; exit 3");
     const std::string error = error_of(request, watch);
-    EXPECT_THAT(error,
-                AllOf(HasSubstr("code 3"), HasSubstr("No such codec"), HasSubstr(scratch.path().string())));
+    EXPECT_THAT(error, AllOf(HasSubstr("code 3"), HasSubstr("No such codec")));
     EXPECT_LT(error.size(), 1000u);
   }
   {
@@ -317,9 +316,12 @@ TEST_F(Film, WithoutFfmpegTheFramesAreThereAndThePackageIsNamed) {
   options.environment["PATH"] = other.path();
   const ProgramRun run = export_film(other, "f.mp4", {"--fps", "2", "--seconds", "1"}, options);
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("install the package ffmpeg"), HasSubstr("f.mp4.parts")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("install the package ffmpeg"), HasSubstr("--skip-existing")));
   EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4.parts"));
   EXPECT_EQ(names_in(other / "f.mp4.parts").size(), 5u);
+  const ProgramRun resumed = export_film(other, "f.mp4", {"--fps", "2", "--seconds", "1", "--skip-existing"});
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4"));
 }
 
 TEST_F(Film, AnInterruptedExportKeepsItsFramesAndNothingHalf) {
