@@ -170,7 +170,7 @@ TEST_F(Folder, RemembersAllDrivers) {
   EXPECT_EQ(begin_in(scratch.path(), marker({}, "a"))->renderer, "a | b");
 }
 
-class Shards : public testing::Test {
+class MergedShards : public testing::Test {
  protected:
   void finish(Shard shard, std::size_t files, const ExportOptions& options = {}, const char* renderer = "r") {
     write_text(scratch / shard_manifest_name(shard), manifest(identity(options), files, renderer));
@@ -178,7 +178,7 @@ class Shards : public testing::Test {
   ScratchFolder scratch;
 };
 
-TEST_F(Shards, AreMergedWhenAllAreThere) {
+TEST_F(MergedShards, AreMergedWhenAllAreThere) {
   finish({1, 3}, 2, {}, "b");
   finish({3, 3}, 1);
   auto renderer = renderer_of_shards(scratch.path(), identity(), 3, 4);
@@ -190,7 +190,7 @@ TEST_F(Shards, AreMergedWhenAllAreThere) {
   EXPECT_EQ(**renderer, "a | b | r");
 }
 
-TEST_F(Shards, OfSomethingElseAreAnError) {
+TEST_F(MergedShards, OfSomethingElseAreAnError) {
   ExportOptions other;
   other.dpi = 100;
   finish({1, 2}, 2);
