@@ -225,7 +225,8 @@ void add_export(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   option("--what", typed->what, "KIND", "page, equation, figure or transcript (default: page)");
   option("--each", typed->each, "KIND", "a picture for each stage, step or frame (default: stage)");
-  option("--size", typed->size, "WxH", "pixels, each 1 to 16384, of pages from 320x240 (default: 1920x1080)");
+  option("--size", typed->size, "WxH",
+         "pixels, pages from 320x240 to 16384x16384; or a name (default: 1920x1080)");
   option("--theme", typed->theme, "NAME", "of pages and equations: paper or dark (default: paper)");
   option("--background", typed->background, "NAME",
          "studio (default of figures), paper, white, transparent, #rrggbb");
@@ -237,13 +238,16 @@ void add_export(CLI::App& app, Action& action) {
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
   option("--film", typed->film, "FILE", "make a film of the frames; without -o they are removed then");
   option("--deck", typed->deck, "FILE",
-         "make slides of the pictures, .html or .pdf; without -o these are removed then");
+         "make slides, .html or .pdf; without -o the pictures are removed then");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   command->footer(
       "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
       "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
       "A transcript is plain text with the formulas in words.\n"
+      "A deck is one HTML file for any browser (? tells its keys), or a PDF; both have the transcript as "
+      "notes.\n"
+      "--size 16:9 is 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, to print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
       "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"

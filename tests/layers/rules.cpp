@@ -67,7 +67,7 @@ const std::vector<Layer>& layers() {
        false},
       {"tests/",
        kProgram + Names{"tests/"},
-       kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h",
+       kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h", "webp/",
                                  "malloc.h", "poll.h", "spawn.h", "stdlib.h"},
        {},
        false},
