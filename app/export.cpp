@@ -225,8 +225,7 @@ void add_export(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   option("--what", typed->what, "KIND", "page, equation, figure or transcript (default: page)");
   option("--each", typed->each, "KIND", "a picture for each stage, step or frame (default: stage)");
-  option("--size", typed->size, "WxH",
-         "pixels, pages from 320x240 to 16384x16384; or a name (default: 1920x1080)");
+  option("--size", typed->size, "WxH", "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)");
   option("--theme", typed->theme, "NAME", "of pages and equations: paper or dark (default: paper)");
   option("--background", typed->background, "NAME",
          "studio (default of figures), paper, white, transparent, #rrggbb");
@@ -247,7 +246,7 @@ void add_export(CLI::App& app, Action& action) {
       "A transcript is plain text with the formulas in words.\n"
       "A deck is one HTML file for any browser (? tells its keys), or a PDF; both have the transcript as "
       "notes.\n"
-      "--size 16:9 is 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, to print.\n"
+      "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
       "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"
