@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture_writer.h"
 
+#include "render/image/file_link.h"
+
 #include <cassert>
 #include <exception>
+#include <utility>
 
 namespace polhode {
 
-PictureWriter::PictureWriter(std::filesystem::path folder, Durability durability)
-    : folder_(std::move(folder)), durability_(durability), thread_([this] { work(); }) {}
+PictureWriter::PictureWriter(std::filesystem::path folder, PngPacking packing, Durability durability)
+    : folder_(std::move(folder)), durability_(durability), encoder_(packing), thread_([this] { work(); }) {}
 
 PictureWriter::~PictureWriter() {
   {
@@ -57,11 +60,17 @@ void PictureWriter::work() {
 Status PictureWriter::write(const PictureFile& picture) try {
   const std::filesystem::path path = folder_ / picture.name;
   if (picture.image) {
-    Result<std::vector<std::uint8_t>> bytes = encode_png(*picture.image, picture.metadata);
+    const auto bytes = encoder_.encode(*picture.image, picture.metadata);
     if (!bytes) return failure("Cannot write " + path.string() + ": " + bytes.error());
-    bytes_ = std::move(*bytes);
+    bytes_ = *bytes;
   }
   assert(!bytes_.empty());
+  // A second name of the file before it. Where there can be none, or it is to be flushed: bytes of its own.
+  const std::filesystem::path before = std::exchange(last_, path);
+  if (!picture.image && durability_ == Durability::rename_only) {
+    PosixFileOps files;
+    if (link_file_atomically(files, before, path)) return success();
+  }
   return write_file_atomically(path, bytes_, durability_);
 } catch (const std::exception& error) {  // out of memory: it may not leave the thread
   return failure("Cannot write " + picture.name + ": " + error.what());

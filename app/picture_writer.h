@@ -16,7 +16,8 @@
 
 namespace polhode {
 
-/// A picture on its way to disk. Without an image: the file has the bytes of the picture put before it.
+/// A picture on its way to disk. Without an image it is that of the picture put before it: a hard link to its
+/// file, where the file system has them.
 struct PictureFile {
   std::string name;
   std::optional<Image> image;
@@ -30,7 +31,7 @@ class PictureWriter {
  public:
   static constexpr std::size_t kWaiting = 1;
 
-  PictureWriter(std::filesystem::path folder, Durability durability);
+  PictureWriter(std::filesystem::path folder, PngPacking packing, Durability durability);
   /// Drops what still waits.
   ~PictureWriter();
   PictureWriter(const PictureWriter&) = delete;
@@ -48,7 +49,9 @@ class PictureWriter {
 
   const std::filesystem::path folder_;
   const Durability durability_;
-  std::vector<std::uint8_t> bytes_;  ///< of the file written last; of the thread
+  PngEncoder encoder_;                     ///< of the thread, as are
+  std::span<const std::uint8_t> bytes_{};  ///< those of the file written last
+  std::filesystem::path last_;             ///< it
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<PictureFile> waiting_;

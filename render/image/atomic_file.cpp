@@ -79,9 +79,8 @@ struct Temporary {
 // A short name of its own: the final name may already be as long as names can be.
 Temporary create_temporary(FileOps& files, const fs::path& folder) {
   Temporary made;
-  const std::string stem = kTemporaryPrefix + std::to_string(::getpid()) + "-";
   for (int i = 0; i < kMaxNames; ++i) {
-    made.path = folder / (stem + std::to_string(i) + ".part");
+    made.path = folder / temporary_name(i);
     made.file =
         retry([&] { return files.open(made.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode); });
     made.error = made.file < 0 ? errno : 0;
@@ -144,6 +143,12 @@ int PosixFileOps::syncfs(int file) { return ::syncfs(file); }
 int PosixFileOps::close(int file) { return ::close(file); }
 int PosixFileOps::rename(const char* from, const char* to) { return std::rename(from, to); }
 int PosixFileOps::unlink(const char* path) { return ::unlink(path); }
+int PosixFileOps::link(const char* from, const char* to) { return ::link(from, to); }
+
+int FileOps::link(const char*, const char*) {
+  errno = ENOSYS;
+  return -1;
+}
 
 Status write_file_atomically(const fs::path& path, std::span<const std::uint8_t> bytes,
                              Durability durability) {

@@ -2,6 +2,7 @@
 // Files that appear whole under their final name, or not at all.
 #pragma once
 
+#include "render/image/temporary_file.h"
 #include "render/result.h"
 
 #include <sys/types.h>
@@ -32,6 +33,8 @@ class FileOps {
   virtual int close(int file) = 0;
   virtual int rename(const char* from, const char* to) = 0;
   virtual int unlink(const char* path) = 0;
+  /// Here that of a file system without second names for a file: ENOSYS.
+  virtual int link(const char* from, const char* to);
 };
 
 /// The real file system.
@@ -44,10 +47,8 @@ class PosixFileOps final : public FileOps {
   int close(int file) override;
   int rename(const char* from, const char* to) override;
   int unlink(const char* path) override;
+  int link(const char* from, const char* to) override;
 };
-
-/// Temporary files begin with this; a killed process may leave one behind.
-inline constexpr const char* kTemporaryPrefix = ".polhode-";
 
 /// Writes to a temporary file in the same folder, then renames it over `path`. On failure the temporary file
 /// is gone, `path` is as it was, and the error names path and reason. (One exception: Durability::sync

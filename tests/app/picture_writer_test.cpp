@@ -22,7 +22,7 @@ std::string name_of(int i) { return std::to_string(i) + ".png"; }
 TEST(PictureWriter, WritesEveryPictureUnderItsName) {
   const ScratchFolder scratch;
   constexpr int kPictures = 20;
-  PictureWriter writer(scratch.path(), Durability::rename_only);
+  PictureWriter writer(scratch.path(), PngPacking::fast, Durability::rename_only);
   for (int i = 0; i < kPictures; ++i)
     ASSERT_TRUE(writer.put(picture(name_of(i), static_cast<std::uint8_t>(i))).ok());
   ASSERT_TRUE(writer.finish().ok());
@@ -37,7 +37,7 @@ TEST(PictureWriter, WritesEveryPictureUnderItsName) {
 
 TEST(PictureWriter, RepeatsTheBytesOfThePictureBefore) {
   const ScratchFolder scratch;
-  PictureWriter writer(scratch.path(), Durability::rename_only);
+  PictureWriter writer(scratch.path(), PngPacking::fast, Durability::rename_only);
   ASSERT_TRUE(writer.put(picture("a.png", 1)).ok());
   ASSERT_TRUE(writer.put({"b.png", std::nullopt, {}}).ok());
   ASSERT_TRUE(writer.put({"c.png", std::nullopt, {}}).ok());
@@ -51,7 +51,7 @@ TEST(PictureWriter, RepeatsTheBytesOfThePictureBefore) {
 TEST(PictureWriter, TheFirstErrorStopsItAndStays) {
   const ScratchFolder scratch;
   std::filesystem::create_directory(scratch / "2.png");
-  PictureWriter writer(scratch.path(), Durability::rename_only);
+  PictureWriter writer(scratch.path(), PngPacking::fast, Durability::rename_only);
   for (int i = 0; i < 10; ++i) static_cast<void>(writer.put(picture(name_of(i), 1)));  // never waits for ever
   const Status status = writer.finish();
   ASSERT_FALSE(status.ok());
@@ -62,7 +62,7 @@ TEST(PictureWriter, TheFirstErrorStopsItAndStays) {
 
 TEST(PictureWriter, AnImageThatCannotBeEncodedIsAnError) {
   const ScratchFolder scratch;
-  PictureWriter writer(scratch.path(), Durability::rename_only);
+  PictureWriter writer(scratch.path(), PngPacking::fast, Durability::rename_only);
   PictureFile broken = picture("a.png", 1);
   broken.image->rgba.pop_back();
   static_cast<void>(writer.put(std::move(broken)));
@@ -74,7 +74,7 @@ TEST(PictureWriter, AnImageThatCannotBeEncodedIsAnError) {
 TEST(PictureWriter, GoesAwayWithPicturesWaiting) {
   const ScratchFolder scratch;
   {
-    PictureWriter writer(scratch.path(), Durability::rename_only);
+    PictureWriter writer(scratch.path(), PngPacking::fast, Durability::rename_only);
     for (int i = 0; i < 3; ++i) ASSERT_TRUE(writer.put(picture(name_of(i), 1)).ok());
   }
   for (const std::string& name : names_in(scratch.path()))
