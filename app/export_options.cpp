@@ -3,6 +3,7 @@
 
 #include "app/deck.h"
 #include "app/exit_codes.h"
+#include "app/film.h"
 #include "app/named_sizes.h"
 #include "app/numbers.h"
 #include "app/page.h"
@@ -51,9 +52,9 @@ void refuse_given(std::initializer_list<GivenOption> options, const std::string&
 }
 
 void check_combination(const TypedExport& typed, What what, Each each) {
-  if (each != Each::frame)
-    refuse_given({{"--fps", typed.fps}, {"--seconds", typed.seconds}, {"--frames", typed.frames}},
-                 "goes with --each frame");
+  if (each != Each::frame) refuse_given({{"--frames", typed.frames}}, "goes with --each frame");
+  if (each != Each::frame && typed.film.empty())
+    refuse_given({{"--fps", typed.fps}, {"--seconds", typed.seconds}}, "goes with --each frame or --film");
   if (what == What::transcript)
     refuse_given({{"--each", typed.each},
                   {"--size", typed.size},
@@ -96,6 +97,15 @@ std::string background_name(const std::string& typed, What what) {
   return typed;
 }
 
+void check_film(const std::string& file, const FrameRate& rate) {
+  if (file.empty()) return;
+  const auto kind = film_kind_of(file);
+  if (!kind) throw usage(fmt::format("--film: \"{}\" is no .mp4, .webm, .gif or .apng", file));
+  if (*kind == FilmKind::gif && rate.frames > kMostGifFrames * rate.seconds)
+    throw usage(
+        fmt::format("--fps {}: a GIF has at most {} frames a second", to_string(rate), kMostGifFrames));
+}
+
 Size size_of(const std::string& typed, What what) {
   if (const auto named = named_size(typed)) return named->size;
   const Size size = picture_size("--size", typed, kMaxImageSide);
@@ -132,12 +142,15 @@ ExportOptions export_options(const TypedExport& typed) {
   ExportOptions options;
   options.what = static_cast<What>(choice("--what", typed.what, kWhats));
   options.stages = typed.stages;
-  options.each = static_cast<Each>(choice("--each", typed.each, {"stage", "step", "frame"}));
+  constexpr std::size_t kStages = 0, kFrames = 2;
+  options.each = static_cast<Each>(
+      choice("--each", typed.each, {"stage", "step", "frame"}, typed.film.empty() ? kStages : kFrames));
   check_combination(typed, options.what, options.each);
   if (!typed.size.empty()) options.size = size_of(typed.size, options.what);
   if (!typed.fps.empty())
     options.fps = read_or_refuse(frame_rate_from(typed.fps), "--fps", typed.fps,
                                  "a frame rate; write it like 25 or 30000/1001, terms from 1 to 1000000");
+  check_film(typed.film, options.fps);
   if (!typed.seconds.empty()) options.seconds = finite_number("--seconds", typed.seconds);
   if (options.seconds < 0) throw usage(fmt::format("--seconds: {} is negative", typed.seconds));
   if (!typed.at.empty()) options.at_s = finite_number("--at", typed.at);
