@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // polhode export: pictures of a lesson as PNG files, or its text.
 #include "app/commands.h"
-#include "app/interrupt.h"
-#include "app/manifest.h"
+#include "app/ffmpeg.h"
+#include "app/film.h"
+#include "app/jobs.h"
+#include "app/lesson_deck.h"
 #include "app/or_fail.h"
-#include "app/picture_maker.h"
-#include "app/picture_metadata.h"
+#include "app/picture_export.h"
 #include "app/progress.h"
 #include "app/transcript.h"
 #include "app/usage.h"
@@ -13,6 +14,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
 #include <span>
 
 namespace polhode {
@@ -21,68 +25,55 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error && !fs::is_directory(folder, error) && !error)
-    error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("cannot make folder {}: {}", folder.string(), error.message()));
-}
-
 void write_text(const std::string& name, const std::string& text, const ExportOutput& out) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   or_fail(write_file_atomically(out.folder / name, bytes, out.durability));
 }
 
-void write_manifest(const Manifest& manifest, const ExportOutput& out) {
-  write_text(kManifestName, to_text(manifest), out);
-  or_fail(sync_folder(out.folder));
-}
-
-/// What all makers draw with.
-struct Studio {
-  explicit Studio(ContextKind kind)
-      : context(or_fail(open_context(kind))), renderer(or_fail(Renderer::create(*context))) {}
-  std::unique_ptr<GlContext> context;
-  std::unique_ptr<Renderer> renderer;  // after the context it draws with
-};
-
-std::unique_ptr<PictureMaker> maker_of(const MakerContext& context) {
-  switch (context.options.what) {
-    case What::figure:
-      return make_figure_maker(context);
-    case What::equation:
-      return make_equation_maker(context);
-    case What::page:
-    case What::transcript:
-      break;
+/// With the pictures that are there. @throws Interrupted
+void make_deck(const PictureExport& e, const InterruptWatch& watch) {
+  const Deck deck = or_fail(deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder));
+  const std::size_t count = deck.slides.size();
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(count));
+    const auto go_on = [&](std::size_t slide) {
+      progress.show(static_cast<std::int64_t>(slide), e.out.deck);
+      return !watch.interrupted();
+    };
+    Status status = write_deck(e.out.deck, *deck_kind_of(e.out.deck), deck, e.out.durability, go_on);
+    if (!status && watch.interrupted()) throw Interrupted();
+    or_fail(std::move(status));
   }
-  return make_page_maker(context);
+  fmt::print(stderr, "{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
 }
 
-/// What can fail without drawing fails before anything is written: of neighbours that differ in time alone,
-/// the first and the last are checked.
-void check_pictures(const ExportPlan& plan, PictureMaker& maker) {
-  const auto same_but_time = [&](std::size_t i, std::size_t k) {
-    const PlannedPicture &a = plan.pictures[i], &b = plan.pictures[k];
-    return a.stage == b.stage && a.step == b.step && a.equation == b.equation;
-  };
-  for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
-    const bool first = i == 0 || !same_but_time(i - 1, i);
-    const bool last = i + 1 == plan.pictures.size() || !same_but_time(i, i + 1);
-    if (first || last) maker.check(plan.pictures[i]);
+/// Frames pass as they are; of stills each is shown for --seconds.
+FilmRequest film_of(const PictureExport& e) {
+  const Lesson& lesson = e.loaded.lesson;
+  FilmRequest film{.file = e.out.film, .pictures = {}, .rate = e.options.fps, .title = lesson.title};
+  for (const PlannedPicture& picture : e.plan.pictures) film.pictures.push_back(e.out.folder / picture.file);
+  if (e.options.each != Each::frame)
+    film.frames_each = std::max<std::int64_t>(1, frame_count(e.options.fps, e.options.seconds));
+  return film;
+}
+
+/// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
+/// processes drew them: what is needed of a picture is in its file, the plan and the manifest.
+void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
+  if (!e.out.film.empty()) {
+    const FilmRequest film = film_of(e);
+    write_film(film, watch);
+    fmt::print(stderr, "film of {} pictures: {}\n", film.pictures.size(), e.out.film);
   }
+  if (!e.out.deck.empty()) make_deck(e, watch);
 }
 
-ManifestFile write_picture(const PlannedPicture& picture, MadePicture&& made, const LoadedLesson& loaded,
-                           const ExportOptions& options, const ExportOutput& out) {
-  or_fail(write_png(out.folder / picture.file, made.image,
-                    picture_metadata(loaded.lesson, *picture.stage, made.alt, made.t_s, options.dpi),
-                    out.durability));
-  return {picture.file,    picture.stage->id,   picture.step,        picture.frame,         made.t_s,
-          made.image.size, std::move(made.tex), std::move(made.alt), std::move(made.method)};
+/// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed.
+void remove_parts(const PictureExport& e) {
+  std::error_code ignored;
+  fs::remove(e.out.folder / kManifestName, ignored);
+  for (const PlannedPicture& picture : e.plan.pictures) fs::remove(e.out.folder / picture.file, ignored);
+  fs::remove(e.out.folder, ignored);
 }
 
 void note_left_out(const ExportPlan& plan, What what) {
@@ -95,66 +86,138 @@ void note_left_out(const ExportPlan& plan, What what) {
                                    what == What::equation ? "an" : "a", missing));
 }
 
-void report_done(std::size_t count, const char* kind, const ExportOutput& out) {
-  fmt::print(stderr, "{} {}{} and {} in {}\n", count, kind, count == 1 ? "" : "s", kManifestName,
-             out.folder.string());
+PicturesMade make_with_progress(const PictureExport& e, const InterruptWatch& watch) {
+  const ProgressBar progress(static_cast<std::int64_t>(e.out.shard.size(e.plan.pictures.size())));
+  return make_pictures(
+      e,
+      [&](std::size_t done, const std::string& next) {
+        progress.show(static_cast<std::int64_t>(done), next);
+      },
+      watch);
+}
+
+/// Each process makes a shard of this shard; the last of them to finish writes the manifest.
+PicturesMade make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
+  const std::size_t total = e.out.shard.size(e.plan.pictures.size());
+  const auto job = [&](int number, const TellJob& tell) {
+    ::setenv("LP_NUM_THREADS", "1", 1);  // the processes share the cores; each drawing in threads costs more
+    ExportOutput out = e.out;
+    out.shard = e.out.shard.part(number, e.out.jobs);
+    const PictureExport part{e.loaded, e.options, out, e.plan};
+    const PicturesMade made = make_pictures(
+        part, [&](std::size_t, const std::string&) { tell(); }, watch);
+    return made.interrupted ? JobEnd::interrupted : JobEnd::done;
+  };
+  PicturesMade made;
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(total));
+    const auto show = [&](std::size_t begun) {
+      made.count = begun;
+      progress.show(static_cast<std::int64_t>(begun), fmt::format("in {} processes", e.out.jobs));
+    };
+    made.interrupted = run_jobs(e.out.jobs, job, show, watch) == JobEnd::interrupted;
+  }
+  const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  made.finished = !made.interrupted && folder && folder->finished;
+  if (!made.interrupted && !made.finished && e.out.shard.whole())
+    throw CommandError(ExitCode::failed,
+                       fmt::format("--jobs: {} lost files of its processes", e.out.folder.string()));
+  return made;
+}
+
+void report_interruption(const PictureExport& e, const PicturesMade& made) {
+  fmt::print(stderr, "polhode: interrupted after {} of {} pictures in {}; go on with\n  {}\n", made.count,
+             e.out.shard.size(e.plan.pictures.size()), e.out.folder.string(), shell_line(e.out.resume));
+}
+
+void report_pictures(const PictureExport& e, const PicturesMade& made) {
+  const std::string count = fmt::format("{} picture{}", made.count, made.count == 1 ? "" : "s");
+  const std::string kept = made.kept > 0 ? fmt::format(" ({} of them kept)", made.kept) : "";
+  const std::string folder = e.out.folder.string();
+  if (made.finished)
+    fmt::print(stderr, "{}{} and {} in {}\n", count, kept, kManifestName, folder);
+  else
+    fmt::print(stderr, "{}{} of shard {}/{} in {}; the last shard to finish writes {}\n", count, kept,
+               e.out.shard.index, e.out.shard.count, folder, kManifestName);
+}
+
+/// What failed may be mended: a full disk, a lost connection.
+[[noreturn]] void fail_with_advice(const PictureExport& e, const CommandError& error) {
+  std::error_code none;
+  const bool kept =
+      fs::exists(e.out.folder / kMarkerName, none) || fs::exists(e.out.folder / kManifestName, none);
+  if (error.code != ExitCode::failed || !kept) throw error;
+  throw CommandError(error.code, fmt::format("{}\nWhat is whole is kept; go on with\n  {}", error.what(),
+                                             shell_line(e.out.resume)));
 }
 
 ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
   const ExportPlan plan = plan_export(loaded.lesson, options);
   note_left_out(plan, options.what);
-  Manifest manifest{loaded.lesson.id, loaded.sha256, to_json(options), "", {}};
-  or_fail(may_export_into(out.folder, loaded.sha256, manifest.options));
-
-  const Studio studio(out.context);
-  const auto maker = maker_of({loaded.lesson, options, *studio.renderer});
-  check_pictures(plan, *maker);
-  manifest.renderer = studio.renderer->driver();
-  make_folder(out.folder);
-
+  or_fail(look_into(out.folder, identity_of(loaded, options)));
+  const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
-  const auto total = static_cast<std::int64_t>(plan.pictures.size());
-  {
-    const ProgressBar progress(total);
-    for (const PlannedPicture& picture : plan.pictures) {
-      if (watch.interrupted()) break;
-      progress.show(static_cast<std::int64_t>(manifest.files.size()), picture.file);
-      manifest.files.push_back(write_picture(picture, maker->make(picture), loaded, options, out));
+  try {
+    if (!out.deck.empty()) make_folder(fs::absolute(out.deck).parent_path());
+    const PicturesMade made = out.jobs > 1 ? make_in_jobs(e, watch) : make_with_progress(e, watch);
+    if (made.interrupted) {
+      report_interruption(e, made);
+      return ExitCode::interrupted;
     }
-  }
-  if (watch.interrupted()) {
-    fmt::print(stderr, "polhode: interrupted after {} of {} pictures in {}; no manifest written\n",
-               manifest.files.size(), total, out.folder.string());
+    if (made.finished) make_film_and_deck(e, watch);
+    if (out.keep_folder)
+      report_pictures(e, made);
+    else
+      remove_parts(e);
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "polhode: interrupted; the pictures are in {}; go on with\n  {}\n",
+               out.folder.string(), shell_line(out.resume));
     return ExitCode::interrupted;
+  } catch (const CommandError& error) {
+    fail_with_advice(e, error);
   }
-  write_manifest(manifest, out);
-  report_done(manifest.files.size(), "picture", out);
   return ExitCode::done;
 }
 
 ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& options,
                            const ExportOutput& out) {
   for (const std::string& id : options.stages) static_cast<void>(stage_of(loaded.lesson, id));
-  Manifest manifest{loaded.lesson.id, loaded.sha256, to_json(options), "", {}};
-  or_fail(may_export_into(out.folder, loaded.sha256, manifest.options));
+  const ExportIdentity identity = identity_of(loaded, options);
+  or_fail(look_into(out.folder, identity));
   make_folder(out.folder);
-  const std::string name = loaded.lesson.id + ".txt";
-  write_text(name, transcript_of(loaded.lesson, options.stages), out);
   ManifestFile file;
-  file.file = name;
-  manifest.files.push_back(std::move(file));
-  write_manifest(manifest, out);
-  report_done(1, "transcript", out);
+  file.file = loaded.lesson.id + ".txt";
+  write_text(file.file, transcript_of(loaded.lesson, options.stages), out);
+  or_fail(sync_folder(out.folder));
+  write_text(kManifestName, manifest_head(identity, "") + manifest_entry(file) + manifest_end(false), out);
+  fmt::print(stderr, "1 transcript and {} in {}\n", kManifestName, out.folder.string());
   return ExitCode::done;
 }
 
 ExitCode run_export(const TypedExport& typed) {
   const ExportOptions options = export_options(typed);
-  const ExportOutput out = export_output(typed);
+  ExportOutput out = export_output(typed);
   const LoadedLesson loaded = load_lesson(typed.lesson);
+  // Told by `polhode verify` wherever that is run.
+  if (fs::path(typed.lesson) == loaded.path)
+    std::replace(out.resume_all.begin(), out.resume_all.end(), typed.lesson,
+                 fs::absolute(loaded.path).string());
   check_type_of(loaded, or_fail(Fonts::open()));
   return options.what == What::transcript ? export_transcript(loaded, options, out)
                                           : export_pictures(loaded, options, out);
+}
+
+/// The command line again, in the order of the options.
+std::vector<std::string> words_of(const CLI::App& command) {
+  std::vector<std::string> words = {program_invocation_name, command.get_name()};
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // flags: --skip-existing, --help
+    for (const std::string& value : option->results()) {
+      if (!option->get_positional()) words.push_back("--" + option->get_lnames().front());
+      words.push_back(value);
+    }
+  }
+  return words;
 }
 
 }  // namespace
@@ -167,33 +230,50 @@ void add_export(CLI::App& app, Action& action) {
     return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
   };
   option("LESSON", typed->lesson, " ", "id or file")->required();
-  option("-o,--output", typed->folder, "DIR", "folder for the files; made if missing (required)")->required();
+  option("-o,--output", typed->folder, "DIR", "folder for the files; made if missing");
   command->add_option("--stage", typed->stages, "only this stage; repeat for more (default: all)")
       ->option_text("ID")
       ->check(refuse_empty)
       ->allow_extra_args(false);
   option("--what", typed->what, "KIND", "page, equation, figure or transcript (default: page)");
   option("--each", typed->each, "KIND", "a picture for each stage, step or frame (default: stage)");
-  option("--size", typed->size, "WxH", "pixels, each 1 to 16384, of pages from 320x240 (default: 1920x1080)");
+  option("--size", typed->size, "WxH", "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)");
   option("--theme", typed->theme, "NAME", "of pages and equations: paper or dark (default: paper)");
   option("--background", typed->background, "NAME",
          "studio (default of figures), paper, white, transparent, #rrggbb");
   option("--dpi", typed->dpi, "N", "dots per inch to note in the files; sizes 12 pt equations (300)");
-  option("--fps", typed->fps, "N|A/B", "frames per shown second, with --each frame (default: 30)");
-  option("--seconds", typed->seconds, "S", "shown seconds per stage, with --each frame (default: 8)");
+  option("--fps", typed->fps, "N|A/B", "frames per shown second of frames and films (default: 30)");
+  option("--seconds", typed->seconds, "S",
+         "shown seconds per stage of frames, per still of a film (default: 8)");
   option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
+  option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
+  option("--film", typed->film, "FILE",
+         "make a film (mp4, webm, gif, apng); without -o its frames are removed");
+  option("--deck", typed->deck, "FILE", "make slides (html, pdf); without -o their pictures are removed");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
+  option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");
+  option("--jobs", typed->jobs, "N", "draw in N processes (default: 1, which uses two cores)");
+  command->add_flag("--skip-existing", typed->skip_existing,
+                    "keep what is there and whole; goes on after a stop");
   command->footer(
       "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
       "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
+      "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
+      "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
       "A transcript is plain text with the formulas in words.\n"
+      "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
+      "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
       "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"
-      "lesson text is refused.");
-  command->callback([typed, &action] { action = [typed] { return run_export(*typed); }; });
+      "lesson text is refused. Processes with the same command but each its --shard, on any machines that\n"
+      "share the folder, make one export; slurm reads I and N from the variables of a job array.");
+  command->callback([typed, command, &action] {
+    typed->words = words_of(*command);
+    action = [typed] { return run_export(*typed); };
+  });
 }
 
 }  // namespace polhode

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/export_options.h"
 
+#include "app/deck.h"
 #include "app/exit_codes.h"
+#include "app/film.h"
+#include "app/named_sizes.h"
 #include "app/numbers.h"
 #include "app/page.h"
 #include "app/suggest.h"
@@ -9,11 +12,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace polhode {
 
 namespace {
 
 constexpr int kMostDpi = 100'000;
+constexpr int kMostJobs = 256;
 const std::vector<std::string> kWhats = {"page", "equation", "figure", "transcript"};
 
 CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
@@ -46,9 +52,9 @@ void refuse_given(std::initializer_list<GivenOption> options, const std::string&
 }
 
 void check_combination(const TypedExport& typed, What what, Each each) {
-  if (each != Each::frame)
-    refuse_given({{"--fps", typed.fps}, {"--seconds", typed.seconds}, {"--frames", typed.frames}},
-                 "goes with --each frame");
+  if (each != Each::frame) refuse_given({{"--frames", typed.frames}}, "goes with --each frame");
+  if (each != Each::frame && typed.film.empty())
+    refuse_given({{"--fps", typed.fps}, {"--seconds", typed.seconds}}, "goes with --each frame or --film");
   if (what == What::transcript)
     refuse_given({{"--each", typed.each},
                   {"--size", typed.size},
@@ -56,12 +62,21 @@ void check_combination(const TypedExport& typed, What what, Each each) {
                   {"--background", typed.background},
                   {"--theme", typed.theme},
                   {"--dpi", typed.dpi},
+                  {"--png", typed.png},
+                  {"--film", typed.film},
+                  {"--deck", typed.deck},
+                  {"--shard", typed.shard},
+                  {"--jobs", typed.jobs},
                   {"--context", typed.context}},
                  "is of pictures; a transcript is text");
   if (what == What::equation) {
     refuse_given({{"--size", typed.size}}, "goes with pages and figures; --dpi sets the size of equations");
     refuse_given({{"--at", typed.at}}, "goes with pages and figures; equations have no time");
   }
+  if (each == Each::frame)
+    refuse_given({{"--deck", typed.deck}}, "goes with --each stage or step: slides have no frames");
+  if (!typed.deck.empty() && !deck_kind_of(typed.deck))
+    throw usage(fmt::format("--deck {}: the name has to end in .html or .pdf", typed.deck));
   if (what == What::figure) refuse_given({{"--theme", typed.theme}}, "goes with pages and equations");
 }
 
@@ -82,7 +97,17 @@ std::string background_name(const std::string& typed, What what) {
   return typed;
 }
 
+void check_film(const std::string& file, const FrameRate& rate) {
+  if (file.empty()) return;
+  const auto kind = film_kind_of(file);
+  if (!kind) throw usage(fmt::format("--film: \"{}\" is no .mp4, .webm, .gif or .apng", file));
+  if (*kind == FilmKind::gif && rate.frames > kMostGifFrames * rate.seconds)
+    throw usage(
+        fmt::format("--fps {}: a GIF has at most {} frames a second", to_string(rate), kMostGifFrames));
+}
+
 Size size_of(const std::string& typed, What what) {
+  if (const auto named = named_size(typed)) return named->size;
   const Size size = picture_size("--size", typed, kMaxImageSide);
   if (what == What::page && (size.width < kSmallestPage.width || size.height < kSmallestPage.height))
     throw usage(fmt::format("--size {}: a page has at least {}x{} pixels", typed, kSmallestPage.width,
@@ -90,10 +115,25 @@ Size size_of(const std::string& typed, What what) {
   return size;
 }
 
-int dpi_of(const std::string& typed, What what) {
+int dpi_of(const std::string& typed, const std::string& typed_size, What what) {
   const bool sets_size = what == What::equation;
-  if (typed.empty()) return sets_size ? kDefaultEquationDpi : 0;
+  const auto named = named_size(typed_size);
+  if (typed.empty()) return sets_size ? kDefaultEquationDpi : named ? named->dpi : 0;
   return static_cast<int>(whole_number("--dpi", typed, sets_size ? kFewestEquationDpi : 1, kMostDpi));
+}
+
+/// With --skip-existing, and without the options named in `left_out`, which have a value each.
+std::vector<std::string> resume_words(const TypedExport& typed, const std::vector<std::string>& left_out) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < typed.words.size(); ++i) {
+    const bool left = std::find(left_out.begin(), left_out.end(), typed.words[i]) != left_out.end();
+    if (left)
+      ++i;
+    else
+      words.push_back(typed.words[i]);
+  }
+  words.emplace_back("--skip-existing");
+  return words;
 }
 
 }  // namespace
@@ -102,12 +142,15 @@ ExportOptions export_options(const TypedExport& typed) {
   ExportOptions options;
   options.what = static_cast<What>(choice("--what", typed.what, kWhats));
   options.stages = typed.stages;
-  options.each = static_cast<Each>(choice("--each", typed.each, {"stage", "step", "frame"}));
+  constexpr std::size_t kStages = 0, kFrames = 2;
+  options.each = static_cast<Each>(
+      choice("--each", typed.each, {"stage", "step", "frame"}, typed.film.empty() ? kStages : kFrames));
   check_combination(typed, options.what, options.each);
   if (!typed.size.empty()) options.size = size_of(typed.size, options.what);
   if (!typed.fps.empty())
     options.fps = read_or_refuse(frame_rate_from(typed.fps), "--fps", typed.fps,
                                  "a frame rate; write it like 25 or 30000/1001, terms from 1 to 1000000");
+  check_film(typed.film, options.fps);
   if (!typed.seconds.empty()) options.seconds = finite_number("--seconds", typed.seconds);
   if (options.seconds < 0) throw usage(fmt::format("--seconds: {} is negative", typed.seconds));
   if (!typed.at.empty()) options.at_s = finite_number("--at", typed.at);
@@ -116,18 +159,51 @@ ExportOptions export_options(const TypedExport& typed) {
                                     "a range A:B with 0 <= A < B, like 0:48");
   options.background = background_name(typed.background, options.what);
   options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
-  options.dpi = dpi_of(typed.dpi, options.what);
+  options.dpi = dpi_of(typed.dpi, typed.size, options.what);
+  options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
   return options;
 }
 
 ExportOutput export_output(const TypedExport& typed) {
   ExportOutput out;
+  out.film = typed.film;
+  out.deck = typed.deck;
   out.folder = typed.folder;
+  out.keep_folder = !typed.folder.empty();
+  if (!out.keep_folder) {
+    const std::string& file = typed.film.empty() ? typed.deck : typed.film;
+    if (file.empty())
+      throw usage("--output DIR is needed: where the files go (or --film FILE, or --deck FILE)");
+    out.folder = file + ".parts";
+  }
+  out.skip_existing = typed.skip_existing;
+  out.shard = shard_from(typed.shard);
+  if (!out.shard.whole())
+    refuse_given(
+        {{"--film", typed.film}, {"--deck", typed.deck}},
+        "needs the pictures of all shards; give it after them, with --skip-existing in place of --shard");
+  if (!typed.jobs.empty()) out.jobs = static_cast<int>(whole_number("--jobs", typed.jobs, 1, kMostJobs));
+  out.resume = resume_words(typed, {});
+  out.resume_all = resume_words(typed, {"--shard", "--jobs"});
   out.durability =
       choice("--sync", typed.sync, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
   constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
   out.context = kKinds[choice("--context", typed.context, {"auto", "osmesa", "egl"})];
   return out;
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+  const auto quoted = [](const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+    if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+    return text + "'";
+  };
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted(word);
+  return line;
 }
 
 Background background_of(const ExportOptions& options) {
