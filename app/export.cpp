@@ -247,6 +247,7 @@ void add_export(CLI::App& app, Action& action) {
          "shown seconds per stage of frames, per still of a film (default: 8)");
   option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
+  option("--quality", typed->quality, "LEVEL", "of figures: draft, normal or fine (default: the scene's)");
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
   option("--film", typed->film, "FILE",
          "make a film (mp4, webm, gif, apng); without -o its frames are removed");

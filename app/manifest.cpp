@@ -108,6 +108,7 @@ Json to_json(const ExportOptions& options) {
       options.frames ? Json(fmt::format("{}:{}", options.frames->begin, options.frames->end)) : Json(nullptr);
   json["background"] = picture ? Json(options.background) : Json(nullptr);
   json["theme"] = themed ? Json(options.theme == Theme::dark ? "dark" : "paper") : Json(nullptr);
+  json["quality"] = options.quality ? Json(name_of(*options.quality)) : Json(nullptr);
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
   json["png"] = picture ? Json(options.png == PngPacking::small ? "small" : "fast") : Json(nullptr);
   return json;

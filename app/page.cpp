@@ -92,7 +92,7 @@ Inset figure_inset(const PageRequest& request, const PixelRect& place, double em
   Inset inset{.figure = make_figure(*request.model, request.t_s, aspect),
               .place = place,
               .background = {},
-              .quality = {}};
+              .quality = quality_of(request.quality.value_or(request.model->scene.quality))};
   inset.figure.caption_px = kCaptionSize * em;
   if (request.theme == Theme::dark)
     inset.background = {Background::Kind::color, colors_of(request.theme).backdrop};

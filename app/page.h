@@ -23,6 +23,7 @@ struct PageRequest {
   double t_s = 0;
   Size size;
   Theme theme = Theme::paper;
+  std::optional<QualityLevel> quality = {};  ///< of the figure; absent: the scene's
   double news = 1;  ///< opacity of the text that the step adds; its room is there from the start
 };
 

@@ -99,6 +99,7 @@ class PageMaker : public PictureMaker {
             .t_s = shown.t_s,
             .size = context_.options.size,
             .theme = context_.options.theme,
+            .quality = context_.options.quality,
             .news = news_in(picture)};
   }
 
