@@ -6,8 +6,9 @@ usage: long_sequence.py POLHODE [EXPORT ARGUMENTS]
 
 Exports a film and prints how the last tenth compares with the first: CPU time and wall time of a frame, and
 what the process holds in memory. Without arguments 10,000 frames of one scene, 480x270: a body that rolls, in a
-stage of one step, so that all frames have the same things in them. Ends with 1 if a frame takes more than 5 % more CPU time at the end, or memory has grown since the first tenth by
-more than 0.5 % (the allocator keeps a megabyte more or less).
+stage of one step, so that all frames have the same things in them. Ends with 1 if a frame takes more than 5 %
+more CPU time at the end, or memory has grown since the first tenth by more than 0.5 % (the allocator keeps a
+megabyte more or less).
 """
 import os
 import subprocess
