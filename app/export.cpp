@@ -134,6 +134,10 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
   const std::string count = fmt::format("{} picture{}", made.count, made.count == 1 ? "" : "s");
   const std::string kept = made.kept > 0 ? fmt::format(" ({} of them kept)", made.kept) : "";
   const std::string folder = e.out.folder.string();
+  if (made.renderer.find(kBetweenRenderers) != std::string::npos)
+    fmt::print(stderr,
+               "polhode: drawn by different drivers, which may differ by a level here and there: {}\n",
+               made.renderer);
   if (made.finished)
     fmt::print(stderr, "{}{} and {} in {}\n", count, kept, kManifestName, folder);
   else

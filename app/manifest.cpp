@@ -15,8 +15,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::string_view kBetweenRenderers = " | ";
-
 const char* name_of(Each each) {
   switch (each) {
     case Each::stage:
