@@ -222,11 +222,14 @@ class Film {
          {"-f", "apng"}});
   }
 
+  /// That of a GIF has one bit, which would fray all edges.
+  bool keeps_alpha() const { return kind_ == FilmKind::webm || kind_ == FilmKind::apng; }
+
   Image frame(const fs::path& picture) const {
     Result<PngFile> file = read_png(picture);
     if (!file) throw failed(request_, file.error());
     Image image = extended(file->image, frame_.size);
-    if (kind_ == FilmKind::mp4 && frame_.has_alpha) lay_on_white(image);
+    if (frame_.has_alpha && !keeps_alpha()) lay_on_white(image);
     return image;
   }
 

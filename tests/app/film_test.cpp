@@ -174,12 +174,17 @@ TEST_F(Film, OfOddAndUnequalSizesLosesNoRow) {
       ASSERT_EQ(frame.pixel(x, y)[0], second.pixel(x, std::clamp(y - 15, 0, 32))[0]) << x << ", " << y;
 }
 
-TEST_F(Film, TransparentPicturesStayWhereTheKindCanAndBecomeWhiteInMp4) {
+TEST_F(Film, TransparentPicturesStayWhereTheKindCanAndBecomeWhiteElsewhere) {
   const Size size{64, 64};
   const auto pictures = written(scratch, blocks(3, size, 0));
-  for (const char* name : {"f.mp4", "f.apng"}) write_film({other / name, pictures, {10, 1}, 1, ""}, watch);
-  const Image solid = frames_of(other / "f.mp4", size, scratch).at(0);
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(solid.pixel(60, 2)[c], 255, 3);
+  for (const char* name : {"f.mp4", "f.gif", "f.apng", "f.webm"})
+    write_film({other / name, pictures, {10, 1}, 1, ""}, watch);
+  for (const char* name : {"f.mp4", "f.gif"}) {
+    const Image solid = frames_of(other / name, size, scratch).at(0);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(solid.pixel(60, 2)[c], 255, 3) << name;
+    EXPECT_EQ(solid.pixel(60, 2)[3], 255) << name;
+  }
+  EXPECT_THAT(entries(other / "f.webm", "stream_tags", scratch), HasSubstr("alpha_mode=1"));
   EXPECT_EQ(frames_of(other / "f.apng", size, scratch).at(0).rgba, block(size, 0, 0).rgba);
 }
 
