@@ -41,13 +41,11 @@ Result<DeckPicture> read_deck_picture(const fs::path& file) {
   return picture;
 }
 
-Status write_deck(const fs::path& file, DeckKind kind, const Deck& deck, Durability durability) {
+Status write_deck(const fs::path& file, DeckKind kind, const Deck& deck, Durability durability,
+                  const DeckProgress& go_on) {
+  const auto append_deck = kind == DeckKind::html ? append_html_deck : append_pdf_deck;
   return write_file_in_pieces(
-      file,
-      [&](const AppendBytes& append) {
-        return kind == DeckKind::html ? append_html_deck(deck, append) : append_pdf_deck(deck, append);
-      },
-      durability);
+      file, [&](const AppendBytes& append) { return append_deck(deck, append, go_on); }, durability);
 }
 
 }  // namespace polhode

@@ -9,6 +9,8 @@
 #include "render/image/image.h"
 
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,12 +56,19 @@ enum class DeckKind { html, pdf };
 /// By the ending: .html, .htm or .pdf, in any case.
 std::optional<DeckKind> deck_kind_of(const std::filesystem::path& file);
 
-/// One slide is held in memory at a time. Fails if a picture cannot be read, or is damaged.
+/// Told which slide comes next, from 0; false stops.
+using DeckProgress = std::function<bool(std::size_t slide)>;
+
+/// The file appears whole or not at all. A few slides are in memory at a time. Fails if a picture cannot be
+/// read or is damaged, and if `go_on`, which may be empty, says false.
 Status write_deck(const std::filesystem::path& file, DeckKind kind, const Deck& deck,
-                  Durability durability = Durability::rename_only);
+                  Durability durability = Durability::rename_only, const DeckProgress& go_on = {});
 
 /// What write_deck writes.
-Status append_html_deck(const Deck& deck, const AppendBytes& append);
-Status append_pdf_deck(const Deck& deck, const AppendBytes& append);
+Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
+Status append_pdf_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
+
+/// What a deck says that was stopped.
+inline constexpr const char* kDeckStopped = "interrupted";
 
 }  // namespace polhode

@@ -148,9 +148,10 @@ Status append_slide(const DeckSlide& slide, const EncodedPicture& picture, std::
   return status;
 }
 
-Status append_slides(const Deck& deck, const Sink& sink) {
+Status append_slides(const Deck& deck, const Sink& sink, const DeckProgress& go_on) {
   Pictures pictures(deck);
   for (std::size_t i = 0; i < deck.slides.size(); ++i) {
+    if (go_on && !go_on(i)) return failure(kDeckStopped);
     const Result<EncodedPicture> picture = pictures.next();
     if (!picture) return failure(picture.error());
     if (const Status status = append_slide(deck.slides[i], *picture, i + 1, sink); !status) return status;
@@ -173,7 +174,7 @@ Status append_frame(std::string_view frame, const Sink& sink,
 
 }  // namespace
 
-Status append_html_deck(const Deck& deck, const AppendBytes& append) try {
+Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on) try {
   Size first{16, 9};
   if (!deck.slides.empty()) {
     const Result<DeckPicture> picture = read_deck_picture(deck.slides.front().png);
@@ -199,7 +200,7 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append) try {
   };
   const Sink sink(append);
   return append_frame(deck_assets::kDeckHtml, sink, [&](const std::string& name) {
-    return name == "slides" ? append_slides(deck, sink) : sink(texts.at(name));
+    return name == "slides" ? append_slides(deck, sink, go_on) : sink(texts.at(name));
   });
 } catch (const std::exception& error) {  // no memory, no thread
   return failure(error.what());

@@ -81,14 +81,16 @@ void describe_image(Object& image, Size size, int bits, const Object& colors) {
 }
 
 /// The file is read again when its turn comes: one picture is in memory at a time.
-Object stored_image(QPDF& pdf, const std::filesystem::path& file, const PngChunks& png) {
+Object stored_image(QPDF& pdf, const std::filesystem::path& file, const PngChunks& png,
+                    const std::function<void()>& begin) {
   Object image = Object::newStream(&pdf);
   describe_image(image, png.header.size, png.header.bit_depth, stored_colors(png));
   const Object parameters = Object::parse(
       fmt::format("<< /Predictor 15 /Colors {} /BitsPerComponent {} /Columns {} >>",
                   png.header.color_type == 2 ? 3 : 1, png.header.bit_depth, png.header.size.width));
   image.replaceStreamData(
-      [file](Pipeline* out) {
+      [file, begin](Pipeline* out) {
+        begin();
         const DeckPicture picture = or_throw(read_deck_picture(file));
         for (const PngChunk& chunk : picture.png.chunks)
           if (chunk.type == "IDAT") out->write(chunk.data.data(), chunk.data.size());
@@ -100,11 +102,12 @@ Object stored_image(QPDF& pdf, const std::filesystem::path& file, const PngChunk
 
 /// `count` of each pixel's four bytes, from number `first` on.
 Object decoded_image(QPDF& pdf, const std::filesystem::path& file, Size size, std::size_t first,
-                     std::size_t count) {
+                     std::size_t count, const std::function<void()>& begin) {
   Object image = Object::newStream(&pdf);
   describe_image(image, size, 8, Object::newName(count == 3 ? "/DeviceRGB" : "/DeviceGray"));
   image.replaceStreamData(
-      [file, first, count](Pipeline* out) {
+      [file, first, count, begin](Pipeline* out) {
+        begin();
         const PngFile png = or_throw(read_png(file));
         std::vector<std::uint8_t> row(static_cast<std::size_t>(png.image.size.width) * count);
         for (int y = 0; y < png.image.size.height; ++y) {
@@ -118,16 +121,18 @@ Object decoded_image(QPDF& pdf, const std::filesystem::path& file, Size size, st
   return image;
 }
 
-Object image_of(QPDF& pdf, const std::filesystem::path& file, const PngChunks& png) {
-  if (fits_as_stored(png)) return stored_image(pdf, file, png);
-  Object image = decoded_image(pdf, file, png.header.size, 0, 3);
-  image.getDict().replaceKey("/SMask", decoded_image(pdf, file, png.header.size, 3, 1));
+/// `begin` is called when its bytes are asked for.
+Object image_of(QPDF& pdf, const std::filesystem::path& file, const PngChunks& png,
+                const std::function<void()>& begin) {
+  if (fits_as_stored(png)) return stored_image(pdf, file, png, begin);
+  Object image = decoded_image(pdf, file, png.header.size, 0, 3, begin);
+  image.getDict().replaceKey("/SMask", decoded_image(pdf, file, png.header.size, 3, 1, begin));
   return image;
 }
 
 class PdfDeck {
  public:
-  explicit PdfDeck(const Deck& deck) : deck_(deck), layer_(deck) {
+  PdfDeck(const Deck& deck, const DeckProgress& go_on) : deck_(deck), go_on_(go_on), layer_(deck) {
     pdf_.emptyPDF();
     fonts_ = layer_.make_fonts(pdf_);
     structure_ = dictionary("<< /Type /StructElem /S /Document >>");
@@ -162,7 +167,10 @@ class PdfDeck {
     page.replaceKey("/MediaBox", Object::newArray({Object::newInteger(0), Object::newInteger(0),
                                                    number(width), number(height)}));
     Object resources = page.getKey("/Resources");
-    resources.getKey("/XObject").replaceKey("/Slide", image_of(pdf_, slide.png, picture.png));
+    resources.getKey("/XObject")
+        .replaceKey("/Slide", image_of(pdf_, slide.png, picture.png, [this, number = pages_.size()] {
+                      if (go_on_ && !go_on_(number)) throw std::runtime_error(kDeckStopped);
+                    }));
     resources.replaceKey("/Font", fonts_);
     const std::string content =
         fmt::format("/Figure << /MCID 0 >> BDC\nq {0:.4f} 0 0 {1:.4f} {2} {2} cm /Slide Do Q\nEMC\n",
@@ -260,6 +268,7 @@ class PdfDeck {
   }
 
   const Deck& deck_;
+  const DeckProgress& go_on_;
   PdfTextLayer layer_;
   QPDF pdf_;
   Object fonts_, structure_, page_elements_;
@@ -268,8 +277,8 @@ class PdfDeck {
 
 }  // namespace
 
-Status append_pdf_deck(const Deck& deck, const AppendBytes& append) try {
-  PdfDeck(deck).write(append);
+Status append_pdf_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on) try {
+  PdfDeck(deck, go_on).write(append);
   return success();
 } catch (const std::exception& error) {
   return failure(error.what());

@@ -12,10 +12,10 @@
 #include "app/usage.h"
 
 #include <CLI/CLI.hpp>
-#include <errno.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <span>
 
@@ -28,6 +28,23 @@ namespace {
 void write_text(const std::string& name, const std::string& text, const ExportOutput& out) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   or_fail(write_file_atomically(out.folder / name, bytes, out.durability));
+}
+
+/// With the pictures that are there. @throws Interrupted
+void make_deck(const PictureExport& e, const InterruptWatch& watch) {
+  const Deck deck = or_fail(deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder));
+  const std::size_t count = deck.slides.size();
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(count));
+    const auto go_on = [&](std::size_t slide) {
+      progress.show(static_cast<std::int64_t>(slide), e.out.deck);
+      return !watch.interrupted();
+    };
+    Status status = write_deck(e.out.deck, *deck_kind_of(e.out.deck), deck, e.out.durability, go_on);
+    if (!status && watch.interrupted()) throw Interrupted();
+    or_fail(std::move(status));
+  }
+  fmt::print(stderr, "{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
 }
 
 /// Frames pass as they are; of stills each is shown for --seconds.
@@ -48,13 +65,7 @@ void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
     write_film(film, watch);
     fmt::print(stderr, "film of {} pictures: {}\n", film.pictures.size(), e.out.film);
   }
-  if (!e.out.deck.empty()) {
-    make_folder(fs::absolute(e.out.deck).parent_path());
-    const Deck deck = or_fail(deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder));
-    or_fail(write_deck(e.out.deck, *deck_kind_of(e.out.deck), deck, e.out.durability));
-    fmt::print(stderr, "{} slide{} in {}\n", deck.slides.size(), deck.slides.size() == 1 ? "" : "s",
-               e.out.deck);
-  }
+  if (!e.out.deck.empty()) make_deck(e, watch);
 }
 
 /// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed.
@@ -147,6 +158,7 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
   try {
+    if (!out.deck.empty()) make_folder(fs::absolute(out.deck).parent_path());
     const PicturesMade made = out.jobs > 1 ? make_in_jobs(e, watch) : make_with_progress(e, watch);
     if (made.interrupted) {
       report_interruption(e, made);
@@ -225,7 +237,7 @@ void add_export(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   option("--what", typed->what, "KIND", "page, equation, figure or transcript (default: page)");
   option("--each", typed->each, "KIND", "a picture for each stage, step or frame (default: stage)");
-  option("--size", typed->size, "WxH", "pixels, each 1 to 16384, of pages from 320x240 (default: 1920x1080)");
+  option("--size", typed->size, "WxH", "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)");
   option("--theme", typed->theme, "NAME", "of pages and equations: paper or dark (default: paper)");
   option("--background", typed->background, "NAME",
          "studio (default of figures), paper, white, transparent, #rrggbb");
@@ -237,8 +249,8 @@ void add_export(CLI::App& app, Action& action) {
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
   option("--film", typed->film, "FILE",
-         "make a film, .mp4, .webm, .gif or .apng; without -o its frames are removed");
-  option("--deck", typed->deck, "FILE", "make slides, .html or .pdf; without -o their pictures are removed");
+         "make a film (mp4, webm, gif, apng); without -o its frames are removed");
+  option("--deck", typed->deck, "FILE", "make slides (html, pdf); without -o their pictures are removed");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");
@@ -251,6 +263,8 @@ void add_export(CLI::App& app, Action& action) {
       "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
       "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
       "A transcript is plain text with the formulas in words.\n"
+      "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
+      "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
       "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"

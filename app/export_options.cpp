@@ -4,6 +4,7 @@
 #include "app/deck.h"
 #include "app/exit_codes.h"
 #include "app/film.h"
+#include "app/named_sizes.h"
 #include "app/numbers.h"
 #include "app/page.h"
 #include "app/suggest.h"
@@ -106,6 +107,7 @@ void check_film(const std::string& file, const FrameRate& rate) {
 }
 
 Size size_of(const std::string& typed, What what) {
+  if (const auto named = named_size(typed)) return named->size;
   const Size size = picture_size("--size", typed, kMaxImageSide);
   if (what == What::page && (size.width < kSmallestPage.width || size.height < kSmallestPage.height))
     throw usage(fmt::format("--size {}: a page has at least {}x{} pixels", typed, kSmallestPage.width,
@@ -113,9 +115,10 @@ Size size_of(const std::string& typed, What what) {
   return size;
 }
 
-int dpi_of(const std::string& typed, What what) {
+int dpi_of(const std::string& typed, const std::string& typed_size, What what) {
   const bool sets_size = what == What::equation;
-  if (typed.empty()) return sets_size ? kDefaultEquationDpi : 0;
+  const auto named = named_size(typed_size);
+  if (typed.empty()) return sets_size ? kDefaultEquationDpi : named ? named->dpi : 0;
   return static_cast<int>(whole_number("--dpi", typed, sets_size ? kFewestEquationDpi : 1, kMostDpi));
 }
 
@@ -156,7 +159,7 @@ ExportOptions export_options(const TypedExport& typed) {
                                     "a range A:B with 0 <= A < B, like 0:48");
   options.background = background_name(typed.background, options.what);
   options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
-  options.dpi = dpi_of(typed.dpi, options.what);
+  options.dpi = dpi_of(typed.dpi, typed.size, options.what);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
   return options;
 }

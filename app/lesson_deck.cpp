@@ -2,7 +2,7 @@
 #include "app/lesson_deck.h"
 
 #include "app/deck_notes.h"
-#include "render/image/png.h"
+#include "render/image/png_summary.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@ namespace polhode {
 namespace {
 
 Result<std::string> description_in(const std::filesystem::path& file) {
-  const Result<PngFile> png = read_png(file);
-  if (!png) return failure(png.error());
+  const Result<PngSummary> png = summarize_png_file(file);
+  if (!png) return failure("cannot use " + file.string() + ": " + png.error());
   for (const auto& [keyword, value] : png->metadata.text)
     if (keyword == "Description") return value;
   return std::string();

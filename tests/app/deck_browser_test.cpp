@@ -287,6 +287,31 @@ TEST_F(DeckBrowser, FitsAnyWindowWithoutScrolling) {
   }
 }
 
+TEST_F(DeckBrowser, ALectureIsShownByKeysAlone) {
+  const std::filesystem::path lecture = *folder_ / "lecture.html";
+  const ProgramRun run = polhode({"export", POLHODE_SOURCE_DIR "/lessons/euler-equations.md", "--stage",
+                                  "energy", "--stage", "poinsot", "--each", "step", "--what", "page",
+                                  "--size", "640x360", "--deck", lecture.string()});
+  ASSERT_EQ(run.code, 0) << run.err;
+  browser_->open(lecture);
+  const auto expect_current = [](const char* id) {
+    const char* current = "document.querySelector('.current')?.id";
+    EXPECT_EQ(browser_->wait_for(current, id), id);
+  };
+  expect_current("22-energy-step1");
+  press_all({"ArrowRight", "ArrowRight"});
+  expect_current("22-energy-step3");
+  press("ArrowDown");
+  expect_current("27-poinsot-step1");
+  press_all({"n", "ArrowRight"});
+  expect_current("27-poinsot-step2");
+  EXPECT_THAT(value("document.querySelector('.current .notes').innerText").get<std::string>(),
+              HasSubstr("omega sub parallel"));
+  EXPECT_TRUE(visible(".current .notes"));
+  EXPECT_THAT(value("document.querySelector('.current img').alt").get<std::string>(), HasSubstr("Figure: "));
+  EXPECT_EQ(value("document.querySelector('.current img').naturalWidth"), 640);
+}
+
 TEST_F(DeckBrowser, PrintsOneSlideAPage) {
   if (!has_program("pdfinfo")) GTEST_SKIP() << "pdfinfo is not installed";
   write_text(*folder_ / "printed.pdf", browser_->print());

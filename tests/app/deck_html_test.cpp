@@ -106,6 +106,21 @@ TEST(Deck, ADamagedPictureLeavesNoFileAndIsNamed) {
   }
 }
 
+TEST(Deck, CanBeStoppedAtAnySlideAndLeavesTheOldFile) {
+  for (const DeckKind kind : {DeckKind::html, DeckKind::pdf})
+    for (const std::size_t last : {0u, 3u, 5u}) {
+      const ScratchFolder folder, out;
+      const Deck deck = example_deck(folder);
+      write_text(out / "deck", "old");
+      const auto go_on = [&](std::size_t slide) { return slide < last; };
+      const Status status = write_deck(out / "deck", kind, deck, Durability::rename_only, go_on);
+      ASSERT_FALSE(status);
+      EXPECT_THAT(status.error(), HasSubstr(kDeckStopped));
+      EXPECT_EQ(text_of(out / "deck"), "old");
+      EXPECT_THAT(names_in(out.path()), testing::ElementsAre("deck"));
+    }
+}
+
 TEST(Deck, TheKindIsInTheName) {
   EXPECT_EQ(deck_kind_of("a/b.html"), DeckKind::html);
   EXPECT_EQ(deck_kind_of("b.HTM"), DeckKind::html);

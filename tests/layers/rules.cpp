@@ -21,7 +21,7 @@ struct Layer {
   bool is_library = true;
 };
 
-const Names kPosix = {"dlfcn.h", "fcntl.h", "poll.h", "signal.h", "sys/", "unistd.h"};
+const Names kPosix = {"dlfcn.h", "fcntl.h", "poll.h", "signal.h", "spawn.h", "sys/", "unistd.h"};
 const Names kConsole = {"iostream", "print"};
 const Names kConsoleAndFiles = {"iostream", "print", "filesystem", "fstream"};
 
@@ -67,7 +67,7 @@ const std::vector<Layer>& layers() {
        false},
       {"tests/",
        kProgram + Names{"tests/"},
-       kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h",
+       kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h", "webp/",
                                  "malloc.h", "poll.h", "spawn.h", "stdlib.h"},
        {},
        false},
