@@ -273,6 +273,7 @@ void write_film(const FilmRequest& request, const InterruptWatch& watch) {
   std::error_code error;
   fs::create_directories(folder_of(request.file), error);
   if (error) throw failed(request, error.message());
+  for (const fs::path& unfinished : left_behind_in(folder_of(request.file))) fs::remove(unfinished, error);
   Film(request, watch).make();
 }
 

@@ -343,6 +343,24 @@ TEST_F(Film, AnInterruptedExportKeepsItsFramesAndNothingHalf) {
   EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4.parts"));
 }
 
+TEST_F(Film, WhatAKilledExportLeftGoesWithTheNext) {
+  {
+    // Writes to its last argument, as ffmpeg does.
+    const StandIn stand_in("for last; do :; done; echo half > \"${last#file:}\"; sleep 1");
+    RunOptions options;
+    options.while_running = [&](pid_t program) {
+      for (int tries = 0; tries < 6000 && names_in(other.path()).size() < 2; ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      kill(program, SIGKILL);
+    };
+    export_film(other, "f.mp4", {"--fps", "20", "--seconds", "1"}, options);
+  }
+  if (names_in(other.path()).size() < 2) GTEST_SKIP() << "it was quicker";
+  const ProgramRun run = export_film(other, "f.mp4", {"--fps", "20", "--seconds", "1", "--skip-existing"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4"));
+}
+
 TEST(FilmOptions, OtherKindsAndTooQuickGifsAreRefused) {
   const ScratchFolder scratch;
   for (const char* file : {"f.mov", "f", "f.mp4.zip"}) {
