@@ -79,19 +79,47 @@ class EquationMaker : public PictureMaker {
                       picture.stage->id, context_.options.dpi, size.width, size.height, kMaxImageSide));
   }
 
-  MadePicture make(const PlannedPicture& picture) override {
-    const std::vector<const Equation*> lines = lines_of(picture);
-    const std::int64_t frames = frame_count(context_.options.fps, context_.options.seconds);
-    const MorphPlace place =
-        picture.equation ? MorphPlace{} : place_at(picture.frame_of_stage, frames, lines.size());
-    const Equation& line = *lines[place.line];
-    if (place.way == 0.0) return drawn(list_of(line), picture, {line.tex}, speaker_.words(line));
-    const Equation& next = *lines[place.line + 1];
-    return drawn(morph(list_of(line), list_of(next), place.way), picture, {line.tex, next.tex},
-                 fmt::format("Between two lines. {} {}", speaker_.words(line), speaker_.words(next)));
+  PictureDescription describe(const PlannedPicture& picture) override {
+    const auto [line, next, way] = shown_in(picture);
+    if (way == 0.0) return {speaker_.words(*line), {line->tex}, {}, {}, canvas_of(picture).size};
+    return {fmt::format("Between two lines. {} {}", speaker_.words(*line), speaker_.words(*next)),
+            {line->tex, next->tex},
+            {},
+            {},
+            canvas_of(picture).size};
+  }
+
+  Image draw(const PlannedPicture& picture) override {
+    const auto [line, next, way] = shown_in(picture);
+    const Canvas canvas = canvas_of(picture);
+    Sheet sheet;
+    sheet.texts.push_back({.list = way == 0.0 ? list_of(*line) : morph(list_of(*line), list_of(*next), way),
+                           .at = {canvas.x, canvas.y},
+                           .moving = picture.equation == nullptr});
+    return or_fail(context_.renderer.draw(sheet, canvas.size, background_of(context_.options)));
+  }
+
+  bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {
+    const Shown of_a = shown_in(a), of_b = shown_in(b);
+    return of_a.way == 0.0 && of_b.way == 0.0 && of_a.line == of_b.line;
   }
 
  private:
+  /// A line; in a film also the way to the next.
+  struct Shown {
+    const Equation* line;
+    const Equation* next;  ///< null where way is 0
+    double way;
+  };
+
+  Shown shown_in(const PlannedPicture& picture) const {
+    if (picture.equation) return {picture.equation, nullptr, 0.0};
+    const std::vector<const Equation*> lines = equations_of(*picture.stage);
+    const std::int64_t frames = frame_count(context_.options.fps, context_.options.seconds);
+    const auto [line, way] = place_at(picture.frame_of_stage, frames, lines.size());
+    return {lines[line], way == 0.0 ? nullptr : lines[line + 1], way};
+  }
+
   static std::vector<const Equation*> lines_of(const PlannedPicture& picture) {
     if (picture.equation) return {picture.equation};
     return equations_of(*picture.stage);
@@ -118,19 +146,6 @@ class EquationMaker : public PictureMaker {
     for (const Equation* equation : lines_of(picture))
       unite(ink, ink_box(list_of(*equation), context_.renderer.fonts()));
     return canvas_around(ink, kMargin * em_);
-  }
-
-  MadePicture drawn(DisplayList list, const PlannedPicture& picture, std::vector<std::string> tex,
-                    std::string alt) {
-    const Canvas canvas = canvas_of(picture);
-    Sheet sheet;
-    sheet.texts.push_back(
-        {.list = std::move(list), .at = {canvas.x, canvas.y}, .moving = picture.equation == nullptr});
-    MadePicture made;
-    made.image = or_fail(context_.renderer.draw(sheet, canvas.size, background_of(context_.options)));
-    made.tex = std::move(tex);
-    made.alt = std::move(alt);
-    return made;
   }
 
   MakerContext context_;

@@ -6,6 +6,7 @@
 #include "app/or_fail.h"
 #include "app/picture_maker.h"
 #include "app/picture_metadata.h"
+#include "app/picture_writer.h"
 #include "app/progress.h"
 #include "app/transcript.h"
 #include "app/usage.h"
@@ -76,13 +77,59 @@ void check_pictures(const ExportPlan& plan, PictureMaker& maker) {
   }
 }
 
-ManifestFile write_picture(const PlannedPicture& picture, MadePicture&& made, const LoadedLesson& loaded,
-                           const ExportOptions& options, const ExportOutput& out) {
-  or_fail(write_png(out.folder / picture.file, made.image,
-                    picture_metadata(loaded.lesson, *picture.stage, made.alt, made.t_s, options.dpi),
-                    out.durability));
-  return {picture.file,    picture.stage->id,   picture.step,        picture.frame,         made.t_s,
-          made.image.size, std::move(made.tex), std::move(made.alt), std::move(made.method)};
+/// An export of pictures that has begun.
+struct PictureExport {
+  const LoadedLesson& loaded;
+  const ExportOptions& options;
+  const ExportOutput& out;
+  const ExportPlan& plan;
+};
+
+PictureFile drawn_file(const PlannedPicture& picture, const PictureExport& e, PictureMaker& maker) {
+  const PictureDescription description = maker.describe(picture);
+  return {picture.file, maker.draw(picture),
+          picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s, e.options.dpi)};
+}
+
+/// Draws and writes until all are there or someone interrupts. Returns how many there are.
+std::size_t write_pictures(const PictureExport& e, PictureMaker& maker, const InterruptWatch& watch) {
+  const ProgressBar progress(static_cast<std::int64_t>(e.plan.pictures.size()));
+  PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
+  const PlannedPicture* before = nullptr;
+  std::size_t count = 0;
+  for (const PlannedPicture& picture : e.plan.pictures) {
+    if (watch.interrupted()) break;
+    progress.show(static_cast<std::int64_t>(count), picture.file);
+    const bool repeats = before && maker.same_bytes(*before, picture);
+    or_fail(
+        writer.put(repeats ? PictureFile{picture.file, std::nullopt, {}} : drawn_file(picture, e, maker)));
+    before = &picture;
+    ++count;
+  }
+  or_fail(writer.finish());
+  return count;
+}
+
+ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker) {
+  PictureDescription made = maker.describe(picture);
+  return {picture.file, picture.stage->id,   picture.step,        picture.frame,         made.t_s,
+          made.size,    std::move(made.tex), std::move(made.alt), std::move(made.method)};
+}
+
+/// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
+/// processes drew them: what is needed of a picture is in its file, the plan and the manifest.
+void make_film_and_deck(const PictureExport& e) {
+  static_cast<void>(e);
+  // if (!e.out.film.empty()) write_film(…)
+  // if (!e.out.deck.empty()) write_deck(…)
+}
+
+/// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed.
+void remove_parts(const PictureExport& e) {
+  std::error_code ignored;
+  fs::remove(e.out.folder / kManifestName, ignored);
+  for (const PlannedPicture& picture : e.plan.pictures) fs::remove(e.out.folder / picture.file, ignored);
+  fs::remove(e.out.folder, ignored);
 }
 
 void note_left_out(const ExportPlan& plan, What what) {
@@ -110,25 +157,23 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   const auto maker = maker_of({loaded.lesson, options, *studio.renderer});
   check_pictures(plan, *maker);
   manifest.renderer = studio.renderer->driver();
-  make_folder(out.folder);
-
+  const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
-  const auto total = static_cast<std::int64_t>(plan.pictures.size());
-  {
-    const ProgressBar progress(total);
-    for (const PlannedPicture& picture : plan.pictures) {
-      if (watch.interrupted()) break;
-      progress.show(static_cast<std::int64_t>(manifest.files.size()), picture.file);
-      manifest.files.push_back(write_picture(picture, maker->make(picture), loaded, options, out));
-    }
-  }
+  make_folder(out.folder);
+  const std::size_t count = write_pictures(e, *maker, watch);
   if (watch.interrupted()) {
-    fmt::print(stderr, "polhode: interrupted after {} of {} pictures in {}; no manifest written\n",
-               manifest.files.size(), total, out.folder.string());
+    fmt::print(stderr, "polhode: interrupted after {} of {} pictures in {}; no manifest written\n", count,
+               plan.pictures.size(), out.folder.string());
     return ExitCode::interrupted;
   }
+  for (const PlannedPicture& picture : plan.pictures)
+    manifest.files.push_back(manifest_file(picture, *maker));
   write_manifest(manifest, out);
-  report_done(manifest.files.size(), "picture", out);
+  make_film_and_deck(e);
+  if (out.keep_folder)
+    report_done(count, "picture", out);
+  else
+    remove_parts(e);
   return ExitCode::done;
 }
 
@@ -167,7 +212,7 @@ void add_export(CLI::App& app, Action& action) {
     return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
   };
   option("LESSON", typed->lesson, " ", "id or file")->required();
-  option("-o,--output", typed->folder, "DIR", "folder for the files; made if missing (required)")->required();
+  option("-o,--output", typed->folder, "DIR", "folder for the files; made if missing");
   command->add_option("--stage", typed->stages, "only this stage; repeat for more (default: all)")
       ->option_text("ID")
       ->check(refuse_empty)
@@ -183,6 +228,9 @@ void add_export(CLI::App& app, Action& action) {
   option("--seconds", typed->seconds, "S", "shown seconds per stage, with --each frame (default: 8)");
   option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
+  option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
+  option("--film", typed->film, "FILE", "make a film of the frames; without -o they are removed then");
+  option("--deck", typed->deck, "FILE", "make slides of the pictures; without -o these are removed then");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   command->footer(

@@ -56,6 +56,9 @@ void check_combination(const TypedExport& typed, What what, Each each) {
                   {"--background", typed.background},
                   {"--theme", typed.theme},
                   {"--dpi", typed.dpi},
+                  {"--png", typed.png},
+                  {"--film", typed.film},
+                  {"--deck", typed.deck},
                   {"--context", typed.context}},
                  "is of pictures; a transcript is text");
   if (what == What::equation) {
@@ -117,12 +120,22 @@ ExportOptions export_options(const TypedExport& typed) {
   options.background = background_name(typed.background, options.what);
   options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
   options.dpi = dpi_of(typed.dpi, options.what);
+  options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
   return options;
 }
 
 ExportOutput export_output(const TypedExport& typed) {
   ExportOutput out;
+  out.film = typed.film;
+  out.deck = typed.deck;
   out.folder = typed.folder;
+  out.keep_folder = !typed.folder.empty();
+  if (!out.keep_folder) {
+    const std::string& file = typed.film.empty() ? typed.deck : typed.film;
+    if (file.empty())
+      throw usage("--output DIR is needed: where the files go (or --film FILE, or --deck FILE)");
+    out.folder = file + ".parts";
+  }
   out.durability =
       choice("--sync", typed.sync, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
   constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};

@@ -16,7 +16,8 @@ namespace polhode {
 struct TypedExport {
   std::string lesson, folder;
   std::vector<std::string> stages;
-  std::string each, what, size, fps, seconds, at, frames, background, theme, dpi, sync, context;
+  std::string each, what, size, fps, seconds, at, frames, background, theme, dpi, png, sync, context;
+  std::string film, deck;
 };
 
 /// Of equations: 12 pt type has so many dots per inch where nothing else is said.
@@ -29,10 +30,13 @@ ExportOptions export_options(const TypedExport& typed);
 
 /// How and where files are written: what does not decide their bytes.
 struct ExportOutput {
-  std::filesystem::path folder;
+  std::filesystem::path folder;  ///< of the pictures
+  bool keep_folder = true;       ///< false: pictures are there for film and deck alone, in FILE.parts
+  std::string film, deck;        ///< files to make of the pictures; empty: none
   Durability durability = Durability::rename_only;
   ContextKind context = ContextKind::any;
 };
+/// @throws CommandError usage
 ExportOutput export_output(const TypedExport& typed);
 
 /// Behind the pictures of an export.

@@ -6,6 +6,7 @@
 #include "app/timeline.h"
 #include "lessons/lesson.h"
 #include "render/image/image.h"
+#include "render/image/png.h"
 
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct ExportOptions {
   std::string background = "paper";  ///< of pages that of the theme
   Theme theme = Theme::paper;        ///< of pages and equations
   int dpi = 0;                       ///< noted in the files, 0: none; of equations also their size
+  PngPacking png = PngPacking::fast;
 };
 
 struct PlannedPicture {

@@ -15,27 +15,38 @@ class FigureMaker : public PictureMaker {
  public:
   explicit FigureMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
 
-  void check(const PlannedPicture& picture) override {
-    const SceneModel& model = models_.of(*picture.scene);
-    check_computable(*picture.stage, model, time_of(picture, context_.options, model.rate));
-  }
+  void check(const PlannedPicture& picture) override { static_cast<void>(moment_of(picture)); }
 
-  MadePicture make(const PlannedPicture& picture) override {
-    const SceneModel& model = models_.of(*picture.scene);
-    const ExportOptions& options = context_.options;
-    const double t_s = time_of(picture, options, model.rate);
-    check_computable(*picture.stage, model, t_s);
-    const double aspect = static_cast<double>(options.size.width) / options.size.height;
-    Image image = or_fail(
-        context_.renderer.draw(make_figure(model, t_s, aspect), options.size, background_of(options)));
+  PictureDescription describe(const PlannedPicture& picture) override {
+    const auto [model, t_s] = moment_of(picture);
     const std::string alt = speaker_.words_of_title(*picture.stage) + ' ' +
                             alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
                                      model.motion->w_B_at(t_s), t_s);
-    return {std::move(image), alt, tex_shown(*picture.stage, picture.step), t_s,
-            std::string(model.motion->method())};
+    return {alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model.motion->method()),
+            context_.options.size};
+  }
+
+  Image draw(const PlannedPicture& picture) override {
+    const auto [model, t_s] = moment_of(picture);
+    const Size size = context_.options.size;
+    const double aspect = static_cast<double>(size.width) / size.height;
+    return or_fail(
+        context_.renderer.draw(make_figure(model, t_s, aspect), size, background_of(context_.options)));
   }
 
  private:
+  struct Moment {
+    const SceneModel& model;
+    double t_s;
+  };
+
+  Moment moment_of(const PlannedPicture& picture) {
+    const SceneModel& model = models_.of(*picture.scene);
+    const double t_s = time_of(picture, context_.options, model.rate);
+    check_computable(*picture.stage, model, t_s);
+    return {model, t_s};
+  }
+
   MakerContext context_;
   Speaker speaker_;
   ModelOfScene models_{Product::figure};

@@ -89,6 +89,7 @@ Json to_json(const ExportOptions& options) {
   json["background"] = picture ? Json(options.background) : Json(nullptr);
   json["theme"] = themed ? Json(options.theme == Theme::dark ? "dark" : "paper") : Json(nullptr);
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
+  json["png"] = picture ? Json(options.png == PngPacking::small ? "small" : "fast") : Json(nullptr);
   return json;
 }
 

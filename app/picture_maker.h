@@ -10,22 +10,26 @@
 
 namespace polhode {
 
-/// A picture with what the manifest says of it.
-struct MadePicture {
-  Image image;
+/// What the manifest and the file say of a picture.
+struct PictureDescription {
   std::string alt;
   std::vector<std::string> tex;  ///< the display mathematics in it
   std::optional<double> t_s;
   std::string method;  ///< of the motion; empty: none
+  Size size;
 };
 
+/// Any picture in any order; neighbours in the plan are cheaper. @throws CommandError
 class PictureMaker {
  public:
   virtual ~PictureMaker() = default;
-  /// Does what can fail without drawing. @throws CommandError
+  /// Does what can fail without drawing.
   virtual void check(const PlannedPicture& picture) = 0;
-  /// @throws CommandError
-  virtual MadePicture make(const PlannedPicture& picture) = 0;
+  /// Draws nothing: a manifest can be written by who did not draw its pictures.
+  virtual PictureDescription describe(const PlannedPicture& picture) = 0;
+  virtual Image draw(const PlannedPicture& picture) = 0;
+  /// Whether two pictures are known, without drawing, to have the same bytes as files.
+  virtual bool same_bytes(const PlannedPicture&, const PlannedPicture&) const { return false; }
 };
 
 /// What a maker works with; all outlive it.

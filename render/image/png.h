@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PNG through libpng: metadata, resolution, limits on what is read.
+// PNG: pixels packed by libdeflate, chunks and reading by libpng; metadata, resolution, limits on what is
+// read.
 #pragma once
 
 #include "render/image/atomic_file.h"
@@ -8,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -24,9 +26,33 @@ struct PngMetadata {
   int dpi = 0;  ///< pHYs; 0: none
 };
 
-/// RGB if the image is opaque everywhere, else RGBA. The same image and metadata give the same bytes; no time
-/// stamp. 1080p frame: about 46 CPU ms (Sub filter, run-length deflate at level 1).
-Result<std::vector<std::uint8_t>> encode_png(const Image& image, const PngMetadata& metadata);
+/// How hard pixels are packed; CPU time and size of a 1080p frame, against libpng's default settings.
+enum class PngPacking {
+  fast,   ///< 23 ms, 11 % larger
+  small,  ///< 0.9 s, 13 % smaller
+};
+
+/// Encodes one image after the other; keeps its buffers, which hold about 7 bytes a pixel of the largest so
+/// far, half of them only where pixels do not pack (an image of 16384 x 16384: 1 GiB). One thread at a time.
+class PngEncoder {
+ public:
+  explicit PngEncoder(PngPacking packing = PngPacking::fast);
+  ~PngEncoder();
+  PngEncoder(PngEncoder&&) noexcept;
+  PngEncoder& operator=(PngEncoder&&) noexcept;
+
+  /// RGB if the image is opaque everywhere, else RGBA. The same image, metadata and packing give the same
+  /// bytes; no time stamp. The bytes stay valid until the next call.
+  Result<std::span<const std::uint8_t>> encode(const Image& image, const PngMetadata& metadata);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// One image, by an encoder of its own.
+Result<std::vector<std::uint8_t>> encode_png(const Image& image, const PngMetadata& metadata,
+                                             PngPacking packing = PngPacking::fast);
 
 struct PngFile {
   Image image;
@@ -39,8 +65,10 @@ struct PngFile {
 Result<PngFile> decode_png(std::span<const std::uint8_t> bytes);
 Result<PngFile> read_png(const std::filesystem::path& path);
 
-/// encode_png, then write_file_atomically.
+/// Encodes, then write_file_atomically.
 Status write_png(const std::filesystem::path& path, const Image& image, const PngMetadata& metadata,
                  Durability durability = Durability::rename_only);
+Status write_png(PngEncoder& encoder, const std::filesystem::path& path, const Image& image,
+                 const PngMetadata& metadata, Durability durability);
 
 }  // namespace polhode

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "render/image/atomic_file.h"
 #include "render/image/png.h"
+#include "render/image/png_filter.h"
 #include "render/image/png_text.h"
 
+#include <libdeflate.h>
 #include <png.h>
-#include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csetjmp>
@@ -15,8 +16,11 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t kBufferBytes = 1 << 18;  // few, large IDAT chunks
-constexpr std::size_t kITxtBytes = 5;          // of an iTXt chunk besides keyword and text
+// Measured on rendered frames. Fast: what libpng's default settings take 200 ms for. Small: level 12 is 3 %
+// smaller in 2.4 times the time.
+constexpr int kFastLevel = 1, kSmallLevel = 10;
+constexpr std::size_t kMostIdatBytes = 8 << 20;
+constexpr std::size_t kITxtBytes = 5;  // of an iTXt chunk besides keyword and text
 
 // What libpng's callbacks need. Lives outside run(), which longjmp may leave.
 struct Writer {
@@ -45,12 +49,6 @@ void on_write(png_structp png, png_bytep data, std::size_t count) {
 
 void on_flush(png_structp) {}
 
-bool opaque(const Image& image) {
-  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
-    if (image.rgba[i] != 255) return false;
-  return true;
-}
-
 struct Handles {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -67,21 +65,23 @@ void set_header(png_structp png, png_infop info, const Image& image, bool rgb, i
     const auto per_metre = static_cast<png_uint_32>(std::lround(dpi / kMetresPerInch));
     png_set_pHYs(png, info, per_metre, per_metre, PNG_RESOLUTION_METER);
   }
-  // Measured on rendered frames: a quarter of the default's time for 14 % more bytes.
-  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-  png_set_compression_level(png, 1);
-  png_set_compression_strategy(png, Z_RLE);
-  png_set_compression_buffer_size(png, kBufferBytes);
 }
 
-bool run(const Handles& handles, const Image& image, bool rgb, std::span<const png_text> text, int dpi) {
+// libpng's own writer of pixels would compress them itself; its end would miss them.
+void write_pixels_and_end(png_structp png, const std::uint8_t* packed, std::size_t count) {
+  for (std::size_t at = 0; at < count; at += kMostIdatBytes)
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>("IDAT"), packed + at,
+                    std::min(kMostIdatBytes, count - at));
+  png_write_chunk(png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
+}
+
+bool run(const Handles& handles, const Image& image, PngChannels channels,
+         std::span<const std::uint8_t> packed, std::span<const png_text> text, int dpi) {
   if (setjmp(png_jmpbuf(handles.png))) return false;
-  set_header(handles.png, handles.info, image, rgb, dpi);
+  set_header(handles.png, handles.info, image, channels == PngChannels::rgb, dpi);
   if (!text.empty()) png_set_text(handles.png, handles.info, text.data(), static_cast<int>(text.size()));
   png_write_info(handles.png, handles.info);
-  if (rgb) png_set_filler(handles.png, 0, PNG_FILLER_AFTER);
-  for (int y = 0; y < image.size.height; ++y) png_write_row(handles.png, image.pixel(0, y));
-  png_write_end(handles.png, handles.info);
+  write_pixels_and_end(handles.png, packed.data(), packed.size());
   return true;
 }
 
@@ -122,31 +122,93 @@ Status check_image(const Image& image) {
   return success();
 }
 
+// Memory that is not cleared: what is not written to takes none.
+class Buffer {
+ public:
+  std::uint8_t* at_least(std::size_t bytes) {
+    if (bytes > bytes_) {
+      data_.reset();  // first, or both would be there at once
+      data_ = std::make_unique_for_overwrite<std::uint8_t[]>(bytes);
+      bytes_ = bytes;
+    }
+    return data_.get();
+  }
+
+ private:
+  std::unique_ptr<std::uint8_t[]> data_;
+  std::size_t bytes_ = 0;
+};
+
+struct FreeCompressor {
+  void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
+};
+
 }  // namespace
 
-Result<std::vector<std::uint8_t>> encode_png(const Image& image, const PngMetadata& metadata) {
+struct PngEncoder::State {
+  PngPacking packing;
+  std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor;
+  Buffer filtered, packed;
+  Writer writer;
+};
+
+PngEncoder::PngEncoder(PngPacking packing) : state_(std::make_unique<State>()) {
+  state_->packing = packing;
+  state_->compressor.reset(
+      libdeflate_alloc_compressor(packing == PngPacking::fast ? kFastLevel : kSmallLevel));
+  if (!state_->compressor) throw std::bad_alloc();
+}
+PngEncoder::~PngEncoder() = default;
+PngEncoder::PngEncoder(PngEncoder&&) noexcept = default;
+PngEncoder& PngEncoder::operator=(PngEncoder&&) noexcept = default;
+
+Result<std::span<const std::uint8_t>> PngEncoder::encode(const Image& image, const PngMetadata& metadata) {
   const Status possible = check_image(image);
   if (!possible) return failure(possible.error());
   const Result<Texts> texts = encode_text(metadata);
   if (!texts) return failure(texts.error());
 
-  Writer writer;
-  writer.bytes.reserve(image.rgba.size() / 4);
+  std::uint8_t* filtered = state_->filtered.at_least(filtered_bytes(image.size, PngChannels::rgba));
+  const PngChannels channels = state_->packing == PngPacking::fast ? filter_rows_fast(image, filtered)
+                                                                   : filter_rows_well(image, filtered);
+  const std::size_t count = filtered_bytes(image.size, channels);
+  const std::size_t bound = libdeflate_zlib_compress_bound(state_->compressor.get(), count);
+  std::uint8_t* packed = state_->packed.at_least(bound);
+  const std::size_t packed_count =
+      libdeflate_zlib_compress(state_->compressor.get(), filtered, count, packed, bound);
+
+  Writer& writer = state_->writer;
+  writer.bytes.clear();
   Handles handles;
   handles.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &writer, on_error, on_warning);
   if (handles.png) handles.info = png_create_info_struct(handles.png);
   if (!handles.info)
     return failure("libpng cannot start: out of memory, or it is older than the one we were built with.");
   png_set_write_fn(handles.png, &writer, on_write, on_flush);
-  if (run(handles, image, opaque(image), texts->chunks, metadata.dpi)) return std::move(writer.bytes);
+  if (run(handles, image, channels, {packed, packed_count}, texts->chunks, metadata.dpi))
+    return std::span<const std::uint8_t>(writer.bytes);
   return failure(std::string("libpng cannot write the image: ") + writer.error.data() + ".");
+}
+
+Result<std::vector<std::uint8_t>> encode_png(const Image& image, const PngMetadata& metadata,
+                                             PngPacking packing) {
+  PngEncoder encoder(packing);
+  const auto bytes = encoder.encode(image, metadata);
+  if (!bytes) return failure(bytes.error());
+  return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
+}
+
+Status write_png(PngEncoder& encoder, const std::filesystem::path& path, const Image& image,
+                 const PngMetadata& metadata, Durability durability) {
+  const auto bytes = encoder.encode(image, metadata);
+  if (!bytes) return failure("Cannot write " + path.string() + ": " + bytes.error());
+  return write_file_atomically(path, *bytes, durability);
 }
 
 Status write_png(const std::filesystem::path& path, const Image& image, const PngMetadata& metadata,
                  Durability durability) {
-  const Result<std::vector<std::uint8_t>> bytes = encode_png(image, metadata);
-  if (!bytes) return failure("Cannot write " + path.string() + ": " + bytes.error());
-  return write_file_atomically(path, *bytes, durability);
+  PngEncoder encoder;
+  return write_png(encoder, path, image, metadata, durability);
 }
 
 }  // namespace polhode

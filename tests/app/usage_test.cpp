@@ -54,7 +54,7 @@ TEST(Help, OfACommandNamesItsOptions) {
         "--method", "--seconds", "--all", "--csv", "--plot", "--json", "--rendering"}},
       {"export",
        {"LESSON", "-o", "--stage", "--each", "--what", "--size", "--fps", "--seconds", "--at", "--frames",
-        "--background", "--theme", "--dpi", "--sync", "--context"}}};
+        "--background", "--theme", "--dpi", "--png", "--film", "--deck", "--sync", "--context"}}};
   for (const auto& [command, names] : options) {
     const ProgramRun run = polhode({command, "--help"});
     for (const std::string& name : names) EXPECT_THAT(run.out, HasSubstr(name)) << command;
@@ -92,6 +92,9 @@ TEST(Usage, MistakesAreNamedOnStderrWithCode2) {
       {{"list", "--jsno"}, "did you mean \"--json\"?"},
       {{"list", "extra"}, "unexpected argument \"extra\""},
       {{"export", tiny}, "--output"},
+      {with(export_tiny, {"--png", "smal"}), "did you mean \"small\"?"},
+      {with(export_tiny, {"--what", "transcript", "--png", "fast"}), "a transcript is text"},
+      {{"export", tiny, "--what", "transcript", "--deck", "deck.html"}, "a transcript is text"},
       {{"export", "-o", "x"}, "LESSON"},
       {{"info", "no-such-lesson"}, "unknown lesson \"no-such-lesson\""},
       {with(export_tiny, {"--sise", "1x1"}), "did you mean \"--size\"?"},

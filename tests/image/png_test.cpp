@@ -25,8 +25,10 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::size_t kHeaderEnd = 33;  // 8 of signature, 25 of IHDR
 constexpr std::size_t kColorType = 25;  // place of IHDR's colour type
 
-Bytes encoded(const Image& image, const PngMetadata& metadata = {}) {
-  Result<Bytes> bytes = encode_png(image, metadata);
+constexpr PngPacking kPackings[] = {PngPacking::fast, PngPacking::small};
+
+Bytes encoded(const Image& image, const PngMetadata& metadata = {}, PngPacking packing = PngPacking::fast) {
+  Result<Bytes> bytes = encode_png(image, metadata, packing);
   EXPECT_TRUE(bytes.ok()) << bytes.error();
   return *bytes;
 }
@@ -85,14 +87,15 @@ bool contains(const Bytes& bytes, const char* type) {
 
 TEST(Png, RoundTripsOpaqueAndTransparentImagesOfManySizes) {
   for (const Size size : {Size{1, 1}, {1, 7}, {7, 1}, {16, 9}, {321, 123}})
-    for (const bool opaque : {true, false}) {
-      const Image image = scenic(size, opaque);
-      const PngFile file = decoded(encoded(image));
-      EXPECT_EQ(file.image.size, size);
-      EXPECT_EQ(file.image.rgba, image.rgba) << size.width << " x " << size.height;
-      EXPECT_TRUE(file.metadata.text.empty());
-      EXPECT_EQ(file.metadata.dpi, 0);
-    }
+    for (const bool opaque : {true, false})
+      for (const PngPacking packing : kPackings) {
+        const Image image = scenic(size, opaque);
+        const PngFile file = decoded(encoded(image, {}, packing));
+        EXPECT_EQ(file.image.size, size);
+        EXPECT_EQ(file.image.rgba, image.rgba) << size.width << " x " << size.height;
+        EXPECT_TRUE(file.metadata.text.empty());
+        EXPECT_EQ(file.metadata.dpi, 0);
+      }
 }
 
 TEST(Png, ColourUnderFullTransparencySurvives) {
@@ -141,9 +144,68 @@ TEST(Png, EveryResolutionSurvives) {
 TEST(Png, TheSameImageGivesTheSameBytesWithoutATime) {
   const PngMetadata metadata{{{"Title", "ω"}}, 96};
   const Image image = scenic({200, 100}, false);
-  const Bytes first = encoded(image, metadata);
-  EXPECT_EQ(first, encoded(image, metadata));
-  EXPECT_FALSE(contains(first, "tIME"));
+  for (const PngPacking packing : kPackings) {
+    const Bytes first = encoded(image, metadata, packing);
+    EXPECT_EQ(first, encoded(image, metadata, packing));
+    EXPECT_FALSE(contains(first, "tIME"));
+  }
+}
+
+TEST(Png, AnEncoderForgetsTheImageBefore) {
+  for (const PngPacking packing : kPackings) {
+    PngEncoder encoder(packing);
+    for (const auto& [size, opaque] : {std::pair{Size{64, 48}, false}, {{20, 10}, true}, {{90, 70}, false}}) {
+      const PngMetadata metadata{{{"Title", std::to_string(size.width)}}, size.width};
+      const auto bytes = encoder.encode(scenic(size, opaque), metadata);
+      ASSERT_TRUE(bytes.ok()) << bytes.error();
+      EXPECT_EQ(Bytes(bytes->begin(), bytes->end()), encoded(scenic(size, opaque), metadata, packing));
+      EXPECT_FALSE(encoder.encode({{2, 2}, Bytes(15)}, {}).ok()) << "wrong number of bytes";
+    }
+  }
+}
+
+/// As libpng writes the rows by itself.
+std::size_t bytes_by_default(const Image& image) {
+  png_image form{};
+  form.version = PNG_IMAGE_VERSION;
+  form.format = PNG_FORMAT_RGB;
+  form.width = static_cast<png_uint_32>(image.size.width);
+  form.height = static_cast<png_uint_32>(image.size.height);
+  Bytes rgb;
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
+  png_alloc_size_t size = 0;
+  EXPECT_TRUE(png_image_write_to_memory(&form, nullptr, &size, 0, rgb.data(), 0, nullptr)) << form.message;
+  return size;
+}
+
+TEST(Png, FastIsHardlyLargerThanLibpngsDefaultAndSmallIsSmaller) {
+  const Image scene = scenic({480, 270}, true), flat = uniform({480, 270}, 251, 250, 246);
+  const auto ratio = [](const Image& image, PngPacking packing) {
+    return static_cast<double>(encoded(image, {}, packing).size()) /
+           static_cast<double>(bytes_by_default(image));
+  };
+  EXPECT_LT(ratio(scene, PngPacking::fast), 1.15);
+  EXPECT_LT(ratio(scene, PngPacking::small), 1.0);
+  // Both are a few hundred bytes, chunks and all.
+  EXPECT_LT(ratio(flat, PngPacking::fast), 3.0);
+  EXPECT_LT(ratio(flat, PngPacking::small), 1.15);
+}
+
+TEST(Png, WhatDoesNotPackIsSplitOverSeveralChunks) {
+  Image noise = Image::blank({1700, 1400});  // 9.1 MiB; a chunk has at most 8
+  std::minstd_rand random(1);
+  for (std::uint8_t& byte : noise.rgba) byte = static_cast<std::uint8_t>(random() >> 8);
+  const Bytes bytes = encoded(noise);
+  EXPECT_EQ(decoded(bytes).image.rgba, noise.rgba);
+  int chunks = 0;
+  for (std::size_t at = 8; at < bytes.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | bytes[at + i];
+    if (std::memcmp(&bytes[at + 4], "IDAT", 4) == 0) ++chunks;
+    at += 12 + length;
+  }
+  EXPECT_EQ(chunks, 2);
 }
 
 TEST(Png, ImpossibleTextIsRefused) {
