@@ -26,6 +26,21 @@ export_alone() {
   "$POLHODE" export "$lesson" -o "$1" "${options[@]}" 2>"$1.log" || { cat "$1.log"; fail "one process alone failed"; }
 }
 
+# export_shard I/N DIR: one shard alone, as a run leaves it that was cut short. Prints its pictures and their times.
+export_shard() {
+  "$POLHODE" export "$lesson" -o "$2" --shard "$1" "${options[@]}" 2>"$2.log" || { cat "$2.log"; fail "shard $1 failed"; }
+  times_of "$2"
+}
+
+# times_of DIR: names and times of its pictures.
+times_of() { find "$1" -name '*.png' -printf '%f %T@\n' | sort; }
+
+# expect_kept TIMES DIR: pictures with these times are there still.
+expect_kept() {
+  [ -n "$1" ] || fail "no picture was there before"
+  [ "$(comm -23 <(printf '%s\n' "$1") <(times_of "$2"))" = "" ] || fail "pictures that were there were drawn again"
+}
+
 # expect_equal WANT GOT: the same names and the same bytes, the manifest included, and nothing else left behind.
 expect_equal() {
   diff -r "$1" "$2" || fail "$2 differs from what one process made"

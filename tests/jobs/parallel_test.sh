@@ -14,14 +14,10 @@ export_alone "$scratch/alone"
 run 4 "$lesson" "$scratch/shared" "${options[@]}" || { cat "$scratch/log"; fail "four shards"; }
 expect_equal "$scratch/alone" "$scratch/shared"
 
-# As a run leaves it that was killed: some pictures, no manifest.
-mkdir "$scratch/resumed"
-cp -p "$scratch/alone/"*-frame*[135].png "$scratch/resumed"
-kept=$(find "$scratch/resumed" -name '*.png' -printf '%f %T@\n' | sort)
+kept=$(export_shard 2/3 "$scratch/resumed")
 run 3 "$lesson" "$scratch/resumed" "${options[@]}" || { cat "$scratch/log"; fail "going on where it stopped"; }
 expect_equal "$scratch/alone" "$scratch/resumed"
-[ "$kept" = "$(find "$scratch/resumed" -name '*-frame*[135].png' -printf '%f %T@\n' | sort)" ] ||
-  fail "pictures that were there were drawn again"
+expect_kept "$kept" "$scratch/resumed"
 
 if run 4 "$lesson" "$scratch/failed" --size 1x0; then fail "a shard failed, and nobody was told"; fi
 if run four "$lesson" "$scratch/failed"; then fail "four is no number of shards"; fi

@@ -109,12 +109,12 @@ run_array 1-4 "$scratch/shared" "${options[@]}"
 [ "$(states)" = COMPLETED ] || { tell_logs; fail "tasks of the array 1-4 ended as: $(states)"; }
 expect_equal "$scratch/alone" "$scratch/shared"
 
-# Another array over what a killed one may have left: not from 1, in steps.
-mkdir "$scratch/resumed"
-cp -p "$scratch/alone/"*-frame*[135].png "$scratch/resumed"
+# Another array over what one that was cut short left: not from 1, in steps.
+kept=$(export_shard 2/3 "$scratch/resumed")
 run_array 3-7:2 "$scratch/resumed" "${options[@]}"
 [ "$(states)" = COMPLETED ] || { tell_logs; fail "tasks of the array 3-7:2 ended as: $(states)"; }
 expect_equal "$scratch/alone" "$scratch/resumed"
+expect_kept "$kept" "$scratch/resumed"
 
 run_array 1-2 "$scratch/failed" --size 1x0
 [ "$(states)" = FAILED ] || fail "a task that could not draw ended as: $(states)"

@@ -280,8 +280,8 @@ class Film {
   Image image_;
 };
 
-void write(const std::filesystem::path& path, const Image& image) {
-  const std::vector<std::uint8_t> png = encode_png(image, {}).value();
+void write(PngEncoder& encoder, const std::filesystem::path& path, const Image& image) {
+  const std::span<const std::uint8_t> png = encoder.encode(image, {}).value();
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(png.data()), std::ssize(png));
 }
 
@@ -290,6 +290,7 @@ void run(const std::filesystem::path& scene_file, const std::filesystem::path& f
   std::filesystem::create_directories(folder);
   open_egl();
   Film film(scene, full);
+  PngEncoder encoder;
   const Json& frames = scene["frames"];
   for (int n = 0; n < kWarmUp; ++n) film.draw(frames[0]);
 
@@ -298,7 +299,7 @@ void run(const std::filesystem::path& scene_file, const std::filesystem::path& f
   for (std::size_t n = 0; n < frames.size(); ++n) {
     const Image* image = nullptr;
     drawing_s += cpu_s([&] { image = &film.draw(frames[n]); });
-    write(folder / fmt::format("{:05}.png", n), *image);
+    write(encoder, folder / fmt::format("{:05}.png", n), *image);
   }
   const double ms = 1000.0 / static_cast<double>(frames.size());
   fmt::print(

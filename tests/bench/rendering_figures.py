@@ -1,0 +1,387 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Measures the figures of pictures, each against what is required, and prints one table.
+
+    cmake --preset bench && cmake --build --preset bench && tests/bench/rendering_figures.py
+
+CPU time is that of all threads (getrusage) and is to be trusted over wall time. What is compared takes turns within
+this run; ratios are medians over the turns. Wall times and all that is said of two cores need a machine with nothing
+else to do. What is missing (a peer's package, an option) is named in the table. Takes some 10 minutes; --quick some 3.
+"""
+import argparse
+import filecmp
+import json
+import os
+import pathlib
+import random
+import re
+import resource
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LESSON = ["euler-equations", "--what", "figure", "--stage", "poinsot", "--each", "frame"]
+FPS = 25
+
+
+class Missing(Exception):
+    """Why a figure was not measured."""
+
+
+class Table:
+    """Prints a row as soon as it is known."""
+
+    FORM = "{:<58} {:>14}  {:<40} {}"
+
+    def __init__(self):
+        self.missed = 0
+        print(self.FORM.format("figure", "required", "measured", "holds"))
+        print("-" * 122, flush=True)
+
+    def row(self, figure, required, measured, holds=None):
+        self.missed += holds is False
+        print(self.FORM.format(figure, required, measured, {True: "yes", False: "NO", None: ""}[holds]), flush=True)
+
+
+class Usage:
+    """What a process and its children took."""
+
+    def __init__(self, cpu_s, wall_s, peak_mib):
+        self.cpu_s, self.wall_s, self.peak_mib = cpu_s, wall_s, peak_mib
+
+
+class Bench:
+    """The programs, a scratch folder, and how they are run."""
+
+    def __init__(self, build, scratch, options):
+        self.polhode, self.tests = build / "app/polhode", build / "tests/bench"
+        self.scratch, self.options = scratch, options
+        for program in (self.polhode, self.tests / "render_bench", self.tests / "png_figures"):
+            if not program.exists():
+                sys.exit(f"rendering_figures: {program} is not there; build the preset bench first")
+
+    def run(self, command, environment=None, check=True):
+        """Output and usage of a command that ends by itself."""
+        with tempfile.TemporaryFile(dir=self.scratch) as out, tempfile.TemporaryFile(dir=self.scratch) as err:
+            start = time.monotonic()
+            process = self.start(command, environment, out, err)
+            _, status, used = os.wait4(process.pid, 0)
+            wall = time.monotonic() - start
+            process.returncode = os.waitstatus_to_exitcode(status)
+            out.seek(0)
+            err.seek(0)
+            text, told = out.read().decode(), err.read().decode(errors="replace")
+        if check and process.returncode:
+            raise Missing((told.strip().splitlines() or [f"exit {process.returncode}"])[-1][:100])
+        return text, Usage(used.ru_utime + used.ru_stime, wall, used.ru_maxrss / 1024)
+
+    def start(self, command, environment=None, out=subprocess.DEVNULL, err=subprocess.DEVNULL):
+        return subprocess.Popen([str(part) for part in command], stdout=out, stderr=err,
+                                env={**os.environ, "POLHODE_LESSONS": str(ROOT / "lessons"), **(environment or {})})
+
+    def folder(self, name):
+        return pathlib.Path(tempfile.mkdtemp(prefix=name + "-", dir=self.scratch))
+
+    def export(self, folder, frames, size="1920x1080", extra=()):
+        return [self.polhode, "export", *LESSON, "-o", folder, "--fps", FPS, "--seconds", frames / FPS, "--size", size,
+                *extra]
+
+    def per_frame(self, frames, size="1920x1080", extra=(), environment=None):
+        """CPU and wall ms of a frame of polhode export: of the frames between a short run and a longer one."""
+        short = self.run(self.export(self.folder("short"), 10, size, extra), environment)[1]
+        longer = self.run(self.export(self.folder("long"), 10 + frames, size, extra), environment)[1]
+        return [1e3 * (b - a) / frames for a, b in ((short.cpu_s, longer.cpu_s), (short.wall_s, longer.wall_s))]
+
+    def benchmarks(self, pattern, seconds):
+        """{name without its suffixes: (CPU ms, wall ms)} of render_bench."""
+        text, _ = self.run([self.tests / "render_bench", f"--benchmark_filter={pattern}", "--benchmark_format=json",
+                            f"--benchmark_min_time={seconds}"])
+        if not text.startswith("{"):
+            return {}
+        return {re.sub(r"/(process_time|real_time)", "", one["name"]): (one["cpu_time"], one["real_time"])
+                for one in json.loads(text)["benchmarks"]}
+
+
+def median(values):
+    return statistics.median(values)
+
+
+def ms(pair):
+    return f"{pair[0]:.1f} CPU ms, {pair[1]:.1f} wall ms"
+
+
+def medians(turns, name):
+    """CPU and wall medians of a benchmark over the turns."""
+    found = [turn[name] for turn in turns if name in turn]
+    if not found:
+        raise Missing(f"render_bench has no {name}")
+    return tuple(median([one[i] for one in found]) for i in (0, 1))
+
+
+def ratio(turns, above, below, which=0):
+    """Median over the turns of above / below, CPU (0) or wall (1)."""
+    both = [turn[above][which] / turn[below][which] for turn in turns if above in turn and below in turn]
+    if not both:
+        raise Missing(f"render_bench has no {above} or no {below}")
+    return median(both)
+
+
+# ---- what takes turns: our frame, its floor, the way of old, and the peers ------------------------------
+
+OURS, FLOOR, LARGE, OLD = "BM_Frame/1080", "BM_ClearReadPng/1080", "BM_Frame/2160", "msaa4"
+PEERS = [("VTK 9.1, MSAA 4x", "peer_vtk.py", 15), ("MuJoCo 2.2, 4 samples", "peer_mujoco", 15),
+         ("matplotlib 3-D", "peer_matplotlib.py", 9)]
+
+
+def take_turns(bench):
+    """One dictionary of (CPU ms, wall ms) for each turn; and why a peer is missing."""
+    scene = bench.scratch / "scene.json"
+    scene.write_text(bench.run([bench.tests / "write_scene", bench.options.peer_frames])[0], encoding="utf-8")
+    turns, missing = [], {}
+    for _ in range(bench.options.turns):
+        turn = bench.benchmarks("BM_Frame|BM_ClearReadPng|[Mm]saa4", bench.options.seconds)
+        for name in [name for name in turn if re.search("msaa4", name, re.I)][:1]:
+            turn[OLD] = turn[name]
+        for _, program, _ in PEERS:
+            for full in (False, True):
+                key = (program, full)
+                if key in missing:
+                    continue
+                try:
+                    turn[key] = run_peer(bench, program, full, scene)
+                except (Missing, OSError) as reason:
+                    missing[key] = str(reason)
+        turns.append(turn)
+    return turns, missing
+
+
+def run_peer(bench, program, full, scene):
+    folder = bench.folder("peer")
+    if program.endswith(".py"):
+        command = ["/usr/bin/python3", ROOT / "tests/bench/peers" / program, scene, "-o", folder,
+                   *(["--full"] if full else [])]
+    else:
+        command = [bench.tests / program, scene, folder, *(["full"] if full else [])]
+    told = json.loads(bench.run(command)[0])
+    return told["cpu_ms"], told["wall_ms"]
+
+
+def frame_figures(table, bench):
+    turns, missing = take_turns(bench)
+    ours = medians(turns, OURS)
+    table.row("1080p frame to PNG, moving camera (BM_Frame): CPU", "<= 65 ms", ms(ours), ours[0] <= 65)
+    pace = 1000.0 / ours[1]
+    exported = bench.per_frame(bench.options.export_frames)
+    table.row("the same through polhode export, camera at rest", "", ms(exported))
+    best = max(pace, 1000.0 / exported[1])
+    table.row("frames/s, the better of the two (stretch: 40)", ">= 30", f"{pace:.1f} alone, {1000 / exported[1]:.1f} "
+              "exporting", best >= 30)
+    for title, program, required in PEERS:
+        for full in (True, False):
+            peer_figure(table, turns, missing, (program, full), title + (", all the look" if full else ", the least"),
+                        required)
+    guarded(table, "our own MSAA path / ours", ">= 4", lambda: at_least(4, turns, OLD))
+    guarded(table, "CPU of a frame / of clear + read + PNG alone", "<= 3", lambda: at_most(3, turns, OURS, FLOOR))
+    guarded(table, "4K frame / 1080p frame", "<= 4.2", lambda: at_most(4.2, turns, LARGE, OURS))
+
+
+def peer_figure(table, turns, missing, key, title, required):
+    if key in missing:
+        table.row(f"{title} / ours", f">= {required}", "left out: " + missing[key])
+        return
+    cpu, wall = ratio(turns, key, OURS, 0), ratio(turns, key, OURS, 1)
+    table.row(f"{title} / ours", f">= {required}", f"{cpu:.1f} CPU, {wall:.1f} wall ({medians(turns, key)[0]:.0f} CPU ms)",
+              cpu >= required)
+
+
+def at_least(required, turns, above):
+    cpu, wall = ratio(turns, above, OURS, 0), ratio(turns, above, OURS, 1)
+    return f"{cpu:.2f} CPU, {wall:.2f} wall ({medians(turns, above)[0]:.0f} CPU ms)", cpu >= required
+
+
+def at_most(required, turns, above, below):
+    cpu = ratio(turns, above, below)
+    return f"{cpu:.2f} ({medians(turns, above)[0]:.1f} / {medians(turns, below)[0]:.1f} CPU ms)", cpu <= required
+
+
+# ---- PNG, memory ------------------------------------------------------------------------------------------
+
+
+def png_figures(table, bench):
+    folder = bench.folder("picture")
+    bench.run(bench.export(folder, 1))
+    picture = next(folder.glob("*.png"))
+    told = json.loads(bench.run([bench.tests / "png_figures", picture, bench.options.png_turns])[0])
+    fast, small, default = (told[name] for name in ("fast", "small", "default"))
+    table.row("PNG of a 1080p frame, --png fast", "<= 30 ms", f"{fast['ms']:.1f} CPU ms", fast["ms"] <= 30)
+    table.row("its size / libpng's default", "<= 1.15", f"{fast['bytes'] / default['bytes']:.3f} ({fast['bytes'] // 1000} / "
+              f"{default['bytes'] // 1000} kB)", fast["bytes"] <= 1.15 * default["bytes"])
+    table.row("libpng's default; --png small", "", f"{default['ms']:.0f} ms; {small['ms']:.0f} ms, "
+              f"{small['bytes'] / default['bytes']:.3f} of the size")
+
+
+def memory_figure(table, bench):
+    used = bench.run(bench.export(bench.folder("large"), 12, "3840x2160"))[1]
+    table.row("memory of an export at 4K", "<= 400 MiB", f"{used.peak_mib:.0f} MiB", used.peak_mib <= 400)
+
+
+# ---- a long sequence --------------------------------------------------------------------------------------
+
+
+def cpu_and_memory_of(pid):
+    """s and MiB, of all threads, so far."""
+    stat = pathlib.Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+    pages = int(pathlib.Path(f"/proc/{pid}/statm").read_text(encoding="ascii").split()[1])
+    return (int(stat[11]) + int(stat[12])) / os.sysconf("SC_CLK_TCK"), pages * resource.getpagesize() / 2**20
+
+
+def long_figures(table, bench):
+    """CPU of a frame in stretches at the start and at the end of one export of small frames, and its memory at both."""
+    frames, stretch = bench.options.long_frames, bench.options.long_frames // 40
+    folder = bench.folder("long")
+    bench.run(bench.export(bench.folder("first"), 1, "320x180"))
+    stage = next(bench.scratch.glob("first-*/*.png")).name.split("-frame")[0]
+    process = bench.start(bench.export(folder, frames + 1, "320x180"))
+    marks = [10 + i * stretch for i in range(5)] + [frames - (4 - i) * stretch for i in range(5)]
+    seen = []
+    try:
+        for mark in marks:
+            while not (folder / f"{stage}-frame{mark:0{len(str(frames))}d}.png").exists():
+                if process.poll() is not None:
+                    raise Missing("the export ended early")
+                time.sleep(0.02)
+            seen.append(cpu_and_memory_of(process.pid))
+    finally:
+        process.kill()
+        process.wait()
+    cost = [b[0] - a[0] for a, b in zip(seen, seen[1:])]
+    late = median(cost[5:]) / median(cost[:4])
+    table.row(f"frame {frames:,} / frame 10 of one export", "1.00 +- 0.05", f"{late:.3f} ({1e3 * cost[0] / stretch:.1f} CPU ms at "
+              "320x180)", abs(late - 1) <= 0.05)
+    growth = seen[-1][1] - seen[4][1]
+    table.row(f"its memory, frame {frames:,} - frame {marks[4]:,}", "0 MiB", f"{growth:+.2f} MiB of {seen[-1][1]:.0f}",
+              growth < 0.5)
+
+
+# ---- shards and kills -------------------------------------------------------------------------------------
+
+
+def kill_figure(table, bench):
+    """Shards 1..8 in any order, each killed and started again at random times, against one run alone."""
+    frames, size, seed = 64, "320x180", random.randrange(10**6)
+    chance = random.Random(seed)
+    alone = bench.folder("alone")
+    whole = bench.run(bench.export(alone, frames, size))[1].wall_s
+    kills = partial = 0
+    for shards in range(1, 9):
+        folder, wanted = bench.folder("killed"), bench.options.kills * shards // 8
+        while True:
+            order = list(range(1, shards + 1))
+            chance.shuffle(order)
+            for shard in order:
+                extra = ["--shard", f"{shard}/{shards}", "--skip-existing"]
+                if kills < wanted:
+                    process = bench.start(bench.export(folder, frames, size, extra))
+                    time.sleep(chance.uniform(0, whole))
+                    kills += process.poll() is None
+                    process.send_signal(chance.choice([signal.SIGKILL, signal.SIGINT]))
+                    process.wait()
+                    partial += count_different(alone, folder)
+                else:
+                    bench.run(bench.export(folder, frames, size, extra))
+            if kills >= wanted and (folder / "manifest.json").exists():
+                break
+        left = sorted(set(os.listdir(folder)) ^ set(os.listdir(alone)))
+        if left or filecmp.cmpfiles(alone, folder, os.listdir(alone), shallow=False)[1:] != ([], []):
+            table.row(f"shards 1..{shards} killed and resumed (seed {seed})", "bytes equal", f"different: {left[:3]}", False)
+            return
+    table.row(f"shards 1...8, any order, killed {kills} times (seed {seed})", "bytes equal", f"equal; {partial} partial files",
+              partial == 0)
+
+
+def count_different(alone, folder):
+    """Pictures under their final name that are not those of the run alone."""
+    names = [name for name in os.listdir(folder) if name.endswith(".png") and not name.startswith(".")]
+    _, different, errors = filecmp.cmpfiles(alone, folder, names, shallow=False)
+    return len(different) + len(errors)
+
+
+# ---- two cores ----------------------------------------------------------------------------------------------
+
+
+def together(bench, commands, environment):
+    """Wall s until all of them are done."""
+    start = time.monotonic()
+    processes = [bench.start(command, environment) for command in commands]
+    if any([process.wait() for process in processes]):
+        raise Missing("an export failed")
+    return time.monotonic() - start
+
+
+def shared(bench, frames, shards):
+    """Wall s of an export in so many processes of one drawing thread each."""
+    folder = bench.folder("shared")
+    commands = [bench.export(folder, frames, extra=["--shard", f"{i}/{shards}"]) for i in range(1, shards + 1)]
+    return together(bench, commands, {"LP_NUM_THREADS": "1"})
+
+
+def core_figures(table, bench):
+    """Frames between a short run and a longer one, so that starting up does not count; turns, medians."""
+    few, many = 10, 10 + bench.options.export_frames
+    processes, threads = [], []
+    for _ in range(bench.options.turns):
+        one = shared(bench, many, 1) - shared(bench, few, 1)
+        two = shared(bench, many, 2) - shared(bench, few, 2)
+        processes.append(one / two)
+        walls = {count: bench.per_frame(bench.options.export_frames, environment={"LP_NUM_THREADS": str(count)})[1]
+                 for count in (1, 2)}
+        threads.append(walls[1] / walls[2])
+    table.row("two processes / one, LP_NUM_THREADS=1", ">= 1.8", f"{median(processes):.2f} x the frames/s",
+              median(processes) >= 1.8)
+    table.row("one process, LP_NUM_THREADS 2 / 1", ">= 1.8", f"{median(threads):.2f} x the frames/s",
+              median(threads) >= 1.8)
+
+
+def guarded(table, figure, required, measure):
+    try:
+        measured, holds = measure()
+        table.row(figure, required, measured, holds)
+    except Missing as reason:
+        table.row(figure, required, f"not measured: {reason}")
+
+
+PARTS = {"frame": frame_figures, "png": png_figures, "memory": memory_figure, "long": long_figures, "kills": kill_figure,
+         "cores": core_figures}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("parts", nargs="*", help=f"some of {', '.join(PARTS)} (all)")
+    parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/bench")
+    parser.add_argument("--quick", action="store_true", help="fewer turns, frames and kills")
+    options = parser.parse_args()
+    if unknown := set(options.parts) - set(PARTS):
+        parser.error(f"no such part: {', '.join(unknown)}")
+    quick = options.quick
+    options.turns, options.seconds, options.peer_frames = (1, 0.5, 6) if quick else (5, 1, 12)
+    options.export_frames, options.png_turns = (20, 3) if quick else (60, 9)
+    options.long_frames, options.kills = (1000, 24) if quick else (10000, 200)
+
+    table = Table()
+    with tempfile.TemporaryDirectory() as scratch:
+        bench = Bench(options.build.resolve(), pathlib.Path(scratch), options)
+        for name in options.parts or PARTS:
+            try:
+                PARTS[name](table, bench)
+            except Missing as reason:
+                table.row(f"({name})", "", f"not measured: {reason}")
+    print(f"{table.missed} do not hold" if table.missed else "all that was measured holds")
+    return 1 if table.missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
