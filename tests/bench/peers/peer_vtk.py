@@ -3,7 +3,8 @@
 """The scene with VTK: off-screen, multisampled, PNG by its own writer at the fastest level.
 
 Debian's VTK draws through X alone, so a virtual screen runs beside it (Xvfb); the drawing is done in this process.
-The glass needs no depth peeling: its far half is drawn after all that is opaque, its near half last. With --full the
+The glass needs no depth peeling: its far half is drawn after all that is opaque, its near half last. The renderer's own
+order-independent pass is replaced by plain blending in that order, which is cheaper, exact here, and multisampled. With --full the
 glass has a soft shadow, a picture on a square, and a faint mirror image, a second glass below the floor.
 """
 import math
@@ -173,6 +174,18 @@ def text_actor(text, color, size=30):
     return actor
 
 
+def plain_passes():
+    """Opaque, then translucent in the order of adding, then text."""
+    steps = vtk.vtkRenderPassCollection()
+    for step in (vtk.vtkLightsPass(), vtk.vtkOpaquePass(), vtk.vtkTranslucentPass(), vtk.vtkOverlayPass()):
+        steps.AddItem(step)
+    sequence = vtk.vtkSequencePass()
+    sequence.SetPasses(steps)
+    camera = vtk.vtkCameraPass()
+    camera.SetDelegatePass(sequence)
+    return camera
+
+
 def shadow_actor(floor, side=128):
     """A round soft shadow on the floor."""
     across = numpy.linspace(-1, 1, side)
@@ -204,6 +217,7 @@ class Film:
         self.renderer.SetBackground(peer.PAPER_BOTTOM)
         self.renderer.SetBackground2(peer.PAPER_TOP)
         self.renderer.GradientBackgroundOn()
+        self.renderer.SetPass(plain_passes())
         key = vtk.vtkLight()
         key.SetLightTypeToSceneLight()
         key.SetPosition(2.0, 1.0, 4.0)
