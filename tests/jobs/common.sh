@@ -41,6 +41,13 @@ expect_kept() {
   [ "$(comm -23 <(printf '%s\n' "$1") <(times_of "$2"))" = "" ] || fail "pictures that were there were drawn again"
 }
 
+# expect_shares LOG…: the processes made ten pictures in all, not ten each; each ends by saying how many it made.
+expect_shares() {
+  local made
+  made=$(cat -- "$@" | sed -n 's/^\([0-9]*\) pictures\{0,1\} .*/\1/p' | awk '{ sum += $1 } END { print sum }')
+  [ "$made" = 10 ] || { cat -- "$@"; fail "$made pictures were made, not 10"; }
+}
+
 # expect_equal WANT GOT: the same names and the same bytes, the manifest included, and nothing else left behind.
 expect_equal() {
   diff -r "$1" "$2" || fail "$2 differs from what one process made"

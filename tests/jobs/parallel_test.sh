@@ -13,6 +13,7 @@ run() { "$jobs/export-parallel" "$@" >"$scratch/log" 2>&1; }
 export_alone "$scratch/alone"
 run 4 "$lesson" "$scratch/shared" "${options[@]}" || { cat "$scratch/log"; fail "four shards"; }
 expect_equal "$scratch/alone" "$scratch/shared"
+expect_shares "$scratch/log"
 
 kept=$(export_shard 2/3 "$scratch/resumed")
 run 3 "$lesson" "$scratch/resumed" "${options[@]}" || { cat "$scratch/log"; fail "going on where it stopped"; }

@@ -108,6 +108,7 @@ export_alone "$scratch/alone"
 run_array 1-4 "$scratch/shared" "${options[@]}"
 [ "$(states)" = COMPLETED ] || { tell_logs; fail "tasks of the array 1-4 ended as: $(states)"; }
 expect_equal "$scratch/alone" "$scratch/shared"
+expect_shares "$scratch"/polhode-"$job"_*.log
 
 # Another array over what one that was cut short left: not from 1, in steps.
 kept=$(export_shard 2/3 "$scratch/resumed")
