@@ -298,12 +298,19 @@ def kill_figure(table, bench):
                     bench.run(bench.export(folder, frames, size, extra))
             if kills >= wanted and (folder / "manifest.json").exists():
                 break
-        left = sorted(set(os.listdir(folder)) ^ set(os.listdir(alone)))
-        if left or filecmp.cmpfiles(alone, folder, os.listdir(alone), shallow=False)[1:] != ([], []):
-            table.row(f"shards 1..{shards} killed and resumed (seed {seed})", "bytes equal", f"different: {left[:3]}", False)
+        if different := differences(alone, folder):
+            table.row(f"shards 1...8 killed and resumed (seed {seed})", "bytes equal",
+                      f"with {shards} shards: {', '.join(different[:3])}", False)
             return
     table.row(f"shards 1...8, any order, killed {kills} times (seed {seed})", "bytes equal", f"equal; {partial} partial files",
               partial == 0)
+
+
+def differences(one, other):
+    """Names that only one of the folders has, or whose bytes differ."""
+    names = set(os.listdir(one)) & set(os.listdir(other))
+    _, different, errors = filecmp.cmpfiles(one, other, names, shallow=False)
+    return sorted(set(os.listdir(one)) ^ set(os.listdir(other)) | set(different) | set(errors))
 
 
 def count_different(alone, folder):
