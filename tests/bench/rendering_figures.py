@@ -273,37 +273,57 @@ def long_figures(table, bench):
 # ---- shards and kills -------------------------------------------------------------------------------------
 
 
+class Kills:
+    """Exports in shards whose processes are killed at random times until `wanted` were."""
+
+    FRAMES, SIZE = 64, "320x180"
+
+    def __init__(self, bench):
+        self.bench, self.seed = bench, random.randrange(10**6)
+        self.chance = random.Random(self.seed)
+        self.alone = bench.folder("alone")
+        self.whole_s = bench.run(bench.export(self.alone, self.FRAMES, self.SIZE))[1].wall_s
+        self.count = self.partial = 0
+
+    def export(self, shards, wanted):
+        """One export in so many shards, in any order, again and again until its manifest is there."""
+        folder = self.bench.folder("killed")
+        while not (folder / "manifest.json").exists():
+            order = list(range(1, shards + 1))
+            self.chance.shuffle(order)
+            for shard in order:
+                command = self.bench.export(folder, self.FRAMES, self.SIZE,
+                                            ["--shard", f"{shard}/{shards}", "--skip-existing"])
+                if self.count < wanted:
+                    self.kill(command, self.chance.uniform(0, 0.2 + self.whole_s / shards))
+                    self.partial += count_different(self.alone, folder)
+                else:
+                    self.bench.run(command)
+        return folder
+
+    def kill(self, command, after_s):
+        process = self.bench.start(command)
+        try:
+            process.wait(after_s)
+        except subprocess.TimeoutExpired:
+            process.send_signal(self.chance.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGINT]))
+            process.wait()
+            self.count += 1
+
+
 def kill_figure(table, bench):
     """Shards 1..8 in any order, each killed and started again at random times, against one run alone."""
-    frames, size, seed = 64, "320x180", random.randrange(10**6)
-    chance = random.Random(seed)
-    alone = bench.folder("alone")
-    whole = bench.run(bench.export(alone, frames, size))[1].wall_s
-    kills = partial = 0
+    kills = Kills(bench)
     for shards in range(1, 9):
-        folder, wanted = bench.folder("killed"), bench.options.kills * shards // 8
-        while True:
-            order = list(range(1, shards + 1))
-            chance.shuffle(order)
-            for shard in order:
-                extra = ["--shard", f"{shard}/{shards}", "--skip-existing"]
-                if kills < wanted:
-                    process = bench.start(bench.export(folder, frames, size, extra))
-                    time.sleep(chance.uniform(0, whole))
-                    kills += process.poll() is None
-                    process.send_signal(chance.choice([signal.SIGKILL, signal.SIGINT]))
-                    process.wait()
-                    partial += count_different(alone, folder)
-                else:
-                    bench.run(bench.export(folder, frames, size, extra))
-            if kills >= wanted and (folder / "manifest.json").exists():
-                break
-        if different := differences(alone, folder):
-            table.row(f"shards 1...8 killed and resumed (seed {seed})", "bytes equal",
-                      f"with {shards} shards: {', '.join(different[:3])}", False)
-            return
-    table.row(f"shards 1...8, any order, killed {kills} times (seed {seed})", "bytes equal", f"equal; {partial} partial files",
-              partial == 0)
+        wanted, first = bench.options.kills * shards // 8, True
+        while first or kills.count < wanted:
+            first = False
+            if different := differences(kills.alone, kills.export(shards, wanted)):
+                table.row(f"shards 1...8 killed and resumed (seed {kills.seed})", "bytes equal",
+                          f"with {shards} shards: {', '.join(different[:3])}", False)
+                return
+    table.row(f"shards 1...8, any order, killed {kills.count} times (seed {kills.seed})", "bytes equal",
+              f"equal; {kills.partial} partial files", kills.partial == 0)
 
 
 def differences(one, other):
