@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
 // polhode export: pictures of a lesson as PNG files, or its text.
 #include "app/commands.h"
-#include "app/interrupt.h"
-#include "app/manifest.h"
+#include "app/jobs.h"
 #include "app/or_fail.h"
-#include "app/picture_maker.h"
-#include "app/picture_metadata.h"
-#include "app/picture_writer.h"
+#include "app/picture_export.h"
 #include "app/progress.h"
 #include "app/transcript.h"
 #include "app/usage.h"
 
 #include <CLI/CLI.hpp>
+#include <errno.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <span>
 
 namespace polhode {
@@ -22,98 +22,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error && !fs::is_directory(folder, error) && !error)
-    error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("cannot make folder {}: {}", folder.string(), error.message()));
-}
-
 void write_text(const std::string& name, const std::string& text, const ExportOutput& out) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   or_fail(write_file_atomically(out.folder / name, bytes, out.durability));
-}
-
-void write_manifest(const Manifest& manifest, const ExportOutput& out) {
-  write_text(kManifestName, to_text(manifest), out);
-  or_fail(sync_folder(out.folder));
-}
-
-/// What all makers draw with.
-struct Studio {
-  explicit Studio(ContextKind kind)
-      : context(or_fail(open_context(kind))), renderer(or_fail(Renderer::create(*context))) {}
-  std::unique_ptr<GlContext> context;
-  std::unique_ptr<Renderer> renderer;  // after the context it draws with
-};
-
-std::unique_ptr<PictureMaker> maker_of(const MakerContext& context) {
-  switch (context.options.what) {
-    case What::figure:
-      return make_figure_maker(context);
-    case What::equation:
-      return make_equation_maker(context);
-    case What::page:
-    case What::transcript:
-      break;
-  }
-  return make_page_maker(context);
-}
-
-/// What can fail without drawing fails before anything is written: of neighbours that differ in time alone,
-/// the first and the last are checked.
-void check_pictures(const ExportPlan& plan, PictureMaker& maker) {
-  const auto same_but_time = [&](std::size_t i, std::size_t k) {
-    const PlannedPicture &a = plan.pictures[i], &b = plan.pictures[k];
-    return a.stage == b.stage && a.step == b.step && a.equation == b.equation;
-  };
-  for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
-    const bool first = i == 0 || !same_but_time(i - 1, i);
-    const bool last = i + 1 == plan.pictures.size() || !same_but_time(i, i + 1);
-    if (first || last) maker.check(plan.pictures[i]);
-  }
-}
-
-/// An export of pictures that has begun.
-struct PictureExport {
-  const LoadedLesson& loaded;
-  const ExportOptions& options;
-  const ExportOutput& out;
-  const ExportPlan& plan;
-};
-
-PictureFile drawn_file(const PlannedPicture& picture, const PictureExport& e, PictureMaker& maker) {
-  const PictureDescription description = maker.describe(picture);
-  return {picture.file, maker.draw(picture),
-          picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s, e.options.dpi)};
-}
-
-/// Draws and writes until all are there or someone interrupts. Returns how many there are.
-std::size_t write_pictures(const PictureExport& e, PictureMaker& maker, const InterruptWatch& watch) {
-  const ProgressBar progress(static_cast<std::int64_t>(e.plan.pictures.size()));
-  PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
-  const PlannedPicture* before = nullptr;
-  std::size_t count = 0;
-  for (const PlannedPicture& picture : e.plan.pictures) {
-    if (watch.interrupted()) break;
-    progress.show(static_cast<std::int64_t>(count), picture.file);
-    const bool repeats = before && maker.same_bytes(*before, picture);
-    or_fail(
-        writer.put(repeats ? PictureFile{picture.file, std::nullopt, {}} : drawn_file(picture, e, maker)));
-    before = &picture;
-    ++count;
-  }
-  or_fail(writer.finish());
-  return count;
-}
-
-ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker) {
-  PictureDescription made = maker.describe(picture);
-  return {picture.file, picture.stage->id,   picture.step,        picture.frame,         made.t_s,
-          made.size,    std::move(made.tex), std::move(made.alt), std::move(made.method)};
 }
 
 /// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
@@ -142,64 +53,132 @@ void note_left_out(const ExportPlan& plan, What what) {
                                    what == What::equation ? "an" : "a", missing));
 }
 
-void report_done(std::size_t count, const char* kind, const ExportOutput& out) {
-  fmt::print(stderr, "{} {}{} and {} in {}\n", count, kind, count == 1 ? "" : "s", kManifestName,
-             out.folder.string());
+PicturesMade make_with_progress(const PictureExport& e, const InterruptWatch& watch) {
+  const ProgressBar progress(static_cast<std::int64_t>(e.out.shard.size(e.plan.pictures.size())));
+  return make_pictures(
+      e,
+      [&](std::size_t done, const std::string& next) {
+        progress.show(static_cast<std::int64_t>(done), next);
+      },
+      watch);
+}
+
+/// Each process makes a shard of this shard; the last of them to finish writes the manifest.
+PicturesMade make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
+  const std::size_t total = e.out.shard.size(e.plan.pictures.size());
+  const auto job = [&](int number, const TellJob& tell) {
+    ::setenv("LP_NUM_THREADS", "1", 1);  // the processes share the cores; each drawing in threads costs more
+    ExportOutput out = e.out;
+    out.shard = e.out.shard.part(number, e.out.jobs);
+    const PictureExport part{e.loaded, e.options, out, e.plan};
+    const PicturesMade made = make_pictures(
+        part, [&](std::size_t, const std::string&) { tell(); }, watch);
+    return made.interrupted ? JobEnd::interrupted : JobEnd::done;
+  };
+  PicturesMade made;
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(total));
+    const auto show = [&](std::size_t begun) {
+      made.count = begun;
+      progress.show(static_cast<std::int64_t>(begun), fmt::format("in {} processes", e.out.jobs));
+    };
+    made.interrupted = run_jobs(e.out.jobs, job, show, watch) == JobEnd::interrupted;
+  }
+  const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  made.finished = !made.interrupted && folder && folder->finished;
+  if (!made.interrupted && !made.finished && e.out.shard.whole())
+    throw CommandError(ExitCode::failed,
+                       fmt::format("--jobs: {} lost files of its processes", e.out.folder.string()));
+  return made;
+}
+
+void report_interruption(const PictureExport& e, const PicturesMade& made) {
+  fmt::print(stderr, "polhode: interrupted after {} of {} pictures in {}; go on with\n  {}\n", made.count,
+             e.out.shard.size(e.plan.pictures.size()), e.out.folder.string(), shell_line(e.out.resume));
+}
+
+void report_pictures(const PictureExport& e, const PicturesMade& made) {
+  const std::string count = fmt::format("{} picture{}", made.count, made.count == 1 ? "" : "s");
+  const std::string kept = made.kept > 0 ? fmt::format(" ({} of them kept)", made.kept) : "";
+  const std::string folder = e.out.folder.string();
+  if (made.finished)
+    fmt::print(stderr, "{}{} and {} in {}\n", count, kept, kManifestName, folder);
+  else
+    fmt::print(stderr, "{}{} of shard {}/{} in {}; the last shard to finish writes {}\n", count, kept,
+               e.out.shard.index, e.out.shard.count, folder, kManifestName);
+}
+
+/// What failed may be mended: a full disk, a lost connection.
+[[noreturn]] void fail_with_advice(const PictureExport& e, const CommandError& error) {
+  std::error_code none;
+  const bool begun = fs::exists(e.out.folder / kMarkerName, none);
+  if (error.code != ExitCode::failed || !begun) throw error;
+  throw CommandError(error.code, fmt::format("{}\nWhat is whole is kept; go on with\n  {}", error.what(),
+                                             shell_line(e.out.resume)));
 }
 
 ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
   const ExportPlan plan = plan_export(loaded.lesson, options);
   note_left_out(plan, options.what);
-  Manifest manifest{loaded.lesson.id, loaded.sha256, to_json(options), "", {}};
-  or_fail(may_export_into(out.folder, loaded.sha256, manifest.options));
-
-  const Studio studio(out.context);
-  const auto maker = maker_of({loaded.lesson, options, *studio.renderer});
-  check_pictures(plan, *maker);
-  manifest.renderer = studio.renderer->driver();
+  or_fail(look_into(out.folder, identity_of(loaded, options)));
   const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
-  make_folder(out.folder);
-  const std::size_t count = write_pictures(e, *maker, watch);
-  if (watch.interrupted()) {
-    fmt::print(stderr, "polhode: interrupted after {} of {} pictures in {}; no manifest written\n", count,
-               plan.pictures.size(), out.folder.string());
-    return ExitCode::interrupted;
+  try {
+    const PicturesMade made = out.jobs > 1 ? make_in_jobs(e, watch) : make_with_progress(e, watch);
+    if (made.interrupted) {
+      report_interruption(e, made);
+      return ExitCode::interrupted;
+    }
+    if (made.finished) make_film_and_deck(e);
+    if (out.keep_folder)
+      report_pictures(e, made);
+    else
+      remove_parts(e);
+  } catch (const CommandError& error) {
+    fail_with_advice(e, error);
   }
-  for (const PlannedPicture& picture : plan.pictures)
-    manifest.files.push_back(manifest_file(picture, *maker));
-  write_manifest(manifest, out);
-  make_film_and_deck(e);
-  if (out.keep_folder)
-    report_done(count, "picture", out);
-  else
-    remove_parts(e);
   return ExitCode::done;
 }
 
 ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& options,
                            const ExportOutput& out) {
   for (const std::string& id : options.stages) static_cast<void>(stage_of(loaded.lesson, id));
-  Manifest manifest{loaded.lesson.id, loaded.sha256, to_json(options), "", {}};
-  or_fail(may_export_into(out.folder, loaded.sha256, manifest.options));
+  const ExportIdentity identity = identity_of(loaded, options);
+  or_fail(look_into(out.folder, identity));
   make_folder(out.folder);
-  const std::string name = loaded.lesson.id + ".txt";
-  write_text(name, transcript_of(loaded.lesson, options.stages), out);
   ManifestFile file;
-  file.file = name;
-  manifest.files.push_back(std::move(file));
-  write_manifest(manifest, out);
-  report_done(1, "transcript", out);
+  file.file = loaded.lesson.id + ".txt";
+  write_text(file.file, transcript_of(loaded.lesson, options.stages), out);
+  or_fail(sync_folder(out.folder));
+  write_text(kManifestName, manifest_head(identity, "") + manifest_entry(file) + manifest_end(false), out);
+  fmt::print(stderr, "1 transcript and {} in {}\n", kManifestName, out.folder.string());
   return ExitCode::done;
 }
 
 ExitCode run_export(const TypedExport& typed) {
   const ExportOptions options = export_options(typed);
-  const ExportOutput out = export_output(typed);
+  ExportOutput out = export_output(typed);
   const LoadedLesson loaded = load_lesson(typed.lesson);
+  // Told by `polhode verify` wherever that is run.
+  if (fs::path(typed.lesson) == loaded.path)
+    std::replace(out.resume_all.begin(), out.resume_all.end(), typed.lesson,
+                 fs::absolute(loaded.path).string());
   check_type_of(loaded, or_fail(Fonts::open()));
   return options.what == What::transcript ? export_transcript(loaded, options, out)
                                           : export_pictures(loaded, options, out);
+}
+
+/// The command line again, in the order of the options.
+std::vector<std::string> words_of(const CLI::App& command) {
+  std::vector<std::string> words = {program_invocation_name, command.get_name()};
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // flags: --skip-existing, --help
+    for (const std::string& value : option->results()) {
+      if (!option->get_positional()) words.push_back("--" + option->get_lnames().front());
+      words.push_back(value);
+    }
+  }
+  return words;
 }
 
 }  // namespace
@@ -233,6 +212,10 @@ void add_export(CLI::App& app, Action& action) {
   option("--deck", typed->deck, "FILE", "make slides of the pictures; without -o these are removed then");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
+  option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");
+  option("--jobs", typed->jobs, "N", "draw in N processes (default: 1, which uses two cores)");
+  command->add_flag("--skip-existing", typed->skip_existing,
+                    "keep what is there and whole; goes on after a stop");
   command->footer(
       "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
       "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
@@ -240,8 +223,12 @@ void add_export(CLI::App& app, Action& action) {
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
       "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"
-      "lesson text is refused.");
-  command->callback([typed, &action] { action = [typed] { return run_export(*typed); }; });
+      "lesson text is refused. Processes with the same command but each its --shard, on any machines that\n"
+      "share the folder, make one export; slurm reads I and N from the variables of a job array.");
+  command->callback([typed, command, &action] {
+    typed->words = words_of(*command);
+    action = [typed] { return run_export(*typed); };
+  });
 }
 
 }  // namespace polhode

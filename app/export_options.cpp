@@ -9,11 +9,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace polhode {
 
 namespace {
 
 constexpr int kMostDpi = 100'000;
+constexpr int kMostJobs = 256;
 const std::vector<std::string> kWhats = {"page", "equation", "figure", "transcript"};
 
 CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
@@ -59,6 +62,8 @@ void check_combination(const TypedExport& typed, What what, Each each) {
                   {"--png", typed.png},
                   {"--film", typed.film},
                   {"--deck", typed.deck},
+                  {"--shard", typed.shard},
+                  {"--jobs", typed.jobs},
                   {"--context", typed.context}},
                  "is of pictures; a transcript is text");
   if (what == What::equation) {
@@ -99,6 +104,20 @@ int dpi_of(const std::string& typed, What what) {
   return static_cast<int>(whole_number("--dpi", typed, sets_size ? kFewestEquationDpi : 1, kMostDpi));
 }
 
+/// With --skip-existing, and without the options named in `left_out`, which have a value each.
+std::vector<std::string> resume_words(const TypedExport& typed, const std::vector<std::string>& left_out) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < typed.words.size(); ++i) {
+    const bool left = std::find(left_out.begin(), left_out.end(), typed.words[i]) != left_out.end();
+    if (left)
+      ++i;
+    else
+      words.push_back(typed.words[i]);
+  }
+  words.emplace_back("--skip-existing");
+  return words;
+}
+
 }  // namespace
 
 ExportOptions export_options(const TypedExport& typed) {
@@ -136,11 +155,34 @@ ExportOutput export_output(const TypedExport& typed) {
       throw usage("--output DIR is needed: where the files go (or --film FILE, or --deck FILE)");
     out.folder = file + ".parts";
   }
+  out.skip_existing = typed.skip_existing;
+  out.shard = shard_from(typed.shard);
+  if (!out.shard.whole())
+    refuse_given(
+        {{"--film", typed.film}, {"--deck", typed.deck}},
+        "needs the pictures of all shards; give it after them, with --skip-existing in place of --shard");
+  if (!typed.jobs.empty()) out.jobs = static_cast<int>(whole_number("--jobs", typed.jobs, 1, kMostJobs));
+  out.resume = resume_words(typed, {});
+  out.resume_all = resume_words(typed, {"--shard", "--jobs"});
   out.durability =
       choice("--sync", typed.sync, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
   constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
   out.context = kKinds[choice("--context", typed.context, {"auto", "osmesa", "egl"})];
   return out;
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+  const auto quoted = [](const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+    if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+    return text + "'";
+  };
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted(word);
+  return line;
 }
 
 Background background_of(const ExportOptions& options) {

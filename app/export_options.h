@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/export_plan.h"
+#include "app/shard.h"
 #include "render/gl/renderer.h"
 #include "render/image/atomic_file.h"
 
@@ -17,7 +18,9 @@ struct TypedExport {
   std::string lesson, folder;
   std::vector<std::string> stages;
   std::string each, what, size, fps, seconds, at, frames, background, theme, dpi, png, sync, context;
-  std::string film, deck;
+  std::string film, deck, shard, jobs;
+  bool skip_existing = false;
+  std::vector<std::string> words;  ///< the command line, program and options, without --skip-existing
 };
 
 /// Of equations: 12 pt type has so many dots per inch where nothing else is said.
@@ -33,11 +36,19 @@ struct ExportOutput {
   std::filesystem::path folder;  ///< of the pictures
   bool keep_folder = true;       ///< false: pictures are there for film and deck alone, in FILE.parts
   std::string film, deck;        ///< files to make of the pictures; empty: none
+  bool skip_existing = false;    ///< keep files that are, whole, the pictures they should be
+  Shard shard;                   ///< the part of the pictures to make
+  int jobs = 1;                  ///< processes
+  /// The commands that finish an interrupted export: this part of it, and all of it.
+  std::vector<std::string> resume, resume_all;
   Durability durability = Durability::rename_only;
   ContextKind context = ContextKind::any;
 };
 /// @throws CommandError usage
 ExportOutput export_output(const TypedExport& typed);
+
+/// As a shell would read it: words with anything but letters, digits and a few signs are in quotes.
+std::string shell_line(const std::vector<std::string>& words);
 
 /// Behind the pictures of an export.
 Background background_of(const ExportOptions& options);

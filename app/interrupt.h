@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C while files are being written: finish the current one, then stop.
+// Ctrl-C, or a cluster that wants its machine back (SIGTERM), while files are being written: finish the
+// current one, then stop.
 #pragma once
 
 #include <csignal>
 
 namespace polhode {
 
-/// While it lives, the first SIGINT sets a flag instead of ending the program; a second one ends it at once.
-/// At most one lives at a time.
+/// While it lives, the first SIGINT and the first SIGTERM set a flag instead of ending the program; a second
+/// one ends it at once. At most one lives at a time; a forked process inherits it.
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -18,7 +19,8 @@ class InterruptWatch {
   bool interrupted() const;
 
  private:
-  struct sigaction before_ {};
+  struct sigaction interrupt_before_ {};
+  struct sigaction terminate_before_ {};
 };
 
 }  // namespace polhode

@@ -2,15 +2,20 @@
 #include "app/manifest.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <set>
 
 namespace polhode {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+constexpr std::string_view kBetweenRenderers = " | ";
 
 const char* name_of(Each each) {
   switch (each) {
@@ -58,16 +63,31 @@ Json file_json(const ManifestFile& file) {
           {"method", text_or_null(file.method)}};
 }
 
-/// "size is 640x360 there and 1280x720 here", of the first option that differs.
-std::string first_difference(const Json& there, const Json& here) {
-  for (const auto& [name, value] : here.items()) {
-    const Json old = there.is_object() && there.contains(name) ? there[name] : Json(nullptr);
-    if (old != value)
-      return fmt::format("{} is {} there and {} here", name,
-                         old.dump(-1, ' ', false, Json::error_handler_t::replace), value.dump());
-  }
-  return "it knows other options";
+/// A line of JSON's indented form, further in.
+std::string indented(const Json& json, const std::string& by) {
+  std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace);
+  for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1 + by.size()))
+    text.insert(at + 1, by);
+  return by + text;
 }
+
+/// Counts the files of a manifest and forgets them.
+class FileCounter {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth == 1 && event == Json::parse_event_t::key) in_files_ = parsed == "files";
+    const bool begins = event == Json::parse_event_t::object_start ||
+                        event == Json::parse_event_t::array_start || event == Json::parse_event_t::value;
+    if (!in_files_ || depth < 2) return true;
+    if (depth == 2 && begins) ++count_;
+    return false;
+  }
+  std::size_t count() const { return count_; }
+
+ private:
+  bool in_files_ = false;
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -93,15 +113,60 @@ Json to_json(const ExportOptions& options) {
   return json;
 }
 
-std::string to_text(const Manifest& manifest) {
+std::string manifest_head(const ExportIdentity& of, const std::string& renderer) {
   Json json;
   json["format"] = 1;
-  json["lesson"] = {{"id", manifest.lesson_id}, {"sha256", manifest.lesson_sha256}};
-  json["options"] = manifest.options;
-  json["renderer"] = manifest.renderer;
-  json["files"] = Json::array();
-  for (const ManifestFile& file : manifest.files) json["files"].push_back(file_json(file));
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
+  json["lesson"] = {{"id", of.lesson_id}, {"sha256", of.lesson_sha256}};
+  json["options"] = of.options;
+  json["renderer"] = renderer;
+  std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace);
+  text.resize(text.size() - 2);  // "\n}": the object goes on
+  return text + ",\n \"files\": [";
+}
+
+std::string manifest_entry(const ManifestFile& file) { return '\n' + indented(file_json(file), "  "); }
+
+std::string manifest_end(bool empty) { return empty ? "]\n}\n" : "\n ]\n}\n"; }
+
+Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::optional<ManifestSummary>();
+  std::error_code not_a_file;
+  FileCounter counter;
+  const Json json = std::filesystem::is_regular_file(path, not_a_file)
+                        ? Json::parse(file, std::ref(counter), false)
+                        : Json();
+  const bool whole = json.is_object() && json.contains("lesson") && json["lesson"].is_object() &&
+                     json.contains("options") && json["options"].is_object();
+  const auto text = [](const Json& of, const char* name) {
+    return of.contains(name) && of[name].is_string() ? of[name].get<std::string>() : std::string();
+  };
+  if (!whole) return failure(path.string() + " is not a manifest of polhode");
+  return std::optional(
+      ManifestSummary{{text(json["lesson"], "id"), text(json["lesson"], "sha256"), json["options"]},
+                      text(json, "renderer"),
+                      counter.count()});
+}
+
+std::string first_difference(const Json& there, const Json& here) {
+  for (const auto& [name, value] : here.items()) {
+    const Json old = there.is_object() && there.contains(name) ? there[name] : Json(nullptr);
+    if (old != value)
+      return fmt::format("{} is {} there and {} here", name,
+                         old.dump(-1, ' ', false, Json::error_handler_t::replace), value.dump());
+  }
+  return "it knows other options";
+}
+
+std::string join_renderers(const std::vector<std::string>& renderers) {
+  std::set<std::string> all;
+  for (const std::string& renderer : renderers)
+    for (std::size_t begin = 0; begin < renderer.size();) {
+      const std::size_t end = std::min(renderer.find(kBetweenRenderers, begin), renderer.size());
+      all.insert(renderer.substr(begin, end - begin));
+      begin = end + kBetweenRenderers.size();
+    }
+  return fmt::format("{}", fmt::join(all, kBetweenRenderers));
 }
 
 std::vector<std::string> tex_shown(const Stage& stage, int step) {
@@ -110,26 +175,6 @@ std::vector<std::string> tex_shown(const Stage& stage, int step) {
     for (const Block& block : stage.steps[i].blocks)
       if (const auto* equation = std::get_if<Equation>(&block)) tex.push_back(equation->tex);
   return tex;
-}
-
-Status may_export_into(const std::filesystem::path& folder, const std::string& lesson_sha256,
-                       const Json& options) {
-  const std::filesystem::path path = folder / kManifestName;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return success();
-  std::error_code not_a_file;
-  const Json old =
-      std::filesystem::is_regular_file(path, not_a_file) ? Json::parse(file, nullptr, false) : Json();
-  const char* advice = "choose another folder, or remove it first";
-  if (!old.is_object() || !old.contains("lesson") || !old.contains("options"))
-    return failure(fmt::format("{} is not a manifest of polhode; {}", path.string(), advice));
-  if (old["options"] != options)
-    return failure(fmt::format("{} holds an export made with other options ({}); {}", folder.string(),
-                               first_difference(old["options"], options), advice));
-  const Json& lesson = old["lesson"];
-  if (!lesson.is_object() || !lesson.contains("sha256") || lesson["sha256"] != lesson_sha256)
-    return failure(fmt::format("{} holds an export of another lesson text; {}", folder.string(), advice));
-  return success();
 }
 
 }  // namespace polhode

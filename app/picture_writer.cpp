@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture_writer.h"
 
+#include "render/image/file_link.h"
+
 #include <cassert>
 #include <exception>
+#include <utility>
 
 namespace polhode {
 
@@ -62,6 +65,12 @@ Status PictureWriter::write(const PictureFile& picture) try {
     bytes_ = *bytes;
   }
   assert(!bytes_.empty());
+  // A second name of the file before it. Where there can be none, or it is to be flushed: bytes of its own.
+  const std::filesystem::path before = std::exchange(last_, path);
+  if (!picture.image && durability_ == Durability::rename_only) {
+    PosixFileOps files;
+    if (link_file_atomically(files, before, path)) return success();
+  }
   return write_file_atomically(path, bytes_, durability_);
 } catch (const std::exception& error) {  // out of memory: it may not leave the thread
   return failure("Cannot write " + picture.name + ": " + error.what());

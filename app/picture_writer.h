@@ -16,7 +16,8 @@
 
 namespace polhode {
 
-/// A picture on its way to disk. Without an image: the file has the bytes of the picture put before it.
+/// A picture on its way to disk. Without an image it is that of the picture put before it: a hard link to its
+/// file, where the file system has them.
 struct PictureFile {
   std::string name;
   std::optional<Image> image;
@@ -50,6 +51,7 @@ class PictureWriter {
   const Durability durability_;
   PngEncoder encoder_;                     ///< of the thread, as are
   std::span<const std::uint8_t> bytes_{};  ///< those of the file written last
+  std::filesystem::path last_;             ///< it
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<PictureFile> waiting_;

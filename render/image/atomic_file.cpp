@@ -21,7 +21,8 @@ constexpr int kMaxNames = 10000;
 std::string reason_of(int error) { return std::generic_category().message(error); }
 
 Failure<std::string> cannot_write(const fs::path& path, const std::string& reason) {
-  return failure("Cannot write " + path.string() + ": " + reason + ".");
+  const char* end = reason.ends_with('.') ? "" : ".";
+  return failure("Cannot write " + path.string() + ": " + reason + end);
 }
 
 // Repeats a call that a signal interrupted.
@@ -50,12 +51,23 @@ int close_file(FileOps& files, int file) {
   return closed ? 0 : errno;
 }
 
-// Writes and closes an open file: 0 or the first errno.
-int fill(FileOps& files, int file, std::span<const std::uint8_t> bytes, bool sync) {
-  int error = write_all(files, file, bytes);
-  if (error == 0 && sync && retry([&] { return files.fsync(file); }) != 0) error = errno;
+// Writes and closes an open file; the first error is the reason alone.
+Status fill_and_close(FileOps& files, int file, const FillFile& fill, bool sync) {
+  int error = 0;
+  Status filled = fill([&](std::span<const std::uint8_t> bytes) -> Status {
+    if (error == 0) error = write_all(files, file, bytes);
+    if (error != 0) return failure(reason_of(error));
+    return success();
+  });
+  if (filled && error == 0 && sync && retry([&] { return files.fsync(file); }) != 0) error = errno;
   const int close_error = close_file(files, file);
-  return error != 0 ? error : close_error;
+  if (error == 0 && filled) error = close_error;
+  if (error != 0) return failure(reason_of(error));
+  return filled;
+}
+
+FillFile all_at_once(std::span<const std::uint8_t> bytes) {
+  return [bytes](const AppendBytes& append) { return append(bytes); };
 }
 
 struct Temporary {
@@ -67,9 +79,8 @@ struct Temporary {
 // A short name of its own: the final name may already be as long as names can be.
 Temporary create_temporary(FileOps& files, const fs::path& folder) {
   Temporary made;
-  const std::string stem = kTemporaryPrefix + std::to_string(::getpid()) + "-";
   for (int i = 0; i < kMaxNames; ++i) {
-    made.path = folder / (stem + std::to_string(i) + ".part");
+    made.path = folder / temporary_name(i);
     made.file =
         retry([&] { return files.open(made.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode); });
     made.error = made.file < 0 ? errno : 0;
@@ -78,8 +89,7 @@ Temporary create_temporary(FileOps& files, const fs::path& folder) {
   return made;
 }
 
-Status give_up(FileOps& files, const fs::path& path, const fs::path& temporary, int error) {
-  std::string reason = reason_of(error);
+Status give_up(FileOps& files, const fs::path& path, const fs::path& temporary, std::string reason) {
   if (retry([&] { return files.unlink(temporary.c_str()); }) != 0)
     reason += "; the unfinished " + temporary.string() + " cannot be removed either: " + reason_of(errno);
   return cannot_write(path, reason);
@@ -100,26 +110,25 @@ fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-Status replace(FileOps& files, const fs::path& path, std::span<const std::uint8_t> bytes,
-               Durability durability) {
+Status replace(FileOps& files, const fs::path& path, const FillFile& fill, Durability durability) {
   const bool sync = durability == Durability::sync;
   const Temporary temporary = create_temporary(files, folder_of(path));
   if (temporary.file < 0) return cannot_write(path, reason_of(temporary.error));
-  const int fill_error = fill(files, temporary.file, bytes, sync);
-  if (fill_error != 0) return give_up(files, path, temporary.path, fill_error);
+  const Status filled = fill_and_close(files, temporary.file, fill, sync);
+  if (!filled) return give_up(files, path, temporary.path, filled.error());
   if (retry([&] { return files.rename(temporary.path.c_str(), path.c_str()); }) != 0)
-    return give_up(files, path, temporary.path, errno);
+    return give_up(files, path, temporary.path, reason_of(errno));
   const int names_error = sync ? flush_names(files, folder_of(path)) : 0;
   if (names_error != 0)
     return failure("Cannot flush the folder of " + path.string() + ": " + reason_of(names_error) + ".");
   return success();
 }
 
-Status write_in_place(FileOps& files, const fs::path& path, std::span<const std::uint8_t> bytes) {
+Status write_in_place(FileOps& files, const fs::path& path, const FillFile& fill) {
   const int file = retry([&] { return files.open(path.c_str(), O_WRONLY | O_CLOEXEC, 0); });
   if (file < 0) return cannot_write(path, reason_of(errno));
-  const int error = fill(files, file, bytes, false);
-  if (error != 0) return cannot_write(path, reason_of(error));
+  const Status filled = fill_and_close(files, file, fill, false);
+  if (!filled) return cannot_write(path, filled.error());
   return success();
 }
 
@@ -134,6 +143,12 @@ int PosixFileOps::syncfs(int file) { return ::syncfs(file); }
 int PosixFileOps::close(int file) { return ::close(file); }
 int PosixFileOps::rename(const char* from, const char* to) { return std::rename(from, to); }
 int PosixFileOps::unlink(const char* path) { return ::unlink(path); }
+int PosixFileOps::link(const char* from, const char* to) { return ::link(from, to); }
+
+int FileOps::link(const char*, const char*) {
+  errno = ENOSYS;
+  return -1;
+}
 
 Status write_file_atomically(const fs::path& path, std::span<const std::uint8_t> bytes,
                              Durability durability) {
@@ -143,15 +158,25 @@ Status write_file_atomically(const fs::path& path, std::span<const std::uint8_t>
 
 Status write_file_atomically(FileOps& files, const fs::path& path, std::span<const std::uint8_t> bytes,
                              Durability durability) {
+  return write_file_in_pieces(files, path, all_at_once(bytes), durability);
+}
+
+Status write_file_in_pieces(const fs::path& path, const FillFile& fill, Durability durability) {
+  PosixFileOps files;
+  return write_file_in_pieces(files, path, fill, durability);
+}
+
+Status write_file_in_pieces(FileOps& files, const fs::path& path, const FillFile& fill,
+                            Durability durability) {
   if (!path.has_filename()) return cannot_write(path, "it names no file");
   std::error_code error;
   const fs::file_status found = fs::status(path, error);
   if (fs::is_directory(found)) return cannot_write(path, reason_of(EISDIR));
-  if (fs::exists(found) && !fs::is_regular_file(found)) return write_in_place(files, path, bytes);
+  if (fs::exists(found) && !fs::is_regular_file(found)) return write_in_place(files, path, fill);
   // /dev/stdout may lead to a file: replace what a link points to, never the link.
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
   if (error && target.empty()) return cannot_write(path, error.message());
-  return replace(files, target, bytes, durability);
+  return replace(files, target, fill, durability);
 }
 
 Status sync_folder(const fs::path& folder) {

@@ -2,6 +2,7 @@
 // Files that appear whole under their final name, or not at all.
 #pragma once
 
+#include "render/image/temporary_file.h"
 #include "render/result.h"
 
 #include <sys/types.h>
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 
 namespace polhode {
@@ -31,6 +33,8 @@ class FileOps {
   virtual int close(int file) = 0;
   virtual int rename(const char* from, const char* to) = 0;
   virtual int unlink(const char* path) = 0;
+  /// Here that of a file system without second names for a file: ENOSYS.
+  virtual int link(const char* from, const char* to);
 };
 
 /// The real file system.
@@ -43,10 +47,8 @@ class PosixFileOps final : public FileOps {
   int close(int file) override;
   int rename(const char* from, const char* to) override;
   int unlink(const char* path) override;
+  int link(const char* from, const char* to) override;
 };
-
-/// Temporary files begin with this; a killed process may leave one behind.
-inline constexpr const char* kTemporaryPrefix = ".polhode-";
 
 /// Writes to a temporary file in the same folder, then renames it over `path`. On failure the temporary file
 /// is gone, `path` is as it was, and the error names path and reason. (One exception: Durability::sync
@@ -57,6 +59,18 @@ Status write_file_atomically(const std::filesystem::path& path, std::span<const 
                              Durability durability = Durability::rename_only);
 Status write_file_atomically(FileOps& files, const std::filesystem::path& path,
                              std::span<const std::uint8_t> bytes, Durability durability);
+
+/// Takes the next bytes of a file; a failure (a full disk) is to be passed on.
+using AppendBytes = std::function<Status(std::span<const std::uint8_t>)>;
+
+using FillFile = std::function<Status(const AppendBytes&)>;
+
+/// The same for what is too large to hold in memory: `fill` gives the bytes piece by piece, and throws
+/// nothing. If it fails, the error ends with its words, and `path` is as it was.
+Status write_file_in_pieces(const std::filesystem::path& path, const FillFile& fill,
+                            Durability durability = Durability::rename_only);
+Status write_file_in_pieces(FileOps& files, const std::filesystem::path& path, const FillFile& fill,
+                            Durability durability);
 
 /// Flushes the file system that holds `folder` to disk (syncfs): call once after the last file of an export.
 Status sync_folder(const std::filesystem::path& folder);

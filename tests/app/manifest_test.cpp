@@ -15,15 +15,22 @@ using Json = nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Manifest example() {
-  Manifest manifest{"tiny", "abc", to_json(ExportOptions{}), "llvmpipe", {}};
-  manifest.files.push_back({"01-a.png", "a", 2, std::nullopt, 0.1, {4, 3}, {"\\vec\\omega"}, "ω", "uniform"});
-  manifest.files.push_back({"01-a-frame7.png", "a", 2, 7, 0.1, {4, 3}, {}, "", "rk4"});
-  return manifest;
+const ExportIdentity kTiny{"tiny", "abc", to_json(ExportOptions{})};
+
+std::string text_of_manifest(const std::vector<ManifestFile>& files) {
+  std::string text = manifest_head(kTiny, "llvmpipe");
+  for (const ManifestFile& file : files)
+    text += (&file == &files.front() ? "" : kManifestComma) + manifest_entry(file);
+  return text + manifest_end(files.empty());
+}
+
+std::vector<ManifestFile> two_files() {
+  return {{"01-a.png", "a", 2, std::nullopt, 0.1, {4, 3}, {"\\vec\\omega"}, "ω\nand \"more\"", "uniform"},
+          {"01-a-frame7.png", "a", 2, 7, 0.1, {4, 3}, {}, "", "rk4"}};
 }
 
 TEST(Manifest, HasTheFieldsOfFormat1) {
-  const Json json = Json::parse(to_text(example()));
+  const Json json = Json::parse(text_of_manifest(two_files()));
   EXPECT_EQ(json["format"], 1);
   EXPECT_EQ(json["lesson"]["id"], "tiny");
   EXPECT_EQ(json["lesson"]["sha256"], "abc");
@@ -37,15 +44,60 @@ TEST(Manifest, HasTheFieldsOfFormat1) {
                         {"width", 4},
                         {"height", 3},
                         {"tex", {"\\vec\\omega"}},
-                        {"alt", "ω"},
+                        {"alt", "ω\nand \"more\""},
                         {"method", "uniform"}}));
   EXPECT_EQ(json["files"][1]["frame"], 7);
 }
 
+TEST(Manifest, PiecesMakeTheIndentedFormOfTheWhole) {
+  for (const auto& files : {std::vector<ManifestFile>(), {two_files()[0]}, two_files()}) {
+    const std::string text = text_of_manifest(files);
+    EXPECT_EQ(text, nlohmann::ordered_json::parse(text).dump(1) + '\n');
+  }
+}
+
+TEST(Manifest, IsSummarizedWithoutItsFiles) {
+  const ScratchFolder scratch;
+  const auto none = summarize_manifest(scratch / kManifestName);
+  ASSERT_TRUE(none.ok());
+  EXPECT_FALSE(none->has_value());
+  for (const auto& files : {std::vector<ManifestFile>(), two_files()}) {
+    write_text(scratch / kManifestName, text_of_manifest(files));
+    const auto there = summarize_manifest(scratch / kManifestName);
+    ASSERT_TRUE(there.ok() && there->has_value());
+    EXPECT_EQ((*there)->of.lesson_id, "tiny");
+    EXPECT_EQ((*there)->of.lesson_sha256, "abc");
+    EXPECT_EQ((*there)->of.options, kTiny.options);
+    EXPECT_EQ((*there)->renderer, "llvmpipe");
+    EXPECT_EQ((*there)->files, files.size());
+  }
+}
+
+TEST(Manifest, OfSomethingElseIsNotSummarized) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch / "folder");
+  for (const char* text : {"", "{", "[]", "{}", "{\"lesson\":1,\"options\":2}", "\xff\xfe"}) {
+    write_text(scratch / kManifestName, text);
+    EXPECT_FALSE(summarize_manifest(scratch / kManifestName).ok()) << text;
+  }
+  const std::string whole = text_of_manifest(two_files());
+  for (std::size_t length = 1; length < whole.size() - 1; length += 7) {
+    write_text(scratch / kManifestName, whole.substr(0, length));
+    EXPECT_FALSE(summarize_manifest(scratch / kManifestName).ok()) << length;
+  }
+}
+
+TEST(Renderers, AreNamedOnceAndInOrder) {
+  EXPECT_EQ(join_renderers({}), "");
+  EXPECT_EQ(join_renderers({"b", "", "a", "b"}), "a | b");
+  EXPECT_EQ(join_renderers({"b | c", "a | b"}), "a | b | c");
+  EXPECT_EQ(join_renderers({"llvmpipe; 4.5"}), "llvmpipe; 4.5");
+}
+
 TEST(Manifest, NeverCarriesNaN) {
-  Manifest manifest = example();
-  manifest.files[0].t_s = std::nan("");
-  EXPECT_TRUE(Json::parse(to_text(manifest))["files"][0]["t"].is_null());
+  std::vector<ManifestFile> files = two_files();
+  files[0].t_s = std::nan("");
+  EXPECT_TRUE(Json::parse(text_of_manifest(files))["files"][0]["t"].is_null());
 }
 
 TEST(Manifest, OptionsOfAnotherKindOfExportAreNull) {
@@ -57,10 +109,9 @@ TEST(Manifest, OptionsOfAnotherKindOfExportAreNull) {
 }
 
 TEST(Manifest, WhatAFileDoesNotHaveIsNull) {
-  Manifest manifest = example();
-  manifest.files = {ManifestFile{}};
-  manifest.files[0].file = "tiny.txt";
-  const Json file = Json::parse(to_text(manifest))["files"][0];
+  ManifestFile text;
+  text.file = "tiny.txt";
+  const Json file = Json::parse(text_of_manifest({text}))["files"][0];
   for (const char* name : {"stage", "step", "frame", "t", "width", "height", "method"})
     EXPECT_TRUE(file[name].is_null()) << name;
 }
@@ -88,55 +139,6 @@ TEST(TexShown, GrowsWithTheSteps) {
   }
   EXPECT_THAT(tex_shown(stage, 1), ElementsAre("x"));
   EXPECT_THAT(tex_shown(stage, 2), ElementsAre("x", "y"));
-}
-
-class MayExportInto : public testing::Test {
- protected:
-  Status ask(const ExportOptions& options, const char* sha256 = "abc") {
-    return may_export_into(scratch.path(), sha256, to_json(options));
-  }
-  ScratchFolder scratch;
-};
-
-TEST_F(MayExportInto, FolderWithoutManifestOrWithTheSame) {
-  EXPECT_TRUE(ask({}).ok());
-  write_text(scratch / kManifestName, to_text(example()));
-  EXPECT_TRUE(ask({}).ok());
-}
-
-// Every option that decides the bytes must count.
-TEST_F(MayExportInto, NotWithOtherOptions) {
-  write_text(scratch / kManifestName, to_text(example()));
-  std::vector<std::pair<std::string, ExportOptions>> others(10);
-  others[0] = {"size", {}}, others[0].second.size = {640, 360};
-  others[1] = {"stage", {}}, others[1].second.stages = {"a"};
-  others[2] = {"each", {}}, others[2].second.each = Each::step;
-  others[3] = {"at", {}}, others[3].second.at_s = 0.0;
-  others[4] = {"background", {}}, others[4].second.background = "white";
-  others[5] = {"dpi", {}}, others[5].second.dpi = 300;
-  others[6] = {"each", {}}, others[6].second.each = Each::frame;
-  others[7] = {"frames", {}}, others[7].second.frames = FrameRange{0, 1};
-  others[8] = {"what", {}}, others[8].second.what = What::figure;
-  others[9] = {"theme", {}}, others[9].second.theme = Theme::dark;
-  for (const auto& [name, options] : others) {
-    const Status status = ask(options);
-    ASSERT_FALSE(status.ok()) << name;
-    EXPECT_THAT(status.error(), HasSubstr(name));
-  }
-}
-
-TEST_F(MayExportInto, NotWithAnotherLessonText) {
-  write_text(scratch / kManifestName, to_text(example()));
-  const Status status = ask({}, "abd");
-  ASSERT_FALSE(status.ok());
-  EXPECT_THAT(status.error(), HasSubstr("another lesson"));
-}
-
-TEST_F(MayExportInto, NotOverAForeignManifest) {
-  for (const char* text : {"", "{", "[]", "{}", "{\"lesson\":1,\"options\":2}", "\xff\xfe"}) {
-    write_text(scratch / kManifestName, text);
-    EXPECT_FALSE(ask({}).ok()) << text;
-  }
 }
 
 }  // namespace

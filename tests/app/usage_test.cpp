@@ -20,7 +20,7 @@ using testing::StartsWith;
 using Words = std::vector<std::string>;
 using Json = nlohmann::json;
 
-const Words kCommands = {"list", "export", "lint", "info", "trace", "measure", "compare"};
+const Words kCommands = {"list", "export", "verify", "lint", "info", "trace", "measure", "compare"};
 
 TEST(Help, NamesEveryCommand) {
   const ProgramRun run = polhode({"--help"});
@@ -31,7 +31,8 @@ TEST(Help, NamesEveryCommand) {
 
 TEST(Help, FitsAHundredColumns) {
   Words lines;
-  for (std::string command : {"", "list", "export", "lint", "info", "trace", "measure", "compare"}) {
+  for (std::string command :
+       {"", "list", "export", "verify", "lint", "info", "trace", "measure", "compare"}) {
     const ProgramRun run = command.empty() ? polhode({"--help"}) : polhode({command, "--help"});
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_THAT(run.err, IsEmpty());
@@ -46,6 +47,7 @@ TEST(Help, OfACommandNamesItsOptions) {
       {"lint", {"FILE", "--json"}},
       {"info", {"LESSON", "--json"}},
       {"compare", {"--diff", "--json"}},
+      {"verify", {"DIR", "--json"}},
       {"trace",
        {"--inertia", "--omega", "--attitude", "--torque", "--times", "--from", "--to", "--every", "--periods",
         "--samples", "--method", "--step", "--tolerance", "--format"}},
@@ -53,8 +55,9 @@ TEST(Help, OfACommandNamesItsOptions) {
        {"LESSON", "--stage", "--inertia", "--omega", "--attitude", "--torque", "--periods", "--tolerance",
         "--method", "--seconds", "--all", "--csv", "--plot", "--json", "--rendering"}},
       {"export",
-       {"LESSON", "-o", "--stage", "--each", "--what", "--size", "--fps", "--seconds", "--at", "--frames",
-        "--background", "--theme", "--dpi", "--png", "--film", "--deck", "--sync", "--context"}}};
+       {"LESSON",    "-o",     "--stage",  "--each",       "--what",          "--size", "--fps",
+        "--seconds", "--at",   "--frames", "--background", "--theme",         "--dpi",  "--png",
+        "--film",    "--deck", "--shard",  "--jobs",       "--skip-existing", "--sync", "--context"}}};
   for (const auto& [command, names] : options) {
     const ProgramRun run = polhode({command, "--help"});
     for (const std::string& name : names) EXPECT_THAT(run.out, HasSubstr(name)) << command;
@@ -92,6 +95,13 @@ TEST(Usage, MistakesAreNamedOnStderrWithCode2) {
       {{"list", "--jsno"}, "did you mean \"--json\"?"},
       {{"list", "extra"}, "unexpected argument \"extra\""},
       {{"export", tiny}, "--output"},
+      {with(export_tiny, {"--shard", "3/2"}), "from 1 to 2"},
+      {with(export_tiny, {"--shard", "slurm"}), "SLURM_ARRAY_TASK_ID is not set"},
+      {with(export_tiny, {"--shard", "1/2", "--deck", "a.html"}), "all shards"},
+      {with(export_tiny, {"--what", "transcript", "--shard", "1/2"}), "a transcript is text"},
+      {with(export_tiny, {"--jobs", "0"}), "--jobs"},
+      {{"verify"}, "DIR"},
+      {{"verify", ""}, "empty"},
       {with(export_tiny, {"--png", "smal"}), "did you mean \"small\"?"},
       {with(export_tiny, {"--what", "transcript", "--png", "fast"}), "a transcript is text"},
       {{"export", tiny, "--what", "transcript", "--deck", "deck.html"}, "a transcript is text"},

@@ -95,6 +95,46 @@ TEST(AtomicFile, WritesNothingAtAllToo) {
   EXPECT_THAT(bytes_of(folder / "a.png"), IsEmpty());
 }
 
+TEST(AtomicFile, WritesPieceByPiece) {
+  const Folder folder;
+  const std::span<const std::uint8_t> all(kNew);
+  const Status status = write_file_in_pieces(folder / "a", [&](const AppendBytes& append) {
+    EXPECT_TRUE(append(all.first(1)));
+    EXPECT_TRUE(append({}));
+    return append(all.subspan(1));
+  });
+  EXPECT_TRUE(status) << status.error();
+  EXPECT_EQ(bytes_of(folder / "a"), kNew);
+}
+
+TEST(AtomicFile, AFillThatGivesUpLeavesTheOldFile) {
+  const Folder folder;
+  put(folder / "a", kOld);
+  const Status status = write_file_in_pieces(folder / "a", [&](const AppendBytes& append) -> Status {
+    EXPECT_TRUE(append(kNew));
+    return failure("picture 7 is damaged.");
+  });
+  ASSERT_FALSE(status);
+  EXPECT_THAT(status.error(), testing::EndsWith("a: picture 7 is damaged."));
+  EXPECT_EQ(bytes_of(folder / "a"), kOld);
+  EXPECT_THAT(folder.names(), ElementsAre("a"));
+}
+
+TEST(AtomicFileInjection, AFullDiskIsReportedEvenIfTheFillGoesOn) {
+  const Folder folder;
+  FailingFiles files(2, ENOSPC);  // open, write, write
+  const Status status = write_file_in_pieces(
+      files, folder / "a",
+      [&](const AppendBytes& append) {
+        for (int i = 0; i < 5; ++i) static_cast<void>(append(kNew));
+        return success();
+      },
+      Durability::rename_only);
+  ASSERT_FALSE(status);
+  EXPECT_THAT(status.error(), HasSubstr("No space left on device"));
+  EXPECT_THAT(folder.names(), IsEmpty());
+}
+
 TEST(AtomicFile, ReplacesAnOldFile) {
   const Folder folder;
   put(folder / "a.png", kOld);

@@ -21,7 +21,7 @@ struct Layer {
   bool is_library = true;
 };
 
-const Names kPosix = {"dlfcn.h", "fcntl.h", "signal.h", "sys/", "unistd.h"};
+const Names kPosix = {"dlfcn.h", "fcntl.h", "poll.h", "signal.h", "sys/", "unistd.h"};
 const Names kConsole = {"iostream", "print"};
 const Names kConsoleAndFiles = {"iostream", "print", "filesystem", "fstream"};
 
@@ -35,7 +35,8 @@ const Names kShared = {"render/result.h", "render/color.h"};
 
 const std::vector<Layer>& layers() {
   static const Names kProgram = {"app/", "lessons/", "render/", "physics/"};
-  static const Names kProgramLibraries = Names{"CLI/", "fmt/", "nlohmann/", "sha256.h", "Eigen/"} + kPosix;
+  static const Names kProgramLibraries =
+      Names{"CLI/", "fmt/", "nlohmann/", "sha256.h", "qpdf/", "Eigen/"} + kPosix;
   static const std::vector<Layer> kLayers = {
       {"physics/", {"physics/"}, {"Eigen/"}, kConsoleAndFiles},
       {"render/result.h", {}, {}, kConsoleAndFiles},
@@ -47,7 +48,7 @@ const std::vector<Layer>& layers() {
       {"render/type/", Names{"render/type/"} + kShared, {"ft2build.h", "freetype/", "FT_", "hb"}, kConsole},
       {"render/image/",
        {"render/image/", "render/result.h"},
-       Names{"png.h", "zlib.h", "libdeflate.h"} + kPosix,
+       Names{"png.h", "zlib.h", "libdeflate.h", "webp/"} + kPosix,
        kConsole},
       {"render/gl/",
        Names{"render/gl/", "render/scene/", "render/type/", "render/image/", "physics/types.h"} + kShared,

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-# embed_shaders(OUTPUT FILES...): writes a C++ file that defines one string for each shader file, named after it
-# (glass.frag -> kGlassFrag), so that the program needs nothing from its source folder.
-function(embed_shaders output)
-  set(text "// Made from render/gl/shaders by cmake/embed_shaders.cmake.\n#include \"render/gl/shader_sources.h\"\n\n")
-  string(APPEND text "namespace polhode::shaders {\n\n")
+# embed_files(OUTPUT HEADER NAMESPACE FILES...): writes a C++ file that defines one string for each file, named after it
+# (glass.frag -> kGlassFrag), so that the program needs nothing from its source folder. HEADER declares them.
+function(embed_files output header namespace)
+  set(text "// Made by cmake/embed_files.cmake.\n#include \"${header}\"\n\nnamespace ${namespace} {\n\n")
   foreach(file ${ARGN})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} source)
@@ -17,8 +16,8 @@ function(embed_shaders output)
       set(${word} ${first}${rest})
     endforeach()
     string(APPEND text "extern const char* const k${stem}${extension};\n")
-    string(APPEND text "const char* const k${stem}${extension} = R\"glsl(${source})glsl\";\n\n")
+    string(APPEND text "const char* const k${stem}${extension} = R\"embedded(${source})embedded\";\n\n")
   endforeach()
-  string(APPEND text "}  // namespace polhode::shaders\n")
+  string(APPEND text "}  // namespace ${namespace}\n")
   file(CONFIGURE OUTPUT ${output} CONTENT "${text}" @ONLY)
 endfunction()

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "app/folder_check.h"
+
+#include "app/exit_codes.h"
+#include "app/export_folder.h"
+#include "app/numbers.h"
+#include "app/picture_check.h"
+#include "render/image/png_summary.h"
+#include "render/image/temporary_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <set>
+
+namespace polhode {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string text_in(const Json& json, const char* name) {
+  return json.is_object() && json.contains(name) && json[name].is_string() ? json[name].get<std::string>()
+                                                                           : "";
+}
+
+int number_in(const Json& json, const char* name) {
+  return json.is_object() && json.contains(name) && json[name].is_number_integer() ? json[name].get<int>()
+                                                                                   : 0;
+}
+
+/// Manifest or marker.
+Json record_in(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  Json json = Json::parse(file, nullptr, false);
+  const bool whole = json.is_object() && json.contains("files") && json["files"].is_array() &&
+                     json.contains("lesson") && json["lesson"].is_object() && json.contains("options") &&
+                     json["options"].is_object();
+  return whole ? json : Json(nullptr);
+}
+
+/// The files of a folder, with what is expected of each.
+class Check {
+ public:
+  explicit Check(const fs::path& folder) : folder_(folder) { list(); }
+
+  FolderCheck run() {
+    const bool marked = names_.count(kMarkerName) > 0, has_manifest = names_.count(kManifestName) > 0;
+    const Json manifest = has_manifest ? record_in(folder_ / kManifestName) : Json(nullptr);
+    const Json marker = marked ? record_in(folder_ / kMarkerName) : Json(nullptr);
+    found_.finished = !manifest.is_null() && !marked;
+    if (!has_manifest) found_.missing.emplace_back(kManifestName);
+    if (has_manifest && manifest.is_null()) damaged(kManifestName, "it is not a manifest of polhode");
+    if (marked && marker.is_null()) damaged(kMarkerName, "it is not of polhode");
+    const Json& record = marker.is_null() ? manifest : marker;
+    if (!record.is_null()) {
+      found_.lesson_id = text_in(record["lesson"], "id");
+      found_.expected = record["files"].size();
+      for (const Json& file : record["files"]) check_file(file, record);
+    }
+    sort_others();
+    if (!found_.ok() && !record.is_null()) found_.resume = resume(record);
+    return std::move(found_);
+  }
+
+ private:
+  void list() {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error))
+      names_.insert(entry->path().filename().string());
+    if (error)
+      throw CommandError(ExitCode::failed,
+                         fmt::format("cannot read folder {}: {}", folder_.string(), error.message()));
+  }
+
+  void damaged(const std::string& name, const std::string& reason) {
+    found_.damaged.push_back(name);
+    found_.reasons[name] = reason;
+  }
+
+  void foreign(const std::string& name, const std::string& reason) {
+    found_.foreign.push_back(name);
+    found_.reasons[name] = reason;
+  }
+
+  /// @param file an entry of a manifest; of a marker the name alone
+  void check_file(const Json& file, const Json& record) {
+    const std::string name = file.is_string() ? file.get<std::string>() : text_in(file, "file");
+    expected_.insert(name);
+    if (names_.count(name) == 0) {
+      found_.missing.push_back(name);
+      return;
+    }
+    if (!name.ends_with(".png"))
+      check_text(name);
+    else
+      judge(name, check_picture(folder_ / name, size_of(name, file), metadata_of(file, record)));
+  }
+
+  void judge(const std::string& name, const PictureCheck& check) {
+    switch (check.state) {
+      case PictureCheck::State::whole:
+        return;
+      case PictureCheck::State::missing:
+        found_.missing.push_back(name);
+        return;
+      case PictureCheck::State::damaged:
+        damaged(name, check.reason);
+        return;
+      case PictureCheck::State::another:
+        foreign(name, check.reason);
+        return;
+    }
+  }
+
+  void check_text(const std::string& name) {
+    std::error_code error;
+    if (fs::file_size(folder_ / name, error) == 0 || error) damaged(name, "it is empty or cannot be read");
+  }
+
+  /// As the manifest has it; a marker does not know it, and takes any.
+  Size size_of(const std::string& name, const Json& file) const {
+    if (!file.is_string()) return {number_in(file, "width"), number_in(file, "height")};
+    const auto png = summarize_png_file(folder_ / name);
+    return png ? png->size : Size{};
+  }
+
+  static PngMetadata metadata_of(const Json& file, const Json& record) {
+    PngMetadata metadata{{{"polhode:lesson", text_in(record["lesson"], "id")}},
+                         number_in(record["options"], "dpi")};
+    if (file.is_string()) return metadata;
+    metadata.text.emplace_back("Description", text_in(file, "alt"));
+    metadata.text.emplace_back("polhode:stage", text_in(file, "stage"));
+    if (file.contains("t") && file["t"].is_number())
+      metadata.text.emplace_back("polhode:t", digits17(file["t"].get<double>()));
+    return metadata;
+  }
+
+  /// Films and decks may lie beside the pictures they are made of.
+  static bool is_made_of_pictures(const fs::path& name) {
+    constexpr std::array kEndings = {".mp4", ".webm", ".gif", ".apng", ".html", ".htm", ".pdf"};
+    return std::find(kEndings.begin(), kEndings.end(), name.extension()) != kEndings.end();
+  }
+
+  void sort_others() {
+    const std::vector<fs::path> left = left_behind_in(folder_);
+    for (const std::string& name : names_) {
+      if (expected_.count(name) > 0 || name == kManifestName || name == kMarkerName) continue;
+      const bool temporary = name.starts_with(kTemporaryPrefix) && name.ends_with(".part");
+      if (is_shard_manifest_name(name))
+        found_.finished ? found_.left_over.push_back(name) : add_shard(name);
+      else if (!temporary && !is_made_of_pictures(name))
+        found_.foreign.push_back(name);
+      else if (std::find(left.begin(), left.end(), folder_ / name) != left.end())
+        found_.left_over.push_back(name);
+    }
+  }
+
+  void add_shard(std::string name) {
+    constexpr std::string_view kStart = "manifest.", kEnd = ".json";
+    found_.shards_finished.push_back(name.substr(kStart.size(), name.size() - kStart.size() - kEnd.size()));
+  }
+
+  std::vector<std::string> resume(const Json& record) const {
+    std::vector<std::string> words;
+    if (record.contains("resume") && record["resume"].is_array()) {
+      for (const Json& word : record["resume"])
+        if (word.is_string()) words.push_back(word.get<std::string>());
+      const auto output = std::find(words.begin(), words.end(), "--output");
+      if (output != words.end() && output + 1 != words.end()) output[1] = folder_.string();
+      return words;
+    }
+    words = {"polhode", "export", found_.lesson_id, "--output", folder_.string()};
+    for (const auto& [name, value] : record["options"].items())
+      for (const Json& one : value.is_array() ? value : Json::array({value}))
+        if (!one.is_null()) {
+          words.push_back("--" + name);
+          words.push_back(one.is_string() ? one.get<std::string>() : one.dump());
+        }
+    words.emplace_back("--skip-existing");
+    return words;
+  }
+
+  fs::path folder_;
+  std::set<std::string> names_, expected_;
+  FolderCheck found_;
+};
+
+}  // namespace
+
+FolderCheck check_folder(const fs::path& folder) { return Check(folder).run(); }
+
+}  // namespace polhode

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+#include "app/picture_export.h"
+
+#include "app/or_fail.h"
+#include "app/picture_check.h"
+#include "app/picture_maker.h"
+#include "app/picture_metadata.h"
+#include "app/picture_writer.h"
+
+#include <fmt/format.h>
+
+namespace polhode {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What all makers draw with.
+struct Studio {
+  explicit Studio(ContextKind kind)
+      : context(or_fail(open_context(kind))), renderer(or_fail(Renderer::create(*context))) {}
+  std::unique_ptr<GlContext> context;
+  std::unique_ptr<Renderer> renderer;  // after the context it draws with
+};
+
+std::unique_ptr<PictureMaker> maker_of(const MakerContext& context) {
+  switch (context.options.what) {
+    case What::figure:
+      return make_figure_maker(context);
+    case What::equation:
+      return make_equation_maker(context);
+    case What::page:
+    case What::transcript:
+      break;
+  }
+  return make_page_maker(context);
+}
+
+/// What can fail without drawing fails before anything is written: of neighbours that differ in time alone,
+/// the first and the last are checked.
+void check_pictures(const ExportPlan& plan, PictureMaker& maker) {
+  const auto same_but_time = [&](std::size_t i, std::size_t k) {
+    const PlannedPicture &a = plan.pictures[i], &b = plan.pictures[k];
+    return a.stage == b.stage && a.step == b.step && a.equation == b.equation;
+  };
+  for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
+    const bool first = i == 0 || !same_but_time(i - 1, i);
+    const bool last = i + 1 == plan.pictures.size() || !same_but_time(i, i + 1);
+    if (first || last) maker.check(plan.pictures[i]);
+  }
+}
+
+FolderState begin(const PictureExport& e, const std::string& renderer) {
+  Marker marker{identity_of(e.loaded, e.options), renderer, e.out.resume_all, {}};
+  for (const PlannedPicture& picture : e.plan.pictures) marker.files.push_back(picture.file);
+  make_folder(e.out.folder);
+  return or_fail(begin_in(e.out.folder, marker));
+}
+
+/// Draws and writes until all are there or someone interrupts.
+PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep,
+                            const TellProgress& tell, const InterruptWatch& watch) {
+  PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
+  PicturesMade made;
+  const PlannedPicture* before = nullptr;  // the one put last
+  for (std::size_t place = 0; place < e.plan.pictures.size() && !watch.interrupted(); ++place) {
+    if (!e.out.shard.takes(place)) continue;
+    const PlannedPicture& picture = e.plan.pictures[place];
+    tell(made.count, picture.file);
+    const PictureDescription description = maker.describe(picture);
+    PngMetadata metadata =
+        picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s, e.options.dpi);
+    ++made.count;
+    if (may_keep && check_picture(e.out.folder / picture.file, description.size, metadata).state ==
+                        PictureCheck::State::whole) {
+      ++made.kept;
+      continue;
+    }
+    const bool repeats = before && maker.same_bytes(*before, picture);
+    or_fail(writer.put(
+        {picture.file, repeats ? std::nullopt : std::optional(maker.draw(picture)), std::move(metadata)}));
+    before = &picture;
+  }
+  or_fail(writer.finish());
+  made.interrupted = made.count < e.out.shard.size(e.plan.pictures.size());
+  return made;
+}
+
+ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker) {
+  PictureDescription made = maker.describe(picture);
+  return {picture.file, picture.stage->id,   picture.step,        picture.frame,         made.t_s,
+          made.size,    std::move(made.tex), std::move(made.alt), std::move(made.method)};
+}
+
+/// Of the pictures of a shard. Needs nothing remembered of their drawing, so that anyone can write the
+/// manifest of all; takes the same memory for any number of them.
+void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& shard,
+                    const std::string& renderer, const std::string& name) {
+  const auto fill = [&](const AppendBytes& append) -> Status {
+    std::string text = manifest_head(identity_of(e.loaded, e.options), renderer);
+    const auto flush = [&] {
+      const Status appended = append({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+      text.clear();
+      return appended;
+    };
+    bool empty = true;
+    for (std::size_t place = 0; place < e.plan.pictures.size(); ++place) {
+      if (!shard.takes(place)) continue;
+      if (!empty) text += kManifestComma;
+      text += manifest_entry(manifest_file(e.plan.pictures[place], maker));
+      empty = false;
+      constexpr std::size_t kPiece = 1 << 16;
+      if (text.size() < kPiece) continue;
+      if (Status flushed = flush(); !flushed) return flushed;
+    }
+    text += manifest_end(empty);
+    return flush();
+  };
+  const auto fill_or_say = [&](const AppendBytes& append) -> Status {
+    try {
+      return fill(append);
+    } catch (const std::exception& error) {
+      return failure(error.what());
+    }
+  };
+  or_fail(write_file_in_pieces(e.out.folder / name, fill_or_say, Durability::sync));
+}
+
+bool has_manifest_of_this(const PictureExport& e) {
+  const auto state = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  return state && state->finished;
+}
+
+/// Whether the export as a whole is finished.
+bool finish_shard(const PictureExport& e, PictureMaker& maker, const std::string& renderer) {
+  write_manifest(e, maker, e.out.shard, renderer, shard_manifest_name(e.out.shard));
+  const auto of_all = or_fail(renderer_of_shards(e.out.folder, identity_of(e.loaded, e.options),
+                                                 e.out.shard.count, e.plan.pictures.size()));
+  // Some may be missing because another shard found all of them, or a process without shards came by.
+  if (!of_all && !has_manifest_of_this(e)) return false;
+  if (of_all) write_manifest(e, maker, Shard{}, *of_all, kManifestName);
+  return true;
+}
+
+bool finish(const PictureExport& e, PictureMaker& maker, const FolderState& before,
+            const std::string& renderer) {
+  or_fail(sync_folder(e.out.folder));  // the pictures first: a manifest promises them
+  const bool whole = e.out.shard.whole();
+  if (whole) write_manifest(e, maker, Shard{}, renderer, kManifestName);
+  // A folder that was finished still is after a shard of it was made again.
+  const bool finished = whole || before.finished || finish_shard(e, maker, renderer);
+  if (finished) remove_traces(e.out.folder);
+  return finished;
+}
+
+}  // namespace
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && !fs::is_directory(folder, error) && !error)
+    error = std::make_error_code(std::errc::not_a_directory);
+  if (error)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("cannot make folder {}: {}", folder.string(), error.message()));
+}
+
+ExportIdentity identity_of(const LoadedLesson& loaded, const ExportOptions& options) {
+  return {loaded.lesson.id, loaded.sha256, to_json(options)};
+}
+
+PicturesMade make_pictures(const PictureExport& e, const TellProgress& tell, const InterruptWatch& watch) {
+  const Studio studio(e.out.context);
+  const auto maker = maker_of({e.loaded.lesson, e.options, *studio.renderer});
+  check_pictures(e.plan, *maker);
+  const std::string mine = studio.renderer->driver();
+  const FolderState before = begin(e, mine);
+  PicturesMade made = write_pictures(e, *maker, e.out.skip_existing && before.ours, tell, watch);
+  if (made.interrupted) return made;
+  const bool kept_all = made.kept == made.count, kept_none = made.kept == 0;
+  const std::string renderer = made.count == 0 ? ""
+                               : kept_none     ? mine
+                               : kept_all      ? before.renderer
+                                               : join_renderers({before.renderer, mine});
+  made.finished = finish(e, *maker, before, renderer);
+  return made;
+}
+
+}  // namespace polhode

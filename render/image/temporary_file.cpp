@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "render/image/temporary_file.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kSuffix = ".part";
+constexpr std::size_t kHostDigits = 8;
+
+// FNV-1a: short, and good enough to tell the machines of a cluster apart.
+std::uint32_t hash(std::string_view text) {
+  std::uint32_t sum = 2166136261u;
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 16777619u;
+  return sum;
+}
+
+// A process number means something only where it was given out: in one boot of one kernel, in one namespace.
+std::string place_of_processes() {
+  std::string boot;
+  std::ifstream("/proc/sys/kernel/random/boot_id") >> boot;
+  std::error_code none;
+  const std::string space = fs::read_symlink("/proc/self/ns/pid", none).string();
+  std::array<char, 256> host{};
+  if (boot.empty() && ::gethostname(host.data(), host.size() - 1) == 0) boot = host.data();
+  std::array<char, kHostDigits + 1> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08x", hash(boot + ' ' + space));
+  return digits.data();
+}
+
+const std::string& here() {
+  static const std::string kHere = place_of_processes();
+  return kHere;
+}
+
+// The process, if the name is one that temporary_name gives here.
+std::optional<pid_t> process_here(std::string_view name) {
+  const std::string start = kTemporaryPrefix + here() + '-';
+  if (!name.starts_with(start)) return std::nullopt;
+  name.remove_prefix(start.size());
+  pid_t pid = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), pid);
+  const bool read = error == std::errc() && end != name.data() + name.size() && *end == '-';
+  return read && pid > 0 ? std::optional(pid) : std::nullopt;
+}
+
+bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
+
+bool is_old(const fs::path& file) {
+  std::error_code error;
+  const auto written = fs::last_write_time(file, error);
+  return !error && fs::file_time_type::clock::now() - written > std::chrono::hours(1);
+}
+
+}  // namespace
+
+std::string temporary_name(int i) {
+  return kTemporaryPrefix + here() + '-' + std::to_string(::getpid()) + '-' + std::to_string(i) +
+         std::string(kSuffix);
+}
+
+std::vector<fs::path> left_behind_in(const fs::path& folder) {
+  std::vector<fs::path> found;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(kTemporaryPrefix) || !name.ends_with(kSuffix)) continue;
+    const auto process = process_here(name);
+    if (process ? is_gone(*process) : is_old(entry->path())) found.push_back(entry->path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace polhode

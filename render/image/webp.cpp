@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "render/image/webp.h"
+
+#include <webp/encode.h>
+
+#include <string>
+
+namespace polhode {
+
+namespace {
+
+// Measured on pages of a lecture: method 0 is four times as fast and a fifth larger, method 6 three times as
+// slow and a tenth smaller.
+constexpr int kMethod = 1;
+constexpr float kEffort = 0;
+
+struct Picture {
+  WebPPicture webp{};
+  WebPMemoryWriter bytes{};
+  Picture() { WebPMemoryWriterInit(&bytes); }
+  ~Picture() {
+    WebPPictureFree(&webp);
+    WebPMemoryWriterClear(&bytes);
+  }
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+};
+
+}  // namespace
+
+Result<std::vector<std::uint8_t>> encode_webp(const Image& image) {
+  const auto [width, height] = image.size;
+  if (width < 1 || height < 1 || width > kMaxWebpSide || height > kMaxWebpSide)
+    return failure("A WebP of " + std::to_string(width) + " x " + std::to_string(height) +
+                   " px is not possible: 1 to " + std::to_string(kMaxWebpSide) + " px a side.");
+  WebPConfig config;
+  Picture picture;
+  if (!WebPConfigInit(&config) || !WebPPictureInit(&picture.webp))
+    return failure("libwebp is older than the one we were built with.");
+  config.lossless = 1;
+  config.method = kMethod;
+  config.quality = kEffort;
+  picture.webp.use_argb = 1;
+  picture.webp.width = width;
+  picture.webp.height = height;
+  picture.webp.writer = WebPMemoryWrite;
+  picture.webp.custom_ptr = &picture.bytes;
+  if (!WebPPictureImportRGBA(&picture.webp, image.rgba.data(), 4 * width) ||
+      !WebPEncode(&config, &picture.webp))
+    return failure("libwebp cannot encode the image (error " + std::to_string(picture.webp.error_code) +
+                   ").");
+  return std::vector<std::uint8_t>(picture.bytes.mem, picture.bytes.mem + picture.bytes.size);
+}
+
+}  // namespace polhode

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// polhode verify, on exports that are whole, hurt, or not finished.
+#include "app/export_folder.h"
+#include "tests/app/small_export.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace polhode {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+class Verify : public testing::Test {
+ protected:
+  void SetUp() override { make({}); }
+  void make(const std::vector<std::string>& more) {
+    const ProgramRun run = polhode(small_export(folder(), more));
+    ASSERT_EQ(run.code, 0) << run.err;
+  }
+  fs::path folder() const { return scratch / "out"; }
+  fs::path file(const std::string& name) const { return folder() / name; }
+  Json json(int code) {
+    const ProgramRun run = polhode({"verify", folder(), "--json"});
+    EXPECT_EQ(run.code, code) << run.out << run.err;
+    return Json::parse(run.out);
+  }
+  static constexpr const char* kFirst = "01-steady-frame00.png";
+  static constexpr const char* kSecond = "01-steady-frame01.png";
+  ScratchFolder scratch;
+};
+
+TEST_F(Verify, AWholeExportIsCode0) {
+  const ProgramRun run = polhode({"verify", folder()});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("12 files of tiny, all there and whole"));
+  EXPECT_THAT(run.err, IsEmpty());
+  const Json found = json(0);
+  EXPECT_EQ(found["ok"], true);
+  EXPECT_EQ(found["files"], kSmallFrames);
+  EXPECT_TRUE(found["resume"].is_null());
+}
+
+TEST_F(Verify, FindsWhatIsMissingTruncatedAndForeign) {
+  fs::remove(file(kFirst));
+  fs::resize_file(file(kSecond), fs::file_size(file(kSecond)) / 2);
+  write_text(file("07-notes.png"), "?");
+  const Json found = json(4);
+  EXPECT_EQ(found["ok"], false);
+  EXPECT_THAT(found["missing"], ElementsAre(kFirst));
+  EXPECT_THAT(found["damaged"], ElementsAre(kSecond));
+  EXPECT_THAT(found["foreign"], ElementsAre("07-notes.png"));
+  const ProgramRun run = polhode({"verify", folder()});
+  for (const char* line :
+       {"missing: 01-steady-frame00.png\n", "damaged: 01-steady-frame01.png: it is truncated",
+        "foreign: 07-notes.png\n", "--skip-existing\n"})
+    EXPECT_THAT(run.out, HasSubstr(line));
+}
+
+TEST_F(Verify, FindsEveryDamagedByte) {
+  const std::string whole = text_of(file(kFirst));
+  for (std::size_t at = 0; at < whole.size(); at += whole.size() / 40) {
+    std::string hurt = whole;
+    hurt[at] = static_cast<char>(hurt[at] ^ 4);
+    write_text(file(kFirst), hurt);
+    EXPECT_EQ(polhode({"verify", folder()}).code, 4) << at;
+  }
+}
+
+TEST_F(Verify, FindsAPictureUnderTheNameOfAnother) {
+  fs::copy_file(file(kFirst), file(kSecond), fs::copy_options::overwrite_existing);
+  EXPECT_THAT(json(4)["foreign"], ElementsAre(kSecond));
+}
+
+TEST_F(Verify, FindsAManifestThatIsMissingOrDamaged) {
+  const std::string manifest = text_of(file(kManifestName));
+  write_text(file(kManifestName), manifest.substr(0, manifest.size() / 2));
+  EXPECT_THAT(json(4)["damaged"], ElementsAre(kManifestName));
+  fs::remove(file(kManifestName));
+  EXPECT_THAT(json(4)["missing"], ElementsAre(kManifestName));
+}
+
+TEST_F(Verify, PassesOverFilmsAndDecks) {
+  for (const char* name : {"a.mp4", "a.gif", "deck.html", "deck.pdf"}) write_text(file(name), "x");
+  json(0);
+}
+
+TEST_F(Verify, ReportsWhatKilledProcessesLeftAndTheNextExportRemovesIt) {
+  const std::string left = ".polhode-12345678-1-0.part";
+  write_text(file(left), "");
+  json(0);  // another machine may be writing it just now
+  fs::last_write_time(file(left), fs::file_time_type::clock::now() - std::chrono::hours(2));
+  EXPECT_THAT(json(4)["left_over"], ElementsAre(left));
+  make({"--skip-existing"});
+  json(0);
+}
+
+TEST_F(Verify, SaysHowToFinishAnUnfinishedExport) {
+  fs::remove_all(folder());
+  make({"--shard", "2/3"});
+  const Json found = json(4);
+  EXPECT_EQ(found["finished"], false);
+  EXPECT_EQ(found["files"], kSmallFrames);
+  EXPECT_EQ(found["missing"].size(), 1 + kSmallFrames - kSmallFrames / 3);
+  EXPECT_THAT(found["shards_finished"], ElementsAre("2-of-3"));
+  EXPECT_THAT(found["foreign"], IsEmpty());
+  const std::string command = found["resume"];
+  EXPECT_EQ(command.find("--shard"), std::string::npos);
+  EXPECT_EQ(std::system((command + " 2>/dev/null").c_str()), 0) << command;
+  json(0);
+}
+
+TEST_F(Verify, ReadsTranscripts) {
+  ASSERT_EQ(polhode({"export", test_lesson("tiny.md"), "-o", scratch / "text", "--what", "transcript"}).code,
+            0);
+  EXPECT_EQ(polhode({"verify", scratch / "text"}).code, 0);
+  fs::resize_file(scratch / "text/tiny.txt", 0);
+  EXPECT_EQ(polhode({"verify", scratch / "text"}).code, 4);
+}
+
+TEST_F(Verify, AFolderThatCannotBeReadIsCode1) {
+  const ProgramRun run = polhode({"verify", scratch / "none"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("none"));
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "render/image/temporary_file.h"
+
+#include "tests/image/pictures.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Folder;
+using test::put;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A name as a process gives it that has ended since.
+std::string name_of_the_dead(int i) {
+  int ends[2];
+  if (pipe(ends) != 0) std::abort();
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::string name = temporary_name(i);
+    _exit(write(ends[1], name.data(), name.size()) > 0 ? 0 : 1);
+  }
+  close(ends[1]);
+  char name[256] = {};
+  const ssize_t count = read(ends[0], name, sizeof name);
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return {name, static_cast<std::size_t>(count)};
+}
+
+void make_old(const fs::path& file) {
+  fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::minutes(61));
+}
+
+TEST(TemporaryFile, HasANameOfItsProcess) {
+  EXPECT_EQ(temporary_name(0), temporary_name(0));
+  EXPECT_NE(temporary_name(0), temporary_name(1));
+  EXPECT_NE(temporary_name(0), name_of_the_dead(0));
+  EXPECT_THAT(temporary_name(7), testing::MatchesRegex("\\.polhode-[0-9a-f]{8}-[0-9]+-7\\.part"));
+}
+
+TEST(TemporaryFile, OfADeadProcessIsLeftBehind) {
+  const Folder folder;
+  const std::string dead = name_of_the_dead(3);
+  put(folder / dead, {1});
+  put(folder / temporary_name(0), {1});
+  make_old(folder / temporary_name(0));  // a clock may be set, and a living process may wait
+  EXPECT_THAT(left_behind_in(folder.path()), ElementsAre(folder / dead));
+}
+
+TEST(TemporaryFile, OfAnotherMachineIsLeftBehindOnlyWhenOld) {
+  const Folder folder;
+  const fs::path fresh = folder / ".polhode-00000000-1-0.part", old = folder / ".polhode-00000000-2-0.part",
+                 old_form = folder / ".polhode-99-0.part";
+  for (const fs::path& file : {fresh, old, old_form}) put(file, {1});
+  make_old(old);
+  make_old(old_form);
+  EXPECT_THAT(left_behind_in(folder.path()), ElementsAre(old, old_form));
+}
+
+TEST(TemporaryFile, OtherFilesAreNot) {
+  const Folder folder;
+  for (const char* name : {".polhode-unfinished.json", "a.part", "01-a.png", ".polhode"}) {
+    put(folder / name, {1});
+    make_old(folder / name);
+  }
+  EXPECT_THAT(left_behind_in(folder.path()), IsEmpty());
+  EXPECT_THAT(left_behind_in(folder / "none"), IsEmpty());
+}
+
+}  // namespace
+}  // namespace polhode
