@@ -97,9 +97,9 @@ class Bench:
         longer = self.run(self.export(self.folder("long"), 10 + frames, size, extra), environment, cores)[1]
         return [1e3 * (b - a) / frames for a, b in ((short.cpu_s, longer.cpu_s), (short.wall_s, longer.wall_s))]
 
-    def benchmarks(self, pattern, seconds):
-        """{name without its suffixes: (CPU ms, wall ms)} of render_bench."""
-        text, _ = self.run([self.tests / "render_bench", f"--benchmark_filter={pattern}", "--benchmark_format=json",
+    def benchmarks(self, pattern, seconds, tests=None):
+        """{name without its suffixes: (CPU ms, wall ms)} of render_bench, of another build if its folder is given."""
+        text, _ = self.run([(tests or self.tests) / "render_bench", f"--benchmark_filter={pattern}", "--benchmark_format=json",
                             f"--benchmark_min_time={seconds}"])
         if not text.startswith("{"):
             return {}
@@ -134,6 +134,7 @@ def ratio(turns, above, below, which=0):
 # ---- what takes turns: our frame, its floor, the way of old, and the peers ------------------------------
 
 OURS, FLOOR, LARGE, OLD = "BM_Frame/1080", "BM_ClearReadPng/1080", "BM_Frame/2160", "msaa4"
+BEFORE = "before"  # BM_Frame of the build that --before names
 EXPORT = "export"  # the scene through polhode export, which encodes in a second thread; its camera is at rest
 PEERS = [("VTK 9.1, MSAA 4x", "peer_vtk.py", 15), ("MuJoCo 2.2, 4 samples", "peer_mujoco", 15),
          ("matplotlib 3-D", "peer_matplotlib.py", 9)]
@@ -148,6 +149,9 @@ def take_turns(bench):
         turn = bench.benchmarks("BM_Frame|BM_ClearReadPng|[Mm]saa4", bench.options.seconds)
         for name in [name for name in turn if re.search("msaa4", name, re.I)][:1]:
             turn[OLD] = turn[name]
+        if bench.options.before:
+            before = bench.benchmarks(OURS, bench.options.seconds, bench.options.before / "tests/bench")
+            turn[BEFORE] = before[OURS]
         turn[EXPORT] = bench.per_frame(bench.options.export_frames)
         for _, program, _ in PEERS:
             for full in (False, True):
@@ -185,6 +189,8 @@ def frame_figures(table, bench):
             peer_figure(table, turns, missing, (program, full), title + (", all the look" if full else ", the least"),
                         required)
     guarded(table, "our own MSAA path / ours, CPU", ">= 4", lambda: at_least(4, turns, OLD))
+    if bench.options.before:
+        guarded(table, "BM_Frame of the build before / ours, CPU", ">= 4", lambda: at_least(4, turns, BEFORE))
     guarded(table, "CPU of a frame / of clear + read + PNG alone", "<= 3", lambda: at_most(3, turns, OURS, FLOOR))
     guarded(table, "4K frame / 1080p frame, CPU", "<= 4.2", lambda: at_most(4.2, turns, LARGE, OURS))
 
@@ -396,11 +402,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", help=f"some of {', '.join(PARTS)} (all)")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/bench")
+    parser.add_argument("--before", type=pathlib.Path, metavar="DIR", help="a bench build of an earlier version beside it")
     parser.add_argument("--quick", action="store_true", help="fewer turns, frames and kills")
     options = parser.parse_args()
     if unknown := set(options.parts) - set(PARTS):
         parser.error(f"no such part: {', '.join(unknown)}")
     quick = options.quick
+    options.before = options.before and options.before.resolve()
     options.turns, options.seconds, options.peer_frames = (1, 0.5, 6) if quick else (5, 1, 12)
     options.export_frames, options.png_turns = (20, 3) if quick else (60, 9)
     options.long_frames, options.kills = (1000, 24) if quick else (10000, 200)
