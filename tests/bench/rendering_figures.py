@@ -217,6 +217,21 @@ def at_most(required, turns, above, below):
     return f"{cpu:.2f} ({medians(turns, above)[0]:.1f} / {medians(turns, below)[0]:.1f} CPU ms)", cpu <= required
 
 
+def quality_figure(table, bench):
+    """Of the picture that users get by default and of plain multisampling, each against one drawn 4 x 4 finer."""
+    told = json.loads(bench.run([bench.polhode, "measure", "--rendering", "--json"])[0])
+    rows = {row["setting"]: row for row in told["rows"]}
+    if "normal" not in rows or OLD not in rows:
+        raise Missing(f"measure --rendering has no normal and {OLD}, but {', '.join(rows)}"[:60])
+    ours, old = rows["normal"], rows[OLD]
+    table.row("error against a picture 4 x 4 finer, ours / MSAA 4x", "<= 1", f"{ours['rms'] / old['rms']:.2f} (rms "
+              f"{ours['rms']:.2f} / {old['rms']:.2f} levels)", ours["rms"] <= old["rms"])
+    for name in ("draft", "normal", "fine", OLD):
+        if name in rows:
+            row = rows[name]
+            table.row(f"drawing alone, {name}", "", f"{row['cpu_ms_per_frame']:.1f} CPU ms, rms {row['rms']:.2f}")
+
+
 # ---- PNG, memory ------------------------------------------------------------------------------------------
 
 
@@ -394,7 +409,7 @@ def guarded(table, figure, required, measure):
         table.row(figure, required, f"not measured: {reason}")
 
 
-PARTS = {"frame": frame_figures, "png": png_figures, "memory": memory_figure, "long": long_figures, "kills": kill_figure,
+PARTS = {"frame": frame_figures, "quality": quality_figure, "png": png_figures, "memory": memory_figure, "long": long_figures, "kills": kill_figure,
          "cores": core_figures}
 
 
