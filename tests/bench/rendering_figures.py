@@ -99,8 +99,8 @@ class Bench:
 
     def benchmarks(self, pattern, seconds, tests=None):
         """{name without its suffixes: (CPU ms, wall ms)} of render_bench, of another build if its folder is given."""
-        text, _ = self.run([(tests or self.tests) / "render_bench", f"--benchmark_filter={pattern}", "--benchmark_format=json",
-                            f"--benchmark_min_time={seconds}"])
+        text, _ = self.run([(tests or self.tests) / "render_bench", f"--benchmark_filter={pattern}",
+                            "--benchmark_format=json", f"--benchmark_min_time={seconds}"])
         if not text.startswith("{"):
             return {}
         return {re.sub(r"/(process_time|real_time)", "", one["name"]): (one["cpu_time"], one["real_time"])
@@ -182,8 +182,8 @@ def frame_figures(table, bench):
     ours, exported = medians(turns, OURS), medians(turns, EXPORT)
     table.row("1080p frame to PNG, moving camera (BM_Frame): CPU", "<= 65 ms", ms(ours), ours[0] <= 65)
     table.row("the same through polhode export, camera at rest", "", ms(exported))
-    table.row("frames/s, the better of these two (stretch: 40)", ">= 30", f"{1e3 / ours[1]:.1f}, {1e3 / exported[1]:.1f} "
-              "exporting", 1e3 / min(ours[1], exported[1]) >= 30)
+    table.row("frames/s, the better of these two (stretch: 40)", ">= 30", f"{1e3 / ours[1]:.1f}, "
+              f"{1e3 / exported[1]:.1f} exporting", 1e3 / min(ours[1], exported[1]) >= 30)
     for title, program, required in PEERS:
         for full in (True, False):
             peer_figure(table, turns, missing, (program, full), title + (", all the look" if full else ", the least"),
@@ -203,8 +203,8 @@ def peer_figure(table, turns, missing, key, title, required):
         return
     pace = max(ratio(turns, key, OURS, 1), ratio(turns, key, EXPORT, 1))
     cpu, wall = medians(turns, key)
-    table.row(figure, f">= {required}", f"{pace:.1f} ({ratio(turns, key, OURS):.1f}): {cpu:.0f} CPU ms, {wall:.0f} wall",
-              pace >= required)
+    table.row(figure, f">= {required}", f"{pace:.1f} ({ratio(turns, key, OURS):.1f}): {cpu:.0f} CPU ms, "
+              f"{wall:.0f} wall", pace >= required)
 
 
 def at_least(required, turns, above):
@@ -242,8 +242,8 @@ def png_figures(table, bench):
     told = json.loads(bench.run([bench.tests / "png_figures", picture, bench.options.png_turns])[0])
     fast, small, default = (told[name] for name in ("fast", "small", "default"))
     table.row("PNG of a 1080p frame, --png fast", "<= 30 ms", f"{fast['ms']:.1f} CPU ms", fast["ms"] <= 30)
-    table.row("its size / libpng's default", "<= 1.15", f"{fast['bytes'] / default['bytes']:.3f} ({fast['bytes'] // 1000} / "
-              f"{default['bytes'] // 1000} kB)", fast["bytes"] <= 1.15 * default["bytes"])
+    table.row("its size / libpng's default", "<= 1.15", f"{fast['bytes'] / default['bytes']:.3f} "
+              f"({fast['bytes'] // 1000} / {default['bytes'] // 1000} kB)", fast["bytes"] <= 1.15 * default["bytes"])
     table.row("libpng's default; --png small", "", f"{default['ms']:.0f} ms; {small['ms']:.0f} ms, "
               f"{small['bytes'] / default['bytes']:.3f} of the size")
 
@@ -284,8 +284,8 @@ def long_figures(table, bench):
         process.wait()
     cost = [b[0] - a[0] for a, b in zip(seen, seen[1:])]
     late = median(cost[5:]) / median(cost[:4])
-    table.row(f"frame {frames:,} / frame 10 of one export", "1.00 +- 0.05", f"{late:.3f} ({1e3 * cost[0] / stretch:.1f} CPU ms at "
-              "320x180)", abs(late - 1) <= 0.05)
+    table.row(f"frame {frames:,} / frame 10 of one export", "1.00 +- 0.05", f"{late:.3f} "
+              f"({1e3 * cost[0] / stretch:.1f} CPU ms at 320x180)", abs(late - 1) <= 0.05)
     growth = seen[-1][1] - seen[4][1]
     table.row(f"its memory, frame {frames:,} - frame {marks[4]:,}", "0 MiB", f"{growth:+.2f} MiB of {seen[-1][1]:.0f}",
               growth < 0.5)
@@ -376,9 +376,9 @@ def shared(bench, frames, shards, cores=None):
 
 
 def core_figures(table, bench):
-    """What a second core is worth. Counted are the frames between a short run and a longer one, not starting up. A process
-    with one drawing thread keeps more than one core busy, since it encodes in another thread; so the same is also
-    measured with the one process held to one core."""
+    """What a second core is worth. Counted are the frames between a short run and a longer one, not starting up. A
+    process with one drawing thread keeps more than one core busy, since it encodes in another thread; so the same is
+    also measured with the one process held to one core."""
     cores = sorted(os.sched_getaffinity(0))[:2]
     if len(cores) < 2:
         raise Missing("this machine has one core")
@@ -409,15 +409,16 @@ def guarded(table, figure, required, measure):
         table.row(figure, required, f"not measured: {reason}")
 
 
-PARTS = {"frame": frame_figures, "quality": quality_figure, "png": png_figures, "memory": memory_figure, "long": long_figures, "kills": kill_figure,
-         "cores": core_figures}
+PARTS = {"frame": frame_figures, "quality": quality_figure, "png": png_figures, "memory": memory_figure,
+         "long": long_figures, "kills": kill_figure, "cores": core_figures}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("parts", nargs="*", help=f"some of {', '.join(PARTS)} (all)")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/bench")
-    parser.add_argument("--before", type=pathlib.Path, metavar="DIR", help="a bench build of an earlier version beside it")
+    parser.add_argument("--before", type=pathlib.Path, metavar="DIR",
+                        help="a bench build of an earlier version beside it")
     parser.add_argument("--quick", action="store_true", help="fewer turns, frames and kills")
     options = parser.parse_args()
     if unknown := set(options.parts) - set(PARTS):

@@ -66,5 +66,6 @@ def measure(name, version, options, draw, write, cpu_of_others=lambda: 0.0):
         write(os.path.join(options.output, f"{n:05d}.png"))
     cpu, wall = cpu_s() + cpu_of_others() - cpu, time.monotonic() - wall
     ms = 1000.0 / len(frames)
-    print(json.dumps({"name": name + ", full" if options.full else name, "version": version, "frames": len(frames), "cpu_ms": round(cpu * ms, 2),
-                      "wall_ms": round(wall * ms, 2), "draw_cpu_ms": round(cpu_drawing * ms, 2)}))
+    print(json.dumps({"name": name + ", full" if options.full else name, "version": version,
+                      "frames": len(frames), "cpu_ms": round(cpu * ms, 2), "wall_ms": round(wall * ms, 2),
+                      "draw_cpu_ms": round(cpu_drawing * ms, 2)}))

@@ -3,8 +3,8 @@
 """The scene with matplotlib's 3-D axes: Agg, one figure whose artists are made once and moved.
 
 mplot3d sorts whole artists, so the order is set by hand: floor, far half of the glass, curves, near half. Lines are
-antialiased by Agg; their widths are those of the tubes at the middle of the scene. With --full curves are lit, segment by
-segment, and those on the near side lie over the glass; the backdrop has its gradient and the floor a soft shadow.
+antialiased by Agg; their widths are those of the tubes at the middle of the scene. With --full curves are lit, segment
+by segment, and those on the near side lie over the glass; the backdrop has its gradient and the floor a soft shadow.
 """
 import math
 

@@ -4,8 +4,8 @@
 
 Debian's VTK draws through X alone, so a virtual screen runs beside it (Xvfb); the drawing is done in this process.
 The glass needs no depth peeling: its far half is drawn after all that is opaque, its near half last. The renderer's own
-order-independent pass is replaced by plain blending in that order, which is cheaper, exact here, and multisampled. With --full the
-glass has a soft shadow, a picture on a square, and a faint mirror image, a second glass below the floor.
+order-independent pass is replaced by plain blending in that order, which is cheaper, exact here, and multisampled. With
+--full the glass has a soft shadow, a picture on a square, and a faint mirror image, a second glass below the floor.
 """
 import math
 import os
