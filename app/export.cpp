@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // polhode export: pictures of a lesson as PNG files, or its text.
 #include "app/commands.h"
+#include "app/ffmpeg.h"
+#include "app/film.h"
 #include "app/jobs.h"
+#include "app/lesson_deck.h"
 #include "app/or_fail.h"
 #include "app/picture_export.h"
 #include "app/progress.h"
@@ -9,10 +12,10 @@
 #include "app/usage.h"
 
 #include <CLI/CLI.hpp>
-#include <errno.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <span>
 
@@ -27,12 +30,42 @@ void write_text(const std::string& name, const std::string& text, const ExportOu
   or_fail(write_file_atomically(out.folder / name, bytes, out.durability));
 }
 
+/// With the pictures that are there. @throws Interrupted
+void make_deck(const PictureExport& e, const InterruptWatch& watch) {
+  const Deck deck = or_fail(deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder));
+  const std::size_t count = deck.slides.size();
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(count));
+    const auto go_on = [&](std::size_t slide) {
+      progress.show(static_cast<std::int64_t>(slide), e.out.deck);
+      return !watch.interrupted();
+    };
+    Status status = write_deck(e.out.deck, *deck_kind_of(e.out.deck), deck, e.out.durability, go_on);
+    if (!status && watch.interrupted()) throw Interrupted();
+    or_fail(std::move(status));
+  }
+  fmt::print(stderr, "{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
+}
+
+/// Frames pass as they are; of stills each is shown for --seconds.
+FilmRequest film_of(const PictureExport& e) {
+  const Lesson& lesson = e.loaded.lesson;
+  FilmRequest film{.file = e.out.film, .pictures = {}, .rate = e.options.fps, .title = lesson.title};
+  for (const PlannedPicture& picture : e.plan.pictures) film.pictures.push_back(e.out.folder / picture.file);
+  if (e.options.each != Each::frame)
+    film.frames_each = std::max<std::int64_t>(1, frame_count(e.options.fps, e.options.seconds));
+  return film;
+}
+
 /// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
 /// processes drew them: what is needed of a picture is in its file, the plan and the manifest.
-void make_film_and_deck(const PictureExport& e) {
-  static_cast<void>(e);
-  // if (!e.out.film.empty()) write_film(…)
-  // if (!e.out.deck.empty()) write_deck(…)
+void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
+  if (!e.out.film.empty()) {
+    const FilmRequest film = film_of(e);
+    write_film(film, watch);
+    fmt::print(stderr, "film of {} pictures: {}\n", film.pictures.size(), e.out.film);
+  }
+  if (!e.out.deck.empty()) make_deck(e, watch);
 }
 
 /// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed.
@@ -111,8 +144,9 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
 /// What failed may be mended: a full disk, a lost connection.
 [[noreturn]] void fail_with_advice(const PictureExport& e, const CommandError& error) {
   std::error_code none;
-  const bool begun = fs::exists(e.out.folder / kMarkerName, none);
-  if (error.code != ExitCode::failed || !begun) throw error;
+  const bool kept =
+      fs::exists(e.out.folder / kMarkerName, none) || fs::exists(e.out.folder / kManifestName, none);
+  if (error.code != ExitCode::failed || !kept) throw error;
   throw CommandError(error.code, fmt::format("{}\nWhat is whole is kept; go on with\n  {}", error.what(),
                                              shell_line(e.out.resume)));
 }
@@ -124,16 +158,21 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
   try {
+    if (!out.deck.empty()) make_folder(fs::absolute(out.deck).parent_path());
     const PicturesMade made = out.jobs > 1 ? make_in_jobs(e, watch) : make_with_progress(e, watch);
     if (made.interrupted) {
       report_interruption(e, made);
       return ExitCode::interrupted;
     }
-    if (made.finished) make_film_and_deck(e);
+    if (made.finished) make_film_and_deck(e, watch);
     if (out.keep_folder)
       report_pictures(e, made);
     else
       remove_parts(e);
+  } catch (const Interrupted&) {
+    fmt::print(stderr, "polhode: interrupted; the pictures are in {}; go on with\n  {}\n",
+               out.folder.string(), shell_line(out.resume));
+    return ExitCode::interrupted;
   } catch (const CommandError& error) {
     fail_with_advice(e, error);
   }
@@ -198,18 +237,20 @@ void add_export(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   option("--what", typed->what, "KIND", "page, equation, figure or transcript (default: page)");
   option("--each", typed->each, "KIND", "a picture for each stage, step or frame (default: stage)");
-  option("--size", typed->size, "WxH", "pixels, each 1 to 16384, of pages from 320x240 (default: 1920x1080)");
+  option("--size", typed->size, "WxH", "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)");
   option("--theme", typed->theme, "NAME", "of pages and equations: paper or dark (default: paper)");
   option("--background", typed->background, "NAME",
          "studio (default of figures), paper, white, transparent, #rrggbb");
   option("--dpi", typed->dpi, "N", "dots per inch to note in the files; sizes 12 pt equations (300)");
-  option("--fps", typed->fps, "N|A/B", "frames per shown second, with --each frame (default: 30)");
-  option("--seconds", typed->seconds, "S", "shown seconds per stage, with --each frame (default: 8)");
+  option("--fps", typed->fps, "N|A/B", "frames per shown second of frames and films (default: 30)");
+  option("--seconds", typed->seconds, "S",
+         "shown seconds per stage of frames, per still of a film (default: 8)");
   option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
-  option("--film", typed->film, "FILE", "make a film of the frames; without -o they are removed then");
-  option("--deck", typed->deck, "FILE", "make slides of the pictures; without -o these are removed then");
+  option("--film", typed->film, "FILE",
+         "make a film (mp4, webm, gif, apng); without -o its frames are removed");
+  option("--deck", typed->deck, "FILE", "make slides (html, pdf); without -o their pictures are removed");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");
@@ -219,7 +260,11 @@ void add_export(CLI::App& app, Action& action) {
   command->footer(
       "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
       "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
+      "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
+      "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
       "A transcript is plain text with the formulas in words.\n"
+      "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
+      "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
       "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/export_options.h"
 
+#include "app/deck.h"
 #include "app/exit_codes.h"
+#include "app/film.h"
+#include "app/named_sizes.h"
 #include "app/numbers.h"
 #include "app/page.h"
 #include "app/suggest.h"
@@ -49,9 +52,9 @@ void refuse_given(std::initializer_list<GivenOption> options, const std::string&
 }
 
 void check_combination(const TypedExport& typed, What what, Each each) {
-  if (each != Each::frame)
-    refuse_given({{"--fps", typed.fps}, {"--seconds", typed.seconds}, {"--frames", typed.frames}},
-                 "goes with --each frame");
+  if (each != Each::frame) refuse_given({{"--frames", typed.frames}}, "goes with --each frame");
+  if (each != Each::frame && typed.film.empty())
+    refuse_given({{"--fps", typed.fps}, {"--seconds", typed.seconds}}, "goes with --each frame or --film");
   if (what == What::transcript)
     refuse_given({{"--each", typed.each},
                   {"--size", typed.size},
@@ -70,6 +73,10 @@ void check_combination(const TypedExport& typed, What what, Each each) {
     refuse_given({{"--size", typed.size}}, "goes with pages and figures; --dpi sets the size of equations");
     refuse_given({{"--at", typed.at}}, "goes with pages and figures; equations have no time");
   }
+  if (each == Each::frame)
+    refuse_given({{"--deck", typed.deck}}, "goes with --each stage or step: slides have no frames");
+  if (!typed.deck.empty() && !deck_kind_of(typed.deck))
+    throw usage(fmt::format("--deck {}: the name has to end in .html or .pdf", typed.deck));
   if (what == What::figure) refuse_given({{"--theme", typed.theme}}, "goes with pages and equations");
 }
 
@@ -90,7 +97,17 @@ std::string background_name(const std::string& typed, What what) {
   return typed;
 }
 
+void check_film(const std::string& file, const FrameRate& rate) {
+  if (file.empty()) return;
+  const auto kind = film_kind_of(file);
+  if (!kind) throw usage(fmt::format("--film: \"{}\" is no .mp4, .webm, .gif or .apng", file));
+  if (*kind == FilmKind::gif && rate.frames > kMostGifFrames * rate.seconds)
+    throw usage(
+        fmt::format("--fps {}: a GIF has at most {} frames a second", to_string(rate), kMostGifFrames));
+}
+
 Size size_of(const std::string& typed, What what) {
+  if (const auto named = named_size(typed)) return named->size;
   const Size size = picture_size("--size", typed, kMaxImageSide);
   if (what == What::page && (size.width < kSmallestPage.width || size.height < kSmallestPage.height))
     throw usage(fmt::format("--size {}: a page has at least {}x{} pixels", typed, kSmallestPage.width,
@@ -98,9 +115,10 @@ Size size_of(const std::string& typed, What what) {
   return size;
 }
 
-int dpi_of(const std::string& typed, What what) {
+int dpi_of(const std::string& typed, const std::string& typed_size, What what) {
   const bool sets_size = what == What::equation;
-  if (typed.empty()) return sets_size ? kDefaultEquationDpi : 0;
+  const auto named = named_size(typed_size);
+  if (typed.empty()) return sets_size ? kDefaultEquationDpi : named ? named->dpi : 0;
   return static_cast<int>(whole_number("--dpi", typed, sets_size ? kFewestEquationDpi : 1, kMostDpi));
 }
 
@@ -124,12 +142,15 @@ ExportOptions export_options(const TypedExport& typed) {
   ExportOptions options;
   options.what = static_cast<What>(choice("--what", typed.what, kWhats));
   options.stages = typed.stages;
-  options.each = static_cast<Each>(choice("--each", typed.each, {"stage", "step", "frame"}));
+  constexpr std::size_t kStages = 0, kFrames = 2;
+  options.each = static_cast<Each>(
+      choice("--each", typed.each, {"stage", "step", "frame"}, typed.film.empty() ? kStages : kFrames));
   check_combination(typed, options.what, options.each);
   if (!typed.size.empty()) options.size = size_of(typed.size, options.what);
   if (!typed.fps.empty())
     options.fps = read_or_refuse(frame_rate_from(typed.fps), "--fps", typed.fps,
                                  "a frame rate; write it like 25 or 30000/1001, terms from 1 to 1000000");
+  check_film(typed.film, options.fps);
   if (!typed.seconds.empty()) options.seconds = finite_number("--seconds", typed.seconds);
   if (options.seconds < 0) throw usage(fmt::format("--seconds: {} is negative", typed.seconds));
   if (!typed.at.empty()) options.at_s = finite_number("--at", typed.at);
@@ -138,7 +159,7 @@ ExportOptions export_options(const TypedExport& typed) {
                                     "a range A:B with 0 <= A < B, like 0:48");
   options.background = background_name(typed.background, options.what);
   options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
-  options.dpi = dpi_of(typed.dpi, options.what);
+  options.dpi = dpi_of(typed.dpi, typed.size, options.what);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
   return options;
 }

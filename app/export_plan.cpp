@@ -34,11 +34,12 @@ bool has(const Step& step, What what) {
   return what != What::equation || !equations_of(step).empty();
 }
 
-/// 0-based index.
-std::optional<std::size_t> last_step_with(const Stage& stage, What what) {
-  for (std::size_t i = stage.steps.size(); i-- > 0;)
-    if (has(stage.steps[i], what)) return i;
-  return std::nullopt;
+/// 0-based indices.
+std::vector<std::size_t> steps_with(const Stage& stage, What what) {
+  std::vector<std::size_t> steps;
+  for (std::size_t i = 0; i < stage.steps.size(); ++i)
+    if (has(stage.steps[i], what)) steps.push_back(i);
+  return steps;
 }
 
 /// The stage of a picture, and how its file's name begins.
@@ -57,6 +58,7 @@ PlannedPicture picture_of(const Subject& subject, std::size_t step, const Equati
           scene ? &*scene : nullptr,
           equation,
           std::nullopt,
+          0,
           0,
           subject.stem + rest_of_name + ".png"};
 }
@@ -81,10 +83,32 @@ void plan_equations(const Subject& subject, ExportPlan& plan) {
       plan.pictures.push_back(picture_of(subject, i, equation, "-" + equation->id));
 }
 
+/// The steps of a stage that its frames show, one after the other.
 struct Film {
   Subject subject;
-  std::size_t step;
+  std::vector<std::size_t> steps;  ///< 0-based
 };
+
+/// Of `frames` things shared evenly among `parts`, in order: the part that has thing k. The last part has the
+/// last thing, however few there are.
+std::int64_t part_of(std::int64_t k, std::int64_t frames, std::int64_t parts) {
+  return ((k + 1) * parts - 1) / frames;
+}
+
+/// The first thing of a part.
+std::int64_t first_of(std::int64_t part, std::int64_t frames, std::int64_t parts) {
+  return part * frames / parts;
+}
+
+PlannedPicture frame_of(const Film& film, std::int64_t frame_of_stage, std::int64_t frames,
+                        const std::string& rest_of_name) {
+  const std::int64_t steps = std::ssize(film.steps), step = part_of(frame_of_stage, frames, steps);
+  PlannedPicture picture =
+      picture_of(film.subject, film.steps[static_cast<std::size_t>(step)], nullptr, rest_of_name);
+  picture.frame_of_stage = frame_of_stage;
+  picture.frame_of_step = frame_of_stage - first_of(step, frames, steps);
+  return picture;
+}
 
 FrameRange checked_range(const ExportOptions& options, std::int64_t total) {
   const FrameRange range = options.frames.value_or(FrameRange{0, total});
@@ -104,10 +128,8 @@ void plan_films(const std::vector<Film>& films, const ExportOptions& options, Ex
   const FrameRange range = checked_range(options, total);
   for (std::int64_t frame = range.begin; frame < range.end; ++frame) {
     const Film& film = films[static_cast<std::size_t>(frame / each)];
-    PlannedPicture picture =
-        picture_of(film.subject, film.step, nullptr, "-frame" + zero_padded(frame, total - 1));
+    PlannedPicture picture = frame_of(film, frame % each, each, "-frame" + zero_padded(frame, total - 1));
     picture.frame = frame;
-    picture.frame_of_stage = frame % each;
     plan.pictures.push_back(std::move(picture));
   }
 }
@@ -121,17 +143,18 @@ ExportPlan plan_export(const Lesson& lesson, const ExportOptions& options) {
   for (const Place& place : selected_stages(lesson, options.stages)) {
     const auto number = static_cast<std::int64_t>(place.number);
     const Subject subject{place, fmt::format("{}-{}", zero_padded(number, last_number, 2), place.stage->id)};
-    const auto step = last_step_with(*place.stage, options.what);
-    if (!step)
+    std::vector<std::size_t> steps = steps_with(*place.stage, options.what);
+    if (steps.empty())
       plan.left_out.push_back(place.stage->id);
     else if (options.each == Each::step)
       plan_steps(subject, options.what, plan);
     else if (options.each == Each::frame)
-      films.push_back({subject, *step});
+      films.push_back(
+          {subject, options.what == What::equation ? std::vector{steps.back()} : std::move(steps)});
     else if (options.what == What::equation)
       plan_equations(subject, plan);
     else
-      plan.pictures.push_back(picture_of(subject, *step, nullptr, ""));
+      plan.pictures.push_back(picture_of(subject, steps.back(), nullptr, ""));
   }
   if (options.each == Each::frame) plan_films(films, options, plan);
   return plan;

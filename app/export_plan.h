@@ -40,7 +40,8 @@ struct PlannedPicture {
   const Scene* scene;                 ///< of the step; null: none
   const Equation* equation;           ///< of What::equation: the one to show; null in films, which show all
   std::optional<std::int64_t> frame;  ///< 0-based over the whole selection
-  std::int64_t frame_of_stage = 0;    ///< 0-based within its stage
+  std::int64_t frame_of_stage = 0;    ///< 0-based within its stage, through which time runs,
+  std::int64_t frame_of_step = 0;     ///< and within its step
   std::string file;                   ///< name without folder
 };
 
@@ -51,7 +52,8 @@ struct ExportPlan {
 
 /// NN-<stage>.png, NN-<stage>-step<K>.png or NN-<stage>-frame<F>.png; equations stage by stage are
 /// NN-<stage>-<equation>.png. A stage is shown at its last step with something of the kind to draw: a scene,
-/// an equation; pages have all steps. Not for transcripts.
+/// an equation; pages have all steps. The frames of a stage are shared evenly among its steps, in order;
+/// those of equations belong to the last one. Not for transcripts.
 /// @throws CommandError usage: unknown stage, a range beyond the frames there are, too many frames.
 ExportPlan plan_export(const Lesson& lesson, const ExportOptions& options);
 

@@ -2,6 +2,7 @@
 #include "app/page.h"
 
 #include "app/page_text.h"
+#include "render/scene/fade.h"
 #include "render/scene/meter_plots.h"
 #include "render/type/paragraph.h"
 
@@ -66,6 +67,10 @@ Grid text_alone(double w, double h) {
   return {em, {left, kTop * em, left + kMeasure * em, h - kBottom * em}, {}, {}};
 }
 
+std::vector<TimePlot> plots_of(const PageRequest& request) {
+  return request.model ? meter_plots(*request.model, request.t_s) : std::vector<TimePlot>();
+}
+
 Grid grid_of(const PageRequest& request, std::size_t meters) {
   const double w = request.size.width, h = request.size.height;
   if (!request.model) return text_alone(w, h);
@@ -111,19 +116,28 @@ void add_meters(const PageRequest& request, const Grid& grid, const std::vector<
 
 }  // namespace
 
+FittedText text_of_page(const PageRequest& request, const Fonts& fonts) {
+  const Grid grid = grid_of(request, plots_of(request).size());
+  return fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
+}
+
 Page compose_page(const PageRequest& request, const Fonts& fonts) {
-  const std::vector<TimePlot> plots =
-      request.model ? meter_plots(*request.model, request.t_s) : std::vector<TimePlot>();
+  return compose_page(request, text_of_page(request, fonts), fonts);
+}
+
+Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts) {
+  const std::vector<TimePlot> plots = plots_of(request);
   const Grid grid = grid_of(request, plots.size());
-  FittedText text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
   Page page;
   page.scale = text.scale;
   page.formula_scale = text.formula_scale;
-  page.equations = std::move(text.equations);
+  page.equations = text.equations;
   page.whole_from = text.whole_from;
   page.column = grid.text;
   page.meters = grid.meters;
-  append(page.sheet, std::move(text.stack.sheet), {std::round(grid.text.x0), std::round(grid.text.y0)});
+  const Vec2 corner(std::round(grid.text.x0), std::round(grid.text.y0));
+  append(page.sheet, text.stack.sheet, corner);
+  append(page.sheet, faded(text.stack.newest, request.news), corner);
   if (!request.model) return page;
   page.insets.push_back(figure_inset(request, grid.figure, grid.em));
   add_meters(request, grid, plots, page.sheet, fonts);

@@ -23,6 +23,7 @@ struct PageRequest {
   double t_s = 0;
   Size size;
   Theme theme = Theme::paper;
+  double news = 1;  ///< opacity of the text that the step adds; its room is there from the start
 };
 
 struct Page {
@@ -44,9 +45,15 @@ inline constexpr double kLeastScale = 0.86;
 /// A display set smaller than this part of its size is hard to read.
 inline constexpr double kLeastFormulaScale = 0.6;
 
+/// The text column, which is the same at all times and opacities; most of what a page costs.
+struct FittedText;
+FittedText text_of_page(const PageRequest& request, const Fonts& fonts);
+
 /// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
 /// @throws CommandError invalid for text that cannot be set, and for a step with more than a page holds (lint
 /// says where)
 Page compose_page(const PageRequest& request, const Fonts& fonts);
+/// The same with a text that is there: of this request, whatever its time and opacity.
+Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts);
 
 }  // namespace polhode

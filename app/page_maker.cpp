@@ -3,25 +3,29 @@
 #include "app/manifest.h"
 #include "app/or_fail.h"
 #include "app/page.h"
+#include "app/page_text.h"
 #include "app/picture_maker.h"
 #include "app/speaker.h"
+
+#include <algorithm>
 
 namespace polhode {
 
 namespace {
+
+constexpr double kFadeSeconds = 0.4;
 
 class PageMaker : public PictureMaker {
  public:
   explicit PageMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
 
   void check(const PlannedPicture& picture) override {
-    const Shown shown = shown_in(picture);
-    static_cast<void>(page_of(picture, shown));
+    static_cast<void>(text_of(picture, shown_in(picture)));
   }
 
   PictureDescription describe(const PlannedPicture& picture) override {
     const Shown shown = shown_in(picture);
-    const Words& words = words_of(picture, shown);
+    const StepText& words = text_of(picture, shown);
     PictureDescription description{words.alt, words.tex, {}, {}, context_.options.size};
     if (!shown.model) return description;
     description.t_s = shown.t_s;
@@ -33,13 +37,14 @@ class PageMaker : public PictureMaker {
   }
 
   Image draw(const PlannedPicture& picture) override {
-    const Page page = page_of(picture, shown_in(picture));
+    const Shown shown = shown_in(picture);
+    const Page page = compose_page(request_of(picture, shown), text_of(picture, shown).set, fonts());
     return or_fail(context_.renderer.draw(page.sheet, page.insets, context_.options.size,
                                           background_of(context_.options)));
   }
 
   bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {
-    return !a.scene && a.stage == b.stage && a.step == b.step;  // nothing on it has a time
+    return !a.scene && a.stage == b.stage && a.step == b.step && news_in(a) == news_in(b);
   }
 
  private:
@@ -48,23 +53,23 @@ class PageMaker : public PictureMaker {
     double t_s = 0;
   };
 
-  /// What a page says apart from its figure. Its text is the same at all times: laid out once for a step.
-  struct Words {
+  /// What a page has apart from its figure is the same at all times: laid out once for a step.
+  struct StepText {
     const Stage* stage = nullptr;
     int step = 0;
+    FittedText set;
     std::string alt;
     std::vector<std::string> tex;
   };
 
-  const Words& words_of(const PlannedPicture& picture, const Shown& shown) {
-    if (words_.stage == picture.stage && words_.step == picture.step) return words_;
-    const Page page = page_of(picture, shown);
-    words_ = {picture.stage,
-              picture.step,
-              speaker_.words_of_page(*picture.stage, page.whole_from, picture.step),
-              {}};
-    for (const Equation* equation : page.equations) words_.tex.push_back(equation->tex);
-    return words_;
+  const StepText& text_of(const PlannedPicture& picture, const Shown& shown) {
+    if (text_.stage == picture.stage && text_.step == picture.step) return text_;
+    FittedText set = text_of_page(request_of(picture, shown), fonts());
+    std::vector<std::string> tex;
+    for (const Equation* equation : set.equations) tex.push_back(equation->tex);
+    std::string alt = speaker_.words_of_page(*picture.stage, set.whole_from, picture.step);
+    text_ = {picture.stage, picture.step, std::move(set), std::move(alt), std::move(tex)};
+    return text_;
   }
 
   Shown shown_in(const PlannedPicture& picture) {
@@ -75,22 +80,34 @@ class PageMaker : public PictureMaker {
     return {&model, t_s};
   }
 
-  Page page_of(const PlannedPicture& picture, const Shown& shown) const {
-    return compose_page({.lesson = context_.lesson,
-                         .stage = *picture.stage,
-                         .number = picture.number,
-                         .step = picture.step,
-                         .model = shown.model,
-                         .t_s = shown.t_s,
-                         .size = context_.options.size,
-                         .theme = context_.options.theme},
-                        context_.renderer.fonts());
+  /// Frame by frame, what a step adds comes softly; a stage begins with its first step whole.
+  double news_in(const PlannedPicture& picture) const {
+    if (!picture.frame || picture.frame_of_step == picture.frame_of_stage) return 1.0;
+    const FrameRate& fps = context_.options.fps;
+    const double shown_s =
+        static_cast<double>((picture.frame_of_step + 1) * fps.seconds) / static_cast<double>(fps.frames);
+    const double u = std::min(1.0, shown_s / kFadeSeconds);
+    return u * u * (3.0 - 2.0 * u);
   }
+
+  PageRequest request_of(const PlannedPicture& picture, const Shown& shown) const {
+    return {.lesson = context_.lesson,
+            .stage = *picture.stage,
+            .number = picture.number,
+            .step = picture.step,
+            .model = shown.model,
+            .t_s = shown.t_s,
+            .size = context_.options.size,
+            .theme = context_.options.theme,
+            .news = news_in(picture)};
+  }
+
+  const Fonts& fonts() const { return context_.renderer.fonts(); }
 
   MakerContext context_;
   Speaker speaker_;
   ModelOfScene models_{Product::page};
-  Words words_;  ///< of the last picture described
+  StepText text_;  ///< of the picture seen last
 };
 
 }  // namespace

@@ -92,7 +92,7 @@ class ScaledText {
     return std::nullopt;
   }
 
-  Stack stacked(const Selection& shown) { return stack(pieces(shown)); }
+  Stack stacked(const Selection& shown) { return stack(pieces(shown), whole(last_).size()); }
 
   double formula_scale(const Selection& shown) {
     double least = 1.0;

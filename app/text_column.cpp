@@ -202,11 +202,11 @@ ColumnPiece TextColumn::question(const Ask& ask) const {
   return labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
 }
 
-Stack stack(const std::vector<const ColumnPiece*>& pieces) {
+Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest) {
   Stack made;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i > 0) made.height += std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap));
-    append(made.sheet, pieces[i]->sheet, {0, made.height});
+    append(i + newest < pieces.size() ? made.sheet : made.newest, pieces[i]->sheet, {0, made.height});
     made.height += pieces[i]->height;
   }
   return made;

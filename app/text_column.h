@@ -57,9 +57,10 @@ class TextColumn {
 /// Pieces one below the other; the height they take together.
 struct Stack {
   Sheet sheet;
+  Sheet newest;  ///< the last pieces, apart
   double height = 0;
 };
-Stack stack(const std::vector<const ColumnPiece*>& pieces);
+Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest = 0);
 /// The same without drawing.
 double height_of(const std::vector<const ColumnPiece*>& pieces);
 

@@ -86,6 +86,50 @@ TEST(ExportPlan, FramesAreNumberedOverTheSelection) {
   EXPECT_EQ(time_of(plan.pictures[7], options, 2.0), 0.5);
 }
 
+TEST(ExportPlan, FramesOfAStageAreSharedAmongItsDrawnSteps) {
+  const Lesson l = lesson();
+  ExportOptions options = film({5, 1}, 1.0);
+  const auto steps = [&] {
+    std::vector<std::string> shown;
+    for (const PlannedPicture& picture : plan_export(l, options).pictures)
+      shown.push_back(picture.stage->id + std::to_string(picture.step) + ':' +
+                      std::to_string(picture.frame_of_step));
+    return shown;
+  };
+  EXPECT_THAT(steps(), ElementsAre("a1:0", "a1:1", "a2:0", "a2:1", "a2:2",  //
+                                   "c1:0", "c1:1", "c1:2", "c1:3", "c1:4"));
+  const ExportPlan plan = plan_export(l, options);
+  EXPECT_EQ(plan.pictures[1].scene, &*l.stages[0].steps[0].scene);
+  EXPECT_EQ(plan.pictures[2].scene, &*l.stages[0].steps[1].scene);
+  EXPECT_EQ(time_of(plan.pictures[2], options, 1.0), 0.4) << "time runs on";
+  options.what = What::page;
+  options.stages = {"c"};
+  EXPECT_THAT(steps(), ElementsAre("c1:0", "c1:1", "c2:0", "c2:1", "c2:2"));
+  options.seconds = 0.2;
+  EXPECT_THAT(steps(), ElementsAre("c2:0")) << "too few frames end with the last step all the same";
+}
+
+// For any number of frames and steps: in order, no step left out while there are frames for all, and no step
+// has two frames more than another.
+TEST(ExportPlan, FramesAreSharedEvenly) {
+  for (std::size_t steps = 1; steps <= 7; ++steps)
+    for (int frames = 1; frames <= 40; ++frames) {
+      Lesson l;
+      l.stages.push_back({"a", "A", {}, std::vector<Step>(steps, drawn(0)), {}});
+      std::vector<std::int64_t> count(steps);
+      int last = 1;
+      for (const PlannedPicture& picture : plan_export(l, film({frames, 1}, 1.0)).pictures) {
+        ASSERT_GE(picture.step, last);
+        last = picture.step;
+        ASSERT_EQ(picture.frame_of_step, count[static_cast<std::size_t>(last - 1)]++)
+            << frames << "/" << steps;
+      }
+      EXPECT_EQ(last, static_cast<int>(steps));
+      const auto [least, most] = std::minmax_element(count.begin(), count.end());
+      EXPECT_LE(*most - *least, 1) << frames << " frames, " << steps << " steps";
+    }
+}
+
 // Any range is the same files, in the same order, as that part of the whole.
 TEST(ExportPlan, RangeIsAPartOfTheWhole) {
   const Lesson l = lesson();

@@ -331,6 +331,28 @@ TEST(ExportPages, FramesDoNotDependOnTheRangeTheyAreMadeIn) {
   EXPECT_NE(text_of(scratch / "whole/03-rolling-frame1.png"), text_of(scratch / "whole" / name));
 }
 
+TEST(ExportPages, FrameByFrameTheStepsOfAStageComeOneAfterTheOther) {
+  const ScratchFolder scratch;
+  const Words film = {"--size", "320x240", "--stage", "steady",    "--each",
+                      "frame",  "--fps",   "10",      "--seconds", "1.6"};
+  ASSERT_EQ(export_what("page", scratch.path(), film).code, 0);
+  const Json files = manifest_in(scratch.path())["files"];
+  const auto text_column = [&](std::size_t frame) {  // the left half
+    const Image image = read_png(scratch / files[frame]["file"].get<std::string>()).value().image;
+    std::string bytes;
+    for (int y = 0; y < 240; ++y) bytes.append(reinterpret_cast<const char*>(image.pixel(0, y)), 4 * 150);
+    return bytes;
+  };
+  EXPECT_EQ(files[7]["step"], 1);
+  EXPECT_EQ(files[8]["step"], 2);
+  EXPECT_EQ(files[8]["tex"].size(), 2u);
+  EXPECT_DOUBLE_EQ(files[8]["t"].get<double>(), 8 * files[1]["t"].get<double>()) << "time does not run on";
+  EXPECT_EQ(text_column(0), text_column(7)) << "the first step stands from its first frame";
+  for (std::size_t frame = 7; frame < 11; ++frame)
+    EXPECT_NE(text_column(frame), text_column(frame + 1)) << frame;
+  EXPECT_EQ(text_column(11), text_column(15)) << "0.4 s are over";
+}
+
 TEST(ExportEquations, AreCroppedToTheirInk) {
   const ScratchFolder scratch;
   ASSERT_EQ(export_what("equation", scratch.path(), {"--background", "transparent"}).code, 0);

@@ -3,6 +3,7 @@
 
 #include "app/exit_codes.h"
 #include "app/lesson_lookup.h"
+#include "app/page_text.h"
 #include "app/text_column.h"
 #include "lessons/reader.h"
 #include "tests/app/sheet_checks.h"
@@ -392,6 +393,35 @@ More.
 show = ["shape"]
 ```
 )";
+
+TEST(Page, WhatAStepAddsFadesWhereItWillStand) {
+  const Lesson lesson = lesson_of("# A stage {one}\nFirst.\n\n---\nSecond.\n\n```math e\na = b\n```\n");
+  PageRequest request{.lesson = lesson,
+                      .stage = lesson.stages[0],
+                      .number = 1,
+                      .step = 2,
+                      .model = nullptr,
+                      .t_s = 0,
+                      .size = {800, 600},
+                      .theme = Theme::paper};
+  const Sheet whole = compose_page(request, test_fonts()).sheet;
+  const FittedText text = text_of_page(request, test_fonts());
+  request.news = 0.25;
+  const Sheet faint = compose_page(request, text, test_fonts()).sheet;
+  EXPECT_TRUE(same(faint, compose_page(request, test_fonts()).sheet)) << "the text that is there is another";
+  ASSERT_EQ(faint.texts.size(), whole.texts.size());
+  int fading = 0;
+  for (std::size_t i = 0; i < whole.texts.size(); ++i) {
+    EXPECT_EQ(faint.texts[i].at, whole.texts[i].at);
+    const float opacity = faint.texts[i].list.glyphs.at(0).color.a / whole.texts[i].list.glyphs.at(0).color.a;
+    if (opacity == 1.0F) continue;
+    EXPECT_EQ(opacity, 0.25F);
+    ++fading;
+  }
+  EXPECT_EQ(fading, 2) << "the sentence and the equation";
+  for (const FlatShape& shape : faint.shapes) EXPECT_EQ(color_of(shape).a, 0.25F) << "panel and bar";
+  EXPECT_EQ(faint.shapes.size(), 2u);
+}
 
 TEST(Page, AHighlightedTermIsMarkedBehind) {
   const Lesson lesson = lesson_of(kHighlighted);

@@ -21,7 +21,7 @@ struct Layer {
   bool is_library = true;
 };
 
-const Names kPosix = {"dlfcn.h", "fcntl.h", "poll.h", "signal.h", "sys/", "unistd.h"};
+const Names kPosix = {"dlfcn.h", "fcntl.h", "poll.h", "signal.h", "spawn.h", "sys/", "unistd.h"};
 const Names kConsole = {"iostream", "print"};
 const Names kConsoleAndFiles = {"iostream", "print", "filesystem", "fstream"};
 
@@ -61,13 +61,13 @@ const std::vector<Layer>& layers() {
       {"app/", kProgram, kProgramLibraries, {}, false},
       {"tests/bench/",
        kProgram + Names{"tests/bench/"},
-       kProgramLibraries + Names{"benchmark/", "boost/", "gsl/", "arkode/", "cvode/", "nvector/", "sundials/",
-                                 "sunnonlinsol/"},
+       kProgramLibraries + Names{"benchmark/", "png.h", "boost/", "gsl/", "arkode/", "cvode/", "nvector/",
+                                 "sundials/", "sunnonlinsol/"},
        {},
        false},
       {"tests/",
        kProgram + Names{"tests/"},
-       kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h",
+       kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h", "webp/",
                                  "malloc.h", "poll.h", "spawn.h", "stdlib.h"},
        {},
        false},

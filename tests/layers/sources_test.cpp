@@ -53,7 +53,7 @@ TEST(Sources, KeepTheArrowsBetweenTheLayers) {
 
 TEST(Sources, NameTheirLicence) {
   std::vector<Source> files =
-      sources({".h", ".cpp", ".sh", ".py", ".cmake", "CMakeLists.txt", "packages.txt"});
+      sources({".h", ".cpp", ".sh", ".py", ".js", ".css", ".cmake", "CMakeLists.txt", "packages.txt"});
   const fs::path root = POLHODE_SOURCE_DIR;
   for (const char* path : {"CMakeLists.txt", "play", "check", ".ci/run"})
     files.push_back({path, text_of(root / path)});
