@@ -12,10 +12,10 @@
 #include "app/usage.h"
 
 #include <CLI/CLI.hpp>
-#include <errno.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <span>
 
@@ -249,9 +249,8 @@ void add_export(CLI::App& app, Action& action) {
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
   option("--film", typed->film, "FILE",
-         "make a film: .mp4, .webm, .gif or .apng; without -o its frames are removed then");
-  option("--deck", typed->deck, "FILE",
-         "make slides, .html or .pdf; without -o the pictures are removed then");
+         "make a film (mp4, webm, gif, apng); without -o its frames are removed");
+  option("--deck", typed->deck, "FILE", "make slides (html, pdf); without -o their pictures are removed");
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");

@@ -6,6 +6,7 @@
 #include "app/progress.h"
 #include "render/image/atomic_file.h"
 #include "render/image/png.h"
+#include "render/image/temporary_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -35,9 +36,7 @@ fs::path folder_of(const fs::path& file) {
 }
 
 CommandError failed(const FilmRequest& request, const std::string& why) {
-  return {ExitCode::failed,
-          fmt::format("cannot make the film {}: {}\nits pictures are in {}", request.file.string(), why,
-                      folder_of(request.pictures.front()).string())};
+  return {ExitCode::failed, fmt::format("cannot make the film {}: {}", request.file.string(), why)};
 }
 
 /// A file that goes away with it, unless it is given its final name.
@@ -142,8 +141,8 @@ class Film {
         watch_(watch),
         kind_(*film_kind_of(request.file)),
         frame_(frame_of(request)),
-        made_(folder_of(request.file) / fmt::format("{}{}-film.part", kTemporaryPrefix, ::getpid())),
-        palette_(folder_of(request.file) / fmt::format("{}{}-palette.part", kTemporaryPrefix, ::getpid())) {
+        made_(folder_of(request.file) / temporary_name(0)),
+        palette_(folder_of(request.file) / temporary_name(1)) {
     if (kind_ == FilmKind::mp4 || kind_ == FilmKind::webm) frame_.size = even(frame_.size);
   }
 
@@ -218,7 +217,7 @@ class Film {
         break;
     }
     return join(
-        {{"-c:v", "apng", "-pix_fmt", frame_.has_alpha ? "rgba" : "rgb24", "-pred", "mixed", "-plays", "0"},
+        {{"-c:v", "apng", "-pix_fmt", frame_.has_alpha ? "rgba" : "rgb24", "-pred", "sub", "-plays", "0"},
          title(),
          {"-f", "apng"}});
   }

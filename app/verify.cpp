@@ -85,7 +85,7 @@ void add_verify(CLI::App& app, Action& action) {
       ->option_text(" ")
       ->check(refuse_empty);
   command->add_flag("--json", options->json,
-                    "ok, finished, files, missing, damaged, foreign, left_over, reasons, resume as JSON");
+                    "the same as JSON: ok, files, missing, damaged, foreign, resume, ...");
   command->footer(
       "Every picture is read, its check sums, size and texts compared with manifest.json, or with the plan\n"
       "of an export that is not finished; then the command that finishes it is told. Films and decks beside\n"

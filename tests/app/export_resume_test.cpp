@@ -74,7 +74,7 @@ RunOptions struck_while_drawing(const fs::path& folder, int signal_number) {
   return options;
 }
 
-TEST(Shards, InAnyOrderMakeTheBytesOfOneProcess) {
+TEST(ExportShards, InAnyOrderMakeTheBytesOfOneProcess) {
   std::mt19937 random(1);
   for (const std::int64_t count : {1, 2, 3, 5, 8, 13}) {  // 13: more than there are pictures
     const ScratchFolder scratch;
@@ -87,7 +87,7 @@ TEST(Shards, InAnyOrderMakeTheBytesOfOneProcess) {
   }
 }
 
-TEST(Shards, LeaveAManifestOfTheirOwnUntilAllAreThere) {
+TEST(ExportShards, LeaveAManifestOfTheirOwnUntilAllAreThere) {
   const ScratchFolder scratch;
   const ProgramRun run = polhode(small_export(scratch.path(), {"--shard", "2/5"}));
   EXPECT_EQ(run.code, 0);
@@ -100,7 +100,7 @@ TEST(Shards, LeaveAManifestOfTheirOwnUntilAllAreThere) {
   EXPECT_EQ(manifest["files"][1]["frame"], 6);
 }
 
-TEST(Shards, AtTheSameTimeMakeTheBytesOfOneProcess) {
+TEST(ExportShards, AtTheSameTimeMakeTheBytesOfOneProcess) {
   for (int round = 0; round < 3; ++round) {
     const ScratchFolder scratch;
     std::vector<std::thread> shards;
@@ -115,7 +115,7 @@ TEST(Shards, AtTheSameTimeMakeTheBytesOfOneProcess) {
   }
 }
 
-TEST(Shards, AreNotNeededForTwoOfTheSameCommandInOneFolder) {
+TEST(ExportShards, AreNotNeededForTwoOfTheSameCommandInOneFolder) {
   const ScratchFolder scratch;
   ProgramRun runs[2];
   std::thread other([&] { runs[1] = polhode(small_export(scratch.path())); });
@@ -125,7 +125,7 @@ TEST(Shards, AreNotNeededForTwoOfTheSameCommandInOneFolder) {
   EXPECT_EQ(contents(scratch.path()), whole_export());
 }
 
-TEST(Shards, MadeAgainInAFinishedFolderLeaveItFinished) {
+TEST(ExportShards, MadeAgainInAFinishedFolderLeaveItFinished) {
   const ScratchFolder scratch;
   ASSERT_EQ(polhode(small_export(scratch.path())).code, 0);
   fs::resize_file(scratch / "01-steady-frame01.png", 100);
@@ -133,7 +133,7 @@ TEST(Shards, MadeAgainInAFinishedFolderLeaveItFinished) {
   EXPECT_EQ(contents(scratch.path()), whole_export());
 }
 
-TEST(Shards, OfSlurmAreReadFromTheEnvironment) {
+TEST(ExportShards, OfSlurmAreReadFromTheEnvironment) {
   const ScratchFolder scratch;
   for (const char* task : {"7", "5"}) {  // --array=5-7:2
     RunOptions options;

@@ -33,9 +33,9 @@ Image block(Size size, int frame, std::uint8_t alpha = 255) {
       std::uint8_t* to = &image.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                                           static_cast<std::size_t>(x))];
       const bool inside = std::abs(x - 20 - 4 * frame) < 12 && std::abs(y - size.height / 2) < 12;
-      to[0] = static_cast<std::uint8_t>(inside ? 30 : 200 + x % 32);
-      to[1] = static_cast<std::uint8_t>(inside ? 60 : 205);
-      to[2] = static_cast<std::uint8_t>(inside ? 120 : 190 + y % 32);
+      to[0] = static_cast<std::uint8_t>(inside ? 20 : 200 + x % 32);
+      to[1] = static_cast<std::uint8_t>(inside ? 150 : 205);
+      to[2] = static_cast<std::uint8_t>(inside ? 60 : 190 + y % 32);
       to[3] = inside ? 255 : alpha;
     }
   return image;
@@ -140,8 +140,8 @@ TEST_F(Film, ShowsThePictures) {
   const Size size{96, 64};
   const std::vector<Image> images = blocks(6, size);
   const auto pictures = written(scratch, images);
-  // 4:2:0 halves the colours of sharp edges; a palette has 256 of some 3000 colours. Any other frame, or
-  // colours by the matrix of BT.601, are below 28 dB.
+  // 4:2:0 halves the colours of sharp edges; a palette has 256 of some 1000 colours. Any other frame is below
+  // 28 dB.
   const std::map<std::string, double> least = {{"f.mp4", 31}, {"f.webm", 31}, {"f.gif", 31}, {"f.apng", 999}};
   for (const auto& [name, dB] : least) {
     write_film({other / name, pictures, {25, 1}, 1, ""}, watch);
@@ -149,6 +149,10 @@ TEST_F(Film, ShowsThePictures) {
     ASSERT_EQ(frames.size(), images.size()) << name;
     for (std::size_t i = 0; i < frames.size(); ++i) {
       EXPECT_GE(psnr(images[i], frames[i]), dB) << name << ", frame " << i;
+      // By the matrix of BT.601 the green of the block is off by 18 levels.
+      const int x = 20 + 4 * static_cast<int>(i);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(frames[i].pixel(x, 32)[c], images[i].pixel(x, 32)[c], 5) << name;
       EXPECT_LT(psnr(images[(i + 1) % images.size()], frames[i]), 28) << name << ", frame " << i;
     }
   }
@@ -250,8 +254,7 @@ TEST_F(Film, WhatFfmpegSaysAtItsEndIsShown) {
     const StandIn stand_in(
         "for i in $(seq 99999); do echo chatter >&2; done; echo 'No such codec' >&2; exit 3");
     const std::string error = error_of(request, watch);
-    EXPECT_THAT(error,
-                AllOf(HasSubstr("code 3"), HasSubstr("No such codec"), HasSubstr(scratch.path().string())));
+    EXPECT_THAT(error, AllOf(HasSubstr("code 3"), HasSubstr("No such codec")));
     EXPECT_LT(error.size(), 1000u);
   }
   {
@@ -313,9 +316,26 @@ TEST_F(Film, WithoutFfmpegTheFramesAreThereAndThePackageIsNamed) {
   options.environment["PATH"] = other.path();
   const ProgramRun run = export_film(other, "f.mp4", {"--fps", "2", "--seconds", "1"}, options);
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.err, AllOf(HasSubstr("install the package ffmpeg"), HasSubstr("f.mp4.parts")));
+  EXPECT_THAT(run.err, AllOf(HasSubstr("install the package ffmpeg"), HasSubstr("--skip-existing")));
   EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4.parts"));
   EXPECT_EQ(names_in(other / "f.mp4.parts").size(), 5u);
+  const ProgramRun resumed = export_film(other, "f.mp4", {"--fps", "2", "--seconds", "1", "--skip-existing"});
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4"));
+}
+
+TEST_F(Film, AnInterruptedExportKeepsItsFramesAndNothingHalf) {
+  const StandIn stand_in("sleep 60");
+  RunOptions options;
+  options.while_running = [&](pid_t program) {
+    for (int tries = 0; tries < 6000 && !fs::exists(other / "f.mp4.parts/manifest.json"); ++tries)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    kill(program, SIGINT);
+  };
+  const ProgramRun run = export_film(other, "f.mp4", {"--fps", "2", "--seconds", "1"}, options);
+  EXPECT_EQ(run.code, 130) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("interrupted"), HasSubstr("f.mp4.parts")));
+  EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4.parts"));
 }
 
 TEST(FilmOptions, OtherKindsAndTooQuickGifsAreRefused) {
