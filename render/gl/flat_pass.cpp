@@ -129,7 +129,7 @@ struct FlatPass::Parts {
 };
 
 Result<std::unique_ptr<FlatPass>> FlatPass::create(const Gl& gl, GlyphPass& type, const Fonts& fonts) {
-  auto box = Program::create(gl, "box", shaders::kFlatVert, shaders::kBoxFrag);
+  auto box = Program::create(gl, "box", {shaders::kFlatVert}, {shaders::kBoxFrag});
   if (!box) return failure(box.error());
   return std::unique_ptr<FlatPass>(new FlatPass(gl, type, fonts, std::move(box).value()));
 }

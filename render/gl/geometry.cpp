@@ -18,12 +18,6 @@ std::array<float, 4> floats(const Color& c, double alpha_factor = 1.0) {
   return {c.r, c.g, c.b, c.a * static_cast<float>(alpha_factor)};
 }
 
-Vec3 direction(const Vec3& from, const Vec3& to) {
-  const Vec3 d = to - from;
-  const double length = d.norm();
-  return length > 0.0 ? Vec3(d / length) : Vec3(Vec3::Zero());
-}
-
 /// Tangent where two segments meet: their mean along a smooth curve, the segment's own at a corner.
 Vec3 tangent_between(const Vec3& own, const Vec3& neighbour) {
   constexpr double kCorner = 0.87;  // cosine of 30 degrees
@@ -31,31 +25,22 @@ Vec3 tangent_between(const Vec3& own, const Vec3& neighbour) {
 }
 
 void append_tube(const Tube& tube, Geometry<TubeVertex>& out) {
-  const std::size_t n = tube.points.size();
-  if (n < 2) return;
-  const std::size_t segments = tube.closed ? n : n - 1;
-  const auto point = [&](std::size_t i) -> const Vec3& { return tube.points[i % n]; };
-  const auto segment = [&](std::size_t i) { return direction(point(i), point(i + 1)); };
-
+  const std::vector<SegmentTangents> tangents = tangents_of(tube);
+  const double segments = static_cast<double>(tangents.size());
+  const double dashes = tube.dash > 0.0 ? 1.0 / tube.dash : 0.0;
   double along = 0.0;
-  for (std::size_t i = 0; i < segments; ++i) {
-    const Vec3 own = segment(i);
-    const bool has_before = tube.closed || i > 0, has_after = tube.closed || i + 1 < segments;
-    const Vec3 start = has_before ? tangent_between(own, segment((i + n - 1) % n)) : own;
-    const Vec3 end = has_after ? tangent_between(own, segment((i + 1) % n)) : own;
-    const double length = (point(i + 1) - point(i)).norm();
-    const double dashes = tube.dash > 0.0 ? 1.0 / tube.dash : 0.0;
+  for (std::size_t i = 0; i < tangents.size(); ++i) {
+    const std::array<Vec3, 2> ends = {tube.points[i], tube.points[(i + 1) % tube.points.size()]};
+    const double length = (ends[1] - ends[0]).norm();
     const auto first = static_cast<std::uint32_t>(out.vertices.size());
-    for (int at_end = 0; at_end < 2; ++at_end)
-      for (float side : {-1.0F, 1.0F}) {
-        const double part =
-            static_cast<double>(i + static_cast<std::size_t>(at_end)) / static_cast<double>(segments);
-        out.vertices.push_back({floats(point(i + static_cast<std::size_t>(at_end))),
-                                floats(at_end ? end : start),
-                                floats(tube.color, std::lerp(tube.fade_start, 1.0, part)),
-                                {side, static_cast<float>(tube.radius),
-                                 static_cast<float>((along + at_end * length) * dashes)}});
-      }
+    for (std::size_t at_end = 0; at_end < 2; ++at_end)
+      for (float side : {-1.0F, 1.0F})
+        out.vertices.push_back(
+            {floats(ends[at_end]),
+             floats(at_end ? tangents[i].end : tangents[i].start),
+             floats(tube.color, std::lerp(tube.fade_start, 1.0, static_cast<double>(i + at_end) / segments)),
+             {side, static_cast<float>(tube.radius),
+              static_cast<float>((along + static_cast<double>(at_end) * length) * dashes)}});
     for (std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) out.indices.push_back(first + k);
     along += length;
   }
@@ -103,24 +88,10 @@ void append_cone(const Vec3& base, const Vec3& tip, double radius, const Color& 
 }
 
 void append_arrow(const Arrow& arrow, PaneGeometry& out) {
-  const double length = (arrow.tip - arrow.tail).norm();
-  if (length <= 0.0) return;
-  const Vec3 axis = direction(arrow.tail, arrow.tip);
-  const double head = std::min(6.6 * arrow.radius, 0.45 * length);
-  const double wide = 0.38 * head;
-  const int cones = arrow.head == Arrow::Head::double_cone ? 2 : 1;
-  const double step = 0.62 * head;  // the second cone starts inside the first
-
-  const Vec3 neck = arrow.tip - (head + (cones - 1) * step) * axis;
-  append_tube({.points = {arrow.tail, neck + 0.15 * head * axis},
-               .radius = arrow.radius,
-               .color = arrow.color,
-               .dash = arrow.dash},
-              out.tubes);
-  for (int i = 0; i < cones; ++i) {
-    const Vec3 tip = arrow.tip - i * step * axis;
-    append_cone(tip - head * axis, tip, wide, arrow.color, out.solid);
-  }
+  const auto parts = parts_of(arrow);
+  if (!parts) return;
+  append_tube(parts->shaft, out.tubes);
+  for (const Cone& cone : parts->cones) append_cone(cone.base, cone.tip, cone.radius, cone.color, out.solid);
 }
 
 void append_ball(const Ball& ball, Geometry<MeshVertex>& out) {
@@ -148,6 +119,46 @@ void append_mesh(const Mesh& mesh, Geometry<MeshVertex>& out) {
 
 }  // namespace
 
+Vec3 direction(const Vec3& from, const Vec3& to) {
+  const Vec3 d = to - from;
+  const double length = d.norm();
+  return length > 0.0 ? Vec3(d / length) : Vec3(Vec3::Zero());
+}
+
+std::vector<SegmentTangents> tangents_of(const Tube& tube) {
+  const std::size_t n = tube.points.size();
+  if (n < 2) return {};
+  std::vector<Vec3> own(tube.closed ? n : n - 1);
+  for (std::size_t i = 0; i < own.size(); ++i) own[i] = direction(tube.points[i], tube.points[(i + 1) % n]);
+  std::vector<SegmentTangents> tangents(own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    const bool has_before = tube.closed || i > 0, has_after = tube.closed || i + 1 < own.size();
+    tangents[i].start = has_before ? tangent_between(own[i], own[(i + own.size() - 1) % own.size()]) : own[i];
+    tangents[i].end = has_after ? tangent_between(own[i], own[(i + 1) % own.size()]) : own[i];
+  }
+  return tangents;
+}
+
+std::optional<ArrowParts> parts_of(const Arrow& arrow) {
+  const double length = (arrow.tip - arrow.tail).norm();
+  if (length <= 0.0) return std::nullopt;
+  const Vec3 axis = direction(arrow.tail, arrow.tip);
+  const double head = std::min(6.6 * arrow.radius, 0.45 * length);
+  const int cones = arrow.head == Arrow::Head::double_cone ? 2 : 1;
+  const double step = 0.62 * head;  // the second cone starts inside the first
+  const Vec3 neck = arrow.tip - (head + (cones - 1) * step) * axis;
+  ArrowParts parts;
+  parts.shaft = {.points = {arrow.tail, neck + 0.15 * head * axis},
+                 .radius = arrow.radius,
+                 .color = arrow.color,
+                 .dash = arrow.dash};
+  for (int i = 0; i < cones; ++i) {
+    const Vec3 tip = arrow.tip - i * step * axis;
+    parts.cones.push_back({tip - head * axis, tip, 0.38 * head, arrow.color});
+  }
+  return parts;
+}
+
 PaneGeometry make_geometry(const DrawList& list) {
   PaneGeometry out;
   for (const Tube& tube : list.tubes) append_tube(tube, tube.fade_start < 1.0 ? out.faded_tubes : out.tubes);
@@ -155,27 +166,6 @@ PaneGeometry make_geometry(const DrawList& list) {
   for (const Ball& ball : list.balls) append_ball(ball, out.solid);
   for (const Mesh& mesh : list.meshes) append_mesh(mesh, mesh.color.a < 1.0F ? out.translucent : out.solid);
   return out;
-}
-
-std::array<double, 4> outline_bounds(const GlassEllipsoid& e, const Eigen::Matrix4d& view_projection) {
-  Eigen::Matrix4d place = Eigen::Matrix4d::Identity();
-  place.topLeftCorner<3, 3>() = e.rotation.toRotationMatrix() * e.semi_axes.asDiagonal();
-  place.topRightCorner<3, 1>() = e.center;
-  const Eigen::Matrix4d m = view_projection * place;
-  const Eigen::Vector4d unit_ball(1.0, 1.0, 1.0, -1.0);
-  const Eigen::Matrix4d dual = m * unit_ball.asDiagonal() * m.transpose();
-
-  std::array<double, 4> bounds = {-1.0, -1.0, 1.0, 1.0};
-  if (dual(3, 3) >= 0.0) return bounds;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const auto k = static_cast<Eigen::Index>(axis);
-    const double middle = dual(k, 3) / dual(3, 3);
-    const double half = std::sqrt(std::max(0.0, middle * middle - dual(k, k) / dual(3, 3)));
-    constexpr double kMargin = 0.004;  // a pixel or two for the soft edge
-    bounds[axis] = std::clamp(middle - half - kMargin, -1.0, 1.0);
-    bounds[axis + 2] = std::clamp(middle + half + kMargin, -1.0, 1.0);
-  }
-  return bounds;
 }
 
 }  // namespace polhode

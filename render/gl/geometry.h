@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draw-list items as vertices. No GL calls; internal to render/gl.
+// Draw-list items as vertices for a depth buffer. No GL calls; internal to render/gl.
 #pragma once
 
 #include "render/scene/camera.h"
@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace polhode {
@@ -41,9 +42,27 @@ struct PaneGeometry {
 
 PaneGeometry make_geometry(const DrawList& list);
 
-/// Clip-space rectangle x0, y0, x1, y1 that holds the ellipsoid's outline: tangent planes through the eye,
-/// from the dual quadric (Hartley & Zisserman, Multiple View Geometry, 2nd ed., eq. 8.7). The whole screen if
-/// the eye's plane cuts the ellipsoid.
-std::array<double, 4> outline_bounds(const GlassEllipsoid& ellipsoid, const Eigen::Matrix4d& view_projection);
+/// What an arrow consists of: cones are closed by a disc at their base.
+struct Cone {
+  Vec3 base, tip;
+  double radius;
+  Color color;
+};
+struct ArrowParts {
+  Tube shaft;  ///< ends a little inside the last cone
+  std::vector<Cone> cones;
+};
+/// Nothing for an arrow without length.
+std::optional<ArrowParts> parts_of(const Arrow& arrow);
+
+/// Unit vector, or zero.
+Vec3 direction(const Vec3& from, const Vec3& to);
+
+/// The directions of a tube at both ends of each of its segments: continuous along a smooth curve, the
+/// segment's own at a corner.
+struct SegmentTangents {
+  Vec3 start, end;
+};
+std::vector<SegmentTangents> tangents_of(const Tube& tube);
 
 }  // namespace polhode

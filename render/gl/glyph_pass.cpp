@@ -44,9 +44,9 @@ GlyphMask strip_of(const GlyphMask& mask, int from, int rows) {
 }  // namespace
 
 Result<std::unique_ptr<GlyphPass>> GlyphPass::create(const Gl& gl, const Fonts& fonts) {
-  auto glyph = Program::create(gl, "glyph", shaders::kGlyphVert, shaders::kGlyphFrag);
+  auto glyph = Program::create(gl, "glyph", {shaders::kGlyphVert}, {shaders::kGlyphFrag});
   if (!glyph) return failure(glyph.error());
-  auto rule = Program::create(gl, "rule", shaders::kRuleVert, shaders::kRuleFrag);
+  auto rule = Program::create(gl, "rule", {shaders::kRuleVert}, {shaders::kRuleFrag});
   if (!rule) return failure(rule.error());
   return std::unique_ptr<GlyphPass>(
       new GlyphPass(gl, fonts, std::move(glyph).value(), std::move(rule).value()));

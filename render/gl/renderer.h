@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draws figures and sheets off-screen: RGBA8, MSAA 4x unless asked otherwise, no driver-side sRGB conversion,
-// so that bytes repeat.
+// Draws figures and sheets off-screen: RGBA8, no driver-side sRGB conversion, so that bytes repeat.
 #pragma once
 
+#include "render/gl/background.h"
 #include "render/gl/context.h"
 #include "render/image/image.h"
 #include "render/scene/figure.h"
@@ -19,21 +19,19 @@ namespace polhode {
 
 inline constexpr int kMaxImageSide = 16384;  ///< px; llvmpipe's limit
 
-/// studio: light gradient backdrop; paper FBFAF6; white; transparent: true alpha; or one colour.
-struct Background {
-  enum class Kind { studio, paper, white, transparent, color } kind = Kind::studio;
-  Color color;  ///< of Kind::color
-};
-/// studio | paper | white | transparent | #rrggbb; nothing otherwise.
-std::optional<Background> background_from(std::string_view text);
-
 /// How finely a figure is drawn. Its text has soft edges of its own and is the same in all.
 struct Quality {
-  int samples = 4;  ///< a pixel of lines and solids; 0: one
+  int samples = 4;  ///< a pixel of meshes and of the lines among them; 0: one
   int supersampling =
       1;  ///< n: all is drawn n times wider and higher, and n x n pixels averaged as displayed
+  /// Edges that know how much of a pixel they cover, wherever they can. False: all is drawn by samples, the
+  /// common way; slower and coarser, to be measured against.
+  bool soft_lines = true;
   bool operator==(const Quality&) const = default;
 };
+
+/// What a user chooses from. Measured by `polhode measure --rendering`.
+inline constexpr Quality kDraft{0, 1, true}, kNormal{}, kFine{4, 2, true};
 
 struct PixelRect {
   int x = 0, y = 0;  ///< of the upper left corner

@@ -18,8 +18,11 @@ std::string log_of(GLuint object, Query query, Log log) {
   return text.empty() ? "the driver gives no reason" : text;
 }
 
-Result<GLuint> compile(const Gl& gl, const std::string& name, GLenum stage, std::string_view source) {
+Result<GLuint> compile(const Gl& gl, const std::string& name, GLenum stage,
+                       const std::vector<std::string_view>& parts) {
   const GLuint shader = gl.CreateShader(stage);
+  std::string source = "#version 330 core\n";
+  for (const std::string_view part : parts) source += part;
   const GLchar* text = source.data();
   const GLint length = static_cast<GLint>(source.size());
   gl.ShaderSource(shader, 1, &text, &length);
@@ -52,8 +55,8 @@ Result<GLuint> link(const Gl& gl, const std::string& name, GLuint vertex, GLuint
 
 }  // namespace
 
-Result<Program> Program::create(const Gl& gl, std::string name, std::string_view vertex,
-                                std::string_view fragment) {
+Result<Program> Program::create(const Gl& gl, std::string name, const std::vector<std::string_view>& vertex,
+                                const std::vector<std::string_view>& fragment) {
   const Result<GLuint> vertex_shader = compile(gl, name, GL_VERTEX_SHADER, vertex);
   if (!vertex_shader) return failure(vertex_shader.error());
   const Result<GLuint> fragment_shader = compile(gl, name, GL_FRAGMENT_SHADER, fragment);

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace polhode {
 
@@ -17,9 +18,10 @@ namespace polhode {
 class Program {
  public:
   /// `name` is for messages ("body"). The error names program, stage and the driver's log.
-  /// The sources are complete: `#version 330 core` first.
-  static Result<Program> create(const Gl& gl, std::string name, std::string_view vertex,
-                                std::string_view fragment);
+  /// Each source is the version line, which this adds, and its parts one after the other: macros, functions
+  /// that several shaders have, the shader.
+  static Result<Program> create(const Gl& gl, std::string name, const std::vector<std::string_view>& vertex,
+                                const std::vector<std::string_view>& fragment);
   Program(Program&& other) noexcept;
   Program& operator=(Program&& other) noexcept;
   ~Program();

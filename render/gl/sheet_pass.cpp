@@ -7,7 +7,7 @@
 namespace polhode {
 
 Result<std::unique_ptr<SheetPass>> SheetPass::create(const Gl& gl) {
-  auto program = Program::create(gl, "shape", shaders::kShapeVert, shaders::kShapeFrag);
+  auto program = Program::create(gl, "shape", {shaders::kShapeVert}, {shaders::kShapeFrag});
   if (!program) return failure(program.error());
   return std::unique_ptr<SheetPass>(new SheetPass(gl, std::move(program).value()));
 }

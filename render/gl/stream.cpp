@@ -34,15 +34,20 @@ void VertexStream::draw_without_vertices(GLenum mode, int count) const {
   gl_.DrawArrays(mode, 0, count);
 }
 
-void VertexStream::draw_floats(const void* vertices, std::size_t bytes,
-                               const std::vector<std::uint32_t>& indices) const {
-  if (indices.empty()) return;
+void VertexStream::upload_floats(const void* vertices, std::size_t bytes,
+                                 const std::vector<std::uint32_t>& indices) const {
   gl_.BindVertexArray(array_);
   gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
   gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), vertices, GL_STREAM_DRAW);
   gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
                  indices.data(), GL_STREAM_DRAW);
-  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+}
+
+void VertexStream::draw_range(std::size_t first, std::size_t count) const {
+  if (count == 0) return;
+  gl_.BindVertexArray(array_);
+  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
 }  // namespace polhode

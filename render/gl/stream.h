@@ -19,14 +19,22 @@ class VertexStream {
 
   template <class Vertex>
   void draw(const Geometry<Vertex>& geometry) const {
-    draw_floats(geometry.vertices.data(), geometry.vertices.size() * sizeof(Vertex), geometry.indices);
+    upload(geometry);
+    draw_range(0, geometry.indices.size());
   }
+  /// For draw_range: triangles of `count` indices from the one numbered `first`.
+  template <class Vertex>
+  void upload(const Geometry<Vertex>& geometry) const {
+    upload_floats(geometry.vertices.data(), geometry.vertices.size() * sizeof(Vertex), geometry.indices);
+  }
+  void draw_range(std::size_t first, std::size_t count) const;
 
   /// For shaders that make their vertices from gl_VertexID.
   void draw_without_vertices(GLenum mode, int count) const;
 
  private:
-  void draw_floats(const void* vertices, std::size_t bytes, const std::vector<std::uint32_t>& indices) const;
+  void upload_floats(const void* vertices, std::size_t bytes,
+                     const std::vector<std::uint32_t>& indices) const;
 
   const Gl& gl_;
   GLuint array_ = 0, vertices_ = 0, indices_ = 0;

@@ -24,15 +24,15 @@ std::array<int, 4> color(const Image& image, int x, int y) {
 
 // A triangle over the half of the picture above its rising diagonal, in one colour.
 void draw_triangle(const Gl& gl) {
-  const Result<Program> program = Program::create(gl, "triangle", R"(#version 330 core
+  const Result<Program> program = Program::create(gl, "triangle", {R"(
     void main() {
       vec2 corner = vec2(gl_VertexID == 1 ? 1.0 : -1.0, gl_VertexID == 2 ? -1.0 : 1.0);
       gl_Position = vec4(corner.x, corner.y, 0.0, 1.0);
-    })",
-                                                  R"(#version 330 core
+    })"},
+                                                  {R"(
     uniform vec4 color;
     out vec4 fragment;
-    void main() { fragment = color; })");
+    void main() { fragment = color; })"});
   ASSERT_TRUE(program.ok()) << program.error();
   GLuint array = 0;
   gl.GenVertexArrays(1, &array);

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
-#include <random>
 
 namespace polhode {
 namespace {
@@ -41,39 +39,6 @@ TEST(Geometry, DegenerateItemsAddNothingThatIsNotFinite) {
   const PaneGeometry geometry = make_geometry(list);
   for (const TubeVertex& v : geometry.tubes.vertices)
     for (float x : v.tangent) EXPECT_TRUE(std::isfinite(x));
-}
-
-TEST(OutlineBounds, HoldTheProjectedSurfaceAndNoMuchMore) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  for (int trial = 0; trial < 50; ++trial) {
-    GlassEllipsoid e;
-    e.center = 0.3 * Vec3(uniform(random), uniform(random), uniform(random));
-    e.rotation = Quat(uniform(random), uniform(random), uniform(random), uniform(random) + 1.1).normalized();
-    e.semi_axes =
-        Vec3(0.55 + 0.4 * uniform(random), 0.55 + 0.4 * uniform(random), 0.55 + 0.4 * uniform(random));
-    const Camera camera =
-        orbit({.azimuth_rad = 3 * uniform(random), .elevation_rad = uniform(random)}, Vec3::Zero(), 1);
-    const Eigen::Matrix4d m = camera.projection(1.5) * camera.view();
-    const auto bounds = outline_bounds(e, m);
-    double x0 = 1, x1 = -1, y0 = 1, y1 = -1;
-    for (int i = 0; i < 200; ++i)
-      for (int j = 0; j < 100; ++j) {
-        const double a = 2 * std::numbers::pi * i / 200, b = std::numbers::pi * j / 100;
-        const Vec3 n(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
-        const Eigen::Vector4d c =
-            m * (e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(n))).homogeneous();
-        x0 = std::min(x0, c.x() / c.w()), x1 = std::max(x1, c.x() / c.w());
-        y0 = std::min(y0, c.y() / c.w()), y1 = std::max(y1, c.y() / c.w());
-      }
-    constexpr double kMargin = 0.01;  // the bounds' own margin of 0.004, and the coarseness of the sampling
-    EXPECT_LE(bounds[0], x0);
-    EXPECT_LE(bounds[1], y0);
-    EXPECT_GE(bounds[2], x1);
-    EXPECT_GE(bounds[3], y1);
-    EXPECT_NEAR(bounds[0], x0, kMargin);
-    EXPECT_NEAR(bounds[3], y1, kMargin);
-  }
 }
 
 }  // namespace

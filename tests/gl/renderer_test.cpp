@@ -192,14 +192,22 @@ TEST(Quality, FinerPicturesComeNearerToOneScene) {
   Scene scene = top_scene(kMuch);
   scene.attitude = LPoints::down;
   scene.show.insert(O::plane);
-  const Image reference = draw_at(drawn, scene, {4, 5});
+  const Image reference = draw_at(drawn, scene, {4, 5, false});  // 100 samples a pixel, no soft edges
   const auto error = [&](const Quality& quality) {
     return mean_square(draw_at(drawn, scene, quality), reference);
   };
-  const double rough = error({0, 1}), usual = error({}), fine = error({4, 2});
-  EXPECT_LT(usual, 0.5 * rough);
-  EXPECT_LT(fine, 0.5 * usual);
+  const double rough = error({0, 1, false}), by_samples = error({4, 1, false}), soft = error({}),
+               fine = error(kFine);
+  EXPECT_LT(by_samples, 0.5 * rough);
+  EXPECT_LT(soft, by_samples) << "edges are smoother than by 4 samples";
+  EXPECT_LT(fine, 0.5 * soft);
   EXPECT_LT(fine, 2.0 * 2.0) << "the same look: lines as wide, colours as light";
+}
+
+TEST(Quality, WithoutAFloorLinesAreAsStrongByEitherWay) {
+  Drawn drawn;
+  const Scene scene = top_scene({O::energy_ellipsoid, O::omega, O::L});
+  EXPECT_LT(mean_square(draw_at(drawn, scene, {}), draw_at(drawn, scene, {4, 1, false})), 3.0);
 }
 
 TEST(Quality, TextIsTheSameInAll) {

@@ -16,23 +16,21 @@ using test::Current;
 using testing::AllOf;
 using testing::HasSubstr;
 
-constexpr const char* kVertex = R"(#version 330 core
-void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); })";
-constexpr const char* kWhite = R"(#version 330 core
-out vec4 fragment;
+constexpr const char* kVertex =
+    R"(void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); })";
+constexpr const char* kWhite = R"(out vec4 fragment;
 void main() { fragment = vec4(1.0); })";
 
 std::string error_of(const Gl& gl, const char* vertex, const char* fragment) {
-  const Result<Program> program = Program::create(gl, "ellipsoid", vertex, fragment);
+  const Result<Program> program = Program::create(gl, "ellipsoid", {vertex}, {fragment});
   return program ? "linked" : program.error();
 }
 
 TEST(Shader, AMistakeIsReportedWithProgramStageLineAndLog) {
   const Current current;
-  const std::string vertex =
-      error_of(current.gl, "#version 330 core\nvoid main() { gl_Position = nothing; }", kWhite);
+  const std::string vertex = error_of(current.gl, "void main() { gl_Position = nothing; }", kWhite);
   EXPECT_THAT(vertex, AllOf(HasSubstr("vertex shader of \"ellipsoid\""), HasSubstr("nothing")));
-  const std::string fragment = error_of(current.gl, kVertex, "#version 330 core\n\nvoid main() { oops(); }");
+  const std::string fragment = error_of(current.gl, kVertex, "\nvoid main() { oops(); }");
   EXPECT_THAT(fragment,
               AllOf(HasSubstr("fragment shader of \"ellipsoid\""), HasSubstr(":3("), HasSubstr("oops")));
   EXPECT_EQ(pending_errors(current.gl), "");
@@ -41,11 +39,9 @@ TEST(Shader, AMistakeIsReportedWithProgramStageLineAndLog) {
 TEST(Shader, StagesThatDoNotFitAreReportedWithTheLog) {
   const Current current;
   const std::string error = error_of(current.gl,
-                                     R"(#version 330 core
-out vec2 normal;
+                                     R"(out vec2 normal;
 void main() { normal = vec2(0.0); gl_Position = vec4(0.0); })",
-                                     R"(#version 330 core
-in vec3 normal;
+                                     R"(in vec3 normal;
 out vec4 fragment;
 void main() { fragment = vec4(normal, 1.0); })");
   EXPECT_THAT(error, AllOf(HasSubstr("\"ellipsoid\" does not link"), HasSubstr("normal")));
@@ -53,7 +49,7 @@ void main() { fragment = vec4(normal, 1.0); })");
 
 TEST(Shader, MovesAndLeavesNothingBehind) {
   const Current current;
-  Result<Program> made = Program::create(current.gl, "white", kVertex, kWhite);
+  Result<Program> made = Program::create(current.gl, "white", {kVertex}, {kWhite});
   ASSERT_TRUE(made.ok()) << made.error();
   const GLuint handle = made->handle();
   Program moved = std::move(*made);
@@ -64,7 +60,7 @@ TEST(Shader, MovesAndLeavesNothingBehind) {
 
 TEST(Shader, AnUnusedUniformIsNoError) {
   const Current current;
-  const Result<Program> program = Program::create(current.gl, "white", kVertex, kWhite);
+  const Result<Program> program = Program::create(current.gl, "white", {kVertex}, {kWhite});
   ASSERT_TRUE(program.ok()) << program.error();
   program->use();
   EXPECT_EQ(program->uniform("nothing"), -1);
@@ -78,7 +74,7 @@ TEST(Shader, EveryKindOfUniformArrives) {
   const Current current;
   const Result<Framebuffer> made = Framebuffer::create(current.gl, {2, 2}, 0);
   ASSERT_TRUE(made.ok()) << made.error();
-  const Result<Program> program = Program::create(current.gl, "uniforms", kVertex, R"(#version 330 core
+  const Result<Program> program = Program::create(current.gl, "uniforms", {kVertex}, {R"(
 uniform int i; uniform float f; uniform vec2 v2; uniform vec3 v3; uniform vec4 v4; uniform mat3 m3; uniform mat4 m4;
 uniform float f_list[2]; uniform vec3 v3_list[2]; uniform vec4 v4_list[2];
 out vec4 fragment;
@@ -88,7 +84,7 @@ void main() {
   bool matrices = m3 * vec3(0, 1, 0) == vec3(4, 5, 6) && m4 * vec4(0, 0, 0, 1) == vec4(13, 14, 15, 16);
   bool lists = f_list[1] == 2.0 && v3_list[1] == vec3(4, 5, 6) && v4_list[1] == vec4(5, 6, 7, 8);
   fragment = vec4(scalars, vectors, matrices, lists);
-})");
+})"});
   ASSERT_TRUE(program.ok()) << program.error();
   const std::array<float, 16> count{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
   program->use();

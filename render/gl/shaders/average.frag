@@ -1,5 +1,4 @@
 // Averages squares of pixels of a premultiplied picture into one each.
-#version 330 core
 uniform sampler2D u_fine;
 uniform int u_fineness;  // pixels to a side
 out vec4 o_color;

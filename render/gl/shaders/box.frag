@@ -1,5 +1,4 @@
 // Rounded box with a border; a box one line high and long is a leader line.
-#version 330 core
 in vec2 v_local;
 flat in vec4 v_ink;
 flat in vec4 v_halo;

@@ -1,5 +1,4 @@
 // Lays a premultiplied layer over what is there.
-#version 330 core
 uniform sampler2D u_layer;
 uniform vec2 u_corner;  // of the layer, px
 out vec4 o_color;

@@ -1,5 +1,4 @@
 // Labels, leader lines and panels: rectangles in pixels from the lower left.
-#version 330 core
 layout(location = 0) in vec2 a_position;  // px
 layout(location = 1) in vec2 a_local;     // texels of the mask, or px from the middle of a rounded box
 layout(location = 2) in vec4 a_ink;       // straight alpha

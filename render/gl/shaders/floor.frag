@@ -1,62 +1,75 @@
-// The floor: grid, soft shadow, contact darkening and a faint mirror image of the ellipsoid, all in closed form in the
-// space where the ellipsoid is the unit ball. Fades with distance. Output is premultiplied.
-#version 330 core
-in vec2 v_clip;
-uniform mat4 u_ray;              // clip (x, y, 1, 1) -> direction in the view frame, not normalised
-uniform vec3 u_eye;
-uniform float u_floor_z;
-uniform float u_grid;
-uniform float u_ball;            // 1: there is an ellipsoid
-uniform mat3 u_to_ball;
-uniform vec3 u_ball_center;      // view frame
-uniform vec3 u_light;            // unit, towards the key light
-uniform vec3 u_tint;
-uniform vec3 u_near, u_far;      // its colour below the body, and further out
-uniform vec3 u_line;             // of the grid
-uniform float u_fineness;        // of pixels to a side that are averaged into one: lines keep their width
+// The floor: grid, and (BALL) soft shadow, contact darkening and (MIRROR) a faint image of the ellipsoid, all in closed
+// form in the space where this is the unit ball. Fades with distance into the sky; FROM_BELOW it is a sheet to look
+// through, laid over what is there. Output is premultiplied.
+in vec3 v_ray;
+flat in vec2 v_eye;
+flat in vec3 v_reach;
+flat in vec3 v_near;
+flat in vec3 v_far_less_near;
+flat in vec3 v_line;
+flat in float v_fineness;  // of pixels to a side that are averaged into one: lines keep their width
+in vec2 v_sky;
+#ifdef BALL
+in vec3 v_ball_ray;
+flat in vec3 v_ball_eye;
+flat in vec3 v_ball_up;
+flat in vec3 v_ball_light;
+flat in vec3 v_image;
+#endif
 out vec4 o_color;
 
-const float kFadeStart = 1.6, kFadeEnd = 7.5;
-
-// Both families of lines at every integer, anti-aliased, fainter where they crowd.
-float grid(vec2 p, vec2 w, float width_px) {
-  vec2 d = abs(fract(p - 0.5) - 0.5) / w;
-  vec2 lines = clamp(0.5 * width_px + 0.5 - d, 0.0, 1.0) * clamp(0.35 / w - 0.35, 0.0, 1.0);
-  return max(lines.x, lines.y);
+// Both families of lines at every integer, anti-aliased, fainter where they crowd. @param sharp pixels to a cell
+vec2 grid(vec2 cells, vec2 sharp, float width_px) {
+  vec2 d = abs(cells - floor(cells + 0.5)) * sharp;
+  return clamp(0.5 * width_px + 0.5 - d, 0.0, 1.0) * clamp(0.35 * sharp - 0.35, 0.0, 1.0);
 }
 
-void main() {
-  vec3 direction = (u_ray * vec4(v_clip, 1.0, 1.0)).xyz;
-  float way = (u_floor_z - u_eye.z) / direction.z;
-  vec3 point = u_eye + way * direction;
-  float reach = length(point.xy);
-  vec2 cells = point.xy / u_grid;
-  vec2 w = max(u_fineness * fwidth(cells), 1e-6);
-  float lines = max(0.30 * grid(4.0 * cells, 4.0 * w, 1.0), 0.62 * grid(cells, w, 1.5));
-  vec3 color = mix(u_near, u_far, clamp(0.2 * reach, 0.0, 1.0));
-  color = mix(color, u_line, lines);
-
-  vec3 p = u_to_ball * (point - u_ball_center);
+#ifdef BALL
+vec3 with_ball(vec3 color, float way) {
+  vec3 p = v_ball_eye + way * v_ball_ray;
   float p2 = dot(p, p);
-  // Mirror: how close the reflected ray passes the ball's centre.
-  vec3 d = u_to_ball * vec3(direction.xy, -direction.z);
-  float dd = dot(d, d), along = -dot(p, d);
-  float miss2 = p2 - along * along / dd;
+#ifdef MIRROR
+  // How close the reflected ray passes the ball's centre.
+  vec3 d = v_ball_ray - v_ray.z * v_ball_up;
+  float along = -dot(p, d) * inversesqrt(dot(d, d));
+  float miss2 = p2 - along * along;
   float image = clamp((1.0 - miss2) / max(fwidth(miss2), 1e-4) + 0.5, 0.0, 1.0) * step(0.0, along) *
-                exp(-0.9 * max(along, 0.0) * inversesqrt(dd));
-  color = mix(color, 0.92 * u_tint, 0.22 * image * u_ball);
+                exp2(-1.2984255 * along);
+  color = mix(color, v_image, 0.22 * image);
+#endif
   // Shadow: how close the ray to the light passes it, blurred with the way it has come.
-  vec3 l = normalize(u_to_ball * u_light);
-  float to_light = -dot(p, l);
+  float to_light = -dot(p, v_ball_light);
   float blur = 0.16 + 0.16 * max(to_light, 0.0);
-  float shadow = 1.0 - smoothstep(1.0 - blur, 1.0 + blur, sqrt(max(p2 - to_light * to_light, 0.0)));
+  float shadow = clamp(0.5 + 0.5 * (1.0 - sqrt(max(p2 - to_light * to_light, 0.0))) / blur, 0.0, 1.0);
+  shadow *= shadow * (3.0 - 2.0 * shadow);
   // Contact: the part of the sky that the ball hides.
-  float contact = clamp(1.0 / (p2 * p2), 0.0, 1.0);
-  color *= vec3(1.0) - u_ball * min(0.30 * shadow + 0.22 * contact, 0.45) * vec3(1.0, 0.96, 0.90);
+  float contact = min(1.0 / (p2 * p2), 1.0);
+  return color * (vec3(1.0) - min(0.30 * shadow + 0.22 * contact, 0.45) * vec3(1.0, 0.96, 0.90));
+}
+#endif
 
-  vec2 pixel = floor(gl_FragCoord.xy / u_fineness) + 0.5;
-  vec2 cell = vec2(floor(pixel.x / 16.0) * 7.0, pixel.y);  // as in backdrop.frag
-  float noise = fract(52.9829189 * fract(dot(cell, vec2(0.06711056, 0.00583715)))) - 0.5;
-  float alpha = way > 0.0 ? 1.0 - smoothstep(kFadeStart, kFadeEnd, reach) : 0.0;
-  o_color = vec4(color + noise / 255.0, 1.0) * alpha;
+void main() {
+  float way = 1.0 / v_ray.z;
+  vec2 cells = v_eye + way * v_ray.xy;
+  vec2 sharp = 1.0 / (v_fineness * fwidth(cells));
+  vec2 both = max(0.30 * grid(4.0 * cells, 0.25 * sharp, 1.0), 0.62 * grid(cells, sharp, 1.5));
+  float reach = length(cells);
+  vec3 color = v_near + min(v_reach.x * reach, 1.0) * v_far_less_near;
+  float lines = max(both.x, both.y);
+  color += lines * (v_line - color);
+#ifdef BALL
+  color = with_ball(color, way);
+#endif
+  float faded = clamp((reach - v_reach.y) * v_reach.z, 0.0, 1.0);
+  float alpha = way > 0.0 ? 1.0 - faded * faded * (3.0 - 2.0 * faded) : 0.0;
+  vec3 grain = noise(v_fineness);
+#if defined(FROM_BELOW)
+  alpha *= 0.42 + 0.4 * lines;
+  o_color = vec4(color + grain, 1.0) * alpha;
+#elif defined(STUDIO)
+  vec3 behind = studio(v_sky);
+  o_color = vec4(behind + alpha * (color - behind) + grain, 1.0);
+#else
+  o_color = mix(u_sky, vec4(color + grain, 1.0), alpha);
+#endif
 }

@@ -1,5 +1,4 @@
 // Ink where the mask says. Colours are mixed as they are stored, where light ink thins out: the gain makes up for it.
-#version 330 core
 uniform sampler2D u_atlas;
 in vec2 v_texel;
 flat in vec4 v_color;

@@ -1,5 +1,4 @@
 // The part of the pixel that the box covers, as RuleBox::coverage.
-#version 330 core
 in vec2 v_local;
 flat in vec2 v_half;
 flat in vec4 v_color;

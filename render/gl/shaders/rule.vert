@@ -1,5 +1,4 @@
 // Boxes of any direction: pixels from the upper left.
-#version 330 core
 layout(location = 0) in vec2 a_position;  // px
 layout(location = 1) in vec2 a_local;     // px from the middle, along and across
 layout(location = 2) in vec2 a_half;      // length and thickness, px

@@ -1,5 +1,4 @@
 // A piece of a stroke is covered up to its radius from its middle line, fading over one pixel.
-#version 330 core
 in vec4 v_color;
 in vec4 v_piece;  // along, across, half length, radius; px
 out vec4 o_color;

@@ -1,5 +1,4 @@
 // Flat shapes: pixels from the upper left.
-#version 330 core
 layout(location = 0) in vec2 a_position;  // px
 layout(location = 1) in vec4 a_color;     // premultiplied
 layout(location = 2) in vec4 a_piece;     // of ShapeVertex

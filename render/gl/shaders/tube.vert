@@ -1,5 +1,4 @@
 // A tube as a ribbon of two triangles a segment that faces the viewer, shaded as a cylinder.
-#version 330 core
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_tangent;  // unit
 layout(location = 2) in vec4 a_color;    // straight alpha

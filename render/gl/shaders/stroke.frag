@@ -1,0 +1,25 @@
+// A piece of a tube, lit as a cylinder, with the part of the pixel that it covers, behind the glass where it is.
+in vec3 v_side;
+in vec3 v_toward;
+in vec4 v_color;
+in vec4 v_px;     // across, half width, to the nearer end, above the level below which it is fainter, or not drawn
+in vec2 v_dash;   // dashes; pixels to a dash and a gap
+in vec3 v_near;   // from the eye to the cylinder
+uniform vec2 u_strengths;  // below that level and above
+out vec4 o_color;
+
+/// How much of a pixel is covered by what reaches so far beyond its middle.
+float reached(float px) { return clamp(px + 0.5, 0.0, 1.0); }
+
+void main() {
+  float across = clamp(v_px.x / v_px.y, -1.0, 1.0), offset = abs(v_px.x);
+  vec3 n = across * v_side + sqrt(1.0 - across * across) * v_toward;
+  vec3 color = behind_glass(lit(v_color.rgb, n, -normalize(v_near), 0.58, 0.32), v_near);
+
+  float covered = clamp(min(v_px.y, offset + 0.5) - max(-v_px.y, offset - 0.5), 0.0, 1.0);
+  float gap = abs(fract(v_dash.x + 0.25) - 0.5);  // 0 in the middle of a dash, 1/2 of a gap
+  float alpha = v_color.a * covered * reached(v_px.z) * reached((0.25 - gap) * v_dash.y) *
+                mix(u_strengths.x, u_strengths.y, reached(v_px.w));
+  if (alpha <= 0.0) discard;  // and leave no depth
+  o_color = vec4(color, 1.0) * alpha;
+}

@@ -1,0 +1,39 @@
+// A tube as a ribbon of two triangles a piece that faces the viewer, wider and longer by the soft edge of a pixel.
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_tangent;  // unit
+layout(location = 2) in vec4 a_color;    // straight alpha
+layout(location = 3) in vec3 a_shape;    // side -1 or +1, radius, dashes and gaps to a length of 1 (0: solid)
+layout(location = 4) in vec2 a_along;    // lengths from the first end: of this vertex, of the whole
+uniform mat4 u_view_projection;
+uniform vec3 u_eye;
+uniform float u_pixel;  // its side at distance 1 along the line of sight
+uniform float u_level;  // height below which things are fainter, or not drawn
+out vec3 v_side;
+out vec3 v_toward;
+out vec4 v_color;
+out vec4 v_px;      // across, half width, to the nearer end, above the level
+out vec2 v_dash;    // dashes; pixels to a dash and a gap
+out vec3 v_near;
+void main() {
+  const float kSoft = 0.8;  // px; half of it would do for edges along rows and columns
+  float pixel = u_pixel * (u_view_projection * vec4(a_position, 1.0)).w;
+  float longer = kSoft * pixel * (float(a_along.x == a_along.y) - float(a_along.x == 0.0));
+  vec3 position = a_position + longer * a_tangent;
+  vec3 to_eye = normalize(u_eye - position);
+  vec3 side = cross(a_tangent, to_eye);
+  side /= max(length(side), 1e-4);  // end-on pieces shrink instead of jumping
+  float half_width = a_shape.y + kSoft * pixel;
+  vec3 point = position + a_shape.x * half_width * side;
+  vec4 clip = u_view_projection * vec4(point, 1.0);
+  vec4 front = u_view_projection * vec4(point + a_shape.y * to_eye, 1.0);
+  gl_Position = vec4(clip.xy, clip.w * front.z / front.w, clip.w);  // depth of the cylinder's near side
+  v_side = side;
+  v_toward = normalize(cross(side, a_tangent));
+  v_color = a_color;
+  float along = a_along.x + longer;
+  float shown = length(cross(a_tangent, to_eye)) / pixel;  // px to a length of 1 along the tube
+  v_px = vec4(a_shape.x * half_width / pixel, a_shape.y / pixel, min(along, a_along.y - along) * shown,
+              (point.z - u_level) / pixel);
+  v_dash = a_shape.z > 0.0 ? vec2(0.5 * along * a_shape.z, 2.0 * shown / a_shape.z) : vec2(0.25, 4.0);
+  v_near = point + a_shape.y * to_eye - u_eye;
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/strokes.h"
+
+#include "render/gl/viewpoint.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+constexpr float kFarFromEnds = 1e3F;  // scene units
+/// Arrows are long and near one another; pieces of them are sorted as those of curves.
+constexpr double kLongestPiece = 0.06;
+
+std::array<float, 3> floats(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+std::array<float, 4> floats(const Color& c, double alpha_factor = 1.0) {
+  return {c.r, c.g, c.b, c.a * static_cast<float>(alpha_factor)};
+}
+
+/// Four vertices of `lines` or `solids`, two triangles.
+struct Piece {
+  double distance;  ///< of the near side from the eye
+  Strokes::Kind kind;
+  std::uint32_t first;
+};
+
+class Painter {
+ public:
+  Painter(const Vec3& eye, const std::vector<GlassEllipsoid>& glasses) : eye_(eye), glasses_(glasses) {}
+
+  void add(const Tube& tube) {
+    const Tube fine = in_short_pieces(tube);
+    const std::vector<SegmentTangents> tangents = tangents_of(fine);
+    const std::size_t n = fine.points.size();
+    std::vector<float> along(tangents.size() + 1, 0.0F);
+    for (std::size_t i = 0; i < tangents.size(); ++i)
+      along[i + 1] = along[i] + static_cast<float>((fine.points[(i + 1) % n] - fine.points[i]).norm());
+    for (std::size_t i = 0; i < tangents.size(); ++i) {
+      const std::array<Vec3, 2> ends = {fine.points[i], fine.points[(i + 1) % n]};
+      const auto first = static_cast<std::uint32_t>(made_.lines.vertices.size());
+      for (std::size_t k = 0; k < 2; ++k)
+        for (const float side : {-1.0F, 1.0F}) {
+          const double part = static_cast<double>(i + k) / static_cast<double>(tangents.size());
+          made_.lines.vertices.push_back(
+              {floats(ends[k]),
+               floats(k ? tangents[i].end : tangents[i].start),
+               floats(fine.color, std::lerp(fine.fade_start, 1.0, part)),
+               {side, static_cast<float>(fine.radius),
+                static_cast<float>(fine.dash > 0.0 ? 1.0 / fine.dash : 0.0)},
+               fine.closed ? std::array{along[i + k] + kFarFromEnds, along.back() + 2 * kFarFromEnds}
+                           : std::array{along[i + k], along.back()}});
+        }
+      const bool front = in_front(ends[0], tangents[i].start, fine.radius) &&
+                         in_front(ends[1], tangents[i].end, fine.radius);
+      add_piece(0.5 * (ends[0] + ends[1]), fine.radius,
+                front ? Strokes::Kind::line : Strokes::Kind::line_in_glass, first);
+    }
+  }
+
+  void add(const Arrow& arrow) {
+    const auto parts = parts_of(arrow);
+    if (!parts) return;
+    // One or two cones as one solid, and a shaft that ends just inside: where they are faint, nothing shows
+    // through twice.
+    const Cone &first = parts->cones.front(), &last = parts->cones.back();
+    const Vec3 base = last.base, tip = first.tip;
+    Tube shaft = parts->shaft;
+    shaft.points.back() = base + 0.04 * (last.tip - last.base);
+    add(shaft);
+    // Sorted by the middle of its bulk: what touches its tip lies over it where that points to the viewer.
+    add_solid(Strokes::Kind::cone, base, tip, first.color, first.radius, (first.tip - first.base).norm(),
+              base + 0.25 * (tip - base));
+  }
+
+  /// Sorted by its near side: what starts in it comes out of it.
+  void add(const Ball& ball) {
+    add_solid(Strokes::Kind::ball, ball.center, ball.center, ball.color, ball.radius, 0.0, ball.center);
+  }
+
+  Strokes take() {
+    // Stable: of pieces at one distance the later in the list lies over the earlier.
+    std::stable_sort(pieces_.begin(), pieces_.end(),
+                     [](const Piece& a, const Piece& b) { return a.distance > b.distance; });
+    spare_changes();
+    for (const Piece& piece : pieces_) {
+      std::vector<std::uint32_t>& indices = is_line(piece.kind) ? made_.lines.indices : made_.solids.indices;
+      if (made_.runs.empty() || made_.runs.back().kind != piece.kind)
+        made_.runs.push_back({piece.kind, indices.size(), 0});
+      for (const std::uint32_t k : {0U, 1U, 2U, 2U, 1U, 3U}) indices.push_back(piece.first + k);
+      made_.runs.back().count += 6;
+    }
+    return std::move(made_);
+  }
+
+ private:
+  /// Another program for a few pieces costs more than it saves: short runs that need no glass join their
+  /// neighbours.
+  void spare_changes() {
+    constexpr std::ptrdiff_t kShort = 8;
+    for (auto i = pieces_.begin(); i != pieces_.end();) {
+      const Strokes::Kind kind = i->kind;
+      const auto end = std::find_if(i, pieces_.end(), [&](const Piece& p) { return p.kind != kind; });
+      if (kind == Strokes::Kind::line && end - i < kShort && end != pieces_.end())
+        for (auto k = i; k != end; ++k) k->kind = Strokes::Kind::line_in_glass;
+      i = end;
+    }
+  }
+
+  static Tube in_short_pieces(const Tube& tube) {
+    if (tube.points.size() != 2) return tube;
+    Tube fine = tube;
+    const Vec3 a = tube.points[0], b = tube.points[1];
+    const auto pieces = std::max(1, static_cast<int>(std::ceil((b - a).norm() / kLongestPiece)));
+    fine.points.clear();
+    for (int i = 0; i <= pieces; ++i) fine.points.push_back(a + (b - a) * i / pieces);
+    return fine;
+  }
+
+  void add_piece(const Vec3& middle, double radius, Strokes::Kind kind, std::uint32_t first) {
+    pieces_.push_back({(middle - eye_).norm() - radius, kind, first});
+  }
+
+  /// Whether nothing of a line of this radius at `p` can lie behind the near side of a glass: the flat side
+  /// that the ribbon has towards the eye, made wider by a margin, is outside the ball before the ray enters
+  /// it.
+  bool in_front(const Vec3& p, const Vec3& tangent, double radius) const {
+    constexpr double kMargin = 1.5;
+    const Vec3 near = p + radius * direction(p, eye_), side = tangent.cross(direction(p, eye_)).normalized();
+    return std::all_of(glasses_.begin(), glasses_.end(), [&](const GlassEllipsoid& e) {
+      const Mat3 ball = to_ball(e);
+      return std::all_of(kSides.begin(), kSides.end(), [&](double across) {
+        const Vec3 edge = near + across * kMargin * radius * side;
+        const Vec3 at = ball * (edge - e.center);
+        return at.squaredNorm() >= 1.0 && at.dot(ball * (edge - eye_)) < 0.0;
+      });
+    });
+  }
+  static constexpr std::array<double, 3> kSides = {-1.0, 0.0, 1.0};
+
+  void add_solid(Strokes::Kind kind, const Vec3& from, const Vec3& to, const Color& color, double radius,
+                 double height, const Vec3& sorted_by) {
+    const auto first = static_cast<std::uint32_t>(made_.solids.vertices.size());
+    for (const float y : {-1.0F, 1.0F})
+      for (const float x : {-1.0F, 1.0F})
+        made_.solids.vertices.push_back({{x, y},
+                                         floats(from),
+                                         floats(to),
+                                         floats(color),
+                                         {static_cast<float>(radius), static_cast<float>(height)}});
+    add_piece(sorted_by, kind == Strokes::Kind::ball ? radius : 0.0, kind, first);
+  }
+
+  Vec3 eye_;
+  const std::vector<GlassEllipsoid>& glasses_;
+  Strokes made_;
+  std::vector<Piece> pieces_;
+};
+
+}  // namespace
+
+Strokes make_strokes(const DrawList& list, const Vec3& eye) {
+  Painter painter(eye, list.ellipsoids);
+  for (const Tube& tube : list.tubes) painter.add(tube);
+  for (const Arrow& arrow : list.arrows) painter.add(arrow);
+  for (const Ball& ball : list.balls) painter.add(ball);
+  return painter.take();
+}
+
+}  // namespace polhode

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/viewpoint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace polhode {
+namespace {
+
+using Random = std::mt19937;
+
+double between(double low, double high, Random& random) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+GlassEllipsoid random_ellipsoid(Random& random) {
+  const auto u = [&] { return between(-1.0, 1.0, random); };
+  GlassEllipsoid e;
+  e.center = 0.3 * Vec3(u(), u(), u());
+  e.rotation = Quat(u(), u(), u(), u() + 1.1).normalized();
+  e.semi_axes = Vec3(0.55 + 0.4 * u(), 0.55 + 0.4 * u(), 0.55 + 0.4 * u());
+  return e;
+}
+
+Camera random_camera(Random& random) {
+  return orbit({.azimuth_rad = between(-3.0, 3.0, random), .elevation_rad = between(-1.0, 1.0, random)},
+               Vec3::Zero(), 1);
+}
+
+/// Height of the plane that touches the ellipsoid from below.
+double tangent_floor(const GlassEllipsoid& e) {
+  const Vec3 down = e.rotation.conjugate() * Vec3(0, 0, -1);
+  return e.center.z() - e.semi_axes.cwiseProduct(down).norm();
+}
+
+bool holds(const ClipBox& box, double x, double y) {
+  return x >= box.x0 && x <= box.x1 && y >= box.y0 && y <= box.y1;
+}
+
+TEST(OutlineBox, HoldsTheProjectedSurfaceAndNoMuchMore) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 50; ++trial) {
+    const GlassEllipsoid e = random_ellipsoid(random);
+    const Camera camera = random_camera(random);
+    const Eigen::Matrix4d m = camera.projection(1.5) * camera.view();
+    const ClipBox box = outline_box(e, m);
+    double x0 = 1, x1 = -1, y0 = 1, y1 = -1;
+    for (int i = 0; i < 200; ++i)
+      for (int j = 0; j < 100; ++j) {
+        const double a = 2 * std::numbers::pi * i / 200, b = std::numbers::pi * j / 100;
+        const Vec3 n(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
+        const Eigen::Vector4d c =
+            m * (e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(n))).homogeneous();
+        x0 = std::min(x0, c.x() / c.w()), x1 = std::max(x1, c.x() / c.w());
+        y0 = std::min(y0, c.y() / c.w()), y1 = std::max(y1, c.y() / c.w());
+      }
+    constexpr double kMargin = 0.01;  // the box's own margin of 0.004, and the coarseness of the sampling
+    EXPECT_LE(box.x0, x0);
+    EXPECT_LE(box.y0, y0);
+    EXPECT_GE(box.x1, x1);
+    EXPECT_GE(box.y1, y1);
+    EXPECT_NEAR(box.x0, x0, kMargin);
+    EXPECT_NEAR(box.y1, y1, kMargin);
+  }
+}
+
+TEST(ClipBoxes, WhatSurroundsAHoleCoversTheRestOnce) {
+  Random random(3);
+  const auto u = [&] { return between(-1.0, 1.0, random); };
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto [x0, x1] = std::minmax({u(), u()});
+    const auto [y0, y1] = std::minmax({u(), u()});
+    const ClipBox hole = trial % 10 == 0 ? ClipBox{0, 0, 0, 0} : ClipBox{x0, y0, x1, y1};
+    const ClipBox whole{};
+    for (int i = 0; i < 20; ++i) {
+      const double x = u(), y = u();
+      int covered = !hole.empty() && holds(hole, x, y) ? 1 : 0;
+      for (const ClipBox& box : around(hole, whole)) covered += holds(box, x, y) ? 1 : 0;
+      EXPECT_EQ(covered, 1) << x << ", " << y;
+    }
+  }
+}
+
+TEST(ClipBoxes, NoneIsMadeOfNothing) {
+  EXPECT_EQ(around({-1, -1, 1, 0.5}, {}).size(), 1U);  // the part above
+  EXPECT_EQ(around({}, {}).size(), 0U);
+  EXPECT_TRUE(common({-1, -1, 0, 0}, {0.5, 0.5, 1, 1}).empty());
+}
+
+/// As floor.frag: by how much the ellipsoid darkens a place of the floor, 0…1.
+double shade_at(const GlassEllipsoid& e, const Vec3& light, const Vec3& place) {
+  const Mat3 ball = to_ball(e);
+  const Vec3 p = ball * (place - e.center), l = (ball * light).normalized();
+  const double to_light = -p.dot(l), blur = 0.16 + 0.16 * std::max(to_light, 0.0);
+  const double miss = std::sqrt(std::max(0.0, p.squaredNorm() - to_light * to_light));
+  const double x = std::clamp(0.5 + 0.5 * (1.0 - miss) / blur, 0.0, 1.0);
+  return std::min(0.45, 0.30 * x * x * (3.0 - 2.0 * x) + 0.22 / std::pow(p.squaredNorm(), 2));
+}
+
+TEST(FloorShading, HoldsAllThatIsSeenAndIsNotTheWholeScreen) {
+  Random random(5);
+  double area = 0.0;
+  constexpr int kTrials = 60;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const GlassEllipsoid e = random_ellipsoid(random);
+    const double floor_z = tangent_floor(e);
+    Camera camera = random_camera(random);
+    camera.eye.z() = std::abs(camera.eye.z());  // from above
+    const Viewpoint at = viewpoint_of(camera, 1.5, 600);
+    const ClipBox box = floor_shading(at, floor_z, e).shade;
+    area += std::max(0.0, box.x1 - box.x0) * std::max(0.0, box.y1 - box.y0) / 4.0 / kTrials;
+    for (int i = 0; i < 400; ++i) {
+      const Vec3 place(between(-6, 6, random), between(-6, 6, random), floor_z);
+      const Eigen::Vector4d clip = at.view_projection * place.homogeneous();
+      const double x = clip.x() / clip.w(), y = clip.y() / clip.w();
+      if (clip.w() <= 0.0 || !holds({}, x, y) || holds(box, x, y)) continue;
+      EXPECT_LT(shade_at(e, at.light, place), 0.5 / 255.0 * 1.01);  // rounding of the limit on contact
+    }
+  }
+  EXPECT_LT(area, 0.75);
+}
+
+TEST(FloorBox, EndsWhereTheFloorHasFaded) {
+  Random random(9);
+  for (int trial = 0; trial < 60; ++trial) {
+    const Viewpoint at = viewpoint_of(random_camera(random), 1.5, 600);
+    const double floor_z = -1.0;
+    const ClipBox box = floor_box(at, floor_z);
+    for (int i = 0; i < 200; ++i) {
+      const double turn = between(0.0, 2.0 * std::numbers::pi, random),
+                   reach = between(0.0, kFloorEnds, random);
+      const Vec3 place(reach * std::cos(turn), reach * std::sin(turn), floor_z);
+      const Eigen::Vector4d clip = at.view_projection * place.homogeneous();
+      const double x = clip.x() / clip.w(), y = clip.y() / clip.w();
+      constexpr double kRounding = 1e-9;
+      if (clip.w() <= 0.0 || !holds({}, x, y)) continue;
+      EXPECT_TRUE(holds({box.x0, box.y0 - kRounding, box.x1, box.y1 + kRounding}, x, y)) << x << ", " << y;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace polhode
