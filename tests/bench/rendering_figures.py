@@ -24,7 +24,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-LESSON = ["euler-equations", "--what", "figure", "--stage", "poinsot", "--each", "frame"]
+LESSON = [ROOT / "tests/bench/poinsot.md", "--what", "figure", "--each", "frame"]
 FPS = 25
 
 
@@ -82,7 +82,7 @@ class Bench:
     def start(self, command, environment=None, out=subprocess.DEVNULL, err=subprocess.DEVNULL, cores=None):
         hold = (lambda: os.sched_setaffinity(0, cores)) if cores else None
         return subprocess.Popen([str(part) for part in command], stdout=out, stderr=err, preexec_fn=hold,
-                                env={**os.environ, "POLHODE_LESSONS": str(ROOT / "lessons"), **(environment or {})})
+                                env={**os.environ, **(environment or {})})
 
     def folder(self, name):
         return pathlib.Path(tempfile.mkdtemp(prefix=name + "-", dir=self.scratch))
