@@ -107,8 +107,11 @@ Result<EncodedPicture> encoded(const std::filesystem::path& file) {
 /// The pictures of a deck in their order; each of a few threads encodes one of the next.
 class Pictures {
  public:
-  explicit Pictures(const Deck& deck) : deck_(deck) {
-    const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1U, kMostThreads);
+  /// @param like a picture of the deck, by whose size the memory for all is guessed
+  Pictures(const Deck& deck, Size like) : deck_(deck) {
+    const auto pixels = static_cast<std::size_t>(like.width) * static_cast<std::size_t>(like.height);
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t threads = std::clamp<std::size_t>(kMostPixels / pixels, 1, cores);
     while (ahead_.size() < std::min(threads, deck.slides.size())) start_next();
   }
 
@@ -120,7 +123,8 @@ class Pictures {
   }
 
  private:
-  static constexpr unsigned kMostThreads = 4;
+  /// In the making at a time: of each pixel some 20 bytes are held.
+  static constexpr std::size_t kMostPixels = 10'000'000;
 
   void start_next() {
     ahead_.push_back(std::async(std::launch::async, encoded, deck_.slides[started_++].png));
@@ -148,8 +152,8 @@ Status append_slide(const DeckSlide& slide, const EncodedPicture& picture, std::
   return status;
 }
 
-Status append_slides(const Deck& deck, const Sink& sink, const DeckProgress& go_on) {
-  Pictures pictures(deck);
+Status append_slides(const Deck& deck, Size first, const Sink& sink, const DeckProgress& go_on) {
+  Pictures pictures(deck, first);
   for (std::size_t i = 0; i < deck.slides.size(); ++i) {
     if (go_on && !go_on(i)) return failure(kDeckStopped);
     const Result<EncodedPicture> picture = pictures.next();
@@ -200,7 +204,7 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
   };
   const Sink sink(append);
   return append_frame(deck_assets::kDeckHtml, sink, [&](const std::string& name) {
-    return name == "slides" ? append_slides(deck, sink, go_on) : sink(texts.at(name));
+    return name == "slides" ? append_slides(deck, first, sink, go_on) : sink(texts.at(name));
   });
 } catch (const std::exception& error) {  // no memory, no thread
   return failure(error.what());

@@ -134,6 +134,10 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
   const std::string count = fmt::format("{} picture{}", made.count, made.count == 1 ? "" : "s");
   const std::string kept = made.kept > 0 ? fmt::format(" ({} of them kept)", made.kept) : "";
   const std::string folder = e.out.folder.string();
+  if (made.renderer.find(kBetweenRenderers) != std::string::npos)
+    fmt::print(stderr,
+               "polhode: drawn by different drivers, which may differ by a level here and there: {}\n",
+               made.renderer);
   if (made.finished)
     fmt::print(stderr, "{}{} and {} in {}\n", count, kept, kManifestName, folder);
   else
@@ -247,6 +251,7 @@ void add_export(CLI::App& app, Action& action) {
          "shown seconds per stage of frames, per still of a film (default: 8)");
   option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
+  option("--quality", typed->quality, "LEVEL", "of figures: draft, normal or fine (default: the scene's)");
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
   option("--film", typed->film, "FILE",
          "make a film (mp4, webm, gif, apng); without -o its frames are removed");

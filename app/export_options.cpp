@@ -61,6 +61,7 @@ void check_combination(const TypedExport& typed, What what, Each each) {
                   {"--at", typed.at},
                   {"--background", typed.background},
                   {"--theme", typed.theme},
+                  {"--quality", typed.quality},
                   {"--dpi", typed.dpi},
                   {"--png", typed.png},
                   {"--film", typed.film},
@@ -72,6 +73,7 @@ void check_combination(const TypedExport& typed, What what, Each each) {
   if (what == What::equation) {
     refuse_given({{"--size", typed.size}}, "goes with pages and figures; --dpi sets the size of equations");
     refuse_given({{"--at", typed.at}}, "goes with pages and figures; equations have no time");
+    refuse_given({{"--quality", typed.quality}}, "goes with pages and figures; type is the same in all");
   }
   if (each == Each::frame)
     refuse_given({{"--deck", typed.deck}}, "goes with --each stage or step: slides have no frames");
@@ -159,6 +161,9 @@ ExportOptions export_options(const TypedExport& typed) {
                                     "a range A:B with 0 <= A < B, like 0:48");
   options.background = background_name(typed.background, options.what);
   options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
+  if (!typed.quality.empty())
+    options.quality =
+        static_cast<QualityLevel>(choice("--quality", typed.quality, {"draft", "normal", "fine"}));
   options.dpi = dpi_of(typed.dpi, typed.size, options.what);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
   return options;

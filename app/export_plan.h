@@ -26,10 +26,11 @@ struct ExportOptions {
   FrameRate fps;               ///< of Each::frame
   double seconds = 8;          ///< shown, per stage, of Each::frame
   std::optional<double> at_s;  ///< t of stills, of the first frame of films; absent: the scene's `at`, 0
-  std::optional<FrameRange> frames;  ///< of Each::frame; absent: all
-  std::string background = "paper";  ///< of pages that of the theme
-  Theme theme = Theme::paper;        ///< of pages and equations
-  int dpi = 0;                       ///< noted in the files, 0: none; of equations also their size
+  std::optional<FrameRange> frames;     ///< of Each::frame; absent: all
+  std::string background = "paper";     ///< of pages that of the theme
+  Theme theme = Theme::paper;           ///< of pages and equations
+  std::optional<QualityLevel> quality;  ///< of pages and figures; absent: the scene's
+  int dpi = 0;                          ///< noted in the files, 0: none; of equations also their size
   PngPacking png = PngPacking::fast;
 };
 

@@ -31,7 +31,8 @@ class FigureMaker : public PictureMaker {
     const Size size = context_.options.size;
     const double aspect = static_cast<double>(size.width) / size.height;
     return or_fail(
-        context_.renderer.draw(make_figure(model, t_s, aspect), size, background_of(context_.options)));
+        context_.renderer.draw(make_figure(model, t_s, aspect), size, background_of(context_.options),
+                               quality_of(context_.options.quality.value_or(picture.scene->quality))));
   }
 
  private:

@@ -222,11 +222,14 @@ class Film {
          {"-f", "apng"}});
   }
 
+  /// That of a GIF has one bit, which would fray all edges.
+  bool keeps_alpha() const { return kind_ == FilmKind::webm || kind_ == FilmKind::apng; }
+
   Image frame(const fs::path& picture) const {
     Result<PngFile> file = read_png(picture);
     if (!file) throw failed(request_, file.error());
     Image image = extended(file->image, frame_.size);
-    if (kind_ == FilmKind::mp4 && frame_.has_alpha) lay_on_white(image);
+    if (frame_.has_alpha && !keeps_alpha()) lay_on_white(image);
     return image;
   }
 
@@ -270,6 +273,7 @@ void write_film(const FilmRequest& request, const InterruptWatch& watch) {
   std::error_code error;
   fs::create_directories(folder_of(request.file), error);
   if (error) throw failed(request, error.message());
+  for (const fs::path& unfinished : left_behind_in(folder_of(request.file))) fs::remove(unfinished, error);
   Film(request, watch).make();
 }
 

@@ -34,8 +34,9 @@ struct FilmRequest {
 
 /// Sizes may differ: pictures stand in the middle of the largest width and height there are (rounded up to
 /// even ones in MP4 and WebM), and their edges are repeated around them. Colours are tagged BT.709. What is
-/// transparent becomes white in MP4. `file` appears whole or not at all; folders above it are made.
-/// One picture is in memory at a time, besides what ffmpeg holds.
+/// transparent becomes white in MP4 and GIF. `file` appears whole or not at all; folders above it are made,
+/// and what killed processes left unfinished beside it goes. One picture is in memory at a time, besides what
+/// ffmpeg holds.
 /// @throws CommandError failed: no ffmpeg, what ffmpeg says, unreadable pictures, a full disk; Interrupted
 void write_film(const FilmRequest& request, const InterruptWatch& watch);
 

@@ -15,8 +15,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::string_view kBetweenRenderers = " | ";
-
 const char* name_of(Each each) {
   switch (each) {
     case Each::stage:
@@ -108,6 +106,7 @@ Json to_json(const ExportOptions& options) {
       options.frames ? Json(fmt::format("{}:{}", options.frames->begin, options.frames->end)) : Json(nullptr);
   json["background"] = picture ? Json(options.background) : Json(nullptr);
   json["theme"] = themed ? Json(options.theme == Theme::dark ? "dark" : "paper") : Json(nullptr);
+  json["quality"] = options.quality ? Json(name_of(*options.quality)) : Json(nullptr);
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
   json["png"] = picture ? Json(options.png == PngPacking::small ? "small" : "fast") : Json(nullptr);
   return json;

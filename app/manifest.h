@@ -56,8 +56,8 @@ Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem:
 /// "size is 640x360 there and 1280x720 here", of the first option that differs.
 std::string first_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here);
 
-/// The drivers that drew parts of an export, each once, in the order of the alphabet, with " | " between
-/// them.
+inline constexpr std::string_view kBetweenRenderers = " | ";
+/// The drivers that drew parts of an export, each once, in the order of the alphabet.
 std::string join_renderers(const std::vector<std::string>& renderers);
 
 /// The options as a manifest keeps them; those without effect on this kind of export are null.

@@ -18,9 +18,9 @@ namespace polhode {
 
 namespace {
 
-constexpr int kFrames = 3;                // the median counts; the first one, which makes buffers, does not
-constexpr Quality kReference{0, 4};       // 16 samples a pixel of everything
-constexpr double kReferenceChords = 0.1;  // of the usual tolerance
+constexpr int kFrames = 3;                  // the median counts; the first one, which makes buffers, does not
+constexpr Quality kReference{0, 4, false};  // 16 samples a pixel of everything, no edge by formula
+constexpr double kReferenceChords = 0.1;    // of the usual tolerance
 constexpr double kCoarse = 10.0;
 
 template <class T>
@@ -159,7 +159,7 @@ std::string csv_text(const std::vector<RenderingRow>& rows) {
 
 PlotLook look_of(const RenderingSetting& setting) {
   if (setting.chord_tolerance != kChordTolerance) return PlotLook::purple;
-  return setting.quality.samples > 0 ? PlotLook::blue : PlotLook::orange;
+  return setting.quality.soft_lines ? PlotLook::blue : PlotLook::orange;
 }
 
 WorkPrecisionPlot plot_of(const RenderingRequest& request, const std::vector<RenderingRow>& rows,
@@ -192,27 +192,29 @@ void write_text(const std::string& path, const std::string& text) {
 
 std::vector<RenderingSetting> rendering_settings(int most_samples) {
   std::vector<RenderingSetting> settings;
-  const auto add = [&](int n, int samples) {
-    if (samples > most_samples) return;
-    std::string name = n > 1 || samples == 0 ? fmt::format("{}x{}", n, n) : "";
-    std::string words = n > 1 ? fmt::format("{} × {} times the pixels", n, n) : "one sample a pixel";
-    if (samples > 0) {
-      name += fmt::format("{}msaa{}", name.empty() ? "" : "-", samples);
-      words = n > 1 ? fmt::format("{}, {} samples each", words, samples)
-                    : fmt::format("{} samples a pixel", samples);
-    }
-    if (Quality{samples, n} == Quality{}) words += " (usual)";
-    settings.push_back({std::move(name), std::move(words), {samples, n}});
+  const auto add = [&](std::string name, std::string words, const Quality& quality,
+                       double chord_tolerance = kChordTolerance) {
+    if (quality.samples <= most_samples)
+      settings.push_back({std::move(name), std::move(words), quality, chord_tolerance});
   };
-  // llvmpipe makes 4 samples of 2; other drivers have 8.
-  for (const int samples : {0, 4, 8}) add(1, samples);
-  for (const int n : {2, 3})
-    for (const int samples : {0, 4}) add(n, samples);
-  if (Quality{}.samples <= most_samples)
-    settings.push_back({fmt::format("msaa{}-chords-{:g}", Quality{}.samples, kCoarse),
-                        fmt::format("usual, curves {:g} times coarser", kCoarse),
-                        {},
-                        kCoarse * kChordTolerance});
+  add("draft", "draft: meshes with one sample a pixel", quality_of(QualityLevel::draft));
+  add("normal", "normal", quality_of(QualityLevel::normal));
+  add("fine", "fine: 2 × 2 times the pixels", quality_of(QualityLevel::fine));
+  add(fmt::format("normal-chords-{:g}", kCoarse), fmt::format("normal, curves {:g} times coarser", kCoarse),
+      quality_of(QualityLevel::normal), kCoarse * kChordTolerance);
+  // The common way, all by samples, to compare with. llvmpipe has 4; other drivers have 8.
+  for (const int n : {1, 2, 3})
+    for (const int samples : {0, 4, 8}) {
+      if (n > 1 && samples > 4) continue;
+      std::string name = n > 1 || samples == 0 ? fmt::format("{}x{}", n, n) : "";
+      std::string words = n > 1 ? fmt::format("{} × {} times the pixels", n, n) : "one sample a pixel";
+      if (samples > 0) {
+        name += fmt::format("{}msaa{}", name.empty() ? "" : "-", samples);
+        words = n > 1 ? fmt::format("{}, {} samples each", words, samples)
+                      : fmt::format("{} samples a pixel", samples);
+      }
+      add(std::move(name), std::move(words), {samples, n, false});
+    }
   return settings;
 }
 

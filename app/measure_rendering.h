@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The trade between speed and quality of pictures, measured: what a frame of a scene costs at each quality of
-// the renderer, and how far it is from the same frame drawn 4 x 4 times finer and averaged. The frame is
-// without the names of things.
+// the renderer, and drawn the common way by samples, and how far it is from the same frame drawn 4 x 4 times
+// finer and averaged. The frame is without the names of things.
 //
 // Errors are in levels of 8 bits as displayed (sRGB values, as the file has them), over the channels red,
 // green, blue of all pixels. Cost: CPU time of all threads, and wall time, from the figure to the image in
@@ -19,7 +19,7 @@
 namespace polhode {
 
 struct RenderingSetting {
-  std::string name;   ///< "msaa4", "2x2", "2x2-msaa4", "msaa4-chords-10": a tag without spaces
+  std::string name;   ///< "normal", "msaa4", "2x2-msaa4", "normal-chords-10": a tag without spaces
   std::string words;  ///< for a person
   Quality quality;
   double chord_tolerance = kChordTolerance;  ///< of curves, make_model

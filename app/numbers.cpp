@@ -75,7 +75,8 @@ Size picture_size(std::string_view option, std::string_view text, int largest) {
   if (!width || !height)
     throw CommandError(
         ExitCode::usage,
-        fmt::format("{}: \"{}\" is not a size in pixels; write it like 1920x1080, or 16:9, 4k, 4:3, a4", option, text));
+        fmt::format("{}: \"{}\" is not a size in pixels; write it like 1920x1080, or 16:9, 4k, 4:3, a4",
+                    option, text));
   if (*width < 1 || *height < 1 || *width > largest || *height > largest)
     throw CommandError(ExitCode::usage,
                        fmt::format("{}: {}x{} pixels are impossible; each side may have 1 to {}", option,

@@ -92,7 +92,7 @@ Inset figure_inset(const PageRequest& request, const PixelRect& place, double em
   Inset inset{.figure = make_figure(*request.model, request.t_s, aspect),
               .place = place,
               .background = {},
-              .quality = {}};
+              .quality = quality_of(request.quality.value_or(request.model->scene.quality))};
   inset.figure.caption_px = kCaptionSize * em;
   if (request.theme == Theme::dark)
     inset.background = {Background::Kind::color, colors_of(request.theme).backdrop};
@@ -137,7 +137,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   page.meters = grid.meters;
   const Vec2 corner(std::round(grid.text.x0), std::round(grid.text.y0));
   append(page.sheet, text.stack.sheet, corner);
-  append(page.sheet, faded(text.stack.newest, request.news), corner);
+  append(page.sheet, faded(text.stack.newest, request.news.value_or(1.0)), corner);
   if (!request.model) return page;
   page.insets.push_back(figure_inset(request, grid.figure, grid.em));
   add_meters(request, grid, plots, page.sheet, fonts);

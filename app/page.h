@@ -8,6 +8,7 @@
 #include "render/scene/label_layout.h"
 #include "render/scene/model.h"
 
+#include <optional>
 #include <vector>
 
 namespace polhode {
@@ -23,7 +24,10 @@ struct PageRequest {
   double t_s = 0;
   Size size;
   Theme theme = Theme::paper;
-  double news = 1;  ///< opacity of the text that the step adds; its room is there from the start
+  std::optional<QualityLevel> quality{};  ///< of the figure; absent: the scene's
+  /// In a sequence the opacity of the text that the step adds: its room is there from the start, and what was
+  /// in focus before keeps the room it had. Absent: a page by itself.
+  std::optional<double> news{};
 };
 
 struct Page {

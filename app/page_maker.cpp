@@ -81,8 +81,9 @@ class PageMaker : public PictureMaker {
   }
 
   /// Frame by frame, what a step adds comes softly; a stage begins with its first step whole.
-  double news_in(const PlannedPicture& picture) const {
-    if (!picture.frame || picture.frame_of_step == picture.frame_of_stage) return 1.0;
+  std::optional<double> news_in(const PlannedPicture& picture) const {
+    if (!picture.frame) return std::nullopt;
+    if (picture.frame_of_step == picture.frame_of_stage) return 1.0;
     const FrameRate& fps = context_.options.fps;
     const double shown_s =
         static_cast<double>((picture.frame_of_step + 1) * fps.seconds) / static_cast<double>(fps.frames);
@@ -99,6 +100,7 @@ class PageMaker : public PictureMaker {
             .t_s = shown.t_s,
             .size = context_.options.size,
             .theme = context_.options.theme,
+            .quality = context_.options.quality,
             .news = news_in(picture)};
   }
 

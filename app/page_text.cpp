@@ -165,13 +165,17 @@ class ScaledText {
   }
 
   Pieces made_whole(const Step& step, bool is_present) const {
-    const Equation* focus = is_present ? focus_of(request_.stage, step) : nullptr;
+    const Equation* first = focus_of(request_.stage, step);
+    const auto focus_on = [&](const Equation& equation) {
+      if (&equation != first) return Focus::none;
+      return is_present ? Focus::now : request_.news ? Focus::before : Focus::none;
+    };
     const std::vector<std::string> marked =
         is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
     Pieces pieces;
     for (const Block& block : step.blocks) {
       if (const auto* equation = std::get_if<Equation>(&block))
-        pieces.push_back(column_.equation(*equation, equation == focus, marked));
+        pieces.push_back(column_.equation(*equation, focus_on(*equation), marked));
       if (const auto* prose = std::get_if<Prose>(&block)) pieces.push_back(column_.prose(prose->text));
       if (const auto* callout = std::get_if<Callout>(&block)) pieces.push_back(column_.callout(*callout));
       if (const auto* ask = std::get_if<Ask>(&block)) pieces.push_back(column_.question(*ask));

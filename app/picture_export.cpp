@@ -131,26 +131,28 @@ bool has_manifest_of_this(const PictureExport& e) {
   return state && state->finished;
 }
 
-/// Whether the export as a whole is finished.
-bool finish_shard(const PictureExport& e, PictureMaker& maker, const std::string& renderer) {
-  write_manifest(e, maker, e.out.shard, renderer, shard_manifest_name(e.out.shard));
+/// A shard's manifest; and that of all, if this is the last.
+void finish_shard(const PictureExport& e, PictureMaker& maker, PicturesMade& made) {
+  write_manifest(e, maker, e.out.shard, made.renderer, shard_manifest_name(e.out.shard));
   const auto of_all = or_fail(renderer_of_shards(e.out.folder, identity_of(e.loaded, e.options),
                                                  e.out.shard.count, e.plan.pictures.size()));
   // Some may be missing because another shard found all of them, or a process without shards came by.
-  if (!of_all && !has_manifest_of_this(e)) return false;
-  if (of_all) write_manifest(e, maker, Shard{}, *of_all, kManifestName);
-  return true;
+  made.finished = of_all || has_manifest_of_this(e);
+  if (!of_all) return;
+  made.renderer = *of_all;
+  write_manifest(e, maker, Shard{}, made.renderer, kManifestName);
 }
 
-bool finish(const PictureExport& e, PictureMaker& maker, const FolderState& before,
-            const std::string& renderer) {
-  or_fail(sync_folder(e.out.folder));  // the pictures first: a manifest promises them
-  const bool whole = e.out.shard.whole();
-  if (whole) write_manifest(e, maker, Shard{}, renderer, kManifestName);
+void finish(const PictureExport& e, PictureMaker& maker, const FolderState& before, PicturesMade& made) {
+  or_fail(sync_folder(e.out.folder));                                  // a manifest promises the pictures
+  or_fail(look_into(e.out.folder, identity_of(e.loaded, e.options)));  // and that nobody else is at them
   // A folder that was finished still is after a shard of it was made again.
-  const bool finished = whole || before.finished || finish_shard(e, maker, renderer);
-  if (finished) remove_traces(e.out.folder);
-  return finished;
+  made.finished = e.out.shard.whole() || before.finished;
+  if (e.out.shard.whole())
+    write_manifest(e, maker, Shard{}, made.renderer, kManifestName);
+  else if (!before.finished)
+    finish_shard(e, maker, made);
+  if (made.finished) remove_traces(e.out.folder);
 }
 
 }  // namespace
@@ -178,11 +180,11 @@ PicturesMade make_pictures(const PictureExport& e, const TellProgress& tell, con
   PicturesMade made = write_pictures(e, *maker, e.out.skip_existing && before.ours, tell, watch);
   if (made.interrupted) return made;
   const bool kept_all = made.kept == made.count, kept_none = made.kept == 0;
-  const std::string renderer = made.count == 0 ? ""
-                               : kept_none     ? mine
-                               : kept_all      ? before.renderer
-                                               : join_renderers({before.renderer, mine});
-  made.finished = finish(e, *maker, before, renderer);
+  made.renderer = made.count == 0 ? ""
+                  : kept_none     ? mine
+                  : kept_all      ? before.renderer
+                                  : join_renderers({before.renderer, mine});
+  finish(e, *maker, before, made);
   return made;
 }
 

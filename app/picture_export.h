@@ -32,6 +32,8 @@ struct PicturesMade {
   std::size_t kept = 0;      ///< of them those that were there before (--skip-existing)
   bool interrupted = false;  ///< then no manifest was written
   bool finished = false;     ///< manifest.json is there, hence all pictures of all shards are
+  /// That drew the pictures its manifest lists, those of other machines too; several: join_renderers.
+  std::string renderer;
 };
 
 /// In this process: opens OpenGL, checks everything that can be checked without drawing, and only then

@@ -28,7 +28,8 @@ class PictureMaker {
   /// Draws nothing: a manifest can be written by who did not draw its pictures.
   virtual PictureDescription describe(const PlannedPicture& picture) = 0;
   virtual Image draw(const PlannedPicture& picture) = 0;
-  /// Whether two pictures are known, without drawing, to have the same bytes as files.
+  /// Whether two pictures are known, without drawing, to have the same bytes as files. Frames of a scene
+  /// never are, even where nothing in it moves: each file has its t.
   virtual bool same_bytes(const PlannedPicture&, const PlannedPicture&) const { return false; }
 };
 

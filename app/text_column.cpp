@@ -141,18 +141,19 @@ ColumnPiece TextColumn::numbered(const Equation& equation, double size,
   return piece;
 }
 
-ColumnPiece TextColumn::equation(const Equation& equation, bool in_focus,
+ColumnPiece TextColumn::equation(const Equation& equation, Focus focus,
                                  const std::vector<std::string>& marked) const {
   ColumnPiece plain = numbered(equation, kDisplaySize * size_, marked);
-  if (!in_focus) return plain;
+  if (focus == Focus::none) return plain;
   const double pad = std::round(kPanelPad * size_), bar = std::round(std::max(2.0, 0.17 * size_));
   const double left = -std::round(0.7 * size_), right = width_ + pad;
   ColumnPiece piece{.sheet = {},
                     .height = plain.height + 2.0 * pad,
                     .gap = 0.9 * plain.gap,
                     .formula_scale = plain.formula_scale};
-  piece.sheet.shapes = {Area{rectangle(left, 0, right, piece.height), colors().panel},
-                        Area{rectangle(left, 0, left + bar, piece.height), colors().accent}};
+  if (focus == Focus::now)
+    piece.sheet.shapes = {Area{rectangle(left, 0, right, piece.height), colors().panel},
+                          Area{rectangle(left, 0, left + bar, piece.height), colors().accent}};
   append(piece.sheet, std::move(plain.sheet), {0, pad});
   return piece;
 }

@@ -20,6 +20,9 @@ struct ColumnPiece {
   double formula_scale = 1;  ///< of its normal size, of a display that is wider than the column
 };
 
+/// How an equation stands among others: in focus between bar and panel, or with the room that these took.
+enum class Focus { none, now, before };
+
 class TextColumn {
  public:
   /// `size` is the em of prose. All are kept by reference.
@@ -29,7 +32,7 @@ class TextColumn {
 
   ColumnPiece title(const RichText& title) const;
   /// Terms of these names are marked.
-  ColumnPiece equation(const Equation& equation, bool in_focus, const std::vector<std::string>& marked) const;
+  ColumnPiece equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked) const;
   /// An equation of an earlier step: small, without emphasis.
   ColumnPiece earlier_equation(const Equation& equation) const;
   ColumnPiece prose(const RichText& text) const;

@@ -257,7 +257,10 @@ class SceneKeys {
 
   void quality(const TomlEntry& entry) {
     const auto name = read_text(entry, report_);
-    if (name && *name != "draft" && *name != "normal" && *name != "fine") {
+    if (!name) return;
+    if (const auto level = quality_level_from(*name)) {
+      scene_.quality = *level;
+    } else {
       unknown("quality", {*name, entry.value.place}, {"draft", "normal", "fine"});
     }
   }

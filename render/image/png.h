@@ -32,8 +32,8 @@ enum class PngPacking {
   small,  ///< 0.9 s, 13 % smaller
 };
 
-/// Encodes one image after the other; keeps its buffers, which hold about 7 bytes a pixel of the largest so
-/// far, half of them only where pixels do not pack (an image of 16384 x 16384: 1 GiB). One thread at a time.
+/// Encodes one image after the other; keeps its buffers: 3 or 4 bytes a pixel of the largest so far, and
+/// twice its file (with a scene of 16384 x 16384: 1 GiB, with noise 2.5). One thread at a time.
 class PngEncoder {
  public:
   explicit PngEncoder(PngPacking packing = PngPacking::fast);

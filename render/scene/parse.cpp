@@ -100,4 +100,22 @@ std::variant<TorqueTerm, std::string> parse_torque_term(std::string_view text) {
          "\"; known: space:x,y,z, body:x,y,z, heavy:MGR,ax,ay,az, damping:C, sink:C";
 }
 
+std::optional<QualityLevel> quality_level_from(std::string_view name) {
+  for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine})
+    if (name == name_of(level)) return level;
+  return std::nullopt;
+}
+
+const char* name_of(QualityLevel level) {
+  switch (level) {
+    case QualityLevel::draft:
+      return "draft";
+    case QualityLevel::normal:
+      return "normal";
+    case QualityLevel::fine:
+      break;
+  }
+  return "fine";
+}
+
 }  // namespace polhode

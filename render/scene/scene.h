@@ -42,6 +42,12 @@ struct CameraSpec {
   bool operator==(const CameraSpec&) const = default;
 };
 
+/// How finely pictures of a scene are drawn, by name; the renderer says what that is.
+enum class QualityLevel { draft, normal, fine };
+/// draft | normal | fine; nothing otherwise.
+std::optional<QualityLevel> quality_level_from(std::string_view name);
+const char* name_of(QualityLevel level);
+
 struct Scene {
   Body body{"textbook", PrincipalMoments(1.0, 1.75, 2.5), std::nullopt};
   Vec3 w0_B{0.2, 0.1, 3.0};              ///< rad/s at t = 0
@@ -56,7 +62,8 @@ struct Scene {
                                        ///< herpolhode: three), else a turn
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
   std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
-  std::string caption;                 ///< one line in the picture
+  QualityLevel quality = QualityLevel::normal;
+  std::string caption;                       ///< one line in the picture
   std::optional<std::vector<Meter>> meters;  ///< of a page; absent: by whether there is torque
 };
 

@@ -133,6 +133,20 @@ TEST(ExportShards, MadeAgainInAFinishedFolderLeaveItFinished) {
   EXPECT_EQ(contents(scratch.path()), whole_export());
 }
 
+TEST(ExportShards, OfDifferentDriversAreToldInTheManifest) {
+  const ScratchFolder scratch;
+  RunOptions narrow;
+  narrow.environment = {{"LP_NATIVE_VECTOR_WIDTH", "128"}};
+  ASSERT_EQ(polhode(small_export(scratch.path(), {"--shard", "1/2"}), narrow).code, 0);
+  const ProgramRun last = polhode(small_export(scratch.path(), {"--shard", "2/2"}));
+  ASSERT_EQ(last.code, 0);
+  const std::string renderer = Json::parse(text_of(scratch / kManifestName))["renderer"];
+  const std::string usual = Json::parse(whole_export().at(kManifestName))["renderer"];
+  if (usual.find("128 bits") != std::string::npos) GTEST_SKIP() << "this machine has 128 bits only";
+  EXPECT_THAT(renderer, AllOf(HasSubstr("128 bits"), HasSubstr(" | "), HasSubstr(usual)));
+  EXPECT_THAT(last.err, HasSubstr("different drivers"));
+}
+
 TEST(ExportShards, OfSlurmAreReadFromTheEnvironment) {
   const ScratchFolder scratch;
   for (const char* task : {"7", "5"}) {  // --array=5-7:2

@@ -174,12 +174,17 @@ TEST_F(Film, OfOddAndUnequalSizesLosesNoRow) {
       ASSERT_EQ(frame.pixel(x, y)[0], second.pixel(x, std::clamp(y - 15, 0, 32))[0]) << x << ", " << y;
 }
 
-TEST_F(Film, TransparentPicturesStayWhereTheKindCanAndBecomeWhiteInMp4) {
+TEST_F(Film, TransparentPicturesStayWhereTheKindCanAndBecomeWhiteElsewhere) {
   const Size size{64, 64};
   const auto pictures = written(scratch, blocks(3, size, 0));
-  for (const char* name : {"f.mp4", "f.apng"}) write_film({other / name, pictures, {10, 1}, 1, ""}, watch);
-  const Image solid = frames_of(other / "f.mp4", size, scratch).at(0);
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(solid.pixel(60, 2)[c], 255, 3);
+  for (const char* name : {"f.mp4", "f.gif", "f.apng", "f.webm"})
+    write_film({other / name, pictures, {10, 1}, 1, ""}, watch);
+  for (const char* name : {"f.mp4", "f.gif"}) {
+    const Image solid = frames_of(other / name, size, scratch).at(0);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(solid.pixel(60, 2)[c], 255, 3) << name;
+    EXPECT_EQ(solid.pixel(60, 2)[3], 255) << name;
+  }
+  EXPECT_THAT(entries(other / "f.webm", "stream_tags", scratch), HasSubstr("alpha_mode=1"));
   EXPECT_EQ(frames_of(other / "f.apng", size, scratch).at(0).rgba, block(size, 0, 0).rgba);
 }
 
@@ -336,6 +341,24 @@ TEST_F(Film, AnInterruptedExportKeepsItsFramesAndNothingHalf) {
   EXPECT_EQ(run.code, 130) << run.err;
   EXPECT_THAT(run.err, AllOf(HasSubstr("interrupted"), HasSubstr("f.mp4.parts")));
   EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4.parts"));
+}
+
+TEST_F(Film, WhatAKilledExportLeftGoesWithTheNext) {
+  {
+    // Writes to its last argument, as ffmpeg does.
+    const StandIn stand_in("for last; do :; done; echo half > \"${last#file:}\"; sleep 1");
+    RunOptions options;
+    options.while_running = [&](pid_t program) {
+      for (int tries = 0; tries < 6000 && names_in(other.path()).size() < 2; ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      kill(program, SIGKILL);
+    };
+    export_film(other, "f.mp4", {"--fps", "20", "--seconds", "1"}, options);
+  }
+  if (names_in(other.path()).size() < 2) GTEST_SKIP() << "it was quicker";
+  const ProgramRun run = export_film(other, "f.mp4", {"--fps", "20", "--seconds", "1", "--skip-existing"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4"));
 }
 
 TEST(FilmOptions, OtherKindsAndTooQuickGifsAreRefused) {

@@ -42,6 +42,8 @@ TEST(MeasureRendering, SettingsAreWhatTheDriverHasAndTheUsualOne) {
       EXPECT_TRUE(names.insert(setting.name).second) << setting.name << " comes twice";
     }
     EXPECT_EQ(names.contains("msaa4"), most >= 4);
+    EXPECT_EQ(names.contains("normal"), most >= 4);
+    EXPECT_TRUE(names.contains("draft"));
   }
 }
 
@@ -61,7 +63,7 @@ TEST(MeasureRendering, WritesJsonCsvAndPlot) {
     EXPECT_GT(r["ms_per_frame"], 0.0);
     EXPECT_GE(r["max"], r["rms"]);
     if (r["setting"] == "1x1") rough = r["rms"];
-    if (r["setting"] == "3x3") fine = r["rms"];
+    if (r["setting"] == "fine") fine = r["rms"];
   }
   EXPECT_LT(fine, rough);
   EXPECT_TRUE(std::find(json["rows"].begin(), json["rows"].end(), json["recommended"]) != json["rows"].end());

@@ -166,7 +166,7 @@ class Checked {
       for (const PlacedType& text : piece.sheet.texts) all.push_back(polhode::letters_of(text.list));
     };
     for (const Block& block : step.blocks) {
-      if (const auto* e = std::get_if<Equation>(&block)) add(column_.equation(*e, false, {}));
+      if (const auto* e = std::get_if<Equation>(&block)) add(column_.equation(*e, Focus::none, {}));
       if (const auto* p = std::get_if<Prose>(&block)) add(column_.prose(p->text));
       if (const auto* c = std::get_if<Callout>(&block)) add(column_.callout(*c));
       if (const auto* q = std::get_if<Ask>(&block)) add(column_.question(*q));
@@ -191,7 +191,7 @@ class Checked {
   }
 
   Letters letters_of(const Equation& equation) const {
-    return polhode::letters_of(column_.equation(equation, false, {}).sheet.texts.back().list);
+    return polhode::letters_of(column_.equation(equation, Focus::none, {}).sheet.texts.back().list);
   }
 
   bool present_shows(const Letters& letters) const {
@@ -421,6 +421,33 @@ TEST(Page, WhatAStepAddsFadesWhereItWillStand) {
   EXPECT_EQ(fading, 2) << "the sentence and the equation";
   for (const FlatShape& shape : faint.shapes) EXPECT_EQ(color_of(shape).a, 0.25F) << "panel and bar";
   EXPECT_EQ(faint.shapes.size(), 2u);
+}
+
+TEST(Page, InASequenceWhatStandsThereStaysInItsPlace) {
+  const Lesson lesson = lesson_of(
+      "# A stage {one}\nFirst.\n\n```math e\na = b\n```\nBetween.\n\n---\nThen.\n\n```math f\nc = d\n```\n");
+  const auto sheet_of = [&](int step, std::optional<double> news) {
+    return compose_page({.lesson = lesson,
+                         .stage = lesson.stages[0],
+                         .number = 1,
+                         .step = step,
+                         .model = nullptr,
+                         .t_s = 0,
+                         .size = {800, 600},
+                         .theme = Theme::paper,
+                         .news = news},
+                        test_fonts())
+        .sheet;
+  };
+  const Sheet before = sheet_of(1, 1.0), after = sheet_of(2, 0.5), alone = sheet_of(2, std::nullopt);
+  ASSERT_GT(after.texts.size(), before.texts.size());
+  for (std::size_t i = 1; i < before.texts.size(); ++i) {  // 0 tells the step
+    EXPECT_EQ(before.texts[i].list, after.texts[i].list);
+    EXPECT_EQ(before.texts[i].at, after.texts[i].at);
+  }
+  EXPECT_EQ(areas_of(after, colors_of(Theme::paper).panel).size(), 0u)
+      << "the focus is not there yet, or twice";
+  EXPECT_LT(alone.texts.back().at.y(), after.texts.back().at.y()) << "a page by itself needs no such room";
 }
 
 TEST(Page, AHighlightedTermIsMarkedBehind) {

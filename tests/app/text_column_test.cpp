@@ -79,8 +79,8 @@ class Column : public testing::TestWithParam<Sizes> {
     std::vector<ColumnPiece> pieces = {c.title(lesson().stages[0].title_text)};
     for (const Prose& prose : blocks_of<Prose>()) pieces.push_back(c.prose(prose.text));
     for (const Equation& equation : blocks_of<Equation>()) {
-      pieces.push_back(c.equation(equation, false, {}));
-      pieces.push_back(c.equation(equation, true, {"turning"}));
+      pieces.push_back(c.equation(equation, Focus::none, {}));
+      pieces.push_back(c.equation(equation, Focus::now, {"turning"}));
       pieces.push_back(c.earlier_equation(equation));
     }
     for (const Callout& callout : blocks_of<Callout>()) pieces.push_back(c.callout(callout));
@@ -143,17 +143,17 @@ TEST_P(Column, StackedPiecesDoNotOverlap) {
 
 TEST_P(Column, ATagStandsAtTheRightEdgeOnTheBaselineOfItsEquation) {
   const auto equations = blocks_of<Equation>();
-  const ColumnPiece piece = column().equation(equations[0], false, {});
+  const ColumnPiece piece = column().equation(equations[0], Focus::none, {});
   ASSERT_EQ(piece.sheet.texts.size(), 2u);
   EXPECT_EQ(piece.sheet.texts[0].at.y(), piece.sheet.texts[1].at.y());
   EXPECT_NEAR(piece.sheet.texts[0].at.x() + piece.sheet.texts[0].list.width, width(), 0.5);  // whole pixels
-  EXPECT_EQ(column().equation(equations[2], false, {}).sheet.texts.size(), 1u);
+  EXPECT_EQ(column().equation(equations[2], Focus::none, {}).sheet.texts.size(), 1u);
 }
 
 TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {
   for (const Equation& equation : blocks_of<Equation>()) {
-    const ColumnPiece plain = column().equation(equation, false, {}),
-                      focus = column().equation(equation, true, {});
+    const ColumnPiece plain = column().equation(equation, Focus::none, {}),
+                      focus = column().equation(equation, Focus::now, {});
     EXPECT_TRUE(plain.sheet.shapes.empty());
     EXPECT_TRUE(column().earlier_equation(equation).sheet.shapes.empty());
     const auto panels = areas_of(focus.sheet, colors().panel), bars = areas_of(focus.sheet, colors().accent);
@@ -170,10 +170,10 @@ TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {
 
 TEST_P(Column, MarksLieBehindTheTermsOfTheirNamesAlone) {
   const Equation equation = blocks_of<Equation>()[0];
-  for (const bool in_focus : {false, true}) {
-    EXPECT_TRUE(areas_of(column().equation(equation, in_focus, {"other"}).sheet, colors().marked).empty());
+  for (const Focus focus : {Focus::none, Focus::now}) {
+    EXPECT_TRUE(areas_of(column().equation(equation, focus, {"other"}).sheet, colors().marked).empty());
     for (const std::string name : {"turning", "drawn"}) {
-      const ColumnPiece piece = column().equation(equation, in_focus, {name});
+      const ColumnPiece piece = column().equation(equation, focus, {name});
       const auto marks = areas_of(piece.sheet, colors().marked);
       ASSERT_EQ(marks.size(), 1u);
       const PlacedType& text = piece.sheet.texts.back();
@@ -194,8 +194,7 @@ TEST_P(Column, MarksLieBehindTheTermsOfTheirNamesAlone) {
       }
     }
     EXPECT_EQ(
-        areas_of(column().equation(equation, in_focus, {"turning", "drawn"}).sheet, colors().marked).size(),
-        2u);
+        areas_of(column().equation(equation, focus, {"turning", "drawn"}).sheet, colors().marked).size(), 2u);
   }
 }
 
@@ -237,10 +236,10 @@ TEST(TextColumn, ALongEquationIsBrokenBeforeItIsSetSmaller) {
   const TextColumn column(651, 23.25, Theme::paper, none, test_fonts());
   const auto equations = blocks_of<Equation>();
   const auto size_of = [&](const Equation& e) {
-    return column.equation(e, false, {}).sheet.texts.back().list.glyphs[0].size;
+    return column.equation(e, Focus::none, {}).sheet.texts.back().list.glyphs[0].size;
   };
   EXPECT_EQ(size_of(equations[1]), size_of(equations[0]));
-  EXPECT_GT(column.equation(equations[1], false, {}).height, 3 * 23.25);
+  EXPECT_GT(column.equation(equations[1], Focus::none, {}).height, 3 * 23.25);
   EXPECT_LT(size_of(equations[2]), size_of(equations[0]));
 }
 

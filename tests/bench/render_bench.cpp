@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a frame costs: CPU ms of all threads (column CPU) beside wall time, for the Poinsot scene with labels
-// and a moving camera. BM_Frame is the figure that counts: picture and PNG together, at most 320 ms of CPU at
+// and a moving camera. BM_Frame is the figure that counts: picture and PNG together, at most 65 ms of CPU at
 // 1080p.
 #include "render/gl/framebuffer.h"
 #include "render/gl/renderer.h"
@@ -50,23 +50,28 @@ Size size_of(const benchmark::State& state) {
   return {height * 16 / 9, height};
 }
 
-Image draw(const SceneModel& model, double t_s, Size size) {
-  auto image = studio().renderer->draw(make_figure(model, t_s, kAspect), size, {});
+Image draw(const SceneModel& model, double t_s, Size size, const Quality& quality = {}) {
+  auto image = studio().renderer->draw(make_figure(model, t_s, kAspect), size, {}, quality);
   if (!image) throw std::runtime_error(image.error());
   return std::move(image).value();
 }
 
-void BM_Frame(benchmark::State& state) {
+/// Picture and PNG, as `export --png fast` makes them; the camera moves.
+void make_frames(benchmark::State& state, const Quality& quality) {
   SceneModel model = make_model(poinsot_scene());
   const Size size = size_of(state);
-  draw(model, 0.0, size);  // shaders and buffers
+  PngEncoder encoder(PngPacking::fast);
+  draw(model, 0.0, size, quality);  // shaders and buffers
   double t_s = 0.0;
   for (auto _ : state) {
     t_s += model.rate / 25.0;
     model.scene.camera.azimuth_rad += 0.01;
-    benchmark::DoNotOptimize(encode_png(draw(model, t_s, size), {}));
+    benchmark::DoNotOptimize(encoder.encode(draw(model, t_s, size, quality), {}));
   }
 }
+void BM_Frame(benchmark::State& state) { make_frames(state, {}); }
+/// The common way: all by samples and a depth buffer.
+void BM_FrameMsaa4(benchmark::State& state) { make_frames(state, {.samples = 4, .soft_lines = false}); }
 
 void BM_Draw(benchmark::State& state) {
   const SceneModel model = make_model(poinsot_scene());
@@ -113,6 +118,20 @@ void BM_ClearResolveRead(benchmark::State& state) {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     framebuffer.resolve();
     benchmark::DoNotOptimize(framebuffer.read());
+  }
+}
+
+/// What no frame can do without: clear, read back, and the PNG of a frame.
+void BM_ClearReadPng(benchmark::State& state) {
+  const Gl gl = Gl::load(*studio().context).value();
+  const Framebuffer framebuffer = Framebuffer::create(gl, size_of(state), 0).value();
+  const Image frame = draw(make_model(poinsot_scene()), 1.1, size_of(state));
+  PngEncoder encoder(PngPacking::fast);
+  for (auto _ : state) {
+    framebuffer.bind();
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    benchmark::DoNotOptimize(framebuffer.read());
+    benchmark::DoNotOptimize(encoder.encode(frame, {}));
   }
 }
 
@@ -181,6 +200,8 @@ void BM_MakeFigure(benchmark::State& state) {
 
 constexpr auto kMs = benchmark::kMillisecond;
 BENCHMARK(BM_Frame)->Arg(720)->Arg(1080)->Arg(2160)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
+BENCHMARK(BM_FrameMsaa4)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
+BENCHMARK(BM_ClearReadPng)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_Draw)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_Png)->ArgsProduct({{1080}, {0, 1, 2}})->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_ClearResolveRead)

@@ -74,7 +74,7 @@ TEST(Figure, TheCurvesPassThroughOmegasTip) {
     }
     return nearest;
   };
-  constexpr double kChord = 2e-4;  // what model.cpp asks of the curves, scene units
+  constexpr double kChord = kChordTolerance;  // scene units: the largest semi-axis is one
   EXPECT_LT(distance(tube_of(list, kPolhodeRole)), kChord + kMotionTolerance);
   EXPECT_LT(distance(tube_of(list, kHerpolhodeRole)), kChord + kMotionTolerance);
 }
