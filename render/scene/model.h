@@ -77,9 +77,9 @@ struct SceneModel {
 /// What the herpolhode covers from t = 0: `duration`, or three polhode periods.
 double herpolhode_span_s(const Scene& scene);
 
-/// Chords of curves stay within this part of the energy ellipsoid's largest semi-axis: 0.2 px in a 1080p
+/// Chords of curves stay within this part of the energy ellipsoid's largest semi-axis: 0.1 px in a 1080p
 /// picture.
-inline constexpr double kChordTolerance = 4e-4;
+inline constexpr double kChordTolerance = 2e-4;
 
 /// Chooses the cheapest motion that gives what is asked and computes the parts asked for.
 /// @throws std::domain_error if the body, the state or the chosen method cannot serve.
