@@ -117,17 +117,17 @@ Result<std::unique_ptr<FigurePass>> FigurePass::create(const Gl& gl) {
   auto far_side = make("far glass", glass, {"#define FAR_SIDE\n", kGlass_structGlsl, kGlassGlsl, kGlassFrag});
   auto near_side =
       make("near glass", glass, {"#define NEAR_SIDE\n", kGlass_structGlsl, kGlassGlsl, kGlassFrag});
-  const auto in_glass = [&](const std::string& name, const Parts& vertex, std::string_view kind,
+  const auto in_glass = [&](const std::string& name, std::string_view vertex, std::string_view kind,
                             std::string_view fragment) -> std::array<std::optional<Program>, 3> {
     const auto behind = [&](const char* number) {
-      return make(name, vertex,
+      return make(name, {number, vertex},
                   {kind, number, kLightGlsl, kGlass_structGlsl, kGlassGlsl, kBehind_glassGlsl, fragment});
     };
     return {behind("#define GLASSES 0\n"), behind("#define GLASSES 1\n"), behind("#define GLASSES 2\n")};
   };
-  auto line = in_glass("line", {kStrokeVert}, "", kStrokeFrag);
-  auto cone = in_glass("cone", {kSolidVert}, "#define CONE\n", kSolidFrag);
-  auto ball_shape = in_glass("ball", {kSolidVert}, "", kSolidFrag);
+  auto line = in_glass("line", kStrokeVert, "", kStrokeFrag);
+  auto cone = in_glass("cone", kSolidVert, "#define CONE\n", kSolidFrag);
+  auto ball_shape = in_glass("ball", kSolidVert, "", kSolidFrag);
   auto tube = make("tube", {kTubeVert}, {kLightGlsl, kTubeFrag});
   auto mesh = make("mesh", {kMeshVert}, {kLightGlsl, kMeshFrag});
   auto layer = make("layer", screen, {kCompositeFrag});

@@ -41,13 +41,14 @@ class Painter {
     for (std::size_t i = 0; i < tangents.size(); ++i) {
       const std::array<Vec3, 2> ends = {fine.points[i], fine.points[(i + 1) % n]};
       const auto first = static_cast<std::uint32_t>(made_.lines.vertices.size());
+      const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(tangents.size());
+      const auto color = floats(fine.color, std::lerp(fine.fade_start, 1.0, middle));
       for (std::size_t k = 0; k < 2; ++k)
         for (const float side : {-1.0F, 1.0F}) {
-          const double part = static_cast<double>(i + k) / static_cast<double>(tangents.size());
           made_.lines.vertices.push_back(
               {floats(ends[k]),
                floats(k ? tangents[i].end : tangents[i].start),
-               floats(fine.color, std::lerp(fine.fade_start, 1.0, part)),
+               color,
                {side, static_cast<float>(fine.radius),
                 static_cast<float>(fine.dash > 0.0 ? 1.0 / fine.dash : 0.0)},
                fine.closed ? std::array{along[i + k] + kFarFromEnds, along.back() + 2 * kFarFromEnds}

@@ -14,7 +14,7 @@ namespace polhode {
 struct StrokeVertex {
   std::array<float, 3> position;
   std::array<float, 3> tangent;
-  std::array<float, 4> color;
+  std::array<float, 4> color;  ///< the same in all four of a piece
   std::array<float, 3> shape;  ///< side, radius, dashes and gaps to a length of 1
   std::array<float, 2> along;  ///< from the first end to here, and to the last; far from both if closed
 };

@@ -1,6 +1,7 @@
 in vec3 v_normal;
 in vec3 v_point;
 in vec4 v_color;
+uniform vec3 u_light;         // unit, towards the key light
 uniform vec3 u_eye;
 uniform float u_sunk_below;  // height under which things are seen through the floor
 out vec4 o_color;
@@ -9,5 +10,5 @@ void main() {
   vec3 n = normalize(v_normal);
   n *= sign(dot(n, to_eye) + 1e-6);  // both sides are lit
   float alpha = v_color.a * (v_point.z < u_sunk_below ? 0.42 : 1.0);
-  o_color = vec4(lit(v_color.rgb, n, to_eye, 0.56, 0.18) * alpha, alpha);
+  o_color = vec4(lit(v_color.rgb, n, u_light, to_eye, 0.56, 0.18) * alpha, alpha);
 }

@@ -6,6 +6,10 @@ flat in vec2 v_shape;  // radius; height of a cone
 in vec3 v_ray;  // from the eye to a point in the plane of the rectangle
 uniform mat4 u_view_projection;
 uniform vec3 u_eye;
+uniform vec3 u_light;          // unit, towards the key light
+#if GLASSES > 0
+uniform mat3 u_to_ball[GLASSES];
+#endif
 uniform float u_level;        // height below which things are fainter, or not drawn
 uniform vec2 u_strengths;      // below that level and above
 out vec4 o_color;
@@ -67,14 +71,19 @@ void main() {
     Hit h = hit(u_eye, d);
     float z = u_eye.z + h.way * d.z;
     float weight = h.way > 0.0 ? 1.0 : 0.0;
-    sum += weight * lit(v_color.rgb, h.normal * -sign(dot(h.normal, d)), -d, 0.56, 0.18);
+    sum += weight * lit(v_color.rgb, h.normal * -sign(dot(h.normal, d)), u_light, -d, 0.56, 0.18);
     weights += weight;
     ways += weight * h.way;
     alphas += weight * (z < u_level ? u_strengths.x : u_strengths.y);
   }
   float any = max(weights, 1.0);
   vec3 ray = (ways / any) * normalize(v_ray);
-  vec3 color = behind_glass(sum / any, ray);
+  vec3 color = sum / any;
+#if GLASSES > 0
+  float per_length = inversesqrt(dot(ray, ray));
+  for (int i = 0; i < GLASSES; ++i)
+    color = behind_glass(color, u_glass[i], Ray(u_to_ball[i] * ray, per_length, dot(ray, u_light) * per_length));
+#endif
   if (alphas <= 0.0) discard;  // and leave no depth
   vec4 clip = u_view_projection * vec4(u_eye + ray, 1.0);
   gl_FragDepth = clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0);

@@ -1,10 +1,12 @@
 // A piece of a tube, lit as a cylinder, with the part of the pixel that it covers, behind the glass where it is.
-in vec3 v_side;
-in vec3 v_toward;
-in vec4 v_color;
+flat in vec4 v_color;
+in vec4 v_light;  // as stroke.vert gives them
 in vec4 v_px;     // across, half width, to the nearer end, above the level below which it is fainter, or not drawn
 in vec2 v_dash;   // dashes; pixels to a dash and a gap
-in vec3 v_near;   // from the eye to the cylinder
+#if GLASSES > 0
+in vec3 v_towards[GLASSES];
+in vec2 v_ray;
+#endif
 uniform vec2 u_strengths;  // below that level and above
 out vec4 o_color;
 
@@ -13,8 +15,13 @@ float reached(float px) { return clamp(px + 0.5, 0.0, 1.0); }
 
 void main() {
   float across = clamp(v_px.x / v_px.y, -1.0, 1.0), offset = abs(v_px.x);
-  vec3 n = across * v_side + sqrt(1.0 - across * across) * v_toward;
-  vec3 color = behind_glass(lit(v_color.rgb, n, -normalize(v_near), 0.58, 0.32), v_near);
+  float front = sqrt(1.0 - across * across);
+  float to_light = across * v_light.x + front * v_light.y;
+  vec3 color = lit(v_color.rgb, to_light, (to_light + front * v_light.z) * v_light.w, 0.58, 0.32);
+#if GLASSES > 0
+  for (int i = 0; i < GLASSES; ++i)
+    color = behind_glass(color, u_glass[i], Ray(v_towards[i], v_ray.x, v_ray.y));
+#endif
 
   float covered = clamp(min(v_px.y, offset + 0.5) - max(-v_px.y, offset - 0.5), 0.0, 1.0);
   float gap = abs(fract(v_dash.x + 0.25) - 0.5);  // 0 in the middle of a dash, 1/2 of a gap

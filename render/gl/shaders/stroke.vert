@@ -8,12 +8,16 @@ uniform mat4 u_view_projection;
 uniform vec3 u_eye;
 uniform float u_pixel;  // its side at distance 1 along the line of sight
 uniform float u_level;  // height below which things are fainter, or not drawn
-out vec3 v_side;
-out vec3 v_toward;
-out vec4 v_color;
+uniform vec3 u_light;   // unit, towards the key light
+flat out vec4 v_color;
+out vec4 v_light;   // shares of the light in the ribbon's side and front, of the viewer in the front, 1 / halfway
 out vec4 v_px;      // across, half width, to the nearer end, above the level
 out vec2 v_dash;    // dashes; pixels to a dash and a gap
-out vec3 v_near;
+#if GLASSES > 0
+uniform mat3 u_to_ball[GLASSES];
+out vec3 v_towards[GLASSES];
+out vec2 v_ray;     // 1 / length, cosine of the angle with the key light
+#endif
 void main() {
   const float kSoft = 0.8;  // px; half of it would do for edges along rows and columns
   float pixel = u_pixel * (u_view_projection * vec4(a_position, 1.0)).w;
@@ -27,13 +31,18 @@ void main() {
   vec4 clip = u_view_projection * vec4(point, 1.0);
   vec4 front = u_view_projection * vec4(point + a_shape.y * to_eye, 1.0);
   gl_Position = vec4(clip.xy, clip.w * front.z / front.w, clip.w);  // depth of the cylinder's near side
-  v_side = side;
-  v_toward = normalize(cross(side, a_tangent));
+  vec3 toward = normalize(cross(side, a_tangent)), near = point + a_shape.y * to_eye - u_eye;
+  float per_length = 1.0 / length(near), eye_light = -dot(near, u_light) * per_length;
+  v_light = vec4(dot(side, u_light), dot(toward, u_light), -dot(toward, near) * per_length,
+                 inversesqrt(max(2.0 + 2.0 * eye_light, 1e-6)));
   v_color = a_color;
   float along = a_along.x + longer;
   float shown = length(cross(a_tangent, to_eye)) / pixel;  // px to a length of 1 along the tube
   v_px = vec4(a_shape.x * half_width / pixel, a_shape.y / pixel, min(along, a_along.y - along) * shown,
               (point.z - u_level) / pixel);
   v_dash = a_shape.z > 0.0 ? vec2(0.5 * along * a_shape.z, 2.0 * shown / a_shape.z) : vec2(0.25, 4.0);
-  v_near = point + a_shape.y * to_eye - u_eye;
+#if GLASSES > 0
+  for (int i = 0; i < GLASSES; ++i) v_towards[i] = u_to_ball[i] * near;
+  v_ray = vec2(per_length, -eye_light);
+#endif
 }
