@@ -120,7 +120,7 @@ Result<std::unique_ptr<FigurePass>> FigurePass::create(const Gl& gl) {
   const auto in_glass = [&](const std::string& name, std::string_view vertex, std::string_view kind,
                             std::string_view fragment) -> std::array<std::optional<Program>, 3> {
     const auto behind = [&](const char* number) {
-      return make(name, {number, vertex},
+      return make(name, {number, kGlass_structGlsl, vertex},
                   {kind, number, kLightGlsl, kGlass_structGlsl, kGlassGlsl, kBehind_glassGlsl, fragment});
     };
     return {behind("#define GLASSES 0\n"), behind("#define GLASSES 1\n"), behind("#define GLASSES 2\n")};

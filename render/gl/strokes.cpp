@@ -151,7 +151,7 @@ class Painter {
                                          floats(to),
                                          floats(color),
                                          {static_cast<float>(radius), static_cast<float>(height)}});
-    add_piece(sorted_by, kind == Strokes::Kind::ball ? radius : 0.0, kind, first);
+    add_piece(sorted_by, kind == Strokes::Kind::ball ? radius : 0.5 * radius, kind, first);
   }
 
   Vec3 eye_;

@@ -1,8 +1,5 @@
 // What lies behind the near sides of the glass ellipsoids, of which there are GLASSES. They are laid over each thing by
 // itself and not over the picture: laying over is affine, so things that cover one another partly come out the same.
-#if GLASSES > 0
-uniform Glass u_glass[GLASSES];
-#endif
 uniform float u_fineness;  // of pixels to a side that are averaged into one: lines keep their width
 
 /// @param color of a thing where the ray ends, after a way of 1

@@ -8,6 +8,7 @@ uniform mat4 u_view_projection;
 uniform vec3 u_eye;
 uniform vec3 u_light;          // unit, towards the key light
 #if GLASSES > 0
+uniform Glass u_glass[GLASSES];
 uniform mat3 u_to_ball[GLASSES];
 #endif
 uniform float u_level;        // height below which things are fainter, or not drawn
@@ -76,9 +77,9 @@ void main() {
     ways += weight * h.way;
     alphas += weight * (z < u_level ? u_strengths.x : u_strengths.y);
   }
-  float any = max(weights, 1.0);
-  vec3 ray = (ways / any) * normalize(v_ray);
-  vec3 color = sum / any;
+  // Where nothing is hit, the way is that of its surroundings: neighbours take differences with it.
+  vec3 ray = weights > 0.0 ? (ways / weights) * normalize(v_ray) : v_ray;
+  vec3 color = sum / max(weights, 1.0);
 #if GLASSES > 0
   float per_length = inversesqrt(dot(ray, ray));
   for (int i = 0; i < GLASSES; ++i)

@@ -4,6 +4,7 @@ in vec4 v_light;  // as stroke.vert gives them
 in vec4 v_px;     // across, half width, to the nearer end, above the level below which it is fainter, or not drawn
 in vec2 v_dash;   // dashes; pixels to a dash and a gap
 #if GLASSES > 0
+flat in Glass v_glass[GLASSES];
 in vec3 v_towards[GLASSES];
 in vec2 v_ray;
 #endif
@@ -20,7 +21,7 @@ void main() {
   vec3 color = lit(v_color.rgb, to_light, (to_light + front * v_light.z) * v_light.w, 0.58, 0.32);
 #if GLASSES > 0
   for (int i = 0; i < GLASSES; ++i)
-    color = behind_glass(color, u_glass[i], Ray(v_towards[i], v_ray.x, v_ray.y));
+    color = behind_glass(color, v_glass[i], Ray(v_towards[i], v_ray.x, v_ray.y));
 #endif
 
   float covered = clamp(min(v_px.y, offset + 0.5) - max(-v_px.y, offset - 0.5), 0.0, 1.0);

@@ -14,7 +14,9 @@ out vec4 v_light;   // shares of the light in the ribbon's side and front, of th
 out vec4 v_px;      // across, half width, to the nearer end, above the level
 out vec2 v_dash;    // dashes; pixels to a dash and a gap
 #if GLASSES > 0
+uniform Glass u_glass[GLASSES];
 uniform mat3 u_to_ball[GLASSES];
+flat out Glass v_glass[GLASSES];  // flat for the reason in floor.vert
 out vec3 v_towards[GLASSES];
 out vec2 v_ray;     // 1 / length, cosine of the angle with the key light
 #endif
@@ -42,7 +44,10 @@ void main() {
               (point.z - u_level) / pixel);
   v_dash = a_shape.z > 0.0 ? vec2(0.5 * along * a_shape.z, 2.0 * shown / a_shape.z) : vec2(0.25, 4.0);
 #if GLASSES > 0
-  for (int i = 0; i < GLASSES; ++i) v_towards[i] = u_to_ball[i] * near;
+  for (int i = 0; i < GLASSES; ++i) {
+    v_glass[i] = u_glass[i];
+    v_towards[i] = u_to_ball[i] * near;
+  }
   v_ray = vec2(per_length, -eye_light);
 #endif
 }
