@@ -147,10 +147,8 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
 
 /// What failed may be mended: a full disk, a lost connection.
 [[noreturn]] void fail_with_advice(const PictureExport& e, const CommandError& error) {
-  std::error_code none;
-  const bool kept =
-      fs::exists(e.out.folder / kMarkerName, none) || fs::exists(e.out.folder / kManifestName, none);
-  if (error.code != ExitCode::failed || !kept) throw error;
+  const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  if (error.code != ExitCode::failed || !folder || !folder->ours) throw error;
   throw CommandError(error.code, fmt::format("{}\nWhat is whole is kept; go on with\n  {}", error.what(),
                                              shell_line(e.out.resume)));
 }

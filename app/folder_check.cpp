@@ -34,6 +34,8 @@ int number_in(const Json& json, const char* name) {
 
 /// Manifest or marker.
 Json record_in(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return nullptr;
   std::ifstream file(path, std::ios::binary);
   Json json = Json::parse(file, nullptr, false);
   const bool whole = json.is_object() && json.contains("files") && json["files"].is_array() &&
@@ -142,7 +144,10 @@ class Check {
   /// Films and decks may lie beside the pictures they are made of.
   static bool is_made_of_pictures(const fs::path& name) {
     constexpr std::array kEndings = {".mp4", ".webm", ".gif", ".apng", ".html", ".htm", ".pdf"};
-    return std::find(kEndings.begin(), kEndings.end(), name.extension()) != kEndings.end();
+    std::string ending = name.extension().string();
+    for (char& c : ending)
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
   }
 
   void sort_others() {

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cerrno>
 #include <cmath>
 #include <fstream>
 #include <functional>
 #include <set>
+#include <system_error>
 
 namespace polhode {
 
@@ -128,13 +130,15 @@ std::string manifest_entry(const ManifestFile& file) { return '\n' + indented(fi
 std::string manifest_end(bool empty) { return empty ? "]\n}\n" : "\n ]\n}\n"; }
 
 Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);  // asked once: another process may remove it
+  if (!std::filesystem::exists(status)) return std::optional<ManifestSummary>();
+  if (!std::filesystem::is_regular_file(status)) return failure(path.string() + " is not a file");
   std::ifstream file(path, std::ios::binary);
-  if (!file) return std::optional<ManifestSummary>();
-  std::error_code not_a_file;
+  if (!file && errno == ENOENT) return std::optional<ManifestSummary>();
+  if (!file) return failure("cannot read " + path.string() + ": " + std::generic_category().message(errno));
   FileCounter counter;
-  const Json json = std::filesystem::is_regular_file(path, not_a_file)
-                        ? Json::parse(file, std::ref(counter), false)
-                        : Json();
+  const Json json = Json::parse(file, std::ref(counter), false);
   const bool whole = json.is_object() && json.contains("lesson") && json["lesson"].is_object() &&
                      json.contains("options") && json["options"].is_object();
   const auto text = [](const Json& of, const char* name) {

@@ -126,6 +126,17 @@ void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& sh
   or_fail(write_file_in_pieces(e.out.folder / name, fill_or_say, Durability::sync));
 }
 
+/// A manifest promises the pictures: someone may have removed some, or the folder, meanwhile.
+void check_all_are_there(const PictureExport& e, const Shard& shard) {
+  for (std::size_t place = 0; place < e.plan.pictures.size(); ++place) {
+    const fs::path file = e.out.folder / e.plan.pictures[place].file;
+    std::error_code error;
+    if (shard.takes(place) && !fs::is_regular_file(file, error))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("{} is gone: it was removed while the export went on", file.string()));
+  }
+}
+
 bool has_manifest_of_this(const PictureExport& e) {
   const auto state = look_into(e.out.folder, identity_of(e.loaded, e.options));
   return state && state->finished;
@@ -140,10 +151,12 @@ void finish_shard(const PictureExport& e, PictureMaker& maker, PicturesMade& mad
   made.finished = of_all || has_manifest_of_this(e);
   if (!of_all) return;
   made.renderer = *of_all;
+  check_all_are_there(e, Shard{});
   write_manifest(e, maker, Shard{}, made.renderer, kManifestName);
 }
 
 void finish(const PictureExport& e, PictureMaker& maker, const FolderState& before, PicturesMade& made) {
+  check_all_are_there(e, e.out.shard);
   or_fail(sync_folder(e.out.folder));                                  // a manifest promises the pictures
   or_fail(look_into(e.out.folder, identity_of(e.loaded, e.options)));  // and that nobody else is at them
   // A folder that was finished still is after a shard of it was made again.

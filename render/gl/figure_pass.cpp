@@ -73,7 +73,13 @@ struct FigurePass::Shown {
   Viewpoint at;
   double fineness;
 
-  const Floor* floor() const { return pane.list.floors.empty() ? nullptr : &pane.list.floors.front(); }
+  /// Nothing is seen of one edge on.
+  const Floor* floor() const {
+    constexpr double kEdgeOn = 1e-6;
+    const auto& floors = pane.list.floors;
+    if (floors.empty() || std::abs(at.eye.z() - floors.front().z) < kEdgeOn) return nullptr;
+    return &floors.front();
+  }
   bool from_below() const { return floor() && at.eye.z() <= floor()->z; }
 };
 
@@ -126,6 +132,7 @@ Result<std::unique_ptr<FigurePass>> FigurePass::create(const Gl& gl) {
     return {behind("#define GLASSES 0\n"), behind("#define GLASSES 1\n"), behind("#define GLASSES 2\n")};
   };
   auto line = in_glass("line", kStrokeVert, "", kStrokeFrag);
+  auto line_depth = make("depth of lines", {"#define GLASSES 0\n", kStrokeVert}, {kStroke_depthFrag});
   auto cone = in_glass("cone", kSolidVert, "#define CONE\n", kSolidFrag);
   auto ball_shape = in_glass("ball", kSolidVert, "", kSolidFrag);
   auto tube = make("tube", {kTubeVert}, {kLightGlsl, kTubeFrag});
@@ -138,10 +145,11 @@ Result<std::unique_ptr<FigurePass>> FigurePass::create(const Gl& gl) {
   const auto three = [](std::array<std::optional<Program>, 3>& made) -> Floors {
     return {std::move(*made[0]), std::move(*made[1]), std::move(*made[2])};
   };
-  return std::unique_ptr<FigurePass>(new FigurePass(
-      gl, {std::move(*studio), three(on_color), three(on_studio), three(from_below), std::move(*both_sides),
-           std::move(*far_side), std::move(*near_side), three_glasses(line), three_glasses(cone),
-           three_glasses(ball_shape), std::move(*tube), std::move(*mesh), std::move(*layer)}));
+  return std::unique_ptr<FigurePass>(
+      new FigurePass(gl, {std::move(*studio), three(on_color), three(on_studio), three(from_below),
+                          std::move(*both_sides), std::move(*far_side), std::move(*near_side),
+                          std::move(*line_depth), three_glasses(line), three_glasses(cone),
+                          three_glasses(ball_shape), std::move(*tube), std::move(*mesh), std::move(*layer)}));
 }
 
 FigurePass::Shown FigurePass::show(const Pane& pane, const Framebuffer& target, const Background& background,
@@ -290,7 +298,8 @@ void FigurePass::draw_strokes(const Shown& shown, const std::array<float, 2>& st
   const auto& ellipsoids = shown.pane.list.ellipsoids;
   const std::size_t glasses = std::min(ellipsoids.size(), kMostGlasses);
   for (const Program* program :
-       {&programs_.line[0], &programs_.line[glasses], &programs_.cone[glasses], &programs_.ball[glasses]}) {
+       {&programs_.line_depth, &programs_.line[0], &programs_.line[glasses], &programs_.cone[0],
+        &programs_.cone[glasses], &programs_.ball[0], &programs_.ball[glasses]}) {
     program->use();
     set(*program, "u_view_projection", shown.at.view_projection);
     set(*program, "u_eye", shown.at.eye);
@@ -309,12 +318,31 @@ void FigurePass::draw_strokes(const Shown& shown, const std::array<float, 2>& st
   gl_.DepthFunc(GL_LEQUAL);  // what is drawn again is not hidden by itself
   lines_.upload(strokes.lines);
   solids_.upload(strokes.solids);
+  draw_depth_of_whole_pixels(strokes);
+  gl_.DepthMask(GL_FALSE);
   for (const Strokes::Run& run : strokes.runs) {
     program_of(run.kind, glasses).use();
     (is_line(run.kind) ? lines_ : solids_).draw_range(run.first, run.count);
   }
+  gl_.DepthMask(GL_TRUE);
   gl_.DepthFunc(GL_LESS);
   gl_.Disable(GL_DEPTH_TEST);
+}
+
+/// It comes first, and alone: a soft edge hides nothing that is painted after it, out of order.
+void FigurePass::draw_depth_of_whole_pixels(const Strokes& strokes) {
+  gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  programs_.line_depth.use();
+  lines_.draw_range(0, strokes.lines.indices.size());
+  for (const Strokes::Run& run : strokes.runs) {
+    if (is_line(run.kind)) continue;
+    const Program& program = program_of(run.kind, 0);
+    program.use();
+    set(program, "u_least", 0.99);
+    solids_.draw_range(run.first, run.count);
+    set(program, "u_least", 0.0);
+  }
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 const Program& FigurePass::program_of(Strokes::Kind kind, std::size_t glasses) const {

@@ -45,6 +45,7 @@ class FigurePass {
     Program studio;
     Floors on_color, on_studio, from_below;
     Program glass, far_glass, near_glass;
+    Program line_depth;
     std::array<Program, 3> line, cone, ball;  ///< behind so many glasses
     Program tube, mesh, layer;
   };
@@ -60,6 +61,7 @@ class FigurePass {
   void draw_glass(const Shown& shown, const Program& program);
   void draw_near_glass(const Shown& shown);
   void draw_strokes(const Shown& shown, const std::array<float, 2>& strengths);
+  void draw_depth_of_whole_pixels(const Strokes& strokes);
   const Program& program_of(Strokes::Kind kind, std::size_t glasses) const;
   void draw_solids(const Shown& shown);
   void draw_box(const Program& program, const ClipBox& box);

@@ -23,6 +23,7 @@ extern const char* const kSkyGlsl;
 extern const char* const kNoiseGlsl;
 extern const char* const kStrokeVert;
 extern const char* const kStrokeFrag;
+extern const char* const kStroke_depthFrag;
 extern const char* const kSolidVert;
 extern const char* const kSolidFrag;
 extern const char* const kFlatVert;

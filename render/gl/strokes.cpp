@@ -54,8 +54,9 @@ class Painter {
                fine.closed ? std::array{along[i + k] + kFarFromEnds, along.back() + 2 * kFarFromEnds}
                            : std::array{along[i + k], along.back()}});
         }
-      const bool front = in_front(ends[0], tangents[i].start, fine.radius) &&
-                         in_front(ends[1], tangents[i].end, fine.radius);
+      // Trails are what a picture is about: nothing is laid over them.
+      const bool front = fine.fade_start < 1.0 || (in_front(ends[0], tangents[i].start, fine.radius) &&
+                                                   in_front(ends[1], tangents[i].end, fine.radius));
       add_piece(0.5 * (ends[0] + ends[1]), fine.radius,
                 front ? Strokes::Kind::line : Strokes::Kind::line_in_glass, first);
     }
@@ -69,6 +70,9 @@ class Painter {
     const Cone &first = parts->cones.front(), &last = parts->cones.back();
     const Vec3 base = last.base, tip = first.tip;
     Tube shaft = parts->shaft;
+    // Of arrows along one line the later lies over the earlier, by more than the rounding of depths.
+    for (Vec3& p : shaft.points) p += 0.01 * arrows_ * arrow.radius * direction(p, eye_);
+    ++arrows_;
     shaft.points.back() = base + 0.04 * (last.tip - last.base);
     add(shaft);
     // Sorted by the middle of its bulk: what touches its tip lies over it where that points to the viewer.
@@ -116,7 +120,9 @@ class Painter {
     const Vec3 a = tube.points[0], b = tube.points[1];
     const auto pieces = std::max(1, static_cast<int>(std::ceil((b - a).norm() / kLongestPiece)));
     fine.points.clear();
-    for (int i = 0; i <= pieces; ++i) fine.points.push_back(a + (b - a) * i / pieces);
+    // Cut at the same lengths from the tail, which arrows share: beside one another they sort alike.
+    for (int i = 0; i < pieces; ++i) fine.points.push_back(a + i * kLongestPiece * direction(a, b));
+    fine.points.push_back(b);
     return fine;
   }
 
@@ -158,6 +164,7 @@ class Painter {
   const std::vector<GlassEllipsoid>& glasses_;
   Strokes made_;
   std::vector<Piece> pieces_;
+  int arrows_ = 0;
 };
 
 }  // namespace

@@ -64,6 +64,7 @@ Result<PngChunks> read_png_chunks(std::span<const std::uint8_t> bytes) {
                      " bytes");
     png.chunks.push_back(chunk);
   }
+  if (!rest.empty()) return failure("it goes on after its end");
   if (!read_header(png.chunks.front(), png.header)) return failure("its header is not that of a picture");
   return png;
 }

@@ -61,7 +61,8 @@ vec4 with_circles(Glass glass, Side side, float alpha, float strength, float fin
 
 vec4 far_side(Glass glass, Chord chord, Ray ray, float fineness) {
   Side side = side_at(glass, ray, chord.middle + chord.half_length);
-  return with_circles(glass, side, 0.11 + 0.25 * side.fresnel, 0.12, fineness) * chord.coverage;
+  float ahead = step(0.0, chord.middle + chord.half_length);
+  return with_circles(glass, side, 0.11 + 0.25 * side.fresnel, 0.12, fineness) * (chord.coverage * ahead);
 }
 
 vec4 near_side(Glass glass, Chord chord, Ray ray, float fineness) {
@@ -76,5 +77,6 @@ vec4 near_side(Glass glass, Chord chord, Ray ray, float fineness) {
   side.color += highlight * (vec3(1.0) - side.color);
   float alpha = 0.17 + 0.60 * side.fresnel;
   alpha += (1.0 - alpha) * highlight;
-  return with_circles(glass, side, alpha, 0.20, fineness) * chord.coverage;
+  float ahead = step(0.0, chord.middle - chord.half_length);  // not of an eye inside
+  return with_circles(glass, side, alpha, 0.20, fineness) * (chord.coverage * ahead);
 }

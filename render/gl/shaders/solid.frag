@@ -12,6 +12,7 @@ uniform Glass u_glass[GLASSES];
 uniform mat3 u_to_ball[GLASSES];
 #endif
 uniform float u_level;        // height below which things are fainter, or not drawn
+uniform float u_least;        // what hides no more of the pixel is not drawn
 uniform vec2 u_strengths;      // below that level and above
 out vec4 o_color;
 
@@ -85,7 +86,7 @@ void main() {
   for (int i = 0; i < GLASSES; ++i)
     color = behind_glass(color, u_glass[i], Ray(u_to_ball[i] * ray, per_length, dot(ray, u_light) * per_length));
 #endif
-  if (alphas <= 0.0) discard;  // and leave no depth
+  if (v_color.a * weights / 8.0 <= u_least || alphas <= 0.0) discard;  // and leave no depth
   vec4 clip = u_view_projection * vec4(u_eye + ray, 1.0);
   gl_FragDepth = clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0);
   o_color = vec4(color, 1.0) * (v_color.a * alphas / 8.0);

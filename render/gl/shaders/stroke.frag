@@ -28,6 +28,5 @@ void main() {
   float gap = abs(fract(v_dash.x + 0.25) - 0.5);  // 0 in the middle of a dash, 1/2 of a gap
   float alpha = v_color.a * covered * reached(v_px.z) * reached((0.25 - gap) * v_dash.y) *
                 mix(u_strengths.x, u_strengths.y, reached(v_px.w));
-  if (alpha <= 0.0) discard;  // and leave no depth
   o_color = vec4(color, 1.0) * alpha;
 }

@@ -9,6 +9,7 @@ uniform vec3 u_eye;
 uniform float u_pixel;  // its side at distance 1 along the line of sight
 uniform float u_level;  // height below which things are fainter, or not drawn
 uniform vec3 u_light;   // unit, towards the key light
+invariant gl_Position;  // the depth comes from another program
 flat out vec4 v_color;
 out vec4 v_light;   // shares of the light in the ribbon's side and front, of the viewer in the front, 1 / halfway
 out vec4 v_px;      // across, half width, to the nearer end, above the level
