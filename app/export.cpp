@@ -257,7 +257,7 @@ void add_export(CLI::App& app, Action& action) {
   option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
   option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
   option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");
-  option("--jobs", typed->jobs, "N", "draw in N processes (default: 1, which uses two cores)");
+  option("--jobs", typed->jobs, "N", "draw in N processes, the same in all shards (default: 1)");
   command->add_flag("--skip-existing", typed->skip_existing,
                     "keep what is there and whole; goes on after a stop");
   command->footer(

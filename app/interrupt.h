@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C, or a cluster that wants its machine back (SIGTERM), while files are being written: finish the
-// current one, then stop.
+// Ctrl-C, a cluster that wants its machine back (SIGTERM), or a terminal that closes (SIGHUP), while files
+// are being written: finish the current one, then stop.
 #pragma once
 
+#include <array>
 #include <csignal>
 
 namespace polhode {
 
-/// While it lives, the first SIGINT and the first SIGTERM set a flag instead of ending the program; a second
-/// one ends it at once. At most one lives at a time; a forked process inherits it.
+/// While it lives, the first SIGINT, SIGTERM and SIGHUP (unless that is ignored) set a flag instead of ending
+/// the program; a second one ends it at once. At most one lives at a time; a forked process inherits it.
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -19,8 +20,8 @@ class InterruptWatch {
   bool interrupted() const;
 
  private:
-  struct sigaction interrupt_before_ {};
-  struct sigaction terminate_before_ {};
+  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_{};
 };
 
 }  // namespace polhode

@@ -89,7 +89,8 @@ void add_verify(CLI::App& app, Action& action) {
   command->footer(
       "Every picture is read, its check sums, size and texts compared with manifest.json, or with the plan\n"
       "of an export that is not finished; then the command that finishes it is told. Films and decks beside\n"
-      "the pictures are passed over. Left over is what killed processes left.\n"
+      "the pictures are passed over; pixels are not drawn again to compare them. Left over is what killed\n"
+      "processes left.\n"
       "Exit code 0 if all is there and whole and nothing else, 4 if not, 1 if DIR cannot be read.");
   command->callback([options, &action] { action = [options] { return verify(*options); }; });
 }

@@ -206,7 +206,7 @@ TEST(Killed, AtAnyTimeAnExportGoesOnToTheBytesOfOneProcess) {
 }
 
 TEST(Interrupted, SaysTheCommandThatGoesOn) {
-  for (const int signal_number : {SIGINT, SIGTERM}) {
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
     const ScratchFolder scratch;
     const std::string folder = scratch / "it's here";
     const Words film = {"export",  test_lesson("tiny.md"),
@@ -230,6 +230,21 @@ TEST(Interrupted, SaysTheCommandThatGoesOn) {
     EXPECT_TRUE(fs::exists(fs::path(folder) / kManifestName));
     EXPECT_EQ(names_in(folder).size(), 801u);
   }
+}
+
+// 21 November 2026: the last shard wrote a manifest of pictures that were no longer there.
+TEST(ExportShards, WhereAPictureIsGoneNoManifestPromisesIt) {
+  const ScratchFolder scratch;
+  const auto make = [&](const Words& more) { return polhode(small_export(scratch.path(), more)); };
+  ASSERT_EQ(make({"--shard", "1/2"}).code, 0);
+  fs::remove(scratch / whole_export().begin()->first);
+  const ProgramRun last = make({"--shard", "2/2"});
+  EXPECT_EQ(last.code, 1) << last.err;
+  EXPECT_THAT(last.err,
+              AllOf(HasSubstr(whole_export().begin()->first + " is gone"), HasSubstr("go on with")));
+  EXPECT_FALSE(fs::exists(scratch / kManifestName));
+  EXPECT_EQ(make({"--skip-existing"}).code, 0);
+  EXPECT_EQ(contents(scratch.path()), whole_export());
 }
 
 std::uint64_t inode(const fs::path& file) {

@@ -51,6 +51,12 @@ TEST(PngChunks, RefuseAChangedBitAnywhere) {
   EXPECT_TRUE(read_png_chunks(bytes));
 }
 
+TEST(PngChunks, RefuseWhatGoesOnAfterTheEnd) {
+  Bytes bytes = some_png();
+  bytes.push_back('\n');
+  EXPECT_THAT(read_png_chunks(bytes).error(), HasSubstr("after its end"));
+}
+
 TEST(PngChunks, SayWhatIsWrong) {
   Bytes bytes = some_png();
   bytes.resize(100);
