@@ -307,9 +307,10 @@ class Kills:
         self.count = self.partial = 0
 
     def export(self, shards, wanted):
-        """One export in so many shards, in any order, again and again until its manifest is there."""
+        """One export in so many shards, in any order, again and again until its manifest is there, and the marker,
+        which a process killed just after it leaves to the next, is not."""
         folder = self.bench.folder("killed")
-        while not (folder / "manifest.json").exists():
+        while not (folder / "manifest.json").exists() or (folder / ".polhode-unfinished.json").exists():
             order = list(range(1, shards + 1))
             self.chance.shuffle(order)
             for shard in order:
