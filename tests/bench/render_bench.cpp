@@ -6,6 +6,7 @@
 #include "render/gl/renderer.h"
 #include "render/image/png.h"
 #include "render/type/paragraph.h"
+#include "tests/bench/poinsot_scene.h"
 
 #include <benchmark/benchmark.h>
 #include <png.h>
@@ -15,16 +16,8 @@
 namespace polhode {
 namespace {
 
+using bench::poinsot_scene;
 constexpr double kAspect = 16.0 / 9.0;
-
-Scene poinsot_scene() {
-  using O = Overlay;
-  Scene scene;
-  scene.w0_B = Vec3(0.2, 1.1, 1.6);
-  scene.show = {O::energy_ellipsoid, O::omega,      O::L,     O::polhode, O::polhode_family,
-                O::separatrix,       O::herpolhode, O::plane, O::labels,  O::values};
-  return scene;
-}
 
 /// One context for all benchmarks of the process.
 struct Studio {
