@@ -58,13 +58,6 @@ FloorColors floor_colors(bool dark) {
   return {{0.800F, 0.830F, 0.865F}, {0.86F, 0.88F, 0.905F}, {0.60F, 0.66F, 0.72F}, 1.0F};
 }
 
-/// As of opaque things below a floor that is looked at from above.
-double sunk_below(const Pane& pane) {
-  for (const Floor& floor : pane.list.floors)
-    if (pane.camera.eye.z() > floor.z) return floor.z - 1e-3;
-  return kNowhere;
-}
-
 }  // namespace
 
 struct FigurePass::Shown {
@@ -81,6 +74,8 @@ struct FigurePass::Shown {
     return &floors.front();
   }
   bool from_below() const { return floor() && at.eye.z() <= floor()->z; }
+  /// What is lower is below the floor.
+  double level() const { return floor() ? floor()->z - 1e-3 : kNowhere; }
 };
 
 FigurePass::FigurePass(const Gl& gl, Programs programs)
@@ -307,7 +302,7 @@ void FigurePass::draw_strokes(const Shown& shown, const std::array<float, 2>& st
     set(*program, "u_light", shown.at.light);
     set(*program, "u_pixel", shown.at.pixel);
     set(*program, "u_fineness", shown.fineness);
-    set(*program, "u_level", shown.floor() ? shown.floor()->z - 1e-3 : kNowhere);
+    set(*program, "u_level", shown.level());
     program->set("u_strengths", strengths);
     for (std::size_t i = 0; i < glasses; ++i) {
       const std::string index = "[" + std::to_string(i) + "]";
@@ -386,7 +381,7 @@ void FigurePass::draw_solids(const Shown& shown) {
     set(p, "u_view_projection", shown.at.view_projection);
     set(p, "u_eye", shown.at.eye);
     set(p, "u_light", shown.at.light);
-    set(p, "u_sunk_below", sunk_below(shown.pane));
+    set(p, "u_sunk_below", shown.from_below() ? kNowhere : shown.level());
   };
   prepare(programs_.mesh);
   meshes_.draw(geometry.solid);

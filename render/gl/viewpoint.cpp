@@ -49,9 +49,8 @@ Viewpoint viewpoint_of(const Camera& camera, double aspect, double height) {
   at.ray = (projection * turn).inverse();
   at.eye = camera.eye;
   at.right = view.block<1, 3>(0, 0).transpose();
-  at.up = view.block<1, 3>(1, 0).transpose();
-  const Vec3 back = view.block<1, 3>(2, 0).transpose();
-  at.light = (-0.45 * at.right + 0.75 * at.up + 0.42 * back + Vec3(0.0, 0.0, 0.35)).normalized();
+  const Vec3 up = view.block<1, 3>(1, 0).transpose(), back = view.block<1, 3>(2, 0).transpose();
+  at.light = (-0.45 * at.right + 0.75 * up + 0.42 * back + Vec3(0.0, 0.0, 0.35)).normalized();
   at.pixel = 2.0 * std::tan(0.5 * camera.fov_y_rad) / height;
   return at;
 }

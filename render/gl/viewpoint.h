@@ -16,9 +16,9 @@ struct Viewpoint {
   Mat4 view_projection;
   Mat4 ray;  ///< clip (x, y, 1, 1) to a direction in the view's frame, not normalised
   Vec3 eye;
-  Vec3 right, up;  ///< of the screen, unit
-  Vec3 light;      ///< unit, towards the key light: over the viewer's left shoulder
-  double pixel;    ///< side of a pixel at distance 1 along the line of sight, scene units
+  Vec3 right;    ///< of the screen, unit
+  Vec3 light;    ///< unit, towards the key light: over the viewer's left shoulder
+  double pixel;  ///< side of a pixel at distance 1 along the line of sight, scene units
 };
 /// @param height of the viewport, px
 Viewpoint viewpoint_of(const Camera& camera, double aspect, double height);
