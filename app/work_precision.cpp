@@ -2,8 +2,8 @@
 #include "app/work_precision.h"
 
 #include "app/exit_codes.h"
-#include "app/motion_errors.h"
 #include "app/stopwatch.h"
+#include "physics/motion_errors.h"
 
 #include <fmt/format.h>
 

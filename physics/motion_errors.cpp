@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/motion_errors.h"
+#include "physics/motion_errors.h"
 
 #include <algorithm>
 #include <cmath>
