@@ -54,6 +54,36 @@ std::string words_of(Overlay overlay) {
       break;  // names of the rest
     case Overlay::values:
       return "the computed values";
+    case Overlay::turn_orders:
+      return "the body turned by a quarter about x and then y, and beside it about y and then x";
+    case Overlay::p:
+      return "the momentum p of the centre of mass";
+    case Overlay::v:
+      return "the velocity v of the centre of mass";
+    case Overlay::F:
+      return "the force F";
+    case Overlay::puck:
+      return "a sliding puck";
+    case Overlay::transport:
+      return "an arrow A, at its tip a triangle of dA/dt, d*A/dt and ω×A";
+    case Overlay::terms:
+      return "the arrows of I·ω̇ and ω×(I·ω), which add up to N";
+    case Overlay::pivot:
+      return "the stand and the axle";
+    case Overlay::tensor_bars:
+      return "bars of the components of I in space and in the body";
+    case Overlay::cofactors:
+      return "ω×(I·ω) as a determinant with its cofactors";
+    case Overlay::cyclic_wheel:
+      return "the wheel of the indices 1, 2, 3";
+    case Overlay::energy_rows:
+      return "the three products that cancel in the rate of the energy";
+    case Overlay::momentum_rows:
+      return "the three products that cancel in the rate of L·L";
+    case Overlay::cards:
+      return "cards of the twelve equations";
+    case Overlay::method_table:
+      return "a table of methods, their errors and their cost";
   }
   return "";
 }

@@ -35,6 +35,9 @@ class SceneKeys {
          {"omega", [this](const TomlEntry& e) { assign(scene_.w0_B, read_vector(e, report_)); }},
          {"attitude", [this](const TomlEntry& e) { attitude(e); }},
          {"torque", [this](const TomlEntry& e) { torque(e); }},
+         {"velocity", [this](const TomlEntry& e) { assign(scene_.v0_S, read_vector(e, report_)); }},
+         {"force", [this](const TomlEntry& e) { assign(scene_.F_S, read_vector(e, report_)); }},
+         {"arrow", [this](const TomlEntry& e) { arrow(e); }},
          {"motion", [this](const TomlEntry& e) { motion(e); }},
          {"views", [this](const TomlEntry& e) { views(e); }},
          {"show", [this](const TomlEntry& e) { show(e); }},
@@ -111,6 +114,19 @@ class SceneKeys {
       }
     }
     scene_.torque = std::move(torque);
+  }
+
+  void arrow(const TomlEntry& entry) {
+    const auto name = read_text(entry, report_);
+    if (!name) return;
+    if (*name == "space")
+      scene_.arrow = ArrowHeld::in_space;
+    else if (*name == "body")
+      scene_.arrow = ArrowHeld::in_body;
+    else if (*name == "free")
+      scene_.arrow = ArrowHeld::free;
+    else
+      unknown("arrow", {*name, entry.value.place}, {"space", "body", "free"});
   }
 
   void motion_method(const TomlEntry& entry, MotionSpec& motion) {

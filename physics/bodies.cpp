@@ -83,7 +83,7 @@ PrincipalMoments t_handle_moments(const Vec3& size_m, double mass_kg) {
 }
 
 Body make_body(std::string name, ShapeKind kind, const Vec3& size_m, double mass_kg) {
-  return {std::move(name), moments_of(kind, size_m, mass_kg), Shape{kind, size_m}};
+  return {std::move(name), moments_of(kind, size_m, mass_kg), Shape{kind, size_m}, mass_kg};
 }
 
 Shape equivalent_box(const PrincipalMoments& I) {

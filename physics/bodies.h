@@ -29,6 +29,7 @@ struct Body {
   std::string name;
   PrincipalMoments moments;    ///< kg m²
   std::optional<Shape> shape;  ///< nothing: known by its moments only
+  double mass_kg = 1.0;        ///< of a body known by its moments only: 1 kg, as of equivalent_box
 };
 
 /// Uniform box of full edge lengths a, b, c: I1 = m(b² + c²)/12, and cyclic.

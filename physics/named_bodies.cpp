@@ -47,7 +47,8 @@ Body steel_t_handle(std::string name) { return t_handle(std::move(name), 0.12, 0
 Body earth(std::string name) {
   return {std::move(name),
           {8.0102e37, 8.0102e37, 8.0365e37},
-          Shape{ShapeKind::ellipsoid, Vec3(12756274.0, 12756274.0, 12713504.6284)}};
+          Shape{ShapeKind::ellipsoid, Vec3(12756274.0, 12756274.0, 12713504.6284)},
+          5.9722e24};
 }
 
 // Moments of the lecture's stage `trust`, axis 3 along the rod: a cylinder of 1 kg with l² = 12(I1 − I3/2),

@@ -3,6 +3,7 @@
 
 #include "physics/euler.h"
 #include "physics/method.h"
+#include "render/scene/drift.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,6 +149,11 @@ void compute_parts(SceneModel& model, double chord_tolerance) {
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
 }
 
+/// Whether gravity on a body that is held at a point is the only torque.
+bool held_at_pivot(const Scene& scene) {
+  return scene.torque.size() == 1 && std::holds_alternative<HeavyTop>(scene.torque.front());
+}
+
 }  // namespace
 
 double herpolhode_span_s(const Scene& scene) {
@@ -166,9 +172,13 @@ OverlaySet drawn_overlays(const Scene& scene) {
   if (!contains(scene.views, View::space)) erase({O::plane, O::herpolhode});
   if (!scene.torque.empty()) erase({O::plane, O::polhode, O::herpolhode, O::cones});
   if (scene.torque.empty()) erase({O::N});
+  if (!drifts(scene)) erase({O::p, O::v});
+  if (scene.F_S.isZero(0.0)) erase({O::F});
+  if (!held_at_pivot(scene)) erase({O::pivot});
   if (scene.torque.empty() && scene.w0_B.isZero(0.0))
     erase({O::energy_ellipsoid, O::momentum_sphere, O::momentum_ellipsoid, O::omega, O::L, O::polhode,
-           O::polhode_family, O::separatrix, O::herpolhode, O::plane, O::trail_L, O::trail_omega, O::cones});
+           O::polhode_family, O::separatrix, O::herpolhode, O::plane, O::trail_L, O::trail_omega, O::cones,
+           O::transport, O::terms});
   return drawn;
 }
 

@@ -25,7 +25,22 @@ constexpr std::array<std::string_view, kOverlayCount> kNames = {"shape",
                                                                 "trail-omega",
                                                                 "cones",
                                                                 "labels",
-                                                                "values"};
+                                                                "values",
+                                                                "turn-orders",
+                                                                "p",
+                                                                "v",
+                                                                "F",
+                                                                "puck",
+                                                                "transport",
+                                                                "terms",
+                                                                "pivot",
+                                                                "tensor-bars",
+                                                                "cofactors",
+                                                                "cyclic-wheel",
+                                                                "energy-rows",
+                                                                "momentum-rows",
+                                                                "cards",
+                                                                "method-table"};
 
 }  // namespace
 

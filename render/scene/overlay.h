@@ -31,8 +31,23 @@ enum class Overlay {
   cones,               ///< body cone and space cone swept by ω
   labels,              ///< names of what is shown
   values,              ///< computed numbers: moments, 2T, |L|, L²/2T
+  turn_orders,         ///< the body turned about x then y, and about y then x, in two panes
+  p,                   ///< momentum of the centre of mass
+  v,                   ///< velocity of the centre of mass
+  F,                   ///< force on the centre of mass, where it is not zero
+  puck,                ///< a puck that slides beside the body, with its v and p
+  transport,           ///< an arrow A; at its tip d*A/dt, ω×A and dA/dt close a triangle
+  terms,               ///< I·ω̇ and ω×(I·ω) head to tail; their sum is N
+  pivot,               ///< stand and axle of a heavy top
+  tensor_bars,         ///< components of I in S beside those in S*
+  cofactors,           ///< ω×(I·ω) as a determinant, one cofactor after the other
+  cyclic_wheel,        ///< 1→2→3→1, and the term that it gives
+  energy_rows,         ///< the three products ω_i·(10…12), which cancel
+  momentum_rows,       ///< the three products I_i ω_i·(10…12), which cancel
+  cards,               ///< the twelve equations
+  method_table,        ///< methods × step: errors and cost
 };
-inline constexpr int kOverlayCount = static_cast<int>(Overlay::values) + 1;
+inline constexpr int kOverlayCount = static_cast<int>(Overlay::method_table) + 1;
 
 /// "energy-ellipsoid", "omega", "L", ... as in lessons and in `info`.
 std::string_view name_of(Overlay overlay);

@@ -22,12 +22,15 @@ enum class View { space, body };  ///< seen from S, or from B (the body stands s
 enum class LPoints { down, up };
 using AttitudeSpec = std::variant<LPoints, Quat>;
 
+/// Where the arrow A of the overlay `transport` is held fixed; free: it moves in both frames (arrow.h).
+enum class ArrowHeld { in_space, in_body, free };
+
 /// physics/method.h says what the methods are.
 struct MotionSpec {
   std::optional<Method> method = {};     ///< absent: the default_method of body and torque
   std::optional<double> step_s = {};     ///< of fixed-step methods
   std::optional<double> tolerance = {};  ///< of adaptive methods; absent: kDefaultTolerance
-  bool ghost = false;                    ///< asks for the exact body beside it (read, not drawn yet)
+  bool ghost = false;                    ///< asks for the exact body beside it
   bool operator==(const MotionSpec&) const = default;
 };
 
@@ -53,6 +56,9 @@ struct Scene {
   Vec3 w0_B{0.2, 0.1, 3.0};              ///< rad/s at t = 0
   std::optional<AttitudeSpec> attitude;  ///< at t = 0; absent: L down if the plane is shown, else L up
   Torque torque;                         ///< empty: torque-free
+  Vec3 v0_S{0, 0, 0};                    ///< m/s at t = 0, of the centre of mass (drift.h)
+  Vec3 F_S{0, 0, 0};                     ///< N, constant in space
+  ArrowHeld arrow = ArrowHeld::in_space;
   MotionSpec motion;
   std::vector<View> views{View::space};  ///< one, or two side by side
   OverlaySet show;

@@ -49,6 +49,8 @@ TEST(AltText, EveryOverlayButLabelsHasWords) {
     Scene scene;
     scene.show = {overlay};
     if (overlay == Overlay::N) scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
+    if (overlay == Overlay::pivot) scene.torque = {HeavyTop{0.1}};
+    scene.v0_S = scene.F_S = Vec3(0, 0, 1);  // for p, v and F
     const std::string text = alt_text(scene, "", Vec3(0, 0, 1), 0.0);
     EXPECT_EQ(text.find(": nothing.") != std::string::npos, overlay == Overlay::labels) << name_of(overlay);
   }

@@ -40,6 +40,7 @@ TEST(SceneKeys, ReadEveryKey) {
       "body = 'racket'\nomega = [1, 2, 3]\nattitude = 'L-up'\ntorque = ['space:1,2,3', 'damping:0.5']\n"
       "motion = 'symmetric'\nviews = ['body', 'space']\nshow = ['omega', 'trail-L']\n"
       "camera = { azimuth_deg = 90, elevation_deg = -30, distance = 3, zoom = 2 }\nat = -1.5\nduration = 2\n"
+      "velocity = [4, 5, 6]\nforce = [7, 8, 9]\narrow = 'free'\n"
       "rate = 0.5\nhighlight = ['turn', 'omega']\nquality = 'draft'\ncaption = 'A caption'\n"
       "meters = ['drift', 'omega']");
   EXPECT_EQ(scene.body.name, "racket");
@@ -48,6 +49,9 @@ TEST(SceneKeys, ReadEveryKey) {
   ASSERT_EQ(scene.torque.size(), 2U);
   EXPECT_EQ(std::get<SpaceTorque>(scene.torque[0]).N_S, Vec3(1, 2, 3));
   EXPECT_EQ(std::get<LinearDamping>(scene.torque[1]).c, 0.5);
+  EXPECT_EQ(scene.v0_S, Vec3(4, 5, 6));
+  EXPECT_EQ(scene.F_S, Vec3(7, 8, 9));
+  EXPECT_EQ(scene.arrow, ArrowHeld::free);
   EXPECT_EQ(scene.motion.method, Method::symmetric);
   EXPECT_THAT(scene.views, ElementsAre(View::body, View::space));
   EXPECT_EQ(scene.show, (OverlaySet{Overlay::omega, Overlay::trail_L}));
@@ -147,24 +151,24 @@ class SceneKeysRefuse : public ::testing::TestWithParam<const char*> {};
 TEST_P(SceneKeysRefuse, What) { EXPECT_TRUE(is_refused(GetParam())) << GetParam(); }
 INSTANTIATE_TEST_SUITE_P(
     All, SceneKeysRefuse,
-    ::testing::Values("omega = [nan, 0, 0]", "omega = [1, 2]", "attitude = [0, 0, 0, 0]",
-                      "attitude = [1, 0, 0]", "attitude = [inf, 0, 0, 0]", "attitude = 'L-left'",
-                      "attitude = 1", "torque = 'space:1,2'", "torque = 'space:nan,0,0'", "torque = 1",
-                      "motion = 'euler'", "motion = 'rk4'", "motion = 1", "motion = { method = 'rk4' }",
-                      "motion = { method = 'rk4', step = 0 }", "motion = { method = 'rk4', step = inf }",
-                      "motion = { method = 'exact', step = 1 }", "motion = { step = 1 }",
-                      "motion = 'moser-veselov-10'", "motion = { method = 'splitting' }",
-                      "motion = { method = 'rk4', step = 1, tolerance = 1 }",
-                      "motion = { method = 'exact', tolerance = 1e-6 }",
-                      "motion = { method = 'dormand-prince-8', step = 1 }",
-                      "motion = { method = 'dormand-prince-8', tolerance = 0 }",
-                      "motion = { method = 'dormand-prince-8', tolerance = nan }", "motion = { gost = true }",
-                      "views = 'side'", "views = []", "views = ['body', 'body']", "show = 'bars'",
-                      "show = [1]", "camera = 'front'", "camera = { zoom = 0 }", "camera = { distance = -1 }",
-                      "camera = { elevation_deg = 90.1 }", "camera = { azimuth_deg = nan }",
-                      "camera = { roll = 1 }", "at = inf", "duration = 0", "duration = nan", "rate = 0",
-                      "rate = '1'", "highlight = 'two words'", "highlight = ['a', 'b', 'c', 'd', 'e']",
-                      "quality = 'best'", "caption = 1", "color = 1"));
+    ::testing::Values(
+        "omega = [nan, 0, 0]", "omega = [1, 2]", "attitude = [0, 0, 0, 0]", "attitude = [1, 0, 0]",
+        "attitude = [inf, 0, 0, 0]", "attitude = 'L-left'", "attitude = 1", "torque = 'space:1,2'",
+        "torque = 'space:nan,0,0'", "torque = 1", "motion = 'euler'", "motion = 'rk4'", "motion = 1",
+        "motion = { method = 'rk4' }", "motion = { method = 'rk4', step = 0 }",
+        "motion = { method = 'rk4', step = inf }", "motion = { method = 'exact', step = 1 }",
+        "motion = { step = 1 }", "motion = 'moser-veselov-10'", "motion = { method = 'splitting' }",
+        "motion = { method = 'rk4', step = 1, tolerance = 1 }",
+        "motion = { method = 'exact', tolerance = 1e-6 }",
+        "motion = { method = 'dormand-prince-8', step = 1 }",
+        "motion = { method = 'dormand-prince-8', tolerance = 0 }",
+        "motion = { method = 'dormand-prince-8', tolerance = nan }", "motion = { gost = true }",
+        "velocity = 1", "velocity = [nan, 0, 0]", "force = [1, 2]", "arrow = 'side'", "arrow = 1",
+        "views = 'side'", "views = []", "views = ['body', 'body']", "show = 'bars'", "show = [1]",
+        "camera = 'front'", "camera = { zoom = 0 }", "camera = { distance = -1 }",
+        "camera = { elevation_deg = 90.1 }", "camera = { azimuth_deg = nan }", "camera = { roll = 1 }",
+        "at = inf", "duration = 0", "duration = nan", "rate = 0", "rate = '1'", "highlight = 'two words'",
+        "highlight = ['a', 'b', 'c', 'd', 'e']", "quality = 'best'", "caption = 1", "color = 1"));
 
 TEST(SceneKeys, RefuseCaptionsOfSeveralLinesOrTooManyCharacters) {
   EXPECT_TRUE(is_refused("caption = \"a\\nb\""));
