@@ -6,6 +6,7 @@
 #include "physics/motion.h"
 #include "physics/poinsot.h"
 #include "physics/problem.h"
+#include "render/scene/method_table.h"
 #include "render/scene/scene.h"
 
 #include <memory>
@@ -25,8 +26,9 @@ struct Requirements {
   bool trail_L = false;
   bool trail_omega = false;
   bool cones = false;
-  bool solid = false;   ///< a shape to draw
-  bool meters = false;  ///< plots against time
+  bool solid = false;    ///< a shape to draw
+  bool meters = false;   ///< plots against time
+  bool methods = false;  ///< the table of methods
   bool operator==(const Requirements&) const = default;
 };
 
@@ -72,6 +74,7 @@ struct SceneModel {
   std::vector<Curve> separatrices_B;
   Curve herpolhode_S;
   Shape solid;
+  MethodTable methods;  ///< at the time of the still, with the scene's step or 64 to a turn
 };
 
 /// What the herpolhode covers from t = 0: `duration`, or three polhode periods.
