@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/ask_block.h"
 
-#include "lessons/expression.h"
 #include "lessons/keys.h"
 #include "lessons/suggest.h"
 
@@ -109,8 +108,8 @@ class AskReader {
   void answer(const TomlEntry& entry) {
     if (ask_.type == Ask::Type::expression) {
       const auto text = read_text(entry, report_);
-      ok_ = text && check_expression(*text, inside_quotes(entry.value.place), report_);
-      if (ok_) ask_.answers = {*text};
+      if (text) ask_.expression = read_expression(*text, inside_quotes(entry.value.place), report_);
+      ok_ = ask_.expression.has_value();
     } else if (ask_.type == Ask::Type::order) {
       order(entry);
     } else {
@@ -126,7 +125,7 @@ class AskReader {
       fail(value.place, "the answer is the number of a choice, 1 to " + std::to_string(count));
       return false;
     }
-    ask_.answers.push_back(std::to_string(*number));
+    ask_.answers.push_back(static_cast<int>(*number));
     return true;
   }
 
@@ -137,11 +136,11 @@ class AskReader {
                                   " choices in their order");
       return;
     }
-    std::set<std::string> seen;
+    std::set<int> seen;
     for (const TomlValue& value : *list) {
       if (!index(value)) return;
       if (!seen.insert(ask_.answers.back()).second)
-        fail(value.place, "choice " + ask_.answers.back() + " twice");
+        fail(value.place, "choice " + std::to_string(ask_.answers.back()) + " twice");
     }
   }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claim_lines.h"
 
-#include "lessons/expression.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace polhode {
 namespace {
@@ -33,7 +32,7 @@ class ClaimLineReader {
       fail(statement->substr(implies), "=> is for claims of the kind non-sequitur");
       return std::nullopt;
     }
-    return read_equality(*statement, result) ? std::optional(result) : std::nullopt;
+    return read_equality(*statement, result.equality) ? std::optional(result) : std::nullopt;
   }
 
  private:
@@ -76,28 +75,28 @@ class ClaimLineReader {
     }
     const std::string_view premise = trimmed(text.substr(0, implies));
     const std::string_view conclusion = trimmed(text.substr(implies + kImplies.size()));
-    result.left = premise;
-    result.right = conclusion;
-    ClaimLine inner;
-    const bool premise_ok = read_equality(premise, inner);
-    const bool conclusion_ok = read_equality(conclusion, inner);
+    const bool premise_ok = read_equality(premise, result.equality);
+    const bool conclusion_ok = read_equality(conclusion, result.conclusion.emplace());
     return premise_ok && conclusion_ok ? std::optional(result) : std::nullopt;
   }
 
-  bool read_equality(std::string_view text, ClaimLine& into) {
+  bool read_equality(std::string_view text, Equality& into) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) {
       fail(text, "a claim reads left = right, there is no = here");
       return false;
     }
-    const std::string_view left = trimmed(text.substr(0, equals));
-    const std::string_view right = trimmed(text.substr(equals + 1));
-    into.left = left;
-    into.right = right;
-    // Both are checked, so that both are reported.
-    const bool left_ok = check_expression(left, place_of(left.empty() ? text : left), report_);
-    const bool right_ok = check_expression(right, place_of(right), report_);
-    return left_ok && right_ok;
+    const std::string_view left_text = trimmed(text.substr(0, equals));
+    const std::string_view right_text = trimmed(text.substr(equals + 1));
+    // Both are read, so that both are reported.
+    auto left = read_expression(left_text, place_of(left_text.empty() ? text : left_text), report_);
+    auto right = read_expression(right_text, place_of(right_text), report_);
+    if (!left || !right) return false;
+    into = {std::move(*left), std::move(*right)};
+    if (fit(into.left.type(), into.right.type())) return true;
+    fail(text.substr(equals), std::string(name_of(into.left.type())) + " and " +
+                                  std::string(name_of(into.right.type())) + " cannot be equal");
+    return false;
   }
 
   std::string_view line_;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "lessons/diagnostic.h"
+#include "lessons/expression.h"
 #include "render/scene/scene.h"
 #include "render/type/rich_text.h"
 
@@ -36,12 +37,11 @@ struct Equation {
 enum class ClaimKind { identity, definition, law, motion, free, is_false, measured, non_sequitur };
 std::string_view name_of(ClaimKind kind);
 
-/// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. Expressions are kept
-/// as text here; the checker proves them (a later layer of lessons/).
+/// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. proof.h settles it.
 struct ClaimLine {
-  std::string left;
-  std::string right;
-  std::optional<double> within;  ///< of `measured`: relative tolerance after the word
+  Equality equality;                   ///< of a non-sequitur the premise
+  std::optional<Equality> conclusion;  ///< of a non-sequitur
+  std::optional<double> within;        ///< of `measured`: relative tolerance after the word
   SourcePlace place;
 };
 struct Claim {
@@ -67,8 +67,9 @@ struct Ask {
   RichText prompt_text;
   std::vector<std::string> choices;
   std::vector<RichText> choice_texts;
-  std::vector<std::string> answers;  ///< an expression; or 1-based indices into choices, as text
-  std::string modulo;                ///< identity | motion | free; of expressions
+  std::optional<Expression> expression;  ///< the answer, of type expression
+  std::vector<int> answers;              ///< the answer, of other types: 1-based, one index or all in order
+  std::string modulo;                    ///< identity | motion | free; of expressions
   std::vector<std::string> hints;
   std::vector<RichText> hint_texts;
   SourcePlace place;

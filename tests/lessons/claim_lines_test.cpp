@@ -30,10 +30,10 @@ TEST(ClaimLines, SplitAtTheEqualsSign) {
   const auto claims = lines_from(at, ClaimKind::motion);
   EXPECT_THAT(at.lines(), IsEmpty());
   ASSERT_THAT(claims, SizeIs(2));
-  EXPECT_EQ(claims[0].left, "ddt(L)");
-  EXPECT_EQ(claims[0].right, "star(L) + cross(omega, L)");
+  EXPECT_EQ(claims[0].equality.left.text, "ddt(L)");
+  EXPECT_EQ(claims[0].equality.right.text, "star(L) + cross(omega, L)");
   EXPECT_EQ(claims[0].place, (SourcePlace{1, 3}));
-  EXPECT_EQ(claims[1].right, "N");
+  EXPECT_EQ(claims[1].equality.right.text, "N");
   EXPECT_EQ(claims[1].place, (SourcePlace{3, 1}));
   EXPECT_FALSE(claims[1].within);
 }
@@ -43,15 +43,17 @@ TEST(ClaimLines, TakeATolerance) {
   const auto claims = lines_from(at, ClaimKind::measured);
   ASSERT_THAT(claims, SizeIs(1));
   EXPECT_EQ(claims[0].within, 1e-9);
-  EXPECT_EQ(claims[0].right, "dot(omega, L)/2");
+  EXPECT_EQ(claims[0].equality.right.text, "dot(omega, L)/2");
 }
 
 TEST(ClaimLines, ReadPremiseAndConclusion) {
   TextReport at("dot(L, ddt(L)) = 0 => ddt(L) = 0");
   const auto claims = lines_from(at, ClaimKind::non_sequitur);
   ASSERT_THAT(claims, SizeIs(1));
-  EXPECT_EQ(claims[0].left, "dot(L, ddt(L)) = 0");
-  EXPECT_EQ(claims[0].right, "ddt(L) = 0");
+  EXPECT_EQ(claims[0].equality.left.text, "dot(L, ddt(L))");
+  EXPECT_EQ(claims[0].equality.right.text, "0");
+  ASSERT_TRUE(claims[0].conclusion);
+  EXPECT_EQ(claims[0].conclusion->left.text, "ddt(L)");
 }
 
 struct Wrong {

@@ -16,7 +16,7 @@ using testing::TextReport;
 
 std::vector<std::string> faults(const std::string& expression) {
   TextReport at(expression);
-  const bool ok = check_expression(expression, {1, 1}, at.report);
+  const bool ok = read_expression(expression, {1, 1}, at.report).has_value();
   auto lines = at.lines();
   EXPECT_EQ(ok, lines.empty()) << expression;
   return lines;
@@ -45,7 +45,10 @@ TEST(Expression, TakesEveryNameAndForm) {
                            " A "}) {
     EXPECT_THAT(faults(text), IsEmpty()) << text;
   }
-  for (const std::string& symbol : expression_symbols()) EXPECT_THAT(faults(symbol), IsEmpty());
+  for (const std::string& symbol : expression_symbols()) {
+    const std::string text = symbol == "J" ? "trace(J)" : symbol;
+    EXPECT_THAT(faults(text), IsEmpty()) << text;
+  }
 }
 
 TEST(Expression, ReportsWhatIsWrongAndWhere) {

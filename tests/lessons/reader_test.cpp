@@ -32,7 +32,7 @@ TEST(ReadLesson, GivesTheExampleOfTheReferenceAsWritten) {
   EXPECT_THAT(first.steps[1].scene->views, ElementsAre(View::body));
   EXPECT_THAT(first.steps[1].scene->highlight, ElementsAre("body"));
   EXPECT_EQ(lesson.find_stage("stable")->steps[0].scene->motion.method, Method::rk4);
-  EXPECT_THAT(std::get<Ask>(lesson.stages[1].steps[0].blocks[0]).answers, ElementsAre("2"));
+  EXPECT_THAT(std::get<Ask>(lesson.stages[1].steps[0].blocks[0]).answers, ElementsAre(2));
 }
 
 TEST(ReadLesson, PutsTheFileNameIntoEveryDiagnostic) {
@@ -44,7 +44,7 @@ TEST(ReadLesson, PutsTheFileNameIntoEveryDiagnostic) {
 
 TEST(ReadLesson, TakesWindowsLineEndsAndAByteOrderMark) {
   std::string text = testing::example_lesson();
-  for (std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 2) text.insert(i, "\r");
+  for (std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 2) text.insert(i, 1, '\r');
   const LessonReading reading = read_lesson("\xEF\xBB\xBF" + text, "example.md");
   EXPECT_THAT(testing::lines_of(reading.diagnostics), IsEmpty());
   ASSERT_TRUE(reading.lesson);

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/proof.h"
+
+#include "lessons/small_states.h"
+
+#include <random>
+
+namespace polhode {
+namespace {
+
+/// Residual of two sides in doubles that are the same function: rounding alone, relative to the terms. With
+/// 4096 bytes there are at most some thousand roundings.
+constexpr double kRoundingOfTheSame = 1e-9;
+
+/// std::uniform_int_distribution differs between libraries; the engine does not.
+FieldElement random_residue(std::mt19937_64& random) {
+  std::uint64_t bits = kPrime;
+  while (bits >= kPrime) bits = random() >> 3;
+  return FieldElement(static_cast<std::int64_t>(bits));
+}
+
+FieldElement random_unit(std::mt19937_64& random) {
+  FieldElement element;
+  while (element.is_zero()) element = random_residue(random);
+  return element;
+}
+
+template <class N, class Draw>
+StateNumbers<N> drawn_numbers(const Draw& draw) {
+  StateNumbers<N> numbers;
+  const auto fill = [&](auto& all) {
+    for (N& one : all) one = draw();
+  };
+  fill(numbers.q);
+  fill(numbers.I);
+  fill(numbers.J);
+  for (auto* vector : {&numbers.w, &numbers.dw, &numbers.v_S, &numbers.dv_S, &numbers.A_S, &numbers.dA_S,
+                       &numbers.N_B, &numbers.F_S})
+    fill(*vector);
+  numbers.m = draw();
+  return numbers;
+}
+
+StateNumbers<FieldElement> random_numbers(std::mt19937_64& random) {
+  const auto length2 = [](const std::array<FieldElement, 4>& q) {
+    return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  };
+  StateNumbers<FieldElement> numbers;
+  do {
+    numbers = drawn_numbers<FieldElement>([&] { return random_unit(random); });
+  } while (length2(numbers.q).is_zero());
+  return numbers;
+}
+
+Judgement not_what_it_says(std::string message, std::string hint,
+                           std::optional<Counterexample> counter = {}) {
+  if (counter) message += ": " + to_string(*counter);
+  return {Verdict::fails, std::move(message), std::move(hint), std::move(counter)};
+}
+
+Judgement undecided() {
+  return {Verdict::undecided,
+          "it cannot be decided whether this holds",
+          "both sides must be defined almost everywhere: is something divided by 0?",
+          {}};
+}
+
+/// What else could have been meant by an equality that fails under an assumption.
+std::string weaker_kind(const Equality& equality, Assumption failed, const Prover& prover) {
+  if (failed == Assumption::identity && prover.settle(equality, Assumption::motion) == Verdict::holds)
+    return "it follows from the equations of motion: its kind is motion";
+  if (failed != Assumption::free && prover.settle(equality, Assumption::free) == Verdict::holds)
+    return "it holds without torque: its kind is free";
+  return "";
+}
+
+Judgement judge_equality(const ClaimLine& line, ClaimKind kind, const Prover& prover) {
+  const Assumption assumption = assumption_of(kind);
+  const Verdict verdict = prover.settle(line.equality, assumption);
+  if (verdict == Verdict::holds) return {};
+  if (verdict == Verdict::undecided) return undecided();
+  return not_what_it_says("this does not hold", weaker_kind(line.equality, assumption, prover),
+                          prover.refute(line.equality, assumption));
+}
+
+Judgement judge_false(const ClaimLine& line, const Prover& prover) {
+  const Verdict verdict = prover.settle(line.equality, Assumption::free);
+  if (verdict == Verdict::undecided) return undecided();
+  if (verdict == Verdict::holds)
+    return not_what_it_says("this is called false, but it holds without torque", "");
+  Judgement judgement;
+  judgement.counterexample = prover.refute(line.equality, Assumption::free);
+  return judgement;
+}
+
+Judgement judge_inference(const ClaimLine& line, const Prover& prover) {
+  Judgement judgement;
+  judgement.counterexample = prover.refute_inference(line.equality, *line.conclusion);
+  if (judgement.counterexample) return judgement;
+  return not_what_it_says(
+      "no body and state of small whole numbers was found at which the premise holds and "
+      "the conclusion fails",
+      "perhaps it does follow");
+}
+
+}  // namespace
+
+std::string to_string(const Counterexample& counterexample) {
+  return "at " + counterexample.state + " the left side is " + counterexample.left + ", the right side " +
+         counterexample.right;
+}
+
+Prover::Prover() {
+  std::mt19937_64 random(20250614);
+  for (std::size_t assumption = 0; assumption < samples_.size(); ++assumption)
+    for (int n = 0; n < kMostSamples; ++n)
+      samples_[assumption].push_back(state_of(random_numbers(random), static_cast<Assumption>(assumption)));
+  // Around 1, so that high powers stay in range.
+  real_ = drawn_numbers<SizedNumber>(
+      [&] { return SizedNumber(0.75 + 0.5 * static_cast<double>(random() >> 11) / 9007199254740992.0); });
+}
+
+Verdict Prover::settle(const Equality& equality, Assumption assumption) const {
+  int defined = 0;
+  for (const ClaimState<FieldElement>& state : samples(assumption)) {
+    const std::optional<bool> agrees = agree(equality, state);
+    if (!agrees) continue;
+    if (!*agrees) return Verdict::fails;
+    if (++defined == kSamples) return confirmed(equality, assumption) ? Verdict::holds : Verdict::undecided;
+  }
+  return Verdict::undecided;
+}
+
+bool Prover::confirmed(const Equality& equality, Assumption assumption) const {
+  const ClaimState<SizedNumber> state = state_of(real_, assumption);
+  const std::optional<Sides> sides = sides_of(equality, state);
+  return !sides || sides->residual < kRoundingOfTheSame;  // a state in which it is not defined is chance
+}
+
+std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption) const {
+  return first_small_state(equality, nullptr, assumption);
+}
+
+std::optional<Counterexample> Prover::refute_inference(const Equality& premise,
+                                                       const Equality& conclusion) const {
+  return first_small_state(conclusion, &premise, Assumption::motion);
+}
+
+Assumption assumption_of(ClaimKind kind) {
+  switch (kind) {
+    case ClaimKind::identity:
+    case ClaimKind::definition:
+      return Assumption::identity;
+    case ClaimKind::free:
+    case ClaimKind::is_false:
+      return Assumption::free;
+    default:
+      return Assumption::motion;
+  }
+}
+
+Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover) {
+  if (kind == ClaimKind::is_false) return judge_false(line, prover);
+  if (kind == ClaimKind::non_sequitur) return judge_inference(line, prover);
+  if (kind == ClaimKind::measured) return {};
+  return judge_equality(line, kind, prover);
+}
+
+}  // namespace polhode

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/proof.h"
+
+#include "lessons/claim_lines.h"
+#include "tests/lessons/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::TextReport;
+
+const Prover& prover() {
+  static const Prover one;
+  return one;
+}
+
+ClaimLine line_of(const std::string& text, ClaimKind kind) {
+  TextReport at(text);
+  auto lines = read_claim_lines(at.source, 1, 1, kind, at.report);
+  EXPECT_EQ(lines.size(), 1U) << text << ": " << ::testing::PrintToString(at.lines());
+  return lines.empty() ? ClaimLine() : std::move(lines.front());
+}
+
+Judgement judged(const std::string& text, ClaimKind kind) {
+  return judge(line_of(text, kind), kind, prover());
+}
+
+bool holds(const std::string& text, ClaimKind kind) { return judged(text, kind).verdict == Verdict::holds; }
+
+TEST(Proof, SettlesTheLectureUnderEachAssumption) {
+  using K = ClaimKind;
+  EXPECT_TRUE(holds("ddt(L) = star(L) + cross(omega, L)", K::identity));
+  EXPECT_TRUE(holds("inertia(star(omega)) + cross(omega, inertia(omega)) = N", K::motion));
+  EXPECT_FALSE(holds("inertia(star(omega)) + cross(omega, inertia(omega)) = N", K::identity));
+  EXPECT_TRUE(holds("ddt(T) = 0", K::free));
+  EXPECT_FALSE(holds("ddt(T) = 0", K::motion));
+  EXPECT_TRUE(holds("ddt(dot(L, L)) = 0", K::free));
+  EXPECT_TRUE(holds("dot(L, star(L)) = 0", K::free));
+  EXPECT_FALSE(holds("star(L) = 0", K::free));
+  EXPECT_TRUE(holds("star(L) = 0", K::is_false));
+  EXPECT_TRUE(holds("ddt(T) = dot(N, omega)", K::motion));
+  EXPECT_TRUE(holds("ddt(p) = F", K::law));
+  EXPECT_TRUE(holds("p = m*v", K::definition));
+  EXPECT_TRUE(holds("dot(L, ddt(L)) = 0 => ddt(L) = 0", K::non_sequitur));
+  EXPECT_FALSE(holds("ddt(L) = 0 => dot(L, ddt(L)) = 0", K::non_sequitur)) << "it follows";
+}
+
+TEST(Proof, TellsTheTransportTheoremFromItsSlips) {
+  for (const char* slip : {"ddt(A) = star(A) - cross(omega, A)", "ddt(A) = star(A) + cross(A, omega)",
+                           "ddt(A) = star(A)", "star(A) = ddt(A) + cross(omega, A)"})
+    EXPECT_FALSE(holds(slip, ClaimKind::identity)) << slip;
+}
+
+TEST(Proof, ACounterexampleIsAPossibleStateInWords) {
+  const Judgement swapped = judged("I1*dw1 + w2*w3*(I2 - I3) = N1", ClaimKind::motion);
+  EXPECT_EQ(swapped.verdict, Verdict::fails);
+  EXPECT_THAT(swapped.message, HasSubstr("I = (2, 3, 4), ω = (0, 1, 1)"));
+  ASSERT_TRUE(swapped.counterexample);
+
+  const auto gyroscope = judged("dot(L, ddt(L)) = 0 => ddt(L) = 0", ClaimKind::non_sequitur).counterexample;
+  ASSERT_TRUE(gyroscope);
+  EXPECT_EQ(gyroscope->state, "I = (2, 3, 4), ω = (1, 0, 0), N = (0, 1, 0)");
+  EXPECT_EQ(gyroscope->left, "(0, 1, 0)");
+  EXPECT_EQ(gyroscope->right, "0");
+}
+
+TEST(Proof, SaysWhichKindWouldHold) {
+  EXPECT_THAT(judged("ddt(T) = 0", ClaimKind::motion).hint, HasSubstr("free"));
+  EXPECT_THAT(judged("ddt(L) = N", ClaimKind::identity).hint, HasSubstr("motion"));
+}
+
+TEST(Proof, RefusesATrueLineCalledFalse) {
+  EXPECT_FALSE(holds("ddt(T) = 0", ClaimKind::is_false));
+  EXPECT_FALSE(holds("cross(omega, omega) = 0", ClaimKind::is_false));
+}
+
+TEST(Proof, WhatIsNowhereDefinedIsUndecided) {
+  EXPECT_EQ(judged("1/(w1 - w1) = 1/(w2 - w2)", ClaimKind::identity).verdict, Verdict::undecided);
+  EXPECT_EQ(judged("1/0 = 1", ClaimKind::is_false).verdict, Verdict::undecided);
+  EXPECT_TRUE(holds("w1/w1 = 1", ClaimKind::identity)) << "defined almost everywhere";
+}
+
+// 2^61 − 1 is 0 in the field, and no zero.
+TEST(Proof, IsNotDeceivedByMultiplesOfThePrime) {
+  const std::string prime = "(((2^15)^4)*2 - 1)";
+  EXPECT_NE(judged(prime + "*T = 0", ClaimKind::identity).verdict, Verdict::holds);
+}
+
+TEST(Proof, TakesDecimalNumbersExactly) {
+  EXPECT_TRUE(holds("0.1*T + 0.2*T = 0.3*T", ClaimKind::identity));
+  EXPECT_TRUE(holds("1e-3*T = T/1000", ClaimKind::identity));
+  EXPECT_FALSE(holds("0.333333333*T = T/3", ClaimKind::identity));
+}
+
+}  // namespace
+}  // namespace polhode
