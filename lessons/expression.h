@@ -54,10 +54,12 @@ struct DecimalNumber {
   double value = 0;
 };
 
-/// Bounds of the degrees of numerator and denominator in moments, components and quaternion, once everything
-/// is written out; not the least ones.
+/// Bounds of numerator and denominator in moments, components and quaternion, once everything is written out;
+/// not the least ones. Their degrees, and how large their coefficients can be: log2 of the sum of their
+/// absolute values, with the axes of body and space the same.
 struct Degree {
   int numerator = 0, denominator = 0;
+  double numerator_bits = 0, denominator_bits = 0;
 };
 
 /// Operands stand before what they are operands of.
