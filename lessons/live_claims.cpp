@@ -75,6 +75,22 @@ double tolerance_at(const SceneModel& model, double t_s, double rate) {
   return rounding + error_of_method(model, rate);
 }
 
+bool is_vector(const Equality& equality) {
+  return equality.left.type() == ExpressionType::vector || equality.right.type() == ExpressionType::vector;
+}
+
+double size_of(const Triple<SizedNumber>& x) {
+  return std::hypot(x[0].value.size, x[1].value.size, x[2].value.size);
+}
+
+std::array<double, 3> values_of(const Triple<SizedNumber>& x) {
+  return {x[0].value.value, x[1].value.value, x[2].value.value};
+}
+
+Triple<SizedNumber> in_body(const Triple<SizedNumber>& x_S, const ClaimState<SizedNumber>& state) {
+  return Evaluation<SizedNumber>(state).to_body(x_S);
+}
+
 }  // namespace
 
 std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
@@ -107,6 +123,26 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
   s.J = {J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2)};
   live.tolerance = tolerance_at(model, t_s, rate);
   return live;
+}
+
+std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view) {
+  std::optional<LiveValue> worst;
+  if (claim.kind == ClaimKind::non_sequitur) return worst;
+  for (const ClaimLine& line : claim.lines) {
+    const auto sides = sides_of(line.equality, live.state);
+    if (!sides) return std::nullopt;
+    const double tolerance = line.within.value_or(live.tolerance);
+    if (worst && sides->residual / tolerance <= worst->residual / worst->tolerance) continue;
+    worst = LiveValue();
+    worst->is_vector = is_vector(line.equality);
+    worst->residual = sides->residual;
+    worst->tolerance = tolerance;
+    worst->size = std::max(size_of(sides->left), size_of(sides->right));
+    const bool turned = view == View::body && worst->is_vector;
+    worst->left = values_of(turned ? in_body(sides->left, live.state) : sides->left);
+    worst->right = values_of(turned ? in_body(sides->right, live.state) : sides->right);
+  }
+  return worst;
 }
 
 std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,

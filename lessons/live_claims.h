@@ -8,6 +8,7 @@
 #pragma once
 
 #include "lessons/claim_state.h"
+#include "lessons/lesson.h"
 #include "render/scene/model.h"
 
 #include <optional>
@@ -27,6 +28,16 @@ inline constexpr double kMountedAskew = 0.5;
 
 /// Nothing where the motion cannot be computed. Seven states of the motion, some 10 µs for a closed form.
 std::optional<LiveState> live_state(const SceneModel& model, double t_s);
+
+/// Both sides of a claim on a motion: of that line whose residual is the largest beside its tolerance.
+struct LiveValue {
+  bool is_vector = false;
+  std::array<double, 3> left{}, right{};  ///< components in the frame of the view; of a scalar the first
+  double size = 0;                        ///< of the larger side's terms: what `residual` is relative to
+  double residual = 0, tolerance = 0;
+};
+/// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
+std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);
 
 /// The larger part of a method's tolerance is its error in a step: kStepErrors (ΩH)^order, with step H and
 /// the rate Ω = |ω| (by |I₁ − I₂| ≤ I₃ nothing in a free body turns faster).

@@ -8,8 +8,8 @@
 namespace polhode {
 namespace {
 
-/// Up, and to the right of most cameras.
-Vec3 start_S() { return Vec3(0.36, 0.48, 0.8); }
+/// Seen by the camera of a scene that says nothing else, to the right and up.
+Vec3 start_S() { return Vec3(-0.48, 0.7, 0.53).normalized(); }
 
 double pace(const SceneModel& model) {
   const double speed = model.scene.w0_B.stableNorm();
