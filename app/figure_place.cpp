@@ -18,7 +18,7 @@ constexpr double kPad = 1.2;          // around boards
 constexpr double kCaptionRoom = 2.4;  // at the bottom
 constexpr double kCaptionBaseline = 1.3;
 
-constexpr double kSpacePart = 0.5;  // of the place, where boards share it
+constexpr std::array kSpaceParts = {0.5, 0.42};  // of the place, where boards share it
 
 BoardStyle board_style(const FigurePlace& place) {
   const PageColors& colors = colors_of(place.theme);
@@ -66,14 +66,18 @@ std::vector<PixelBox> best_cells(const std::vector<Overlay>& boards, const Pixel
   return type_px(boards, beside, pad) > type_px(boards, below, pad) ? beside : below;
 }
 
-/// Space first, then what the boards have.
+/// Space first, then what the boards have. Type that is a little larger is worth more than a space that is a
+/// little larger.
 std::array<PixelBox, 2> share(const std::vector<Overlay>& boards, const PixelBox& box, double pad) {
   const auto worth = [&](const std::array<PixelBox, 2>& parts) {
     return type_px(boards, best_cells(boards, parts[1], pad), pad) *
-           std::min(parts[0].width(), parts[0].height());
+           std::sqrt(std::min(parts[0].width(), parts[0].height()));
   };
-  const auto beside = split(box, true, kSpacePart), below = split(box, false, kSpacePart);
-  return worth(beside) >= worth(below) ? beside : below;
+  std::array<PixelBox, 2> best = split(box, true, kSpaceParts[0]);
+  for (const bool beside : {true, false})
+    for (const double part : kSpaceParts)
+      if (const auto parts = split(box, beside, part); worth(parts) > worth(best)) best = parts;
+  return best;
 }
 
 PixelRect rect_of(const PixelBox& box) {

@@ -46,6 +46,10 @@ std::string NumberForm::unit(const std::string& unit) const {
   return exponent_ == 0 ? unit : power_of_ten(exponent_) + " " + unit;
 }
 
+std::string NumberForm::times_unit(const std::string& unit) const {
+  return (exponent_ == 0 ? " " : " × ") + this->unit(unit);
+}
+
 std::string signed_short(double value) {
   if (!std::isfinite(value)) return "–";
   return (value < 0.0 ? "−" : "") + short_number(std::abs(value));

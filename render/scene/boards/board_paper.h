@@ -28,6 +28,8 @@ class NumberForm {
   std::string residual(double value) const;
   /// "N m"; "10⁻⁶ N m"
   std::string unit(const std::string& unit) const;
+  /// What stands behind a number: " N m"; " × 10⁻⁶ N m"
+  std::string times_unit(const std::string& unit) const;
 
  private:
   int exponent_ = 0, decimals_ = 2;

@@ -82,7 +82,7 @@ void add_determinant(const Vec3& w_B, const Vec3& L_B, int lit, const Forms& for
 void add_expansion(const Vec3& w_B, const Vec3& L_B, int lit, const NumberForm& form, BoardPaper& paper) {
   Vec3 value;
   for (int i = 0; i < 3; ++i) value[i] = (i == 1 ? -1.0 : 1.0) * minor(w_B, L_B, i);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i <= lit; ++i) {  // the others are still to be found
     const auto k = static_cast<std::size_t>(i);
     const double top = kExpansionTop + i * kExpansionRow, y = top + 1.5;
     const bool is_lit = i == lit;

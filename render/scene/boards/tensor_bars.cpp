@@ -64,10 +64,10 @@ void add_matrix(const Matrix& tensor, const Names& names, const NumberForm& form
 void add_invariants(const Matrix& tensor, const NumberForm& form, const Vec2& at, BoardPaper& paper) {
   const Vec3 moments = Eigen::SelfAdjointEigenSolver<Matrix>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
   const BoardPaper::Type small{.align = 0.5, .size = kSmall, .quiet = true};
-  const std::string unit = " " + form.unit("kg m²");
+  const std::string unit = form.times_unit("kg m²");
   paper.text("trace " + form.text(tensor.trace()) + unit, at, small);
-  paper.text("eigenvalues " + form.text(moments[0]) + ", " + form.text(moments[1]) + ", " +
-                 form.text(moments[2]) + unit,
+  paper.text("eigenvalues (" + form.text(moments[0]) + ", " + form.text(moments[1]) + ", " +
+                 form.text(moments[2]) + ")" + unit,
              at + Vec2(0, 1.2), small);
 }
 
