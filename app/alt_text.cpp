@@ -2,6 +2,7 @@
 #include "app/alt_text.h"
 
 #include "physics/euler.h"
+#include "render/scene/boards/boards.h"
 #include "render/scene/model.h"
 
 #include <fmt/format.h>
@@ -93,6 +94,11 @@ std::string view_words(const std::vector<View>& views) {
   return !views.empty() && views.front() == View::body ? "Seen from the body" : "Seen from space";
 }
 
+std::string board_words(const OverlaySet& show) {
+  const std::size_t count = boards_in(show).size();
+  return count > 1 ? "Boards" : "A board";
+}
+
 std::string shown_words(const OverlaySet& show) {
   std::vector<std::string> words;
   for (int i = 0; i < kOverlayCount; ++i) {
@@ -119,7 +125,9 @@ std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s)
 }  // namespace
 
 std::string alt_text(const Scene& scene, const std::string& caption, const Vec3& w_B, double t_s) {
-  std::string text = fmt::format("{}: {}. ", view_words(scene.views), shown_words(drawn_overlays(scene)));
+  const OverlaySet drawn = drawn_overlays(scene);
+  std::string text = fmt::format(
+      "{}: {}. ", shows_space(drawn) ? view_words(scene.views) : board_words(drawn), shown_words(drawn));
   if (!caption.empty()) text += caption + (caption.ends_with('.') ? " " : ". ");
   const Vec3& I = scene.body.moments.vector();
   text += fmt::format("The body is \"{}\" with principal moments {:.4g}, {:.4g}, {:.4g} kg m². ",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/alt_text.h"
+#include "app/figure_place.h"
 #include "app/manifest.h"
 #include "app/or_fail.h"
 #include "app/picture_maker.h"
@@ -29,10 +30,11 @@ class FigureMaker : public PictureMaker {
   Image draw(const PlannedPicture& picture) override {
     const auto [model, t_s] = moment_of(picture);
     const Size size = context_.options.size;
+    const Background background = background_of(context_.options);
+    const Quality quality = quality_of(context_.options.quality.value_or(picture.scene->quality));
+    if (!boards_in(model.drawn).empty()) return draw_with_boards(model, t_s, background, quality);
     const double aspect = static_cast<double>(size.width) / size.height;
-    return or_fail(
-        context_.renderer.draw(make_figure(model, t_s, aspect), size, background_of(context_.options),
-                               quality_of(context_.options.quality.value_or(picture.scene->quality))));
+    return or_fail(context_.renderer.draw(make_figure(model, t_s, aspect), size, background, quality));
   }
 
  private:
@@ -46,6 +48,23 @@ class FigureMaker : public PictureMaker {
     const double t_s = time_of(picture, context_.options, model.rate);
     check_computable(*picture.stage, model, t_s);
     return {model, t_s};
+  }
+
+  /// Boards stand on a plain ground: paper instead of the studio.
+  Image draw_with_boards(const SceneModel& model, double t_s, const Background& background,
+                         const Quality& quality) {
+    using Kind = Background::Kind;
+    const Size size = context_.options.size;
+    const Background ground = background.kind == Kind::studio ? Background{Kind::paper, {}} : background;
+    FigurePlace place{.rect = {0, 0, size.width, size.height},
+                      .caption_px = caption_px_of(size),
+                      .theme = is_dark(halo_of(ground)) ? Theme::dark : Theme::paper,
+                      .background = background,
+                      .ground = {},
+                      .quality = quality};
+    if (ground.kind != Kind::transparent) place.ground = sky_of(ground);
+    const PlacedFigure placed = place_figure(model, t_s, place, context_.renderer.fonts());
+    return or_fail(context_.renderer.draw(placed.sheet, placed.insets, size, ground));
   }
 
   MakerContext context_;

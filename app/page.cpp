@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page.h"
 
+#include "app/figure_place.h"
 #include "app/page_text.h"
 #include "render/scene/fade.h"
 #include "render/scene/meter_plots.h"
@@ -86,17 +87,17 @@ TimePlotStyle plot_style(Theme theme, double type_size) {
           .paper = colors.paper};
 }
 
-/// The figure, full size of its place.
-Inset figure_inset(const PageRequest& request, const PixelRect& place, double em) {
-  const double aspect = static_cast<double>(place.width) / std::max(1, place.height);
-  Inset inset{.figure = make_figure(*request.model, request.t_s, aspect),
-              .place = place,
-              .background = {},
-              .quality = quality_of(request.quality.value_or(request.model->scene.quality))};
-  inset.figure.caption_px = kCaptionSize * em;
-  if (request.theme == Theme::dark)
-    inset.background = {Background::Kind::color, colors_of(request.theme).backdrop};
-  return inset;
+PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const Fonts& fonts) {
+  FigurePlace place{.rect = grid.figure,
+                    .caption_px = kCaptionSize * grid.em,
+                    .theme = request.theme,
+                    .background = {},
+                    .quality = quality_of(request.quality.value_or(request.model->scene.quality))};
+  if (request.theme == Theme::dark) {
+    place.ground = colors_of(request.theme).backdrop;
+    place.background = {Background::Kind::color, *place.ground};
+  }
+  return place_figure(*request.model, request.t_s, place, fonts);
 }
 
 void add_meters(const PageRequest& request, const Grid& grid, const std::vector<TimePlot>& plots,
@@ -112,6 +113,21 @@ void add_meters(const PageRequest& request, const Grid& grid, const std::vector<
     const PixelBox box{x + pad, y + pad, x + width - 0.5 * pad, y + height - 0.6 * pad};
     append(sheet, lay_out(plots[i], box, plot_style(request.theme, kMeterSize * grid.em), fonts), {0, 0});
   }
+}
+
+/// Both sides of the present step's claims at this time, each at its slot.
+Sheet live_values(const PageRequest& request, const std::vector<LiveSlot>& slots, const Fonts& fonts) {
+  Sheet sheet;
+  if (slots.empty()) return sheet;
+  const auto live = live_state(*request.model, request.t_s);
+  if (!live) return sheet;
+  for (const LiveSlot& slot : slots) {
+    DisplayList line =
+        set_line(live_text(*slot.claim, *live, request.model->scene.views.front()), slot.style, fonts);
+    const double x = slot.end.x() - line.width;
+    sheet.texts.push_back({.list = std::move(line), .at = {x, slot.end.y()}});
+  }
+  return sheet;
 }
 
 }  // namespace
@@ -139,7 +155,10 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   append(page.sheet, text.stack.sheet, corner);
   append(page.sheet, faded(text.stack.newest, request.news.value_or(1.0)), corner);
   if (!request.model) return page;
-  page.insets.push_back(figure_inset(request, grid.figure, grid.em));
+  append(page.sheet, faded(live_values(request, text.stack.live, fonts), request.news.value_or(1.0)), corner);
+  PlacedFigure figure = figure_on_page(request, grid, fonts);
+  page.insets = std::move(figure.insets);
+  append(page.sheet, std::move(figure.sheet), {0, 0});
   add_meters(request, grid, plots, page.sheet, fonts);
   return page;
 }

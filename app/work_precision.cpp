@@ -2,8 +2,8 @@
 #include "app/work_precision.h"
 
 #include "app/exit_codes.h"
-#include "app/motion_errors.h"
 #include "app/stopwatch.h"
+#include "physics/motion_errors.h"
 
 #include <fmt/format.h>
 
@@ -170,7 +170,7 @@ class Measurement {
     const StateError error = error_of(end, reference_.end);
     row.error_omega = not_below(reference_.own.omega, error.omega);
     row.error_attitude_rad = not_below(reference_.own.attitude_rad, error.attitude_rad);
-    const Drift drift = drift_along(problem_, states);
+    const InvariantDrift drift = drift_along(problem_, states);
     row.drift_T = drift.T;
     row.drift_L = drift.L;
     row.drift_L_direction_rad = drift.L_direction_rad;

@@ -125,6 +125,21 @@ void check_drift(const Scene& scene) {
   }
 }
 
+/// The step of the methods side by side.
+double table_step_s(const Scene& scene) {
+  constexpr double kStepsPerTurn = 64.0;
+  const double speed = scene.w0_B.stableNorm();
+  return scene.motion.step_s.value_or(2.0 * std::numbers::pi / (kStepsPerTurn * (speed > 0.0 ? speed : 1.0)));
+}
+
+void check_method_table(const Scene& scene, const Requirements& needs) {
+  const double steps = std::abs(scene.at_s) / table_step_s(scene);
+  if (needs.methods && steps > kMostTableSteps)
+    throw std::domain_error("method-table takes " + std::to_string(steps) +
+                            " steps with each method, at most " + std::to_string(kMostTableSteps) +
+                            " are made: choose an earlier time `at` or a longer step");
+}
+
 /// What the scene asks for, or the method that is best for body and torque.
 Choice choose_motion(const Scene& scene, const Problem& problem, const Requirements& needs) {
   const MotionSpec& spec = scene.motion;
@@ -133,6 +148,7 @@ Choice choose_motion(const Scene& scene, const Problem& problem, const Requireme
   check_reach(choice, *motion, reach_of(scene, needs));
   check_herpolhode(scene, needs);
   check_drift(scene);
+  check_method_table(scene, needs);
   std::string reason = why(spec, choice, *motion, needs);
   return {std::move(motion), std::move(reason)};
 }
@@ -187,6 +203,12 @@ void compute_parts(SceneModel& model, double chord_tolerance) {
     model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
   if (model.needs.terms) model.longest_term = longest_term(model);
+  if (model.needs.methods) model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s);
+}
+
+/// Whether gravity on a body that is held at a point is the only torque.
+bool held_at_pivot(const Scene& scene) {
+  return scene.torque.size() == 1 && std::holds_alternative<HeavyTop>(scene.torque.front());
 }
 
 }  // namespace
@@ -265,12 +287,15 @@ Requirements requirements_of_figure(const Scene& scene) {
   needs.attitude = (body_seen_from_space && !shown(Overlay::turn_orders)) || needs.herpolhode ||
                    shown(Overlay::transport) || (in_body && drifts(scene)) ||
                    (in_space && (needs.trail_L || needs.trail_omega)) ||
-                   (in_body && shown(Overlay::axes_space)) || depends_on_attitude(scene.torque);
+                   (in_body && shown(Overlay::axes_space)) || shown(Overlay::tensor_bars) ||
+                   depends_on_attitude(scene.torque);
   needs.omega = needs.attitude || shown(Overlay::omega) || shown(Overlay::L) || shown(Overlay::N) ||
                 needs.polhode || needs.terms || needs.trail_L || needs.trail_omega || shown(Overlay::plane) ||
-                shown(Overlay::values);
+                shown(Overlay::values) || shown(Overlay::cofactors) || shown(Overlay::cyclic_wheel) ||
+                shown(Overlay::energy_rows) || shown(Overlay::momentum_rows);
   needs.ghost = asks_for_ghost(scene) && (needs.solid || shown(Overlay::omega) || shown(Overlay::L)) &&
                 !shown(Overlay::turn_orders);
+  needs.methods = shown(Overlay::method_table);
   return needs;
 }
 
@@ -304,6 +329,7 @@ std::vector<std::string> names_of(const Requirements& needs) {
   add(needs.meters, "meters");
   add(needs.terms, "terms");
   add(needs.ghost, "ghost");
+  add(needs.methods, "methods");
   return names;
 }
 

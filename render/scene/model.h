@@ -6,6 +6,7 @@
 #include "physics/motion.h"
 #include "physics/poinsot.h"
 #include "physics/problem.h"
+#include "render/scene/method_table.h"
 #include "render/scene/scene.h"
 
 #include <memory>
@@ -25,10 +26,11 @@ struct Requirements {
   bool trail_L = false;
   bool trail_omega = false;
   bool cones = false;
-  bool solid = false;   ///< a shape to draw
-  bool meters = false;  ///< plots against time
-  bool terms = false;   ///< how long the terms of (6) become
-  bool ghost = false;   ///< the exact motion beside the computed one
+  bool solid = false;    ///< a shape to draw
+  bool meters = false;   ///< plots against time
+  bool terms = false;    ///< how long the terms of (6) become
+  bool ghost = false;    ///< the exact motion beside the computed one
+  bool methods = false;  ///< the table of methods
   bool operator==(const Requirements&) const = default;
 };
 
@@ -76,6 +78,7 @@ struct SceneModel {
   std::vector<Curve> separatrices_B;
   Curve herpolhode_S;
   Shape solid;
+  MethodTable methods;  ///< at the time of the still, with the scene's step or 64 to a turn
 };
 
 /// What the herpolhode covers from t = 0: `duration`, or three polhode periods.

@@ -49,6 +49,9 @@ enum class Overlay {
 };
 inline constexpr int kOverlayCount = static_cast<int>(Overlay::method_table) + 1;
 
+/// Flat figures (boards/boards.h): they come last in the enumeration.
+constexpr bool is_board(Overlay overlay) { return overlay >= Overlay::tensor_bars; }
+
 /// "energy-ellipsoid", "omega", "L", ... as in lessons and in `info`.
 std::string_view name_of(Overlay overlay);
 std::optional<Overlay> overlay_from(std::string_view name);

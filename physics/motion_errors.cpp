@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/motion_errors.h"
+#include "physics/motion_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ StateError error_of(const RigidBodyState& state, const RigidBodyState& reference
           2 * std::atan2(apart.vec().norm(), std::abs(apart.w()))};
 }
 
-Drift drift_along(const Problem& problem, std::span<const RigidBodyState> states) {
+InvariantDrift drift_along(const Problem& problem, std::span<const RigidBodyState> states) {
   const bool keeps_T = problem.torque.empty();
   const bool keeps_L = std::all_of(problem.torque.begin(), problem.torque.end(), [](const TorqueTerm& term) {
     return std::holds_alternative<EnergySink>(term);
@@ -56,7 +56,7 @@ Drift drift_along(const Problem& problem, std::span<const RigidBodyState> states
   const Invariants of(problem);
   const double two_T0 = of.two_T(problem.start);
   const Vec3 L0_S = of.L_S(problem.start);
-  Drift drift;
+  InvariantDrift drift;
   for (const RigidBodyState& state : states) {
     const Vec3 L_S = of.L_S(state);
     drift.T = larger(drift.T, std::abs(of.two_T(state) / two_T0 - 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/motion_errors.h"
+#include "physics/motion_errors.h"
 
 #include <gtest/gtest.h>
 
@@ -54,49 +54,49 @@ TEST(StateError, IsNaNWhereTheStateIs) {
   EXPECT_TRUE(std::isnan(error_of(state, kState).attitude_rad));
 }
 
-TEST(Drift, IsTheLargestOnTheWay) {
+TEST(InvariantDrift, IsTheLargestOnTheWay) {
   RigidBodyState faster = kState;
   faster.w_B *= 1.5;
   const std::vector<RigidBodyState> states = {kState, faster, turned_by(0), kState};
-  const Drift drift = drift_along({kI, kState, {}}, states);
+  const InvariantDrift drift = drift_along({kI, kState, {}}, states);
   EXPECT_NEAR(drift.T, 1.25, 8 * kEpsilon);
   EXPECT_NEAR(drift.L, 0.5, 8 * kEpsilon);
   EXPECT_NEAR(drift.L_direction_rad, 0, 8 * kEpsilon);
 }
 
 // A body turned in space by an angle about an axis normal to L turns L by it, and changes neither T nor |L|.
-TEST(Drift, SeesLTurnInSpaceWhereTAndItsLengthAreKept) {
+TEST(InvariantDrift, SeesLTurnInSpaceWhereTAndItsLengthAreKept) {
   const Vec3 L_S = kState.q_SB * kI.vector().cwiseProduct(kState.w_B);
   const Vec3 normal = L_S.unitOrthogonal();
   for (double angle : {1e-12, 0.1, 3.0}) {
     RigidBodyState state = kState;
     state.q_SB = Quat(Eigen::AngleAxisd(angle, normal)) * kState.q_SB;
-    const Drift drift = drift_along({kI, kState, {}}, std::vector{state, kState});
+    const InvariantDrift drift = drift_along({kI, kState, {}}, std::vector{state, kState});
     EXPECT_NEAR(drift.L_direction_rad, angle, 16 * kEpsilon);
     EXPECT_EQ(drift.T, 0);
     EXPECT_LE(drift.L, 8 * kEpsilon);
   }
 }
 
-TEST(Drift, ForgetsNoNaN) {
+TEST(InvariantDrift, ForgetsNoNaN) {
   RigidBodyState broken = kState;
   broken.w_B[0] = NAN;
-  const Drift drift = drift_along({kI, kState, {}}, std::vector{kState, broken, kState});
+  const InvariantDrift drift = drift_along({kI, kState, {}}, std::vector{kState, broken, kState});
   EXPECT_TRUE(std::isnan(drift.T));
   EXPECT_TRUE(std::isnan(drift.L));
   EXPECT_TRUE(std::isnan(drift.L_direction_rad));
 }
 
-TEST(Drift, IsOfWhatTheTorqueKeeps) {
+TEST(InvariantDrift, IsOfWhatTheTorqueKeeps) {
   const std::vector states = {kState};
-  const Drift with_sink = drift_along({kI, kState, {EnergySink{0.1}}}, states);
+  const InvariantDrift with_sink = drift_along({kI, kState, {EnergySink{0.1}}}, states);
   EXPECT_TRUE(std::isnan(with_sink.T));
   EXPECT_EQ(with_sink.L, 0);
   EXPECT_EQ(with_sink.L_direction_rad, 0);
   for (const TorqueTerm& term :
        {TorqueTerm(SpaceTorque{Vec3(1, 0, 0)}), TorqueTerm(BodyTorque{Vec3(1, 0, 0)}), TorqueTerm(HeavyTop{}),
         TorqueTerm(LinearDamping{0.1})}) {
-    const Drift drift = drift_along({kI, kState, {EnergySink{0.1}, term}}, states);
+    const InvariantDrift drift = drift_along({kI, kState, {EnergySink{0.1}, term}}, states);
     EXPECT_TRUE(std::isnan(drift.T) && std::isnan(drift.L) && std::isnan(drift.L_direction_rad));
   }
 }

@@ -21,11 +21,11 @@ StateError error_of(const RigidBodyState& state, const RigidBodyState& reference
 
 /// Largest departures from the start. NaN where the torque does not keep the quantity, or a state is not
 /// finite, or ω at the start is zero.
-struct Drift {
+struct InvariantDrift {
   double T = 0;                ///< |T/T₀ − 1|; kept without torque
   double L = 0;                ///< ||L|/|L₀| − 1|; kept without torque and by an EnergySink
   double L_direction_rad = 0;  ///< angle in space from L₀ to L, by atan2; kept as |L| is
 };
-Drift drift_along(const Problem& problem, std::span<const RigidBodyState> states);
+InvariantDrift drift_along(const Problem& problem, std::span<const RigidBodyState> states);
 
 }  // namespace polhode

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// The methods side by side on one problem: how wrong each is at one time, what it has kept, and what it
+// costs.
+#pragma once
+
+#include "physics/method.h"
+#include "physics/motion_errors.h"
+
+#include <vector>
+
+namespace polhode {
+
+struct MethodRow {
+  Method method = Method::exact;
+  StateError error;  ///< at t; NaN of the reference itself
+  InvariantDrift drift;       ///< at t, from the start
+  /// Of the equations of motion, for a second of the motion; of a closed form those of the formula for one
+  /// time. A count and no time: pictures repeat.
+  double evaluations_per_s = 0;
+};
+
+struct MethodTable {
+  double t_s = 0;
+  double step_s = 0;            ///< of the methods of fixed step
+  std::vector<MethodRow> rows;  ///< the reference first, then in the order of `Method`
+};
+
+/// Steps that each method of a scene's table takes at most: about 0.2 s in all.
+inline constexpr double kMostTableSteps = 1e5;
+
+/// Every method of fixed step that serves the problem, and Dormand-Prince 8 with its usual tolerance, against
+/// the closed form; where there is none, against Dormand-Prince 8 at tolerance 1e-13.
+/// @throws std::domain_error as make_motion does.
+MethodTable method_table(const Problem& problem, double step_s, double t_s);
+
+}  // namespace polhode
