@@ -169,14 +169,15 @@ Camera camera_for(const builders::Moment& m, double aspect) {
   constexpr double kNarrowest = 1.15;  // a pane narrower than this needs more distance to hold the figure
   const Scene& scene = m.model.scene;
   const bool floor = m.view == View::space && m.shows(Overlay::plane);
-  constexpr double kLift = 0.2;  // arrows and axes point up: the middle of it all lies above the centre
+  // Arrows and axes point up: the middle of it all lies above the centre.
+  const double lift = m.shows(Overlay::terms) && m.shows(Overlay::L) ? 0.32 : 0.2;
   const bool upward = !m.shows(Overlay::pivot) &&
                       (m.shows(Overlay::L) || m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body));
   const double reach = reach_of(m);
   if (translates(m))
     return seen_from_center(camera_holding(places_of_translation(m, reach), scene.camera, aspect),
                             m.center_V);
-  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : upward ? kLift * reach : 0.0);
+  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : upward ? lift * reach : 0.0);
   CameraSpec spec = scene.camera;
   spec.distance *= std::max(1.0, kNarrowest / aspect);
   // With a floor L points down, so that only the space axes stand out above.
