@@ -18,7 +18,7 @@ TEST(RateOfChange, IsWhatEulersEquationsGive) {
     for (double turns : {-3.0, 0.0, 0.4, 12.0}) {
       const double t_s = turns / speed;
       const Vec3 expected = angular_acceleration_B(kI, motion->w_B_at(t_s));
-      // h⁴ f⁽⁵⁾/30 and rounding, as the header has them, times 10
+      // truncation and rounding, as the header has them, times 1000 for f⁽⁷⁾ of this body and its closed form
       EXPECT_LT((w_rate_B(*motion, t_s, speed) - expected).norm(), 1e-11 * speed * speed) << t_s;
     }
   }
