@@ -3,16 +3,20 @@
 
 #include "physics/euler.h"
 #include "render/scene/builders/builders.h"
+#include "render/scene/drift.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polhode {
 namespace builders {
 namespace {
 
+/// |L| = const beside the energy ellipsoid is drawn in ω-space, where it is an ellipsoid too.
 bool shows_momentum_space(const OverlaySet& show) {
-  return show.contains(Overlay::momentum_sphere) || show.contains(Overlay::momentum_ellipsoid);
+  return show.contains(Overlay::momentum_ellipsoid) ||
+         (show.contains(Overlay::momentum_sphere) && !show.contains(Overlay::energy_ellipsoid));
 }
 
 /// ω-space is drawn with the energy ellipsoid's longest semi-axis at 1. Around a solid body alone ω is drawn
@@ -69,19 +73,21 @@ Moment moment_at(const SceneModel& model, double t_s, View view) {
   const bool space = view == View::space;
   const double omega_scale = omega_scale_of(scene);
   const double L_scale = L_scale_of(scene);
-  return {.model = model,
-          .t_s = t_s,
-          .view = view,
-          .state = state,
-          .q_VB = space ? state.q_SB : Quat::Identity(),
-          .q_VS = space ? Quat::Identity() : state.q_SB.conjugate(),
-          .L_B = angular_momentum_B(scene.body.moments, state.w_B),
-          .two_T = 2.0 * kinetic_energy(scene.body.moments, state.w_B),
-          .N_B = torque_B(scene.torque, scene.body.moments, state),
-          .omega_scale = omega_scale,
-          .L_scale = L_scale,
-          .L_length = L_length_of(scene, omega_scale, L_scale),
-          .thickness = scene.views.size() > 1 ? 1.15 : 1.0};
+  Moment m{.model = model,
+           .t_s = t_s,
+           .view = view,
+           .state = state,
+           .q_VB = space ? state.q_SB : Quat::Identity(),
+           .q_VS = space ? Quat::Identity() : state.q_SB.conjugate(),
+           .L_B = angular_momentum_B(scene.body.moments, state.w_B),
+           .two_T = 2.0 * kinetic_energy(scene.body.moments, state.w_B),
+           .N_B = torque_B(scene.torque, scene.body.moments, state),
+           .omega_scale = omega_scale,
+           .L_scale = L_scale,
+           .L_length = L_length_of(scene, omega_scale, L_scale),
+           .thickness = scene.views.size() > 1 ? 1.15 : 1.0};
+  m.center_V = center_of_mass_V(m);
+  return m;
 }
 
 }  // namespace builders
@@ -97,19 +103,79 @@ double reach_of(const builders::Moment& m) {
     reach = std::max(reach, m.model.scene.w0_B.norm() * m.omega_scale + kLabel);
   if (m.shows(Overlay::L)) reach = std::max(reach, m.L_length + kLabel);
   if (m.shows(Overlay::N) && !m.model.scene.torque.empty()) reach = std::max(reach, m.L_length + 0.3);
+  constexpr double kTriangle = 0.5;  // of what stands on the tip of an arrow
+  if (m.shows(Overlay::transport)) reach = std::max(reach, 1.0 + kTriangle);
+  if (m.shows(Overlay::terms)) reach = std::max(reach, (m.shows(Overlay::L) ? m.L_length : 0.5) + kTriangle);
   return reach;
+}
+
+constexpr double kFilled = 1.16;  // radius that fills the height of a picture at the default distance
+
+/// A place to be held in the picture, with room round it.
+struct Held {
+  Vec3 at_V;
+  double reach;
+};
+
+/// Holds all places; the least radius of a scene that does, its middle in the middle of the picture.
+Camera camera_holding(const std::vector<Held>& places, const CameraSpec& spec, double aspect) {
+  const Camera at_origin = orbit(spec, Vec3::Zero(), 1.0);
+  const Mat3 axes = at_origin.view().topLeftCorner<3, 3>();  // right, up, towards the eye
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Held& place : places) {
+    const Vec3 on_screen = axes * place.at_V;
+    low = low.cwiseMin(on_screen - Vec3::Constant(place.reach));
+    high = high.cwiseMax(on_screen + Vec3::Constant(place.reach));
+  }
+  const Vec3 middle = 0.5 * (low + high);
+  double radius = 0.0;
+  for (const Held& place : places) {
+    const Vec3 off = axes * place.at_V - middle;
+    const double aside = (std::abs(off.x()) + place.reach) / aspect;
+    const double wanted = std::max(aside, std::abs(off.y()) + place.reach) / kFilled;
+    radius = std::max(radius, wanted + off.z() / CameraSpec{}.distance);  // what is nearer looks larger
+  }
+  return orbit(spec, axes.transpose() * middle, radius);
+}
+
+/// The way of the centre of mass with the body round it, the arrows on it, and the origin of S; or the body
+/// and the way of the puck. Space axes.
+std::vector<Held> places_of_translation(const builders::Moment& m, double reach) {
+  constexpr double kLabel = 0.14, kRoundPuck = 0.42;
+  const bool puck = m.shows(Overlay::puck);
+  std::vector<Held> places;
+  for (const Vec3& at_V : builders::path_of_center_V(m)) places.push_back({at_V, puck ? kRoundPuck : 0.95});
+  for (const Vec3& at_V : builders::tips_of_center_V(m)) places.push_back({at_V, kLabel});
+  if (puck && !builders::puck_alone(m)) places.push_back({Vec3::Zero(), reach});
+  if (!puck && m.shows(Overlay::axes_space))
+    for (int i = 0; i < 3; ++i) places.push_back({builders::kTriadLength * Vec3::Unit(i), kLabel});
+  return places;
+}
+
+bool translates(const builders::Moment& m) {
+  return m.view == View::space && (m.shows(Overlay::puck) || drifts(m.model.scene));
+}
+
+/// All is drawn about the centre of mass. Where that drifts, the camera goes the other way.
+Camera seen_from_center(Camera camera, const Vec3& center_V) {
+  camera.eye -= center_V;
+  camera.target -= center_V;
+  return camera;
 }
 
 /// Enough room for what is shown, and the floor below. Nothing here depends on t, so that the camera stands
 /// still.
 Camera camera_for(const builders::Moment& m, double aspect) {
-  constexpr double kFilled = 1.16;     // radius that fills the height of a picture at the default distance
   constexpr double kNarrowest = 1.15;  // a pane narrower than this needs more distance to hold the figure
   const Scene& scene = m.model.scene;
   const bool floor = m.view == View::space && m.shows(Overlay::plane);
   constexpr double kLift = 0.2;  // arrows and axes point up: the middle of it all lies above the centre
-  const bool upward = m.shows(Overlay::L) || m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body);
+  const bool upward = !m.shows(Overlay::pivot) &&
+                      (m.shows(Overlay::L) || m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body));
   const double reach = reach_of(m);
+  if (translates(m))
+    return seen_from_center(camera_holding(places_of_translation(m, reach), scene.camera, aspect),
+                            m.center_V);
   const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : upward ? kLift * reach : 0.0);
   CameraSpec spec = scene.camera;
   spec.distance *= std::max(1.0, kNarrowest / aspect);
@@ -118,8 +184,7 @@ Camera camera_for(const builders::Moment& m, double aspect) {
   return orbit(spec, target, std::max(1.0, (floor ? above : reach) / kFilled));
 }
 
-Pane make_pane(const SceneModel& model, double t_s, View view, double aspect) {
-  const builders::Moment m = builders::moment_at(model, t_s, view);
+Pane make_pane(const builders::Moment& m, double aspect) {
   Pane pane;
   pane.camera = camera_for(m, aspect);
   builders::add_surfaces(m, pane.list);
@@ -129,26 +194,56 @@ Pane make_pane(const SceneModel& model, double t_s, View view, double aspect) {
   builders::add_cones(m, pane.list);
   builders::add_axes(m, pane.list);
   builders::add_vectors(m, pane.list);
+  builders::add_translation(m, pane.list);
+  builders::add_turn(m, pane.list);
+  builders::add_transport(m, pane.camera, pane.list);
+  builders::add_terms(m, pane.camera, pane.list);
+  builders::add_pivot(m, pane.list);
+  builders::add_ghost(m, pane.camera, pane.list);
   if (m.shows(Overlay::labels)) builders::add_labels(m, pane.camera, pane.list);
   return pane;
 }
 
 std::string title_of(View view) { return view == View::space ? "space frame $S$" : "body frame $S^*$"; }
 
+/// The body in its first attitude, turned by two quarters in this order over the scene's span.
+builders::Moment turned_moment(const SceneModel& model, double t_s, TurnOrder order) {
+  builders::Moment m = builders::moment_at(model, t_s, View::space);
+  const TurnedBody body = turned(order, model.q0_SB, t_s / model.span_s);
+  m.state.q_SB = m.q_VB = body.q_SB;
+  m.turn = body.present;
+  m.thickness = 1.15;
+  return m;
+}
+
+std::vector<Pane> make_panes(const SceneModel& model, double t_s, double aspect) {
+  std::vector<Pane> panes;
+  if (model.drawn.contains(Overlay::turn_orders)) {
+    for (TurnOrder order : kTurnOrders) {
+      panes.push_back(make_pane(turned_moment(model, t_s, order), aspect / kTurnOrders.size()));
+      panes.back().title = title_of(order);
+    }
+    return panes;
+  }
+  const std::vector<View>& views = model.scene.views;
+  for (View view : views) {
+    panes.push_back(
+        make_pane(builders::moment_at(model, t_s, view), aspect / static_cast<double>(views.size())));
+    if (views.size() > 1) panes.back().title = title_of(view);
+  }
+  return panes;
+}
+
 }  // namespace
 
 Figure make_figure(const SceneModel& model, double t_s, double aspect) {
   Figure figure;
   figure.caption = model.scene.caption;
-  const auto count = static_cast<double>(std::max<std::size_t>(model.scene.views.size(), 1));
-  double x = 0.0;
-  for (View view : model.scene.views) {
-    Pane pane = make_pane(model, t_s, view, aspect / count);
-    pane.x = x;
-    pane.width = 1.0 / count;
-    if (count > 1.0) pane.title = title_of(view);
-    x += pane.width;
-    figure.panes.push_back(std::move(pane));
+  figure.panes = make_panes(model, t_s, aspect);
+  const auto count = static_cast<double>(figure.panes.size());
+  for (std::size_t i = 0; i < figure.panes.size(); ++i) {
+    figure.panes[i].x = static_cast<double>(i) / count;
+    figure.panes[i].width = 1.0 / count;
   }
   if (!figure.panes.empty() && model.drawn.contains(Overlay::values))
     builders::add_values(builders::moment_at(model, t_s, model.scene.views.front()),

@@ -4,6 +4,8 @@
 #include "physics/euler.h"
 #include "physics/method.h"
 #include "render/scene/drift.h"
+#include "render/scene/rotor.h"
+#include "render/scene/terms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +62,7 @@ double reach_of(const Scene& scene, const Requirements& needs) {
   const double span_s = span_of(scene);
   double reach_s = std::abs(scene.at_s);
   if (needs.trail_L || needs.trail_omega) reach_s += span_s;
+  if (needs.terms && scene.torque.empty()) reach_s = std::max(reach_s, span_of(scene));
   if (needs.herpolhode) reach_s = std::max(reach_s, herpolhode_span_s(scene));
   return reach_s;
 }
@@ -125,6 +128,18 @@ void check_method_table(const Scene& scene, const Requirements& needs) {
                             " are made: choose an earlier time `at` or a longer step");
 }
 
+void check_drift(const Scene& scene) {
+  constexpr double kMostSizes = 200;  // of the body: further off it would be a speck
+  const double size_m = scene.body.shape.value_or(equivalent_box(scene.body.moments)).size_m.norm();
+  for (double t_s : {scene.at_s, 0.5 * span_of(scene), span_of(scene)}) {
+    const double sizes = drift_at(scene, t_s).r_S.norm() / size_m;
+    if (!(sizes <= kMostSizes))
+      throw std::domain_error("the centre of mass moves by " + std::to_string(sizes) +
+                              " times the size of the body, at most " + std::to_string(kMostSizes) +
+                              " are drawn: choose a smaller velocity, force or duration");
+  }
+}
+
 /// What the scene asks for, or the method that is best for body and torque.
 Choice choose_motion(const Scene& scene, const Problem& problem, const Requirements& needs) {
   const MotionSpec& spec = scene.motion;
@@ -133,6 +148,7 @@ Choice choose_motion(const Scene& scene, const Problem& problem, const Requireme
   check_reach(choice, *motion, reach_of(scene, needs));
   check_herpolhode(scene, needs);
   check_method_table(scene, needs);
+  check_drift(scene);
   std::string reason = why(spec, choice, *motion, needs);
   return {std::move(motion), std::move(reason)};
 }
@@ -147,6 +163,29 @@ std::vector<double> family_levels(const PrincipalMoments& I) {
       levels.push_back(
           std::lerp(sorted[side], sorted[side + 1], (n - 0.5 * (1 - side) - 0.25) / kFamilySize));
   return levels;
+}
+
+/// Of a free body over a loop of its film; under torque, which may let the terms grow without end, until
+/// `at`.
+double longest_term(const SceneModel& model) {
+  constexpr int kSamples = 32;  // a picture's scale: nothing hangs on its last digits
+  const double reach_s = model.scene.torque.empty() ? model.span_s : model.scene.at_s;
+  double longest = 0.0;
+  for (int n = 0; n <= kSamples; ++n) {
+    const double t_s = reach_s * n / kSamples;
+    const double term = terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s).largest();
+    if (std::isfinite(term)) longest = std::max(longest, term);
+  }
+  return longest;
+}
+
+/// As exact as there is: the closed form, under torque the best method at a tolerance near rounding.
+std::unique_ptr<const Motion> exact_motion(const Problem& problem) {
+  constexpr double kTolerance = 1e-13;
+  const Method method = default_method(problem);
+  const bool adaptive = facts_of(method).control == StepControl::adaptive;
+  return make_motion(problem,
+                     {.method = method, .tolerance = adaptive ? std::optional(kTolerance) : std::nullopt});
 }
 
 void compute_parts(SceneModel& model, double chord_tolerance) {
@@ -164,11 +203,7 @@ void compute_parts(SceneModel& model, double chord_tolerance) {
     model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
   if (model.needs.methods) model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s);
-}
-
-/// Whether gravity on a body that is held at a point is the only torque.
-bool held_at_pivot(const Scene& scene) {
-  return scene.torque.size() == 1 && std::holds_alternative<HeavyTop>(scene.torque.front());
+  if (model.needs.terms) model.longest_term = longest_term(model);
 }
 
 }  // namespace
@@ -191,7 +226,12 @@ OverlaySet drawn_overlays(const Scene& scene) {
   if (scene.torque.empty()) erase({O::N});
   if (!drifts(scene)) erase({O::p, O::v});
   if (scene.F_S.isZero(0.0)) erase({O::F});
-  if (!held_at_pivot(scene)) erase({O::pivot});
+  if (heavy_top_of(scene) == nullptr) erase({O::pivot});
+  if (scene.show.contains(O::turn_orders)) {  // they turn by themselves: there is no motion to show
+    drawn = {O::turn_orders};
+    for (Overlay o : {O::shape, O::axes_body, O::axes_space, O::labels})
+      if (scene.show.contains(o)) drawn.insert(o);
+  }
   if (scene.torque.empty() && scene.w0_B.isZero(0.0))
     erase({O::energy_ellipsoid, O::momentum_sphere, O::momentum_ellipsoid, O::omega, O::L, O::polhode,
            O::polhode_family, O::separatrix, O::herpolhode, O::plane, O::trail_L, O::trail_omega, O::cones,
@@ -211,6 +251,12 @@ bool needs_attitude(Meter meter, const Scene& scene) {
   return meter == Meter::drift || (meter == Meter::momentum && !scene.torque.empty());
 }
 
+/// A ghost of the exact motion would hide in the same motion.
+bool asks_for_ghost(const Scene& scene) {
+  return scene.motion.ghost && scene.motion.method &&
+         facts_of(*scene.motion.method).control != StepControl::none;
+}
+
 Requirements requirements_of_figure(const Scene& scene) {
   const OverlaySet show = drawn_overlays(scene);
   const auto shown = [&](Overlay o) { return show.contains(o); };
@@ -221,7 +267,8 @@ Requirements requirements_of_figure(const Scene& scene) {
       (shown(Overlay::shape) || shown(Overlay::energy_ellipsoid) || shown(Overlay::momentum_sphere) ||
        shown(Overlay::momentum_ellipsoid) || shown(Overlay::omega) || shown(Overlay::L) ||
        shown(Overlay::N) || shown(Overlay::axes_body) || shown(Overlay::polhode) ||
-       shown(Overlay::polhode_family) || shown(Overlay::separatrix) || shown(Overlay::cones));
+       shown(Overlay::polhode_family) || shown(Overlay::separatrix) || shown(Overlay::cones) ||
+       shown(Overlay::terms) || shown(Overlay::pivot));
   Requirements needs;
   needs.polhode = shown(Overlay::polhode) || shown(Overlay::cones);
   needs.polhode_family = shown(Overlay::polhode_family);
@@ -230,16 +277,20 @@ Requirements requirements_of_figure(const Scene& scene) {
   needs.trail_L = shown(Overlay::trail_L);
   needs.trail_omega = shown(Overlay::trail_omega);
   needs.cones = shown(Overlay::cones);
-  needs.solid = shown(Overlay::shape);
-  needs.attitude = body_seen_from_space || needs.herpolhode ||
+  needs.solid = shown(Overlay::shape) || shown(Overlay::turn_orders);
+  needs.terms = shown(Overlay::terms);
+  needs.attitude = (body_seen_from_space && !shown(Overlay::turn_orders)) || needs.herpolhode ||
+                   shown(Overlay::transport) || (in_body && drifts(scene)) ||
                    (in_space && (needs.trail_L || needs.trail_omega)) ||
                    (in_body && shown(Overlay::axes_space)) || shown(Overlay::tensor_bars) ||
                    depends_on_attitude(scene.torque);
   needs.omega = needs.attitude || shown(Overlay::omega) || shown(Overlay::L) || shown(Overlay::N) ||
-                needs.polhode || needs.trail_L || needs.trail_omega || shown(Overlay::plane) ||
+                needs.polhode || needs.terms || needs.trail_L || needs.trail_omega || shown(Overlay::plane) ||
                 shown(Overlay::values) || shown(Overlay::cofactors) || shown(Overlay::cyclic_wheel) ||
                 shown(Overlay::energy_rows) || shown(Overlay::momentum_rows);
   needs.methods = shown(Overlay::method_table);
+  needs.ghost = asks_for_ghost(scene) && (needs.solid || shown(Overlay::omega) || shown(Overlay::L)) &&
+                !shown(Overlay::turn_orders);
   return needs;
 }
 
@@ -272,6 +323,8 @@ std::vector<std::string> names_of(const Requirements& needs) {
   add(needs.solid, "solid");
   add(needs.meters, "meters");
   add(needs.methods, "methods");
+  add(needs.terms, "terms");
+  add(needs.ghost, "ghost");
   return names;
 }
 
@@ -301,6 +354,7 @@ SceneModel make_model(const Scene& scene, Product product, double chord_toleranc
   model.span_s = span_of(scene);
   model.reach_s = reach_of(*model.motion, scene.motion.step_s);
   model.rate = scene.rate.value_or(natural_span(scene) / kShownSecondsPerPeriod);
+  if (model.needs.ghost) model.exact = exact_motion(problem);
   compute_parts(model, chord_tolerance);
   return model;
 }

@@ -26,9 +26,11 @@ struct Requirements {
   bool trail_L = false;
   bool trail_omega = false;
   bool cones = false;
+  bool methods = false;  ///< the table of methods
   bool solid = false;    ///< a shape to draw
   bool meters = false;   ///< plots against time
-  bool methods = false;  ///< the table of methods
+  bool terms = false;    ///< how long the terms of (6) become
+  bool ghost = false;    ///< the exact motion beside the computed one
   bool operator==(const Requirements&) const = default;
 };
 
@@ -64,11 +66,13 @@ struct SceneModel {
   Requirements needs;
   std::unique_ptr<const Motion> motion;  ///< never null
   std::string why;                       ///< why this motion was chosen, one sentence
+  std::unique_ptr<const Motion> exact;   ///< of the ghost; null: none is asked for
   Quat q0_SB = Quat::Identity();         ///< attitude at t = 0
-  double L_reference = 0.0;  ///< |L| that is drawn at full length, kg m²/s: the larger of start and `at`
-  double span_s = 0.0;       ///< what curves over time cover and one loop of a film shows
-  double reach_s = 0.0;      ///< the longest |t| that the motion is to be asked for
-  double rate = 1.0;         ///< simulated seconds per shown second
+  double L_reference = 0.0;   ///< |L| that is drawn at full length, kg m²/s: the larger of start and `at`
+  double longest_term = 0.0;  ///< of equation (6), drawn at full length, N m
+  double span_s = 0.0;        ///< what curves over time cover and one loop of a film shows
+  double reach_s = 0.0;       ///< the longest |t| that the motion is to be asked for
+  double rate = 1.0;          ///< simulated seconds per shown second
   Curve polhode_B;
   std::vector<PolhodeOfFamily> family_B;
   std::vector<Curve> separatrices_B;

@@ -10,7 +10,7 @@
 //   cards         the twelve equations with what they are
 //   method-table  how far each method is from the true motion at the time of the still, and what it costs
 //
-// ω̇ is a difference quotient of the motion (rate_of_change.h), not solved for in the equations that the
+// ω̇ is a difference quotient of the motion (terms.h), not solved for in the equations that the
 // boards show to hold. Numbers of one kind have the same decimals: three digits of the largest over the
 // model's span, which also sets the scale of bars, so that nothing but the values moves in a film.
 #pragma once

@@ -35,6 +35,12 @@ void add_body_curve(const Moment& m, const Curve& curve, double radius, const Co
   list.tubes.push_back(std::move(tube));
 }
 
+/// A surface of constant T and one of constant |L| meet in the polhode and in its mirror image.
+bool surfaces_meet(const Moment& m) {
+  return m.model.needs.polhode && m.shows(Overlay::polhode) && m.shows(Overlay::momentum_sphere) &&
+         (m.shows(Overlay::momentum_ellipsoid) || m.shows(Overlay::energy_ellipsoid));
+}
+
 void add_herpolhode(const Moment& m, DrawList& list) {
   Curve local;
   const Curve* curve_S = &m.model.herpolhode_S;
@@ -72,6 +78,11 @@ void add_curves(const Moment& m, DrawList& list) {
   if (m.model.needs.polhode)
     add_body_curve(m, m.model.polhode_B, kPolhodeRadius * m.emphasis(Overlay::polhode), kPolhodeRole.paint,
                    list);
+  if (surfaces_meet(m)) {
+    Curve opposite = m.model.polhode_B;
+    for (Vec3& w_B : opposite.points) w_B = -w_B;
+    add_body_curve(m, opposite, kFamilyRadius, kPolhodeRole.paint, list);
+  }
   if (m.model.needs.herpolhode && m.view == View::space) add_herpolhode(m, list);
 }
 

@@ -24,12 +24,6 @@ void add_text(DrawList& list, const char* text, const Vec3& anchor, const Color&
   list.labels.push_back({.text = text, .anchor = anchor, .color = color, .size = kTextSize});
 }
 
-/// Screen direction of the camera: x to the right, y up.
-Vec3 screen_direction(const Camera& camera, double x, double y) {
-  const Eigen::Matrix4d v = camera.view();
-  return x * Vec3(v(0, 0), v(0, 1), v(0, 2)) + y * Vec3(v(1, 0), v(1, 1), v(1, 2));
-}
-
 /// The point of a curve that lies furthest in a screen direction, if possible on the side of the viewer.
 Vec3 furthest(const std::vector<Vec3>& points, const Camera& camera, const Vec3& direction) {
   const Vec3 to_eye = (camera.eye - camera.target).normalized();
@@ -46,7 +40,7 @@ void label_triads(const Moment& m, DrawList& list) {
     const auto k = static_cast<std::size_t>(i);
     if (m.shows(Overlay::axes_space))
       list.labels.push_back({.text = kSpace[k],
-                             .anchor = m.q_VS * (kBeyond * Vec3::Unit(i)),
+                             .anchor = m.q_VS * (kBeyond * Vec3::Unit(i)) - m.center_V,
                              .color = kAxesRole.ink,
                              .size = 1.0,
                              .leader = false});
@@ -67,8 +61,8 @@ void label_vectors(const Moment& m, DrawList& list) {
   };
   if (m.shows(Overlay::omega)) add_symbol(list, "$\\vec\\omega$", beyond(m.omega_tip_V()), kOmegaRole.ink);
   if (m.shows(Overlay::L)) add_symbol(list, "$\\vec L$", beyond(m.L_tip_V()), kLRole.ink);
-  for (const Arrow& arrow : list.arrows)
-    if (arrow.color == kNRole.paint) add_symbol(list, "$\\vec N$", arrow.tip, kNRole.ink);
+  if (m.shows(Overlay::N) && !m.shows(Overlay::terms) && !m.N_B.isZero(0.0))
+    add_symbol(list, "$\\vec N$", torque_ends(m).tip, kNRole.ink);
 }
 
 /// The tubes of a draw list by role, because a curve is labelled where it was drawn.
@@ -99,7 +93,7 @@ void label_surfaces(const Moment& m, const Camera& camera, DrawList& list) {
     const Vec3 scaled = e.semi_axes.cwiseProduct(d);
     return e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(scaled.normalized()));
   };
-  if (!list.floors.empty()) {
+  if (m.shows(Overlay::plane) && !list.floors.empty()) {
     const Vec3 aside = screen_direction(camera, 1.0, 0.0);
     const Vec3 away = -(camera.eye - camera.target).normalized();
     const Vec3 level(1.75 * aside.x() + 0.5 * away.x(), 1.75 * aside.y() + 0.5 * away.y(), list.floors[0].z);
@@ -109,8 +103,7 @@ void label_surfaces(const Moment& m, const Camera& camera, DrawList& list) {
                            .size = kTextSize,
                            .leader = false});
   }
-  if (m.shows(Overlay::momentum_sphere) && m.shows(Overlay::momentum_ellipsoid) &&
-      list.ellipsoids.size() > 1) {
+  if (m.shows(Overlay::momentum_sphere) && list.ellipsoids.size() > 1) {
     add_text(list, "$2T$ = const.",
              on_silhouette(list.ellipsoids.front(), screen_direction(camera, -0.8, 0.6)),
              color_from_hex(0x2F6178));
@@ -138,6 +131,11 @@ std::string number(double value) {
 }
 
 }  // namespace
+
+Vec3 screen_direction(const Camera& camera, double x, double y) {
+  const Eigen::Matrix4d v = camera.view();
+  return x * Vec3(v(0, 0), v(0, 1), v(0, 2)) + y * Vec3(v(1, 0), v(1, 1), v(1, 2));
+}
 
 void add_labels(const Moment& m, const Camera& camera, DrawList& list) {
   label_vectors(m, list);

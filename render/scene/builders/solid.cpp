@@ -3,6 +3,7 @@
 #include "physics/euler.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
+#include "render/scene/rotor.h"
 
 #include <algorithm>
 #include <array>
@@ -114,6 +115,17 @@ Part ellipsoid(const Vec3& half) {
   return part;
 }
 
+/// Two diameters on each face of a cylinder: its turning can be seen.
+void add_diameters(Part& part, const Vec3& half) {
+  constexpr double kProud = 1.01;
+  for (double z : {-half.z(), half.z()})
+    for (int axis : {0, 1}) {
+      const Vec3 end = half[axis] * Vec3::Unit(axis), up = kProud * z * Vec3::UnitZ();
+      part.edges.push_back(
+          {.points = {up - end, up + end}, .closed = false, .radius = 0.006, .color = kEdge});
+    }
+}
+
 void turn_and_move(Part& part, const Quat& q, const Vec3& by) {
   for (Vec3& p : part.mesh.positions) p = q * p + by;
   for (Vec3& n : part.mesh.normals) n = q * n;
@@ -157,28 +169,82 @@ double fit(const std::vector<Part>& parts, const Vec3& semi_axes) {
   return reach > 0.0 ? 1.0 / reach : 1.0;
 }
 
-Vec3 room_for(const Moment& m) {
-  if (m.shows(Overlay::energy_ellipsoid) && m.two_T > 0.0)
-    return kInsideGlass * m.omega_scale * energy_ellipsoid_semi_axes(m.I(), m.two_T);
+void add_patch(const Quat& q_VB, const Vec3& center_B, double half_1, double half_2, const Color& color,
+               DrawList& list) {
+  Mesh patch;
+  patch.color = color;
+  const Vec3 u = half_1 * Vec3::UnitX(), v = half_2 * Vec3::UnitY();
+  add_quad(patch,
+           {q_VB * (center_B - u - v), q_VB * (center_B + u - v), q_VB * (center_B + u + v),
+            q_VB * (center_B - u + v)},
+           q_VB * Vec3::UnitZ());
+  list.meshes.push_back(std::move(patch));
+}
+
+/// A cover with a title on the face +3, its head towards +1: a box alone looks the same in four attitudes.
+void add_cover(const Quat& q_VB, const Vec3& half, DrawList& list) {
+  constexpr double kProud = 0.004;
+  const Vec3 face(0.0, 0.0, half.z() + kProud);
+  add_patch(q_VB, face, 0.9 * half.x(), 0.88 * half.y(), color_from_hex(0x7C93AB), list);
+  add_patch(q_VB, face + Vec3(0.5 * half.x(), 0.0, kProud), 0.09 * half.x(), 0.58 * half.y(),
+            color_from_hex(0xF2EFE8), list);
+  add_patch(q_VB, face + Vec3(0.22 * half.x(), 0.0, kProud), 0.05 * half.x(), 0.36 * half.y(),
+            color_from_hex(0xF2EFE8), list);
+}
+
+Vec3 room_for(const Moment& m, double two_T) {
+  if (m.shows(Overlay::energy_ellipsoid) && two_T > 0.0)
+    return kInsideGlass * m.omega_scale * energy_ellipsoid_semi_axes(m.I(), two_T);
   return Vec3::Constant(kAloneRadius);
+}
+
+/// In m, about the pivot where the scene shows one.
+std::vector<Part> parts_of(const Scene& scene, bool on_pivot) {
+  if (!on_pivot) return parts_of(scene.body.shape.value_or(equivalent_box(scene.body.moments)));
+  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
+  std::vector<Part> parts = parts_of(rotor.shape);
+  if (rotor.shape.kind == ShapeKind::cylinder) add_diameters(parts.front(), 0.5 * rotor.shape.size_m);
+  for (Part& part : parts) turn_and_move(part, Quat::Identity(), rotor.center_B);
+  return parts;
+}
+
+void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const Color& color, float edges,
+               DrawList& list) {
+  for (Part& part : parts) {
+    for (Vec3& p : part.mesh.positions) p = q_VB * (scale * p);
+    for (Vec3& n : part.mesh.normals) n = q_VB * n;
+    for (Tube& edge : part.edges) {
+      for (Vec3& p : edge.points) p = q_VB * (scale * p);
+      edge.color.a = edges;
+      list.tubes.push_back(std::move(edge));
+    }
+    part.mesh.color = color;
+    list.meshes.push_back(std::move(part.mesh));
+  }
 }
 
 }  // namespace
 
+double scene_units_per_m(const Moment& m) {
+  const double two_T0 = 2.0 * kinetic_energy(m.I(), m.model.scene.w0_B);
+  return fit(parts_of(m.model.scene, m.shows(Overlay::pivot)), room_for(m, two_T0));
+}
+
 void add_solid(const Moment& m, DrawList& list) {
   if (!m.model.needs.solid) return;
-  std::vector<Part> parts = parts_of(m.model.solid);
-  const double scale = fit(parts, room_for(m));
-  for (Part& part : parts) {
-    for (Vec3& p : part.mesh.positions) p = m.q_VB * (scale * p);
-    for (Vec3& n : part.mesh.normals) n = m.q_VB * n;
-    for (Tube& edge : part.edges) {
-      for (Vec3& p : edge.points) p = m.q_VB * (scale * p);
-      list.tubes.push_back(std::move(edge));
-    }
-    part.mesh.color = kSolid;
-    list.meshes.push_back(std::move(part.mesh));
-  }
+  std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
+  const double scale = fit(parts, room_for(m, m.two_T));
+  add_parts(std::move(parts), m.q_VB, scale, kSolid, 1.0F, list);
+  if (m.turn && m.model.solid.kind == ShapeKind::box)
+    add_cover(m.q_VB, 0.5 * scale * m.model.solid.size_m, list);
+}
+
+void add_ghost_of_solid(const Moment& m, const Quat& q_SB, DrawList& list) {
+  if (!m.model.needs.solid || m.view == View::body) return;  // B is the body's own: there both would coincide
+  constexpr float kAlpha = 0.38F, kEdges = 0.6F;
+  std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
+  const double scale = fit(parts, room_for(m, m.two_T));
+  add_parts(std::move(parts), q_SB, scale, {kGlassTint.r, kGlassTint.g, kGlassTint.b, kAlpha}, kEdges, list);
 }
 
 }  // namespace polhode::builders

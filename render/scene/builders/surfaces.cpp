@@ -67,10 +67,12 @@ void add_surfaces(const Moment& m, DrawList& list) {
                                .semi_axes = momentum_ellipsoid_semi_axes(m.I(), m.two_T) * m.L_scale,
                                .tint = kGlassTint});
   if (m.shows(Overlay::momentum_sphere))
-    list.ellipsoids.push_back({.rotation = m.q_VB,
-                               .semi_axes = Vec3::Constant(m.L_B.norm() * m.L_scale),
-                               .tint = kSphereTint,
-                               .graticule = false});
+    list.ellipsoids.push_back(
+        {.rotation = m.q_VB,
+         .semi_axes = m.L_scale > 0.0 ? Vec3(Vec3::Constant(m.L_B.norm() * m.L_scale))
+                                      : Vec3(m.L_B.norm() * m.omega_scale * m.I().vector().cwiseInverse()),
+         .tint = kSphereTint,
+         .graticule = false});
   if (m.shows(Overlay::plane) && m.view == View::space) list.floors.push_back({.z = plane_z(m)});
 }
 

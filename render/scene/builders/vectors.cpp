@@ -16,11 +16,11 @@ constexpr double kTriadRadius = 0.008;
 constexpr int kTrailPoints = 240;
 constexpr double kBehindTip = 0.03;
 
-void add_triad(const Quat& q_VF, double emphasis, double dash, DrawList& list) {
+void add_triad(const Quat& q_VF, const Vec3& origin_V, double emphasis, double dash, DrawList& list) {
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis_V = q_VF * Vec3::Unit(i);
-    list.arrows.push_back({.tail = Vec3::Zero(),
-                           .tip = kTriadLength * axis_V,
+    list.arrows.push_back({.tail = origin_V,
+                           .tip = origin_V + kTriadLength * axis_V,
                            .radius = kTriadRadius * emphasis,
                            .color = kAxesRole.paint,
                            .dash = dash});
@@ -73,6 +73,34 @@ void add_trails(const Moment& m, DrawList& list) {
         list);
 }
 
+Ends torque_ends(const Moment& m) {
+  const Vec3 tail = m.shows(Overlay::L) ? m.L_tip_V() : Vec3::Zero();  // N is the velocity of L's tip
+  return {tail, tail + m.q_VB * (m.N_B.normalized() * kTorqueLength)};
+}
+
+void add_turn(const Moment& m, DrawList& list) {
+  if (!m.turn) return;
+  constexpr int kPoints = 48;
+  constexpr double kPlace = 1.02, kArcRadius = 0.26, kLeast_rad = 0.15;
+  const Vec3 axis_V = m.q_VS * m.turn->axis_S;
+  list.arrows.push_back({.tail = Vec3::Zero(),
+                         .tip = kTriadLength * axis_V,
+                         .radius = 0.8 * kArrowRadius,
+                         .color = kOmegaRole.paint});
+  if (m.turn->angle_rad < kLeast_rad) return;
+  Tube arc{.points = {}, .closed = false, .radius = 0.011, .color = kOmegaRole.paint};
+  for (int n = 0; n <= kPoints; ++n) {
+    const Eigen::AngleAxisd by(m.turn->angle_rad * n / kPoints, axis_V);
+    arc.points.push_back(kPlace * axis_V + by * (kArcRadius * Vec3::UnitZ()));
+  }
+  const Vec3 tip = arc.points.back();
+  list.arrows.push_back({.tail = tip - 0.02 * axis_V.cross(tip).normalized(),
+                         .tip = tip + 0.09 * axis_V.cross(tip).normalized(),
+                         .radius = 0.012,
+                         .color = kOmegaRole.paint});
+  list.tubes.push_back(std::move(arc));
+}
+
 void add_vectors(const Moment& m, DrawList& list) {
   const double radius = kArrowRadius * m.thickness;
   const bool turning = !m.state.w_B.isZero(0.0);
@@ -87,10 +115,10 @@ void add_vectors(const Moment& m, DrawList& list) {
                            .tip = m.omega_tip_V(),
                            .radius = radius * m.emphasis(Overlay::omega),
                            .color = kOmegaRole.paint});
-  if (m.shows(Overlay::N) && !m.N_B.isZero(0.0)) {
-    const Vec3 tail = m.shows(Overlay::L) ? m.L_tip_V() : Vec3::Zero();  // N is the velocity of L's tip
-    list.arrows.push_back({.tail = tail,
-                           .tip = tail + m.q_VB * (m.N_B.normalized() * kTorqueLength),
+  if (m.shows(Overlay::N) && !m.shows(Overlay::terms) && !m.N_B.isZero(0.0)) {
+    const Ends ends = torque_ends(m);
+    list.arrows.push_back({.tail = ends.tail,
+                           .tip = ends.tip,
                            .radius = radius * m.emphasis(Overlay::N),
                            .color = kNRole.paint,
                            .dash = 0.045});
@@ -100,8 +128,9 @@ void add_vectors(const Moment& m, DrawList& list) {
 }
 
 void add_axes(const Moment& m, DrawList& list) {
-  if (m.shows(Overlay::axes_space)) add_triad(m.q_VS, m.emphasis(Overlay::axes_space), 0.05, list);
-  if (m.shows(Overlay::axes_body)) add_triad(m.q_VB, m.emphasis(Overlay::axes_body), 0.0, list);
+  if (m.shows(Overlay::axes_space))
+    add_triad(m.q_VS, -m.center_V, m.emphasis(Overlay::axes_space), 0.05, list);
+  if (m.shows(Overlay::axes_body)) add_triad(m.q_VB, Vec3::Zero(), m.emphasis(Overlay::axes_body), 0.0, list);
 }
 
 }  // namespace polhode::builders
