@@ -23,6 +23,7 @@ void add_info(CLI::App& app, Action& action);
 void add_trace(CLI::App& app, Action& action);
 void add_measure(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
+void add_answer(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 
 }  // namespace polhode

@@ -4,6 +4,7 @@
 #include "app/lesson_lookup.h"
 #include "app/or_fail.h"
 #include "app/page_lint.h"
+#include "lessons/claim_check.h"
 #include "lessons/type_check.h"
 
 #include <CLI/CLI.hpp>
@@ -44,8 +45,10 @@ void lint_one(const std::string& name, Findings& findings) {
   try {
     const auto path = find_lesson(name, lesson_folders());
     LessonReading reading = check_lesson(read_lesson_text(path), path.string());
-    if (reading.lesson)
+    if (reading.lesson) {
+      add_in_order(check_claims(*reading.lesson, path.string()), reading.diagnostics);
       add_in_order(type_and_page_diagnostics(*reading.lesson, path.string()), reading.diagnostics);
+    }
     for (Diagnostic& diagnostic : reading.diagnostics) findings.diagnostics.push_back(std::move(diagnostic));
   } catch (const CommandError& error) {
     if (error.code != ExitCode::failed) throw;
@@ -85,7 +88,8 @@ void add_lint(CLI::App& app, Action& action) {
     std::vector<std::string> files;
     bool json = false;
   };
-  CLI::App* command = app.add_subcommand("lint", "Check lessons; print file:line:column: error|warning: ...");
+  CLI::App* command = app.add_subcommand(
+      "lint", "Check lessons and prove their claims; print file:line:column: error|warning: ...");
   auto options = std::make_shared<Options>();
   command->add_option("FILE", options->files, "Lesson files or ids")->required()->option_text("...");
   command->add_flag("--json", options->json, "file, line, column, severity, message and hint as JSON");

@@ -115,6 +115,21 @@ void add_meters(const PageRequest& request, const Grid& grid, const std::vector<
   }
 }
 
+/// Both sides of the present step's claims at this time, each at its slot.
+Sheet live_values(const PageRequest& request, const std::vector<LiveSlot>& slots, const Fonts& fonts) {
+  Sheet sheet;
+  if (slots.empty()) return sheet;
+  const auto live = live_state(*request.model, request.t_s);
+  if (!live) return sheet;
+  for (const LiveSlot& slot : slots) {
+    DisplayList line =
+        set_line(live_text(*slot.claim, *live, request.model->scene.views.front()), slot.style, fonts);
+    const double x = slot.end.x() - line.width;
+    sheet.texts.push_back({.list = std::move(line), .at = {x, slot.end.y()}});
+  }
+  return sheet;
+}
+
 }  // namespace
 
 FittedText text_of_page(const PageRequest& request, const Fonts& fonts) {
@@ -140,6 +155,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   append(page.sheet, text.stack.sheet, corner);
   append(page.sheet, faded(text.stack.newest, request.news.value_or(1.0)), corner);
   if (!request.model) return page;
+  append(page.sheet, faded(live_values(request, text.stack.live, fonts), request.news.value_or(1.0)), corner);
   PlacedFigure figure = figure_on_page(request, grid, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});

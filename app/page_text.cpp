@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
 namespace polhode {
@@ -51,6 +52,26 @@ void add(PieceRefs& refs, const Pieces& pieces) {
   for (const ColumnPiece& piece : pieces) refs.push_back(&piece);
 }
 
+bool has_equation(const Step& step, const std::string& id) {
+  return std::any_of(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
+    const auto* equation = std::get_if<Equation>(&block);
+    return equation && equation->id == id;
+  });
+}
+
+/// On the claims of the stage up to the page's step: the same at every size of type.
+using Verdicts = std::map<const Claim*, VerdictRow>;
+
+Verdicts verdicts_of(const PageRequest& request) {
+  const Prover prover;
+  Verdicts verdicts;
+  for (int i = 0; i < request.step; ++i)
+    for (const Block& block : request.stage.steps[static_cast<std::size_t>(i)].blocks)
+      if (const auto* claim = std::get_if<Claim>(&block))
+        verdicts.emplace(claim, verdict_row(*claim, prover, request.model));
+  return verdicts;
+}
+
 /// What of the earlier steps a page shows: nothing before `equations_from`, everything from `whole_from`.
 struct Selection {
   std::size_t equations_from = 0, whole_from = 0;
@@ -61,9 +82,10 @@ struct Selection {
 /// The text at one size; each step is set when it is first asked for.
 class ScaledText {
  public:
-  ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, double width, double em,
-             double scale, const Fonts& fonts)
+  ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, const Verdicts& verdicts,
+             double width, double em, double scale, const Fonts& fonts)
       : request_(request),
+        verdicts_(verdicts),
         fonts_(fonts),
         width_(width),
         em_(em),
@@ -175,12 +197,27 @@ class ScaledText {
     Pieces pieces;
     for (const Block& block : step.blocks) {
       if (const auto* equation = std::get_if<Equation>(&block))
-        pieces.push_back(column_.equation(*equation, focus_on(*equation), marked));
+        pieces.push_back(column_.equation(*equation, focus_on(*equation), marked,
+                                          verdicts_on(*equation, step, is_present)));
+      if (const auto* claim = std::get_if<Claim>(&block); claim && !has_equation(step, claim->equation))
+        pieces.push_back(verdict(*claim, is_present));
       if (const auto* prose = std::get_if<Prose>(&block)) pieces.push_back(column_.prose(prose->text));
       if (const auto* callout = std::get_if<Callout>(&block)) pieces.push_back(column_.callout(*callout));
       if (const auto* ask = std::get_if<Ask>(&block)) pieces.push_back(column_.question(*ask));
     }
     return pieces;
+  }
+
+  Pieces verdicts_on(const Equation& equation, const Step& step, bool is_present) const {
+    Pieces pieces;
+    for (const Block& block : step.blocks)
+      if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
+        pieces.push_back(verdict(*claim, is_present));
+    return pieces;
+  }
+
+  ColumnPiece verdict(const Claim& claim, bool is_present) const {
+    return column_.verdict(verdicts_.at(&claim), is_present && request_.model && has_live_values(claim));
   }
 
   /// Without the words that refute it, what is wrong would stand there as if it were right.
@@ -196,6 +233,7 @@ class ScaledText {
   }
 
   const PageRequest& request_;
+  const Verdicts& verdicts_;
   const Fonts& fonts_;
   double width_, em_, scale_;
   TextColumn column_;
@@ -208,7 +246,10 @@ class ScaledText {
 
 FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts) {
   const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
-  const auto text_at = [&](double scale) { return ScaledText(request, symbols, width, em, scale, fonts); };
+  const Verdicts verdicts = verdicts_of(request);
+  const auto text_at = [&](double scale) {
+    return ScaledText(request, symbols, verdicts, width, em, scale, fonts);
+  };
   const auto fitted = [](ScaledText& text, const Selection& shown) {
     return FittedText{text.stacked(shown), text.scale(), text.formula_scale(shown), text.equations_in(shown),
                       static_cast<int>(shown.whole_from) + 1};

@@ -19,6 +19,9 @@ constexpr double kEarlierSize = 1.0;
 constexpr double kCalloutSize = 0.94;
 constexpr double kLabelSize = 0.62;
 constexpr double kTagSize = 1.0;
+constexpr double kVerdictSize = 0.56;
+constexpr double kVerdictLine = 1.35;  ///< of its size
+constexpr double kVerdictGap = 0.3;
 constexpr double kWidestTag = 0.4;  ///< of the column
 constexpr double kParagraphGap =
     0.87;  // to the eye as wide as `between` below: those are lines without tails
@@ -64,6 +67,15 @@ void mark(const DisplayList& list, const Vec2& at, const std::vector<std::string
         rectangle(at.x() + box.x0 - pad, at.y() + box.y0 - pad, at.x() + box.x1 + pad, at.y() + box.y1 + pad),
         color});
   }
+}
+
+/// Drawing and slots of `part` over those of `piece`.
+void add(ColumnPiece& piece, ColumnPiece part, const Vec2& at) {
+  for (LiveSlot& slot : part.live) {
+    slot.end += at;
+    piece.live.push_back(std::move(slot));
+  }
+  append(piece.sheet, std::move(part.sheet), at);
 }
 
 }  // namespace
@@ -141,9 +153,46 @@ ColumnPiece TextColumn::numbered(const Equation& equation, double size,
   return piece;
 }
 
+ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
+  const double em = kVerdictSize * size_, gap = 0.6 * em;
+  TextStyle quiet = style(em, colors().quiet, width_);
+  quiet.sans = true;
+  quiet.symbols = nullptr;  // the slots outlive them
+  TextStyle bold = quiet;
+  bold.bold = true;
+  bold.color = row.refutes || !row.proved ? colors().accent : colors().ink;
+  const double line = std::round(kVerdictLine * em), first = std::round(0.9 * em);
+  ColumnPiece piece{.sheet = {}, .height = line, .gap = kVerdictGap * size_};
+  DisplayList word = set_line(row.word, bold, fonts_);
+  double x = word.width + gap;
+  piece.sheet.texts.push_back({.list = std::move(word), .at = {0, first}});
+  DisplayList note = set_line(row.note, quiet, fonts_);
+  if (x + note.width > width_) {  // a long counterexample: as small as it has to be
+    TextStyle smaller = quiet;
+    smaller.size *= (width_ - x) / note.width;
+    note = set_line(row.note, smaller, fonts_);
+  }
+  const double note_end = x + note.width;
+  piece.sheet.texts.push_back({.list = std::move(note), .at = {x, first}});
+  if (!is_live) return piece;
+
+  const double room = set_line(widest_live_text(*row.claim), quiet, fonts_).width;
+  double baseline = first;
+  if (note_end + gap + room > width_) piece.height += line, baseline += line;
+  if (room > width_) quiet.size *= width_ / room;
+  piece.live.push_back({row.claim, {width_, baseline}, quiet});
+  return piece;
+}
+
 ColumnPiece TextColumn::equation(const Equation& equation, Focus focus,
-                                 const std::vector<std::string>& marked) const {
+                                 const std::vector<std::string>& marked,
+                                 const std::vector<ColumnPiece>& verdicts) const {
   ColumnPiece plain = numbered(equation, kDisplaySize * size_, marked);
+  for (const ColumnPiece& verdict : verdicts) {
+    const double top = plain.height + std::round(verdict.gap);
+    add(plain, verdict, {0, top});
+    plain.height = top + verdict.height;
+  }
   if (focus == Focus::none) return plain;
   const double pad = std::round(kPanelPad * size_), bar = std::round(std::max(2.0, 0.17 * size_));
   const double left = -std::round(0.7 * size_), right = width_ + pad;
@@ -154,7 +203,7 @@ ColumnPiece TextColumn::equation(const Equation& equation, Focus focus,
   if (focus == Focus::now)
     piece.sheet.shapes = {Area{rectangle(left, 0, right, piece.height), colors().panel},
                           Area{rectangle(left, 0, left + bar, piece.height), colors().accent}};
-  append(piece.sheet, std::move(plain.sheet), {0, pad});
+  add(piece, std::move(plain), {0, pad});
   return piece;
 }
 
@@ -208,6 +257,10 @@ Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i > 0) made.height += std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap));
     append(i + newest < pieces.size() ? made.sheet : made.newest, pieces[i]->sheet, {0, made.height});
+    for (LiveSlot slot : pieces[i]->live) {
+      slot.end.y() += made.height;
+      made.live.push_back(std::move(slot));
+    }
     made.height += pieces[i]->height;
   }
   return made;

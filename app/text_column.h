@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/page_theme.h"
+#include "app/verdict_row.h"
 #include "lessons/lesson.h"
 #include "render/scene/sheet.h"
 #include "render/type/paragraph.h"
@@ -12,12 +13,20 @@
 
 namespace polhode {
 
+/// Where live values of a claim are to stand: the right end of their line.
+struct LiveSlot {
+  const Claim* claim = nullptr;
+  Vec2 end{0, 0};
+  TextStyle style;
+};
+
 /// Something in the column: its drawing from the upper left corner, and the room it takes.
 struct ColumnPiece {
   Sheet sheet;
   double height = 0;         ///< whole px
   double gap = 0;            ///< least distance to what is above and below
   double formula_scale = 1;  ///< of its normal size, of a display that is wider than the column
+  std::vector<LiveSlot> live{};
 };
 
 /// How an equation stands among others: in focus between bar and panel, or with the room that these took.
@@ -31,8 +40,11 @@ class TextColumn {
       : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts) {}
 
   ColumnPiece title(const RichText& title) const;
-  /// Terms of these names are marked.
-  ColumnPiece equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked) const;
+  /// With the verdicts on what it claims below it. Terms of these names are marked.
+  ColumnPiece equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
+                       const std::vector<ColumnPiece>& verdicts) const;
+  /// One row, two where it is long; with room for live values, or without.
+  ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
   /// An equation of an earlier step: small, without emphasis.
   ColumnPiece earlier_equation(const Equation& equation) const;
   ColumnPiece prose(const RichText& text) const;
@@ -62,6 +74,7 @@ struct Stack {
   Sheet sheet;
   Sheet newest;  ///< the last pieces, apart
   double height = 0;
+  std::vector<LiveSlot> live{};  ///< of the newest
 };
 Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest = 0);
 /// The same without drawing.

@@ -31,60 +31,21 @@ std::string_view name_of(ExpressionType type);
 /// Whether the two can be equal, or be added.
 bool fit(ExpressionType a, ExpressionType b);
 
-/// T = ½ω·I·ω, L = I·ω and p = m v are what these definitions say; the others vary freely, or as a law has
-/// it.
+/// Scalars, w_i, dw_i, N_i on the body axes; vectors; and the components of J. A is any vector, J any inertia
+/// tensor that is fixed in the body. T = ½ω·I·ω, L = I·ω and p = m v are what these definitions say; the
+/// others vary freely, or as a law has it.
+// clang-format off
 enum class Quantity {
-  T,
-  I1,
-  I2,
-  I3,
-  w1,
-  w2,
-  w3,
-  dw1,
-  dw2,
-  dw3,
-  N1,
-  N2,
-  N3,
-  m,  // scalars; w_i, dw_i, N_i on the body axes
-  omega,
-  L,
-  N,
-  p,
-  v,
-  F,
-  A,
-  e1,
-  e2,
-  e3,  // vectors; A is any vector
-  Jxx,
-  Jxy,
-  Jxz,
-  Jyy,
-  Jyz,
-  Jzz,  // J is any inertia tensor, fixed in the body
+  T, I1, I2, I3, w1, w2, w3, dw1, dw2, dw3, N1, N2, N3, m,
+  omega, L, N, p, v, F, A, e1, e2, e3,
+  Jxx, Jxy, Jxz, Jyy, Jyz, Jzz
 };
 
 enum class Operation {
-  number,
-  quantity,
-  negate,
-  add,
-  subtract,
-  multiply,
-  divide,
-  power,
-  dot,
-  cross,
-  norm2,
-  inertia,
-  apply,
-  comp,
-  trace,
-  star,
-  ddt,
+  number, quantity, negate, add, subtract, multiply, divide, power,
+  dot, cross, norm2, inertia, apply, comp, trace, star, ddt
 };
+// clang-format on
 
 /// mantissa · 10^power: what was written, exactly.
 struct DecimalNumber {

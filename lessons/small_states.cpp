@@ -211,8 +211,9 @@ std::string words_of(const SmallNumbers& s, const Dependence& d) {
   return text.empty() ? "any state" : text;
 }
 
-std::string value_text(const Triple<SizedNumber>& value, bool vector) {
-  if (!vector) return number_text(value[0].value.value);
+std::string value_text(const Triple<SizedNumber>& value, ExpressionType type) {
+  if (type == ExpressionType::zero) return "0";
+  if (type == ExpressionType::scalar) return number_text(value[0].value.value);
   return list_text(std::array{value[0].value.value, value[1].value.value, value[2].value.value});
 }
 
@@ -248,8 +249,6 @@ bool holds(const Equality& equality, const ClaimState<FieldElement>& exact,
 
 std::optional<Counterexample> first_small_state(const Equality& equality, const Equality* premise,
                                                 Assumption assumption) {
-  const bool vector =
-      equality.left.type() == ExpressionType::vector || equality.right.type() == ExpressionType::vector;
   Dependence depends = dependence_of(equality, assumption);
   if (premise) depends |= dependence_of(*premise, assumption);
   std::optional<Counterexample> found;
@@ -258,8 +257,8 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
     const auto real = state_of(as<SizedNumber>(numbers), assumption);
     if (!fails(equality, exact, real) || (premise && !holds(*premise, exact, real))) return false;
     const Sides sides = *sides_of(equality, real);
-    found = Counterexample{words_of(numbers, depends), value_text(sides.left, vector),
-                           value_text(sides.right, vector)};
+    found = Counterexample{words_of(numbers, depends), value_text(sides.left, equality.left.type()),
+                           value_text(sides.right, equality.right.type())};
     return true;
   });
   return found;

@@ -23,7 +23,9 @@ Vec3 free_arrow_S(double angle) {
          (Eigen::AngleAxisd(kTurning * angle, axis_S) * start_S());
 }
 
-Vec3 arrow_S(const SceneModel& model, double t_s, const Quat& q_SB) {
+}  // namespace
+
+Vec3 arrow_A_S(const SceneModel& model, double t_s, const Quat& q_SB) {
   switch (model.scene.arrow) {
     case ArrowHeld::in_body:
       return q_SB * (model.q0_SB.conjugate() * start_S());
@@ -35,10 +37,8 @@ Vec3 arrow_S(const SceneModel& model, double t_s, const Quat& q_SB) {
   return start_S();
 }
 
-}  // namespace
-
 Vec3 arrow_A_S(const SceneModel& model, double t_s) {
-  return arrow_S(model, t_s, model.motion->at(t_s).q_SB);
+  return arrow_A_S(model, t_s, model.motion->at(t_s).q_SB);
 }
 
 ArrowRates arrow_rates(const SceneModel& model, double t_s) {
@@ -46,10 +46,10 @@ ArrowRates arrow_rates(const SceneModel& model, double t_s) {
   const double h_s = kDifferenceAngle / std::max(pace(model), now.w_B.norm());
   const auto A_B = [&](double at_s) -> Vec3 {
     const Quat q_SB = model.motion->at(at_s).q_SB;
-    return q_SB.conjugate() * arrow_S(model, at_s, q_SB);
+    return q_SB.conjugate() * arrow_A_S(model, at_s, q_SB);
   };
   const auto A_S = [&](double at_s) { return arrow_A_S(model, at_s); };
-  const Vec3 A_now_S = arrow_S(model, t_s, now.q_SB);
+  const Vec3 A_now_S = arrow_A_S(model, t_s, now.q_SB);
   return {.A_S = A_now_S,
           .rate_S = derivative_at(A_S, t_s, h_s),
           .star_rate_S = now.q_SB * derivative_at(A_B, t_s, h_s),

@@ -10,6 +10,8 @@ namespace polhode {
 /// A in space. At t = 0 all three are the same; free: it turns about an axis fixed in space at 0.7|ω₀| while
 /// its length swings by a fifth.
 Vec3 arrow_A_S(const SceneModel& model, double t_s);
+/// The same for an attitude that is known: that of the motion at t.
+Vec3 arrow_A_S(const SceneModel& model, double t_s, const Quat& q_SB);
 
 /// Both derivatives of A, 1/s, space components. Each is a difference quotient in its own frame
 /// (derivative_at): the first of the components of A in S, the second of those in S*. That the third term

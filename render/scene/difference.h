@@ -11,9 +11,10 @@ namespace polhode {
 /// the rate Ω at which f changes: truncation (Ωh)⁶/140, rounding some ε/(Ωh). Both are about 1e-14 at Ωh =
 /// 0.01.
 template <class F>
-Vec3 derivative_at(const F& f, double t_s, double h_s) {
-  const auto odd = [&](double n) -> Vec3 { return f(t_s + n * h_s) - f(t_s - n * h_s); };
-  return (45.0 * odd(1.0) - 9.0 * odd(2.0) + odd(3.0)) / (60.0 * h_s);
+auto derivative_at(const F& f, double t_s, double h_s) {
+  using Value = decltype(f(t_s));
+  const auto odd = [&](double n) -> Value { return f(t_s + n * h_s) - f(t_s - n * h_s); };
+  return Value((45.0 * odd(1.0) - 9.0 * odd(2.0) + odd(3.0)) / (60.0 * h_s));
 }
 
 /// Ωh of derivative_at for functions that change at the rate Ω.

@@ -26,11 +26,11 @@ struct Requirements {
   bool trail_L = false;
   bool trail_omega = false;
   bool cones = false;
-  bool methods = false;  ///< the table of methods
   bool solid = false;    ///< a shape to draw
   bool meters = false;   ///< plots against time
   bool terms = false;    ///< how long the terms of (6) become
   bool ghost = false;    ///< the exact motion beside the computed one
+  bool methods = false;  ///< the table of methods
   bool operator==(const Requirements&) const = default;
 };
 

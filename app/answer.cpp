@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// polhode answer: the verdict on a learner's answer, with the reason.
+#include "app/answer_log.h"
+#include "app/commands.h"
+#include "app/lesson_lookup.h"
+#include "lessons/answers.h"
+#include "lessons/suggest.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace polhode {
+
+namespace {
+
+using Outcome = AnswerJudgement::Outcome;
+
+struct Options {
+  std::string lesson, stage, ask, answer;
+  bool has_answer = false, hint = false, reset = false, json = false;
+};
+
+const Ask& ask_of(const Stage& stage, const std::string& id) {
+  std::vector<std::string> ids;
+  for (const Step& step : stage.steps)
+    for (const Block& block : step.blocks)
+      if (const auto* ask = std::get_if<Ask>(&block)) {
+        if (ask->id == id) return *ask;
+        ids.push_back(ask->id);
+      }
+  const std::string message = fmt::format("no question \"{}\" in stage \"{}\"", id, stage.id);
+  if (ids.empty()) throw CommandError(ExitCode::usage, message + ": it asks nothing");
+  throw CommandError(ExitCode::usage, fmt::format("{}: {}", message, suggestion(id, ids)));
+}
+
+const char* word_of(Outcome outcome) {
+  if (outcome == Outcome::right) return "right";
+  return outcome == Outcome::wrong ? "wrong" : "unreadable";
+}
+
+ExitCode code_of(Outcome outcome) {
+  if (outcome == Outcome::right) return ExitCode::done;
+  return outcome == Outcome::wrong ? ExitCode::different : ExitCode::usage;
+}
+
+void print_json(const AnswerJudgement& judgement) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"verdict", word_of(judgement.outcome)},
+               {"reason", judgement.reason},
+               {"hint", judgement.hint},
+               {"column", judgement.column > 0 ? Json(judgement.column) : Json(nullptr)},
+               {"counterexample", nullptr}};
+  if (const auto& counter = judgement.counterexample)
+    json["counterexample"] = {
+        {"state", counter->state}, {"answer", counter->left}, {"right", counter->right}};
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void print_place(const std::string& answer, int column) {
+  if (column > 0) fmt::print("  {}\n  {:>{}}\n", answer, '^', column);
+}
+
+void print_verdict(const AnswerJudgement& judgement, const std::string& answer) {
+  if (judgement.outcome == Outcome::unreadable) return;
+  fmt::print("{}{}{}\n", word_of(judgement.outcome), judgement.reason.empty() ? "" : ": ", judgement.reason);
+  print_place(answer, judgement.column);
+  if (const auto& counter = judgement.counterexample)
+    fmt::print("At {} yours is {}, right is {}.\n", counter->state, counter->left, counter->right);
+}
+
+/// One try, or one hint, of one question; kept if there is a place for it.
+class Session {
+ public:
+  Session(const std::string& lesson_id, std::string name) : name_(std::move(name)) {
+    const auto folder = state_folder();
+    if (!folder) {
+      fmt::print(stderr, "polhode: neither XDG_STATE_HOME nor HOME is set: the answer is not kept\n");
+      return;
+    }
+    path_ = answer_log_path(*folder, lesson_id);
+    AnswerLogReading reading = read_answer_log(*path_);
+    if (!reading.warning.empty()) fmt::print(stderr, "polhode: {}\n", reading.warning);
+    log_ = std::move(reading.log);
+  }
+
+  AnswerRecord& record() { return log_[name_]; }
+  void forget() { log_.erase(name_); }
+  void keep() const {
+    if (path_) write_answer_log(*path_, log_);
+  }
+
+ private:
+  std::string name_;
+  std::optional<std::filesystem::path> path_;
+  AnswerLog log_;
+};
+
+ExitCode show_hint(const Ask& ask, Session& session) {
+  AnswerRecord& record = session.record();
+  const auto shown = static_cast<std::size_t>(std::max(0, record.hints));
+  if (shown >= ask.hints.size()) {
+    fmt::print("{}\n", ask.hints.empty() ? "There is no hint." : "There are no more hints.");
+    return ExitCode::done;
+  }
+  fmt::print("Hint {} of {}: {}\n", shown + 1, ask.hints.size(), ask.hints[shown]);
+  record.hints = static_cast<int>(shown) + 1;
+  session.keep();
+  return ExitCode::done;
+}
+
+ExitCode judge_and_keep(const Ask& ask, const Options& options, Session& session) {
+  const AnswerJudgement judgement = judge_answer(ask, options.answer, Prover());
+  options.json ? print_json(judgement) : print_verdict(judgement, options.answer);
+  if (judgement.outcome == Outcome::unreadable && !options.json) {
+    print_place(options.answer, judgement.column);
+    throw CommandError(ExitCode::usage, judgement.hint.empty()
+                                            ? judgement.reason
+                                            : fmt::format("{} ({})", judgement.reason, judgement.hint));
+  }
+  if (judgement.outcome != Outcome::unreadable) {
+    AnswerRecord& record = session.record();
+    record.right = record.right || judgement.outcome == Outcome::right;
+    record.last = options.answer;
+    ++record.tries;
+    session.keep();
+    if (!options.json && judgement.outcome == Outcome::wrong && !ask.hints.empty())
+      fmt::print("A hint: polhode answer {} {} {} --hint\n", options.lesson, options.stage, options.ask);
+  }
+  return code_of(judgement.outcome);
+}
+
+ExitCode answer(const Options& options) {
+  if (options.has_answer == (options.hint || options.reset) || (options.hint && options.reset))
+    throw CommandError(ExitCode::usage, "give an answer, or --hint, or --reset");
+  const LoadedLesson loaded = load_lesson(options.lesson);
+  const Stage& stage = stage_of(loaded.lesson, options.stage);
+  const Ask& ask = ask_of(stage, options.ask);
+  Session session(loaded.lesson.id, stage.id + '/' + ask.id);
+  if (options.hint) return show_hint(ask, session);
+  if (options.reset) {
+    session.forget();
+    session.keep();
+    return ExitCode::done;
+  }
+  return judge_and_keep(ask, options, session);
+}
+
+}  // namespace
+
+void add_answer(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("answer", "Judge an answer to a question of a lesson");
+  auto options = std::make_shared<Options>();
+  command->add_option("LESSON", options->lesson, "Lesson file or id")->required();
+  command->add_option("STAGE", options->stage, "Id of the stage")->required();
+  command->add_option("ASK", options->ask, "Id of the question")->required();
+  CLI::Option* given =
+      command->add_option("ANSWER", options->answer,
+                          "An expression such as \"w3*w1*(I1 - I3)\"; a choice, B or 2; an order, \"C A B\"");
+  command->add_flag("--hint", options->hint, "Show the next hint instead");
+  command->add_flag("--reset", options->reset, "Forget what was answered to the question, and its hints");
+  command->add_flag("--json", options->json, "verdict, reason, hint, column and counterexample as JSON");
+  command->footer(
+      "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
+      "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.");
+  command->callback([options, given, &action] {
+    options->has_answer = given->count() > 0;
+    action = [options] { return answer(*options); };
+  });
+}
+
+}  // namespace polhode

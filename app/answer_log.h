@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What a learner has answered so far, kept from one run to the next: one file for a lesson in the state
+// folder, $XDG_STATE_HOME/polhode or ~/.local/state/polhode (XDG Base Directory Specification 0.8).
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace polhode {
+
+struct AnswerRecord {
+  bool right = false;  ///< was right once
+  int tries = 0;       ///< that could be read
+  int hints = 0;       ///< that were shown
+  std::string last;    ///< answer
+  bool operator==(const AnswerRecord&) const = default;
+};
+
+/// Answers of one lesson by "STAGE/ASK".
+using AnswerLog = std::map<std::string, AnswerRecord>;
+
+/// Nothing where neither XDG_STATE_HOME (absolute) nor HOME says where.
+std::optional<std::filesystem::path> state_folder();
+std::filesystem::path answer_log_path(const std::filesystem::path& folder, const std::string& lesson_id);
+
+struct AnswerLogReading {
+  AnswerLog log;
+  std::string warning;  ///< of a file that was set aside, as NAME.damaged, because it is not such a log
+};
+/// An absent file is an empty log. @throws CommandError failed if it is there and cannot be read
+AnswerLogReading read_answer_log(const std::filesystem::path& path);
+/// Whole or not at all; makes the folder. @throws CommandError failed
+void write_answer_log(const std::filesystem::path& path, const AnswerLog& log);
+
+}  // namespace polhode

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "app/verdict_row.h"
+
+#include "physics/method.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+bool refutes(ClaimKind kind) { return kind == ClaimKind::is_false || kind == ClaimKind::non_sequitur; }
+
+bool is_vector(const Equality& equality) {
+  return equality.left.type() == ExpressionType::vector || equality.right.type() == ExpressionType::vector;
+}
+
+std::string upper(std::string_view word) {
+  std::string text(word);
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  return text;
+}
+
+std::string how_it_is_computed(const SceneModel* model) {
+  if (!model) return "";
+  const auto& step_s = model->scene.motion.step_s;
+  const std::string method(model->motion->method());
+  if (step_s) return fmt::format("with {}, $h$ = {:g} s", method, *step_s);
+  const bool closed_form = facts_of(*method_from(method)).control == StepControl::none;
+  return closed_form ? "on the exact motion" : "with " + method;
+}
+
+std::string note_of(ClaimKind kind, const std::optional<Counterexample>& counter, const SceneModel* model) {
+  switch (kind) {
+    case ClaimKind::identity:
+      return "proved for every state";
+    case ClaimKind::definition:
+      return "nothing to prove";
+    case ClaimKind::law:
+      return "assumed";
+    case ClaimKind::motion:
+      return "proved for any torque";
+    case ClaimKind::free:
+      return "proved without torque";
+    case ClaimKind::measured:
+      return how_it_is_computed(model);
+    case ClaimKind::is_false:
+      return counter ? fmt::format("at {}: {} ≠ {}", counter->state, counter->left, counter->right) : "";
+    case ClaimKind::non_sequitur:
+      return counter ? fmt::format("at {} the premise holds, yet {} ≠ {}", counter->state, counter->left,
+                                   counter->right)
+                     : "";
+  }
+  return "";
+}
+
+/// 10^−15 as type: what comes out of measuring has one digit that means something.
+std::string power_of_ten(double value) {
+  if (value == 0) return "0";
+  if (value >= 0.001) return fmt::format("{:.2g}", value);
+  int exponent = static_cast<int>(std::floor(std::log10(value)));
+  int digit = static_cast<int>(std::lround(value / std::pow(10.0, exponent)));
+  if (digit == 10) digit = 1, ++exponent;
+  return fmt::format("${}{{\\cdot}}10^{{{}}}$", digit, exponent);
+}
+
+/// Two or three digits of the largest component, a factor of ten set apart where it is not near 1. What is
+/// nothing beside the terms it comes from is 0.
+class SideText {
+ public:
+  explicit SideText(const LiveValue& value) : value_(value) {
+    constexpr double kNothing = 1e-6;
+    double largest = 0;
+    for (const auto& side : {value.left, value.right})
+      for (const double x : side) largest = std::max(largest, std::abs(x));
+    is_nothing_ = largest <= kNothing * value.size;
+    const int exponent = is_nothing_ ? 0 : static_cast<int>(std::floor(std::log10(largest)));
+    if (exponent < -1 || exponent > 2) factor_ = exponent;
+    decimals_ = std::clamp(2 - (exponent - factor_), 0, 2);
+  }
+
+  std::string operator()(const std::array<double, 3>& side) const {
+    if (is_nothing_) return "0";
+    const std::string tail = factor_ == 0 ? "" : fmt::format("${{\\cdot}}10^{{{}}}$", factor_);
+    if (!value_.is_vector) return number(side[0]) + tail;
+    return fmt::format("({}, {}, {}){}", number(side[0]), number(side[1]), number(side[2]), tail);
+  }
+
+ private:
+  std::string number(double value) const {
+    std::string text = fmt::format("{:.{}f}", value / std::pow(10.0, factor_), decimals_);
+    if (text.find_first_not_of("-0.") == std::string::npos) return "0";
+    return text.front() == '-' ? "−" + text.substr(1) : text;
+  }
+
+  const LiveValue& value_;
+  bool is_nothing_ = false;
+  int factor_ = 0, decimals_ = 2;
+};
+
+}  // namespace
+
+bool has_live_values(const Claim& claim) { return claim.kind != ClaimKind::non_sequitur; }
+
+VerdictRow verdict_row(const Claim& claim, const Prover& prover, const SceneModel* model) {
+  VerdictRow row{.claim = &claim,
+                 .word = upper(name_of(claim.kind)),
+                 .note = {},
+                 .refutes = refutes(claim.kind),
+                 .proved = true};
+  std::optional<Counterexample> counter;
+  for (const ClaimLine& line : claim.lines) {
+    const Judgement judgement = judge(line, claim.kind, prover);
+    row.proved = row.proved && judgement.verdict == Verdict::holds;
+    if (!counter) counter = judgement.counterexample;
+  }
+  row.note = row.proved ? note_of(claim.kind, counter, model) : "not proved";
+  return row;
+}
+
+std::string live_text(const Claim& claim, const LiveState& live, View view) {
+  const auto value = live_value(claim, live, view);
+  if (!value) return "";
+  const SideText side(*value);
+  const bool apart = value->residual > value->tolerance;
+  const std::string frame = !value->is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";
+  const std::string sides =
+      fmt::format("{}{} {} {}", frame, side(value->left), apart ? "≠" : "=", side(value->right));
+  if (claim.kind == ClaimKind::is_false) return sides;
+  return fmt::format("{},  {} {} {} {}", sides, claim.kind == ClaimKind::identity ? "rounding" : "apart",
+                     power_of_ten(value->residual), apart ? ">" : "≤", power_of_ten(value->tolerance));
+}
+
+std::string widest_live_text(const Claim& claim) {
+  const bool vector = std::any_of(claim.lines.begin(), claim.lines.end(),
+                                  [](const ClaimLine& line) { return is_vector(line.equality); });
+  const std::string side = vector ? "(−0.00, −0.00, −0.00)" : "−0.00${\\cdot}10^{-4}$";
+  const std::string sides = fmt::format("{}{} = {}", vector ? "in $S^*$ " : "", side, side);
+  if (claim.kind == ClaimKind::is_false) return sides;
+  return sides + ",  rounding $8{\\cdot}10^{-16}$ ≤ $8{\\cdot}10^{-13}$";
+}
+
+}  // namespace polhode

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The row under an equation that says what kind of statement it is, whether it is proved, and what both its
+// sides come to on the running motion.
+#pragma once
+
+#include "lessons/live_claims.h"
+#include "lessons/proof.h"
+
+#include <string>
+
+namespace polhode {
+
+/// What does not depend on time.
+struct VerdictRow {
+  const Claim* claim = nullptr;
+  std::string word;      ///< "MOTION"
+  std::string note;      ///< "proved for any torque"; of what is false a counterexample
+  bool refutes = false;  ///< the equation, or what is inferred from it
+  bool proved = true;    ///< the claim is what its kind says
+};
+/// `model` says how the motion is computed; null where there is none.
+VerdictRow verdict_row(const Claim& claim, const Prover& prover, const SceneModel* model);
+
+/// Whether both sides can be shown on a motion: a non-sequitur is about another one.
+bool has_live_values(const Claim& claim);
+
+/// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13), apart 2·10⁻¹⁵ ≤ 4·10⁻¹³", as set_line sets it. Empty where
+/// there are no values.
+std::string live_text(const Claim& claim, const LiveState& live, View view);
+/// As wide as any of a claim.
+std::string widest_live_text(const Claim& claim);
+
+}  // namespace polhode

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Expressions near a given one: to find out what a learner has slipped on. Internal to lessons/.
+#pragma once
+
+#include "lessons/expression.h"
+
+#include <array>
+#include <vector>
+
+namespace polhode {
+
+/// d/dt, d*/dt, and components of ω̇.
+bool is_rate(const ExpressionNode& node);
+
+/// The nodes that are added up to make the whole; one if it is no sum.
+std::vector<int> terms_of(const Expression& expression);
+
+Expression negated(Expression expression);
+Expression times(Expression expression, int numerator, int denominator);
+/// `term` is one of terms_of.
+Expression with_term_negated(Expression expression, int term);
+Expression without_term(Expression expression, int term);
+
+/// [i] is the axis that is written for axis i, from 0.
+using AxisPermutation = std::array<int, 3>;
+inline constexpr std::array<AxisPermutation, 5> kAxisPermutations{
+    {{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
+/// With the axes named otherwise: I1, w1, dw1, N1, e1, Jxx, comp(a, 1) …
+Expression renamed(Expression expression, const AxisPermutation& axes);
+
+}  // namespace polhode

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What a claim comes to on the running motion: both sides, and how far apart they are.
+//
+// Nothing is put in that the claim says: ω and the attitude are the motion's at t, and their rates, with
+// those of A and of the centre of mass, are differences of the motion itself at times around t, by the
+// central formula of order 8 (Fornberg, Math. Comp. 51 (1988) 699-706, Table 1). So `ddt(L) = N` compares how
+// L really changes, as computed, with the torque.
+#pragma once
+
+#include "lessons/claim_state.h"
+#include "lessons/lesson.h"
+#include "render/scene/model.h"
+
+#include <optional>
+
+namespace polhode {
+
+/// A motion at one time, as claims see it. A is the scene's arrow, v, p, F, m are of the centre of mass, and
+/// J is the body's tensor as it would be with its principal axes turned against the body's by kMountedAskew.
+struct LiveState {
+  ClaimState<SizedNumber> state;
+  /// What rounding, the differences and the method's error in a step allow of a relative residual.
+  double tolerance = 0;
+};
+
+/// About the axis (1, 1, 1), rad.
+inline constexpr double kMountedAskew = 0.5;
+
+/// Nothing where the motion cannot be computed. Seven states of the motion, some 10 µs for a closed form.
+std::optional<LiveState> live_state(const SceneModel& model, double t_s);
+
+/// Both sides of a claim on a motion: of that line whose residual is the largest beside its tolerance.
+struct LiveValue {
+  bool is_vector = false;
+  std::array<double, 3> left{}, right{};  ///< components in the frame of the view; of a scalar the first
+  double size = 0;                        ///< of the larger side's terms: what `residual` is relative to
+  double residual = 0, tolerance = 0;
+};
+/// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
+std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);
+
+/// The larger part of a method's tolerance is its error in a step: kStepErrors (ΩH)^order, with step H and
+/// the rate Ω = |ω| (by |I₁ − I₂| ≤ I₃ nothing in a free body turns faster).
+inline constexpr double kStepErrors = 4;
+/// Of an adaptive method, in units of its tolerance: the error of its interpolation is not controlled.
+inline constexpr double kUnitsOfTolerance = 1e4;
+
+/// The largest residual of the equality over the scene's interval from 0 on, and the tolerance there.
+struct MeasuredResidual {
+  double residual = 0, tolerance = 0, t_s = 0;
+  bool holds() const { return residual <= tolerance; }
+};
+/// At so many times, evenly.
+inline constexpr int kMeasuredTimes = 25;
+/// The worst by residual/tolerance; `within` is the tolerance if it is given. Nothing where the motion or the
+/// claim has no values at some time.
+std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
+                                        const SceneModel& model);
+
+}  // namespace polhode
