@@ -3,13 +3,17 @@
 
 namespace polhode {
 
-std::optional<bool> agree(const Equality& equality, const ClaimState<FieldElement>& state) {
-  Evaluation<FieldElement> evaluate(state);
-  Triple<FieldElement> left, right;
+template <int Bits>
+std::optional<bool> agree(const Equality& equality, const ClaimState<MersenneElement<Bits>>& state) {
+  Evaluation<MersenneElement<Bits>> evaluate(state);
+  Triple<MersenneElement<Bits>> left, right;
   if (!evaluate(equality.left, left) || !evaluate(equality.right, right)) return std::nullopt;
   return left[0].value == right[0].value && left[1].value == right[1].value &&
          left[2].value == right[2].value;
 }
+
+template std::optional<bool> agree(const Equality&, const ClaimState<FieldElement>&);
+template std::optional<bool> agree(const Equality&, const ClaimState<WideFieldElement>&);
 
 double relative_residual(const Triple<SizedNumber>& left, const Triple<SizedNumber>& right) {
   double difference = 0, size_of_left = 0, size_of_right = 0;

@@ -84,7 +84,8 @@ ClaimState<N> state_of(StateNumbers<N> n, Assumption assumption) {
 }
 
 /// Whether both sides are equal in a state; nothing where one of them is not defined.
-std::optional<bool> agree(const Equality& equality, const ClaimState<FieldElement>& state);
+template <int Bits>
+std::optional<bool> agree(const Equality& equality, const ClaimState<MersenneElement<Bits>>& state);
 
 /// |left − right| relative to the larger of the two sides' sizes: of terms that cancel, the rounding error.
 /// 0 if there is nothing but zeros; not finite where an operand is not.

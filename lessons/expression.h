@@ -54,10 +54,12 @@ struct DecimalNumber {
   double value = 0;
 };
 
-/// Bounds of the degrees of numerator and denominator in moments, components and quaternion, once everything
-/// is written out; not the least ones.
+/// Bounds of numerator and denominator in moments, components and quaternion, once everything is written out;
+/// not the least ones. Their degrees, and how large their coefficients can be: log2 of the sum of their
+/// absolute values, with the axes of body and space the same.
 struct Degree {
   int numerator = 0, denominator = 0;
+  double numerator_bits = 0, denominator_bits = 0;
 };
 
 /// Operands stand before what they are operands of.
@@ -86,6 +88,9 @@ struct Expression {
 /// names that are not known, brackets, missing operands, arguments, sums and products of what does not fit
 /// together, derivatives of what has no known rate, too large exponents and degrees. Linear.
 std::optional<Expression> read_expression(std::string_view text, SourcePlace start, Report& report);
+
+/// The literal 0.
+Expression zero_expression();
 
 /// left = right.
 struct Equality {

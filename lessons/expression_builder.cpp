@@ -2,6 +2,7 @@
 #include "lessons/expression_builder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -10,21 +11,44 @@ namespace {
 
 using Type = ExpressionType;
 
+double log2_of_sum(double a_bits, double b_bits) {
+  return std::max(a_bits, b_bits) + std::log2(1 + std::exp2(-std::abs(a_bits - b_bits)));
+}
+
 Degree sum(const Degree& a, const Degree& b) {
-  return {std::max(a.numerator + b.denominator, b.numerator + a.denominator), a.denominator + b.denominator};
+  return {std::max(a.numerator + b.denominator, b.numerator + a.denominator), a.denominator + b.denominator,
+          log2_of_sum(a.numerator_bits + b.denominator_bits, b.numerator_bits + a.denominator_bits),
+          a.denominator_bits + b.denominator_bits};
 }
 Degree product(const Degree& a, const Degree& b) {
-  return {a.numerator + b.numerator, a.denominator + b.denominator};
+  return {a.numerator + b.numerator, a.denominator + b.denominator, a.numerator_bits + b.numerator_bits,
+          a.denominator_bits + b.denominator_bits};
 }
 Degree power_of(const Degree& a, int exponent) {
-  const Degree up{a.numerator * std::abs(exponent), a.denominator * std::abs(exponent)};
-  return exponent < 0 ? Degree{up.denominator, up.numerator} : up;
+  const int n = std::abs(exponent);
+  const Degree up{a.numerator * n, a.denominator * n, a.numerator_bits * n, a.denominator_bits * n};
+  return exponent < 0 ? Degree{up.denominator, up.numerator, up.denominator_bits, up.numerator_bits} : up;
 }
-/// (n/d)˙ = (ṅ d − n ḋ)/d². The rate of a component of ω has the three moments below it and at most degree 5
-/// above.
-Degree rate_of(const Degree& a) { return {a.numerator + a.denominator + 4, 2 * a.denominator + 3}; }
-constexpr Degree kRotation{2, 2};  ///< of R(q)
-constexpr Degree kTensor{5, 4};    ///< of R I Rᵀ
+/// The sum of so many that have the degree.
+Degree times(double count, Degree a) {
+  a.numerator_bits += std::log2(count);
+  return a;
+}
+/// (n/d)˙ = (ṅ d − n ḋ)/d². The rates of all that moves have the three moments and the mass below them; above
+/// them they have at most degree 6 and three terms. A vector's turning adds ω×(n/d).
+Degree rate_of(const Degree& a) {
+  return {a.numerator + a.denominator + 5, 2 * a.denominator + 4,
+          a.numerator_bits + a.denominator_bits + std::log2(3 * (a.numerator + a.denominator) + 2),
+          2 * a.denominator_bits};
+}
+Degree degree_of(const DecimalNumber& number) {
+  constexpr double kLog10 = 3.322;  // log2 10, rounded up
+  const double bits = number.mantissa == 0 ? 0 : std::log2(static_cast<double>(number.mantissa));
+  const double power = kLog10 * number.power_of_ten;
+  return {0, 0, bits + std::max(power, 0.0), std::max(-power, 0.0)};
+}
+constexpr Degree kRotation{2, 2};          ///< of R(q)
+constexpr Degree kTensor{5, 4, kLog3, 0};  ///< of R I Rᵀ
 
 Type sum_type(Type a, Type b) { return a == Type::zero ? b : a; }
 
@@ -64,6 +88,7 @@ void ExpressionBuilder::want_scalar(int operand, std::size_t at, const std::stri
 int ExpressionBuilder::number(const DecimalNumber& number, std::size_t begin, std::size_t end) {
   ExpressionNode node;
   node.number = number;
+  node.degree = degree_of(number);
   node.type = number.mantissa == 0 ? Type::zero : Type::scalar;
   node.begin = static_cast<std::uint32_t>(begin);
   node.end = static_cast<std::uint32_t>(end);
@@ -152,8 +177,9 @@ int ExpressionBuilder::call(const FunctionFacts& function, const std::vector<int
               : function.operation == O::ddt                                 ? first.type
                                                                              : Type::vector;
   node.degree = first.degree;
-  if (node.b >= 0) node.degree = product(first.degree, (*this)[node.b].degree);
-  if (function.operation == O::norm2) node.degree = power_of(first.degree, 2);
+  if (function.operation == O::cross) node.degree = times(2, product(first.degree, (*this)[node.b].degree));
+  if (function.operation == O::dot) node.degree = times(3, product(first.degree, (*this)[node.b].degree));
+  if (function.operation == O::norm2) node.degree = times(3, power_of(first.degree, 2));
   if (function.operation == O::inertia) node.degree = product(first.degree, kTensor);
   if (!is_rate) return push(node, at);
 

@@ -23,6 +23,8 @@ struct FunctionFacts {
   int arguments;
 };
 
+inline constexpr double kLog3 = 1.585;  ///< log2 3, rounded up
+
 /// The tensor: an argument of apply and trace alone.
 inline constexpr std::string_view kTensorName = "J";
 
@@ -30,21 +32,36 @@ inline constexpr std::array<QuantityFacts, 30> kQuantities = [] {
   using S = Quantity;
   constexpr auto scalar = ExpressionType::scalar, vector = ExpressionType::vector;
   return std::array<QuantityFacts, 30>{{
-      {"T", S::T, scalar, true, {3, 0}},         {"I1", S::I1, scalar, true, {1, 0}},
-      {"I2", S::I2, scalar, true, {1, 0}},       {"I3", S::I3, scalar, true, {1, 0}},
-      {"w1", S::w1, scalar, true, {1, 0}},       {"w2", S::w2, scalar, true, {1, 0}},
-      {"w3", S::w3, scalar, true, {1, 0}},       {"dw1", S::dw1, scalar, false, {3, 1}},
-      {"dw2", S::dw2, scalar, false, {3, 1}},    {"dw3", S::dw3, scalar, false, {3, 1}},
-      {"N1", S::N1, scalar, false, {1, 0}},      {"N2", S::N2, scalar, false, {1, 0}},
-      {"N3", S::N3, scalar, false, {1, 0}},      {"m", S::m, scalar, true, {1, 0}},
-      {"omega", S::omega, vector, true, {3, 2}}, {"L", S::L, vector, true, {4, 2}},
-      {"N", S::N, vector, false, {3, 2}},        {"p", S::p, vector, true, {2, 0}},
-      {"v", S::v, vector, true, {1, 0}},         {"F", S::F, vector, false, {1, 0}},
-      {"A", S::A, vector, true, {1, 0}},         {"e1", S::e1, vector, true, {2, 2}},
-      {"e2", S::e2, vector, true, {2, 2}},       {"e3", S::e3, vector, true, {2, 2}},
-      {"Jxx", S::Jxx, scalar, true, {1, 0}},     {"Jxy", S::Jxy, scalar, true, {1, 0}},
-      {"Jxz", S::Jxz, scalar, true, {1, 0}},     {"Jyy", S::Jyy, scalar, true, {1, 0}},
-      {"Jyz", S::Jyz, scalar, true, {1, 0}},     {"Jzz", S::Jzz, scalar, true, {1, 0}},
+      {"T", S::T, scalar, true, {3, 0, kLog3, 1}},
+      {"I1", S::I1, scalar, true, {1, 0}},
+      {"I2", S::I2, scalar, true, {1, 0}},
+      {"I3", S::I3, scalar, true, {1, 0}},
+      {"w1", S::w1, scalar, true, {1, 0}},
+      {"w2", S::w2, scalar, true, {1, 0}},
+      {"w3", S::w3, scalar, true, {1, 0}},
+      {"dw1", S::dw1, scalar, false, {3, 1, kLog3, 0}},
+      {"dw2", S::dw2, scalar, false, {3, 1, kLog3, 0}},
+      {"dw3", S::dw3, scalar, false, {3, 1, kLog3, 0}},
+      {"N1", S::N1, scalar, false, {1, 0}},
+      {"N2", S::N2, scalar, false, {1, 0}},
+      {"N3", S::N3, scalar, false, {1, 0}},
+      {"m", S::m, scalar, true, {1, 0}},
+      {"omega", S::omega, vector, true, {3, 2}},
+      {"L", S::L, vector, true, {4, 2}},
+      {"N", S::N, vector, false, {3, 2}},
+      {"p", S::p, vector, true, {2, 0}},
+      {"v", S::v, vector, true, {1, 0}},
+      {"F", S::F, vector, false, {1, 0}},
+      {"A", S::A, vector, true, {1, 0}},
+      {"e1", S::e1, vector, true, {2, 2}},
+      {"e2", S::e2, vector, true, {2, 2}},
+      {"e3", S::e3, vector, true, {2, 2}},
+      {"Jxx", S::Jxx, scalar, true, {1, 0}},
+      {"Jxy", S::Jxy, scalar, true, {1, 0}},
+      {"Jxz", S::Jxz, scalar, true, {1, 0}},
+      {"Jyy", S::Jyy, scalar, true, {1, 0}},
+      {"Jyz", S::Jyz, scalar, true, {1, 0}},
+      {"Jzz", S::Jzz, scalar, true, {1, 0}},
   }};
 }();
 

@@ -3,14 +3,22 @@
 
 #include "lessons/small_states.h"
 
+#include <algorithm>
 #include <random>
 
 namespace polhode {
 namespace {
 
-/// Residual of two sides in doubles that are the same function: rounding alone, relative to the terms. With
-/// 4096 bytes there are at most some thousand roundings.
-constexpr double kRoundingOfTheSame = 1e-9;
+/// Whole numbers of fewer bits are 0 if the prime 2⁶¹ − 1 divides them; those of fewer than both together if
+/// both primes do.
+constexpr double kBitsOfOnePrime = 60, kBitsOfBoth = 187;
+
+/// log2 of a bound of the coefficients of left − right, free of fractions.
+double bits_of_difference(const Equality& equality) {
+  const Degree &left = equality.left.nodes.back().degree, &right = equality.right.nodes.back().degree;
+  return 1 +
+         std::max(left.numerator_bits + right.denominator_bits, right.numerator_bits + left.denominator_bits);
+}
 
 /// std::uniform_int_distribution differs between libraries; the engine does not.
 FieldElement random_residue(std::mt19937_64& random) {
@@ -61,7 +69,7 @@ Judgement not_what_it_says(std::string message, std::string hint,
 Judgement undecided() {
   return {Verdict::undecided,
           "it cannot be decided whether this holds",
-          "both sides must be defined almost everywhere: is something divided by 0?",
+          "both sides must be defined almost everywhere: is something divided by 0, or a number too large?",
           {}};
 }
 
@@ -69,7 +77,11 @@ Judgement undecided() {
 std::string weaker_kind(const Equality& equality, Assumption failed, const Prover& prover) {
   if (failed == Assumption::identity && prover.settle(equality, Assumption::motion) == Verdict::holds)
     return "it follows from the equations of motion: its kind is motion";
-  if (failed != Assumption::free && prover.settle(equality, Assumption::free) == Verdict::holds)
+  const bool both_vanish =
+      equality.right.type() != ExpressionType::zero &&
+      prover.settle({equality.right, zero_expression()}, Assumption::free) == Verdict::holds;
+  if (failed != Assumption::free && !both_vanish &&
+      prover.settle(equality, Assumption::free) == Verdict::holds)
     return "it holds without torque: its kind is free";
   return "";
 }
@@ -115,9 +127,15 @@ Prover::Prover() {
   for (std::size_t assumption = 0; assumption < samples_.size(); ++assumption)
     for (int n = 0; n < kMostSamples; ++n)
       samples_[assumption].push_back(state_of(random_numbers(random), static_cast<Assumption>(assumption)));
-  // Around 1, so that high powers stay in range.
-  real_ = drawn_numbers<SizedNumber>(
-      [&] { return SizedNumber(0.75 + 0.5 * static_cast<double>(random() >> 11) / 9007199254740992.0); });
+  const auto wide = drawn_numbers<WideFieldElement>([&] {
+    WideFieldElement element(1 + static_cast<std::int64_t>(random() >> 3));
+    for (int n = 0; n < 2; ++n)
+      element =
+          element * WideFieldElement(std::int64_t{1} << 60) + 1 + static_cast<std::int64_t>(random() >> 3);
+    return element;
+  });
+  for (std::size_t assumption = 0; assumption < wide_.size(); ++assumption)
+    wide_[assumption] = state_of(wide, static_cast<Assumption>(assumption));
 }
 
 Verdict Prover::settle(const Equality& equality, Assumption assumption) const {
@@ -126,15 +144,17 @@ Verdict Prover::settle(const Equality& equality, Assumption assumption) const {
     const std::optional<bool> agrees = agree(equality, state);
     if (!agrees) continue;
     if (!*agrees) return Verdict::fails;
-    if (++defined == kSamples) return confirmed(equality, assumption) ? Verdict::holds : Verdict::undecided;
+    if (++defined == kSamples) return confirmed(equality, assumption);
   }
   return Verdict::undecided;
 }
 
-bool Prover::confirmed(const Equality& equality, Assumption assumption) const {
-  const ClaimState<SizedNumber> state = state_of(real_, assumption);
-  const std::optional<Sides> sides = sides_of(equality, state);
-  return !sides || sides->residual < kRoundingOfTheSame;  // a state in which it is not defined is chance
+Verdict Prover::confirmed(const Equality& equality, Assumption assumption) const {
+  const double bits = bits_of_difference(equality);
+  if (bits < kBitsOfOnePrime) return Verdict::holds;
+  const std::optional<bool> agrees = agree(equality, wide_[static_cast<std::size_t>(assumption)]);
+  if (agrees && !*agrees) return Verdict::fails;
+  return agrees && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
 }
 
 std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption) const {

@@ -7,8 +7,13 @@
 // they agree is a zero of a polynomial of degree at most 2·kMaxDegree + 64 in all, which one random point is
 // with probability at most 8256/p < 4e-15 (Schwartz, J. ACM 27 (1980) 701-717, Lemma 1; Zippel, EUROSAM
 // 1979), so that kSamples independent ones all are with less than 3e-116. The points are drawn from a fixed
-// seed: runs repeat. Coefficients that p divides would vanish too: agreement is confirmed at one state in
-// doubles.
+// seed: runs repeat.
+//
+// Coefficients that p divides would vanish too. All operations turn with their vectors, so that the claim
+// says the same where the axes of body and space coincide; there the coefficients of the difference are whole
+// numbers whose size the reader bounds (Degree). Below 2⁶⁰ none but 0 is divisible by p. Otherwise the sides
+// are compared at one more point modulo 2¹²⁷ − 1, whose product with p divides none but 0 below 2¹⁸⁷; beyond,
+// the claim is undecided.
 #pragma once
 
 #include "lessons/claim_state.h"
@@ -24,7 +29,7 @@ inline constexpr int kSamples = 8;
 /// States that are tried for kSamples at which both sides are defined.
 inline constexpr int kMostSamples = 16;
 
-enum class Verdict { holds, fails, undecided };  ///< undecided: too seldom defined, or p divides something
+enum class Verdict { holds, fails, undecided };  ///< undecided: too seldom defined, or its numbers too large
 
 /// A possible body in a state of small whole numbers; axes of body and space coincide.
 struct Counterexample {
@@ -49,10 +54,10 @@ class Prover {
   const std::vector<ClaimState<FieldElement>>& samples(Assumption assumption) const {
     return samples_[static_cast<std::size_t>(assumption)];
   }
-  bool confirmed(const Equality& equality, Assumption assumption) const;
+  Verdict confirmed(const Equality& equality, Assumption assumption) const;
 
   std::array<std::vector<ClaimState<FieldElement>>, 3> samples_;
-  StateNumbers<SizedNumber> real_;
+  std::array<ClaimState<WideFieldElement>, 3> wide_;
 };
 
 /// What is to be said of a line of a claim.

@@ -51,9 +51,9 @@ bool is_forbidden_control(std::string_view bytes, std::size_t i) {
 }  // namespace
 
 SourceText::SourceText(std::string_view text) : text_(text), begins_{0} {
-  for (std::size_t i = text.find('\n'); i != std::string_view::npos; i = text.find('\n', i + 1)) {
-    begins_.push_back(i + 1);
-  }
+  begins_.reserve(1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') begins_.push_back(i + 1);
 }
 
 std::string_view SourceText::line(int line) const { return lines(line, line); }

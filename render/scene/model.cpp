@@ -113,6 +113,18 @@ void check_herpolhode(const Scene& scene, const Requirements& needs) {
                             " are drawn: choose a shorter duration");
 }
 
+void check_drift(const Scene& scene) {
+  constexpr double kMostSizes = 200;  // of the body: further off it would be a speck
+  const double size_m = scene.body.shape.value_or(equivalent_box(scene.body.moments)).size_m.norm();
+  for (double t_s : {scene.at_s, 0.5 * span_of(scene), span_of(scene)}) {
+    const double sizes = drift_at(scene, t_s).r_S.norm() / size_m;
+    if (!(sizes <= kMostSizes))
+      throw std::domain_error("the centre of mass moves by " + std::to_string(sizes) +
+                              " times the size of the body, at most " + std::to_string(kMostSizes) +
+                              " are drawn: choose a smaller velocity, force or duration");
+  }
+}
+
 /// The step of the methods side by side.
 double table_step_s(const Scene& scene) {
   constexpr double kStepsPerTurn = 64.0;
@@ -128,18 +140,6 @@ void check_method_table(const Scene& scene, const Requirements& needs) {
                             " are made: choose an earlier time `at` or a longer step");
 }
 
-void check_drift(const Scene& scene) {
-  constexpr double kMostSizes = 200;  // of the body: further off it would be a speck
-  const double size_m = scene.body.shape.value_or(equivalent_box(scene.body.moments)).size_m.norm();
-  for (double t_s : {scene.at_s, 0.5 * span_of(scene), span_of(scene)}) {
-    const double sizes = drift_at(scene, t_s).r_S.norm() / size_m;
-    if (!(sizes <= kMostSizes))
-      throw std::domain_error("the centre of mass moves by " + std::to_string(sizes) +
-                              " times the size of the body, at most " + std::to_string(kMostSizes) +
-                              " are drawn: choose a smaller velocity, force or duration");
-  }
-}
-
 /// What the scene asks for, or the method that is best for body and torque.
 Choice choose_motion(const Scene& scene, const Problem& problem, const Requirements& needs) {
   const MotionSpec& spec = scene.motion;
@@ -147,8 +147,8 @@ Choice choose_motion(const Scene& scene, const Problem& problem, const Requireme
   auto motion = make_motion(problem, choice);
   check_reach(choice, *motion, reach_of(scene, needs));
   check_herpolhode(scene, needs);
-  check_method_table(scene, needs);
   check_drift(scene);
+  check_method_table(scene, needs);
   std::string reason = why(spec, choice, *motion, needs);
   return {std::move(motion), std::move(reason)};
 }
@@ -202,8 +202,8 @@ void compute_parts(SceneModel& model, double chord_tolerance) {
   if (model.needs.herpolhode && moves)
     model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
-  if (model.needs.methods) model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s);
   if (model.needs.terms) model.longest_term = longest_term(model);
+  if (model.needs.methods) model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s);
 }
 
 }  // namespace
@@ -288,9 +288,9 @@ Requirements requirements_of_figure(const Scene& scene) {
                 needs.polhode || needs.terms || needs.trail_L || needs.trail_omega || shown(Overlay::plane) ||
                 shown(Overlay::values) || shown(Overlay::cofactors) || shown(Overlay::cyclic_wheel) ||
                 shown(Overlay::energy_rows) || shown(Overlay::momentum_rows);
-  needs.methods = shown(Overlay::method_table);
   needs.ghost = asks_for_ghost(scene) && (needs.solid || shown(Overlay::omega) || shown(Overlay::L)) &&
                 !shown(Overlay::turn_orders);
+  needs.methods = shown(Overlay::method_table);
   return needs;
 }
 
@@ -322,9 +322,9 @@ std::vector<std::string> names_of(const Requirements& needs) {
   add(needs.cones, "cones");
   add(needs.solid, "solid");
   add(needs.meters, "meters");
-  add(needs.methods, "methods");
   add(needs.terms, "terms");
   add(needs.ghost, "ghost");
+  add(needs.methods, "methods");
   return names;
 }
 

@@ -65,6 +65,7 @@ const std::vector<Layer>& layers() {
                                  "cvode/", "nvector/", "sundials/", "sunnonlinsol/"},
        {},
        false},
+      {"tests/oracle/", kProgram + Names{"tests/"}, {"gtest/", "gmock/", "ginac/"}, {}, false},
       {"tests/",
        kProgram + Names{"tests/"},
        kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h", "webp/",

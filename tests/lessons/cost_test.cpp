@@ -3,16 +3,12 @@
 // TeX reader was slow on, or fills one of our own lists.
 #include "lessons/inline_text.h"
 #include "lessons/scene_keys.h"
+#include "tests/lessons/peak_memory.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
-#include <malloc.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <ctime>
-#include <fstream>
 #include <functional>
 
 namespace polhode {
@@ -20,12 +16,6 @@ namespace {
 
 using testing::front_matter;
 using testing::lesson_with;
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kSanitized = true;  // its own time and memory would be measured
-#else
-constexpr bool kSanitized = false;
-#endif
 
 constexpr double kMaxSeconds = 1.0;
 constexpr long kMaxKilobytes = 64 * 1024;
@@ -163,37 +153,6 @@ const std::vector<Input>& inputs() {
   return all;
 }
 
-long resident_kilobytes() {
-  std::ifstream status("/proc/self/statm");
-  long total = 0;
-  long resident = 0;
-  status >> total >> resident;
-  return resident * (sysconf(_SC_PAGESIZE) / 1024);
-}
-
-// Growth of the largest resident size while a child process reads the text, KiB.
-long kilobytes_to_read(const std::string& text) {
-  malloc_trim(0);  // what earlier tests left free must not hide what this takes
-  int pipe_ends[2];
-  if (pipe(pipe_ends) != 0) return -1;
-  const pid_t child = fork();
-  if (child == 0) {
-    const long before = resident_kilobytes();
-    const LessonReading reading = read_lesson(text, "lesson.md");
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const long grown = usage.ru_maxrss - before + (reading.diagnostics.size() > 1'000'000 ? 1 : 0);
-    const bool sent = write(pipe_ends[1], &grown, sizeof grown) == static_cast<ssize_t>(sizeof grown);
-    _exit(sent ? 0 : 1);
-  }
-  close(pipe_ends[1]);
-  long grown = -1;
-  if (read(pipe_ends[0], &grown, sizeof grown) != static_cast<ssize_t>(sizeof grown)) grown = -1;
-  close(pipe_ends[0]);
-  waitpid(child, nullptr, 0);
-  return grown;
-}
-
 class ReaderCost : public ::testing::TestWithParam<Input> {};
 
 TEST_P(ReaderCost, IsAtMostASecondAndSixtyFourMebibytes) {
@@ -201,12 +160,13 @@ TEST_P(ReaderCost, IsAtMostASecondAndSixtyFourMebibytes) {
   EXPECT_GT(text.size(), kMaxLessonBytes / 2);
   EXPECT_LE(text.size(), kMaxLessonBytes);
 
-  if (kSanitized) {
+  if (testing::kSanitized) {
     read_lesson(text, "lesson.md");
     GTEST_SKIP() << "costs are measured without sanitizers";
   }
 
-  const long kilobytes = kilobytes_to_read(text);
+  const long kilobytes =
+      testing::peak_kilobytes([&text] { return read_lesson(text, "lesson.md").diagnostics.size(); });
   RecordProperty("kilobytes", std::to_string(kilobytes));
   EXPECT_GT(kilobytes, 0);
   EXPECT_LE(kilobytes, kMaxKilobytes);

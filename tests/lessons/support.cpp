@@ -28,6 +28,12 @@ std::vector<std::string> complaints(const std::string& text) {
   return lines_of(read_lesson(text, "sample.md").diagnostics);
 }
 
+Equality equality(const std::string& left, const std::string& right) {
+  TextReport at(left), at_right(right);
+  return {read_expression(left, {1, 1}, at.report).value(),
+          read_expression(right, {1, 1}, at_right.report).value()};
+}
+
 TomlTable toml(const std::string& text) {
   TextReport at(text);
   const auto table = parse_toml(text, 1, at.report);

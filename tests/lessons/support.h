@@ -2,6 +2,7 @@
 // Lessons to test with.
 #pragma once
 
+#include "lessons/expression.h"
 #include "lessons/inline_text.h"
 #include "lessons/reader.h"
 #include "lessons/report.h"
@@ -36,6 +37,9 @@ struct TextReport {
   Report report;
   TextReader texts;
 };
+
+/// left = right; throws what std::optional throws if one of them cannot be read.
+Equality equality(const std::string& left, const std::string& right);
 
 /// Table of a TOML text; fails the test and returns an empty one if it is none.
 TomlTable toml(const std::string& text);

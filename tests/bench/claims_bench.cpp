@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// What proofs of claims cost: one core, the lecture as it is.
+#include "lessons/proof.h"
+#include "lessons/reader.h"
+#include "tests/bench/table.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace polhode::bench {
+namespace {
+
+struct Line {
+  const ClaimLine* line;
+  ClaimKind kind;
+};
+
+std::vector<Line> proved_lines(const Lesson& lesson) {
+  std::vector<Line> lines;
+  for (const Stage& stage : lesson.stages)
+    for (const Step& step : stage.steps)
+      for (const Block& block : step.blocks)
+        if (const auto* claim = std::get_if<Claim>(&block); claim && claim->kind != ClaimKind::measured)
+          for (const ClaimLine& line : claim->lines) lines.push_back({&line, claim->kind});
+  return lines;
+}
+
+/// Seconds for one of many runs.
+template <class Work>
+double each_s(int runs, const Work& work) {
+  return cpu_s([&] {
+           for (int run = 0; run < runs; ++run) work();
+         }) /
+         runs;
+}
+
+int run() {
+  std::ostringstream text;
+  text << std::ifstream(POLHODE_SOURCE_DIR "/lessons/euler-equations.md").rdbuf();
+  const LessonReading reading = read_lesson(text.str(), "euler-equations.md");
+  if (!reading.lesson) {
+    std::fprintf(stderr, "the lecture cannot be read\n");
+    return 1;
+  }
+  const std::vector<Line> lines = proved_lines(*reading.lesson);
+  std::vector<double> prover_us, settle_us, refute_ms, lecture_ms;
+  for (int i = 0; i < 20; ++i)
+    prover_us.push_back(1e6 * each_s(5, [] {
+                          const Prover one;
+                          (void)one;
+                        }));
+  const Prover prover;
+  for (const auto& [line, kind] : lines) {
+    const Equality& equality = line->equality;
+    const Assumption assumption = assumption_of(kind);
+    settle_us.push_back(1e6 * each_s(50, [&] { prover.settle(equality, assumption); }));
+    refute_ms.push_back(1e3 * cpu_s([&] { (void)prover.refute(equality, assumption); }));
+  }
+  for (int i = 0; i < 20; ++i)
+    lecture_ms.push_back(1e3 * cpu_s([&] {
+                           const Prover fresh;
+                           for (const auto& [line, kind] : lines) (void)judge(*line, kind, fresh);
+                         }));
+  const auto dearest = [](const std::vector<double>& values) {
+    return "the dearest " + std::to_string(*std::max_element(values.begin(), values.end()));
+  };
+  const std::string count = std::to_string(lines.size()) + " lines of the lecture; ";
+  print_row_heading();
+  print({"drawing the points, µs", spread_of(prover_us), {}, "once"});
+  print({"settling a claim, µs", spread_of(settle_us), at_most(30.0), count + dearest(settle_us)});
+  print({"looking for a counterexample that is not there, ms", spread_of(refute_ms), at_most(50.0),
+         count + dearest(refute_ms)});
+  print({"all claims of the lecture judged, ms", spread_of(lecture_ms), at_most(50.0),
+         "points drawn anew, counterexamples found for what is false; " + dearest(lecture_ms)});
+  return 0;
+}
+
+}  // namespace
+}  // namespace polhode::bench
+
+int main() { return polhode::bench::run(); }

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Of every line that a lesson proves, every slip of the pen is refused, unless it says the same.
+#include "tests/oracle/mutants.h"
+
+#include "lessons/proof.h"
+#include "lessons/reader.h"
+#include "tests/oracle/oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace polhode::oracle {
+namespace {
+
+struct Line {
+  Equality equality;
+  Assumption assumption;
+  bool measured;  ///< in a scene: it need not hold in every motion
+};
+
+std::vector<Line> proved_lines_of(const Lesson& lesson) {
+  std::vector<Line> lines;
+  for (const Stage& stage : lesson.stages)
+    for (const Step& step : stage.steps)
+      for (const Block& block : step.blocks) {
+        const auto* claim = std::get_if<Claim>(&block);
+        if (!claim || claim->kind == ClaimKind::is_false || claim->kind == ClaimKind::non_sequitur) continue;
+        for (const ClaimLine& line : claim->lines)
+          lines.push_back({line.equality, assumption_of(claim->kind), claim->kind == ClaimKind::measured});
+      }
+  return lines;
+}
+
+std::vector<Line> proved_lines_of_all_lessons() {
+  std::vector<Line> lines;
+  for (const auto& entry : std::filesystem::directory_iterator(POLHODE_SOURCE_DIR "/lessons")) {
+    if (entry.path().extension() != ".md" || entry.path().filename() == "FORMAT.md") continue;
+    std::ostringstream text;
+    text << std::ifstream(entry.path()).rdbuf();
+    const LessonReading reading = read_lesson(text.str(), entry.path().filename().string());
+    EXPECT_TRUE(reading.lesson) << entry.path();
+    if (!reading.lesson) continue;
+    for (Line& line : proved_lines_of(*reading.lesson)) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+struct Counts {
+  int lines = 0, mutants = 0, refused = 0, equivalent = 0, undefined = 0, without_counterexample = 0;
+};
+
+/// Holds the mutants of one line against the oracle; a side that is not changed is written out once.
+class MutantCheck {
+ public:
+  void check(const Line& line) {
+    const Oracle& oracle = oracles_[static_cast<std::size_t>(line.assumption)];
+    const Oracle::Side left = oracle.side(line.equality.left), right = oracle.side(line.equality.right);
+    const bool holds = oracle.compare(left, right) == Decision::same;
+    EXPECT_TRUE(holds || line.measured) << line.equality.left.text << " = " << line.equality.right.text;
+    if (!holds) return;
+    ++counts.lines;
+    for (const Expression& mutant : mutants_of(line.equality.left))
+      if (fit(mutant.type(), line.equality.right.type()))
+        settle({mutant, line.equality.right}, oracle.compare(oracle.side(mutant), right), line.assumption);
+    for (const Expression& mutant : mutants_of(line.equality.right))
+      if (fit(line.equality.left.type(), mutant.type()))
+        settle({line.equality.left, mutant}, oracle.compare(left, oracle.side(mutant)), line.assumption);
+  }
+  int by_points() const {
+    int sum = 0;
+    for (const Oracle& oracle : oracles_) sum += oracle.by_points();
+    return sum;
+  }
+
+  Counts counts;
+
+ private:
+  void settle(const Equality& mutant, Decision decision, Assumption assumption) {
+    const Verdict verdict = prover_.settle(mutant, assumption);
+    const auto text = [&] { return mutant.left.text + " = " + mutant.right.text; };
+    ++counts.mutants;
+    switch (decision) {
+      case Decision::same:
+        ++counts.equivalent;
+        EXPECT_EQ(verdict, Verdict::holds) << "says the same, but is refused: " << text();
+        break;
+      case Decision::different:
+        ++counts.refused;
+        EXPECT_EQ(verdict, Verdict::fails) << "a slip that is not seen: " << text();
+        if (!prover_.refute(mutant, assumption)) ++counts.without_counterexample;
+        break;
+      case Decision::undefined:
+        ++counts.undefined;
+        EXPECT_EQ(verdict, Verdict::undecided) << text();
+    }
+  }
+
+  Prover prover_;
+  std::array<Oracle, 3> oracles_{Oracle(Assumption::identity), Oracle(Assumption::motion),
+                                 Oracle(Assumption::free)};
+};
+
+TEST(Mutants, OfEveryProvedLineAreRefusedUnlessTheySayTheSame) {
+  MutantCheck check;
+  for (const Line& line : proved_lines_of_all_lessons()) check.check(line);
+  const Counts& c = check.counts;
+  std::printf(
+      "%d lines, %d mutants: %d differ, %d say the same, %d are nowhere defined; %d by points alone; "
+      "%d without a counterexample in small whole numbers\n",
+      c.lines, c.mutants, c.refused, c.equivalent, c.undefined, check.by_points(), c.without_counterexample);
+  EXPECT_GE(c.mutants, 2000);
+  EXPECT_GE(c.refused, 1500);
+  EXPECT_GE(c.equivalent, 20) << "none refused for nothing";
+  EXPECT_LE(100 * c.without_counterexample, c.refused);
+}
+
+}  // namespace
+}  // namespace polhode::oracle

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: MIT
+#include "tests/oracle/oracle.h"
+
+#include <algorithm>
+#include <string>
+
+namespace polhode::oracle {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+using Vector = Oracle::Vector;
+
+ex dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  Vector c;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    c[i] = a[j] * b[k] - b[j] * a[k];
+  }
+  return c;
+}
+Vector sum(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Vector scaled(const ex& factor, const Vector& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }
+Vector scalar(const ex& value) { return {value, 0, 0}; }
+
+/// Bound of the terms that expand() will write.
+std::size_t terms_of(const ex& e) {
+  constexpr std::size_t kEnough = 100 * Oracle::kLargest;
+  std::size_t terms = 1;
+  if (GiNaC::is_a<GiNaC::add>(e)) {
+    terms = 0;
+    for (const ex& operand : e) terms += terms_of(operand);
+  } else if (GiNaC::is_a<GiNaC::mul>(e)) {
+    for (const ex& operand : e) terms = std::min(kEnough, terms * terms_of(operand));
+  } else if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer)) {
+    const std::size_t base = terms_of(e.op(0));
+    for (int n = std::abs(GiNaC::ex_to<numeric>(e.op(1)).to_int()); n > 0; --n)
+      terms = std::min(kEnough, terms * base);
+  }
+  return std::min(terms, kEnough);
+}
+
+/// A number, or a product of powers of symbols: expand() brings its reciprocal to one form.
+bool is_monomial(const ex& e) {
+  if (GiNaC::is_a<GiNaC::mul>(e)) return std::all_of(e.begin(), e.end(), is_monomial);
+  if (GiNaC::is_a<GiNaC::power>(e)) return is_monomial(e.op(0));
+  return GiNaC::is_a<numeric>(e) || GiNaC::is_a<GiNaC::symbol>(e);
+}
+
+std::size_t nth(Quantity quantity, Quantity first) {
+  return static_cast<std::size_t>(static_cast<int>(quantity) - static_cast<int>(first));
+}
+
+ex exact(const DecimalNumber& number) {
+  return numeric(std::to_string(number.mantissa).c_str()) * GiNaC::pow(ex(10), number.power_of_ten);
+}
+
+}  // namespace
+
+Oracle::Oracle(Assumption assumption) : t_("t") {
+  const auto name = [this](const std::string& word) { return free_.emplace_back(word); };
+  const auto named = [&](const std::string& word) {
+    return Vector{name(word + "1"), name(word + "2"), name(word + "3")};
+  };
+  I_ = named("I");
+  w_ = named("w");
+  v_ = named("v");
+  dv_ = named("dv");
+  A_ = named("A");
+  dA_ = named("dA");
+  for (ex& component : J_) component = name("J");
+  m_ = name("m");
+  const auto gyroscopic = [this] {  // ω×Iω on the principal axes
+    return cross(w_, {I_[0] * w_[0], I_[1] * w_[1], I_[2] * w_[2]});
+  };
+  switch (assumption) {
+    case Assumption::identity:
+      dw_ = named("dw");
+      N_ = named("N");
+      F_ = named("F");
+      break;
+    case Assumption::motion:
+      dw_ = named("dw");
+      N_ = sum({I_[0] * dw_[0], I_[1] * dw_[1], I_[2] * dw_[2]}, gyroscopic());
+      F_ = scaled(m_, dv_);
+      break;
+    case Assumption::free:
+      for (std::size_t i = 0; i < 3; ++i) dw_[i] = -gyroscopic()[i] / I_[i];
+      N_ = {0, 0, 0};
+      F_ = scaled(m_, dv_);
+      break;
+  }
+}
+
+Vector Oracle::rate(const Vector& moving) const {
+  Vector rates;
+  for (std::size_t i = 0; i < 3; ++i) rates[i] = moving[i].diff(t_).subs(t_ == 0);
+  return rates;
+}
+
+Vector Oracle::axis(std::size_t i, bool moving) const {
+  Vector axis{0, 0, 0};
+  axis[i] = 1;
+  return moving ? sum(axis, scaled(t_, cross(w_, axis))) : axis;
+}
+
+Vector Oracle::in_space(const Vector& on_body_axes, bool moving) const {
+  Vector space{0, 0, 0};
+  for (std::size_t i = 0; i < 3; ++i) space = sum(space, scaled(on_body_axes[i], axis(i, moving)));
+  return space;
+}
+
+Vector Oracle::quantity(Quantity q, bool moving) const {
+  using S = Quantity;
+  const auto at = [&](const Vector& value, const Vector& its_rate) {
+    return moving ? sum(value, scaled(t_, its_rate)) : value;
+  };
+  const Vector w = at(w_, dw_);
+  const Vector L{I_[0] * w[0], I_[1] * w[1], I_[2] * w[2]};
+  switch (q) {
+    case S::T:
+      return scalar((I_[0] * w[0] * w[0] + I_[1] * w[1] * w[1] + I_[2] * w[2] * w[2]) / 2);
+    case S::I1:
+    case S::I2:
+    case S::I3:
+      return scalar(I_[nth(q, S::I1)]);
+    case S::w1:
+    case S::w2:
+    case S::w3:
+      return scalar(w[nth(q, S::w1)]);
+    case S::dw1:
+    case S::dw2:
+    case S::dw3:
+      return scalar(dw_[nth(q, S::dw1)]);
+    case S::N1:
+    case S::N2:
+    case S::N3:
+      return scalar(N_[nth(q, S::N1)]);
+    case S::m:
+      return scalar(m_);
+    case S::omega:
+      return in_space(w, moving);
+    case S::L:
+      return in_space(L, moving);
+    case S::N:
+      return in_space(N_, moving);
+    case S::p:
+      return scaled(m_, at(v_, dv_));
+    case S::v:
+      return at(v_, dv_);
+    case S::F:
+      return F_;
+    case S::A:
+      return at(A_, dA_);
+    case S::e1:
+    case S::e2:
+    case S::e3:
+      return axis(nth(q, S::e1), moving);
+    default:
+      return scalar(J_[nth(q, S::Jxx)]);
+  }
+}
+
+Vector Oracle::value(const Expression& expression, int index, bool moving, Side& side) const {
+  using O = Operation;
+  const ExpressionNode& node = expression.nodes[static_cast<std::size_t>(index)];
+  const auto a = [&] { return value(expression, node.a, moving, side); };
+  const auto b = [&] { return value(expression, node.b, moving, side); };
+  const auto divisor = [&](const ex& by) {
+    // What is zero once written out is found by the points; what is zero at once cannot be written at all.
+    side.divisors.push_back(by.subs(t_ == 0));
+    side.defined = side.defined && !side.divisors.back().is_zero();
+    return side.defined ? by : ex(1);
+  };
+  switch (node.operation) {
+    case O::number:
+      return scalar(exact(node.number));
+    case O::quantity:
+      return quantity(node.quantity, moving);
+    case O::negate:
+      return scaled(-1, a());
+    case O::add:
+      return sum(a(), b());
+    case O::subtract:
+      return sum(a(), scaled(-1, b()));
+    case O::multiply: {
+      const Vector left = a(), right = b();
+      const ExpressionNode& first = expression.nodes[static_cast<std::size_t>(node.a)];
+      return first.type == ExpressionType::vector ? scaled(right[0], left) : scaled(left[0], right);
+    }
+    case O::divide: {
+      const Vector dividend = a();
+      return scaled(1 / divisor(b()[0]), dividend);
+    }
+    case O::power: {
+      const ex base = a()[0];
+      if (node.integer == 0) return scalar(1);
+      return scalar(GiNaC::pow(node.integer < 0 ? divisor(base) : base, node.integer));
+    }
+    case O::dot:
+      return scalar(dot(a(), b()));
+    case O::cross:
+      return cross(a(), b());
+    case O::norm2: {
+      const Vector v = a();
+      return scalar(dot(v, v));
+    }
+    case O::inertia: {  // Σ I_i e_i (e_i·a)
+      const Vector v = a();
+      Vector result{0, 0, 0};
+      for (std::size_t i = 0; i < 3; ++i)
+        result = sum(result, scaled(I_[i] * dot(axis(i, moving), v), axis(i, moving)));
+      return result;
+    }
+    case O::apply: {  // Σ J_ik e_i (e_k·a)
+      constexpr std::size_t kPlace[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+      const Vector v = a();
+      Vector result{0, 0, 0};
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+          result = sum(result, scaled(J_[kPlace[i][k]] * dot(axis(k, moving), v), axis(i, moving)));
+      return result;
+    }
+    case O::comp:
+      return scalar(dot(axis(static_cast<std::size_t>(node.integer), moving), a()));
+    case O::trace:
+      return scalar(J_[0] + J_[3] + J_[5]);
+    case O::ddt:
+      return rate(value(expression, node.a, true, side));
+    case O::star: {  // Σ e_i d(e_i·a)/dt
+      const Vector moved = value(expression, node.a, true, side);
+      return rate({dot(axis(0, true), moved), dot(axis(1, true), moved), dot(axis(2, true), moved)});
+    }
+  }
+  return {};
+}
+
+Oracle::Side Oracle::side(const Expression& expression) const {
+  Side side;
+  side.value = value(expression, static_cast<int>(expression.nodes.size()) - 1, false, side);
+  return side;
+}
+
+GiNaC::exmap Oracle::random_point() const {
+  GiNaC::exmap point;
+  for (const GiNaC::symbol& symbol : free_)
+    point[symbol] = numeric(std::to_string(1 + (random_() >> 24)).c_str());
+  return point;
+}
+
+bool Oracle::is_zero(const ex& difference, bool has_divisors) const {
+  if (difference.is_zero()) return true;
+  if (terms_of(difference) > kLargest) {
+    ++by_points_;
+    return true;
+  }
+  return has_divisors ? difference.normal().is_zero() : difference.expand().is_zero();
+}
+
+Decision Oracle::compare(const Side& left, const Side& right) const {
+  if (!left.defined || !right.defined) return Decision::undefined;
+  const Vector difference = sum(left.value, scaled(-1, right.value));
+  std::vector<ex> divisors = left.divisors;
+  divisors.insert(divisors.end(), right.divisors.begin(), right.divisors.end());
+  int defined = 0;
+  for (int n = 0; n < kPoints; ++n) {
+    const GiNaC::exmap point = random_point();
+    const auto is_zero_there = [&](const ex& e) {
+      return e.subs(point, GiNaC::subs_options::no_pattern).is_zero();
+    };
+    if (std::any_of(divisors.begin(), divisors.end(), is_zero_there)) continue;
+    ++defined;
+    if (!std::all_of(difference.begin(), difference.end(), is_zero_there)) return Decision::different;
+  }
+  if (defined == 0) return Decision::undefined;
+  const bool has_divisors = !std::all_of(divisors.begin(), divisors.end(), is_monomial);
+  ++proofs_;
+  const bool zero = std::all_of(difference.begin(), difference.end(),
+                                [&](const ex& e) { return is_zero(e, has_divisors); });
+  return zero ? Decision::same : Decision::different;
+}
+
+}  // namespace polhode::oracle
