@@ -66,12 +66,13 @@ std::vector<PixelBox> best_cells(const std::vector<Overlay>& boards, const Pixel
   return type_px(boards, beside, pad) > type_px(boards, below, pad) ? beside : below;
 }
 
-/// Space first, then what the boards have. Type that is a little larger is worth more than a space that is a
-/// little larger.
-std::array<PixelBox, 2> share(const std::vector<Overlay>& boards, const PixelBox& box, double pad) {
+/// Space first, its views side by side, then what the boards have. Type that is a little larger is worth more
+/// than a space that is a little larger.
+std::array<PixelBox, 2> share(const std::vector<Overlay>& boards, std::size_t views, const PixelBox& box,
+                              double pad) {
   const auto worth = [&](const std::array<PixelBox, 2>& parts) {
     return type_px(boards, best_cells(boards, parts[1], pad), pad) *
-           std::sqrt(std::min(parts[0].width(), parts[0].height()));
+           std::sqrt(std::min(parts[0].width() / static_cast<double>(views), parts[0].height()));
   };
   std::array<PixelBox, 2> best = split(box, true, kSpaceParts[0]);
   for (const bool beside : {true, false})
@@ -138,7 +139,7 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
     box.y1 -= std::round(kCaptionRoom * place.caption_px);
   }
   if (shows_space(model.drawn)) {
-    const auto [space, rest] = share(boards, box, pad);
+    const auto [space, rest] = share(boards, model.scene.views.size(), box, pad);
     placed.insets.push_back(space_of(model, t_s, rect_of(space), place));
     placed.insets.back().figure.caption.clear();
     box = rest;

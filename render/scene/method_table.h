@@ -12,8 +12,8 @@ namespace polhode {
 
 struct MethodRow {
   Method method = Method::exact;
-  StateError error;  ///< at t; NaN of the reference itself
-  InvariantDrift drift;       ///< at t, from the start
+  StateError error;      ///< at t; NaN of the reference itself, and where the method went beyond double
+  InvariantDrift drift;  ///< at t, from the start
   /// Of the equations of motion, for a second of the motion; of a closed form those of the formula for one
   /// time. A count and no time: pictures repeat.
   double evaluations_per_s = 0;

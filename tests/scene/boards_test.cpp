@@ -215,6 +215,24 @@ TEST(Boards, CardsHaveTheTwelveEquations) {
   for (int n = 1; n <= 12; ++n) EXPECT_EQ(texts_of(sheet, "(" + std::to_string(n) + ")").size(), 1u) << n;
 }
 
+TEST(Boards, TheTableSaysWhatDivergedAndWhatIsGrosslyWrong) {
+  Scene scene = scene_of(Overlay::method_table);
+  scene.motion = {.method = Method::rk4, .step_s = 0.3};
+  scene.at_s = 100.0;
+  const MethodTable table = make_model(scene).methods;
+  ASSERT_TRUE(std::isnan(table.rows[1].error.omega)) << "explicit Euler";
+  const Sheet sheet = sheet_of(scene, 0.0);
+  EXPECT_EQ(texts_of(sheet, "diverged").size(), 1u);
+  EXPECT_EQ(texts_of(sheet, "closed form").size(), 1u);
+  int bold = 0, gross = 1;  // the diverged one
+  for (const PlacedType& text : sheet.texts) bold += text.list.glyphs.front().face == Face::sans_bold;
+  for (const MethodRow& row : table.rows)
+    gross += (row.error.omega > 0.01) + (row.error.attitude_rad > 0.0174532925199) + (row.drift.T > 0.01) +
+             (row.drift.L > 0.01) + (row.drift.L_direction_rad > 0.0174532925199);
+  EXPECT_EQ(bold, gross);
+  EXPECT_GT(gross, 3);
+}
+
 TEST(Boards, NothingMoreIsModelledThanTheyNeed) {
   EXPECT_EQ(requirements(scene_of(Overlay::cards)), Requirements{});
   EXPECT_TRUE(requirements(scene_of(Overlay::tensor_bars)).attitude);

@@ -3,14 +3,14 @@
 // figure in space. Layout only; every number is computed from the model's motion.
 //
 //   tensor-bars   I_S = R I* Rᵀ (moves) beside I* (rests), with traces and eigenvalues
-//   cofactors     ω×(I·ω) as a determinant, one cofactor lit after the other: a third of the span each
+//   cofactors     ω×(I·ω) as a determinant, one cofactor found after the other: a third of the span each
 //   cyclic-wheel  1 → 2 → 3 → 1 and the equations (7), (8), (9) it turns into each other, one lit likewise
 //   energy-rows   (10)·ω1, (11)·ω2, (12)·ω3: the products and the first terms, each chained to their sum
 //   momentum-rows (10)·I1ω1, (11)·I2ω2, (12)·I3ω3 likewise
 //   cards         the twelve equations with what they are
 //   method-table  how far each method is from the true motion at the time of the still, and what it costs
 //
-// ω̇ is a difference quotient of the motion (rate_of_change.h), not solved for in the equations that the
+// ω̇ is a difference quotient of the motion (terms.h), not solved for in the equations that the
 // boards show to hold. Numbers of one kind have the same decimals: three digits of the largest over the
 // model's span, which also sets the scale of bars, so that nothing but the values moves in a film.
 #pragma once

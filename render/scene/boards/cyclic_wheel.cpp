@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The wheel 1 → 2 → 3 → 1, and Euler's equations, each the next one's when the wheel goes on by a third.
-#include "physics/torque.h"
 #include "render/scene/boards/board_paper.h"
-#include "render/scene/rate_of_change.h"
+#include "render/scene/terms.h"
 
 #include <cmath>
 #include <numbers>
@@ -57,22 +56,6 @@ void add_wheel(const Vec2& hub, int lit, BoardPaper& paper) {
 
 std::string index(int i) { return std::to_string(i % 3 + 1); }
 
-/// What each equation says, as numbers.
-struct Terms {
-  Vec3 inertia_B, gyroscopic_B, torque_B;  ///< I_i ω̇_i, (I_k − I_j) ω_j ω_k, N_i; N m
-};
-
-Terms terms_at(const SceneModel& model, double t_s) {
-  const PrincipalMoments& I = model.scene.body.moments;
-  const RigidBodyState state = model.needs.attitude
-                                   ? model.motion->at(t_s)
-                                   : RigidBodyState{Quat::Identity(), model.motion->w_B_at(t_s)};
-  const Vec3 w_rate = w_rate_B(*model.motion, t_s, model.scene.w0_B.stableNorm());
-  return {I.vector().cwiseProduct(w_rate),
-          cyclic_differences(I.vector()).cwiseProduct(cyclic_products(state.w_B)),
-          torque_B(model.scene.torque, I, state)};
-}
-
 void add_equation(int i, const Terms& terms, bool is_free, bool is_lit, const NumberForm& form,
                   const Vec2& corner, BoardPaper& paper) {
   const auto at = [&](double x, double y) -> Vec2 { return corner + Vec2(x, y); };
@@ -89,9 +72,9 @@ void add_equation(int i, const Terms& terms, bool is_free, bool is_lit, const Nu
   paper.text("(" + std::to_string((is_free ? 10 : 7) + i) + ")", at(kUnitEnd, kFormula),
              {.align = 1, .quiet = true});
   const BoardPaper::Type number{.align = 0.5, .size = 0.86, .quiet = quiet};
-  paper.text(form.text(terms.inertia_B[i]), at(kFirst, kNumber), number);
+  paper.text(form.text(terms.inertial_B[i]), at(kFirst, kNumber), number);
   paper.text(form.text(terms.gyroscopic_B[i]), at(kSecond, kNumber), number);
-  if (!is_free) paper.text(form.text(terms.torque_B[i]), at(kThird, kNumber), number);
+  if (!is_free) paper.text(form.text(terms.N_B[i]), at(kThird, kNumber), number);
   paper.text(form.unit("N m"), at(kUnitEnd, kNumber), {.align = 1, .size = kSmall, .quiet = true});
 }
 
@@ -102,12 +85,12 @@ void add_equations(const SceneModel& model, double t_s, int lit, const Vec2& cor
              corner + Vec2(0.6, 1.3), {.size = 1.1});
   paper.math("i = " + index(lit) + ",\\; j = " + index(lit + 1) + ",\\; k = " + index(lit + 2),
              corner + Vec2(kUnitEnd, 1.3), {.align = 1, .quiet = true});
-  const Terms terms = terms_at(model, t_s);
+  const Terms terms = terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s);
   const Vec3 differences = cyclic_differences(model.scene.body.moments.vector());
   const auto gyroscopic = [&](const Vec3& w) -> Vec3 { return differences.cwiseProduct(cyclic_products(w)); };
   constexpr int kDigits = 4;  // so that the last ones are seen to add up
-  const NumberForm form(
-      std::max(largest_over_span(model, t_s, gyroscopic), terms.torque_B.cwiseAbs().maxCoeff()), kDigits);
+  const NumberForm form(std::max(largest_over_span(model, t_s, gyroscopic), terms.N_B.cwiseAbs().maxCoeff()),
+                        kDigits);
   for (int i = 0; i < 3; ++i)
     add_equation(i, terms, is_free, i == lit, form, corner + Vec2(0, kTop + i * kRow), paper);
 }

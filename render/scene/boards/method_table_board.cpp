@@ -62,21 +62,28 @@ std::string measured(double value) {
   return value >= 1.0 && value < 1000.0 ? NumberForm(value).text(value) : signed_short(value);
 }
 
+/// Of one that went step by step and left the numbers of a double.
+bool diverged(const MethodRow& row) {
+  return facts_of(row.method).control != StepControl::none && std::isnan(row.error.omega);
+}
+
+std::string text_of(const MethodRow& row, int column) {
+  if (diverged(row)) return column == 0 ? "diverged" : "–";
+  const double value = kTable[static_cast<std::size_t>(column)].value(row);
+  if (column < kColumns - 1) return measured(value);
+  return facts_of(row.method).control == StepControl::none ? "closed form" : signed_short(value);
+}
+
 void add_row(const MethodRow& row, double top, BoardPaper& paper) {
   const double y = top + 1.1;
   paper.text(std::string(name_of(row.method)), {kName, y}, {.size = 0.92});
   for (int c = 0; c < kColumns; ++c) {
     const Column& column = kTable[static_cast<std::size_t>(c)];
-    const double value = column.value(row);
-    const bool is_gross = value > column.gross;
+    const bool is_gross = column.value(row) > column.gross || (c == 0 && diverged(row));
     if (is_gross)
       paper.panel({right_of(c) - kColumn + 0.45, top + 0.06}, {right_of(c) + 0.3, top + kRow - 0.06},
                   paper.style().panel);
-    const bool counts_steps = facts_of(row.method).control != StepControl::none;
-    const std::string text = c < kColumns - 1 ? measured(value)
-                             : counts_steps   ? signed_short(value)
-                                              : "closed form";
-    paper.text(text, {right_of(c), y}, {.align = 1, .size = kSmall, .bold = is_gross});
+    paper.text(text_of(row, c), {right_of(c), y}, {.align = 1, .size = kSmall, .bold = is_gross});
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Three rows that add up to nothing: the bars of the products, each beginning where the one above it ended.
 #include "render/scene/boards/board_paper.h"
-#include "render/scene/rate_of_change.h"
+#include "render/scene/terms.h"
 
 #include <cmath>
 
@@ -79,13 +79,13 @@ void draw_rows(const SceneModel& model, double t_s, bool with_moments, BoardPape
     return w.prod() * weights.cwiseProduct(cyclic_differences(I));
   };
   const Vec3 w_B = model.motion->w_B_at(t_s);
-  const Vec3 rate = w_rate_B(*model.motion, t_s, model.scene.w0_B.stableNorm());
+  const Terms terms = terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s);
   const std::string unit = with_moments ? "kg² m⁴/s³" : "W";
   Block first{"The products, end to end", unit, {}, products(w_B), "\\text{sum}"};
   Block second{"The first terms, measured on the motion",
                unit,
                {},
-               weights.cwiseProduct(I).cwiseProduct(w_B).cwiseProduct(rate),
+               weights.cwiseProduct(w_B).cwiseProduct(terms.inertial_B),
                with_moments ? "\\text{sum} = \\tfrac12\\,d(\\vec L\\cdot\\vec L)/dt" : "\\text{sum} = dT/dt"};
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
