@@ -3,6 +3,7 @@
 #include "app/answer_log.h"
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
+#include "app/speaker.h"
 #include "lessons/answers.h"
 #include "lessons/suggest.h"
 
@@ -96,14 +97,14 @@ class Session {
   AnswerLog log_;
 };
 
-ExitCode show_hint(const Ask& ask, Session& session) {
+ExitCode show_hint(const Ask& ask, const Speaker& speaker, Session& session) {
   AnswerRecord& record = session.record();
   const auto shown = static_cast<std::size_t>(std::max(0, record.hints));
   if (shown >= ask.hints.size()) {
     fmt::print("{}\n", ask.hints.empty() ? "There is no hint." : "There are no more hints.");
     return ExitCode::done;
   }
-  fmt::print("Hint {} of {}: {}\n", shown + 1, ask.hints.size(), ask.hints[shown]);
+  fmt::print("Hint {} of {}: {}\n", shown + 1, ask.hints.size(), speaker.words(ask.hint_texts[shown]));
   record.hints = static_cast<int>(shown) + 1;
   session.keep();
   return ExitCode::done;
@@ -137,7 +138,7 @@ ExitCode answer(const Options& options) {
   const Stage& stage = stage_of(loaded.lesson, options.stage);
   const Ask& ask = ask_of(stage, options.ask);
   Session session(loaded.lesson.id, stage.id + '/' + ask.id);
-  if (options.hint) return show_hint(ask, session);
+  if (options.hint) return show_hint(ask, Speaker(loaded.lesson), session);
   if (options.reset) {
     session.forget();
     session.keep();
@@ -147,6 +148,15 @@ ExitCode answer(const Options& options) {
 }
 
 }  // namespace
+
+std::vector<std::string> with_answers_shielded(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  if (words.size() < 2 || words[1] != "answer") return words;
+  for (std::size_t i = 2; i < words.size(); ++i)
+    if (words[i].size() > 1 && words[i][0] == '-' && words[i][1] != '-' && words[i] != "-h")
+      words[i].insert(0, 1, ' ');  // expressions may begin with a space
+  return words;
+}
 
 void add_answer(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("answer", "Judge an answer to a question of a lesson");

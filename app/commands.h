@@ -6,6 +6,8 @@
 #include "app/exit_codes.h"
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -24,6 +26,8 @@ void add_trace(CLI::App& app, Action& action);
 void add_measure(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_answer(CLI::App& app, Action& action);
+/// The words of a command line as the parser is to see them: an answer such as -w1*w2 is no option.
+std::vector<std::string> with_answers_shielded(int argc, const char* const* argv);
 void add_compare(CLI::App& app, Action& action);
 
 }  // namespace polhode

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/live_numbers.h"
 #include "app/manifest.h"
 #include "app/or_fail.h"
 #include "app/picture_maker.h"
@@ -138,7 +139,29 @@ class EquationMaker : public PictureMaker {
     if (!set)
       throw CommandError(ExitCode::invalid, fmt::format("equation \"{}\" cannot be set: {}", equation.id,
                                                         set.error().front().message));
+    put_live_numbers_in(*set, equation);
     return lists_.emplace(&equation, centred(*set)).first->second;
+  }
+
+  /// At the `at` of the scene beside it.
+  void put_live_numbers_in(DisplayList& list, const Equation& equation) const {
+    if (equation.live.empty()) return;
+    const Scene* scene = scene_beside(equation);
+    const SceneModel model = scene ? make_model(*scene, Product::page) : SceneModel();
+    const auto live = scene ? live_state(model, scene->at_s) : std::nullopt;
+    for (const LiveRoom& room : take_live_rooms(list)) {
+      const PlacedType number =
+          live_number_in(room, equation.live[room.index], live ? &*live : nullptr, context_.renderer.fonts());
+      append(list, number.list, number.at.x(), number.at.y());
+    }
+  }
+
+  const Scene* scene_beside(const Equation& equation) const {
+    for (const Stage& stage : context_.lesson.stages)
+      for (const Step& step : stage.steps)
+        for (const Block& block : step.blocks)
+          if (std::get_if<Equation>(&block) == &equation) return step.scene ? &*step.scene : nullptr;
+    return nullptr;
   }
 
   Canvas canvas_of(const PlannedPicture& picture) {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 int main(int argc, char** argv) {
@@ -18,7 +19,10 @@ int main(int argc, char** argv) {
     add(app, action);
 
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = with_answers_shielded(argc, argv);
+    words.erase(words.begin(), words.begin() + std::min<std::ptrdiff_t>(1, argc));
+    std::reverse(words.begin(), words.end());  // as the parser takes them
+    app.parse(std::move(words));
     if (!action) throw CommandError(ExitCode::usage, "a command is needed; see: polhode --help");
     ExitCode code = action();
     if (std::fflush(stdout) != 0 || std::ferror(stdout))

@@ -115,13 +115,15 @@ void add_meters(const PageRequest& request, const Grid& grid, const std::vector<
   }
 }
 
-/// Both sides of the present step's claims at this time, each at its slot.
-Sheet live_values(const PageRequest& request, const std::vector<LiveSlot>& slots, const Fonts& fonts) {
+/// What the present step's claims and the live numbers of formulas come to at this time, each at its slot.
+Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& fonts) {
   Sheet sheet;
-  if (slots.empty()) return sheet;
-  const auto live = live_state(*request.model, request.t_s);
+  if (stack.live.empty() && stack.numbers.empty()) return sheet;
+  const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
+  for (const LiveNumberSlot& slot : stack.numbers)
+    sheet.texts.push_back(live_number_in(slot.room, *slot.number, live ? &*live : nullptr, fonts));
   if (!live) return sheet;
-  for (const LiveSlot& slot : slots) {
+  for (const LiveSlot& slot : stack.live) {
     DisplayList line =
         set_line(live_text(*slot.claim, *live, request.model->scene.views.front()), slot.style, fonts);
     const double x = slot.end.x() - line.width;
@@ -154,8 +156,8 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   const Vec2 corner(std::round(grid.text.x0), std::round(grid.text.y0));
   append(page.sheet, text.stack.sheet, corner);
   append(page.sheet, faded(text.stack.newest, request.news.value_or(1.0)), corner);
+  append(page.sheet, faded(live_values(request, text.stack, fonts), request.news.value_or(1.0)), corner);
   if (!request.model) return page;
-  append(page.sheet, faded(live_values(request, text.stack.live, fonts), request.news.value_or(1.0)), corner);
   PlacedFigure figure = figure_on_page(request, grid, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});

@@ -69,12 +69,22 @@ void mark(const DisplayList& list, const Vec2& at, const std::vector<std::string
   }
 }
 
+/// What is added with the time, moved by `at`, to a piece or a stack.
+template <class Into>
+void add_slots(Into& into, const ColumnPiece& part, const Vec2& at) {
+  for (LiveSlot slot : part.live) {
+    slot.end += at;
+    into.live.push_back(std::move(slot));
+  }
+  for (LiveNumberSlot slot : part.numbers) {
+    slot.room.end += at;
+    into.numbers.push_back(slot);
+  }
+}
+
 /// Drawing and slots of `part` over those of `piece`.
 void add(ColumnPiece& piece, ColumnPiece part, const Vec2& at) {
-  for (LiveSlot& slot : part.live) {
-    slot.end += at;
-    piece.live.push_back(std::move(slot));
-  }
+  add_slots(piece, part, at);
   append(piece.sheet, std::move(part.sheet), at);
 }
 
@@ -147,6 +157,10 @@ ColumnPiece TextColumn::numbered(const Equation& equation, double size,
   piece.formula_scale = formula_scale;
   const Vec2 at(std::max(0.0, x), top);
   mark(list, at, marked, size, colors().marked, fonts_, piece.sheet);
+  for (LiveRoom room : take_live_rooms(list)) {
+    room.end += at;
+    piece.numbers.push_back({&equation.live[room.index], room});
+  }
   if (!equation.tag.empty())
     piece.sheet.texts.push_back({.list = tag, .at = {std::round(width_ - tag.width), top}});
   piece.sheet.texts.push_back({.list = std::move(list), .at = at});
@@ -257,10 +271,7 @@ Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i > 0) made.height += std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap));
     append(i + newest < pieces.size() ? made.sheet : made.newest, pieces[i]->sheet, {0, made.height});
-    for (LiveSlot slot : pieces[i]->live) {
-      slot.end.y() += made.height;
-      made.live.push_back(std::move(slot));
-    }
+    add_slots(made, *pieces[i], {0, made.height});
     made.height += pieces[i]->height;
   }
   return made;

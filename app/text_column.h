@@ -2,6 +2,7 @@
 // The blocks of a lesson as they stand one below the other in the text column of a page.
 #pragma once
 
+#include "app/live_numbers.h"
 #include "app/page_theme.h"
 #include "app/verdict_row.h"
 #include "lessons/lesson.h"
@@ -20,6 +21,12 @@ struct LiveSlot {
   TextStyle style;
 };
 
+/// Where a live number of a formula is to stand.
+struct LiveNumberSlot {
+  const Expression* number = nullptr;
+  LiveRoom room;
+};
+
 /// Something in the column: its drawing from the upper left corner, and the room it takes.
 struct ColumnPiece {
   Sheet sheet;
@@ -27,6 +34,7 @@ struct ColumnPiece {
   double gap = 0;            ///< least distance to what is above and below
   double formula_scale = 1;  ///< of its normal size, of a display that is wider than the column
   std::vector<LiveSlot> live{};
+  std::vector<LiveNumberSlot> numbers{};
 };
 
 /// How an equation stands among others: in focus between bar and panel, or with the room that these took.
@@ -75,6 +83,7 @@ struct Stack {
   Sheet newest;  ///< the last pieces, apart
   double height = 0;
   std::vector<LiveSlot> live{};  ///< of the newest
+  std::vector<LiveNumberSlot> numbers{};
 };
 Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest = 0);
 /// The same without drawing.

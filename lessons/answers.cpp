@@ -74,9 +74,14 @@ class ExpressionJudge {
     if (const auto found = indices()) return *found;
     if (assumption_ == Assumption::identity && equals(answer_, Assumption::motion))
       return wrong("this follows from the equations of motion; here it has to hold whatever ω̇ is");
-    if (assumption_ != Assumption::free && equals(answer_, Assumption::free))
+    if (assumption_ != Assumption::free && !vanishes_without_torque() && equals(answer_, Assumption::free))
       return wrong("this is right without torque only");
     return wrong("not equal to what is asked for");
+  }
+
+  /// Then that an answer is right without torque says nothing.
+  bool vanishes_without_torque() const {
+    return prover_.settle({*ask_.expression, zero_expression()}, Assumption::free) == Verdict::holds;
   }
 
   std::optional<AnswerJudgement> one_term() const {

@@ -312,6 +312,13 @@ bool Expression::uses(Quantity quantity) const {
   });
 }
 
+Expression zero_expression() {
+  ExpressionNode zero;
+  zero.type = ExpressionType::zero;
+  zero.end = 1;
+  return {"0", {zero}};
+}
+
 std::optional<Expression> read_expression(std::string_view text, SourcePlace start, Report& report) {
   try {
     if (text.size() > kMaxExpressionBytes)

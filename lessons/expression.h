@@ -89,6 +89,9 @@ struct Expression {
 /// together, derivatives of what has no known rate, too large exponents and degrees. Linear.
 std::optional<Expression> read_expression(std::string_view text, SourcePlace start, Report& report);
 
+/// The literal 0.
+Expression zero_expression();
+
 /// left = right.
 struct Equality {
   Expression left, right;

@@ -417,6 +417,9 @@ std::optional<Math> TextReader::parse_inline(const LocatedText& text, std::size_
     refuse(math->tag_offsets.front(), "\\tag numbers a display, and this formula stands in a line of text");
   else if (math->root->kind == MathNode::Kind::grid)
     refuse(0, "& and \\\\ make rows of a display, and this formula stands in a line of text");
+  else if (!math->live.empty())
+    refuse(math->live.front().offset,
+           "\\live numbers stand in displays, and this formula stands in a line of text");
   else
     return math;
   return std::nullopt;

@@ -32,6 +32,7 @@ struct Equation {
   Math math;
   std::size_t offset = 0;  ///< of the TeX in Lesson::source
   SourcePlace place;
+  std::vector<Expression> live{};  ///< of its \live numbers: scalars
 };
 
 enum class ClaimKind { identity, definition, law, motion, free, is_false, measured, non_sequitur };

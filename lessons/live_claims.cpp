@@ -145,6 +145,13 @@ std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, V
   return worst;
 }
 
+std::optional<double> live_number(const Expression& scalar, const LiveState& live) {
+  Triple<SizedNumber> value;
+  if (!Evaluation<SizedNumber>(live.state)(scalar, value)) return std::nullopt;
+  const double number = value[0].value.value;
+  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
 std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
                                         const SceneModel& model) {
   MeasuredResidual worst{-1, 1, 0};

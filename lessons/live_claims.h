@@ -39,6 +39,9 @@ struct LiveValue {
 /// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);
 
+/// A scalar on a motion; nothing where it is not defined.
+std::optional<double> live_number(const Expression& scalar, const LiveState& live);
+
 /// The larger part of a method's tolerance is its error in a step: kStepErrors (ΩH)^order, with step H and
 /// the rate Ω = |ω| (by |I₁ − I₂| ≤ I₃ nothing in a free body turns faster).
 inline constexpr double kStepErrors = 4;

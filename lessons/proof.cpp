@@ -77,7 +77,11 @@ Judgement undecided() {
 std::string weaker_kind(const Equality& equality, Assumption failed, const Prover& prover) {
   if (failed == Assumption::identity && prover.settle(equality, Assumption::motion) == Verdict::holds)
     return "it follows from the equations of motion: its kind is motion";
-  if (failed != Assumption::free && prover.settle(equality, Assumption::free) == Verdict::holds)
+  const bool both_vanish =
+      equality.right.type() != ExpressionType::zero &&
+      prover.settle({equality.right, zero_expression()}, Assumption::free) == Verdict::holds;
+  if (failed != Assumption::free && !both_vanish &&
+      prover.settle(equality, Assumption::free) == Verdict::holds)
     return "it holds without torque: its kind is free";
   return "";
 }

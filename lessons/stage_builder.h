@@ -38,6 +38,7 @@ class StageBuilder {
   void add_quote(const MarkdownBlock& quote);
   void add_fence(const MarkdownBlock& block);
   void add_math(const Fence& fence);
+  void read_live_numbers(Equation& equation);
   void take_tag(const Equation& equation);
   void add_claim(const Fence& fence);
   void add_scene(const Fence& fence);

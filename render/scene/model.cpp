@@ -206,11 +206,6 @@ void compute_parts(SceneModel& model, double chord_tolerance) {
   if (model.needs.methods) model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s);
 }
 
-/// Whether gravity on a body that is held at a point is the only torque.
-bool held_at_pivot(const Scene& scene) {
-  return scene.torque.size() == 1 && std::holds_alternative<HeavyTop>(scene.torque.front());
-}
-
 }  // namespace
 
 double herpolhode_span_s(const Scene& scene) {

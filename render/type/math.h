@@ -26,6 +26,15 @@ struct MathMacro {
 };
 using MathMacros = std::map<std::string, MathMacro, std::less<>>;
 
+/// \live{expression}: a number that whoever shows the formula puts in.
+struct LiveNumber {
+  std::string expression;  ///< as it is written
+  std::size_t offset = 0;  ///< byte where it begins
+};
+/// What holds its room when it is set; its glyphs have the name live_name(index in Math::live).
+inline constexpr std::string_view kLiveRoom = "−0.00";
+std::string live_name(std::size_t index);
+
 struct MathNode;  // render/type/math_tree.h
 
 /// A formula that reads without errors.
@@ -33,6 +42,7 @@ struct Math {
   std::shared_ptr<const MathNode> root;
   std::string tag;                 ///< of \tag{…}; empty: none
   std::vector<std::string> terms;  ///< ids of \term{id}{…}, in their order
+  std::vector<LiveNumber> live;    ///< in their order
   std::vector<std::size_t> tag_offsets,
       term_offsets;  ///< bytes where each name begins; several tags are joined
 };

@@ -12,6 +12,7 @@ Math MathParser::run() {
   for (std::size_t i = 1; i < open_.size() && !tokens_.stopped(); ++i) never_closed(open_[i]);
   math.tag = std::move(tag_);
   math.terms = std::move(terms_);
+  math.live = std::move(live_);
   math.tag_offsets = std::move(tag_offsets_);
   math.term_offsets = std::move(term_offsets_);
   return math;

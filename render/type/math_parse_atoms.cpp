@@ -136,6 +136,8 @@ MathNode MathParser::command(const Token& token) {
       return text_color(token);
     case Action::term:
       return term(token);
+    case Action::live:
+      return live_number(token);
     case Action::arrow:
       return arrow(token, *known);
     case Action::negate:

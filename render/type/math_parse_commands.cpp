@@ -341,6 +341,20 @@ void MathParser::color_of_rest(std::vector<MathNode>& into) {
   into.push_back(std::move(made));
 }
 
+MathNode MathParser::live_number(const Token& token) {
+  std::size_t offset = token.span.begin;
+  auto expression = plain_argument(token, "\\live{…}", &offset);
+  if (!expression) return {};
+  MathNode room = node_of(Kind::text, token.span);
+  room.text = kLiveRoom;
+  room.sources.assign(5, token.span);  // one for each of its characters
+  MathNode made = node_of(Kind::term, token.span);
+  made.text = live_name(live_.size());
+  made.children.push_back(std::move(room));
+  live_.push_back({std::move(*expression), offset});
+  return made;
+}
+
 MathNode MathParser::term(const Token& token) {
   std::size_t offset = token.span.begin;
   const auto id = plain_argument(token, "\\term{…}", &offset);

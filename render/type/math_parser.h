@@ -127,6 +127,7 @@ class MathParser {
   MathNode text_color(const Token& token);
   void color_of_rest(std::vector<MathNode>& into);
   MathNode term(const Token& token);
+  MathNode live_number(const Token& token);
   void tag();
   /// Accents, bars, braces, boxes and what else does something to one argument.
   MathNode wrapped(const Token& token, const MathCommand& command);
@@ -162,6 +163,7 @@ class MathParser {
   std::uint32_t environment_end_ = 0, last_end_ = 0;
   std::string tag_;
   std::vector<std::string> terms_;
+  std::vector<LiveNumber> live_;
   std::vector<std::size_t> tag_offsets_, term_offsets_;
 };
 

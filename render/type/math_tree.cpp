@@ -5,6 +5,8 @@
 
 namespace polhode {
 
+std::string live_name(std::size_t index) { return "live " + std::to_string(index); }
+
 using Kind = MathNode::Kind;
 
 const MathNode& without_groups(const MathNode& node) {

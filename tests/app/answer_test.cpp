@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "tests/app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using Json = nlohmann::json;
+
+class Answer : public ::testing::Test {
+ protected:
+  ProgramRun answer(const std::string& ask, std::vector<std::string> rest) {
+    std::vector<std::string> arguments = {"answer", (folder_ / "quiz.md").string(), "quiz", ask};
+    arguments.insert(arguments.end(), rest.begin(), rest.end());
+    return polhode(arguments, {.environment = {{"XDG_STATE_HOME", (folder_ / "state").string()}}});
+  }
+  std::filesystem::path log() const { return folder_ / "state" / "polhode" / "quiz.answers.json"; }
+  Json logged() const { return Json::parse(text_of(log())).at("answers"); }
+
+  void SetUp() override {
+    write_text(
+        folder_ / "quiz.md",
+        "+++\nformat = 1\nid = \"quiz\"\ntitle = \"Quiz\"\n+++\n# Quiz {quiz}\nAsk.\n\n"
+        "```ask sign\ntype = \"expression\"\nprompt = 'The y component?'\n"
+        "answer = \"w3*w1*(I1 - I3)\"\nhints = ['Use $I_1$.', 'Mind the sign.']\n```\n"
+        "```ask which\ntype = \"choice\"\nprompt = 'Which?'\nchoices = ['one', 'two']\nanswer = 2\n```\n");
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(Answer, RightIsZeroAndWrongIsFourWithTheReason) {
+  const ProgramRun right = answer("sign", {"w1*w3*(I1 - I3)"});
+  EXPECT_EQ(right.code, 0) << right.err;
+  EXPECT_EQ(right.out, "right\n");
+  const ProgramRun wrong = answer("sign", {"w1*w3*(I3 - I1)"});
+  EXPECT_EQ(wrong.code, 4);
+  EXPECT_THAT(wrong.out, HasSubstr("wrong: wrong sign"));
+  EXPECT_THAT(wrong.out, HasSubstr("At I = (2, 3, 4), ω = (1, 0, 1) yours is 2, right is -2."));
+}
+
+TEST_F(Answer, UnreadableIsTwoWithItsColumn) {
+  const ProgramRun run = answer("sign", {"w1*w9"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.out, "  w1*w9\n     ^\n");
+  EXPECT_THAT(run.err, HasSubstr("unknown symbol \"w9\""));
+  EXPECT_FALSE(std::filesystem::exists(log())) << "it was no try";
+}
+
+TEST_F(Answer, MayBeginWithAMinus) {
+  EXPECT_EQ(answer("sign", {"-w3*w1*(I3 - I1)"}).code, 0);
+  EXPECT_EQ(answer("sign", {"-I1"}).code, 4);
+}
+
+TEST_F(Answer, TriesAreKeptAndCanBeForgotten) {
+  answer("sign", {"w1"});
+  answer("sign", {"w3*w1*(I1 - I3)"});
+  answer("which", {"A"});
+  EXPECT_EQ(logged()["quiz/sign"]["tries"], 2);
+  EXPECT_EQ(logged()["quiz/sign"]["right"], true);
+  EXPECT_EQ(logged()["quiz/which"]["right"], false);
+  EXPECT_EQ(answer("sign", {"--reset"}).code, 0);
+  EXPECT_FALSE(logged().contains("quiz/sign"));
+  EXPECT_TRUE(logged().contains("quiz/which"));
+}
+
+TEST_F(Answer, HintsComeOneAtATimeInWords) {
+  EXPECT_EQ(answer("sign", {"--hint"}).out, "Hint 1 of 2: Use I sub 1.\n");
+  EXPECT_EQ(answer("sign", {"--hint"}).out, "Hint 2 of 2: Mind the sign.\n");
+  EXPECT_EQ(answer("sign", {"--hint"}).out, "There are no more hints.\n");
+  EXPECT_EQ(answer("which", {"--hint"}).out, "There is no hint.\n");
+}
+
+TEST_F(Answer, ADamagedLogIsSetAside) {
+  answer("which", {"B"});
+  write_text(log(), "{\"format\":1,\"answers\":{\"quiz/which\":");
+  const ProgramRun run = answer("which", {"B"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, HasSubstr("damaged"));
+  EXPECT_TRUE(std::filesystem::exists(log().string() + ".damaged"));
+  EXPECT_EQ(logged()["quiz/which"]["tries"], 1);
+}
+
+TEST_F(Answer, IsJsonIfAskedFor) {
+  const ProgramRun run = answer("sign", {"w1*w9", "--json"});
+  EXPECT_EQ(run.code, 2);
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json["verdict"], "unreadable");
+  EXPECT_EQ(json["column"], 4);
+  EXPECT_TRUE(json["counterexample"].is_null());
+  EXPECT_EQ(Json::parse(answer("sign", {"I1", "--json"}).out)["verdict"], "wrong");
+}
+
+TEST_F(Answer, SaysWhichQuestionsThereAre) {
+  const ProgramRun run = answer("sing", {"w1"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("did you mean \"sign\"?"));
+  EXPECT_EQ(answer("sign", {}).code, 2);
+  EXPECT_EQ(answer("sign", {"w1", "--hint"}).code, 2);
+}
+
+TEST_F(Answer, WithoutAHomeTheVerdictIsGivenAllTheSame) {
+  const ProgramRun run = polhode({"answer", (folder_ / "quiz.md").string(), "quiz", "which", "2"},
+                                 {.environment = {{"XDG_STATE_HOME", ""}, {"HOME", ""}}});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.err, HasSubstr("not kept"));
+}
+
+}  // namespace
+}  // namespace polhode
