@@ -2,11 +2,14 @@
 #include "lessons/evaluation.h"
 
 #include "lessons/claim_state.h"
+#include "lessons/proof.h"
 #include "tests/lessons/claim_examples.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace polhode {
@@ -137,6 +140,61 @@ TEST_P(EvaluationUnder, OperationsAreLinearAndRatesKeepTheProductRules) {
 INSTANTIATE_TEST_SUITE_P(All, EvaluationUnder,
                          ::testing::Values(Assumption::identity, Assumption::motion, Assumption::free));
 
+/// 1 → 2 → 3 → 1 in names, indices of comp and the letters of J.
+std::string renamed_in_a_circle(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && std::isalnum(static_cast<unsigned char>(text[end]))) ++end;
+    std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
+    const bool is_name = word.size() > 1 && std::isalpha(static_cast<unsigned char>(word.front()));
+    const bool is_index = i >= 2 && text[i - 2] == ',' && end < text.size() && text[end] == ')';
+    char& last = word.back();
+    if ((is_name || is_index) && last >= '1' && last <= '3')
+      last = static_cast<char>('1' + (last - '1' + 1) % 3);
+    if (is_name && word.size() == 3 && word.front() == 'J') {
+      for (char* letter : {&word[1], &word[2]}) *letter = static_cast<char>('x' + (*letter - 'x' + 1) % 3);
+      if (word[1] > word[2]) std::swap(word[1], word[2]);
+    }
+    result += word;
+    i += word.size();
+  }
+  return result;
+}
+
+TEST(Evaluation, VerdictsStayWhenTheAxesAreRenamedInACircle) {
+  ASSERT_EQ(renamed_in_a_circle("I1*dw3^2 - comp(e2, 3) + Jxz*Jzz"), "I2*dw1^2 - comp(e3, 1) + Jxy*Jxx");
+  const Prover prover;
+  for (const auto& [left, right] : std::vector<std::pair<std::string, std::string>>{
+           {"I1*dw1 + w2*w3*(I3 - I2)", "N1"},
+           {"I1*dw1 + w2*w3*(I2 - I3)", "N1"},
+           {"I1*dw1 + w2*w3*(I3 - I2)", "0"},
+           {"I1*dw1 + w1*w3*(I3 - I2)", "N1"},
+           {"cross(e1, e2)", "e3"},
+           {"cross(e2, e1)", "e3"},
+           {"ddt(e1)", "w3*e2 - w2*e3"},
+           {"ddt(e1)", "w2*e3 - w3*e2"},
+           {"comp(cross(omega, apply(J, omega)), 1)",
+            "w2*w3*(Jzz - Jyy) + Jyz*(w2^2 - w3^2) + w1*(Jxz*w2 - Jxy*w3)"},
+           {"comp(cross(omega, apply(J, omega)), 1)",
+            "w2*w3*(Jzz - Jyy) + Jyz*(w2^2 - w3^2) + w1*(Jxy*w2 - Jxz*w3)"},
+           {"cross(omega, inertia(omega))", "w2*w3*(I3 - I2)*e1 + w3*w1*(I1 - I3)*e2 + w1*w2*(I2 - I1)*e3"},
+           {"inertia(e1)", "I1*e1"},
+           {"apply(J, e1)", "Jxx*e1 + Jxy*e2 + Jxz*e3"},
+           {"comp(A, 1)*e1 + comp(A, 2)*e2", "A - comp(A, 3)*e3"},
+           {"ddt(w1^2*I1)", "2*w1*(N1 - w2*w3*(I3 - I2))"},
+           {"I2*w2*dw2", "w1*w2*w3*(I3 - I1)"}}) {
+    std::string l = left, r = right;
+    for (int turn = 0; turn < 2; ++turn) {
+      l = renamed_in_a_circle(l);
+      r = renamed_in_a_circle(r);
+      for (const Assumption assumption : {Assumption::identity, Assumption::motion, Assumption::free})
+        EXPECT_EQ(prover.settle(equality(left, right), assumption), prover.settle(equality(l, r), assumption))
+            << left << " = " << right << " as " << l << " = " << r;
+    }
+  }
+}
+
 TEST(Evaluation, NumbersAreExactInTheFieldAndRoundedOnceInDoubles) {
   const auto number = [](const char* text) { return equality(text, "0").left.nodes.front().number; };
   EXPECT_EQ(decimal<Field>(number("0.125")) * Field(8), Field(1));
@@ -144,6 +202,23 @@ TEST(Evaluation, NumbersAreExactInTheFieldAndRoundedOnceInDoubles) {
   EXPECT_EQ(decimal<Field>(number("2.5e3")), Field(2500));
   EXPECT_EQ(decimal<SizedNumber>(number("0.1")).value, 0.1);
   EXPECT_EQ(decimal<SizedNumber>(number("3.3e-9")).value, 3.3e-9);
+}
+
+TEST(Evaluation, EveryWayToWriteANumberIsTheSameNumberInBoth) {
+  const auto exact = state_of(random_numbers(1), Assumption::identity);
+  StateNumbers<SizedNumber> numbers;
+  numbers.I = {SizedNumber(1), SizedNumber(2), SizedNumber(3)};
+  const auto real = state_of(numbers, Assumption::identity);
+  for (const auto& [number, same] : std::vector<std::pair<const char*, const char*>>{{".5", "1/2"},
+                                                                                     {"2.", "2"},
+                                                                                     {"007.50e+2", "750"},
+                                                                                     {"1E3", "1000"},
+                                                                                     {"0.000", "0"},
+                                                                                     {"5e-0", "5"},
+                                                                                     {"0.25e-1", "1/40"}}) {
+    EXPECT_EQ(agree(equality(number, same), exact), std::optional(true)) << number;
+    EXPECT_EQ(sides_of(equality(number, same), real).value().residual, 0.0) << number;
+  }
 }
 
 TEST(Evaluation, AtRestInSpaceItIsWhatOneWouldWrite) {
