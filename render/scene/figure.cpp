@@ -171,7 +171,7 @@ Camera camera_for(const builders::Moment& m, double aspect) {
   const bool floor = m.view == View::space && m.shows(Overlay::plane);
   // Arrows and axes point up: the middle of it all lies above the centre.
   const double lift = m.shows(Overlay::terms) && m.shows(Overlay::L) ? 0.32 : 0.2;
-  const bool upward = !m.shows(Overlay::pivot) &&
+  const bool upward = !m.shows(Overlay::pivot) && !m.model.needs.ghost &&  // a wrong L may point down
                       (m.shows(Overlay::L) || m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body));
   const double reach = reach_of(m);
   if (translates(m))
