@@ -89,7 +89,7 @@ void add_lint(CLI::App& app, Action& action) {
     bool json = false;
   };
   CLI::App* command = app.add_subcommand(
-      "lint", "Check lessons and prove their claims; print file:line:column: error|warning: ...");
+      "lint", "Check lessons, prove their claims; print file:line:column: error|warning: ...");
   auto options = std::make_shared<Options>();
   command->add_option("FILE", options->files, "Lesson files or ids")->required()->option_text("...");
   command->add_flag("--json", options->json, "file, line, column, severity, message and hint as JSON");

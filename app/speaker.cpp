@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/speaker.h"
 
+#include "app/verdict_row.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,6 +100,13 @@ std::string Speaker::words(const Equation& equation) const {
                               : fmt::format("Equation ({}): {}", equation.tag, formula);
 }
 
+std::string Speaker::words(const Claim& claim) const {
+  const VerdictRow row = verdict_row(claim, prover_, nullptr);
+  std::string word(name_of(claim.kind));
+  word.front() = static_cast<char>(word.front() - 'a' + 'A');
+  return row.note.empty() ? word + '.' : word + ": " + row.note + '.';
+}
+
 std::string Speaker::words(const Callout& callout) const {
   return fmt::format("{}: {}", words_of(callout.kind), sentence(words(callout.text)));
 }
@@ -122,6 +131,7 @@ std::string Speaker::words_of_page(const Stage& stage, int first, int last) cons
     for (const Block& block : stage.steps[static_cast<std::size_t>(step - 1)].blocks) {
       if (const auto* prose = std::get_if<Prose>(&block)) add(text, words(prose->text));
       if (const auto* equation = std::get_if<Equation>(&block)) add(text, words(*equation));
+      if (const auto* claim = std::get_if<Claim>(&block)) add(text, words(*claim));
       if (const auto* callout = std::get_if<Callout>(&block)) add(text, words(*callout));
       if (const auto* ask = std::get_if<Ask>(&block)) add(text, words(*ask));
     }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lessons/lesson.h"
+#include "lessons/proof.h"
 
 #include <string>
 #include <vector>
@@ -21,6 +22,8 @@ class Speaker {
   std::string words(const TextBlock& block) const;
   /// "Equation (5): d L over d t equals N."
   std::string words(const Equation& equation) const;
+  /// "Motion: proved for any torque."
+  std::string words(const Claim& claim) const;
   std::string words(const Callout& callout) const;
   /// With its choices, without hints and answer.
   std::string words(const Ask& ask) const;
@@ -34,6 +37,7 @@ class Speaker {
  private:
   const Lesson& lesson_;
   std::vector<MathSymbol> symbols_;
+  Prover prover_;
 };
 
 /// "The lecture said", "What it meant"

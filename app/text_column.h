@@ -50,7 +50,7 @@ class TextColumn {
   ColumnPiece title(const RichText& title) const;
   /// With the verdicts on what it claims below it. Terms of these names are marked.
   ColumnPiece equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
-                       const std::vector<ColumnPiece>& verdicts) const;
+                       const std::vector<ColumnPiece>& verdicts = {}) const;
   /// One row, two where it is long; with room for live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
   /// An equation of an earlier step: small, without emphasis.

@@ -53,7 +53,7 @@ class Transcript {
 
   void add(const Equation& equation) { add_paragraph(speaker_.words(equation), "    "); }
   void add(const Callout& callout) { add_paragraph(speaker_.words(callout), "  > "); }
-  void add(const Claim&) {}
+  void add(const Claim& claim) { text_ += wrapped(speaker_.words(claim), "      "); }
 
   void add(const Ask& ask) {
     add_paragraph(speaker_.words(ask.prompt_text), "Question: ");

@@ -12,6 +12,7 @@
 #include "lessons/sized_number.h"
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -64,20 +65,58 @@ inline SizedNumber decimal<SizedNumber>(const DecimalNumber& number) {
   return number.value;
 }
 
+/// The size of a vector's component is that of the whole vector (sized_number.h): turning does not change it.
+/// Of other numbers there is nothing to say.
+template <class N>
+struct VectorSizes {
+  static void turned(Triple<N>&, const Triple<N>&, const Dual<N>&) {}
+  static void mapped(Triple<N>&, const Triple<N>&) {}
+  static void multiplied(Dual<N>&, const Triple<N>&, const Triple<N>&) {}
+};
+
+template <>
+struct VectorSizes<SizedNumber> {
+  using Vector = Triple<SizedNumber>;
+
+  /// y = R x, from an entry of R.
+  static void turned(Vector& y, const Vector& x, const Dual<SizedNumber>& R) {
+    share(y, size(x), rate_size(x) + R.rate.size * size(x));
+  }
+  /// y is a tensor that is applied to x.
+  static void mapped(Vector& y, const Vector& x) {
+    const double length = std::hypot(x[0].value.value, x[1].value.value, x[2].value.value);
+    const double mapped = std::hypot(y[0].value.value, y[1].value.value, y[2].value.value);
+    share(y, length > 0 ? size(x) * mapped / length : size(y), rate_size(y));
+  }
+  /// Of a product of two vectors, or a component of one.
+  static void multiplied(Dual<SizedNumber>& product, const Vector& a, const Vector& b) {
+    product.value.size = size(a) * size(b);
+    product.rate.size = size(a) * rate_size(b) + rate_size(a) * size(b);
+  }
+
+ private:
+  static double size(const Vector& x) {
+    return std::fmax(std::fmax(x[0].value.size, x[1].value.size), x[2].value.size);
+  }
+  static double rate_size(const Vector& x) {
+    return std::fmax(std::fmax(x[0].rate.size, x[1].rate.size), x[2].rate.size);
+  }
+  static void share(Vector& x, double size, double rate_size) {
+    for (Dual<SizedNumber>& component : x) component.value.size = size, component.rate.size = rate_size;
+  }
+};
+
 /// Evaluates in one state; the state must live as long.
 template <class N>
 class Evaluation {
  public:
   explicit Evaluation(const ClaimState<N>& state) : s_(state) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      L_B_[i] = constant(s_.I[i]) * s_.w_B[i];
-      N_B_[i] = constant(s_.N_B[i]);
-    }
+    const Triple<N> L_B = I_times(s_.w_B);
+    for (std::size_t i = 0; i < 3; ++i) N_B_[i] = constant(s_.N_B[i]);
     omega_ = to_space(s_.w_B);
-    L_ = to_space(L_B_);
+    L_ = to_space(L_B);
     N_ = to_space(N_B_);
-    const Triple<N>& w = s_.w_B;
-    T_ = constant(inverse(N(2))) * (w[0] * L_B_[0] + w[1] * L_B_[1] + w[2] * L_B_[2]);
+    T_ = constant(inverse(N(2))) * dot(s_.w_B, L_B);
   }
 
   /// False if it is not defined there: something was divided by zero.
@@ -88,12 +127,15 @@ class Evaluation {
     value = values_.back();
     return true;
   }
+  /// Of a node of the expression evaluated last.
+  const Triple<N>& value_of(int node) const { return values_[static_cast<std::size_t>(node)]; }
 
   /// Components on the body axes.
   Triple<N> to_body(const Triple<N>& x_S) const {
     Triple<N> x_B;
     for (std::size_t i = 0; i < 3; ++i)
       x_B[i] = s_.R[0][i] * x_S[0] + s_.R[1][i] * x_S[1] + s_.R[2][i] * x_S[2];
+    VectorSizes<N>::turned(x_B, x_S, s_.R[0][0]);
     return x_B;
   }
 
@@ -105,14 +147,19 @@ class Evaluation {
     Triple<N> x_S;
     for (std::size_t i = 0; i < 3; ++i)
       x_S[i] = s_.R[i][0] * x_B[0] + s_.R[i][1] * x_B[1] + s_.R[i][2] * x_B[2];
+    VectorSizes<N>::turned(x_S, x_B, s_.R[0][0]);
     return x_S;
   }
 
   static Dual<N> dot(const Triple<N>& a, const Triple<N>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    Dual<N> product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    VectorSizes<N>::multiplied(product, a, b);
+    return product;
   }
   static Triple<N> cross(const Triple<N>& a, const Triple<N>& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    Triple<N> product{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    for (Dual<N>& component : product) VectorSizes<N>::multiplied(component, a, b);
+    return product;
   }
 
   Dual<N> J_at(std::size_t row, std::size_t column) const {
@@ -123,10 +170,13 @@ class Evaluation {
     Triple<N> y_B;
     for (std::size_t i = 0; i < 3; ++i)
       y_B[i] = J_at(i, 0) * x_B[0] + J_at(i, 1) * x_B[1] + J_at(i, 2) * x_B[2];
+    VectorSizes<N>::mapped(y_B, x_B);
     return y_B;
   }
   Triple<N> I_times(const Triple<N>& x_B) const {
-    return {constant(s_.I[0]) * x_B[0], constant(s_.I[1]) * x_B[1], constant(s_.I[2]) * x_B[2]};
+    Triple<N> y_B{constant(s_.I[0]) * x_B[0], constant(s_.I[1]) * x_B[1], constant(s_.I[2]) * x_B[2]};
+    VectorSizes<N>::mapped(y_B, x_B);
+    return y_B;
   }
   /// tr(R J Rᵀ): of the components in space.
   Dual<N> trace_J() const {
@@ -268,7 +318,7 @@ class Evaluation {
   }
 
   const ClaimState<N>& s_;
-  Triple<N> omega_, L_B_, L_, N_B_, N_;
+  Triple<N> omega_, L_, N_B_, N_;
   Dual<N> T_;
   std::vector<Triple<N>> values_;
 };

@@ -43,7 +43,7 @@ Vec3 part(const Moving& all, int index) { return all.segment<3>(3 * index); }
 Triple<SizedNumber> sized(const Vec3& x, double size, const Vec3& rate, double rate_size) {
   Triple<SizedNumber> result;
   for (int i = 0; i < 3; ++i)
-    result[static_cast<std::size_t>(i)] = {{x[i], size}, {rate[i], rate_size + std::abs(rate[i])}};
+    result[static_cast<std::size_t>(i)] = {{x[i], size}, {rate[i], std::max(rate_size, std::abs(rate[i]))}};
   return result;
 }
 
@@ -77,10 +77,6 @@ double tolerance_at(const SceneModel& model, double t_s, double rate) {
 
 bool is_vector(const Equality& equality) {
   return equality.left.type() == ExpressionType::vector || equality.right.type() == ExpressionType::vector;
-}
-
-double size_of(const Triple<SizedNumber>& x) {
-  return std::hypot(x[0].value.size, x[1].value.size, x[2].value.size);
 }
 
 std::array<double, 3> values_of(const Triple<SizedNumber>& x) {
@@ -131,13 +127,13 @@ std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, V
   for (const ClaimLine& line : claim.lines) {
     const auto sides = sides_of(line.equality, live.state);
     if (!sides) return std::nullopt;
-    const double tolerance = line.within.value_or(live.tolerance);
+    const double tolerance = line.within.value_or(live.tolerance * sides->cancellation);
     if (worst && sides->residual / tolerance <= worst->residual / worst->tolerance) continue;
     worst = LiveValue();
     worst->is_vector = is_vector(line.equality);
     worst->residual = sides->residual;
     worst->tolerance = tolerance;
-    worst->size = std::max(size_of(sides->left), size_of(sides->right));
+    worst->size = sides->terms;
     const bool turned = view == View::body && worst->is_vector;
     worst->left = values_of(turned ? in_body(sides->left, live.state) : sides->left);
     worst->right = values_of(turned ? in_body(sides->right, live.state) : sides->right);
@@ -160,7 +156,7 @@ std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<
     const auto live = live_state(model, t_s);
     const auto sides = live ? sides_of(equality, live->state) : std::nullopt;
     if (!sides) return std::nullopt;
-    const double tolerance = within.value_or(live->tolerance);
+    const double tolerance = within.value_or(live->tolerance * sides->cancellation);
     if (sides->residual / tolerance > worst.residual / worst.tolerance)
       worst = {sides->residual, tolerance, t_s};
   }

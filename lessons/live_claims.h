@@ -19,7 +19,8 @@ namespace polhode {
 /// J is the body's tensor as it would be with its principal axes turned against the body's by kMountedAskew.
 struct LiveState {
   ClaimState<SizedNumber> state;
-  /// What rounding, the differences and the method's error in a step allow of a relative residual.
+  /// What rounding, the differences and the method's error in a step allow of a residual, relative to the
+  /// size of what the terms come from.
   double tolerance = 0;
 };
 
@@ -33,7 +34,7 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s);
 struct LiveValue {
   bool is_vector = false;
   std::array<double, 3> left{}, right{};  ///< components in the frame of the view; of a scalar the first
-  double size = 0;                        ///< of the larger side's terms: what `residual` is relative to
+  double size = 0;                        ///< of the terms: what `residual` is relative to
   double residual = 0, tolerance = 0;
 };
 /// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.

@@ -169,14 +169,15 @@ Camera camera_for(const builders::Moment& m, double aspect) {
   constexpr double kNarrowest = 1.15;  // a pane narrower than this needs more distance to hold the figure
   const Scene& scene = m.model.scene;
   const bool floor = m.view == View::space && m.shows(Overlay::plane);
-  constexpr double kLift = 0.2;  // arrows and axes point up: the middle of it all lies above the centre
+  // Arrows and axes point up: the middle of it all lies above the centre.
+  const double lift = m.shows(Overlay::terms) && m.shows(Overlay::L) ? 0.32 : 0.2;
   const bool upward = !m.shows(Overlay::pivot) &&
                       (m.shows(Overlay::L) || m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body));
   const double reach = reach_of(m);
   if (translates(m))
     return seen_from_center(camera_holding(places_of_translation(m, reach), scene.camera, aspect),
                             m.center_V);
-  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : upward ? kLift * reach : 0.0);
+  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : upward ? lift * reach : 0.0);
   CameraSpec spec = scene.camera;
   spec.distance *= std::max(1.0, kNarrowest / aspect);
   // With a floor L points down, so that only the space axes stand out above.
@@ -216,19 +217,30 @@ builders::Moment turned_moment(const SceneModel& model, double t_s, TurnOrder or
   return m;
 }
 
-std::vector<Pane> make_panes(const SceneModel& model, double t_s, double aspect) {
+/// Side by side, or in an upright picture one above the other.
+std::vector<Pane> make_panes_of_orders(const SceneModel& model, double t_s, double aspect) {
+  constexpr double kCount = kTurnOrders.size();
+  const bool stacked = aspect < 1.0;
   std::vector<Pane> panes;
-  if (model.drawn.contains(Overlay::turn_orders)) {
-    for (TurnOrder order : kTurnOrders) {
-      panes.push_back(make_pane(turned_moment(model, t_s, order), aspect / kTurnOrders.size()));
-      panes.back().title = title_of(order);
-    }
-    return panes;
+  for (TurnOrder order : kTurnOrders) {
+    const double place = static_cast<double>(panes.size()) / kCount;
+    Pane pane = make_pane(turned_moment(model, t_s, order), stacked ? aspect * kCount : aspect / kCount);
+    pane.title = title_of(order);
+    (stacked ? pane.y : pane.x) = place;
+    (stacked ? pane.height : pane.width) = 1.0 / kCount;
+    panes.push_back(std::move(pane));
   }
+  return panes;
+}
+
+std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, double aspect) {
+  std::vector<Pane> panes;
   const std::vector<View>& views = model.scene.views;
   for (View view : views) {
     panes.push_back(
         make_pane(builders::moment_at(model, t_s, view), aspect / static_cast<double>(views.size())));
+    panes.back().x = static_cast<double>(panes.size() - 1) / static_cast<double>(views.size());
+    panes.back().width = 1.0 / static_cast<double>(views.size());
     if (views.size() > 1) panes.back().title = title_of(view);
   }
   return panes;
@@ -239,12 +251,8 @@ std::vector<Pane> make_panes(const SceneModel& model, double t_s, double aspect)
 Figure make_figure(const SceneModel& model, double t_s, double aspect) {
   Figure figure;
   figure.caption = model.scene.caption;
-  figure.panes = make_panes(model, t_s, aspect);
-  const auto count = static_cast<double>(figure.panes.size());
-  for (std::size_t i = 0; i < figure.panes.size(); ++i) {
-    figure.panes[i].x = static_cast<double>(i) / count;
-    figure.panes[i].width = 1.0 / count;
-  }
+  figure.panes = model.drawn.contains(Overlay::turn_orders) ? make_panes_of_orders(model, t_s, aspect)
+                                                            : make_panes_of_views(model, t_s, aspect);
   if (!figure.panes.empty() && model.drawn.contains(Overlay::values))
     builders::add_values(builders::moment_at(model, t_s, model.scene.views.front()),
                          figure.panes.front().list);

@@ -2,7 +2,7 @@
 #include "render/scene/terms.h"
 
 #include "physics/euler.h"
-#include "render/scene/difference.h"
+#include "render/scene/rate_of_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +18,7 @@ Terms terms_at(const Motion& motion, const PrincipalMoments& I, const Torque& to
   const double pace = std::max(now.w_B.norm(), std::sqrt(N_B.norm() / I.vector().minCoeff()));
   const Vec3 gyroscopic_B = now.w_B.cross(angular_momentum_B(I, now.w_B));
   if (pace == 0.0) return {Vec3::Zero(), gyroscopic_B, N_B};
-  const auto w_B = [&](double at_s) { return motion.w_B_at(at_s); };
-  const Vec3 w_dot_B = derivative_at(w_B, t_s, kDifferenceAngle / pace);
-  return {I.vector().cwiseProduct(w_dot_B), gyroscopic_B, N_B};
+  return {I.vector().cwiseProduct(w_rate_B(motion, t_s, pace)), gyroscopic_B, N_B};
 }
 
 }  // namespace polhode

@@ -16,9 +16,9 @@ struct Terms {
   double largest() const;  ///< norm of the longest
 };
 
-/// ω̇ is the difference quotient of the motion (derivative_at), so that the sum is N only as far as the motion
-/// obeys (6): to some 1e-12 of the longest term where it is exact, to the error of the method where it is
-/// not. Friction inside the body (EnergySink) is outside (6), and leaves a gap.
+/// ω̇ is the difference quotient of the motion (rate_of_change.h), so that the sum is N only as far as the
+/// motion obeys (6): to some 1e-12 of the longest term where it is exact, to the error of the method where it
+/// is not. Friction inside the body (EnergySink) is outside (6), and leaves a gap.
 Terms terms_at(const Motion& motion, const PrincipalMoments& I, const Torque& torque, double t_s);
 
 }  // namespace polhode

@@ -17,7 +17,9 @@ class Answer : public ::testing::Test {
   ProgramRun answer(const std::string& ask, std::vector<std::string> rest) {
     std::vector<std::string> arguments = {"answer", (folder_ / "quiz.md").string(), "quiz", ask};
     arguments.insert(arguments.end(), rest.begin(), rest.end());
-    return polhode(arguments, {.environment = {{"XDG_STATE_HOME", (folder_ / "state").string()}}});
+    RunOptions options;
+    options.environment = {{"XDG_STATE_HOME", (folder_ / "state").string()}};
+    return polhode(arguments, options);
   }
   std::filesystem::path log() const { return folder_ / "state" / "polhode" / "quiz.answers.json"; }
   Json logged() const { return Json::parse(text_of(log())).at("answers"); }
@@ -104,8 +106,9 @@ TEST_F(Answer, SaysWhichQuestionsThereAre) {
 }
 
 TEST_F(Answer, WithoutAHomeTheVerdictIsGivenAllTheSame) {
-  const ProgramRun run = polhode({"answer", (folder_ / "quiz.md").string(), "quiz", "which", "2"},
-                                 {.environment = {{"XDG_STATE_HOME", ""}, {"HOME", ""}}});
+  RunOptions options;
+  options.environment = {{"XDG_STATE_HOME", ""}, {"HOME", ""}};
+  const ProgramRun run = polhode({"answer", (folder_ / "quiz.md").string(), "quiz", "which", "2"}, options);
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.err, HasSubstr("not kept"));
 }

@@ -166,7 +166,7 @@ class Checked {
       for (const PlacedType& text : piece.sheet.texts) all.push_back(polhode::letters_of(text.list));
     };
     for (const Block& block : step.blocks) {
-      if (const auto* e = std::get_if<Equation>(&block)) add(column_.equation(*e, Focus::none, {}));
+      if (const auto* e = std::get_if<Equation>(&block)) add(column_.equation(*e, Focus::none, {}, {}));
       if (const auto* p = std::get_if<Prose>(&block)) add(column_.prose(p->text));
       if (const auto* c = std::get_if<Callout>(&block)) add(column_.callout(*c));
       if (const auto* q = std::get_if<Ask>(&block)) add(column_.question(*q));
@@ -191,7 +191,7 @@ class Checked {
   }
 
   Letters letters_of(const Equation& equation) const {
-    return polhode::letters_of(column_.equation(equation, Focus::none, {}).sheet.texts.back().list);
+    return polhode::letters_of(column_.equation(equation, Focus::none, {}, {}).sheet.texts.back().list);
   }
 
   bool present_shows(const Letters& letters) const {

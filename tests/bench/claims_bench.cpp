@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What proofs of claims cost: one core, the lecture as it is.
+#include "lessons/live_claims.h"
 #include "lessons/proof.h"
 #include "lessons/reader.h"
 #include "tests/bench/table.h"
@@ -35,6 +36,27 @@ double each_s(int runs, const Work& work) {
            for (int run = 0; run < runs; ++run) work();
          }) /
          runs;
+}
+
+/// CPU ms to evaluate both sides of every claim of a step at one time, at 60 times a second of its scene.
+std::vector<double> live_ms_of_steps(const Lesson& lesson) {
+  constexpr int kTimes = 60;
+  std::vector<double> all_ms;
+  for (const Stage& stage : lesson.stages)
+    for (const Step& step : stage.steps) {
+      if (!step.scene) continue;
+      const SceneModel model = make_model(*step.scene, Product::page);
+      int frame = 0;
+      const auto all_values = [&] {
+        const double t_s = model.scene.at_s + model.rate * frame++ / kTimes;
+        const auto live = live_state(model, t_s);
+        for (const Block& block : step.blocks)
+          if (const auto* claim = std::get_if<Claim>(&block); claim && live)
+            (void)live_value(*claim, *live, model.scene.views.front());
+      };
+      all_ms.push_back(1e3 * each_s(kTimes, all_values));
+    }
+  return all_ms;
 }
 
 int run() {
@@ -75,6 +97,9 @@ int run() {
          count + dearest(refute_ms)});
   print({"all claims of the lecture judged, ms", spread_of(lecture_ms), at_most(50.0),
          "points drawn anew, counterexamples found for what is false; " + dearest(lecture_ms)});
+  const std::vector<double> live_ms = live_ms_of_steps(*reading.lesson);
+  print({"live values of a step, each time, ms", spread_of(live_ms), at_most(0.2),
+         std::to_string(live_ms.size()) + " steps, " + dearest(live_ms)});
   return 0;
 }
 

@@ -49,6 +49,33 @@ Scene captioned(Scene scene, const char* caption) {
   return scene;
 }
 
+Scene translating(Scene scene, const Vec3& v0_S, const Vec3& F_S, double duration_s) {
+  scene.v0_S = v0_S;
+  scene.F_S = F_S;
+  scene.duration_s = duration_s;
+  return scene;
+}
+
+Scene with_arrow(Scene scene, ArrowHeld held) {
+  scene.arrow = held;
+  return scene;
+}
+
+Scene with_ghost(Scene scene, Method method, double step_s) {
+  scene.motion = {.method = method, .step_s = step_s, .ghost = true};
+  return scene;
+}
+
+/// A disc of 1 kg on an axle of 10 cm, in steady precession.
+Scene gyroscope_on_its_stand() {
+  Scene scene =
+      with_torque(base({0.0, 3.84, 51.8407}, 0.7, {O::shape, O::pivot, O::L, O::N, O::trail_L, O::labels}),
+                  HeavyTop{0.980665, Vec3(0.0, 0.0, 1.0)});
+  scene.body = {"gyroscope", PrincipalMoments(0.0125333, 0.0125333, 0.005), std::nullopt};
+  scene.duration_s = 0.7;
+  return with_camera(given_attitude(scene, Quat(0.8, 0.6, 0.0, 0.0)), 24, 18, 3.6);
+}
+
 const Vec3 kGeneric(0.2, 1.1, 1.6);
 
 }  // namespace
@@ -121,6 +148,12 @@ std::vector<Golden> all() {
        "studio",
        O::herpolhode,
        {}},
+      {"ghost-of-the-exact-body",
+       with_ghost(with_body(base({0.1, 3.0, 0.1}, 15.0, {O::shape, O::omega, O::L, O::labels}), "t-handle"),
+                  Method::rk4, 0.5),
+       "studio",
+       O::L,
+       {}},
       {"given-attitude",
        given_attitude(
            base({2.0, 0.3, 0.2}, 1.9, {O::energy_ellipsoid, O::omega, O::L, O::axes_space, O::labels}),
@@ -138,6 +171,7 @@ std::vector<Golden> all() {
        "studio",
        O::trail_L,
        {}},
+      {"gyroscope-on-its-stand", gyroscope_on_its_stand(), "studio", O::pivot, {}},
       {"momentum-space",
        with_views(base(kGeneric, 1.0,
                        {O::momentum_sphere, O::momentum_ellipsoid, O::L, O::polhode, O::labels, O::values}),
@@ -159,6 +193,14 @@ std::vector<Golden> all() {
        "studio",
        O::polhode_family,
        {}},
+      {"puck-beside-a-body",
+       translating(
+           with_camera(base({0.9, 0.0, 1.6}, 1.8, {O::shape, O::omega, O::L, O::puck, O::p, O::v, O::labels}),
+                       50, 20, 3.6),
+           Vec3(3.0, 0.3, 0.0), Vec3::Zero(), 3.0),
+       "studio",
+       O::p,
+       {}},
       {"slender-rod",
        with_body(base({0.1, 0.0, 200.0}, 0.013, {O::shape, O::omega, O::L, O::labels}), "slender-rod"),
        "studio",
@@ -168,6 +210,30 @@ std::vector<Golden> all() {
        with_body(base({0.4, 0.2, 1.0}, 1.5, {O::shape, O::omega, O::L, O::axes_body, O::labels}), "sphere"),
        "studio",
        O::axes_body,
+       {}},
+      {"surfaces-meet",
+       with_views(
+           base(kGeneric, 0.7, {O::energy_ellipsoid, O::momentum_sphere, O::omega, O::polhode, O::labels}),
+           {View::body}),
+       "studio",
+       O::momentum_sphere,
+       {no_attitude}},
+      {"terms-of-a-driven-body",
+       with_camera(
+           with_torque(base({0.9, 0.7, 1.0}, 0.5, {O::terms, O::omega, O::L, O::axes_body, O::labels}),
+                       SpaceTorque{Vec3(0.3, -1.4, 0.4)}),
+           120, 24, 3.6),
+       "studio",
+       O::terms,
+       {}},
+      {"thrown-book",
+       translating(with_camera(with_body(base({1.0, 9.0, 2.0}, 0.25,
+                                              {O::shape, O::p, O::v, O::F, O::axes_space, O::labels}),
+                                         "book"),
+                               12, 10, 3.8),
+                   Vec3(0.3, 1.5, 2.0), Vec3(0.0, 0.0, -7.845), 0.36),
+       "studio",
+       O::F,
        {}},
       {"trail-in-the-body",
        with_views(
@@ -180,6 +246,21 @@ std::vector<Golden> all() {
        base(kGeneric, 2.4, {O::energy_ellipsoid, O::omega, O::polhode, O::plane, O::labels}),
        "transparent",
        O::plane,
+       {}},
+      {"transport-triangle",
+       with_arrow(with_views(with_camera(base({1.25, 0.4, 0.9}, 1.2, {O::transport, O::omega, O::labels}),
+                                         246, 28, 3.7),
+                             {View::space, View::body}),
+                  ArrowHeld::free),
+       "studio",
+       O::transport,
+       {}},
+      {"two-orders-of-turning",
+       given_attitude(
+           with_body(base({0.0, 0.0, 0.2}, 24.0, {O::turn_orders, O::axes_space, O::labels}), "book"),
+           Quat(0.96, 0.2, 0.0, 0.2).normalized()),
+       "studio",
+       O::axes_space,
        {}},
   };
 }

@@ -78,7 +78,8 @@ void label_curves(const Moment& m, const Camera& camera, DrawList& list) {
   const Vec3 low_right = screen_direction(camera, 1.0, -0.6);
   if (m.shows(Overlay::polhode))
     if (const Tube* tube = find_tube(list, kPolhodeRole.paint))
-      add_text(list, "polhode", furthest(tube->points, camera, right), kPolhodeRole.ink);
+      add_text(list, m.L_scale > 0.0 ? "path of $\\vec L$" : "polhode", furthest(tube->points, camera, right),
+               kPolhodeRole.ink);
   if (m.shows(Overlay::herpolhode))
     if (const Tube* tube = find_tube(list, kHerpolhodeRole.paint))
       add_text(list, "herpolhode", furthest(tube->points, camera, low_right), kHerpolhodeRole.ink);

@@ -84,13 +84,14 @@ void add_transport(const Moment& m, const Camera& camera, DrawList& list) {
   list.arrows.push_back({.tail = Vec3::Zero(), .tip = A_V, .radius = 1.2 * radius, .color = kTRole.paint});
   if (m.shows(Overlay::labels))
     list.labels.push_back(
-        {.text = "$\\vec A$", .anchor = 0.55 * A_V, .color = kTRole.ink, .size = 1.2, .leader = false});
+        {.text = "$\\vec A$", .anchor = 0.55 * A_V, .color = kAxesRole.ink, .size = 1.2, .leader = false});
   add_triangle(m, {drawn(rates.star_rate_S), "$d^*\\!\\vec A/dt$", kPolhodeRole},
                {drawn(rates.turning_S), "$\\vec\\omega\\times\\vec A$", kOmegaRole, Arrow::Head::cone, 0.04},
                {drawn(rates.rate_S), "$d\\vec A/dt$", kHerpolhodeRole, Arrow::Head::double_cone}, A_V, radius,
                camera, list);
 }
 
+/// At the tip of L, where that is shown, they are its rates: d*L/dt and ω×L of equation (5).
 void add_terms(const Moment& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::terms) || m.model.longest_term == 0.0) return;
   constexpr double kLongest = 1.0;
@@ -98,9 +99,14 @@ void add_terms(const Moment& m, const Camera& camera, DrawList& list) {
   const double scale = kLongest / m.model.longest_term;
   const auto drawn = [&](const Vec3& term_B) -> Vec3 { return m.q_VB * (scale * term_B); };
   const double radius = kRadius * m.thickness * m.emphasis(Overlay::terms);
-  const Vec3 at_V = m.shows(Overlay::L) ? m.L_tip_V() : Vec3(Vec3::Zero());
-  add_triangle(m, {drawn(terms.inertial_B), "$\\mathbf I\\cdot\\dot{\\vec\\omega}$", kPolhodeRole},
-               {drawn(terms.gyroscopic_B), "$\\vec\\omega\\times(\\mathbf I\\cdot\\vec\\omega)$", kOmegaRole},
+  const bool at_L = m.shows(Overlay::L);
+  const Vec3 at_V = at_L ? m.L_tip_V() : Vec3(Vec3::Zero());
+  add_triangle(m,
+               {drawn(terms.inertial_B),
+                at_L ? "$d^*\\!\\vec L/dt$" : "$\\mathbf I\\cdot\\dot{\\vec\\omega}$", kPolhodeRole},
+               {drawn(terms.gyroscopic_B),
+                at_L ? "$\\vec\\omega\\times\\vec L$" : "$\\vec\\omega\\times(\\mathbf I\\cdot\\vec\\omega)$",
+                kOmegaRole},
                {drawn(terms.N_B), "$\\vec N$", kNRole, Arrow::Head::cone, 0.045}, at_V, radius, camera, list);
 }
 
