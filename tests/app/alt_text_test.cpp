@@ -43,6 +43,16 @@ TEST(AltText, NamesTheViewsAndTheCaption) {
   EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), HasSubstr("Seen from the body:"));
 }
 
+TEST(AltText, BoardsAloneAreSeenFromNowhere) {
+  Scene scene;
+  scene.show = {Overlay::cards};
+  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("A board: cards"));
+  scene.show.insert(Overlay::cofactors);
+  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("Boards: "));
+  scene.show.insert(Overlay::omega);
+  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("Seen from space: "));
+}
+
 TEST(AltText, EveryOverlayButLabelsHasWords) {
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
