@@ -88,8 +88,8 @@ void add_lint(CLI::App& app, Action& action) {
     std::vector<std::string> files;
     bool json = false;
   };
-  CLI::App* command = app.add_subcommand(
-      "lint", "Check lessons, prove their claims; print file:line:column: error|warning: ...");
+  CLI::App* command =
+      app.add_subcommand("lint", "Check lessons, prove claims; print file:line:column: error|warning: ...");
   auto options = std::make_shared<Options>();
   command->add_option("FILE", options->files, "Lesson files or ids")->required()->option_text("...");
   command->add_flag("--json", options->json, "file, line, column, severity, message and hint as JSON");

@@ -153,6 +153,9 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   page.whole_from = text.whole_from;
   page.column = grid.text;
   page.meters = grid.meters;
+  const PixelRect& place = grid.figure;
+  page.figure = {static_cast<double>(place.x), static_cast<double>(place.y),
+                 static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
   const Vec2 corner(std::round(grid.text.x0), std::round(grid.text.y0));
   append(page.sheet, text.stack.sheet, corner);
   append(page.sheet, faded(text.stack.newest, request.news.value_or(1.0)), corner);
