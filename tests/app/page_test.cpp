@@ -193,7 +193,7 @@ class Checked {
  private:
   std::vector<PixelBox> areas_in_column(const Color& color) const {
     auto areas = areas_of(page_.sheet, color);
-    std::erase_if(areas, [&](const PixelBox& area) { return area.overlap(page_.column) == 0.0; });
+    std::erase_if(areas, [&](const PixelBox& area) { return area.overlap(page_.column.grown(em())) == 0.0; });
     return areas;
   }
 
