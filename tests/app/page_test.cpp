@@ -69,8 +69,8 @@ std::vector<const PlacedType*> column_of(const Page& page) {
 
 /// A live number stands in the room that its formula has left for it.
 bool stands_in_a_gap_of(const PlacedType& formula, const PlacedType& number) {
-  const PixelBox room = box_of(number);
-  if (!is_within(room, box_of(formula))) return false;
+  const PixelBox room = box_of(number), all = box_of(formula);
+  if (room.x0 < all.x0 || room.x1 > all.x1) return false;
   return std::none_of(formula.list.glyphs.begin(), formula.list.glyphs.end(), [&](const Glyph& glyph) {
     const double x = formula.at.x() + glyph.x, y = formula.at.y() + glyph.y;
     return room.overlap({x, y - 1, x + 0.4 * glyph.size, y}) > 0.0;
