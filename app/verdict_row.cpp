@@ -84,7 +84,7 @@ class SideText {
   }
 
   std::string operator()(const std::array<double, 3>& side) const {
-    if (is_nothing_) return "0";
+    if (is_nothing_ || side == std::array<double, 3>{}) return "0";
     const std::string tail = factor_ == 0 ? "" : fmt::format("${{\\cdot}}10^{{{}}}$", factor_);
     if (!value_.is_vector) return number(side[0]) + tail;
     return fmt::format("({}, {}, {}){}", number(side[0]), number(side[1]), number(side[2]), tail);

@@ -85,6 +85,18 @@ void ExpressionBuilder::want_scalar(int operand, std::size_t at, const std::stri
   if ((*this)[operand].type == Type::vector) throw ExpressionFault(at, message, std::move(hint));
 }
 
+/// What is over a single operand and has its type, rate and degree.
+ExpressionNode ExpressionBuilder::unary(Operation operation, int a, std::size_t begin,
+                                        std::size_t end) const {
+  ExpressionNode node = (*this)[a];
+  node.operation = operation;
+  node.a = a;
+  node.b = -1;
+  node.begin = static_cast<std::uint32_t>(begin);
+  node.end = static_cast<std::uint32_t>(end);
+  return node;
+}
+
 int ExpressionBuilder::number(const DecimalNumber& number, std::size_t begin, std::size_t end) {
   ExpressionNode node;
   node.number = number;
@@ -108,12 +120,7 @@ int ExpressionBuilder::quantity(const QuantityFacts& facts, std::size_t begin, s
 }
 
 int ExpressionBuilder::negate(int a, std::size_t at) {
-  ExpressionNode node = (*this)[a];
-  node.operation = Operation::negate;
-  node.a = a;
-  node.b = -1;
-  node.begin = static_cast<std::uint32_t>(at);
-  return push(node, at);
+  return push(unary(Operation::negate, a, at, (*this)[a].end), at);
 }
 
 int ExpressionBuilder::add(Operation add_or_subtract, int a, int b, std::size_t at) {
@@ -151,14 +158,10 @@ int ExpressionBuilder::divide(int a, int b, std::size_t at) {
 
 int ExpressionBuilder::power(int a, int exponent, std::size_t at, std::size_t end) {
   want_scalar(a, at, "a vector has no powers", "write norm2(v) for v·v");
-  ExpressionNode node = (*this)[a];
-  node.operation = Operation::power;
-  node.a = a;
-  node.b = -1;
+  ExpressionNode node = unary(Operation::power, a, (*this)[a].begin, end);
   node.integer = exponent;
   node.type = Type::scalar;
   node.degree = power_of(node.degree, exponent);
-  node.end = static_cast<std::uint32_t>(end);
   return push(node, at);
 }
 
@@ -194,28 +197,18 @@ int ExpressionBuilder::call(const FunctionFacts& function, const std::vector<int
 
 int ExpressionBuilder::component(int a, int index, std::size_t at, std::size_t end) {
   want_vector(a, "comp");
-  ExpressionNode node = (*this)[a];
-  node.operation = Operation::comp;
-  node.a = a;
-  node.b = -1;
+  ExpressionNode node = unary(Operation::comp, a, at, end);
   node.integer = index;
   node.type = Type::scalar;
   node.degree = product(node.degree, kRotation);
-  node.begin = static_cast<std::uint32_t>(at);
-  node.end = static_cast<std::uint32_t>(end);
   return push(node, at);
 }
 
 int ExpressionBuilder::apply_tensor(int a, std::size_t at, std::size_t end) {
   want_vector(a, "apply");
-  ExpressionNode node = (*this)[a];
-  node.operation = Operation::apply;
-  node.a = a;
-  node.b = -1;
+  ExpressionNode node = unary(Operation::apply, a, at, end);
   node.type = Type::vector;
   node.degree = product(node.degree, kTensor);
-  node.begin = static_cast<std::uint32_t>(at);
-  node.end = static_cast<std::uint32_t>(end);
   return push(node, at);
 }
 

@@ -40,6 +40,7 @@ class ExpressionBuilder {
 
  private:
   int push(ExpressionNode node, std::size_t at);
+  ExpressionNode unary(Operation operation, int a, std::size_t begin, std::size_t end) const;
   void want_vector(int argument, std::string_view function) const;
   void want_scalar(int operand, std::size_t at, const std::string& message, std::string hint) const;
 
