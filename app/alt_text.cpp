@@ -85,6 +85,8 @@ std::string words_of(Overlay overlay) {
       return "cards of the twelve equations";
     case Overlay::method_table:
       return "a table of methods, their errors and their cost";
+    case Overlay::order_plot:
+      return "the errors of methods against the number of their steps, and their measured orders";
   }
   return "";
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/work_precision_plot.h"
 
+#include "render/scene/method_look.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,31 +13,6 @@ namespace {
 
 constexpr double kNanosecondsPerMicrosecond = 1e3;
 constexpr double kExploded = 100;  // errors beyond are of no size worth an axis
-
-PlotLook look_of(Method method) {
-  switch (method) {
-    case Method::exact:
-    case Method::uniform:
-    case Method::symmetric:
-      return PlotLook::star;
-    case Method::explicit_euler:
-    case Method::explicit_midpoint:
-    case Method::rk4:
-    case Method::rk4_projected:
-      return PlotLook::orange;
-    case Method::dormand_prince_5:
-    case Method::dormand_prince_8:
-      return PlotLook::purple;
-    case Method::splitting:
-    case Method::implicit_midpoint:
-    case Method::implicit_midpoint_exp:
-    case Method::moser_veselov_2:
-    case Method::moser_veselov_6:
-    case Method::moser_veselov_10:
-      return PlotLook::blue;
-  }
-  return PlotLook::grey;
-}
 
 std::pair<double, double> point_of(const WorkPrecisionRow& row) {
   return {row.ns_per_period / kNanosecondsPerMicrosecond, row.error()};

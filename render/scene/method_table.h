@@ -28,6 +28,9 @@ struct MethodTable {
 /// Steps that each method of a scene's table takes at most: about 0.2 s in all.
 inline constexpr double kMostTableSteps = 1e5;
 
+/// Steps that a plot of orders shows, each half of the one before.
+inline constexpr int kOrderSteps = 7;
+
 /// Every method of fixed step that serves the problem, and Dormand-Prince 8 with its usual tolerance, against
 /// the closed form; where there is none, against Dormand-Prince 8 at tolerance 1e-13.
 /// @throws std::domain_error as make_motion does.

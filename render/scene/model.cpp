@@ -133,10 +133,12 @@ double table_step_s(const Scene& scene) {
 }
 
 void check_method_table(const Scene& scene, const Requirements& needs) {
-  const double steps = std::abs(scene.at_s) / table_step_s(scene);
-  if (needs.methods && steps > kMostTableSteps)
-    throw std::domain_error("method-table takes " + std::to_string(steps) +
-                            " steps with each method, at most " + std::to_string(kMostTableSteps) +
+  const double shortest_s = table_step_s(scene) * (needs.orders ? std::exp2(1 - kOrderSteps) : 1.0);
+  const double steps = std::abs(scene.at_s) / shortest_s;
+  if ((needs.methods || needs.orders) && steps > kMostTableSteps)
+    throw std::domain_error(std::string(needs.orders ? "order-plot" : "method-table") + " takes " +
+                            std::to_string(steps) + " steps with each method, at most " +
+                            std::to_string(kMostTableSteps) +
                             " are made: choose an earlier time `at` or a longer step");
 }
 
@@ -203,6 +205,8 @@ void compute_parts(SceneModel& model, double chord_tolerance) {
     model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
   if (model.needs.terms) model.longest_term = longest_term(model);
+  for (int k = 0; model.needs.orders && k < kOrderSteps; ++k)
+    model.orders.push_back(method_table(problem_of(scene), table_step_s(scene) * std::exp2(-k), scene.at_s));
   if (model.needs.methods) model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s);
 }
 
@@ -291,6 +295,7 @@ Requirements requirements_of_figure(const Scene& scene) {
   needs.ghost = asks_for_ghost(scene) && (needs.solid || shown(Overlay::omega) || shown(Overlay::L)) &&
                 !shown(Overlay::turn_orders);
   needs.methods = shown(Overlay::method_table);
+  needs.orders = shown(Overlay::order_plot);
   return needs;
 }
 
@@ -325,6 +330,7 @@ std::vector<std::string> names_of(const Requirements& needs) {
   add(needs.terms, "terms");
   add(needs.ghost, "ghost");
   add(needs.methods, "methods");
+  add(needs.orders, "orders");
   return names;
 }
 

@@ -31,6 +31,7 @@ struct Requirements {
   bool terms = false;    ///< how long the terms of (6) become
   bool ghost = false;    ///< the exact motion beside the computed one
   bool methods = false;  ///< the table of methods
+  bool orders = false;   ///< the same at shorter and shorter steps
   bool operator==(const Requirements&) const = default;
 };
 
@@ -78,7 +79,8 @@ struct SceneModel {
   std::vector<Curve> separatrices_B;
   Curve herpolhode_S;
   Shape solid;
-  MethodTable methods;  ///< at the time of the still, with the scene's step or 64 to a turn
+  MethodTable methods;              ///< at the time of the still, with the scene's step or 64 to a turn
+  std::vector<MethodTable> orders;  ///< kOrderSteps of them, each with half the step of the one before
 };
 
 /// What the herpolhode covers from t = 0: `duration`, or three polhode periods.

@@ -40,7 +40,8 @@ constexpr std::array<std::string_view, kOverlayCount> kNames = {"shape",
                                                                 "energy-rows",
                                                                 "momentum-rows",
                                                                 "cards",
-                                                                "method-table"};
+                                                                "method-table",
+                                                                "order-plot"};
 
 }  // namespace
 

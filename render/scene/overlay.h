@@ -46,8 +46,9 @@ enum class Overlay {
   momentum_rows,       ///< the three products I_i ω_i·(10…12), which cancel
   cards,               ///< the twelve equations
   method_table,        ///< methods × step: errors and cost
+  order_plot,          ///< error of each method against its step, and the order that it shows
 };
-inline constexpr int kOverlayCount = static_cast<int>(Overlay::method_table) + 1;
+inline constexpr int kOverlayCount = static_cast<int>(Overlay::order_plot) + 1;
 
 /// Flat figures (boards/boards.h): they come last in the enumeration.
 constexpr bool is_board(Overlay overlay) { return overlay >= Overlay::tensor_bars; }

@@ -46,6 +46,7 @@ std::vector<Row> rows() {
           {"board-wheel", scene_of({Overlay::cyclic_wheel}, w_B, 1.5), true, true, Theme::dark},
           {"board-energy-rows", scene_of({Overlay::energy_rows}, w_B, 1.5)},
           {"board-methods", slender_rod(), false},
+          {"board-orders", scene_of({Overlay::order_plot}, w_B, 10.0), false},
           {"board-cards", scene_of({Overlay::cards}, w_B, 1.0), false, false}};
 }
 

@@ -158,4 +158,11 @@ void BoardPaper::disc(const Vec2& middle, double radius, const Color& color) {
   line(middle, middle, 2.0 * radius, color);
 }
 
+void BoardPaper::plot(const WorkPrecisionPlot& plot, const Vec2& corner, const Vec2& opposite) {
+  const Color plain = BoardStyle().paper;
+  if (is_dark(style_.paper)) bar(corner, opposite, plain);
+  const Vec2 from = px(corner), size = px(opposite) - from;
+  append(sheet_, lay_out(plot, size.x(), size.y(), fonts_), from);
+}
+
 }  // namespace polhode::boards

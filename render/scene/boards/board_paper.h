@@ -4,6 +4,7 @@
 #pragma once
 
 #include "render/scene/boards/boards.h"
+#include "render/scene/plot.h"
 #include "render/type/math.h"
 
 #include <array>
@@ -86,6 +87,8 @@ class BoardPaper {
   /// Round corners.
   void panel(const Vec2& corner, const Vec2& opposite, const Color& color);
   void disc(const Vec2& middle, double radius, const Color& color);
+  /// A plot on paper of its own, between any two corners.
+  void plot(const WorkPrecisionPlot& plot, const Vec2& corner, const Vec2& opposite);
 
   Sheet take() { return std::move(sheet_); }
 
@@ -111,6 +114,6 @@ struct BoardKind {
   void (*draw)(const SceneModel& model, double t_s, Arrangement arrangement, BoardPaper& paper);
 };
 extern const BoardKind kTensorBars, kCofactors, kCyclicWheel, kEnergyRows, kMomentumRows, kCards,
-    kMethodTable;
+    kMethodTable, kOrderPlot;
 
 }  // namespace polhode::boards

@@ -22,6 +22,8 @@ const boards::BoardKind& kind_of(Overlay board) {
       return boards::kMomentumRows;
     case Overlay::method_table:
       return boards::kMethodTable;
+    case Overlay::order_plot:
+      return boards::kOrderPlot;
     default:
       return boards::kCards;
   }

@@ -9,6 +9,7 @@
 //   momentum-rows (10)·I1ω1, (11)·I2ω2, (12)·I3ω3 likewise
 //   cards         the twelve equations with what they are
 //   method-table  how far each method is from the true motion at the time of the still, and what it costs
+//   order-plot    the error of ω there against the number of steps, and the order that each method shows
 //
 // ω̇ is a difference quotient of the motion (terms.h), not solved for in the equations that the
 // boards show to hold. Numbers of one kind have the same decimals: three digits of the largest over the
