@@ -4,7 +4,10 @@
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 
-#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
 
 namespace polhode::builders {
 namespace {
@@ -29,18 +32,46 @@ void add_arrow(const Moment& m, const Vec3& tip_V, const Vec3& computed_V, Arrow
         {.text = name, .anchor = 1.05 * tip_V, .color = role.ink, .size = 0.9, .leader = false});
 }
 
-Vec3 furthest(const Mesh& mesh, const Vec3& direction) {
-  return *std::max_element(mesh.positions.begin(), mesh.positions.end(),
-                           [&](const Vec3& a, const Vec3& b) { return a.dot(direction) < b.dot(direction); });
+/// The meshes of one body.
+using Meshes = std::span<const Mesh>;
+
+Vec3 furthest(Meshes body, const Vec3& direction) {
+  Vec3 best = Vec3::Zero();
+  double reach = -std::numeric_limits<double>::infinity();
+  for (const Mesh& mesh : body)
+    for (const Vec3& p : mesh.positions)
+      if (p.dot(direction) > reach) {
+        best = p;
+        reach = p.dot(direction);
+      }
+  return best;
 }
 
-void name_body(const DrawList& list, std::size_t first, const Vec3& direction, std::string name,
-               std::vector<Label>& labels) {
-  if (first >= list.meshes.size()) return;
-  labels.push_back({.text = std::move(name),
-                    .anchor = furthest(list.meshes[first], direction),
-                    .color = kInk,
-                    .size = 0.8});
+/// Where a body stands out furthest from the other, as seen: there its name lies outside both. Where places
+/// are about as good, on the side `preferred`, -1 left or 1 right.
+Vec3 standing_out(Meshes body, Meshes other, const Camera& camera, double preferred) {
+  constexpr int kDirections = 24;
+  constexpr double kPreference = 0.1;  // scene units
+  Vec3 best = Vec3::Zero();
+  double most = -std::numeric_limits<double>::infinity();
+  for (int k = 0; k < kDirections; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / kDirections;
+    const Vec3 direction = screen_direction(camera, std::cos(angle), std::sin(angle));
+    const Vec3 end = furthest(body, direction);
+    const double out = (end - furthest(other, direction)).dot(direction);
+    const double worth = out + kPreference * preferred * std::cos(angle);
+    if (worth > most) {
+      best = end;
+      most = worth;
+    }
+  }
+  return best;
+}
+
+/// Without a leader, which beside so short a name looks like a dash before it.
+void name_body(std::string_view name, const Vec3& anchor, std::vector<Label>& labels) {
+  labels.push_back(
+      {.text = std::string(name), .anchor = anchor, .color = kInk, .size = 0.8, .leader = false});
 }
 
 }  // namespace
@@ -51,7 +82,7 @@ void add_ghost(const Moment& m, const Camera& camera, DrawList& list) {
   if (m.model.needs.attitude) exact = m.model.exact->at(m.t_s);
   const Quat q_VB = m.view == View::space ? exact.q_SB : Quat::Identity();
 
-  const std::size_t computed = 0, ghost = list.meshes.size();
+  const std::size_t ghost = list.meshes.size();  // the computed body's meshes are the first of the list
   add_ghost_of_solid(m, exact.q_SB, list);
   const bool turning = !exact.w_B.isZero(0.0);
   if (m.shows(Overlay::L) && turning)
@@ -60,10 +91,12 @@ void add_ghost(const Moment& m, const Camera& camera, DrawList& list) {
   if (m.shows(Overlay::omega) && turning)
     add_arrow(m, q_VB * (exact.w_B * m.omega_scale), m.omega_tip_V(), Arrow::Head::cone,
               "$\\vec\\omega$ exact", kOmegaRole, list);
-  if (!m.shows(Overlay::labels) || ghost == list.meshes.size() || ghost == 0) return;
-  name_body(list, computed, screen_direction(camera, -1.0, -0.3), std::string(m.model.motion->method()),
-            list.labels);
-  name_body(list, ghost, screen_direction(camera, 1.0, -0.3), "exact", list.labels);
+  const std::size_t parts = list.meshes.size() - ghost;
+  if (!m.shows(Overlay::labels) || parts == 0 || ghost < parts) return;
+  const Meshes computed_body(list.meshes.data(), parts), ghost_body(list.meshes.data() + ghost, parts);
+  name_body(facts_of(*m.model.scene.motion.method).term,
+            standing_out(computed_body, ghost_body, camera, -1.0), list.labels);
+  name_body("exact motion", standing_out(ghost_body, computed_body, camera, 1.0), list.labels);
 }
 
 }  // namespace polhode::builders
