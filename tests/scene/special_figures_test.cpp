@@ -294,14 +294,18 @@ TEST(Ghost, NamesBothBodiesWhereTheyStandOutOfTheOther) {  // 2026-11-22: names 
     const Pane pane = make_figure(model, t_s, kAspect).panes[0];
     ASSERT_EQ(pane.list.meshes.size(), 2U);
     const Mat3 axes = pane.camera.view().topLeftCorner<3, 3>();  // right, up, towards the eye
+    const Vec3 eye = pane.camera.eye, ahead = pane.camera.target - eye;
+    const auto seen = [&](const Vec3& p) -> Vec3 {
+      return eye + ahead.squaredNorm() / (p - eye).dot(ahead) * (p - eye);
+    };
     const auto outside = [&](const Vec3& place, const Mesh& body) {
       double most = -1.0;
       for (int k = 0; k < 360; ++k) {
         const double angle = 2.0 * std::numbers::pi * k / 360;
         const Vec3 way = axes.transpose() * Vec3(std::cos(angle), std::sin(angle), 0.0);
         double reach = -1e9;
-        for (const Vec3& p : body.positions) reach = std::max(reach, p.dot(way));
-        most = std::max(most, place.dot(way) - reach);
+        for (const Vec3& p : body.positions) reach = std::max(reach, seen(p).dot(way));
+        most = std::max(most, seen(place).dot(way) - reach);
       }
       return most;
     };

@@ -4,6 +4,7 @@
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -32,27 +33,34 @@ void add_arrow(const Moment& m, const Vec3& tip_V, const Vec3& computed_V, Arrow
         {.text = name, .anchor = 1.05 * tip_V, .color = role.ink, .size = 0.9, .leader = false});
 }
 
-/// The meshes of one body.
-using Meshes = std::span<const Mesh>;
-
-Vec3 furthest(Meshes body, const Vec3& direction) {
-  Vec3 best = Vec3::Zero();
-  double reach = -std::numeric_limits<double>::infinity();
+/// Where the points of a body are seen: on the plane through the camera's target.
+std::vector<Vec3> as_seen(std::span<const Mesh> body, const Camera& camera) {
+  const Vec3 ahead = camera.target - camera.eye;
+  std::vector<Vec3> seen;
   for (const Mesh& mesh : body)
-    for (const Vec3& p : mesh.positions)
-      if (p.dot(direction) > reach) {
-        best = p;
-        reach = p.dot(direction);
-      }
-  return best;
+    for (const Vec3& p : mesh.positions) {
+      const Vec3 ray = p - camera.eye;
+      seen.emplace_back(camera.eye + ahead.squaredNorm() / ray.dot(ahead) * ray);
+    }
+  return seen;
 }
+
+Vec3 furthest(const std::vector<Vec3>& points, const Vec3& direction) {
+  return *std::ranges::max_element(points, {}, [&](const Vec3& p) { return p.dot(direction); });
+}
+
+struct Place {
+  Vec3 end, direction;
+  double out;  ///< by how far the end lies outside the other body's outline; < 0: inside
+};
 
 /// Where a body stands out furthest from the other, as seen: there its name lies outside both. Where places
 /// are about as good, on the side `preferred`, -1 left or 1 right.
-Vec3 standing_out(Meshes body, Meshes other, const Camera& camera, double preferred) {
+Place standing_out(const std::vector<Vec3>& body, const std::vector<Vec3>& other, const Camera& camera,
+                   double preferred) {
   constexpr int kDirections = 24;
   constexpr double kPreference = 0.1;  // scene units
-  Vec3 best = Vec3::Zero();
+  Place best{Vec3::Zero(), Vec3::Zero(), 0.0};
   double most = -std::numeric_limits<double>::infinity();
   for (int k = 0; k < kDirections; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / kDirections;
@@ -61,16 +69,25 @@ Vec3 standing_out(Meshes body, Meshes other, const Camera& camera, double prefer
     const double out = (end - furthest(other, direction)).dot(direction);
     const double worth = out + kPreference * preferred * std::cos(angle);
     if (worth > most) {
-      best = end;
+      best = {end, direction, out};
       most = worth;
     }
   }
   return best;
 }
 
-/// Without a leader, which beside so short a name looks like a dash before it.
-void name_body(std::string_view name, const Vec3& anchor, std::vector<Label>& labels) {
-  labels.push_back(
+/// A label's own leader is short, and beside a name looks like a dash. What lies before the other body has a
+/// line that leads out of it, in front of both.
+void name_body(std::string_view name, const Place& place, const Camera& camera, DrawList& list) {
+  constexpr double kBeyond = 0.1, kTowardsEye = 0.4, kRadius = 0.003;
+  const auto in_front = [&](const Vec3& p) -> Vec3 { return p + kTowardsEye * (camera.eye - p); };
+  Vec3 anchor = place.end;
+  if (place.out < 0.0) {
+    anchor = in_front(place.end + (kBeyond - place.out) * place.direction);
+    list.tubes.push_back(
+        {.points = {in_front(place.end), anchor}, .radius = kRadius, .color = kAxesRole.paint});
+  }
+  list.labels.push_back(
       {.text = std::string(name), .anchor = anchor, .color = kInk, .size = 0.8, .leader = false});
 }
 
@@ -93,10 +110,12 @@ void add_ghost(const Moment& m, const Camera& camera, DrawList& list) {
               "$\\vec\\omega$ exact", kOmegaRole, list);
   const std::size_t parts = list.meshes.size() - ghost;
   if (!m.shows(Overlay::labels) || parts == 0 || ghost < parts) return;
-  const Meshes computed_body(list.meshes.data(), parts), ghost_body(list.meshes.data() + ghost, parts);
+  const std::span<const Mesh> meshes = list.meshes;
+  const std::vector<Vec3> computed_body = as_seen(meshes.first(parts), camera),
+                          ghost_body = as_seen(meshes.last(parts), camera);
   name_body(facts_of(*m.model.scene.motion.method).term,
-            standing_out(computed_body, ghost_body, camera, -1.0), list.labels);
-  name_body("exact motion", standing_out(ghost_body, computed_body, camera, 1.0), list.labels);
+            standing_out(computed_body, ghost_body, camera, -1.0), camera, list);
+  name_body("exact motion", standing_out(ghost_body, computed_body, camera, 1.0), camera, list);
 }
 
 }  // namespace polhode::builders
