@@ -87,8 +87,13 @@ class Session {
 
   AnswerRecord& record() { return log_[name_]; }
   void forget() { log_.erase(name_); }
+  /// A verdict is given also where it cannot be kept.
   void keep() const {
-    if (path_) write_answer_log(*path_, log_);
+    try {
+      if (path_) write_answer_log(*path_, log_);
+    } catch (const CommandError& error) {
+      fmt::print(stderr, "polhode: {}: the answer is not kept\n", error.what());
+    }
   }
 
  private:
@@ -175,6 +180,7 @@ void add_answer(CLI::App& app, Action& action) {
       "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.");
   command->callback([options, given, &action] {
     options->has_answer = given->count() > 0;
+    if (options->answer.size() > 1 && options->answer.compare(0, 2, " -") == 0) options->answer.erase(0, 1);
     action = [options] { return answer(*options); };
   });
 }

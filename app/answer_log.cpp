@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -21,12 +22,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
 
+/// Whatever stands there: enough to go on counting.
+int count_from(const Json& json) {
+  constexpr double kMost = 1e6;
+  return static_cast<int>(std::clamp(json.get<double>(), 0.0, kMost));
+}
+
 AnswerLog log_from(const std::string& text) {
   const Json json = Json::parse(text);
-  if (json.at("format") != kFormat) throw std::invalid_argument("another format");
+  if (json.at("format") != kFormat)
+    throw CommandError(ExitCode::failed,
+                       "the log of answers is of another version of this program; move it away");
   AnswerLog log;
   for (const auto& [name, entry] : json.at("answers").items())
-    log[name] = {entry.at("right").get<bool>(), entry.at("tries").get<int>(), entry.at("hints").get<int>(),
+    log[name] = {entry.at("right").get<bool>(), count_from(entry.at("tries")), count_from(entry.at("hints")),
                  entry.at("last").get<std::string>()};
   return log;
 }
@@ -62,6 +71,8 @@ AnswerLogReading read_answer_log(const fs::path& path) {
   if (!file) throw CommandError(ExitCode::failed, fmt::format("cannot read {}", path.string()));
   try {
     return {log_from(text), {}};
+  } catch (const CommandError&) {
+    throw;
   } catch (const std::exception&) {
     const fs::path aside = path.string() + ".damaged";
     std::error_code error;

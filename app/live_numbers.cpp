@@ -12,12 +12,16 @@ namespace polhode {
 
 namespace {
 
+/// Three digits; a power of ten is set apart where there are too many zeros.
 std::string number_text(double value) {
+  if (value == 0) return "0";
   const double size = std::abs(value);
-  if (size >= 9999.5 || (size > 0 && size < 0.005)) return fmt::format("{:.0e}", value);
-  std::string text = fmt::format("{:.{}f}", value, size < 9.995 ? 2 : size < 99.95 ? 1 : 0);
-  if (text.front() == '-') text.replace(0, 1, "−");
-  return text;
+  const int exponent = static_cast<int>(std::floor(std::log10(size) + 1e-9));
+  const bool is_plain = exponent >= -2 && exponent <= 3;
+  const int decimals = is_plain ? std::clamp(2 - exponent, 0, 3) : 0;
+  std::string text = fmt::format("{:.{}f}", is_plain ? size : size / std::pow(10.0, exponent), decimals);
+  if (!is_plain) text += fmt::format("${{\\cdot}}10^{{{}}}$", exponent);
+  return (value < 0 ? "−" : "") + text;
 }
 
 std::optional<std::size_t> live_index(const std::string& name, const std::vector<std::string>& live_names) {
@@ -29,7 +33,6 @@ std::optional<std::size_t> live_index(const std::string& name, const std::vector
 }  // namespace
 
 std::vector<LiveRoom> take_live_rooms(DisplayList& list) {
-  constexpr double kDigit = 0.5;  // advance of a digit, em
   std::vector<std::string> live_names;
   for (std::size_t i = 0; i < list.names.size(); ++i) live_names.push_back(live_name(i));
   std::vector<LiveRoom> rooms;
@@ -37,10 +40,8 @@ std::vector<LiveRoom> take_live_rooms(DisplayList& list) {
     if (glyph.naming.term < 0) return false;
     const auto index = live_index(list.names[static_cast<std::size_t>(glyph.naming.term)], live_names);
     if (!index) return false;
-    if (rooms.empty() || rooms.back().index != *index) rooms.emplace_back().index = *index;
-    rooms.back().end = Vec2(glyph.x + kDigit * glyph.size, glyph.y);
-    rooms.back().size = glyph.size;
-    rooms.back().color = glyph.color;
+    if (rooms.empty() || rooms.back().index != *index)
+      rooms.push_back({*index, Vec2(glyph.x, glyph.y), glyph.size, glyph.color});
     return true;
   };
   list.glyphs.erase(std::remove_if(list.glyphs.begin(), list.glyphs.end(), take), list.glyphs.end());
@@ -54,8 +55,7 @@ PlacedType live_number_in(const LiveRoom& room, const Expression& number, const 
   style.size = room.size;
   style.color = room.color;
   DisplayList list = set_line(value ? number_text(*value) : "…", style, fonts);
-  const Vec2 at(room.end.x() - list.width, room.end.y());
-  return {.list = std::move(list), .at = at};
+  return {.list = std::move(list), .at = room.at};
 }
 
 }  // namespace polhode

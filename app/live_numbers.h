@@ -12,7 +12,7 @@ namespace polhode {
 /// The room of one number in a display list.
 struct LiveRoom {
   std::size_t index = 0;  ///< into Math::live and Equation::live
-  Vec2 end{0, 0};         ///< right end of its baseline
+  Vec2 at{0, 0};          ///< left end of its baseline
   double size = 0;        ///< em
   Color color;
 };

@@ -124,8 +124,13 @@ Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& f
     sheet.texts.push_back(live_number_in(slot.room, *slot.number, live ? &*live : nullptr, fonts));
   if (!live) return sheet;
   for (const LiveSlot& slot : stack.live) {
-    DisplayList line =
-        set_line(live_text(*slot.claim, *live, request.model->scene.views.front()), slot.style, fonts);
+    const std::string text = live_text(*slot.claim, *live, request.model->scene.views.front());
+    TextStyle style = slot.style;
+    DisplayList line = set_line(text, style, fonts);
+    if (line.width > slot.room) {
+      style.size *= slot.room / line.width;
+      line = set_line(text, style, fonts);
+    }
     const double x = slot.end.x() - line.width;
     sheet.texts.push_back({.list = std::move(line), .at = {x, slot.end.y()}});
   }

@@ -65,10 +65,13 @@ using Verdicts = std::map<const Claim*, VerdictRow>;
 Verdicts verdicts_of(const PageRequest& request) {
   const Prover prover;
   Verdicts verdicts;
-  for (int i = 0; i < request.step; ++i)
-    for (const Block& block : request.stage.steps[static_cast<std::size_t>(i)].blocks)
+  for (int i = 0; i < request.step; ++i) {
+    const Step& step = request.stage.steps[static_cast<std::size_t>(i)];
+    const SceneModel* model = i + 1 == request.step ? request.model : nullptr;
+    for (const Block& block : step.blocks)
       if (const auto* claim = std::get_if<Claim>(&block))
-        verdicts.emplace(claim, verdict_row(*claim, prover, request.model));
+        verdicts.emplace(claim, verdict_row(*claim, prover, step.scene ? &*step.scene : nullptr, model));
+  }
   return verdicts;
 }
 
@@ -216,8 +219,17 @@ class ScaledText {
     return pieces;
   }
 
+  /// The kind of the first claim on an equation: without it a recalled one would seem to hold always.
+  std::string word_on(const Equation& equation, const Step& step) const {
+    for (const Block& block : step.blocks)
+      if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
+        return verdicts_.at(claim).word;
+    return "";
+  }
+
   ColumnPiece verdict(const Claim& claim, bool is_present) const {
-    return column_.verdict(verdicts_.at(&claim), is_present && request_.model && has_live_values(claim));
+    return column_.verdict(verdicts_.at(&claim),
+                           is_present && request_.model && can_be_shown(claim, request_.model->scene));
   }
 
   /// Without the words that refute it, what is wrong would stand there as if it were right.
@@ -227,7 +239,7 @@ class ScaledText {
     for (const Block& block : request_.stage.steps[i].blocks)
       if (const auto* equation = std::get_if<Equation>(&block);
           equation && !is_refuted(request_.stage, *equation))
-        pieces.push_back(column_.earlier_equation(*equation));
+        pieces.push_back(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i])));
     equations_[i] = std::move(pieces);
     return *equations_[i];
   }

@@ -101,7 +101,7 @@ std::string Speaker::words(const Equation& equation) const {
 }
 
 std::string Speaker::words(const Claim& claim) const {
-  const VerdictRow row = verdict_row(claim, prover_, nullptr);
+  const VerdictRow row = verdict_row(claim, prover_, nullptr, nullptr);
   std::string word(name_of(claim.kind));
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
   return row.note.empty() ? word + '.' : word + ": " + row.note + '.';

@@ -19,7 +19,7 @@ constexpr double kEarlierSize = 1.0;
 constexpr double kCalloutSize = 0.94;
 constexpr double kLabelSize = 0.62;
 constexpr double kTagSize = 1.0;
-constexpr double kVerdictSize = 0.56;
+constexpr double kVerdictSize = 0.6;
 constexpr double kVerdictLine = 1.35;  ///< of its size
 constexpr double kVerdictGap = 0.3;
 constexpr double kWidestTag = 0.4;  ///< of the column
@@ -77,7 +77,7 @@ void add_slots(Into& into, const ColumnPiece& part, const Vec2& at) {
     into.live.push_back(std::move(slot));
   }
   for (LiveNumberSlot slot : part.numbers) {
-    slot.room.end += at;
+    slot.room.at += at;
     into.numbers.push_back(slot);
   }
 }
@@ -158,7 +158,7 @@ ColumnPiece TextColumn::numbered(const Equation& equation, double size,
   const Vec2 at(std::max(0.0, x), top);
   mark(list, at, marked, size, colors().marked, fonts_, piece.sheet);
   for (LiveRoom room : take_live_rooms(list)) {
-    room.end += at;
+    room.at += at;
     piece.numbers.push_back({&equation.live[room.index], room});
   }
   if (!equation.tag.empty())
@@ -194,7 +194,7 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
   double baseline = first;
   if (note_end + gap + room > width_) piece.height += line, baseline += line;
   if (room > width_) quiet.size *= width_ / room;
-  piece.live.push_back({row.claim, {width_, baseline}, quiet});
+  piece.live.push_back({row.claim, {width_, baseline}, std::min(room, width_), quiet});
   return piece;
 }
 
@@ -221,9 +221,15 @@ ColumnPiece TextColumn::equation(const Equation& equation, Focus focus,
   return piece;
 }
 
-ColumnPiece TextColumn::earlier_equation(const Equation& equation) const {
+ColumnPiece TextColumn::earlier_equation(const Equation& equation, const std::string& kind) const {
   ColumnPiece piece = numbered(equation, kEarlierSize * size_, {});
   piece.gap = 0.4 * size_;
+  TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
+  quiet.sans = true;
+  DisplayList word = set_line(kind, quiet, fonts_);
+  const Vec2& formula = piece.sheet.texts.back().at;
+  if (!kind.empty() && word.width + size_ < formula.x())
+    piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = {0, formula.y()}});
   return piece;
 }
 

@@ -18,6 +18,7 @@ namespace polhode {
 struct LiveSlot {
   const Claim* claim = nullptr;
   Vec2 end{0, 0};
+  double room = 0;  ///< px; longer lines are set smaller
   TextStyle style;
 };
 
@@ -53,8 +54,9 @@ class TextColumn {
                        const std::vector<ColumnPiece>& verdicts = {}) const;
   /// One row, two where it is long; with room for live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
-  /// An equation of an earlier step: small, without emphasis.
-  ColumnPiece earlier_equation(const Equation& equation) const;
+  /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, where
+  /// there is room.
+  ColumnPiece earlier_equation(const Equation& equation, const std::string& kind = {}) const;
   ColumnPiece prose(const RichText& text) const;
   ColumnPiece callout(const Callout& callout) const;
   ColumnPiece question(const Ask& ask) const;

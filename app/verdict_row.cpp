@@ -14,10 +14,6 @@ namespace {
 
 bool refutes(ClaimKind kind) { return kind == ClaimKind::is_false || kind == ClaimKind::non_sequitur; }
 
-bool is_vector(const Equality& equality) {
-  return equality.left.type() == ExpressionType::vector || equality.right.type() == ExpressionType::vector;
-}
-
 std::string upper(std::string_view word) {
   std::string text(word);
   for (char& c : text)
@@ -25,16 +21,17 @@ std::string upper(std::string_view word) {
   return text;
 }
 
-std::string how_it_is_computed(const SceneModel* model) {
-  if (!model) return "";
-  const auto& step_s = model->scene.motion.step_s;
-  const std::string method(model->motion->method());
-  if (step_s) return fmt::format("with {}, $h$ = {:g} s", method, *step_s);
-  const bool closed_form = facts_of(*method_from(method)).control == StepControl::none;
-  return closed_form ? "on the exact motion" : "with " + method;
+std::string how_it_is_computed(const Scene* scene) {
+  if (!scene) return "";
+  const MotionSpec& motion = scene->motion;
+  const MethodFacts& facts = facts_of(motion.method.value_or(default_method(problem_of(*scene))));
+  if (facts.control == StepControl::none) return "on the exact motion";
+  if (facts.control == StepControl::fixed)
+    return fmt::format("with {}, $h$ = {:g} s", facts.name, *motion.step_s);
+  return fmt::format("with {}, tolerance {:g}", facts.name, motion.tolerance.value_or(kDefaultTolerance));
 }
 
-std::string note_of(ClaimKind kind, const std::optional<Counterexample>& counter, const SceneModel* model) {
+std::string note_of(ClaimKind kind, const std::optional<Counterexample>& counter, const Scene* scene) {
   switch (kind) {
     case ClaimKind::identity:
       return "proved for every state";
@@ -47,7 +44,7 @@ std::string note_of(ClaimKind kind, const std::optional<Counterexample>& counter
     case ClaimKind::free:
       return "proved without torque";
     case ClaimKind::measured:
-      return how_it_is_computed(model);
+      return how_it_is_computed(scene);
     case ClaimKind::is_false:
       return counter ? fmt::format("at {}: {} ≠ {}", counter->state, counter->left, counter->right) : "";
     case ClaimKind::non_sequitur:
@@ -61,7 +58,7 @@ std::string note_of(ClaimKind kind, const std::optional<Counterexample>& counter
 /// 10^−15 as type: what comes out of measuring has one digit that means something.
 std::string power_of_ten(double value) {
   if (value == 0) return "0";
-  if (value >= 0.001) return fmt::format("{:.2g}", value);
+  if (value >= 0.001 && value < 1000) return fmt::format("{:.2g}", value);
   int exponent = static_cast<int>(std::floor(std::log10(value)));
   int digit = static_cast<int>(std::lround(value / std::pow(10.0, exponent)));
   if (digit == 10) digit = 1, ++exponent;
@@ -104,9 +101,23 @@ class SideText {
 
 }  // namespace
 
-bool has_live_values(const Claim& claim) { return claim.kind != ClaimKind::non_sequitur; }
+namespace {
 
-VerdictRow verdict_row(const Claim& claim, const Prover& prover, const SceneModel* model) {
+/// Why a measured claim fails on its motion; nothing if it holds.
+std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel& model) {
+  for (const ClaimLine& line : claim.lines) {
+    const auto measured = measure(line.equality, line.within, model);
+    if (!measured) return "has no value at some time";
+    if (measured->tolerance > kDecisive) return "the step is too long to tell";
+    if (!measured->holds()) return fmt::format("fails at $t$ = {:.3g} s", measured->t_s);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+VerdictRow verdict_row(const Claim& claim, const Prover& prover, const Scene* scene,
+                       const SceneModel* model) {
   VerdictRow row{.claim = &claim,
                  .word = upper(name_of(claim.kind)),
                  .note = {},
@@ -118,7 +129,10 @@ VerdictRow verdict_row(const Claim& claim, const Prover& prover, const SceneMode
     row.proved = row.proved && judgement.verdict == Verdict::holds;
     if (!counter) counter = judgement.counterexample;
   }
-  row.note = row.proved ? note_of(claim.kind, counter, model) : "not proved";
+  row.note = note_of(claim.kind, counter, scene);
+  if (!row.proved) row.note = counter ? "does not hold: " + to_string(*counter) : "not proved";
+  if (claim.kind != ClaimKind::measured || !model) return row;
+  if (const auto why = why_not_measured(claim, *model)) row.note = *why, row.proved = false;
   return row;
 }
 
@@ -126,10 +140,15 @@ std::string live_text(const Claim& claim, const LiveState& live, View view) {
   const auto value = live_value(claim, live, view);
   if (!value) return "";
   const SideText side(*value);
-  const bool apart = value->residual > value->tolerance;
+  const bool decided = value->tolerance <= kDecisive || claim.kind == ClaimKind::is_false;
+  const bool apart = value->residual > std::min(value->tolerance, kDecisive);
   const std::string frame = !value->is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";
-  const std::string sides =
-      fmt::format("{}{} {} {}", frame, side(value->left), apart ? "≠" : "=", side(value->right));
+  const std::string left = side(value->left);
+  // What is equal is printed equal, whichever way the last digit was rounded.
+  const std::string right = apart || value->right == std::array<double, 3>{} ? side(value->right) : left;
+  if (!decided)
+    return fmt::format("{}{} beside {}: the step is too long to tell", frame, left, side(value->right));
+  const std::string sides = fmt::format("{}{} {} {}", frame, left, apart ? "≠" : "=", right);
   if (claim.kind == ClaimKind::is_false) return sides;
   return fmt::format("{},  {} {} {} {}", sides, claim.kind == ClaimKind::identity ? "rounding" : "apart",
                      power_of_ten(value->residual), apart ? ">" : "≤", power_of_ten(value->tolerance));
@@ -137,7 +156,7 @@ std::string live_text(const Claim& claim, const LiveState& live, View view) {
 
 std::string widest_live_text(const Claim& claim) {
   const bool vector = std::any_of(claim.lines.begin(), claim.lines.end(),
-                                  [](const ClaimLine& line) { return is_vector(line.equality); });
+                                  [](const ClaimLine& line) { return line.equality.is_vector(); });
   const std::string side = vector ? "(−0.00, −0.00, −0.00)" : "−0.00${\\cdot}10^{-4}$";
   const std::string sides = fmt::format("{}{} = {}", vector ? "in $S^*$ " : "", side, side);
   if (claim.kind == ClaimKind::is_false) return sides;

@@ -18,14 +18,12 @@ struct VerdictRow {
   bool refutes = false;  ///< the equation, or what is inferred from it
   bool proved = true;    ///< the claim is what its kind says
 };
-/// `model` says how the motion is computed; null where there is none.
-VerdictRow verdict_row(const Claim& claim, const Prover& prover, const SceneModel* model);
-
-/// Whether both sides can be shown on a motion: a non-sequitur is about another one.
-bool has_live_values(const Claim& claim);
+/// `scene` is that of the claim's own step and says how its motion is computed; null where there is none.
+/// With a model of it, measured claims are measured.
+VerdictRow verdict_row(const Claim& claim, const Prover& prover, const Scene* scene, const SceneModel* model);
 
 /// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13), apart 2·10⁻¹⁵ ≤ 4·10⁻¹³", as set_line sets it. Empty where
-/// there are no values.
+/// there are no values; no relation where the step is too long to tell.
 std::string live_text(const Claim& claim, const LiveState& live, View view);
 /// As wide as any of a claim.
 std::string widest_live_text(const Claim& claim);

@@ -12,6 +12,9 @@ namespace {
 
 using Outcome = AnswerJudgement::Outcome;
 
+AnswerJudgement right() {
+  return {.outcome = Outcome::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
+}
 AnswerJudgement wrong(std::string reason, int column = 0) {
   return {.outcome = Outcome::wrong,
           .reason = std::move(reason),
@@ -36,8 +39,7 @@ class ExpressionJudge {
 
   AnswerJudgement judge() const {
     if (const auto refused = unasked_derivative()) return *refused;
-    if (equals(answer_, assumption_))
-      return {.outcome = Outcome::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
+    if (equals(answer_, assumption_)) return right();
     AnswerJudgement judgement = reason();
     judgement.counterexample = prover_.refute({answer_, *ask_.expression}, assumption_);
     return judgement;
@@ -58,10 +60,9 @@ class ExpressionJudge {
 
   /// ddt(T) is no answer to what dT/dt is.
   std::optional<AnswerJudgement> unasked_derivative() const {
-    const auto is_derivative = [](const ExpressionNode& node) { return is_rate(node); };
-    if (std::any_of(ask_.expression->nodes.begin(), ask_.expression->nodes.end(), is_derivative))
+    if (std::any_of(ask_.expression->nodes.begin(), ask_.expression->nodes.end(), is_rate))
       return std::nullopt;
-    const auto found = std::find_if(answer_.nodes.begin(), answer_.nodes.end(), is_derivative);
+    const auto found = std::find_if(answer_.nodes.begin(), answer_.nodes.end(), is_rate);
     if (found == answer_.nodes.end()) return std::nullopt;
     return wrong("the answer is asked for without derivatives: " + words_of(*found) + " is one",
                  column_of(*found));
@@ -74,9 +75,15 @@ class ExpressionJudge {
     if (const auto found = indices()) return *found;
     if (assumption_ == Assumption::identity && equals(answer_, Assumption::motion))
       return wrong("this follows from the equations of motion; here it has to hold whatever ω̇ is");
-    if (assumption_ != Assumption::free && !vanishes_without_torque() && equals(answer_, Assumption::free))
+    if (assumption_ != Assumption::free && !has_torque() && !vanishes_without_torque() &&
+        equals(answer_, Assumption::free))
       return wrong("this is right without torque only");
     return wrong("not equal to what is asked for");
+  }
+
+  bool has_torque() const {
+    return answer_.uses(Quantity::N) || answer_.uses(Quantity::N1) || answer_.uses(Quantity::N2) ||
+           answer_.uses(Quantity::N3);
   }
 
   /// Then that an answer is right without torque says nothing.
@@ -85,13 +92,11 @@ class ExpressionJudge {
   }
 
   std::optional<AnswerJudgement> one_term() const {
-    const std::vector<int> terms = terms_of(answer_);
-    if (terms.size() < 2) return std::nullopt;
-    for (const int term : terms) {
-      const ExpressionNode& node = answer_.nodes[static_cast<std::size_t>(term)];
-      if (equals(with_term_negated(answer_, term)))
+    for (const int summand : summands_of(answer_)) {
+      const ExpressionNode& node = answer_.nodes[static_cast<std::size_t>(summand)];
+      if (equals(with_summand_negated(answer_, summand)))
         return wrong("wrong sign: that of " + words_of(node), column_of(node));
-      if (equals(without_term(answer_, term)))
+      if (equals(without_summand(answer_, summand)))
         return wrong(words_of(node) + " does not belong there", column_of(node));
     }
     return std::nullopt;
@@ -135,6 +140,8 @@ AnswerJudgement judge_expression(const Ask& ask, std::string_view text, const Pr
     const Diagnostic fault = report.take().front();
     return unreadable(fault.message, fault.hint, fault.place.column);
   }
+  if (prover.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
+    return unreadable("this is nowhere defined", "is something divided by 0?");
   if (!fit(answer->type(), ask.expression->type()))
     return wrong("wrong type: " + std::string(name_of(ask.expression->type())) + " is asked for, this is " +
                  std::string(name_of(answer->type())));
@@ -146,7 +153,7 @@ std::optional<std::vector<int>> read_choices(std::string_view text, std::size_t 
   std::vector<int> choices;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
-    if (c == ' ' || c == ',' || c == '\t') {
+    if (std::string_view(" ,\t.);>").find(c) != std::string_view::npos) {
       ++i;
       continue;
     }
@@ -174,8 +181,7 @@ AnswerJudgement judge_choice(const Ask& ask, std::string_view text) {
   const auto choices = read_choices(text, ask.choices.size());
   if (!choices || choices->size() != 1)
     return unreadable("the answer is one of the choices, " + letters_of(ask.choices.size()));
-  if (*choices == ask.answers)
-    return {.outcome = Outcome::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
+  if (*choices == ask.answers) return right();
   return wrong(std::string(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1))) +
                " is not it");
 }
@@ -189,8 +195,7 @@ AnswerJudgement judge_order(const Ask& ask, std::string_view text) {
   if (!all_once)
     return unreadable("the answer names every choice once, in their order: " +
                       letters_of(ask.choices.size()));
-  if (*choices == ask.answers)
-    return {.outcome = Outcome::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
+  if (*choices == ask.answers) return right();
   const auto parting = std::mismatch(choices->begin(), choices->end(), ask.answers.begin()).first;
   const auto right = parting - choices->begin();
   return wrong("place " + std::to_string(right + 1) + " is not right" +

@@ -28,13 +28,34 @@ class ClaimCheck {
     for (const Stage& stage : lesson_.stages)
       for (const Step& step : stage.steps) {
         model_.reset();
-        for (const Block& block : step.blocks)
-          if (const auto* claim = std::get_if<Claim>(&block)) check(*claim, step);
+        for (const Block& block : step.blocks) std::visit([&](const auto& b) { check(b, step); }, block);
       }
     return report_.take();
   }
 
  private:
+  template <class Other>
+  void check(const Other&, const Step&) {}
+
+  void check(const Ask& ask, const Step&) {
+    const auto& answer = ask.expression;
+    if (answer && prover_.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
+      report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");
+  }
+
+  void check(const Equation& equation, const Step& step) {
+    for (std::size_t i = 0; i < equation.live.size(); ++i) {
+      const SourcePlace place = source_.place_of(equation.offset + equation.math.live[i].offset);
+      if (!step.scene) {
+        report_.error(place, "a live number needs a scene");
+      } else if (const SceneModel* model = model_of(step)) {
+        const auto live = live_state(*model, step.scene->at_s);
+        if (!live || !live_number(equation.live[i], *live))
+          report_.error(place, "this has no value on the scene's motion");
+      }
+    }
+  }
+
   void check(const Claim& claim, const Step& step) {
     for (const ClaimLine& line : claim.lines) {
       if (claim.kind == ClaimKind::measured) {
@@ -54,18 +75,30 @@ class ClaimCheck {
       report_.error(line.place, "a measured claim needs a scene to be measured on");
       return;
     }
-    try {
-      if (!model_) model_.emplace(make_model(*step.scene));
-    } catch (const std::domain_error&) {
-      return;  // whoever checks the scenes says so
-    }
-    const auto measured = measure(line.equality, line.within, *model_);
+    const SceneModel* model = model_of(step);
+    if (!model) return;
+    const auto measured = measure(line.equality, line.within, *model);
     if (!measured)
       report_.error(line.place, "this cannot be measured: the motion or a side has no value somewhere");
+    else if (measured->tolerance > kDecisive)
+      report_.error(
+          line.place,
+          "this measures nothing: allowed are " + short_number(measured->tolerance) + " of the terms",
+          line.within ? "at most 0.01 decides anything" : "shorten the step of the motion");
     else if (!measured->holds())
       report_.error(line.place, "the claim (measured) fails: at t = " + short_number(measured->t_s) +
                                     " s both sides differ by " + short_number(measured->residual) +
                                     " of their terms, allowed are " + short_number(measured->tolerance));
+  }
+
+  /// Null if the scene cannot be: whoever checks the scenes says so.
+  const SceneModel* model_of(const Step& step) {
+    try {
+      if (!model_) model_.emplace(make_model(*step.scene));
+      return &*model_;
+    } catch (const std::domain_error&) {
+      return nullptr;
+    }
   }
 
   const Lesson& lesson_;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claim_state.h"
 
-#include "lessons/expression_variants.h"
-
 namespace polhode {
 
 template <int Bits>
@@ -28,37 +26,11 @@ double relative_residual(const Triple<SizedNumber>& left, const Triple<SizedNumb
   return difference / std::fmax(size_of_left, size_of_right);
 }
 
-namespace {
-
-double length(const Triple<SizedNumber>& x) {
-  return std::hypot(x[0].value.value, x[1].value.value, x[2].value.value);
-}
-
-double size(const Triple<SizedNumber>& x) {
-  return std::hypot(x[0].value.size, x[1].value.size, x[2].value.size);
-}
-
-/// Σ of the lengths of what is added up to make the expression evaluated last.
-double sum_of_terms(const Expression& expression, const Evaluation<SizedNumber>& evaluation) {
-  double sum = 0;
-  for (const int term : terms_of(expression)) sum += length(evaluation.value_of(term));
-  return sum;
-}
-
-}  // namespace
-
 std::optional<Sides> sides_of(const Equality& equality, const ClaimState<SizedNumber>& state) {
   Evaluation<SizedNumber> evaluate(state);
-  constexpr double kNoise = 1e-9;  // terms so small beside what they come from are zeros
   Sides sides;
-  if (!evaluate(equality.left, sides.left)) return std::nullopt;
-  double terms = sum_of_terms(equality.left, evaluate);
-  if (!evaluate(equality.right, sides.right)) return std::nullopt;
-  terms = std::fmax(terms, sum_of_terms(equality.right, evaluate));
-  const double sizes = std::fmax(size(sides.left), size(sides.right));
-  sides.terms = terms > kNoise * sizes ? terms : sizes;
-  sides.cancellation = sides.terms > 0 ? sizes / sides.terms : 1;
-  sides.residual = relative_residual(sides.left, sides.right) * sides.cancellation;
+  if (!evaluate(equality.left, sides.left) || !evaluate(equality.right, sides.right)) return std::nullopt;
+  sides.residual = relative_residual(sides.left, sides.right);
   return std::isfinite(sides.residual) ? std::optional(sides) : std::nullopt;
 }
 

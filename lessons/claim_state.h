@@ -94,10 +94,7 @@ double relative_residual(const Triple<SizedNumber>& left, const Triple<SizedNumb
 /// Both sides in doubles.
 struct Sides {
   Triple<SizedNumber> left, right;  ///< components in space
-  double terms = 0;  ///< Σ of the lengths of the terms, on the side where they are larger; where they are
-                     ///< but noise, of what they come from
-  double cancellation = 1;  ///< size of what they come from, relative to that: rounding is so much larger
-  double residual = 0;      ///< |left − right| / terms
+  double residual = 0;              ///< relative_residual
 };
 /// Nothing where one of them is not defined, or not finite.
 std::optional<Sides> sides_of(const Equality& equality, const ClaimState<SizedNumber>& state);

@@ -69,7 +69,7 @@ inline SizedNumber decimal<SizedNumber>(const DecimalNumber& number) {
 /// Of other numbers there is nothing to say.
 template <class N>
 struct VectorSizes {
-  static void turned(Triple<N>&, const Triple<N>&, const Dual<N>&) {}
+  static void turned(Triple<N>&, const Triple<N>&, const std::array<Triple<N>, 3>&) {}
   static void mapped(Triple<N>&, const Triple<N>&) {}
   static void multiplied(Dual<N>&, const Triple<N>&, const Triple<N>&) {}
 };
@@ -78,9 +78,10 @@ template <>
 struct VectorSizes<SizedNumber> {
   using Vector = Triple<SizedNumber>;
 
-  /// y = R x, from an entry of R.
-  static void turned(Vector& y, const Vector& x, const Dual<SizedNumber>& R) {
-    share(y, size(x), rate_size(x) + R.rate.size * size(x));
+  /// y = R x, or Rᵀx.
+  static void turned(Vector& y, const Vector& x, const std::array<Vector, 3>& R) {
+    const double turning = std::fmax(std::fmax(rate_size(R[0]), rate_size(R[1])), rate_size(R[2]));
+    share(y, size(x), rate_size(x) + turning * size(x));
   }
   /// y is a tensor that is applied to x.
   static void mapped(Vector& y, const Vector& x) {
@@ -127,15 +128,13 @@ class Evaluation {
     value = values_.back();
     return true;
   }
-  /// Of a node of the expression evaluated last.
-  const Triple<N>& value_of(int node) const { return values_[static_cast<std::size_t>(node)]; }
 
   /// Components on the body axes.
   Triple<N> to_body(const Triple<N>& x_S) const {
     Triple<N> x_B;
     for (std::size_t i = 0; i < 3; ++i)
       x_B[i] = s_.R[0][i] * x_S[0] + s_.R[1][i] * x_S[1] + s_.R[2][i] * x_S[2];
-    VectorSizes<N>::turned(x_B, x_S, s_.R[0][0]);
+    VectorSizes<N>::turned(x_B, x_S, s_.R);
     return x_B;
   }
 
@@ -147,7 +146,7 @@ class Evaluation {
     Triple<N> x_S;
     for (std::size_t i = 0; i < 3; ++i)
       x_S[i] = s_.R[i][0] * x_B[0] + s_.R[i][1] * x_B[1] + s_.R[i][2] * x_B[2];
-    VectorSizes<N>::turned(x_S, x_B, s_.R[0][0]);
+    VectorSizes<N>::turned(x_S, x_B, s_.R);
     return x_S;
   }
 

@@ -147,9 +147,11 @@ class ExpressionReader {
   }
 
   int brackets() {
+    const std::size_t begin = i_;
     open(i_);
     const int inside = sum();
     close();
+    builder_.widen(inside, begin, end_);
     return inside;
   }
 

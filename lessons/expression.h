@@ -95,6 +95,10 @@ Expression zero_expression();
 /// left = right.
 struct Equality {
   Expression left, right;
+
+  bool is_vector() const {
+    return left.type() == ExpressionType::vector || right.type() == ExpressionType::vector;
+  }
 };
 
 /// Names an expression can use, for "did you mean".

@@ -35,6 +35,12 @@ class ExpressionBuilder {
   int apply_tensor(int a, std::size_t at, std::size_t end);
   int trace_of_tensor(std::size_t at, std::size_t end);
 
+  /// The text of a node with the brackets around it.
+  void widen(int index, std::size_t begin, std::size_t end) {
+    nodes_[static_cast<std::size_t>(index)].begin = static_cast<std::uint32_t>(begin);
+    nodes_[static_cast<std::size_t>(index)].end = static_cast<std::uint32_t>(end);
+  }
+
   const ExpressionNode& operator[](int index) const { return nodes_[static_cast<std::size_t>(index)]; }
   std::vector<ExpressionNode> take() { return std::move(nodes_); }
 

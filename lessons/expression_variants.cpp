@@ -23,17 +23,6 @@ int push_number(Expression& expression, int number) {
   return root_of(expression);
 }
 
-/// The sum whose right operand the term is; nothing for the leftmost.
-ExpressionNode* sum_over(Expression& expression, int term) {
-  const auto found = std::find_if(expression.nodes.begin(), expression.nodes.end(),
-                                  [term](const auto& node) { return is_sum(node) && node.b == term; });
-  return found == expression.nodes.end() ? nullptr : &*found;
-}
-
-void swap_sign(ExpressionNode& sum) {
-  sum.operation = sum.operation == Operation::add ? Operation::subtract : Operation::add;
-}
-
 constexpr std::array<Quantity, 5> kOnAxes = {Quantity::I1, Quantity::w1, Quantity::dw1, Quantity::N1,
                                              Quantity::e1};
 
@@ -62,15 +51,18 @@ bool is_rate(const ExpressionNode& node) {
          (node.quantity == Quantity::dw1 || node.quantity == Quantity::dw2 || node.quantity == Quantity::dw3);
 }
 
-std::vector<int> terms_of(const Expression& expression) {
-  std::vector<int> terms;
-  int node = root_of(expression);
-  for (; is_sum(expression.nodes[static_cast<std::size_t>(node)]);
-       node = expression.nodes[static_cast<std::size_t>(node)].a)
-    terms.push_back(expression.nodes[static_cast<std::size_t>(node)].b);
-  terms.push_back(node);
-  std::reverse(terms.begin(), terms.end());
-  return terms;
+std::vector<int> summands_of(const Expression& expression) {
+  const auto at = [&](int index) -> const ExpressionNode& {
+    return expression.nodes[static_cast<std::size_t>(index)];
+  };
+  std::vector<int> summands;
+  for (const ExpressionNode& node : expression.nodes) {
+    if (!is_sum(node) || summands.size() + 2 > kMostSummands) continue;
+    if (!is_sum(at(node.a))) summands.push_back(node.a);
+    summands.push_back(node.b);
+  }
+  std::sort(summands.begin(), summands.end(), [&](int a, int b) { return at(a).begin < at(b).begin; });
+  return summands;
 }
 
 Expression negated(Expression expression) {
@@ -97,19 +89,21 @@ Expression times(Expression expression, int numerator, int denominator) {
   return expression;
 }
 
-Expression with_term_negated(Expression expression, int term) {
-  if (ExpressionNode* sum = sum_over(expression, term)) {
-    swap_sign(*sum);
-    return expression;
-  }
-  // The leftmost has no sign before it: all others are negated, and then the whole.
-  for (const int other : terms_of(expression))
-    if (other != term) swap_sign(*sum_over(expression, other));
-  return negated(std::move(expression));
+Expression with_summand_negated(Expression expression, int summand) {
+  // Operands stand before what is over them: the negation goes in right behind the summand, and takes its
+  // place.
+  ExpressionNode negation = node_at(expression, summand);
+  negation.operation = Operation::negate;
+  negation.a = summand;
+  negation.b = -1;
+  for (ExpressionNode& node : expression.nodes)
+    for (int* operand : {&node.a, &node.b}) *operand += *operand >= summand ? 1 : 0;
+  expression.nodes.insert(expression.nodes.begin() + summand + 1, negation);
+  return expression;
 }
 
-Expression without_term(Expression expression, int term) {
-  ExpressionNode& node = node_at(expression, term);
+Expression without_summand(Expression expression, int summand) {
+  ExpressionNode& node = node_at(expression, summand);
   const ExpressionType type = node.type;
   node = ExpressionNode();
   node.type = type;

@@ -12,14 +12,16 @@ namespace polhode {
 /// d/dt, d*/dt, and components of ω̇.
 bool is_rate(const ExpressionNode& node);
 
-/// The nodes that are added up to make the whole; one if it is no sum.
-std::vector<int> terms_of(const Expression& expression);
+/// The nodes that stand in sums, wherever these are, in the order in which they are written; at most
+/// kMostSummands.
+std::vector<int> summands_of(const Expression& expression);
+inline constexpr std::size_t kMostSummands = 32;
 
 Expression negated(Expression expression);
 Expression times(Expression expression, int numerator, int denominator);
-/// `term` is one of terms_of.
-Expression with_term_negated(Expression expression, int term);
-Expression without_term(Expression expression, int term);
+/// `summand` is one of summands_of.
+Expression with_summand_negated(Expression expression, int summand);
+Expression without_summand(Expression expression, int summand);
 
 /// [i] is the axis that is written for axis i, from 0.
 using AxisPermutation = std::array<int, 3>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/live_claims.h"
 
+#include "lessons/expression_variants.h"
 #include "physics/euler.h"
 #include "physics/method.h"
 #include "render/scene/arrow.h"
@@ -69,14 +70,25 @@ double error_of_method(const SceneModel& model, double rate) {
   return kStepErrors * std::pow(rate * *spec.step_s, splits ? 2 : facts.order);
 }
 
-double tolerance_at(const SceneModel& model, double t_s, double rate) {
-  constexpr double kRoundings = 16;  // of a state and of the sum
-  const double rounding = kRoundings * kEpsilon * (1.0 + rate * std::abs(t_s)) / kDifferenceAngle;
-  return rounding + error_of_method(model, rate);
+double rounding_at(double t_s, double rate) {
+  constexpr double kRoundings = 64;  // of a state, of the sums, and of the terms that rates come from
+  return kRoundings * kEpsilon * (1.0 + rate * std::abs(t_s)) / kDifferenceAngle;
 }
 
-bool is_vector(const Equality& equality) {
-  return equality.left.type() == ExpressionType::vector || equality.right.type() == ExpressionType::vector;
+bool has_rates(const Equality& equality) {
+  const auto has = [](const Expression& side) {
+    return std::any_of(side.nodes.begin(), side.nodes.end(), is_rate);
+  };
+  return has(equality.left) || has(equality.right);
+}
+
+/// What does not speak of rates has no part in the error of a step.
+double tolerance_of(const Equality& equality, std::optional<double> within, const LiveState& live) {
+  return within.value_or(live.rounding + (has_rates(equality) ? live.method_error : 0.0));
+}
+
+double size_of(const Triple<SizedNumber>& x) {
+  return std::hypot(x[0].value.size, x[1].value.size, x[2].value.size);
 }
 
 std::array<double, 3> values_of(const Triple<SizedNumber>& x) {
@@ -117,7 +129,8 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
   for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = I.vector()[i];
   const Mat3 J = mounted_askew(I);
   s.J = {J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2)};
-  live.tolerance = tolerance_at(model, t_s, rate);
+  live.rounding = rounding_at(t_s, rate);
+  live.method_error = error_of_method(model, rate);
   return live;
 }
 
@@ -127,13 +140,13 @@ std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, V
   for (const ClaimLine& line : claim.lines) {
     const auto sides = sides_of(line.equality, live.state);
     if (!sides) return std::nullopt;
-    const double tolerance = line.within.value_or(live.tolerance * sides->cancellation);
+    const double tolerance = tolerance_of(line.equality, line.within, live);
     if (worst && sides->residual / tolerance <= worst->residual / worst->tolerance) continue;
     worst = LiveValue();
-    worst->is_vector = is_vector(line.equality);
+    worst->is_vector = line.equality.is_vector();
     worst->residual = sides->residual;
     worst->tolerance = tolerance;
-    worst->size = sides->terms;
+    worst->size = std::max(size_of(sides->left), size_of(sides->right));
     const bool turned = view == View::body && worst->is_vector;
     worst->left = values_of(turned ? in_body(sides->left, live.state) : sides->left);
     worst->right = values_of(turned ? in_body(sides->right, live.state) : sides->right);
@@ -142,10 +155,33 @@ std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, V
 }
 
 std::optional<double> live_number(const Expression& scalar, const LiveState& live) {
+  constexpr double kNoise = 1e-9;  // beside the terms it comes from
   Triple<SizedNumber> value;
   if (!Evaluation<SizedNumber>(live.state)(scalar, value)) return std::nullopt;
-  const double number = value[0].value.value;
-  return std::isfinite(number) ? std::optional(number) : std::nullopt;
+  const SizedNumber& number = value[0].value;
+  if (std::abs(number.value) <= kNoise * number.size) return 0.0;
+  return std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
+}
+
+bool can_be_shown(const Claim& claim, const Scene& scene) {
+  if (claim.kind == ClaimKind::non_sequitur) return false;
+  if (claim.kind == ClaimKind::measured) return true;
+  using Q = Quantity;
+  const bool slips = std::any_of(scene.torque.begin(), scene.torque.end(), [](const TorqueTerm& term) {
+    return std::holds_alternative<EnergySink>(term);
+  });
+  return std::all_of(claim.lines.begin(), claim.lines.end(), [&](const ClaimLine& line) {
+    const auto uses = [&](auto what) {
+      return line.equality.left.uses(what) || line.equality.right.uses(what);
+    };
+    const auto uses_any = [&](auto... what) { return (uses(what) || ...); };
+    if (uses_any(Q::m, Q::p, Q::v, Q::F) && !drifts(scene)) return false;
+    if (uses(Q::A) && !scene.show.contains(Overlay::transport)) return false;
+    const bool of_tensor = uses_any(Q::Jxx, Q::Jxy, Q::Jxz, Q::Jyy, Q::Jyz, Q::Jzz) ||
+                           uses_any(Operation::apply, Operation::trace);
+    if (of_tensor && claim.kind != ClaimKind::is_false) return false;
+    return !(slips && has_rates(line.equality));
+  });
 }
 
 std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
@@ -156,7 +192,7 @@ std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<
     const auto live = live_state(model, t_s);
     const auto sides = live ? sides_of(equality, live->state) : std::nullopt;
     if (!sides) return std::nullopt;
-    const double tolerance = within.value_or(live->tolerance * sides->cancellation);
+    const double tolerance = tolerance_of(equality, within, *live);
     if (sides->residual / tolerance > worst.residual / worst.tolerance)
       worst = {sides->residual, tolerance, t_s};
   }

@@ -2,9 +2,8 @@
 // What a claim comes to on the running motion: both sides, and how far apart they are.
 //
 // Nothing is put in that the claim says: ω and the attitude are the motion's at t, and their rates, with
-// those of A and of the centre of mass, are differences of the motion itself at times around t, by the
-// central formula of order 8 (Fornberg, Math. Comp. 51 (1988) 699-706, Table 1). So `ddt(L) = N` compares how
-// L really changes, as computed, with the torque.
+// those of A and of the centre of mass, are differences of the motion itself at times around t
+// (render/scene/difference.h). So `ddt(L) = N` compares how L really changes, as computed, with the torque.
 #pragma once
 
 #include "lessons/claim_state.h"
@@ -19,9 +18,9 @@ namespace polhode {
 /// J is the body's tensor as it would be with its principal axes turned against the body's by kMountedAskew.
 struct LiveState {
   ClaimState<SizedNumber> state;
-  /// What rounding, the differences and the method's error in a step allow of a residual, relative to the
-  /// size of what the terms come from.
-  double tolerance = 0;
+  /// What rounding and the differences allow of a residual; and where rates are compared, the method's error
+  /// in a step.
+  double rounding = 0, method_error = 0;
 };
 
 /// About the axis (1, 1, 1), rad.
@@ -34,9 +33,14 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s);
 struct LiveValue {
   bool is_vector = false;
   std::array<double, 3> left{}, right{};  ///< components in the frame of the view; of a scalar the first
-  double size = 0;                        ///< of the terms: what `residual` is relative to
+  double size = 0;                        ///< of what the sides come from: `residual` is relative to it
   double residual = 0, tolerance = 0;
 };
+/// Whether the scene has what the claim speaks of. Not the scene of a non-sequitur, which is about another
+/// motion; of p, v, F, m only where the centre of mass drifts; of A where that arrow is shown; of J, which no
+/// scene has, only where that refutes something; and of rates nothing where a sink lets the body slip. What
+/// is measured is always shown.
+bool can_be_shown(const Claim& claim, const Scene& scene);
 /// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);
 
@@ -48,6 +52,9 @@ std::optional<double> live_number(const Expression& scalar, const LiveState& liv
 inline constexpr double kStepErrors = 4;
 /// Of an adaptive method, in units of its tolerance: the error of its interpolation is not controlled.
 inline constexpr double kUnitsOfTolerance = 1e4;
+
+/// A tolerance above this decides nothing: the step is too long.
+inline constexpr double kDecisive = 0.01;
 
 /// The largest residual of the equality over the scene's interval from 0 on, and the tolerance there.
 struct MeasuredResidual {

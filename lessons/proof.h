@@ -7,7 +7,8 @@
 // they agree is a zero of a polynomial of degree at most 2·kMaxDegree + 64 in all, which one random point is
 // with probability at most 8256/p < 4e-15 (Schwartz, J. ACM 27 (1980) 701-717, Lemma 1; Zippel, EUROSAM
 // 1979), so that kSamples independent ones all are with less than 3e-116. The points are drawn from a fixed
-// seed: runs repeat.
+// seed: runs repeat. So that no claim can be made up which agrees at just these, it is tried at two more
+// points, whose seed is a hash of its own text.
 //
 // Coefficients that p divides would vanish too. All operations turn with their vectors, so that the claim
 // says the same where the axes of body and space coincide; there the coefficients of the difference are whole
@@ -55,6 +56,7 @@ class Prover {
   const std::vector<ClaimState<FieldElement>>& samples(Assumption assumption) const {
     return samples_[static_cast<std::size_t>(assumption)];
   }
+  bool agrees_at_its_own_points(const Equality& equality, Assumption assumption) const;
   Verdict confirmed(const Equality& equality, Assumption assumption) const;
 
   std::array<std::vector<ClaimState<FieldElement>>, 3> samples_;

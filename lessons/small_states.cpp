@@ -11,7 +11,8 @@ namespace {
 using Whole = std::int64_t;
 using Whole3 = std::array<Whole, 3>;
 
-constexpr std::array<Whole3, 3> kMoments{{{2, 3, 4}, {1, 2, 2}, {4, 3, 5}}};
+constexpr std::array<Whole3, 7> kMoments{
+    {{2, 3, 4}, {1, 2, 2}, {4, 3, 5}, {2, 2, 3}, {2, 3, 2}, {1, 2, 3}, {2, 2, 2}}};
 constexpr std::array<Whole3, 12> kSpins{{{1, 0, 0},
                                          {0, 1, 0},
                                          {0, 0, 1},
@@ -43,10 +44,12 @@ struct Company {
   Whole3 v, dv, A, dA, F;
   Whole m;
 };
-constexpr std::array<Company, 3> kCompany{
+constexpr std::array<Company, 5> kCompany{
     {{{8, 1, 0, 9, 0, 10}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, 2},
      {{8, 0, 1, 9, -1, 10}, {0, 1, 0}, {1, 0, 1}, {1, 0, 1}, {0, 0, 1}, {1, 1, 0}, 3},
-     {{10, 1, 1, 9, 1, 8}, {1, 2, 3}, {3, 1, -1}, {2, -1, 3}, {2, -1, 1}, {1, 2, -1}, 2}}};
+     {{10, 1, 1, 9, 1, 8}, {1, 2, 3}, {3, 1, -1}, {2, -1, 3}, {2, -1, 1}, {1, 2, -1}, 2},
+     {{8, 1, 0, 9, 0, 10}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1},
+     {{8, 1, 0, 9, 0, 10}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, 1}}};
 
 struct SmallNumbers {
   Whole3 I, w, dw, N;
@@ -77,6 +80,7 @@ StateNumbers<N> as(const SmallNumbers& small) {
 struct Dependence {
   bool I = false, J = false, w = false, dw = false, N = false, v = false, dv = false, A = false, dA = false,
        F = false, m = false;
+  bool no_torque = false;  ///< on there being none
 
   void operator|=(const Dependence& other) {
     for (bool Dependence::*part : kParts) this->*part = this->*part || other.*part;
@@ -173,7 +177,7 @@ Dependence dependence_of(const Equality& equality, Assumption assumption) {
   if (d.dw) d.I = d.w = d.N = true;
   if (d.dv) d.F = d.m = true;
   d.dw = d.dv = false;
-  if (assumption == Assumption::free) d.N = false;
+  if (assumption == Assumption::free) d.no_torque = d.N, d.N = false;
   return d;
 }
 
@@ -181,7 +185,8 @@ std::string number_text(double value) {
   std::array<char, 32> text;
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value == 0 ? 0.0 : value,  // no −0
                                  std::chars_format::general, 6);
-  return {text.data(), end.ptr};
+  return text.front() == '-' ? "−" + std::string(text.data() + 1, end.ptr)
+                             : std::string(text.data(), end.ptr);
 }
 
 template <class Numbers>
@@ -201,6 +206,7 @@ std::string words_of(const SmallNumbers& s, const Dependence& d) {
   add(d.w, "ω", s.w);
   add(d.dw, "ω̇", s.dw);
   add(d.N, "N", s.N);
+  if (d.no_torque) text += ", N = 0";
   add(d.A, "A", s.company.A);
   add(d.dA, "dA/dt", s.company.dA);
   add(d.v, "v", s.company.v);

@@ -42,7 +42,7 @@ TEST_F(Answer, RightIsZeroAndWrongIsFourWithTheReason) {
   const ProgramRun wrong = answer("sign", {"w1*w3*(I3 - I1)"});
   EXPECT_EQ(wrong.code, 4);
   EXPECT_THAT(wrong.out, HasSubstr("wrong: wrong sign"));
-  EXPECT_THAT(wrong.out, HasSubstr("At I = (2, 3, 4), ω = (1, 0, 1) yours is 2, right is -2."));
+  EXPECT_THAT(wrong.out, HasSubstr("At I = (2, 3, 4), ω = (1, 0, 1) yours is 2, right is −2."));
 }
 
 TEST_F(Answer, UnreadableIsTwoWithItsColumn) {

@@ -24,7 +24,7 @@ Claim claim_of(const std::string& text, ClaimKind kind) {
 }
 
 VerdictRow row_of(const std::string& text, ClaimKind kind, const SceneModel* model = nullptr) {
-  return verdict_row(claim_of(text, kind), Prover(), model);
+  return verdict_row(claim_of(text, kind), Prover(), model ? &model->scene : nullptr, model);
 }
 
 std::string live_text_of(const std::string& text, ClaimKind kind, const Scene& scene, double t_s) {
@@ -43,7 +43,7 @@ TEST(VerdictRow, SaysTheKindInAWordAndWhatIsKnown) {
   EXPECT_THAT(row_of("ddt(L) = N", ClaimKind::motion).note, HasSubstr("proved"));
   EXPECT_THAT(row_of("ddt(L) = N", ClaimKind::law).note, Not(HasSubstr("proved"))) << "nature decides";
   EXPECT_EQ(row_of("star(L) = 0", ClaimKind::is_false).note,
-            "at I = (2, 3, 4), ω = (1, 1, 0): (0, 0, -1) ≠ 0");
+            "at I = (2, 3, 4), ω = (1, 1, 0), N = 0: (0, 0, −1) ≠ 0");
   EXPECT_TRUE(row_of("star(L) = 0", ClaimKind::is_false).refutes);
   EXPECT_THAT(row_of("ddt(T) = 0 => N = 0", ClaimKind::non_sequitur).note,
               HasSubstr("the premise holds, yet"));

@@ -64,6 +64,10 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"w3*w1*(I1 - I3)", "identity", "w3*w1*(I3 - I1)", "every sign is the other way round", 0},
         Slip{"I3*I1 - I2*I3", "identity", "I3*I1 + I2*I3", "wrong sign: that of \"I2*I3\"", 9},
         Slip{"I3*I1 - I2*I3", "identity", "-I3*I1 - I2*I3", "wrong sign: that of \"-I3*I1\"", 1},
+        Slip{"(N2 - w3*w1*(I1 - I3))/I2", "motion", "(N2 - w3*w1*(I3 - I1))/I2",
+             "wrong sign: that of \"w3*w1*(I3 - I1)\"", 7},
+        Slip{"w3*w1*(I1 - I3)", "identity", "w3*w1*(I1 + I3)", "wrong sign: that of \"I3\"", 13},
+        Slip{"(N2 - w3*w1*(I1 - I3))/I2", "motion", "N2 - w3*w1*(I1 - I3)/I2", "not equal", 0},
         Slip{"T + m", "identity", "T + m + w1", "\"w1\" does not belong there", 9},
         Slip{"dot(N, omega)", "motion", "2*dot(N, omega)", "2 times what is asked for", 0},
         Slip{"dot(N, omega)", "motion", "dot(N, omega)/2", "1/2 times what is asked for", 0},
@@ -94,6 +98,7 @@ TEST(JudgeAnswer, SaysWhatCannotBeReadAndWhere) {
   EXPECT_EQ(unknown.column, 5);
   EXPECT_THAT(unknown.reason, HasSubstr("unknown symbol \"w4\""));
   EXPECT_THAT(unknown.hint, HasSubstr("w1"));
+  EXPECT_EQ(judged(asking("T", "identity"), "1/(T - T)").reason, "this is nowhere defined");
   EXPECT_EQ(judged(asking("T", "identity"), "").outcome, Outcome::unreadable);
   EXPECT_EQ(judged(asking("T", "identity"), "T\nT").outcome, Outcome::unreadable);
 }

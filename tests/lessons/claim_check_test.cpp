@@ -48,6 +48,27 @@ TEST(CheckClaims, MeasuredOnesAreMeasuredOnTheirScene) {
   EXPECT_THAT(faults("measured", "1/(w1 - w1) = 0"), ElementsAre(HasSubstr("cannot be measured")));
 }
 
+TEST(CheckClaims, WhatMeasuresNothingIsRefused) {
+  EXPECT_THAT(faults("measured", "L = -L within 5"), ElementsAre(HasSubstr("this measures nothing")));
+}
+
+std::vector<std::string> faults_of(const std::string& body) {
+  const LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
+  EXPECT_TRUE(reading.lesson);
+  return reading.lesson ? testing::lines_of(check_claims(*reading.lesson, "a.md"))
+                        : std::vector<std::string>();
+}
+
+TEST(CheckClaims, LiveNumbersAndAnswersHaveValues) {
+  const std::string scene = "```scene\nshow = [\"omega\"]\n```\n";
+  EXPECT_THAT(faults_of("```math a\nT = \\live{T}\n```\n" + scene), IsEmpty());
+  EXPECT_THAT(faults_of("```math a\nT = \\live{T}\n```\n"), ElementsAre(HasSubstr("needs a scene")));
+  EXPECT_THAT(faults_of("```math a\nT = \\live{1/(T - T)}\n```\n" + scene),
+              ElementsAre(HasSubstr("has no value")));
+  EXPECT_THAT(faults_of("```ask a\ntype = \"expression\"\nprompt = 'x'\nanswer = \"1/0\"\n```\n"),
+              ElementsAre(HasSubstr("is nowhere defined")));
+}
+
 TEST(CheckClaims, OfTheLessonsAllHold) {
   for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
     const std::string text = testing::read_file(path);

@@ -110,7 +110,8 @@ TEST(ClaimState, SidesInDoublesAreThereWhereTheyAreFinite) {
   ASSERT_TRUE(sides);
   EXPECT_EQ(sides->left[1].value.value, 6.0);
   EXPECT_EQ(sides->right[1].value.value, 4.0);
-  EXPECT_DOUBLE_EQ(sides->residual, 2.0 / std::hypot(2.0, 6.0));
+  // Each component of L has the size of the largest of ω, 2, times |Iω|/|ω|.
+  EXPECT_DOUBLE_EQ(sides->residual, 2.0 / (std::sqrt(3.0) * 2.0 * std::sqrt(40.0 / 5.0)));
   EXPECT_FALSE(sides_of(equality("1/w3", "1"), state));
   EXPECT_FALSE(sides_of(equality("((1e18)^16)^16", "1"), state));
 }

@@ -57,9 +57,8 @@ TEST(LiveClaims, LawsHoldOnTheExactMotionToRounding) {
     for (const double t_s : {0.0, 1.7, -4.0, 300.0}) {
       const LiveValue value = value_of(law, tumbling(), t_s);
       EXPECT_LE(value.residual, value.tolerance) << law << " at " << t_s;
-      // 16 ε/0.01 of the differences, more with the phase at 300 s; and the rates of components in space,
-      // which the terms come from, are up to 16 times as large as these.
-      EXPECT_LT(value.tolerance, 16 * 16 * 2.3e-16 / 0.01 * (1 + 1.5 * std::abs(t_s)));
+      // 64 ε/0.01 of the differences, more with the phase at 300 s
+      EXPECT_LT(value.tolerance, 64 * 2.3e-16 / 0.01 * (1 + 1.5 * std::abs(t_s)));
     }
 }
 
@@ -89,7 +88,7 @@ TEST(LiveClaims, UnderTorqueToo) {
 TEST(LiveClaims, ACrudeStepIsSeen) {
   const LiveValue crude = value_of(kLaws[1], with_method(Method::explicit_euler, 0.2), 1.73);
   const LiveValue fine = value_of(kLaws[1], with_method(Method::explicit_euler, 0.02), 1.73);
-  EXPECT_GT(crude.residual, 1e-2);
+  EXPECT_GT(crude.residual, 3e-3);
   EXPECT_LT(fine.residual, crude.residual / 4) << "first order: ten times less, within a factor of the phase";
 }
 
@@ -97,7 +96,7 @@ TEST(LiveClaims, WhatIsFalseIsFarApart) {
   for (const char* wrong : {"star(L) = 0", "cross(omega, L) = 0", "ddt(A) = star(A) - cross(omega, A)",
                             "dot(e1, apply(J, e2)) = 0"}) {
     const LiveValue value = value_of(wrong, tumbling(), 1.7);
-    EXPECT_GT(value.residual, 1e-2) << wrong;
+    EXPECT_GT(value.residual, 1e-3) << wrong;
   }
 }
 
@@ -139,6 +138,35 @@ TEST(LiveClaims, GiveTheNumbersOfFormulas) {
   const auto two_T = read_expression(at.text, {1, 1}, at.report);
   const double expected = 1.0 * 0.81 + 1.75 * 0.16 + 2.5 * 1.0;
   EXPECT_NEAR(*live_number(*two_T, *live), expected, 8 * 2.3e-16 * expected);
+}
+
+TEST(LiveClaims, OnlyRatesHaveAPartInTheErrorOfAStep) {
+  const SceneModel model = make_model(with_method(Method::explicit_euler, 0.2));
+  const auto live = live_state(model, 1.0);
+  const auto tolerance = [&](const char* text) {
+    return live_value(claim_of(text, ClaimKind::law), *live, View::space)->tolerance;
+  };
+  EXPECT_GT(tolerance("ddt(T) = 0"), kDecisive);
+  EXPECT_LT(tolerance("T = dot(omega, L)/2"), 1e-10) << "rounding";
+}
+
+TEST(LiveClaims, SpeakOfWhatTheSceneHas) {
+  Scene scene = tumbling();
+  const auto shown = [&](const char* text, ClaimKind kind = ClaimKind::identity) {
+    return can_be_shown(claim_of(text, kind), scene);
+  };
+  EXPECT_TRUE(shown("ddt(L) = star(L) + cross(omega, L)"));
+  EXPECT_FALSE(shown("ddt(A) = star(A) + cross(omega, A)"));
+  EXPECT_FALSE(shown("p = m*v"));
+  EXPECT_FALSE(shown("star(apply(J, L)) = apply(J, star(L))"));
+  EXPECT_TRUE(shown("ddt(trace(J)) = 0", ClaimKind::measured));
+  scene.show.insert(Overlay::transport);
+  scene.v0_S = Vec3(1, 0, 0);
+  EXPECT_TRUE(shown("ddt(A) = star(A) + cross(omega, A)"));
+  EXPECT_TRUE(shown("p = m*v"));
+  scene.torque.push_back(EnergySink{0.1});
+  EXPECT_FALSE(shown("ddt(L) = star(L) + cross(omega, L)")) << "the body slips";
+  EXPECT_TRUE(shown("2*T = dot(omega, L)"));
 }
 
 // At rest nothing changes, and nothing is divided by.

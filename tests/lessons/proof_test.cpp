@@ -68,6 +68,19 @@ TEST(Proof, ACounterexampleIsAPossibleStateInWords) {
   EXPECT_EQ(gyroscope->right, "0");
 }
 
+TEST(Proof, FindsWhatDoesNotFollow) {
+  for (const char* inference :
+       {"F = 0 => v = 0", "ddt(p) = 0 => p = 0", "v = 0 => F = 0", "ddt(A) = 0 => star(A) = 0",
+        "I1 = I2 => I2 = I3", "I1 = I3 => w1 = w3", "I1 = I2 => ddt(omega) = 0", "I3 = I1 + I2 => I1 = I2",
+        "m = 1 => F = 0", "ddt(norm2(L)) = 0 => ddt(L) = 0"})
+    EXPECT_TRUE(holds(inference, ClaimKind::non_sequitur)) << inference;
+  EXPECT_FALSE(holds("v = 0 => p = 0", ClaimKind::non_sequitur));
+}
+
+TEST(Proof, SaysWhereThereIsNoTorque) {
+  EXPECT_THAT(judged("star(L) = 0", ClaimKind::free).message, HasSubstr("ω = (1, 1, 0), N = 0"));
+}
+
 TEST(Proof, SaysWhichKindWouldHold) {
   EXPECT_THAT(judged("ddt(T) = 0", ClaimKind::motion).hint, HasSubstr("free"));
   EXPECT_THAT(judged("ddt(L) = N", ClaimKind::identity).hint, HasSubstr("motion"));
