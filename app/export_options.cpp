@@ -79,7 +79,8 @@ void check_combination(const TypedExport& typed, What what, Each each) {
     refuse_given({{"--deck", typed.deck}}, "goes with --each stage or step: slides have no frames");
   if (!typed.deck.empty() && !deck_kind_of(typed.deck))
     throw usage(fmt::format("--deck {}: the name has to end in .html or .pdf", typed.deck));
-  if (what == What::figure) refuse_given({{"--theme", typed.theme}}, "goes with pages and equations");
+  if (what == What::figure)
+    refuse_given({{"--theme", typed.theme}}, "goes with pages and equations; a figure has its --background");
 }
 
 std::string background_name(const std::string& typed, What what) {

@@ -155,11 +155,12 @@ class TimePlotLayout {
 
   std::string time_unit() const { return time_.unit_of("s"); }
 
-  /// A curve that lies on the floor of a logarithmic axis may be anything there: its name tells that it is 0.
+  /// A curve that lies on the floor of a logarithmic axis may be anything there: its name tells that it is 0
+  /// ("T = 0" would speak of the quantity that drifts).
   std::string name_of(const TimeSeries& series) const {
     const bool zero = plot_.log_floor && !series.y.empty() &&
                       std::all_of(series.y.begin(), series.y.end(), [](double y) { return y == 0.0; });
-    return zero ? series.label + " = 0" : series.label;
+    return zero ? series.label + ": 0" : series.label;
   }
 
   Color on_its_paper(const Color& color) const { return is_dark(style_.paper) ? on_dark(color) : color; }

@@ -233,6 +233,31 @@ TEST(Boards, TheTableSaysWhatDivergedAndWhatIsGrosslyWrong) {
   EXPECT_GT(gross, 3);
 }
 
+TEST(Boards, TheTableSaysWhatItsNumbersAreOf) {
+  Scene scene = scene_of(Overlay::method_table);
+  scene.motion = {.method = Method::rk4, .step_s = 1.0 / 30.0};
+  scene.at_s = 10.0;
+  const Sheet sheet = sheet_of(scene, 0.0);
+  for (const char* text : {"After 10 s in steps of 0.0333 s", "shaded: more than 1 % or 1° off",
+                           "per s of motion", "tol. 10⁻¹⁰"})
+    EXPECT_EQ(texts_of(sheet, text).size(), 1u) << text;
+  expect_tidy(sheet, kBox);
+}
+
+TEST(Boards, MeasuredNumbersHaveTwoDigits) {
+  using boards::two_digits;
+  EXPECT_EQ(two_digits(0.3), "0.30");
+  EXPECT_EQ(two_digits(-0.0996), "−0.10");
+  EXPECT_EQ(two_digits(0.05), "0.050");
+  EXPECT_EQ(two_digits(1e-3), "1.0 × 10⁻³");
+  EXPECT_EQ(two_digits(2e-5), "2.0 × 10⁻⁵");
+  EXPECT_EQ(two_digits(7.0), "7.0");
+  EXPECT_EQ(two_digits(42.4), "42");
+  EXPECT_EQ(two_digits(1.13e70), "1.1 × 10⁷⁰");
+  EXPECT_EQ(two_digits(0.0), "0");
+  EXPECT_EQ(two_digits(std::nan("")), "–");
+}
+
 // 20 s from steps of 0.1 s on: halved six times, errors of RK4 lie between 1e-4 and 1e-11.
 TEST(Boards, TheOrderPlotMeasuresOrders) {
   Scene scene = scene_of(Overlay::order_plot);

@@ -120,6 +120,40 @@ TEST(Figure, ThePlaneIsNotDrawnWhereItIsNotInvariable) {
   EXPECT_TRUE(make_figure(make_model(scene), 0.5, 1.5).panes[0].list.floors.empty());
 }
 
+TEST(Figure, AMethodThatDoesNotKeepTheEnergyLeavesTheSurfaces) {  // 2026-11-22: they swelled with it
+  Scene scene = poinsot_scene();
+  scene.motion = {.method = Method::explicit_euler, .step_s = 0.1};
+  scene.show = {O::energy_ellipsoid, O::momentum_sphere, O::omega};
+  const SceneModel model = make_model(scene);
+  const double t_s = 5.0, rounding = 1e-12;
+  const PrincipalMoments& I = scene.body.moments;
+  const DrawList start = make_figure(model, 0.0, 1.5).panes[0].list,
+                 later = make_figure(model, t_s, 1.5).panes[0].list;
+  ASSERT_EQ(later.ellipsoids.size(), 2U);
+  const Vec3 tip = arrow_of(later, kOmegaRole).tip, w_B = model.motion->w_B_at(t_s);
+  const double T_ratio = kinetic_energy(I, w_B) / kinetic_energy(I, scene.w0_B);
+  const double L_ratio = angular_momentum_B(I, w_B).norm() / angular_momentum_B(I, scene.w0_B).norm();
+  EXPECT_GT(T_ratio, 1.1);
+  EXPECT_NEAR(on_ellipsoid(later.ellipsoids[0], tip), T_ratio, rounding);
+  EXPECT_NEAR(on_ellipsoid(later.ellipsoids[1], tip), L_ratio * L_ratio, rounding);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(later.ellipsoids[i].semi_axes, start.ellipsoids[i].semi_axes);
+}
+
+TEST(Figure, ATrailEndsAtItsArrowsTipAndOverItsCurve) {  // 2026-11-22: it ended up to a sample short of it
+  Scene scene = poinsot_scene();
+  scene.views = {View::body};
+  scene.show = {O::omega, O::polhode, O::trail_omega};
+  for (double t_s : {0.3, 1.1, 2.9}) {
+    const DrawList list = make_figure(make_model(scene), t_s, 1.5).panes[0].list;
+    const Vec3 tip = arrow_of(list, kOmegaRole).tip;
+    const auto trail =
+        std::ranges::find_if(list.tubes, [](const Tube& tube) { return tube.color == kOmegaRole.paint; });
+    ASSERT_NE(trail, list.tubes.end());
+    EXPECT_NEAR((trail->points.back() - tip).norm(), trail->radius, kMotionTolerance) << t_s;
+    EXPECT_GT(trail->radius, tube_of(list, kPolhodeRole).radius);
+  }
+}
+
 TEST(Figure,
      UnderTorqueTheTrailOfLRunsAlongN) {  // 2026-11-21: L was drawn at one length, its trail on a sphere
   Scene scene = poinsot_scene();

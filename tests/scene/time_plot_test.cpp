@@ -117,7 +117,7 @@ TEST(TimePlot, ALogarithmicAxisBeginsAtItsFloor) {
   plot.log_floor = 1e-16;
   const Sheet sheet = sheet_of(plot);
   EXPECT_EQ(texts_of(sheet, "10⁻¹⁶").size(), 1u);
-  EXPECT_EQ(texts_of(sheet, "three = 0").size(), 1u);
+  EXPECT_EQ(texts_of(sheet, "three: 0").size(), 1u);
   EXPECT_EQ(texts_of(sheet, "two").size(), 1u) << "zero at times only";
   const auto zero = strokes_of(sheet, kPolhodeRole.paint), partly = strokes_of(sheet, kLRole.paint);
   ASSERT_EQ(zero.size(), 1u);

@@ -55,6 +55,20 @@ std::string signed_short(double value) {
   return (value < 0.0 ? "−" : "") + short_number(std::abs(value));
 }
 
+std::string two_digits(double value) {
+  if (!std::isfinite(value)) return "–";
+  if (value == 0.0) return "0";
+  std::array<char, 32> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), std::abs(value),
+                                          std::chars_format::scientific, 1);  // d.de±dd
+  const std::string scientific(text.data(), end);
+  const std::size_t e = scientific.find('e');
+  const int exponent = std::stoi(scientific.substr(e + 1));
+  const std::string sign = value < 0.0 ? "−" : "";
+  if (exponent >= -2 && exponent <= 1) return sign + fixed(std::abs(value), 1 - exponent);
+  return sign + scientific.substr(0, e) + " × " + power_of_ten(exponent);
+}
+
 std::string plain_number(double value) {
   std::array<char, 64> text{};
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);

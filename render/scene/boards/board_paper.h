@@ -39,6 +39,9 @@ class NumberForm {
 /// Two digits and a sign: "−3 × 10⁻¹⁷", "0"; a dash for what is not finite.
 std::string signed_short(double value);
 
+/// The same with both digits always: "0.30", "−3.0 × 10⁻¹⁷".
+std::string two_digits(double value);
+
 /// As few digits as tell it from other doubles: "4.56", "0.001".
 std::string plain_number(double value);
 

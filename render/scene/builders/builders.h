@@ -13,6 +13,10 @@ namespace polhode::builders {
 
 inline constexpr double kTriadLength = 1.28;  ///< of the axes of both frames, scene units
 
+// Radii of curves at the standard thickness, scene units.
+inline constexpr double kPolhodeRadius = 0.0135;
+inline constexpr double kHerpolhodeRadius = 0.0085;
+
 /// A scene at one time in one view. "V" is the view's frame: S for the space view, B for the body view.
 struct Moment {
   const SceneModel& model;
@@ -86,6 +90,10 @@ bool puck_alone(const Moment& m);
 /// Places of the centre of mass over the scene's span, or of the puck's where there is one; scene units, view
 /// axes.
 std::vector<Vec3> path_of_center_V(const Moment& m);
+
+/// Twice the energy that the surfaces and the body inside them are drawn for, J: without torque that of the
+/// start, so that a computed motion which does not keep it leaves them.
+double two_T_of_surfaces(const Moment& m);
 
 /// Where the arrow of N begins and ends.
 struct Ends {

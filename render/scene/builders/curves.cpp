@@ -10,9 +10,7 @@
 namespace polhode::builders {
 namespace {
 
-constexpr double kPolhodeRadius = 0.0135;
 constexpr double kFamilyRadius = 0.0062;
-constexpr double kHerpolhodeRadius = 0.0085;
 
 /// Curves were computed for the energy of t = 0. ω scales with √T, and so do curves of the same L²/2T.
 double growth(const Moment& m) {

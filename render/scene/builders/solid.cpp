@@ -233,7 +233,7 @@ double scene_units_per_m(const Moment& m) {
 void add_solid(const Moment& m, DrawList& list) {
   if (!m.model.needs.solid) return;
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
-  const double scale = fit(parts, room_for(m, m.two_T));
+  const double scale = fit(parts, room_for(m, two_T_of_surfaces(m)));
   add_parts(std::move(parts), m.q_VB, scale, kSolid, 1.0F, list);
   if (m.turn && m.model.solid.kind == ShapeKind::box)
     add_cover(m.q_VB, 0.5 * scale * m.model.solid.size_m, list);
@@ -242,9 +242,12 @@ void add_solid(const Moment& m, DrawList& list) {
 void add_ghost_of_solid(const Moment& m, const Quat& q_SB, DrawList& list) {
   if (!m.model.needs.solid || m.view == View::body) return;  // B is the body's own: there both would coincide
   constexpr float kAlpha = 0.38F, kEdges = 0.6F;
+  constexpr double kLarger =
+      1.004;  // where both coincide, their faces would show through each other in specks
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
-  const double scale = fit(parts, room_for(m, m.two_T));
-  add_parts(std::move(parts), q_SB, scale, {kGlassTint.r, kGlassTint.g, kGlassTint.b, kAlpha}, kEdges, list);
+  const double scale = fit(parts, room_for(m, two_T_of_surfaces(m)));
+  add_parts(std::move(parts), q_SB, kLarger * scale, {kGlassTint.r, kGlassTint.g, kGlassTint.b, kAlpha},
+            kEdges, list);
 }
 
 }  // namespace polhode::builders

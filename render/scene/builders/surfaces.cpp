@@ -48,6 +48,10 @@ Curve first_round(const Curve& herpolhode_S) {
   return {{points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n)}, false};
 }
 
+double L_of_surfaces(const Moment& m) {
+  return m.model.scene.torque.empty() ? angular_momentum_B(m.I(), m.model.scene.w0_B).norm() : m.L_B.norm();
+}
+
 }  // namespace
 
 double plane_z(const Moment& m) {
@@ -56,23 +60,28 @@ double plane_z(const Moment& m) {
   return -invariable_plane_distance(m.I(), m.model.scene.w0_B) * m.omega_scale;
 }
 
+double two_T_of_surfaces(const Moment& m) {
+  return m.model.scene.torque.empty() ? 2.0 * kinetic_energy(m.I(), m.model.scene.w0_B) : m.two_T;
+}
+
 void add_surfaces(const Moment& m, DrawList& list) {
-  if (m.two_T <= 0.0) return;
+  const double two_T = two_T_of_surfaces(m), L = L_of_surfaces(m);
+  if (two_T <= 0.0) return;
   if (m.shows(Overlay::energy_ellipsoid))
     list.ellipsoids.push_back({.rotation = m.q_VB,
-                               .semi_axes = energy_ellipsoid_semi_axes(m.I(), m.two_T) * m.omega_scale,
+                               .semi_axes = energy_ellipsoid_semi_axes(m.I(), two_T) * m.omega_scale,
                                .tint = kGlassTint});
   if (m.shows(Overlay::momentum_ellipsoid))
     list.ellipsoids.push_back({.rotation = m.q_VB,
-                               .semi_axes = momentum_ellipsoid_semi_axes(m.I(), m.two_T) * m.L_scale,
+                               .semi_axes = momentum_ellipsoid_semi_axes(m.I(), two_T) * m.L_scale,
                                .tint = kGlassTint});
   if (m.shows(Overlay::momentum_sphere))
-    list.ellipsoids.push_back(
-        {.rotation = m.q_VB,
-         .semi_axes = m.L_scale > 0.0 ? Vec3(Vec3::Constant(m.L_B.norm() * m.L_scale))
-                                      : Vec3(m.L_B.norm() * m.omega_scale * m.I().vector().cwiseInverse()),
-         .tint = kSphereTint,
-         .graticule = false});
+    list.ellipsoids.push_back({.rotation = m.q_VB,
+                               .semi_axes = m.L_scale > 0.0
+                                                ? Vec3(Vec3::Constant(L * m.L_scale))
+                                                : Vec3(L * m.omega_scale * m.I().vector().cwiseInverse()),
+                               .tint = kSphereTint,
+                               .graticule = false});
   if (m.shows(Overlay::plane) && m.view == View::space) list.floors.push_back({.z = plane_z(m)});
 }
 

@@ -14,7 +14,8 @@ constexpr double kArrowRadius = 0.021;
 constexpr double kTorqueLength = 0.62;
 constexpr double kTriadRadius = 0.008;
 constexpr int kTrailPoints = 240;
-constexpr double kBehindTip = 0.03;
+constexpr double kTrailRadius = 0.011;
+constexpr double kOverCurve = 1.15;  ///< of a trail that lies on a curve
 
 void add_triad(const Quat& q_VF, const Vec3& origin_V, double emphasis, double dash, DrawList& list) {
   for (int i = 0; i < 3; ++i) {
@@ -33,11 +34,33 @@ double trail_start_s(const Moment& m) {
   return m.model.scene.torque.empty() ? start : std::max(0.0, start);
 }
 
+/// Over the curve that it lies on, or both would show in specks.
+double trail_radius(const Moment& m, Overlay trail) {
+  const double radius = kTrailRadius * m.emphasis(trail);
+  const bool on_polhode =
+      m.view == View::body && m.shows(Overlay::polhode) && (trail == Overlay::trail_L) == (m.L_scale > 0.0);
+  const bool on_herpolhode =
+      m.view == View::space && m.shows(Overlay::herpolhode) && trail == Overlay::trail_omega;
+  if (on_polhode) return std::max(radius, kOverCurve * kPolhodeRadius * m.emphasis(Overlay::polhode));
+  if (on_herpolhode)
+    return std::max(radius, kOverCurve * kHerpolhodeRadius * m.emphasis(Overlay::herpolhode));
+  return radius;
+}
+
+/// The arrow's tip ends the trail, whose blunt end would stick out: its axis ends one radius behind.
+void end_behind_tip(Tube& trail) {
+  std::vector<Vec3>& points = trail.points;
+  const Vec3 tip = points.back();
+  while (points.size() > 2 && (points.back() - tip).norm() < trail.radius) points.pop_back();
+  const Vec3 way = tip - points.back();
+  if (way.norm() > trail.radius) points.push_back(tip - trail.radius * way.normalized());
+}
+
 template <class TipAt>
 void add_trail(const Moment& m, Overlay overlay, const Role& role, TipAt tip_at, DrawList& list) {
   Tube trail{.points = {},
              .closed = false,
-             .radius = 0.011 * m.thickness * m.emphasis(overlay),
+             .radius = m.thickness * trail_radius(m, overlay),
              .color = role.paint,
              .fade_start = 0.0};
   const double start_s = trail_start_s(m);
@@ -50,9 +73,7 @@ void add_trail(const Moment& m, Overlay overlay, const Role& role, TipAt tip_at,
       then.w_B = m.model.motion->w_B_at(t_s);
     trail.points.push_back(tip_at(then));
   }
-  // The arrow's head ends the trail: its blunt end would stick out.
-  const Vec3 tip = trail.points.back();
-  while (trail.points.size() > 2 && (trail.points.back() - tip).norm() < kBehindTip) trail.points.pop_back();
+  end_behind_tip(trail);
   list.tubes.push_back(std::move(trail));
 }
 
