@@ -78,7 +78,7 @@ class PlotLayout {
   PlotLayout(const WorkPrecisionPlot& plot, double width, double height, const Fonts& fonts)
       : plot_(plot),
         fonts_(fonts),
-        unit_(std::min(height, width * 9.0 / 16.0) / 1080.0),
+        unit_(plot.scale * std::min(height, width * 9.0 / 16.0) / 1080.0),
         x_(LogAxis::covering(works_of(plot), false, true)),
         y_(LogAxis::covering(errors_of(plot), true, false)),
         styles_(styles_of(plot.series)),

@@ -42,6 +42,7 @@ struct WorkPrecisionPlot {
   std::optional<std::pair<double, double>> recommended{};  ///< the point to mark
   std::string recommended_label{};                         ///< what is said of it
   std::string note{};                                      ///< one line under the title
+  double scale = 1;  ///< of type, lines and marks, from what suits a picture of that size seen alone
 };
 
 /// Pure: depends on its arguments alone. About 0.2 s for fifteen curves, nearly all of it for where their

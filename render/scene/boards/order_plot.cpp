@@ -70,7 +70,8 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, Bo
               .tolerance = {},
               .recommended = {},
               .recommended_label = {},
-              .note = "behind each name: log₂ of what halving the step does to the error"},
+              .note = "behind each name: log₂ of what halving the step does to the error",
+              .scale = 1.45},
              {0, 0}, {kWidth, kHeight});
 }
 
