@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-constexpr int kPatience_ms = 20'000;
+constexpr int kPatience_ms = 90'000;  // a busy machine takes half a minute to start Chromium
 
 /// The first of these in PATH; empty: none.
 std::string chromium() {
