@@ -22,13 +22,12 @@ constexpr double kSmaller = 0.94;
 
 /// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
 bool is_refuted(const Stage& stage, const Equation& equation) {
-  const auto refutes = [&](const Block& block) {
+  const auto says_so = [&](const Block& block) {
     const auto* claim = std::get_if<Claim>(&block);
-    return claim && claim->equation == equation.id &&
-           (claim->kind == ClaimKind::is_false || claim->kind == ClaimKind::non_sequitur);
+    return claim && claim->equation == equation.id && refutes(claim->kind);
   };
   return std::any_of(stage.steps.begin(), stage.steps.end(), [&](const Step& step) {
-    return std::any_of(step.blocks.begin(), step.blocks.end(), refutes);
+    return std::any_of(step.blocks.begin(), step.blocks.end(), says_so);
   });
 }
 

@@ -10,9 +10,9 @@
 
 namespace polhode {
 
-namespace {
-
 bool refutes(ClaimKind kind) { return kind == ClaimKind::is_false || kind == ClaimKind::non_sequitur; }
+
+namespace {
 
 std::string upper(std::string_view word) {
   std::string text(word);

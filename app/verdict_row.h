@@ -10,6 +10,9 @@
 
 namespace polhode {
 
+/// Of the kinds false and non-sequitur.
+bool refutes(ClaimKind kind);
+
 /// What does not depend on time.
 struct VerdictRow {
   const Claim* claim = nullptr;
@@ -25,7 +28,7 @@ VerdictRow verdict_row(const Claim& claim, const Prover& prover, const Scene* sc
 /// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13), apart 2·10⁻¹⁵ ≤ 4·10⁻¹³", as set_line sets it. Empty where
 /// there are no values; no relation where the step is too long to tell.
 std::string live_text(const Claim& claim, const LiveState& live, View view);
-/// As wide as any of a claim.
+/// As wide as nearly all of a claim; a wider one is set smaller.
 std::string widest_live_text(const Claim& claim);
 
 }  // namespace polhode

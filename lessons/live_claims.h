@@ -49,9 +49,11 @@ std::optional<double> live_number(const Expression& scalar, const LiveState& liv
 
 /// The larger part of a method's tolerance is its error in a step: kStepErrors (ΩH)^order, with step H and
 /// the rate Ω = |ω| (by |I₁ − I₂| ≤ I₃ nothing in a free body turns faster).
-inline constexpr double kStepErrors = 4;
+/// Seen at most, over all methods, three spins, steps from 0.02 to 0.1 s, with and without torque: 0.24.
+inline constexpr double kStepErrors = 1;
 /// Of an adaptive method, in units of its tolerance: the error of its interpolation is not controlled.
-inline constexpr double kUnitsOfTolerance = 1e4;
+/// Seen: 41.
+inline constexpr double kUnitsOfTolerance = 200;
 
 /// A tolerance above this decides nothing: the step is too long.
 inline constexpr double kDecisive = 0.01;

@@ -40,7 +40,7 @@ struct Counterexample {
 /// "at I = …: left …, right …"
 std::string to_string(const Counterexample& counterexample);
 
-/// Draws its states once (70 µs). A claim of the lecture then costs some 2 to 10 µs, one of 4096 bytes up to
+/// Draws its states once (90 µs). A claim of the lecture then costs some 5 to 20 µs, one of 4096 bytes up to
 /// 10 ms; the search for a counterexample up to some 50 ms (tests/bench/claims_bench.cpp).
 class Prover {
  public:

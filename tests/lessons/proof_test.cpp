@@ -103,6 +103,15 @@ TEST(Proof, IsNotDeceivedByMultiplesOfThePrime) {
   EXPECT_NE(judged(prime + "*T = 0", ClaimKind::identity).verdict, Verdict::holds);
 }
 
+// Made to vanish, modulo the prime, at all the points that every claim is tried at; it holds nowhere else.
+TEST(Proof, IsNotDeceivedByWhatIsMadeForItsPoints) {
+  EXPECT_FALSE(
+      holds("135706915171*w1 + 538351745942*w2 + 1440676655040*w3 + 658129648931*I1 - 293642739508*I2 - "
+            "163220875269*I3 - 80313254239*w1*w1 - 497582140289*w2*w2 - 335353948545*w3*w3 + "
+            "247978507744*I1*I1 - 64549459038*I2*I2 - 357284661206*I3*I3 = 0",
+            ClaimKind::identity));
+}
+
 TEST(Proof, TakesDecimalNumbersExactly) {
   EXPECT_TRUE(holds("0.1*T + 0.2*T = 0.3*T", ClaimKind::identity));
   EXPECT_TRUE(holds("1e-3*T = T/1000", ClaimKind::identity));
