@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// What is going on while a student walks through a lesson: the place, the time, what was changed of the
+// scene, what was answered. No window, no files, no clock of its own: a window shows it and tells it what was
+// done; a test does the same.
+#pragma once
+
+#include "app/answer_log.h"
+#include "app/companion/scene_edits.h"
+#include "app/lesson_lookup.h"
+#include "app/page_theme.h"
+#include "lessons/answers.h"
+#include "render/scene/model.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// A step of a lesson; both count from 0.
+struct Place {
+  std::size_t stage = 0, step = 0;
+  auto operator<=>(const Place&) const = default;
+};
+
+/// What stands beside the page; at most one at a time.
+enum class Panel { none, outline, body, method, show, question, save, settings, help };
+
+/// How a person likes it, in all lessons.
+struct Preferences {
+  Theme theme = Theme::paper;
+  double text_scale = 1;        ///< kTextScales
+  bool reduced_motion = false;  ///< nothing fades, travels or plays by itself
+  bool operator==(const Preferences&) const = default;
+};
+inline constexpr double kLeastTextScale = 0.7, kMostTextScale = 2.0, kTextScaleFactor = 1.1;
+
+inline constexpr double kSlowest = 1.0 / 16, kFastest = 16;
+/// Single frames are those of a film: shown seconds.
+inline constexpr double kFrameSeconds = 1.0 / 25;
+/// How long one line of a derivation takes to become the next, shown seconds.
+inline constexpr double kMorphSeconds = 0.7;
+
+class Companion {
+ public:
+  /// At the first step, at rest. `loaded` is never null.
+  explicit Companion(std::shared_ptr<const LoadedLesson> loaded);
+  ~Companion();
+
+  // The lesson, and where we are in it.
+  const LoadedLesson& loaded() const { return *loaded_; }
+  const Lesson& lesson() const { return loaded_->lesson; }
+  Place place() const { return place_; }
+  const Stage& stage() const { return lesson().stages[place_.stage]; }
+  const Step& step() const { return stage().steps[place_.step]; }
+  std::optional<Place> next_place() const;      ///< nothing at the end
+  std::optional<Place> previous_place() const;  ///< nothing at the beginning
+  /// False, and nothing changes, where there is none. Steps run on from stage to stage; the previous stage's
+  /// last step precedes a first one. A stage begins at its first step: previous_stage goes to the beginning
+  /// of this one first, unless that is where we are.
+  bool next_step();
+  bool previous_step();
+  bool next_stage();
+  bool previous_stage();
+  /// Places that do not exist become the nearest that do. A new stage gives the scene back to the lesson,
+  /// stops the motion and shows the scene's own time; a step of the same stage with the same scene goes on
+  /// with everything as it is.
+  void go_to(Place place);
+  /// Ids of stages that were seen, among those of the lesson.
+  const std::set<std::string>& visited() const { return visited_; }
+  void set_visited(const std::set<std::string>& stages);
+  /// Another reading of the same lesson, for authors: stays at the stage of this id and its step as far as
+  /// they exist, keeps time, edits and answers.
+  void replace_lesson(std::shared_ptr<const LoadedLesson> loaded);
+
+  // Time: simulated seconds. Any t at once: motions are functions of time.
+  double t_s() const { return t_s_; }
+  bool is_playing() const { return playing_; }
+  double speed() const { return speed_; }  ///< shown seconds a second, kSlowest … kFastest
+  void set_playing(bool playing);          ///< nothing without a scene
+  void set_speed(double speed);            ///< clamped
+  void scrub_to(double t_s);               ///< clamped to what the motion reaches
+  /// `frames` of kFrameSeconds, forward or back; stops the motion.
+  void step_frames(int frames);
+  void reset_time();  ///< to the scene's own time
+  /// Real time passes; the motion stops where it cannot be computed any further.
+  void advance(double seconds);
+  /// What the time line shows: the loop of the scene, or that many of them further, in which t lies.
+  struct Interval {
+    double from_s = 0, to_s = 1;
+  };
+  Interval time_line() const;
+  /// Times of flips (physics/flips.h) in the interval of the time line.
+  const std::vector<double>& flips() const;
+
+  // The scene of the step with what was changed.
+  bool has_scene() const { return step().scene.has_value(); }
+  const Scene& lesson_scene() const { return *step().scene; }  ///< precondition: has_scene()
+  /// Null without a scene. Its camera, quality and highlight are up to date too.
+  const SceneModel* model() const { return model_.get(); }
+  /// Goes up whenever the model was made anew (not for camera, quality and highlight).
+  unsigned model_number() const { return model_number_; }
+  const SceneEdits& edits() const { return edits_; }
+  /// Refused, with what is wrong and nothing changed, if the scene cannot be modelled. What starts another
+  /// motion (body, ω, attitude) starts it at t = 0; time goes on over a change of method or overlays.
+  Status set_edits(const SceneEdits& edits);
+  void reset_edits();
+  /// The camera alone: cheap.
+  void set_camera(const CameraSpec& camera);
+  /// The camera keeps pace with the body's turning about the vertical.
+  bool is_following() const { return following_; }
+  void set_following(bool following);
+  /// The camera of the present moment: of the scene, or following the body.
+  CameraSpec camera() const;
+
+  // What is pointed at: a symbol of the lesson or a term, by name; empty: none.
+  const std::string& lit() const { return lit_; }
+  void light(const std::string& name);
+
+  // Questions of this step, in order.
+  std::vector<const Ask*> questions() const;
+  const AnswerLog& answers() const { return answers_; }
+  void set_answers(AnswerLog answers) { answers_ = std::move(answers); }
+  /// Judges and notes it; what cannot be read is judged, not noted.
+  const AnswerJudgement& answer(const Ask& ask, std::string_view text);
+  /// The verdict on what was answered last since the place was reached; null: none.
+  const AnswerJudgement* verdict(const Ask& ask) const;
+  const AnswerRecord* record(const Ask& ask) const;  ///< null: never answered
+  void show_hint(const Ask& ask);                    ///< one more, if there is one
+  void forget_answer(const Ask& ask);
+
+  // How it is shown.
+  Panel panel = Panel::none;
+  Preferences preferences{};
+  bool presenting = false;   ///< the page alone
+  bool notes_shown = false;  ///< while presenting: what comes next, and what is to be said
+  void change_text_scale(int steps);
+
+  /// From the step before to this one, 0…1; 1: arrived. Only a step forward within a stage travels.
+  double travel() const { return travel_; }
+  /// Whether something changes by itself: playing, or a line on its way.
+  bool is_moving() const;
+
+ private:
+  std::shared_ptr<const LoadedLesson> loaded_;
+  Place place_{};
+  std::set<std::string> visited_;
+  double t_s_ = 0, speed_ = 1, travel_ = 1;
+  bool playing_ = false, following_ = false;
+  SceneEdits edits_;
+  std::unique_ptr<SceneModel> model_;
+  unsigned model_number_ = 0;
+  std::string lit_;
+  AnswerLog answers_;
+  std::map<std::string, AnswerJudgement> verdicts_;  ///< by ask, since the place was reached
+};
+
+}  // namespace polhode

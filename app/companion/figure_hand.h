@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A hand in the figure: the camera is turned, the tip of ω is taken and put elsewhere.
+#pragma once
+
+#include "render/gl/renderer.h"
+#include "render/scene/model.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Turned by a drag of (dx, dy) px in a picture `height` px high: half a turn for the height; elevation stays
+/// within ±89°.
+CameraSpec orbited(CameraSpec camera, double dx, double dy, double height);
+/// Each notch of the wheel is a tenth; zoom stays within 0.25…8.
+CameraSpec zoomed(CameraSpec camera, double notches);
+
+struct CameraPreset {
+  std::string name;  ///< "front", "side", "top", "below", "three-quarter"
+  CameraSpec camera;
+};
+const std::vector<CameraPreset>& camera_presets();
+
+/// Where the tip of ω is in a figure, and in which pane.
+struct TipOnScreen {
+  std::size_t inset = 0;  ///< of the page
+  std::size_t pane = 0;
+  View view = View::space;
+  double x = 0, y = 0;  ///< px of the page
+};
+/// Of every pane that shows ω; empty if none does.
+std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets);
+
+/// ω of the same energy, in body axes, with its tip as near to the point (px of the page) as it can be drawn:
+/// the new motion starts there with `attitude`, as the scene with that ω at t = 0 would be drawn in the same
+/// pane. Where the scene holds L upright the body turns under the hand; the tip stays at the pointer. Nothing
+/// where it cannot be found.
+struct GrabbedOmega {
+  Vec3 w0_B;
+  std::optional<AttitudeSpec> attitude;  ///< that of the moment, unless the scene holds L down or up
+};
+std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const Inset& inset,
+                                     std::size_t pane, double x, double y);
+
+}  // namespace polhode

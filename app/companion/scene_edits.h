@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a student has changed of a step's scene by hand, apart from the scene itself: the lesson stays as it
+// is, and one key gives it back.
+#pragma once
+
+#include "render/scene/scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace polhode {
+
+/// What is absent is the lesson's.
+struct SceneEdits {
+  std::optional<Body> body{};
+  std::optional<Vec3> w0_B{};  ///< rad/s at t = 0
+  std::optional<AttitudeSpec> attitude{};
+  std::optional<MotionSpec> motion{};
+  OverlaySet on{}, off{};  ///< shown, not shown, whatever the lesson says; disjoint
+  std::optional<std::vector<View>> views{};
+  std::optional<CameraSpec> camera{};
+  std::optional<QualityLevel> quality{};
+
+  bool empty() const;
+};
+
+/// The scene with the edits in it. A method that cannot serve the body or torque is left to make_model to
+/// refuse.
+Scene edited(Scene scene, const SceneEdits& edits);
+
+/// Shows the overlay, or hides it; nothing is kept of what the lesson says anyway.
+void set_shown(SceneEdits& edits, const Scene& lesson_scene, Overlay overlay, bool is_shown);
+
+}  // namespace polhode
