@@ -57,7 +57,7 @@ const std::vector<Layer>& layers() {
        Names{"lessons/", "physics/", "render/scene/", "render/type/"} + kShared,
        {"Eigen/", "md4c.h", "toml++/"},
        kConsoleAndFiles},
-      {"app/window", kProgram, Names{"GLFW/", "imgui"} + kProgramLibraries, {}, false},
+      {"app/window", kProgram, Names{"GLFW/", "X11/", "imgui", "backends/imgui_impl_glfw.h"} + kProgramLibraries, {}, false},
       {"app/", kProgram, kProgramLibraries, {}, false},
       {"tests/bench/",
        kProgram + Names{"tests/bench/"},
