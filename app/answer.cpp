@@ -103,14 +103,12 @@ class Session {
 };
 
 ExitCode show_hint(const Ask& ask, const Speaker& speaker, Session& session) {
-  AnswerRecord& record = session.record();
-  const auto shown = static_cast<std::size_t>(std::max(0, record.hints));
-  if (shown >= ask.hints.size()) {
+  const auto next = note_hint(session.record(), ask.hints.size());
+  if (!next) {
     fmt::print("{}\n", ask.hints.empty() ? "There is no hint." : "There are no more hints.");
     return ExitCode::done;
   }
-  fmt::print("Hint {} of {}: {}\n", shown + 1, ask.hints.size(), speaker.words(ask.hint_texts[shown]));
-  record.hints = static_cast<int>(shown) + 1;
+  fmt::print("Hint {} of {}: {}\n", *next + 1, ask.hints.size(), speaker.words(ask.hint_texts[*next]));
   session.keep();
   return ExitCode::done;
 }
@@ -125,10 +123,7 @@ ExitCode judge_and_keep(const Ask& ask, const Options& options, Session& session
                                             : fmt::format("{} ({})", judgement.reason, judgement.hint));
   }
   if (judgement.outcome != Outcome::unreadable) {
-    AnswerRecord& record = session.record();
-    record.right = record.right || judgement.outcome == Outcome::right;
-    record.last = options.answer;
-    ++record.tries;
+    note_try(session.record(), judgement.outcome == Outcome::right, options.answer);
     session.keep();
     if (!options.json && judgement.outcome == Outcome::wrong && !ask.hints.empty())
       fmt::print("A hint: polhode answer {} {} {} --hint\n", options.lesson, options.stage, options.ask);
@@ -142,7 +137,7 @@ ExitCode answer(const Options& options) {
   const LoadedLesson loaded = load_lesson(options.lesson);
   const Stage& stage = stage_of(loaded.lesson, options.stage);
   const Ask& ask = ask_of(stage, options.ask);
-  Session session(loaded.lesson.id, stage.id + '/' + ask.id);
+  Session session(loaded.lesson.id, answer_name(stage.id, ask.id));
   if (options.hint) return show_hint(ask, Speaker(loaded.lesson), session);
   if (options.reset) {
     session.forget();

@@ -51,6 +51,23 @@ std::string text_of(const AnswerLog& log) {
 
 }  // namespace
 
+std::string answer_name(std::string_view stage_id, std::string_view ask_id) {
+  return fmt::format("{}/{}", stage_id, ask_id);
+}
+
+void note_try(AnswerRecord& record, bool is_right, std::string_view answer) {
+  record.right = record.right || is_right;
+  record.last = answer;
+  ++record.tries;
+}
+
+std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints) {
+  const auto shown = static_cast<std::size_t>(std::max(0, record.hints));
+  if (shown >= hints) return std::nullopt;
+  record.hints = static_cast<int>(shown) + 1;
+  return shown;
+}
+
 std::optional<fs::path> state_folder() {
   const char* state = std::getenv("XDG_STATE_HOME");
   if (state && fs::path(state).is_absolute()) return fs::path(state) / "polhode";

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace polhode {
 
@@ -20,6 +21,11 @@ struct AnswerRecord {
 
 /// Answers of one lesson by "STAGE/ASK".
 using AnswerLog = std::map<std::string, AnswerRecord>;
+std::string answer_name(std::string_view stage_id, std::string_view ask_id);
+
+void note_try(AnswerRecord& record, bool is_right, std::string_view answer);
+/// Which of so many hints comes next, from 0, noted as shown; nothing if all were.
+std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints);
 
 /// Nothing where neither XDG_STATE_HOME (absolute) nor HOME says where.
 std::optional<std::filesystem::path> state_folder();

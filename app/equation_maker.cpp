@@ -148,7 +148,7 @@ class EquationMaker : public PictureMaker {
     if (equation.live.empty()) return;
     const Scene* scene = scene_beside(equation);
     const SceneModel model = scene ? make_model(*scene, Product::page) : SceneModel();
-    const auto live = scene ? live_state(model, scene->at_s) : std::nullopt;
+    const auto live = scene ? live_state(model, still_time_s(*scene)) : std::nullopt;
     for (const LiveRoom& room : take_live_rooms(list)) {
       const PlacedType number =
           live_number_in(room, equation.live[room.index], live ? &*live : nullptr, context_.renderer.fonts());

@@ -175,7 +175,7 @@ std::vector<const Equation*> equations_of(const Stage& stage) {
 }
 
 double time_of(const PlannedPicture& picture, const ExportOptions& options, double speed) {
-  if (!picture.frame) return options.at_s.value_or(picture.scene->at_s);
+  if (!picture.frame) return options.at_s.value_or(still_time_s(*picture.scene));
   return frame_time(options.fps, picture.frame_of_stage, speed, options.at_s.value_or(0.0));
 }
 

@@ -82,11 +82,14 @@ const SceneModel& ModelOfScene::of(const Scene& scene) {
   return model_;
 }
 
+bool is_computable(const SceneModel& model, double t_s) {
+  if (!model.needs.attitude) return !model.needs.omega || model.motion->w_B_at(t_s).allFinite();
+  const RigidBodyState state = model.motion->at(t_s);
+  return state.w_B.allFinite() && state.q_SB.coeffs().allFinite();
+}
+
 void check_computable(const Stage& stage, const SceneModel& model, double t_s) {
-  const bool finite = model.needs.attitude ? model.motion->at(t_s).w_B.allFinite() &&
-                                                 model.motion->at(t_s).q_SB.coeffs().allFinite()
-                                           : !model.needs.omega || model.motion->w_B_at(t_s).allFinite();
-  if (!finite)
+  if (!is_computable(model, t_s))
     throw CommandError(
         ExitCode::failed,
         fmt::format("stage \"{}\": the motion cannot be computed at t = {:.6g} s: the torque is too "

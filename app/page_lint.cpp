@@ -34,7 +34,7 @@ class PageLint {
                     .number = number,
                     .step = static_cast<int>(i + 1),
                     .model = step.scene ? &model : nullptr,
-                    .t_s = step.scene ? step.scene->at_s : 0.0,
+                    .t_s = step.scene ? still_time_s(*step.scene) : 0.0,
                     .size = size,
                     .theme = Theme::paper},
                    place_of(stage, step)))

@@ -56,6 +56,9 @@ class ModelOfScene {
   SceneModel model_;
 };
 
+/// Whether what is needed of the motion can be computed at t.
+bool is_computable(const SceneModel& model, double t_s);
+
 /// A motion may overflow (a huge torque), or lie beyond the steps that its method takes.
 /// @throws CommandError failed
 void check_computable(const Stage& stage, const SceneModel& model, double t_s);

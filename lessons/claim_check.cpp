@@ -49,7 +49,7 @@ class ClaimCheck {
       if (!step.scene) {
         report_.error(place, "a live number needs a scene");
       } else if (const SceneModel* model = model_of(step)) {
-        const auto live = live_state(*model, step.scene->at_s);
+        const auto live = live_state(*model, still_time_s(*step.scene));
         if (!live || !live_number(equation.live[i], *live))
           report_.error(place, "this has no value on the scene's motion");
       }

@@ -43,6 +43,7 @@ class SceneKeys {
          {"show", [this](const TomlEntry& e) { show(e); }},
          {"camera", [this](const TomlEntry& e) { camera(e); }},
          {"at", [this](const TomlEntry& e) { assign(scene_.at_s, read_number(e, report_)); }},
+         {"still", [this](const TomlEntry& e) { assign(scene_.still_s, read_number(e, report_)); }},
          {"duration",
           [this](const TomlEntry& e) { assign(scene_.duration_s, read_positive_number(e, report_)); }},
          {"rate", [this](const TomlEntry& e) { assign(scene_.rate, read_positive_number(e, report_)); }},

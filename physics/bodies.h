@@ -23,6 +23,7 @@ enum class ShapeKind { box, ellipsoid, cylinder, t_handle };
 struct Shape {
   ShapeKind kind = ShapeKind::box;
   Vec3 size_m = Vec3::Ones();  ///< full extents along the body axes 1, 2, 3
+  bool operator==(const Shape&) const = default;
 };
 
 struct Body {
@@ -30,6 +31,7 @@ struct Body {
   PrincipalMoments moments;    ///< kg m²
   std::optional<Shape> shape;  ///< nothing: known by its moments only
   double mass_kg = 1.0;        ///< of a body known by its moments only: 1 kg, as of equivalent_box
+  bool operator==(const Body&) const = default;
 };
 
 /// Uniform box of full edge lengths a, b, c: I1 = m(b² + c²)/12, and cyclic.

@@ -31,24 +31,29 @@ namespace polhode {
 /// N_S constant in space, N m.
 struct SpaceTorque {
   Vec3 N_S = Vec3::Zero();
+  bool operator==(const SpaceTorque&) const = default;
 };
 /// N_B constant in the body, N m.
 struct BodyTorque {
   Vec3 N_B = Vec3::Zero();
+  bool operator==(const BodyTorque&) const = default;
 };
 /// Gravity along −z of space on a body held at a point: N_S = (R_SB a_B) × (−mgr e_z). The moments are those
 /// about that point. Keeps T + mgr e_z·R_SB a_B and L_Sz.
 struct HeavyTop {
   double mgr = 0.0;             ///< weight times distance from the pivot to the centre of mass, N m
   Vec3 axis_B = Vec3::UnitZ();  ///< unit, from the pivot to the centre of mass
+  bool operator==(const HeavyTop&) const = default;
 };
 /// N_B = −c ω_B: dT/dt = −c|ω|².
 struct LinearDamping {
   double c = 0.0;  ///< N m s
+  bool operator==(const LinearDamping&) const = default;
 };
 /// Friction inside the body at constant L in space; see the top of this file.
 struct EnergySink {
   double c = 0.0;  ///< pure number, ≥ 0: slip s_B = c (L_B×ω_B)/|L|
+  bool operator==(const EnergySink&) const = default;
 };
 
 using TorqueTerm = std::variant<SpaceTorque, BodyTorque, HeavyTop, LinearDamping, EnergySink>;

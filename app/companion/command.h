@@ -4,6 +4,7 @@
 
 #include "app/companion/companion.h"
 
+#include <optional>
 #include <span>
 #include <string_view>
 

@@ -16,6 +16,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -66,14 +67,16 @@ class Companion {
   bool next_stage();
   bool previous_stage();
   /// Places that do not exist become the nearest that do. A new stage gives the scene back to the lesson,
-  /// stops the motion and shows the scene's own time; a step of the same stage with the same scene goes on
-  /// with everything as it is.
+  /// stops the motion, shows the scene's own time and follows nothing. A step of the same stage with the same
+  /// scene goes on with everything as it is; with another scene it gives back all but a camera that was
+  /// turned where the lesson does not turn it, and time goes on if the motion is still the same.
   void go_to(Place place);
   /// Ids of stages that were seen, among those of the lesson.
   const std::set<std::string>& visited() const { return visited_; }
   void set_visited(const std::set<std::string>& stages);
   /// Another reading of the same lesson, for authors: stays at the stage of this id and its step as far as
-  /// they exist, keeps time, edits and answers.
+  /// they exist, keeps time, edits (unless they no longer can be) and answers. Pointers to what was in the
+  /// old one dangle.
   void replace_lesson(std::shared_ptr<const LoadedLesson> loaded);
 
   // Time: simulated seconds. Any t at once: motions are functions of time.
@@ -82,32 +85,36 @@ class Companion {
   double speed() const { return speed_; }  ///< shown seconds a second, kSlowest … kFastest
   void set_playing(bool playing);          ///< nothing without a scene
   void set_speed(double speed);            ///< clamped
-  void scrub_to(double t_s);               ///< clamped to what the motion reaches
+  /// As far as the motion reaches; stays where it is if the motion cannot be computed there.
+  void scrub_to(double t_s);
   /// `frames` of kFrameSeconds, forward or back; stops the motion.
   void step_frames(int frames);
   void reset_time();  ///< to the scene's own time
   /// Real time passes; the motion stops where it cannot be computed any further.
   void advance(double seconds);
-  /// What the time line shows: the loop of the scene, or that many of them further, in which t lies.
+  /// What the time line shows: the loop of the scene, or that many of them further, in which t lies. At the
+  /// border of two it is the one that was shown before. Precondition: has_scene()
   struct Interval {
     double from_s = 0, to_s = 1;
   };
   Interval time_line() const;
-  /// Times of flips (physics/flips.h) in the interval of the time line.
+  /// Times of flips (physics/flips.h) in the interval of the time line; none where the scene needs no ω.
   const std::vector<double>& flips() const;
 
   // The scene of the step with what was changed.
   bool has_scene() const { return step().scene.has_value(); }
   const Scene& lesson_scene() const { return *step().scene; }  ///< precondition: has_scene()
-  /// Null without a scene. Its camera, quality and highlight are up to date too.
+  /// Null without a scene. Its camera, quality and highlight are up to date too; what is pointed at is
+  /// highlighted.
   const SceneModel* model() const { return model_.get(); }
   /// Goes up whenever the model was made anew (not for camera, quality and highlight).
   unsigned model_number() const { return model_number_; }
   const SceneEdits& edits() const { return edits_; }
   /// Refused, with what is wrong and nothing changed, if the scene cannot be modelled. What starts another
-  /// motion (body, ω, attitude) starts it at t = 0; time goes on over a change of method or overlays.
+  /// motion (body, ω, attitude) starts it at t = 0; time goes on over a change of method or overlays. The
+  /// camera becomes the `writable` one.
   Status set_edits(const SceneEdits& edits);
-  void reset_edits();
+  void reset_edits();  ///< a motion that was changed begins at the scene's own time
   /// The camera alone: cheap.
   void set_camera(const CameraSpec& camera);
   /// The camera keeps pace with the body's turning about the vertical.
@@ -140,19 +147,34 @@ class Companion {
   void change_text_scale(int steps);
 
   /// From the step before to this one, 0…1; 1: arrived. Only a step forward within a stage travels.
-  double travel() const { return travel_; }
+  double travel() const { return preferences.reduced_motion ? 1 : travel_; }
   /// Whether something changes by itself: playing, or a line on its way.
   bool is_moving() const;
 
  private:
+  void arrive(Place place);
+  void show_lesson_scene();
+  void make_model_of(const SceneEdits& edits);
+  void patch_model();
+  void set_time(double t_s);
+  double heading_at(double t_s) const;
+
   std::shared_ptr<const LoadedLesson> loaded_;
   Place place_{};
   std::set<std::string> visited_;
   double t_s_ = 0, speed_ = 1, travel_ = 1;
+  double loop_ = 0;         ///< number of the loop that the time line shows
+  double heading_rad_ = 0;  ///< of the body where the camera has the azimuth of the scene, while following
   bool playing_ = false, following_ = false;
   SceneEdits edits_;
   std::unique_ptr<SceneModel> model_;
   unsigned model_number_ = 0;
+  struct Flips {
+    unsigned model_number = 0;
+    double loop = 0;
+    std::vector<double> times_s;
+  };
+  mutable Flips flips_;  ///< found when asked for
   std::string lit_;
   AnswerLog answers_;
   std::map<std::string, AnswerJudgement> verdicts_;  ///< by ask, since the place was reached

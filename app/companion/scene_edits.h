@@ -3,6 +3,7 @@
 // is, and one key gives it back.
 #pragma once
 
+#include "render/result.h"
 #include "render/scene/scene.h"
 
 #include <optional>
@@ -21,14 +22,23 @@ struct SceneEdits {
   std::optional<CameraSpec> camera{};
   std::optional<QualityLevel> quality{};
 
-  bool empty() const;
+  bool empty() const { return *this == SceneEdits{}; }
+  bool operator==(const SceneEdits&) const = default;
 };
 
-/// The scene with the edits in it. A method that cannot serve the body or torque is left to make_model to
-/// refuse.
+/// The scene with the edits in it. ω and the attitude of the lesson stay with another body; L keeps pointing
+/// down where the plane, which had it so, is hidden. A method that cannot serve the body or torque is left to
+/// make_model to refuse.
 Scene edited(Scene scene, const SceneEdits& edits);
 
 /// Shows the overlay, or hides it; nothing is kept of what the lesson says anyway.
 void set_shown(SceneEdits& edits, const Scene& lesson_scene, Overlay overlay, bool is_shown);
+
+/// A body known by these moments alone, kg m², or the inequality that forbids them.
+Result<Body> body_with_moments(const Vec3& moments);
+
+/// The camera as a lesson can state it: angles in whole 1e-4°, azimuth within half a turn, the rest within
+/// the format's bounds. What is on the screen can then be saved without moving by a hair.
+CameraSpec writable(const CameraSpec& camera);
 
 }  // namespace polhode

@@ -64,7 +64,7 @@ double reach_of(const Scene& scene, const Requirements& needs) {
   if (needs.trail_L || needs.trail_omega) reach_s += span_s;
   if (needs.terms && scene.torque.empty()) reach_s = std::max(reach_s, span_of(scene));
   if (needs.herpolhode) reach_s = std::max(reach_s, herpolhode_span_s(scene));
-  return reach_s;
+  return std::max(reach_s, std::abs(still_time_s(scene)));
 }
 
 struct Choice {
@@ -95,7 +95,7 @@ double reach_of(const Motion& motion, const std::optional<double>& step_s) {
 
 void check_reach(const MethodChoice& choice, const Motion& motion, double reach_s) {
   const std::string name(facts_of(choice.method).name);
-  if (choice.step_s && reach_s / *choice.step_s > kMostSteps)
+  if (choice.step_s && reach_s > kMostSteps * *choice.step_s)
     throw std::domain_error("at and duration reach " + std::to_string(reach_s / *choice.step_s) +
                             " steps of \"" + name + "\" from the start, at most " +
                             std::to_string(kMostSteps) + " are made: choose a shorter time or a longer step");

@@ -63,7 +63,8 @@ struct Scene {
   std::vector<View> views{View::space};  ///< one, or two side by side
   OverlaySet show;
   CameraSpec camera;
-  double at_s = 0.0;                   ///< the t of a still
+  double at_s = 0.0;  ///< the t of a still, and what lengths and tables that hang on a time are made for
+  std::optional<double> still_s;       ///< the t of a still, where that is another
   std::optional<double> duration_s;    ///< what curves over time cover; absent: one polhode period (the
                                        ///< herpolhode: three), else a turn
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
@@ -71,7 +72,11 @@ struct Scene {
   QualityLevel quality = QualityLevel::normal;
   std::string caption;                       ///< one line in the picture
   std::optional<std::vector<Meter>> meters;  ///< of a page; absent: by whether there is torque
+  bool operator==(const Scene&) const = default;
 };
+
+/// The t of a still.
+inline double still_time_s(const Scene& scene) { return scene.still_s.value_or(scene.at_s); }
 
 /// One term from its text: `space:x,y,z` | `body:x,y,z` | `heavy:MGR,ax,ay,az` | `damping:C` | `sink:C`.
 /// The error says what is wrong with the text. Used by `--torque` and by the scene key `torque`.
