@@ -65,6 +65,7 @@ const std::vector<Layer>& layers() {
                                  "cvode/", "nvector/", "sundials/", "sunnonlinsol/"},
        {},
        false},
+      {"tests/window/", kProgram + Names{"tests/"}, Names{"gtest/", "gmock/", "xcb/"} + kPosix, {}, false},
       {"tests/oracle/", kProgram + Names{"tests/"}, {"gtest/", "gmock/", "ginac/"}, {}, false},
       {"tests/",
        kProgram + Names{"tests/"},
