@@ -53,6 +53,7 @@ class Companion {
 
   // The lesson, and where we are in it.
   const LoadedLesson& loaded() const { return *loaded_; }
+  const std::shared_ptr<const LoadedLesson>& loaded_pointer() const { return loaded_; }
   const Lesson& lesson() const { return loaded_->lesson; }
   Place place() const { return place_; }
   const Stage& stage() const { return lesson().stages[place_.stage]; }
