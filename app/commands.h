@@ -19,6 +19,7 @@ namespace polhode {
 using Action = std::function<ExitCode()>;
 
 void add_list(CLI::App& app, Action& action);
+void add_play(CLI::App& app, Action& action);
 void add_export(CLI::App& app, Action& action);
 void add_lint(CLI::App& app, Action& action);
 void add_info(CLI::App& app, Action& action);

@@ -159,12 +159,12 @@ void Framebuffer::resolve() const {
                        GL_NEAREST);
 }
 
-void Framebuffer::copy_to(const Framebuffer& other, int x, int y) const {
+void Framebuffer::copy_to(const Framebuffer& other, int x, int y, Size size) const {
   gl_->Disable(GL_SCISSOR_TEST);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, names_.resolved);
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, other.names_.resolved);
-  gl_->BlitFramebuffer(0, 0, size_.width, size_.height, x, y, x + size_.width, y + size_.height,
-                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_->BlitFramebuffer(0, 0, size_.width, size_.height, x, y, x + size.width, y + size.height,
+                       GL_COLOR_BUFFER_BIT, size == size_ ? GL_NEAREST : GL_LINEAR);
 }
 
 Image Framebuffer::read() const {

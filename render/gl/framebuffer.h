@@ -31,7 +31,9 @@ class Framebuffer {
   void resolve() const;
   /// Copies the resolved pixels into the texture of another one, whose lower left corner of them lies at (x,
   /// y); what falls outside is left out.
-  void copy_to(const Framebuffer& other, int x, int y) const;
+  void copy_to(const Framebuffer& other, int x, int y) const { copy_to(other, x, y, size_); }
+  /// Enlarged or reduced to `size`, between pixels in proportion.
+  void copy_to(const Framebuffer& other, int x, int y, Size size) const;
   /// The texture's pixels, top row first, as they were drawn: alpha stays premultiplied if the drawing
   /// premultiplied. Call resolve() before. 1080p: 2 ms of CPU.
   Image read() const;

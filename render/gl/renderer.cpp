@@ -10,6 +10,7 @@
 #include "render/gl/stream.h"
 
 #include <algorithm>
+#include <cmath>
 #include <list>
 
 namespace polhode {
@@ -54,6 +55,8 @@ class GlRenderer final : public Renderer {
                      const Quality& quality) override;
   Result<Image> draw(const Sheet& sheet, std::span<const Inset> insets, Size size,
                      const Background& background) override;
+  Status paint(const Sheet& sheet, std::span<const Inset> insets, const Background& background,
+               const Framebuffer& page) override;
   const Fonts& fonts() const override { return *passes_.fonts; }
   int most_samples() const override { return limits(gl()).samples; }
   std::string driver() const override { return driver_name(gl()); }
@@ -78,7 +81,7 @@ class GlRenderer final : public Renderer {
   void forget_canvases();
   void start();
   void draw_figure(const Figure& figure, const Background& background);
-  Status draw_inset(const Inset& inset);
+  Status draw_inset(const Inset& inset, const Framebuffer& page);
   Result<Image> read_picture(const Framebuffer& picture, const Background& background);
   void average();
 
@@ -186,18 +189,25 @@ Result<Image> GlRenderer::draw(const Figure& figure, Size size, const Background
   return read_picture(canvas().picture, background);
 }
 
+Size drawn_size(const Inset& inset) {
+  const auto drawn = [&](int side) {
+    return std::max(1, static_cast<int>(std::lround(inset.resolution * side)));
+  };
+  return {drawn(inset.place.width), drawn(inset.place.height)};
+}
+
 /// Over what is on the page.
-Status GlRenderer::draw_inset(const Inset& inset) {
+Status GlRenderer::draw_inset(const Inset& inset, const Framebuffer& page) {
   const PixelRect& at = inset.place;
-  if (Status ready = prepare(inset.figure, {at.width, at.height}, inset.quality); !ready)
+  if (Status ready = prepare(inset.figure, drawn_size(inset), inset.quality); !ready)
     return failure(ready.error());
   draw_figure(inset.figure, inset.background);
-  const int bottom = page_->size().height - at.y - at.height;
+  const int bottom = page.size().height - at.y - at.height;
   if (inset.background.kind != Background::Kind::transparent) {
-    canvas().picture.copy_to(*page_, at.x, bottom);
+    canvas().picture.copy_to(page, at.x, bottom, {at.width, at.height});
     return success();
   }
-  page_->bind();
+  page.bind();
   gl().Viewport(at.x, bottom, at.width, at.height);
   passes_.figure->lay_over(canvas().picture, at.x, bottom);
   return success();
@@ -211,16 +221,23 @@ Result<Image> GlRenderer::draw(const Sheet& sheet, std::span<const Inset> insets
     if (!page) return failure(page.error());
     page_ = std::move(page).value();
   }
+  if (Status painted = paint(sheet, insets, background, *page_); !painted) return failure(painted.error());
+  return read_picture(*page_, background);
+}
+
+Status GlRenderer::paint(const Sheet& sheet, std::span<const Inset> insets, const Background& background,
+                         const Framebuffer& page) {
+  const Size size = page.size();
   start();
   const Figure nothing{{Pane{}}, "", 0};  // the background alone
-  passes_.figure->draw(nothing, background, 1, *page_, nullptr);
+  passes_.figure->draw(nothing, background, 1, page, nullptr);
   passes_.sheet->draw(sheet.shapes, size);
   for (const Inset& inset : insets)
-    if (Status drawn = draw_inset(inset); !drawn) return failure(drawn.error());
-  page_->bind();
+    if (Status drawn = draw_inset(inset, page); !drawn) return drawn;
+  page.bind();
   passes_.sheet->draw(sheet.over_insets, size);
   passes_.type->draw(sheet.texts, size);
-  return read_picture(*page_, background);
+  return success();
 }
 
 Result<Image> GlRenderer::read_picture(const Framebuffer& picture, const Background& background) {

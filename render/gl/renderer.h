@@ -17,6 +17,8 @@
 
 namespace polhode {
 
+class Framebuffer;
+
 inline constexpr int kMaxImageSide = 16384;  ///< px; llvmpipe's limit
 
 /// How finely a figure is drawn. Its text has soft edges of its own and is the same in all.
@@ -45,6 +47,9 @@ struct Inset {
   PixelRect place;
   Background background;
   Quality quality;
+  /// Drawn with this part of its pixels each way, 0 < … ≤ 1, and enlarged: while something moves on a slow
+  /// machine.
+  double resolution = 1;
 };
 
 /// Owns all GL objects and the fonts; one per context, reused for every frame. Compiles its shaders once
@@ -62,6 +67,10 @@ class Renderer {
   /// earlier; one with an opaque background is the picture that the figure makes alone, byte for byte.
   virtual Result<Image> draw(const Sheet& sheet, std::span<const Inset> insets, Size size,
                              const Background& background) = 0;
+  /// The same pixels, premultiplied, into a framebuffer of this context and of the size that the sheet is
+  /// laid out for: nothing is read. For windows.
+  virtual Status paint(const Sheet& sheet, std::span<const Inset> insets, const Background& background,
+                       const Framebuffer& page) = 0;
   Result<Image> draw(const Sheet& sheet, Size size, const Background& background) {
     return draw(sheet, std::span<const Inset>(), size, background);
   }

@@ -49,6 +49,7 @@ struct BufferDeleter {
 };
 
 struct OpenFace {
+  std::string path;
   std::unique_ptr<FT_FaceRec_, FaceDeleter> outlines;
   std::unique_ptr<hb_font_t, FontDeleter> font;
   double units_per_em = 1000.0;
@@ -66,6 +67,7 @@ OpenFace open_face(FT_Library library, const std::string& file) {
     FT_Face outlines = nullptr;
     if (FT_New_Face(library, path.c_str(), 0, &outlines) != 0) continue;
     OpenFace opened;
+    opened.path = path;
     opened.outlines.reset(outlines);
     hb_blob_t* blob = hb_blob_create_from_file(path.c_str());
     hb_face_t* face = hb_face_create(blob, 0);
@@ -200,6 +202,8 @@ std::vector<ShapedGlyph> Fonts::shape(Face face, std::string_view utf8) const {
 
 hb_font_t* Fonts::harfbuzz(Face face) const { return (*faces_)[face].font.get(); }
 double Fonts::units_per_em(Face face) const { return (*faces_)[face].units_per_em; }
+
+const std::string& Fonts::path(Face face) const { return (*faces_)[face].path; }
 
 GlyphMask Fonts::mask(Face face, std::uint32_t glyph, double size_px, double shift_x, double shift_y) const {
   FT_Face outlines = (*faces_)[face].outlines.get();

@@ -58,6 +58,8 @@ class Fonts {
   /// HarfBuzz's font: one em is units_per_em() units. For the MATH table.
   hb_font_t* harfbuzz(Face face) const;
   double units_per_em(Face face) const;
+  /// The file a face was read from, for other libraries that draw with it.
+  const std::string& path(Face face) const;
 
   /// Pixels of a glyph whose origin lies `shift_x`, `shift_y` (0 ≤ … < 1, x to the right, y down) from a
   /// pixel's corner. Empty for a glyph without ink. About 10 µs at 30 px.

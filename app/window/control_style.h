@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// How controls look: the fonts and colours of the page.
+#pragma once
+
+#include "app/page_theme.h"
+#include "render/type/fonts.h"
+
+namespace polhode {
+
+/// Sizes of the window's own parts, px of the display.
+struct ControlSizes {
+  float em = 15;      ///< of the controls' type
+  float bar = 50;     ///< height of the bar below the page
+  float panel = 320;  ///< width of the panel beside it
+  float padding = 10;
+  bool operator==(const ControlSizes&) const = default;
+};
+/// At a scale: 1 for a display of about 96 dots per inch.
+ControlSizes control_sizes(double scale);
+
+/// Builds the fonts of the current ImGui context: Heros, with signs and Greek from Pagella Math.
+void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts);
+
+/// Colours, roundings and distances of the current ImGui context.
+void set_control_style(Theme theme, const ControlSizes& sizes);
+
+}  // namespace polhode

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What the bar and the panels of the window work with, and what they ask of it.
+#pragma once
+
+#include "app/companion/companion.h"
+#include "app/companion/take_away.h"
+#include "app/companion/trade.h"
+#include "app/speaker.h"
+#include "app/window/control_style.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace polhode {
+
+/// What cannot be done in a panel; done by the window after the frame.
+struct Wishes {
+  bool quit = false, full_screen = false;
+  std::optional<TakeAway> take_away{};
+  std::string clipboard{};  ///< to be copied; empty: nothing
+};
+
+/// What is typed or chosen in the panels, and not yet part of the companion.
+struct PanelMemory {
+  std::map<std::string, std::string> typed_answers{};  ///< by "stage/ask"
+  std::array<double, 3> moments{};
+  unsigned moments_of = 0;  ///< model_number that they were taken from
+  std::string refusal{};    ///< why the last edit was not made; empty: it was
+  TakeAwayOptions take_away{};
+  std::string folder{};
+  std::unique_ptr<FrontMeasurement> front{};
+  std::string front_problem{};  ///< that was measured
+  int front_choice = 0;         ///< among its steps
+  std::unique_ptr<TradeMeter> trade{};
+  unsigned trade_of = 0;
+  LiveTrade live{};
+  double live_shown_at = -1;  ///< of the clock: numbers change slowly enough to be read
+  double live_of_t = 0;
+  std::optional<Place> outlined{};  ///< that was scrolled to
+  bool panel_has_focus = false;     ///< keys are for it
+};
+
+/// A rectangle of the display, px.
+struct Region {
+  float x = 0, y = 0, width = 0, height = 0;
+};
+
+struct Desk {
+  Companion& companion;
+  const Speaker& speaker;
+  const ControlSizes& sizes;
+  PanelMemory& memory;
+  Wishes& wishes;
+  double frame_ms = 0;      ///< CPU time of the last page that was drawn
+  double clock_s = 0;       ///< since the window opened
+  bool take_focus = false;  ///< the panel was just opened
+};
+
+/// Names of panels as the bar and help have them: "Outline".
+const char* name_of(Panel panel);
+
+/// Of the bar in a window of this width: narrow ones have two rows.
+float bar_height(const ControlSizes& sizes, float width);
+/// The row of controls below the page.
+void draw_bar(Desk& desk, const Region& region);
+/// The panel that is open.
+void draw_panel(Desk& desk, const Region& region);
+
+}  // namespace polhode

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// GLFW's keys by the names that app/companion/command.h uses.
+#pragma once
+
+#include <string>
+
+namespace polhode {
+
+/// "Right", "Shift+Tab", "Ctrl+S"; empty for keys that make a character (that comes as one), and for unknown
+/// ones.
+std::string key_name(int key, int modifiers);
+/// "A" for a and A, "+", "?": as the keyboard has it.
+std::string character_name(unsigned code_point);
+
+}  // namespace polhode

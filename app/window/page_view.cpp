@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/page_view.h"
+
+#include "app/exit_codes.h"
+
+namespace polhode {
+
+namespace {
+
+PageRequest request_of(const Companion& companion, Size size) {
+  return {.lesson = companion.lesson(),
+          .stage = companion.stage(),
+          .number = static_cast<int>(companion.place().stage) + 1,
+          .step = static_cast<int>(companion.place().step) + 1,
+          .model = companion.model(),
+          .t_s = companion.t_s(),
+          .size = size,
+          .theme = companion.preferences.theme,
+          .quality = {},
+          .news = {},
+          .text_scale = companion.preferences.text_scale};
+}
+
+}  // namespace
+
+PageView::PageKey PageView::key_of(const Companion& companion, const PageLook& look) const {
+  const SceneModel* model = companion.model();
+  return {{companion.loaded_pointer(), companion.place(), companion.model_number(), look.size,
+           companion.preferences},
+          look,
+          companion.t_s(),
+          companion.travel(),
+          companion.camera(),
+          model ? model->scene.quality : QualityLevel::normal,
+          companion.lit()};
+}
+
+void PageView::compose(const Companion& companion, const PageKey& key) {
+  PageRequest request = request_of(companion, key.look.size);
+  //TRAVEL
+  const Fonts& fonts = renderer_.fonts();
+  const bool may_keep = text_ && key.look.keep_text && text_key_->place == key.text.place &&
+                        text_key_->loaded == key.text.loaded && text_key_->size == key.text.size;
+  if (!may_keep && !(text_ && text_key_ == key.text)) {
+    text_ = text_of_page(request, fonts);
+    text_key_ = key.text;
+  }
+  page_ = compose_page(request, *text_, fonts);
+  symbols_ = symbols_on(page_.sheet, fonts);
+  const PageColors& colors = colors_of(request.theme);
+  for (FlatShape& mark :
+       marks_of(symbols_, key.lit, key.look.focus, colors.marked, colors.question, page_.scale * 16))
+    page_.sheet.shapes.push_back(std::move(mark));
+  for (Inset& inset : page_.insets) inset.resolution = key.look.resolution;
+}
+
+Result<bool> PageView::show(const Companion& companion, const PageLook& look) {
+  const PageKey key = key_of(companion, look);
+  if (shown_ == key && picture_) return false;
+  try {
+    compose(companion, key);
+  } catch (const CommandError& error) {
+    return failure(error.what());
+  }
+  if (!picture_ || picture_->size() != look.size) {
+    picture_.reset();
+    auto made = Framebuffer::create(gl_, look.size, 0);
+    if (!made) return failure(made.error());
+    picture_ = std::move(made).value();
+  }
+  const Background paper{Background::Kind::color, colors_of(companion.preferences.theme).paper};
+  if (Status painted = renderer_.paint(page_.sheet, page_.insets, paper, *picture_); !painted)
+    return failure(painted.error());
+  shown_ = key;
+  return true;
+}
+
+}  // namespace polhode

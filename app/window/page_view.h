@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The page of a companion in a framebuffer: the page that export writes, drawn anew only where something has
+// changed.
+#pragma once
+
+#include "app/companion/companion.h"
+#include "app/companion/page_symbols.h"
+#include "app/page.h"
+#include "app/page_text.h"
+#include "render/gl/framebuffer.h"
+
+namespace polhode {
+
+/// What decides a page's pixels apart from the companion.
+struct PageLook {
+  Size size;
+  std::optional<std::size_t> focus{};  ///< place among symbols(): has a ring
+  double resolution = 1;               ///< of figures, while something moves
+  bool keep_text = false;              ///< while ω is dragged: the text as it was set before
+  bool operator==(const PageLook&) const = default;
+};
+
+class PageView {
+ public:
+  /// Both outlive it.
+  PageView(const Gl& gl, Renderer& renderer) : gl_(gl), renderer_(renderer) {}
+
+  /// Draws what has changed; false: nothing has. Text that cannot be set (a symbol that no font has) is an
+  /// error.
+  Result<bool> show(const Companion& companion, const PageLook& look);
+
+  const Framebuffer& picture() const { return *picture_; }  ///< precondition: shown
+  const std::vector<PageSymbol>& symbols() const { return symbols_; }
+  const std::vector<Inset>& insets() const { return page_.insets; }
+  const Page& page() const { return page_; }
+
+ private:
+  /// What the layout of the text depends on.
+  struct TextKey {
+    std::shared_ptr<const LoadedLesson> loaded;
+    Place place;
+    unsigned model_number = 0;
+    Size size;
+    Preferences preferences;
+    bool operator==(const TextKey&) const = default;
+  };
+  /// And the rest of the page.
+  struct PageKey {
+    TextKey text;
+    PageLook look;
+    double t_s = 0, travel = 1;
+    CameraSpec camera;
+    QualityLevel quality = QualityLevel::normal;
+    std::string lit;
+    bool operator==(const PageKey&) const = default;
+  };
+  PageKey key_of(const Companion& companion, const PageLook& look) const;
+  void compose(const Companion& companion, const PageKey& key);
+
+  const Gl& gl_;
+  Renderer& renderer_;
+  std::optional<PageKey> shown_;
+  std::optional<TextKey> text_key_;
+  std::optional<FittedText> text_;
+  Page page_;
+  std::vector<PageSymbol> symbols_;
+  std::optional<Framebuffer> picture_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/panels.h"
+#include "app/window/widgets.h"
+
+#include <imgui.h>
+
+namespace polhode {
+
+namespace {
+
+const char* title_of(Panel panel) {
+  switch (panel) {
+    case Panel::outline:
+      return "Outline";
+    case Panel::body:
+      return "Body and motion";
+    case Panel::method:
+      return "Speed and accuracy";
+    case Panel::show:
+      return "What is shown";
+    case Panel::question:
+      return "Questions";
+    case Panel::save:
+      return "Take away";
+    case Panel::settings:
+      return "View";
+    default:
+      return "Keys";
+  }
+}
+
+void draw_contents(Desk& desk) {
+  switch (desk.companion.panel) {
+    case Panel::outline:
+      return draw_outline(desk);
+    case Panel::body:
+      return draw_body(desk);
+    case Panel::method:
+      return draw_method(desk);
+    case Panel::show:
+      return draw_show(desk);
+    case Panel::question:
+      return draw_questions(desk);
+    case Panel::save:
+      return draw_save(desk);
+    case Panel::settings:
+      return draw_settings(desk);
+    case Panel::help:
+      return draw_help(desk);
+    case Panel::none:
+      return;
+  }
+}
+
+}  // namespace
+
+void draw_panel(Desk& desk, const Region& region) {
+  ImGui::SetNextWindowPos({region.x, region.y});
+  ImGui::SetNextWindowSize({region.width, region.height});
+  if (desk.take_focus) ImGui::SetNextWindowFocus();
+  ImGui::Begin("panel", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
+  desk.memory.panel_has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool focused = desk.memory.panel_has_focus;
+  list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},
+               ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 3.0F : 1.0F);
+  const float close = ImGui::GetFrameHeight();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(title_of(desk.companion.panel));
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - close);
+  const bool closed = ImGui::Button("×", {close, 0});
+  tooltip_of_last("Close (Esc)");
+  ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  draw_contents(desk);
+  ImGui::EndChild();
+  ImGui::End();
+  if (closed) desk.companion.panel = Panel::none;
+}
+
+}  // namespace polhode

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/panels.h"
+#include "app/window/widgets.h"
+#include "render/scene/model.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+/// Of those that have one: a step that a turn has 64 of.
+double usual_step_s(const SceneModel& model) {
+  const double speed = model.scene.w0_B.norm();
+  return speed > 0 ? 2 * M_PI / speed / 64 : 0.01;
+}
+
+std::string number_or_dash(double value, const char* unit) {
+  return std::isfinite(value) ? fmt::format("{:.1e}{}", value, unit) : std::string();
+}
+
+void set_motion(Desk& desk, const MotionSpec& motion) {
+  SceneEdits edits = desk.companion.edits();
+  edits.motion = motion;
+  set_edits_or_say(desk, edits);
+}
+
+Method method_of(const SceneModel& model) {
+  return model.scene.motion.method.value_or(default_method(problem_of(model.scene)));
+}
+
+/// What cannot serve is there, and says why.
+void choose_method(Desk& desk, const SceneModel& model) {
+  const Problem problem = problem_of(model.scene);
+  const Method present = method_of(model);
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##method", std::string(name_of(present)).c_str(), ImGuiComboFlags_HeightLarge))
+    return;
+  for (const MethodFacts& facts : all_methods()) {
+    const auto reason = why_not(facts.method, problem);
+    const auto flags = reason ? ImGuiSelectableFlags_Disabled : ImGuiSelectableFlags_None;
+    if (ImGui::Selectable(std::string(facts.name).c_str(), facts.method == present, flags)) {
+      MotionSpec motion{
+          .method = facts.method, .step_s = {}, .tolerance = {}, .ghost = model.scene.motion.ghost};
+      if (facts.control == StepControl::fixed)
+        motion.step_s = model.scene.motion.step_s.value_or(usual_step_s(model));
+      set_motion(desk, motion);
+    }
+    tooltip_of_last(reason ? reason->c_str() : fmt::format("{}; keeps {}", facts.term, facts.keeps).c_str());
+  }
+  ImGui::EndCombo();
+}
+
+void choose_step(Desk& desk, const SceneModel& model) {
+  const MethodFacts& facts = facts_of(method_of(model));
+  MotionSpec motion = model.scene.motion;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ImGui::GetFontSize());
+  if (facts.control == StepControl::fixed) {
+    double step = motion.step_s.value_or(usual_step_s(model));
+    const double low = usual_step_s(model) / 256, high = usual_step_s(model) * 16;
+    if (ImGui::SliderScalar("step, s", ImGuiDataType_Double, &step, &low, &high, "%.4g",
+                            ImGuiSliderFlags_Logarithmic)) {
+      motion.step_s = step;
+      set_motion(desk, motion);
+    }
+  } else if (facts.control == StepControl::adaptive) {
+    double tolerance = motion.tolerance.value_or(kDefaultTolerance);
+    const double low = 1e-14, high = 1e-2;
+    if (ImGui::SliderScalar("tolerance", ImGuiDataType_Double, &tolerance, &low, &high, "%.1e",
+                            ImGuiSliderFlags_Logarithmic)) {
+      motion.method = facts.method;
+      motion.tolerance = tolerance;
+      set_motion(desk, motion);
+    }
+  } else {
+    ImGui::Dummy({0, 0});
+    quiet_words("A closed form: any t at once, no step.");
+  }
+}
+
+std::string problem_text(const Scene& scene) {
+  const Vec3 I = scene.body.moments.vector();
+  return fmt::format("{} {} {} {} {} {} {}", I[0], I[1], I[2], scene.w0_B[0], scene.w0_B[1], scene.w0_B[2],
+                     scene.torque.size());
+}
+
+/// Measured when the panel opens, and again for another motion.
+void choose_from_front(Desk& desk, const SceneModel& model) {
+  PanelMemory& memory = desk.memory;
+  const std::string problem = problem_text(model.scene);
+  if (memory.front_problem != problem && !ImGui::IsAnyItemActive()) {
+    memory.front.reset();
+    memory.front = std::make_unique<FrontMeasurement>(problem_of(model.scene));
+    memory.front_problem = problem;
+  }
+  if (!memory.front || !memory.front->is_ready())
+    return quiet_words("measuring the methods on this motion …");
+  const std::vector<ParetoStep>& steps = memory.front->steps();
+  if (steps.empty()) return quiet_words("Nothing could be measured on this motion.");
+  memory.front_choice = std::min(memory.front_choice, static_cast<int>(steps.size()) - 1);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderInt("##front", &memory.front_choice, 0, static_cast<int>(steps.size()) - 1, "")) {
+    const MethodChoice& choice = steps[static_cast<std::size_t>(memory.front_choice)].choice;
+    set_motion(desk, {.method = choice.method,
+                      .step_s = choice.step_s,
+                      .tolerance = choice.tolerance,
+                      .ghost = model.scene.motion.ghost});
+  }
+  ImGui::TextDisabled("fast");
+  const float end = ImGui::GetWindowContentRegionMax().x;
+  ImGui::SameLine(end - ImGui::CalcTextSize("accurate").x);
+  ImGui::TextDisabled("accurate");
+
+  const ParetoStep& step = steps[static_cast<std::size_t>(memory.front_choice)];
+  quiet_words(fmt::format("{}: error {:.0e} after 10 periods, {:.2g} µs a period", step.name, step.error,
+                          step.ns_per_period / 1e3));
+}
+
+void show_trade(Desk& desk, const SceneModel& model) {
+  PanelMemory& memory = desk.memory;
+  if (!memory.trade || memory.trade_of != desk.companion.model_number()) {
+    memory.trade = std::make_unique<TradeMeter>(model);
+    memory.trade_of = desk.companion.model_number();
+    memory.live_shown_at = -1;
+  }
+  constexpr double kReadable_s = 0.2;
+  const bool at_rest = !desk.companion.is_moving() && memory.live_of_t != desk.companion.t_s();
+  if (at_rest || desk.clock_s - memory.live_shown_at > kReadable_s || memory.live_shown_at < 0) {
+    memory.live = memory.trade->at(model, desk.companion.t_s());
+    memory.live_shown_at = desk.clock_s;
+    memory.live_of_t = desk.companion.t_s();
+  }
+  const LiveTrade& live = memory.live;
+  value_row("error of ω", live.error ? number_or_dash(live.error->omega, "") : "none: it is exact");
+  value_row("error of attitude", live.error ? number_or_dash(live.error->attitude_rad, " rad") : "");
+  value_row("drift of T", number_or_dash(live.drift.T, ""));
+  value_row("drift of |L|", number_or_dash(live.drift.L, ""));
+  value_row("drift of L's direction", number_or_dash(live.drift.L_direction_rad, " rad"));
+  value_row("motion, per frame", fmt::format("{:.3g} ns", live.ns_per_frame));
+}
+
+void choose_quality(Desk& desk, const SceneModel& model) {
+  for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine}) {
+    if (level != QualityLevel::draft) ImGui::SameLine();
+    if (!ImGui::RadioButton(name_of(level), model.scene.quality == level)) continue;
+    SceneEdits edits = desk.companion.edits();
+    edits.quality = level;
+    set_edits_or_say(desk, edits);
+  }
+  value_row("picture, per frame", fmt::format("{:.0f} ms", desk.frame_ms));
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all.empty() ? "nothing" : all;
+}
+
+}  // namespace
+
+void draw_method(Desk& desk) {
+  Companion& companion = desk.companion;
+  if (!companion.model()) return quiet_words("This step has no figure.");
+  heading("From fast to accurate");
+  choose_from_front(desk, *companion.model());
+  heading("Method");
+  choose_method(desk, *companion.model());
+  choose_step(desk, *companion.model());
+  if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
+  bool ghost = companion.model()->scene.motion.ghost;
+  if (ImGui::Checkbox("the exact body beside it, as a ghost", &ghost)) {
+    MotionSpec motion = companion.model()->scene.motion;
+    motion.ghost = ghost;
+    set_motion(desk, motion);
+  }
+  heading("Now");
+  show_trade(desk, *companion.model());
+  heading("Picture");
+  choose_quality(desk, *companion.model());
+  heading("What the scene requires");
+  const RequirementWords words = requirement_words(*companion.model());
+  quiet_words(fmt::format("{}: {}", companion.model()->motion->method(), companion.model()->why));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(("Computed: " + joined(words.computed)).c_str());
+  ImGui::TextUnformatted(("Not computed: " + joined(words.left_out)).c_str());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace polhode

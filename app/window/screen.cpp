@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/screen.h"
+
+#include "app/companion/command.h"
+#include "app/companion/figure_hand.h"
+#include "app/companion/symbol_note.h"
+#include "app/exit_codes.h"
+#include "app/window/notes.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+namespace polhode {
+
+namespace {
+
+constexpr double kNewsSeconds = 6;
+constexpr double kLongestFrame_s = 0.25;  // a window that was stopped does not jump
+constexpr double kTipReach = 16;          // px of the display at scale 1: so near the tip of ω is taken
+constexpr double kSymbolReach = 4;        // px round the ink of a symbol
+
+double now_s() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+bool holds(const PixelRect& rect, const Vec2& at) {
+  return at.x() >= rect.x && at.y() >= rect.y && at.x() < rect.x + rect.width &&
+         at.y() < rect.y + rect.height;
+}
+
+/// Of controls too, for those who want large type; pages have the rest.
+double control_scale(const Companion& companion, double scale) {
+  return scale * std::clamp(companion.preferences.text_scale, 0.9, 1.5);
+}
+
+Size whole(const Region& region) {
+  return {std::max(1, static_cast<int>(region.width)), std::max(1, static_cast<int>(region.height))};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Screen>> Screen::create(const GlContext& context) {
+  auto table = Gl::load(context);
+  if (!table) return failure(table.error());
+  auto renderer = Renderer::create(context);
+  if (!renderer) return failure(renderer.error());
+  auto gl = std::make_unique<const Gl>(*table);
+  auto controls = ControlPass::create(*gl);
+  if (!controls) return failure(controls.error());
+  ImGuiContext* imgui = ImGui::CreateContext();
+  ImGui::SetCurrentContext(imgui);
+  return std::unique_ptr<Screen>(
+      new Screen(std::move(gl), std::move(renderer).value(), std::move(controls).value(), imgui));
+}
+
+Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
+               std::unique_ptr<ControlPass> controls, ImGuiContext* imgui)
+    : gl_(std::move(gl)),
+      renderer_(std::move(renderer)),
+      controls_(std::move(controls)),
+      imgui_(imgui),
+      page_(std::make_unique<PageView>(*gl_, *renderer_)),
+      preview_(std::make_unique<PageView>(*gl_, *renderer_)) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+}
+
+Screen::~Screen() { ImGui::DestroyContext(imgui_); }
+
+void Screen::tell(const std::string& news) {
+  news_ = news;
+  news_until_s_ = clock_s_ + kNewsSeconds;
+}
+
+void Screen::adopt_style(const Companion& companion, double scale) {
+  const ControlSizes sizes = control_sizes(control_scale(companion, scale));
+  const Theme theme = companion.preferences.theme;
+  if (sizes_ != sizes) {
+    load_control_fonts(sizes, renderer_->fonts());
+    controls_->load_fonts();
+  }
+  if (sizes_ != sizes || theme_ != theme) set_control_style(theme, sizes);
+  sizes_ = sizes;
+  theme_ = theme;
+  if (spoken_ != &companion.lesson()) {
+    speaker_ = std::make_unique<Speaker>(companion.lesson());
+    spoken_ = &companion.lesson();
+  }
+}
+
+/// What bar and panel leave.
+Region Screen::page_region(const Companion& companion, Size size) const {
+  Region region{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
+  if (companion.presenting) {
+    if (companion.notes_shown) region.width = std::round(0.68F * region.width);
+    return region;
+  }
+  region.height -= bar_height(*sizes_, region.width);
+  if (companion.panel != Panel::none)
+    region.width -= std::min(sizes_->panel, std::round(0.45F * region.width));
+  return region;
+}
+
+bool Screen::press(Companion& companion, std::string_view key) {
+  static constexpr std::array<std::string_view, 13> kOfPanels = {
+      "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
+      "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
+  const bool typing = ImGui::GetIO().WantTextInput;
+  if (key == "F6") {  // between page and panel
+    if (memory_.panel_has_focus || companion.panel == Panel::none)
+      ImGui::SetWindowFocus(nullptr);
+    else
+      ImGui::SetWindowFocus("panel");
+    return true;
+  }
+  if (typing && key != "Escape" && !key.starts_with("Ctrl+") && !(key.size() > 1 && key[0] == 'F'))
+    return false;
+  if (typing && key.starts_with("Ctrl+") && key != "Ctrl+S" && key != "Ctrl+Q") return false;
+  if (memory_.panel_has_focus && std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end())
+    return false;
+  const auto command = command_of(key);
+  if (!command) return false;
+  if (do_command(companion, *command)) {
+    if (*command == Command::leave) {
+      focus_.reset();
+      explains_ = false;
+      ImGui::SetWindowFocus(nullptr);
+    }
+    return true;
+  }
+  switch (*command) {
+    case Command::next_symbol:
+      move_focus(companion, 1);
+      break;
+    case Command::previous_symbol:
+      move_focus(companion, -1);
+      break;
+    case Command::explain:
+      explains_ = !explains_ && focus_.has_value();
+      break;
+    case Command::save_page:
+      wishes_.take_away = TakeAway::page;
+      break;
+    case Command::full_screen:
+      wishes_.full_screen = true;
+      break;
+    case Command::quit:
+      wishes_.quit = true;
+      break;
+    default:
+      return false;
+  }
+  return true;
+}
+
+/// Among the symbols of the page; beyond the last comes none.
+void Screen::move_focus(Companion& companion, int by) {
+  const auto count = static_cast<int>(page_->symbols().size());
+  if (count == 0) return;
+  const int none = by > 0 ? -1 : count;
+  const int next = (focus_ ? static_cast<int>(*focus_) : none) + by;
+  focus_.reset();
+  if (next >= 0 && next < count) focus_ = static_cast<std::size_t>(next);
+  explains_ = focus_.has_value();
+  companion.light(focus_ ? page_->symbols()[*focus_].name : "");
+}
+
+Status Screen::draw(Companion& companion, const ScreenFrame& frame) {
+  const double begun_s = now_s();
+  ImGui::SetCurrentContext(imgui_);
+  clock_s_ += frame.seconds;
+  companion.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s)
+                                : 0);  // rest is no time that passes
+  adopt_style(companion, frame.scale);
+  if (shown_place_ != companion.place()) {
+    shown_place_ = companion.place();
+    focus_.reset();
+    hovered_.reset();
+    explains_ = false;
+    companion.light("");
+  }
+  stage_title_ = speaker_->words_of_title(companion.stage());
+  if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)};
+  io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
+  ImGui::NewFrame();
+  lay_out_controls(companion, page_region(companion, frame.size), frame.size);
+  use_pointer(companion, page_region(companion, frame.size));
+  if (wishes_.take_away) take(companion);
+  draw_note(companion);
+  draw_strip(page_region(companion, frame.size));
+  ImGui::Render();
+
+  if (!picture_ || picture_->size() != frame.size) {
+    picture_.reset();
+    auto made = Framebuffer::create(*gl_, frame.size, 0);
+    if (!made) return failure(made.error());
+    picture_ = std::move(made).value();
+  }
+  const bool moving = companion.is_moving() || hold_ != Hold::nothing;
+  const double resolution = moving ? pace_.resolution() : 1.0;
+  const auto painted = show_page(companion, page_region(companion, frame.size), resolution);
+  if (!painted) return failure(painted.error());
+  controls_->draw(*ImGui::GetDrawData(), *picture_);
+  gl_->Finish();
+  frame_s_ = now_s() - begun_s;
+  if (*painted) page_s_ = frame_s_;
+  if (*painted && moving) pace_.drew(frame_s_);
+  is_full_ = resolution == 1.0;
+  was_moving_ = companion.is_moving();
+  return success();
+}
+
+Result<bool> Screen::show_page(Companion& companion, const Region& region, double resolution) {
+  const PageLook look{
+      .size = whole(region), .focus = focus_, .resolution = resolution, .keep_text = hold_ == Hold::omega};
+  auto painted = page_->show(companion, look);
+  page_error_ = painted ? "" : painted.error();
+  picture_->bind();
+  gl_->ClearColor(0, 0, 0, 1);
+  gl_->Clear(GL_COLOR_BUFFER_BIT);
+  if (painted) page_->picture().copy_to(*picture_, 0, picture_->size().height - look.size.height);
+  if (companion.presenting && companion.notes_shown)
+    if (Status shown = show_preview(companion, region); !shown) return failure(shown.error());
+  return painted ? *painted : true;
+}
+
+/// The step that comes next, small, in the upper right corner.
+Status Screen::show_preview(const Companion& companion, const Region& page) {
+  const auto next = companion.next_place();
+  if (!next) return success();
+  if (!next_ || next_->place() != *next || &next_->lesson() != &companion.lesson()) {
+    next_ = std::make_unique<Companion>(companion.loaded_pointer());
+    next_->go_to(*next);
+  }
+  next_->preferences = companion.preferences;
+  next_->preferences.reduced_motion = true;
+  const Region at = preview_region(page, picture_->size());
+  if (auto shown = preview_->show(*next_, {.size = whole(at)}); !shown) return failure(shown.error());
+  preview_->picture().copy_to(*picture_, static_cast<int>(at.x),
+                              picture_->size().height - static_cast<int>(at.y) - whole(at).height);
+  return success();
+}
+
+void Screen::lay_out_controls(Companion& companion, const Region& page, Size size) {
+  const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+  Desk desk{.companion = companion,
+            .speaker = *speaker_,
+            .sizes = *sizes_,
+            .memory = memory_,
+            .wishes = wishes_,
+            .frame_ms = 1e3 * page_s_,
+            .clock_s = clock_s_,
+            .take_focus = companion.panel != shown_panel_ && companion.panel != Panel::none};
+  shown_panel_ = companion.panel;
+  if (companion.presenting) {
+    if (companion.notes_shown) draw_notes(desk, page, size);
+    return;
+  }
+  if (companion.panel != Panel::none) draw_panel(desk, {page.width, 0, width - page.width, page.height});
+  draw_bar(desk, {0, page.height, width, height - page.height});
+}
+
+/// Errors of the lesson stay, news go; above the bar, and no wider than they are.
+void Screen::draw_strip(const Region& page) {
+  const bool news = !news_.empty() && clock_s_ < news_until_s_;
+  const std::string text = !page_error_.empty()      ? page_error_
+                           : !lesson_errors_.empty() ? lesson_errors_
+                           : news                    ? news_
+                                                     : std::string();
+  if (text.empty()) return;
+  const bool is_error = !page_error_.empty() || !lesson_errors_.empty();
+  const PageColors& colors = colors_of(*theme_);
+  const float pad = sizes_->padding;
+  const float most = page.width - 2 * pad;
+  ImGui::SetNextWindowPos({pad, page.height - pad}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {most, 0.6F * page.height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleColor(ImGuiCol_Border, is_error
+                                             ? ImVec4{colors.accent.r, colors.accent.g, colors.accent.b, 1}
+                                             : ImGui::GetStyleColorVec4(ImGuiCol_Border));
+  ImGui::Begin("strip", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
+                   ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PushTextWrapPos(most - 3 * pad);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+/// Beside the symbol under the pointer, or in focus.
+void Screen::draw_note(const Companion& companion) {
+  const auto shown = hovered_ ? hovered_ : explains_ ? focus_ : std::nullopt;
+  if (!shown || *shown >= page_->symbols().size()) return;
+  const PageSymbol& symbol = page_->symbols()[*shown];
+  const SymbolNote note = note_of(companion.lesson(), symbol.name, companion.model(), companion.t_s());
+  if (note.meaning.empty() && note.value.empty()) return;
+  const TypeBox& box = symbol.box;
+  const bool above = box.y0 > 0.25 * ImGui::GetIO().DisplaySize.y;
+  const float gap = 0.5F * sizes_->em;
+  ImGui::SetNextWindowPos({static_cast<float>(0.5 * (box.x0 + box.x1)),
+                           above ? static_cast<float>(box.y0) - gap : static_cast<float>(box.y1) + gap},
+                          ImGuiCond_Always, {box.x0 < 10 * sizes_->em ? 0.1F : 0.5F, above ? 1.0F : 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+  ImGui::Begin("note", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
+                   ImGuiWindowFlags_NoSavedSettings);
+  ImGui::TextUnformatted(note.meaning.c_str());
+  if (!note.value.empty()) {
+    ImGui::TextUnformatted(
+        fmt::format("{}{}{}", note.value, note.unit.empty() ? "" : " ", note.unit).c_str());
+    if (!note.frame.empty()) ImGui::TextDisabled("components in the %s frame", note.frame.c_str());
+  } else if (!note.unit.empty()) {
+    ImGui::TextDisabled("%s", note.unit.c_str());
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+void Screen::use_pointer(Companion& companion, const Region& page) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
+                       io.MousePos.y < page.height && !io.WantCaptureMouse;
+  const auto before = hovered_;
+  hovered_.reset();
+  if (on_page && hold_ == Hold::nothing && !io.MouseDown[0])
+    hovered_ = symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach);
+  if (hovered_)
+    companion.light(page_->symbols()[*hovered_].name);
+  else if (before)
+    companion.light(focus_ && *focus_ < page_->symbols().size() ? page_->symbols()[*focus_].name : "");
+  if (on_page && io.MouseClicked[0] && !hovered_) {
+    ImGui::SetWindowFocus(nullptr);
+    focus_.reset();
+    explains_ = false;
+    companion.light("");
+  }
+  if (hold_ != Hold::nothing || on_page) use_figure(companion, on_page);
+}
+
+void Screen::use_figure(Companion& companion, bool on_page) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const SceneModel* model = companion.model();
+  if (!io.MouseDown[0] || !model) hold_ = Hold::nothing;
+  if (!model) return;
+  const Vec2 at(io.MousePos.x, io.MousePos.y);
+  const std::vector<Inset>& insets = page_->insets();
+  const auto inset =
+      std::find_if(insets.begin(), insets.end(), [&](const Inset& i) { return holds(i.place, at); });
+  const bool over = on_page && inset != insets.end();
+  std::optional<TipOnScreen> near;
+  if (over || hold_ == Hold::omega)
+    for (const TipOnScreen& tip : omega_tips(*model, companion.t_s(), insets))
+      if (std::hypot(tip.x - at.x(), tip.y - at.y()) < kTipReach * sizes_->em / 15.0) near = tip;
+  if (over && io.MouseClicked[0]) {
+    held_inset_ = static_cast<std::size_t>(inset - insets.begin());
+    hold_ = near ? Hold::omega : Hold::camera;
+    if (near) {
+      held_inset_ = near->inset;
+      held_pane_ = near->pane;
+      companion.set_playing(false);
+    }
+  }
+  if (near || hold_ == Hold::omega) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  if (over && io.MouseDoubleClicked[0]) companion.set_camera(companion.lesson_scene().camera);
+  if (over && io.MouseWheel != 0)
+    companion.set_camera(zoomed(companion.model()->scene.camera, io.MouseWheel));
+  if (hold_ == Hold::nothing || held_inset_ >= insets.size() ||
+      (io.MouseDelta.x == 0 && io.MouseDelta.y == 0))
+    return;
+  const Inset& held = insets[held_inset_];
+  if (hold_ == Hold::camera) {
+    companion.set_camera(
+        orbited(companion.model()->scene.camera, io.MouseDelta.x, io.MouseDelta.y, held.place.height));
+    return;
+  }
+  const auto grabbed = omega_at(*model, companion.t_s(), held, held_pane_, at.x(), at.y());
+  if (!grabbed) return;
+  SceneEdits edits = companion.edits();
+  edits.w0_B = grabbed->w0_B;
+  if (grabbed->attitude) edits.attitude = grabbed->attitude;
+  if (Status made = companion.set_edits(edits); !made) tell(made.error());
+}
+
+void Screen::take(Companion& companion) {
+  try {
+    if (!wishes_.clipboard.empty()) ImGui::SetClipboardText(wishes_.clipboard.c_str());
+    const auto path = take_away(companion, *wishes_.take_away, memory_.take_away,
+                                memory_.folder.empty() ? "." : memory_.folder, *renderer_);
+    tell("saved: " + path.string());
+  } catch (const CommandError& error) {
+    tell(std::string("not saved: ") + error.what());
+  }
+  wishes_.take_away.reset();
+}
+
+double Screen::seconds_to_wake(const Companion& companion) const {
+  const bool moving = companion.is_moving();
+  if (moving || !is_full_) return 0;
+  if (ImGui::GetIO().WantTextInput) return 0.3;  // the caret blinks
+  if (memory_.front && !memory_.front->is_ready()) return 0.1;
+  if (!news_.empty() && clock_s_ < news_until_s_) return news_until_s_ - clock_s_ + 0.01;
+  return 3600;
+}
+
+}  // namespace polhode

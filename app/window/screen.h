@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// All that the window shows: the page, the bar below it, the panel beside it, as one picture in a
+// framebuffer. It knows Dear ImGui and OpenGL, but no window: a test gives it an off-screen context and the
+// input of a mouse.
+#pragma once
+
+#include "app/window/control_pass.h"
+#include "app/window/desk.h"
+#include "app/window/pace.h"
+#include "app/window/page_view.h"
+
+struct ImGuiContext;
+
+namespace polhode {
+
+/// One frame's circumstances. Pointer and buttons are in ImGui's io, in pixels of the picture.
+struct ScreenFrame {
+  Size size;
+  double scale = 1;    ///< of controls: 1 for about 96 dots per inch
+  double seconds = 0;  ///< since the frame before
+};
+
+class Screen {
+ public:
+  /// `context` must outlive it. Makes an ImGui context, which is the current one as long as it lives.
+  static Result<std::unique_ptr<Screen>> create(const GlContext& context);
+  ~Screen();
+  Screen(const Screen&) = delete;
+  Screen& operator=(const Screen&) = delete;
+
+  /// A key as app/companion/command.h names it. False: it is for the panel that has the focus, or for nobody.
+  bool press(Companion& companion, std::string_view key);
+  /// Lets time pass, then draws. What goes wrong with the page is shown in its place.
+  Status draw(Companion& companion, const ScreenFrame& frame);
+
+  /// What the last frame asks of the window.
+  Wishes& wishes() { return wishes_; }
+  /// When the next frame will differ without any input: 0 while something moves, or waits to be drawn in
+  /// full.
+  double seconds_to_wake(const Companion& companion) const;
+  /// Of the last frame: whether a page was drawn, and whether with all its pixels; wall time, s.
+  bool is_full() const { return is_full_; }
+  double frame_s() const { return frame_s_; }
+
+  /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
+  void tell(const std::string& news);
+  void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
+
+  /// Of the present stage, in words.
+  const std::string& stage_title() const { return stage_title_; }
+
+  const Framebuffer& picture() const { return *picture_; }
+  Image read() const { return picture_->read(); }
+  Renderer& renderer() { return *renderer_; }
+  /// Places of the last frame, for tests.
+  const PageView& page() const { return *page_; }
+
+ private:
+  Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
+         std::unique_ptr<ControlPass> controls, ImGuiContext* imgui);
+  void adopt_style(const Companion& companion, double scale);
+  Region page_region(const Companion& companion, Size size) const;
+  Result<bool> show_page(Companion& companion, const Region& region, double resolution);
+  Status show_preview(const Companion& companion, const Region& region);
+  void lay_out_controls(Companion& companion, const Region& page, Size size);
+  void draw_strip(const Region& page);
+  void draw_note(const Companion& companion);
+  void use_pointer(Companion& companion, const Region& page);
+  void use_figure(Companion& companion, bool on_page);
+  void move_focus(Companion& companion, int by);
+  void take(Companion& companion);
+
+  std::unique_ptr<const Gl> gl_;
+  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<ControlPass> controls_;
+  ImGuiContext* imgui_;
+  std::unique_ptr<PageView> page_, preview_;
+  std::optional<Framebuffer> picture_;
+  Pace pace_;
+  Wishes wishes_;
+  PanelMemory memory_;
+  std::unique_ptr<Speaker> speaker_;
+  const Lesson* spoken_ = nullptr;  ///< the lesson of speaker_
+  std::optional<ControlSizes> sizes_;
+  std::optional<Theme> theme_;
+  std::unique_ptr<Companion> next_;  ///< at the step after this one, for its preview
+  std::string news_, lesson_errors_, page_error_, stage_title_;
+  double clock_s_ = 0, news_until_s_ = 0, page_s_ = 0, frame_s_ = 0;
+  bool is_full_ = true, was_moving_ = false;
+  std::optional<std::size_t> focus_, hovered_;  ///< among the page's symbols
+  bool explains_ = false;                       ///< the symbol in focus
+  enum class Hold { nothing, camera, omega } hold_ = Hold::nothing;
+  Place shown_place_{};
+  Panel shown_panel_ = Panel::none;
+  std::size_t held_inset_ = 0, held_pane_ = 0;
+};
+
+}  // namespace polhode

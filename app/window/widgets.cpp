@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+constexpr float kIconSize = 0.36F;  // half the height of an icon, em
+
+/// Pointing right (way = 1) or left (−1), its middle at `at`.
+void add_triangle(ImDrawList& list, ImVec2 at, float size, float way, ImU32 color) {
+  list.AddTriangleFilled({at.x - 0.8F * way * size, at.y - size}, {at.x - 0.8F * way * size, at.y + size},
+                         {at.x + 0.9F * way * size, at.y}, color);
+}
+
+void add_bar(ImDrawList& list, float x, float y, float half, float width, ImU32 color) {
+  list.AddRectFilled({x - 0.5F * width, y - half}, {x + 0.5F * width, y + half}, color);
+}
+
+void add_icon(Icon icon, ImVec2 at, float size, ImU32 color) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float bar = std::max(2.0F, std::round(0.36F * size));
+  switch (icon) {
+    case Icon::back:
+      return add_triangle(list, at, size, -1, color);
+    case Icon::next:
+    case Icon::play:
+      return add_triangle(list, at, size, 1, color);
+    case Icon::pause:
+      add_bar(list, at.x - 0.45F * size, at.y, size, 1.4F * bar, color);
+      return add_bar(list, at.x + 0.45F * size, at.y, size, 1.4F * bar, color);
+    case Icon::frame_back:
+      add_bar(list, at.x + 0.8F * size, at.y, size, bar, color);
+      return add_triangle(list, {at.x - 0.2F * size, at.y}, 0.8F * size, -1, color);
+    case Icon::frame_forward:
+      add_bar(list, at.x - 0.8F * size, at.y, size, bar, color);
+      return add_triangle(list, {at.x + 0.2F * size, at.y}, 0.8F * size, 1, color);
+    case Icon::reset:
+      add_bar(list, at.x - 0.9F * size, at.y, size, bar, color);
+      add_triangle(list, {at.x - 0.1F * size, at.y}, 0.7F * size, -1, color);
+      return add_triangle(list, {at.x + 0.8F * size, at.y}, 0.7F * size, -1, color);
+  }
+}
+
+ImU32 color_of(ImGuiCol role) { return ImGui::GetColorU32(role); }
+
+}  // namespace
+
+void tooltip_of_last(const char* text) {
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text);
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool icon_button(const char* id, Icon icon, const char* words, const char* tooltip, float width) {
+  ImGui::PushID(id);
+  const float em = ImGui::GetFontSize();
+  const bool pressed = ImGui::Button("##icon", {width, 0});
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float words_width = *words ? ImGui::CalcTextSize(words).x + 0.5F * em : 0;
+  const float middle = 0.5F * (low.x + high.x), y = std::round(0.5F * (low.y + high.y));
+  const bool words_first = icon == Icon::next;
+  const float icon_x = middle + (words_first ? 0.5F : -0.5F) * words_width;
+  add_icon(icon, {std::round(icon_x), y}, kIconSize * em, color_of(ImGuiCol_Text));
+  if (*words) {
+    const float x = words_first ? middle - 0.5F * words_width - 0.35F * em : icon_x + 0.75F * em;
+    ImGui::GetWindowDrawList()->AddText({std::round(x), std::round(y - 0.5F * em)}, color_of(ImGuiCol_Text),
+                                        words);
+  }
+  tooltip_of_last(tooltip);
+  ImGui::PopID();
+  return pressed;
+}
+
+bool toggle_button(const char* words, bool is_on, const char* tooltip) {
+  if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+  const bool pressed = ImGui::Button(words);
+  if (is_on) ImGui::PopStyleColor();
+  tooltip_of_last(tooltip);
+  return pressed;
+}
+
+std::optional<double> time_line(const Companion::Interval& interval, double t_s,
+                                const std::vector<double>& flips, float width) {
+  const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+  ImGui::InvisibleButton("##time line", {width, height});
+  const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float y = std::round(low.y + 0.5F * height), x0 = low.x + 0.5F * em, x1 = low.x + width - 0.5F * em;
+  const double span = interval.to_s - interval.from_s;
+  const auto x_of = [&](double t) {
+    return x0 + (x1 - x0) * static_cast<float>(std::clamp((t - interval.from_s) / span, 0.0, 1.0));
+  };
+  const auto t_at = [&](float x) {
+    return interval.from_s + span * std::clamp(static_cast<double>((x - x0) / (x1 - x0)), 0.0, 1.0);
+  };
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float thick = std::max(2.0F, std::round(0.2F * em));
+  list.AddRectFilled({x0, y - 0.5F * thick}, {x1, y + 0.5F * thick}, color_of(ImGuiCol_Border), thick);
+  list.AddRectFilled({x0, y - 0.5F * thick}, {x_of(t_s), y + 0.5F * thick}, color_of(ImGuiCol_CheckMark),
+                     thick);
+  const float mark = 0.28F * em;
+  for (const double flip : flips) {
+    const float x = x_of(flip), above = y - 0.75F * em;
+    list.AddQuadFilled({x, above - mark}, {x + mark, above}, {x, above + mark}, {x - mark, above},
+                       color_of(ImGuiCol_SliderGrabActive));
+  }
+  list.AddCircleFilled({x_of(t_s), y}, (active || hovered ? 0.48F : 0.42F) * em,
+                       color_of(active ? ImGuiCol_SliderGrabActive : ImGuiCol_CheckMark), 24);
+  const float pointer = ImGui::GetIO().MousePos.x;
+  if (hovered && !active) {
+    const auto near = std::find_if(flips.begin(), flips.end(),
+                                   [&](double flip) { return std::abs(x_of(flip) - pointer) < 0.6F * em; });
+    tooltip_of_last(near != flips.end() ? fmt::format("flip at t = {:.4g} s", *near).c_str()
+                                        : fmt::format("t = {:.4g} s", t_at(pointer)).c_str());
+  }
+  if (!active) return std::nullopt;
+  return t_at(pointer);
+}
+
+void heading(const char* text) {
+  ImGui::Dummy({0, 0.2F * ImGui::GetFontSize()});
+  ImGui::TextUnformatted(text);
+  ImGui::Separator();
+}
+
+void quiet_words(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void warning_words(const std::string& text) {
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void value_row(const char* name, const std::string& value) {
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(0.55F * ImGui::GetWindowContentRegionMax().x);
+  ImGui::TextUnformatted(value.empty() ? "–" : value.c_str());
+}
+
+}  // namespace polhode

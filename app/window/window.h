@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The window of `polhode play`: GLFW's events go to the screen, its picture goes to the display.
+#pragma once
+
+#include "app/companion/companion.h"
+#include "app/exit_codes.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace polhode {
+
+struct WindowOptions {
+  /// A new reading of the lesson if its file has changed, or what is wrong with it; called a few times a
+  /// second. Empty: the lesson is not watched.
+  std::function<void(Companion&, std::string& errors)> look_for_changes{};
+  /// Called when place, answers or preferences may have changed, and at the end.
+  std::function<void(const Companion&)> keep{};
+  std::string news{};  ///< to be told at the beginning
+};
+
+/// Until the user closes it. Draws with the display's OpenGL; where it has no 3.3, off-screen, and shows the
+/// pictures in a plain window. @throws CommandError failed: no display, or nothing to draw with; says what to
+/// do
+ExitCode run_window(Companion& companion, const WindowOptions& options);
+
+}  // namespace polhode

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// What a hand does in the figure and in the panels.
+#include "tests/window/controls.h"
+#include "tests/window/window_test.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace polhode::window_test {
+namespace {
+
+class Hand : public WindowTest {};
+
+Point beside(Point point, int dx, int dy) { return {point.x + dx, point.y + dy}; }
+
+/// What was done by hand is seen in the figure, and one key gives the lesson's scene back, to the last pixel.
+void expect_change_and_return(PlayedLesson& lesson, const Image& start, double least_part) {
+  EXPECT_TRUE(lesson.changes_from(start));
+  lesson.move_to({1, 1});
+  const Image changed = lesson.picture_at_rest();
+  EXPECT_GT(changed_part(start, changed, kFigureFrom, kFigureTo), least_part);
+  lesson.press({"r"});
+  EXPECT_TRUE(lesson.changes_from(changed));
+  EXPECT_EQ(lesson.picture_at_rest().rgba, start.rgba);
+}
+
+TEST_F(Hand, TurnsTheCamera) {
+  PlayedLesson lesson(display(), home(), {kPlayed});
+  const Image start = lesson.picture_at_rest();
+  lesson.drag({kInFigure, beside(kInFigure, 60, 0), beside(kInFigure, 120, 20)});
+  expect_change_and_return(lesson, start, 0.02);
+}
+
+TEST_F(Hand, ZoomsByTheWheel) {
+  PlayedLesson lesson(display(), home(), {kPlayed});
+  const Image start = lesson.picture_at_rest();
+  lesson.turn_wheel(kInFigure, 3);
+  expect_change_and_return(lesson, start, 0.02);
+}
+
+TEST_F(Hand, TakesOmegaByItsTip) {
+  PlayedLesson lesson(display(), home(), {kPlayed});
+  const Image start = lesson.picture_at_rest();
+  lesson.drag({kOmegaTip, beside(kOmegaTip, -20, 10), beside(kOmegaTip, -40, 20)});
+  expect_change_and_return(lesson, start, 0.01);
+}
+
+TEST_F(Hand, ChoosesAnotherMethodByKeysAlone) {
+  PlayedLesson lesson(display(), home(), {kPlayed});
+  const Image start = lesson.picture_at_rest();
+  lesson.press({"m"});
+  ASSERT_TRUE(lesson.changes_from(start));
+  const Image opened = lesson.picture_at_rest();
+  lesson.press({"Down", "space", "Down", "Down", "Return"});
+  ASSERT_TRUE(lesson.changes_from(opened));
+  lesson.press({"Escape", "Escape"});
+  lesson.press({"r"});
+  EXPECT_TRUE(eventually([&] { return lesson.picture_at_rest().rgba == start.rgba; }));
+}
+
+nlohmann::json answers(const Home& home, const std::string& lesson_id) {
+  const auto path = home.state() / (lesson_id + ".answers.json");
+  if (!std::filesystem::exists(path)) return {};
+  return nlohmann::json::parse(text_of(path)).at("answers");
+}
+
+TEST_F(Hand, AnswersAQuestionWrongAndRight) {
+  PlayedLesson lesson(display(), home(), {kPlayed, "--stage", "question"});
+  const auto tries = [&](int number, bool right) {
+    return eventually([&] {
+      const nlohmann::json given =
+          answers(home(), "played").value("question/twice", nlohmann::json::object());
+      return given.value("tries", 0) == number && given.value("right", false) == right;
+    });
+  };
+  const Image start = lesson.picture_at_rest();
+  lesson.press({"q"});
+  ASSERT_TRUE(lesson.changes_from(start));
+  const Image asked = lesson.picture_at_rest();
+  lesson.type("3*w1");
+  lesson.press({"Return"});
+  EXPECT_TRUE(tries(1, false));
+  const Image wrong = lesson.picture_at_rest();
+  EXPECT_GT(changed_part(asked, wrong, {0, 0}, {1280, 800}), 1e-3);
+
+  lesson.press({"ctrl+a"});
+  lesson.type("w1 + w1");
+  lesson.press({"Return"});
+  EXPECT_TRUE(tries(2, true));
+  EXPECT_TRUE(lesson.changes_from(wrong));
+  EXPECT_EQ(lesson.place().stage, 2) << "letters and Enter are for the question";
+}
+
+}  // namespace
+}  // namespace polhode::window_test

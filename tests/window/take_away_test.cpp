@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "render/image/png.h"
+#include "tests/window/controls.h"
+#include "tests/window/window_test.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace polhode::window_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class TakeAway : public WindowTest {
+ protected:
+  /// Files with this ending anywhere in the home, but for the program's state.
+  std::vector<fs::path> files(const std::string& ending) const {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(home().folder.path()))
+      if (entry.is_regular_file() && entry.path().extension() == ending) found.push_back(entry.path());
+    return found;
+  }
+};
+
+std::string text_in(const PngFile& file, const std::string& keyword) {
+  for (const auto& [name, text] : file.metadata.text)
+    if (name == keyword) return text;
+  return {};
+}
+
+/// `polhode export` of the same page.
+Image exported(const std::string& lesson, const PngFile& like, const std::string& name) {
+  const ScratchFolder folder;
+  const std::string size =
+      std::to_string(like.image.size.width) + 'x' + std::to_string(like.image.size.height);
+  const ProgramRun run =
+      polhode({"export", lesson, "-o", (folder / "out").string(), "--stage", text_in(like, "polhode:stage"),
+               "--each", "step", "--size", size, "--at", text_in(like, "polhode:t")});
+  EXPECT_EQ(run.code, 0) << run.err;
+  Result<PngFile> file = read_png(folder / "out" / name);
+  EXPECT_TRUE(file);
+  return file ? file->image : Image{};
+}
+
+TEST_F(TakeAway, ASavedPageIsThatOfExport) {
+  PlayedLesson lesson(display(), home(), {kPlayed});
+  lesson.press({"shift+Right", "shift+Right", "Right", "shift+Right"});
+  ASSERT_TRUE(lesson.comes_to(1, 2));
+  lesson.picture_at_rest();
+  lesson.press({"ctrl+s"});
+  ASSERT_TRUE(eventually([&] { return files(".png").size() == 1; }));
+  Result<PngFile> saved = read_png(files(".png").front());
+  ASSERT_TRUE(saved);
+  EXPECT_EQ(text_in(*saved, "polhode:stage"), "figure");
+  EXPECT_NE(text_in(*saved, "polhode:t"), "0");
+  EXPECT_EQ(saved->image.rgba, exported(kPlayed, *saved, "01-figure-step2.png").rgba);
+}
+
+// Each save begins with a file of its own, or is not there at all.
+TEST_F(TakeAway, AWindowClosedDuringASaveLeavesNothingHalfWritten) {
+  for (int round = 0; round < 5; ++round) {
+    PlayedLesson lesson(display(), home(), {kPlayed});
+    lesson.press({"ctrl+s"});
+    lesson.close();
+    EXPECT_EQ(lesson.process().wait(), 0);
+  }
+  for (const fs::path& path : files(".png")) EXPECT_TRUE(read_png(path)) << path;
+  for (const auto& entry : fs::recursive_directory_iterator(home().folder.path()))
+    EXPECT_EQ(entry.path().filename().string().find("tmp"), std::string::npos) << entry.path();
+}
+
+}  // namespace
+}  // namespace polhode::window_test

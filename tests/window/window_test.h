@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// What tests of the window begin with.
+#pragma once
+
+#include "tests/window/played_lesson.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace polhode::window_test {
+
+/// A small lesson: a figure of two steps (the closed form, rk4), a question, an end.
+inline const std::string kPlayed = POLHODE_SOURCE_DIR "/tests/data/window/played.md";
+
+/// A display and a home for each test; skipped where there can be none.
+class WindowTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (const std::string why = Display::why_not(); !why.empty()) GTEST_SKIP() << why;
+    display_ = std::make_unique<Display>();
+  }
+  const Display& display() const { return *display_; }
+  const Home& home() const { return home_; }
+
+ private:
+  Home home_;
+  std::unique_ptr<Display> display_;
+};
+
+}  // namespace polhode::window_test
