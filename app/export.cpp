@@ -250,6 +250,7 @@ void add_export(CLI::App& app, Action& action) {
   option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
   option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
   option("--quality", typed->quality, "LEVEL", "of figures: draft, normal or fine (default: the scene's)");
+  option("--text-size", typed->text_size, "X", "of pages: 0.7 to 2 times the normal type (default: 1)");
   option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
   option("--film", typed->film, "FILE",
          "make a film (mp4, webm, gif, apng); without -o its frames are removed");

@@ -62,6 +62,7 @@ void check_combination(const TypedExport& typed, What what, Each each) {
                   {"--background", typed.background},
                   {"--theme", typed.theme},
                   {"--quality", typed.quality},
+                  {"--text-size", typed.text_size},
                   {"--dpi", typed.dpi},
                   {"--png", typed.png},
                   {"--film", typed.film},
@@ -75,6 +76,11 @@ void check_combination(const TypedExport& typed, What what, Each each) {
     refuse_given({{"--at", typed.at}}, "goes with pages and figures; equations have no time");
     refuse_given({{"--quality", typed.quality}}, "goes with pages and figures; type is the same in all");
   }
+  if (what == What::equation)
+    refuse_given({{"--text-size", typed.text_size}}, "goes with pages; --dpi sets the size of equations");
+  if (what == What::figure)
+    refuse_given({{"--text-size", typed.text_size}},
+                 "goes with pages; the type of a figure goes with its size");
   if (each == Each::frame)
     refuse_given({{"--deck", typed.deck}}, "goes with --each stage or step: slides have no frames");
   if (!typed.deck.empty() && !deck_kind_of(typed.deck))
@@ -125,6 +131,15 @@ int dpi_of(const std::string& typed, const std::string& typed_size, What what) {
   return static_cast<int>(whole_number("--dpi", typed, sets_size ? kFewestEquationDpi : 1, kMostDpi));
 }
 
+double text_scale_of(const std::string& typed) {
+  if (typed.empty()) return 1.0;
+  const double scale = finite_number("--text-size", typed);
+  if (scale < kLeastTextScale || scale > kMostTextScale)
+    throw usage(fmt::format("--text-size {}: it has to be from {} to {}; 1 is normal", typed, kLeastTextScale,
+                            kMostTextScale));
+  return scale;
+}
+
 /// With --skip-existing, and without the options named in `left_out`, which have a value each.
 std::vector<std::string> resume_words(const TypedExport& typed, const std::vector<std::string>& left_out) {
   std::vector<std::string> words;
@@ -165,6 +180,7 @@ ExportOptions export_options(const TypedExport& typed) {
   if (!typed.quality.empty())
     options.quality =
         static_cast<QualityLevel>(choice("--quality", typed.quality, {"draft", "normal", "fine"}));
+  options.text_scale = text_scale_of(typed.text_size);
   options.dpi = dpi_of(typed.dpi, typed.size, options.what);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
   return options;

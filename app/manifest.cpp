@@ -109,6 +109,8 @@ Json to_json(const ExportOptions& options) {
   json["background"] = picture ? Json(options.background) : Json(nullptr);
   json["theme"] = themed ? Json(options.theme == Theme::dark ? "dark" : "paper") : Json(nullptr);
   json["quality"] = options.quality ? Json(name_of(*options.quality)) : Json(nullptr);
+  // So that what was exported before there was a choice is still the same export.
+  if (options.text_scale != 1.0) json["text_size"] = options.text_scale;
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
   json["png"] = picture ? Json(options.png == PngPacking::small ? "small" : "fast") : Json(nullptr);
   return json;
@@ -158,6 +160,9 @@ std::string first_difference(const Json& there, const Json& here) {
       return fmt::format("{} is {} there and {} here", name,
                          old.dump(-1, ' ', false, Json::error_handler_t::replace), value.dump());
   }
+  for (const auto& [name, value] : there.items())
+    if (!here.contains(name))
+      return fmt::format("{} is {} there", name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
   return "it knows other options";
 }
 

@@ -26,9 +26,12 @@ constexpr double kBottom = 2.2;
 constexpr double kMeterSize = 0.62;
 constexpr double kCaptionSize = 0.68;
 
+constexpr double kWidestText = 0.62;  ///< of a wide page, with its margins
+
 /// Where the parts of a page lie.
 struct Grid {
-  double em;
+  double em;        ///< of prose
+  double small_em;  ///< what labels, captions and plots go by
   PixelBox text;
   PixelRect figure;
   PixelBox meters;
@@ -39,33 +42,62 @@ PixelRect rounded(double x0, double y0, double x1, double y1) {
   return {px(x0), px(y0), px(x1) - px(x0), px(y1) - px(y0)};
 }
 
+/// What a page is laid out for.
+struct Room {
+  double w, h;
+  std::size_t meters;
+  double text_scale;
+};
+
+/// Width of the text column in normal em: with larger type it grows up to `most`.
+double measure_of(double text_scale, double most) {
+  return kMeasure * std::min(text_scale, std::max(1.0, most / kMeasure));
+}
+
+/// What is read at a glance need not grow as much as what is read for long.
+double half_as_much(double text_scale) { return std::sqrt(text_scale); }
+
 /// Text on the left; on the right the figure to the page's edges, meters below it.
-Grid side_by_side(double w, double h, std::size_t meters) {
+Grid side_by_side(const Room& room) {
+  const auto [w, h, meters, text_scale] = room;
   const double em = std::min(w / (1600.0 / 23.25), h / 36.0);
-  const double split = std::round((kMargin + kMeasure + kGutter) * em);
+  const double measure = measure_of(text_scale, kWidestText * w / em - kMargin - kGutter);
+  const double split = std::round((kMargin + measure + kGutter) * em);
   const double below = meters == 0 ? 0.0 : meters > 3 ? 0.48 * h : 0.30 * h;
-  return {em,
-          {kMargin * em, kTop * em, (kMargin + kMeasure) * em, h - kBottom * em},
+  return {text_scale * em,
+          half_as_much(text_scale) * em,
+          {kMargin * em, kTop * em, (kMargin + measure) * em, h - kBottom * em},
           rounded(split, 0, w, h - below),
           {split, h - below, w, h}};
 }
 
-/// The figure on top, meters below it, then the text.
-Grid one_above_the_other(double w, double h, std::size_t meters) {
+/// The figure on top, meters below it, then the text, which takes of the figure's room what larger type
+/// needs.
+Grid one_above_the_other(const Room& room) {
+  const auto [w, h, meters, text_scale] = room;
   const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0);
+  const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
   const double rows = meters == 0 ? 0.0 : meters > 3 ? 2.0 : 1.0;
-  const double figure = (rows > 1.0 ? 0.27 : 0.34) * h, below = figure + 0.14 * rows * h;
-  const double left = 0.5 * (w - kMeasure * em);
-  return {em,
-          {left, below + 1.6 * em, left + kMeasure * em, h - kBottom * em},
+  const double figure = (rows > 1.0 ? 0.27 : 0.34) * h / half_as_much(text_scale),
+               below = figure + 0.14 * rows * h;
+  const double left = 0.5 * (w - measure * em);
+  return {text_scale * em,
+          half_as_much(text_scale) * em,
+          {left, below + 1.6 * em, left + measure * em, h - kBottom * em},
           rounded(0, 0, w, figure),
           {0, figure, w, below}};
 }
 
-Grid text_alone(double w, double h) {
+Grid text_alone(const Room& room) {
+  const auto [w, h, meters, text_scale] = room;
   const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 26.0);
-  const double left = 0.5 * (w - kMeasure * em);
-  return {em, {left, kTop * em, left + kMeasure * em, h - kBottom * em}, {}, {}};
+  const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
+  const double left = 0.5 * (w - measure * em);
+  return {text_scale * em,
+          half_as_much(text_scale) * em,
+          {left, kTop * em, left + measure * em, h - kBottom * em},
+          {},
+          {}};
 }
 
 std::vector<TimePlot> plots_of(const PageRequest& request) {
@@ -73,9 +105,10 @@ std::vector<TimePlot> plots_of(const PageRequest& request) {
 }
 
 Grid grid_of(const PageRequest& request, std::size_t meters) {
-  const double w = request.size.width, h = request.size.height;
-  if (!request.model) return text_alone(w, h);
-  return w > 1.05 * h ? side_by_side(w, h, meters) : one_above_the_other(w, h, meters);
+  const Room room{static_cast<double>(request.size.width), static_cast<double>(request.size.height), meters,
+                  request.text_scale};
+  if (!request.model) return text_alone(room);
+  return room.w > 1.05 * room.h ? side_by_side(room) : one_above_the_other(room);
 }
 
 TimePlotStyle plot_style(Theme theme, double type_size) {
@@ -89,7 +122,7 @@ TimePlotStyle plot_style(Theme theme, double type_size) {
 
 PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const Fonts& fonts) {
   FigurePlace place{.rect = grid.figure,
-                    .caption_px = kCaptionSize * grid.em,
+                    .caption_px = kCaptionSize * grid.small_em,
                     .theme = request.theme,
                     .background = {},
                     .quality = quality_of(request.quality.value_or(request.model->scene.quality))};
@@ -104,14 +137,15 @@ void add_meters(const PageRequest& request, const Grid& grid, const std::vector<
                 Sheet& sheet, const Fonts& fonts) {
   const std::size_t columns = plots.size() > 3 ? 2 : plots.size();
   const std::size_t rows = columns == 0 ? 0 : (plots.size() + columns - 1) / columns;
-  const double pad = 1.3 * grid.em;
+  const double pad = 1.3 * grid.small_em;
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const double width = grid.meters.width() / static_cast<double>(columns),
                  height = grid.meters.height() / static_cast<double>(rows);
     const double x = grid.meters.x0 + width * static_cast<double>(i % columns),
                  y = grid.meters.y0 + height * static_cast<double>(i / columns);
     const PixelBox box{x + pad, y + pad, x + width - 0.5 * pad, y + height - 0.6 * pad};
-    append(sheet, lay_out(plots[i], box, plot_style(request.theme, kMeterSize * grid.em), fonts), {0, 0});
+    append(sheet, lay_out(plots[i], box, plot_style(request.theme, kMeterSize * grid.small_em), fonts),
+           {0, 0});
   }
 }
 

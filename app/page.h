@@ -28,6 +28,10 @@ struct PageRequest {
   /// In a sequence the opacity of the text that the step adds: its room is there from the start, and what was
   /// in focus before keeps the room it had. Absent: a page by itself.
   std::optional<double> news{};
+  /// Of all type, kLeastTextScale … kMostTextScale. The text column is wider or narrower with it, up to 0.62
+  /// of a wide page; labels, captions and plots follow by half. Where there is less room than that needs,
+  /// type is set smaller as ever.
+  double text_scale = 1;
 };
 
 struct Page {

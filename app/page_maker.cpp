@@ -101,7 +101,8 @@ class PageMaker : public PictureMaker {
             .size = context_.options.size,
             .theme = context_.options.theme,
             .quality = context_.options.quality,
-            .news = news_in(picture)};
+            .news = news_in(picture),
+            .text_scale = context_.options.text_scale};
   }
 
   const Fonts& fonts() const { return context_.renderer.fonts(); }

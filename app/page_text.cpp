@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kHeaderSize = 0.62;  // em of prose
 constexpr double kHeaderToTitle = 0.9;
-constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads
+constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads; of what is normal for the page
 constexpr double kSmaller = 0.94;
 
 /// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
@@ -166,8 +166,10 @@ class ScaledText {
 
   /// Lesson, stage, step: small, above the title; without the lesson's title where that is too long.
   ColumnPiece header(bool continued) const {
+    // It keeps its size where other type is set smaller, but not the size of a reader's larger type.
+    const double em = em_ * std::max(scale_, 1.0 / std::max(1.0, request_.text_scale));
     TextStyle quiet;
-    quiet.size = kHeaderSize * em_;
+    quiet.size = kHeaderSize * em;
     quiet.color = colors_of(request_.theme).quiet;
     quiet.sans = true;
     std::string place = fmt::format("stage {} of {}", request_.number, request_.lesson.stages.size());
@@ -178,7 +180,7 @@ class ScaledText {
     if (line.width > width_) line = set_line(place, quiet, fonts_);
     ColumnPiece piece;
     piece.height = std::round(quiet.size);
-    piece.gap = kHeaderToTitle * em_;
+    piece.gap = kHeaderToTitle * em;
     piece.sheet.texts.push_back({.list = std::move(line), .at = {0, std::round(0.8 * quiet.size)}});
     return piece;
   }
@@ -276,7 +278,8 @@ FittedText fit_text(const PageRequest& request, double width, double height, dou
     if (best_rank == 0) break;
   }
   if (best) return std::move(*best);
-  for (double scale = kSmaller * kLeastScale; scale > kLeastOfAll; scale *= kSmaller) {
+  const double least = kLeastOfAll / std::max(1.0, request.text_scale);
+  for (double scale = kSmaller * kLeastScale; scale > least; scale *= kSmaller) {
     ScaledText text = text_at(scale);
     if (const auto shown = text.most(height)) return fitted(text, *shown);
   }

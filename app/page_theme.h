@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The colours of a page. Text has at least 5.2:1 on the paper, 4.5:1 on the panel behind an equation, and 3:1
-// on a marked term, whose type is large; bars have at least 3:1. Panels, marks and lines say nothing that
-// text does not say, and are faint.
+// What a reader chooses of a page's look, and its colours. Text has at least 5.2:1 on the paper, 4.5:1 on the
+// panel behind an equation, and 3:1 on a marked term, whose type is large; bars have at least 3:1. Panels,
+// marks and lines say nothing that text does not say, and are faint.
 #pragma once
 
 #include "lessons/lesson.h"
@@ -14,6 +14,9 @@
 namespace polhode {
 
 enum class Theme { paper, dark };
+
+/// How large a reader may wish to have the text, relative to its normal size.
+inline constexpr double kLeastTextScale = 0.7, kMostTextScale = 2.0;
 
 struct PageColors {
   Color paper;

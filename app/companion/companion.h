@@ -33,11 +33,11 @@ enum class Panel { none, outline, body, method, show, question, save, settings, 
 /// How a person likes it, in all lessons.
 struct Preferences {
   Theme theme = Theme::paper;
-  double text_scale = 1;        ///< kTextScales
+  double text_scale = 1;        ///< kLeastTextScale … kMostTextScale
   bool reduced_motion = false;  ///< nothing fades, travels or plays by itself
   bool operator==(const Preferences&) const = default;
 };
-inline constexpr double kLeastTextScale = 0.7, kMostTextScale = 2.0, kTextScaleFactor = 1.1;
+inline constexpr double kTextScaleFactor = 1.1;  ///< of one step; the ends: app/page_theme.h
 
 inline constexpr double kSlowest = 1.0 / 16, kFastest = 16;
 /// Single frames are those of a film: shown seconds.

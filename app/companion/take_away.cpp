@@ -55,7 +55,7 @@ ExportOptions export_options_of(const Companion& companion, TakeAway what, const
   options.size = chosen.size;
   options.at_s = companion.t_s();
   options.theme = companion.preferences.theme;
-  options.text_size = companion.preferences.text_scale;
+  options.text_scale = companion.preferences.text_scale;
   if (what == TakeAway::equation) options.dpi = kDefaultEquationDpi;
   options.background = chosen.transparent ? "transparent" : what == TakeAway::figure ? "studio" : "paper";
   return options;

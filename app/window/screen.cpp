@@ -4,6 +4,7 @@
 #include "app/companion/command.h"
 #include "app/companion/figure_hand.h"
 #include "app/companion/symbol_note.h"
+#include "app/exit_codes.h"
 #include "app/window/notes.h"
 
 #include <fmt/format.h>

@@ -76,7 +76,7 @@ TEST_F(Folder, WithNothingOrTheSameTakesAnExport) {
 
 // Every option that decides the bytes must count, in a folder that is finished and in one that is not.
 TEST_F(Folder, OfOtherOptionsIsRefused) {
-  std::vector<std::pair<std::string, ExportOptions>> others(10);
+  std::vector<std::pair<std::string, ExportOptions>> others(11);
   others[0] = {"size", {}}, others[0].second.size = {640, 360};
   others[1] = {"stage", {}}, others[1].second.stages = {"a"};
   others[2] = {"each", {}}, others[2].second.each = Each::step;
@@ -87,6 +87,7 @@ TEST_F(Folder, OfOtherOptionsIsRefused) {
   others[7] = {"png", {}}, others[7].second.png = PngPacking::small;
   others[8] = {"what", {}}, others[8].second.what = What::figure;
   others[9] = {"theme", {}}, others[9].second.theme = Theme::dark;
+  others[10] = {"text_size", {}}, others[10].second.text_scale = 1.4;
   for (const bool finished : {true, false}) {
     leave({}, finished);
     for (const auto& [name, options] : others) {

@@ -108,6 +108,15 @@ TEST(Manifest, OptionsOfAnotherKindOfExportAreNull) {
   EXPECT_EQ(to_json(options)["each"], "frame");
 }
 
+TEST(Manifest, TellsOfASizeOfTextThatIsNotTheNormalOne) {
+  ExportOptions larger;
+  larger.text_scale = 1.4;
+  EXPECT_EQ(to_json(larger)["text_size"], 1.4);
+  EXPECT_FALSE(to_json(ExportOptions{}).contains("text_size")) << "older exports are the same then";
+  for (const auto& [there, here] : {std::pair{larger, ExportOptions{}}, {ExportOptions{}, larger}})
+    EXPECT_THAT(first_difference(to_json(there), to_json(here)), testing::HasSubstr("text_size is"));
+}
+
 TEST(Manifest, WhatAFileDoesNotHaveIsNull) {
   ManifestFile text;
   text.file = "tiny.txt";

@@ -55,9 +55,9 @@ TEST(Help, OfACommandNamesItsOptions) {
        {"LESSON", "--stage", "--inertia", "--omega", "--attitude", "--torque", "--periods", "--tolerance",
         "--method", "--seconds", "--all", "--csv", "--plot", "--json", "--rendering"}},
       {"export",
-       {"LESSON",    "-o",     "--stage",  "--each",       "--what",          "--size", "--fps",
-        "--seconds", "--at",   "--frames", "--background", "--theme",         "--dpi",  "--png",
-        "--film",    "--deck", "--shard",  "--jobs",       "--skip-existing", "--sync", "--context"}}};
+       {"LESSON",  "-o",       "--stage",         "--each",  "--what",    "--size",     "--fps",  "--seconds",
+        "--at",    "--frames", "--background",    "--theme", "--dpi",     "--png",      "--film", "--deck",
+        "--shard", "--jobs",   "--skip-existing", "--sync",  "--context", "--text-size"}}};
   for (const auto& [command, names] : options) {
     const ProgramRun run = polhode({command, "--help"});
     for (const std::string& name : names) EXPECT_THAT(run.out, HasSubstr(name)) << command;
@@ -124,6 +124,12 @@ TEST(Usage, MistakesAreNamedOnStderrWithCode2) {
       {with(export_tiny, {"--size", "319x240"}), "at least 320x240"},
       {with(export_tiny, {"--size", "640x239"}), "at least 320x240"},
       {with(export_tiny, {"--background", "transparent"}), "a page has the paper of its --theme"},
+      {with(export_tiny, {"--text-size", "0.69"}), "from 0.7 to 2"},
+      {with(export_tiny, {"--text-size", "2.01"}), "from 0.7 to 2"},
+      {with(export_tiny, {"--text-size", "large"}), "is not a number"},
+      {with(export_tiny, {"--what", "figure", "--text-size", "1"}), "goes with pages"},
+      {with(export_tiny, {"--what", "equation", "--text-size", "1"}), "--dpi"},
+      {with(export_tiny, {"--what", "transcript", "--text-size", "1"}), "a transcript is text"},
       {with(export_tiny, {"--theme", "drak"}), "did you mean \"dark\"?"},
       {with(export_tiny, {"--what", "figure", "--theme", "dark"}), "pages and equations"},
       {with(export_tiny, {"--what", "equation", "--size", "100x100"}), "--dpi"},
