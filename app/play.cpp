@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/companion/bookmark.h"
 #include "app/or_fail.h"
+#include "app/state_file.h"
 #include "app/window/window.h"
 
 #include <CLI/CLI.hpp>
