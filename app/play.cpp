@@ -52,7 +52,8 @@ class Memory {
       note(bookmark.warning);
       restore(companion, bookmark.bookmark);
     } catch (const CommandError& error) {
-      note(error.what());
+      note(std::string(error.what()) + ": place and answers are not kept");
+      folder_.reset();  // what cannot be read is not written over
     }
     preferences_ = companion.preferences;
     answers_ = companion.answers();
