@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
 #include "app/speaker.h"
+#include "app/state_file.h"
 #include "lessons/answers.h"
 #include "lessons/suggest.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a learner has answered so far, kept from one run to the next: one file for a lesson in the state
-// folder, $XDG_STATE_HOME/polhode or ~/.local/state/polhode (XDG Base Directory Specification 0.8).
+// folder (state_file.h).
 #pragma once
 
 #include <filesystem>
@@ -27,15 +27,13 @@ void note_try(AnswerRecord& record, bool is_right, std::string_view answer);
 /// Which of so many hints comes next, from 0, noted as shown; nothing if all were.
 std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints);
 
-/// Nothing where neither XDG_STATE_HOME (absolute) nor HOME says where.
-std::optional<std::filesystem::path> state_folder();
 std::filesystem::path answer_log_path(const std::filesystem::path& folder, const std::string& lesson_id);
 
 struct AnswerLogReading {
   AnswerLog log;
   std::string warning;  ///< of a file that was set aside, as NAME.damaged, because it is not such a log
 };
-/// An absent file is an empty log. @throws CommandError failed if it is there and cannot be read
+/// An absent file is an empty log. @throws CommandError as read_state_file
 AnswerLogReading read_answer_log(const std::filesystem::path& path);
 /// Whole or not at all; makes the folder. @throws CommandError failed
 void write_answer_log(const std::filesystem::path& path, const AnswerLog& log);

@@ -4,11 +4,11 @@
 #include "app/horizon.h"
 #include "app/numbers.h"
 #include "app/trace_motion.h"
+#include "app/trace_rows.h"
 #include "app/trace_times.h"
 #include "app/typed_problem.h"
 #include "app/usage.h"
 #include "physics/dormand_prince.h"
-#include "physics/euler.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -30,39 +30,19 @@ struct TypedOptions {
   std::string format;
 };
 
-constexpr std::array<std::string_view, 13> kColumns = {"t",  "w1", "w2", "w3", "qw", "qx", "qy",
-                                                       "qz", "T",  "L",  "Lx", "Ly", "Lz"};
 constexpr const char* kMethodHelp =
     "Methods: exact, uniform, symmetric (closed forms); with a fixed step explicit-euler,\n"
     "explicit-midpoint, rk4, rk4-projected, splitting, implicit-midpoint (Cayley attitude),\n"
     "implicit-midpoint-exp, moser-veselov-2, moser-veselov-6, moser-veselov-10; adaptive\n"
     "dormand-prince-5, dormand-prince-8.";
 
-using Row = std::array<double, kColumns.size()>;
-
-Row row_at(const Problem& problem, const Motion& motion, double t_s) {
-  const RigidBodyState state = motion.at(t_s);
-  const Vec3& w = state.w_B;
-  const Quat& q = state.q_SB;
-  const Vec3 L_B = angular_momentum_B(problem.I, w);
-  const Vec3 L_S = angular_momentum_S(problem.I, state);
-  return {
-      t_s,    w[0],   w[1],  w[2], q.w(), q.x(), q.y(), q.z(), kinetic_energy(problem.I, w), L_B.stableNorm(),
-      L_S[0], L_S[1], L_S[2]};
-}
-
-/// Whether the motion has overflowed: what it cannot compute is NaN from ω on.
-bool overflowed(const Row& row) {
-  return !std::all_of(&row[1], &row[8], [](double x) { return std::isfinite(x); });
-}
-
 /// Both return the first time whose row could not be computed.
 std::optional<double> print_csv(const Problem& problem, const Motion& motion, const TraceTimes& times) {
   std::optional<double> overflow_s;
-  fmt::print("{}\n", fmt::join(kColumns, ","));
+  fmt::print("{}", trace_csv_header());
   for (std::int64_t i = 0; i < times.count(); ++i) {
-    const Row row = row_at(problem, motion, times(i));
-    fmt::print("{:.17g}\n", fmt::join(row, ","));
+    const TraceRow row = trace_row(problem, motion, times(i));
+    fmt::print("{}", csv_line(row));
     if (!overflow_s && overflowed(row)) overflow_s = times(i);
   }
   return overflow_s;
@@ -75,11 +55,11 @@ std::optional<double> print_json(const Problem& problem, const Motion& motion, c
   fmt::print("{{\"method\":\"{}\",\"period\":{},{},\n\"rows\":[", motion.method(),
              number_or_null(period_s(problem).value_or(NAN)), json_members(horizon_of(problem)));
   for (std::int64_t i = 0; i < times.count(); ++i) {
-    const Row row = row_at(problem, motion, times(i));
+    const TraceRow row = trace_row(problem, motion, times(i));
     if (!overflow_s && overflowed(row)) overflow_s = times(i);
     fmt::print("{}\n{{", i == 0 ? "" : ",");
     for (std::size_t c = 0; c < row.size(); ++c)
-      fmt::print("{}\"{}\":{}", c == 0 ? "" : ",", kColumns[c], number_or_null(row[c]));
+      fmt::print("{}\"{}\":{}", c == 0 ? "" : ",", kTraceColumns[c], number_or_null(row[c]));
     fmt::print("}}");
   }
   fmt::print("\n]}}\n");

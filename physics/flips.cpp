@@ -11,7 +11,6 @@ namespace polhode {
 namespace {
 
 constexpr int kSamples = 500, kHalvings = 40;
-constexpr std::size_t kMostFlips = 1000;
 
 /// Axes in the order of their moments.
 std::array<int, 3> axes_by_moment(const PrincipalMoments& I) {
@@ -31,7 +30,7 @@ class FlipSearch {
   std::vector<double> in(double from_s, double to_s) const {
     std::vector<double> times_s;
     const auto add = [&](double t_s) {
-      if (comes_near(t_s) && times_s.size() < kMostFlips) times_s.push_back(t_s);
+      if (comes_near(t_s)) times_s.push_back(t_s);
     };
     double before = 0, before_s = from_s;
     for (int i = 0; i <= kSamples; ++i) {

@@ -20,7 +20,7 @@ namespace polhode {
 
 inline constexpr double kFlipsNearer = 0.9;
 
-/// Times in [from_s, to_s], rising, to 1e-14 of the interval; at most 1000. None where two moments are equal,
+/// Times in [from_s, to_s], rising, to 1e-14 of the interval. None where two moments are equal,
 /// and where the motion cannot be computed. Two flips nearer to each other than 1/500 of the interval may be
 /// missed. Some 500 evaluations of ω, and 40 a flip.
 std::vector<double> flip_times(const Motion& motion, const PrincipalMoments& moments, double from_s,

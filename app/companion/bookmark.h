@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where a student was in a lesson, and how they like it, from one run to the next: files in the state folder
-// (app/answer_log.h). Damaged ones are set aside as NAME.damaged, and all starts clean.
+// (app/state_file.h). Damaged ones are set aside as NAME.damaged, and all starts clean; one of another
+// version of the program stays as it is and is refused.
 #pragma once
 
 #include "app/companion/companion.h"
@@ -22,7 +23,7 @@ struct BookmarkReading {
   Bookmark bookmark;
   std::string warning;  ///< of a file that was set aside
 };
-/// An absent file is an empty bookmark. @throws CommandError failed if it is there and cannot be read
+/// An absent file is an empty bookmark. @throws CommandError as read_state_file
 BookmarkReading read_bookmark(const std::filesystem::path& folder, const std::string& lesson_id);
 /// Whole or not at all; makes the folder. @throws CommandError failed
 void write_bookmark(const std::filesystem::path& folder, const std::string& lesson_id,
@@ -33,7 +34,9 @@ struct PreferencesReading {
   Preferences preferences;
   std::string warning;
 };
+/// @throws CommandError as read_state_file
 PreferencesReading read_preferences(const std::filesystem::path& folder);
+/// @throws CommandError failed
 void write_preferences(const std::filesystem::path& folder, const Preferences& preferences);
 
 Bookmark bookmark_of(const Companion& companion);

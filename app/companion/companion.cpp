@@ -26,6 +26,13 @@ bool same_course(Scene a, const Scene& b) {
   return a == b;
 }
 
+/// Whether the model of one serves the other with a word changed.
+bool same_model(Scene a, const Scene& b) {
+  a.camera = b.camera;
+  a.quality = b.quality;
+  return a == b;
+}
+
 bool starts_another_motion(const SceneEdits& a, const SceneEdits& b) {
   return a.body != b.body || a.w0_B != b.w0_B || a.attitude != b.attitude;
 }
@@ -35,13 +42,28 @@ bool keeps_motion(const SceneEdits& edits) {
   return !starts_another_motion(edits, SceneEdits{}) && !edits.motion;
 }
 
-/// The principal axis that is least along L at the start: seen from above, it turns with the body.
-Vec3 hand_of_clock_B(const SceneModel& model) {
-  const Scene& scene = model.scene;
+/// The principal axis whose heading about the vertical is the body's: of the smallest and the largest moment
+/// the one that L stays farther from on its polhode, so that it never points along L, which the lectures have
+/// vertical. With I_a < I_b < I_c, L_a² is at most I_a (2T I_c − L²)/(I_c − I_a), L_c² at most
+/// I_c (L² − 2T I_a)/(I_c − I_a).
+Vec3 heading_axis_B(const Scene& scene) {
+  const Vec3& I = scene.body.moments.vector();
   const Vec3 L_B = angular_momentum_B(scene.body.moments, scene.w0_B);
-  int axis = 0;
-  L_B.cwiseAbs().minCoeff(&axis);
-  return Vec3::Unit(axis);
+  int a = 0, c = 0;
+  I.minCoeff(&a);
+  I.maxCoeff(&c);
+  if (I[a] == I[c]) {
+    L_B.cwiseAbs().minCoeff(&a);
+    return Vec3::Unit(a);
+  }
+  const Vec3 two_T_of_axes = L_B.cwiseAbs2().cwiseQuotient(I);
+  const double nearest_a = I[a] * (I[c] - I.array()).matrix().dot(two_T_of_axes);
+  const double nearest_c = I[c] * (I.array() - I[a]).matrix().dot(two_T_of_axes);
+  return Vec3::Unit(nearest_a < nearest_c ? a : c);
+}
+
+bool is_seen_from_space(const Scene& scene) {
+  return std::find(scene.views.begin(), scene.views.end(), View::space) != scene.views.end();
 }
 
 }  // namespace
@@ -131,8 +153,7 @@ void Companion::set_visited(const std::set<std::string>& stages) {
 void Companion::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   assert(loaded != nullptr && !loaded->lesson.stages.empty());
   const std::string id = stage().id;
-  const Scene* was = has_scene() ? &lesson_scene() : nullptr;
-  const bool had_scene = was != nullptr;
+  const bool had_scene = has_scene();
   const std::shared_ptr<const LoadedLesson> old = std::exchange(loaded_, std::move(loaded));
   const auto& stages = lesson().stages;
   const auto same = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.id == id; });
@@ -161,14 +182,13 @@ void Companion::show_lesson_scene() {
   if (!has_scene()) return;
   make_model_of({});
   reset_time();
+  patch_model();
 }
 
 void Companion::make_model_of(const SceneEdits& edits) {
   model_ = std::make_unique<SceneModel>(make_model(edited(lesson_scene(), edits), Product::page));
   edits_ = edits;
   ++model_number_;
-  heading_rad_ = heading_at(t_s_);
-  patch_model();
 }
 
 void Companion::patch_model() {
@@ -242,31 +262,39 @@ const std::vector<double>& Companion::flips() const {
 
 Status Companion::set_edits(const SceneEdits& edits) {
   if (!has_scene()) return failure("this step has no scene");
-  const SceneEdits old = edits_;
   SceneEdits wanted = edits;
-  if (following_ && wanted.camera == old.camera) wanted.camera = camera();
+  if (following_ && wanted.camera == edits_.camera) wanted.camera = camera();
   if (wanted.camera) wanted.camera = writable(*wanted.camera);
-  const double t_s = t_s_;
-  if (starts_another_motion(wanted, old)) t_s_ = 0;
-  try {
-    make_model_of(wanted);
-  } catch (const std::domain_error& error) {
-    t_s_ = t_s;
-    return failure(error.what());
+  if (same_model(edited(lesson_scene(), wanted), edited(lesson_scene(), edits_))) {
+    edits_ = wanted;
+  } else {
+    const bool another = starts_another_motion(wanted, edits_);
+    try {
+      make_model_of(wanted);
+    } catch (const std::domain_error& error) {
+      return failure(error.what());
+    }
+    go_on_from(another ? 0 : t_s_);
   }
-  if (t_s_ != t_s) loop_ = 0;
-  set_time(std::clamp(t_s_, -model_->reach_s, model_->reach_s));
+  heading_rad_ = heading_at(t_s_);
+  patch_model();
   return success();
 }
 
 void Companion::reset_edits() {
-  if (!has_scene() || edits_.empty()) return;
-  const bool changed = starts_another_motion(edits_, SceneEdits{});
+  if (!has_scene() || (edits_.empty() && !following_)) return;
+  const bool another = starts_another_motion(edits_, SceneEdits{});
+  following_ = false;
   make_model_of({});
-  if (changed)
-    reset_time();
-  else
-    set_time(t_s_);
+  go_on_from(another ? still_time_s(lesson_scene()) : t_s_);
+  patch_model();
+}
+
+void Companion::go_on_from(double t_s) {
+  if (t_s != t_s_) loop_ = 0;
+  t_s_ = 0;  // the motion can be computed there at least
+  set_time(t_s);
+  if (t_s_ != t_s) playing_ = false;
 }
 
 void Companion::set_camera(const CameraSpec& camera) {
@@ -286,9 +314,9 @@ void Companion::set_following(bool following) {
 }
 
 double Companion::heading_at(double t_s) const {
-  if (!model_ || !following_) return 0;
-  const Vec3 hand_S = model_->motion->at(t_s).q_SB * hand_of_clock_B(*model_);
-  return std::atan2(hand_S.y(), hand_S.x());
+  if (!model_ || !following_ || !is_seen_from_space(model_->scene)) return 0;
+  const Vec3 axis_S = model_->motion->at(t_s).q_SB * heading_axis_B(model_->scene);
+  return std::atan2(axis_S.y(), axis_S.x());
 }
 
 CameraSpec Companion::camera() const {

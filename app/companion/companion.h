@@ -115,10 +115,12 @@ class Companion {
   /// motion (body, ω, attitude) starts it at t = 0; time goes on over a change of method or overlays. The
   /// camera becomes the `writable` one.
   Status set_edits(const SceneEdits& edits);
-  void reset_edits();  ///< a motion that was changed begins at the scene's own time
+  /// Follows nothing any more; a motion that was changed begins at the scene's own time.
+  void reset_edits();
   /// The camera alone: cheap.
   void set_camera(const CameraSpec& camera);
-  /// The camera keeps pace with the body's turning about the vertical.
+  /// The camera keeps pace with the body's turning about the vertical; not where the scene is
+  /// seen from the body alone, which stands still there.
   bool is_following() const { return following_; }
   void set_following(bool following);
   /// The camera of the present moment: of the scene, or following the body.
@@ -156,6 +158,7 @@ class Companion {
   void arrive(Place place);
   void show_lesson_scene();
   void make_model_of(const SceneEdits& edits);
+  void go_on_from(double t_s);
   void patch_model();
   void set_time(double t_s);
   double heading_at(double t_s) const;

@@ -8,18 +8,26 @@
 
 namespace polhode {
 
-/// The keys of a ```scene block, without the fence: all that differs from Scene{}, numbers with as many
-/// digits as give the same double; at = t_s. Reading it back gives the same scene, so that its picture has
-/// the same pixels.
+/// The keys of a ```scene block, without the fence: all that differs from Scene{}, in the order of
+/// FORMAT.md, with numbers that read back as the same doubles. `still` is t_s, so that a picture has the same
+/// pixels as what is shown. The body is named; own_body_of says what stands for it in the front matter.
 std::string scene_keys_of(const Scene& scene, double t_s);
 
-/// A whole lesson of one stage and one step that `polhode export` reads: front matter with the lesson's
-/// symbols, macros and the scene's body, the title and text of the present step, its equations and claims,
-/// and the scene.
+/// "[body.NAME]" with its keys; empty for a built-in body. A shape whose moments are not its own is left out.
+std::string own_body_of(const Body& body);
+
+/// A whole lesson that `polhode export` reads: the front matter with the lesson's title, symbols and macros,
+/// and the scene's body; one stage, with its steps up to the present one as the author wrote them; and the
+/// scene, as it is now, from the step on that had the stage's first one. Its last step has the figure of the
+/// companion's model to the byte, and the page but for the number of the stage. What is merely pointed at is
+/// not highlighted in it. The lesson's id, and the name that its file should have, is that of the stage.
+/// Measured claims of the stage may fail on a motion that was changed: the reader takes them, `lint` says so.
 std::string lesson_of(const Companion& companion);
 
 /// As `polhode trace --format csv`: of the present motion, over the interval of the time line, with a line
-/// for each frame shown.
+/// for each frame of a film at speed 1, at most kMostTraceLines; it ends where the motion does. Empty without
+/// a scene.
 std::string trace_of(const Companion& companion);
+inline constexpr int kMostTraceLines = 20'000;
 
 }  // namespace polhode

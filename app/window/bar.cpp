@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -12,7 +13,7 @@ namespace polhode {
 
 namespace {
 
-constexpr float kNarrow = 78;  // em: below it there are two rows
+constexpr float kNarrow = 70;  // em: below it there are two rows
 constexpr std::array kPanels = {Panel::outline,  Panel::body, Panel::method,   Panel::show,
                                 Panel::question, Panel::save, Panel::settings, Panel::help};
 constexpr std::array kSpeeds = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 8.0, 16.0};
@@ -23,38 +24,24 @@ std::string speed_text(double speed) {
   return speed >= 1 ? fmt::format("{:g}×", speed) : fmt::format("1/{:g}×", 1 / speed);
 }
 
-const char* tooltip_of(Panel panel) {
-  switch (panel) {
-    case Panel::outline:
-      return "The stages of the lesson, and what you have seen (O)";
-    case Panel::body:
-      return "Choose a body, its moments and how it turns (B)";
-    case Panel::method:
-      return "How the motion is computed: speed against accuracy (M)";
-    case Panel::show:
-      return "What is shown, and from where (V)";
-    case Panel::question:
-      return "Answer the question of this step (A)";
-    case Panel::save:
-      return "Take away pictures, the motion, the scene (S)";
-    case Panel::settings:
-      return "Text size, theme, presenting (X)";
-    default:
-      return "Keys (?)";
-  }
+/// That opens and closes a panel.
+Command command_of(Panel panel) {
+  static constexpr std::array kCommands = {Command::leave,  Command::outline,  Command::body,
+                                           Command::method, Command::show,     Command::question,
+                                           Command::save,   Command::settings, Command::help};
+  return kCommands[static_cast<std::size_t>(panel)];
 }
 
 void draw_walk(Desk& desk) {
   Companion& companion = desk.companion;
   const float em = desk.sizes.em;
   ImGui::BeginDisabled(!companion.previous_place());
-  if (icon_button("back", Icon::back, "Back", "Previous step (←); stage: Page Up", 4.9F * em))
+  if (icon_button("back", Icon::back, "Back", told(Command::previous_step), 4.9F * em))
     companion.previous_step();
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!companion.next_place());
-  if (icon_button("next", Icon::next, "Next", "Next step (→); stage: Page Down", 4.9F * em))
-    companion.next_step();
+  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em)) companion.next_step();
   ImGui::EndDisabled();
 }
 
@@ -66,7 +53,7 @@ void draw_speed(Companion& companion, float width) {
         companion.set_speed(speed);
     ImGui::EndCombo();
   }
-  tooltip_of_last("Speed ([ slower, ] faster)");
+  tooltip_of_last("Speed. " + told(Command::faster) + "; " + told(Command::slower));
 }
 
 /// `width` is that of all together.
@@ -74,16 +61,16 @@ void draw_time(Desk& desk, float width) {
   Companion& companion = desk.companion;
   const float em = desk.sizes.em, gap = ImGui::GetStyle().ItemSpacing.x;
   const float icon = 2.1F * em, number = 6.2F * em, speed = 4.6F * em;
-  if (icon_button("reset", Icon::reset, "", "Back to where the scene starts (Home)", icon))
-    companion.reset_time();
+  if (icon_button("reset", Icon::reset, "", told(Command::reset_time), icon)) companion.reset_time();
   ImGui::SameLine(0, 0.3F * gap);
-  if (icon_button("frame back", Icon::frame_back, "", "One frame back (,)", icon)) companion.step_frames(-1);
+  if (icon_button("frame back", Icon::frame_back, "", told(Command::frame_back), icon))
+    companion.step_frames(-1);
   ImGui::SameLine(0, 0.3F * gap);
   const bool playing = companion.is_playing();
-  if (icon_button("play", playing ? Icon::pause : Icon::play, "", "Play, pause (Space)", icon))
+  if (icon_button("play", playing ? Icon::pause : Icon::play, "", told(Command::play_pause), icon))
     companion.set_playing(!playing);
   ImGui::SameLine(0, 0.3F * gap);
-  if (icon_button("frame forward", Icon::frame_forward, "", "One frame on (.)", icon))
+  if (icon_button("frame forward", Icon::frame_forward, "", told(Command::frame_forward), icon))
     companion.step_frames(1);
   ImGui::SameLine();
   const float line = width - 4 * icon - 0.9F * gap - number - speed - 3 * gap;
@@ -100,6 +87,22 @@ void draw_time(Desk& desk, float width) {
   draw_speed(companion, speed);
 }
 
+bool waits_for_answer(const Companion& companion) {
+  const std::vector<const Ask*> questions = companion.questions();
+  return std::any_of(questions.begin(), questions.end(), [&](const Ask* ask) {
+    const AnswerRecord* record = companion.record(*ask);
+    return !record || !record->right;
+  });
+}
+
+/// A dot on the corner of the last item.
+void mark_last() {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float size = 0.24F * ImGui::GetFontSize();
+  ImGui::GetWindowDrawList()->AddCircleFilled({high.x - size, low.y + size}, size,
+                                              ImGui::GetColorU32(ImGuiCol_NavHighlight), 16);
+}
+
 void draw_panel_buttons(Desk& desk) {
   Companion& companion = desk.companion;
   bool first = true;
@@ -108,9 +111,10 @@ void draw_panel_buttons(Desk& desk) {
     first = false;
     const bool is_on = companion.panel == panel;
     ImGui::BeginDisabled(panel == Panel::question && companion.questions().empty());
-    if (toggle_button(name_of(panel), is_on, tooltip_of(panel)))
+    if (toggle_button(name_of(panel), is_on, told(command_of(panel))))
       companion.panel = is_on ? Panel::none : panel;
     ImGui::EndDisabled();
+    if (panel == Panel::question && waits_for_answer(companion)) mark_last();
   }
 }
 

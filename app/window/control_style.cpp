@@ -19,7 +19,7 @@ ImVec4 between(const Color& a, const Color& b, float u) {
 void set_distances(ImGuiStyle& style, const ControlSizes& sizes) {
   const float em = sizes.em;
   style.WindowPadding = {sizes.padding * 1.4F, sizes.padding * 1.2F};
-  style.FramePadding = {std::round(0.55F * em), std::round(0.32F * em)};
+  style.FramePadding = {std::round(0.55F * em), std::round(0.24F * em)};
   style.ItemSpacing = {std::round(0.5F * em), std::round(0.45F * em)};
   style.ItemInnerSpacing = {std::round(0.4F * em), std::round(0.3F * em)};
   style.ScrollbarSize = std::round(0.7F * em);
@@ -41,21 +41,30 @@ ControlSizes control_sizes(double scale) {
 }
 
 void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
-  // Latin; super- and subscripts, dashes, arrows, signs and Greek are taken from the mathematical face.
+  // Latin; digits below the line from Pagella; arrows, signs and Greek from the mathematical face.
   static constexpr std::array<ImWchar, 5> kLatin = {0x20, 0x17F, 0x2010, 0x2027, 0};
-  static constexpr std::array<ImWchar, 13> kSigns = {0x370,  0x3FF,  0x2032, 0x2033, 0x2070, 0x209C, 0x2190,
-                                                     0x21FF, 0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
+  static constexpr std::array<ImWchar, 5> kRaised = {0x2070, 0x209C, 0x2713, 0x2713, 0};
+  static constexpr std::array<ImWchar, 11> kSigns = {0x370,  0x3FF,  0x2032, 0x2033, 0x2190, 0x21FF,
+                                                     0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
-  ImFontConfig config;
-  config.OversampleH = 3;
-  config.OversampleV = 1;
-  atlas.AddFontFromFileTTF(fonts.path(Face::sans).c_str(), sizes.em, &config, kLatin.data());
-  config.MergeMode = true;
-  config.GlyphOffset.y = std::round(-0.02F * sizes.em);
-  atlas.AddFontFromFileTTF(fonts.path(Face::math).c_str(), 1.08F * sizes.em, &config, kSigns.data());
+  for (const Face face : {Face::sans, Face::sans_bold}) {
+    ImFontConfig config;
+    config.OversampleH = 3;
+    config.OversampleV = 1;
+    config.GlyphOffset.y = -std::round(0.06F * sizes.em);  // what is above the capitals is empty
+    const auto add = [&](Face from, const ImWchar* ranges) {
+      atlas.AddFontFromFileTTF(fonts.path(from).c_str(), sizes.em, &config, ranges);
+      config.MergeMode = true;
+    };
+    add(face, kLatin.data());
+    add(face == Face::sans ? Face::serif : Face::serif_bold, kRaised.data());
+    add(Face::math, kSigns.data());
+  }
   atlas.Build();
 }
+
+ImFont* bold_control_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
 
 void set_control_style(Theme theme, const ControlSizes& sizes) {
   ImGuiStyle& style = ImGui::GetStyle();
@@ -80,8 +89,10 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = raised;
   c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = hovered;
   c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = pressed;
-  c[ImGuiCol_CheckMark] = c[ImGuiCol_SliderGrab] = focus;
-  c[ImGuiCol_SliderGrabActive] = shade(page.accent);
+  c[ImGuiCol_CheckMark] = focus;
+  // The number of a slider stands on its grab.
+  c[ImGuiCol_SliderGrab] = shade(page.question, 0.38F);
+  c[ImGuiCol_SliderGrabActive] = shade(page.accent, 0.5F);
   c[ImGuiCol_Header] = between(page.paper, page.question, 0.18F);
   c[ImGuiCol_HeaderHovered] = hovered;
   c[ImGuiCol_HeaderActive] = pressed;

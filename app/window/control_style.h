@@ -5,21 +5,26 @@
 #include "app/page_theme.h"
 #include "render/type/fonts.h"
 
+struct ImFont;
+
 namespace polhode {
 
 /// Sizes of the window's own parts, px of the display.
 struct ControlSizes {
-  float em = 15;      ///< of the controls' type
+  float em = 17;      ///< of the controls' type
   float bar = 50;     ///< height of the bar below the page
-  float panel = 320;  ///< width of the panel beside it
+  float panel = 330;  ///< width of the panel beside it
   float padding = 10;
   bool operator==(const ControlSizes&) const = default;
 };
 /// At a scale: 1 for a display of about 96 dots per inch.
 ControlSizes control_sizes(double scale);
 
-/// Builds the fonts of the current ImGui context: Heros, with signs and Greek from Pagella Math.
+/// Builds the fonts of the current ImGui context: Heros, with what it lacks from Pagella and Pagella Math.
 void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts);
+
+/// Of headings; after load_control_fonts.
+ImFont* bold_control_font();
 
 /// Colours, roundings and distances of the current ImGui context.
 void set_control_style(Theme theme, const ControlSizes& sizes);

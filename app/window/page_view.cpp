@@ -37,7 +37,7 @@ PageView::PageKey PageView::key_of(const Companion& companion, const PageLook& l
 
 void PageView::compose(const Companion& companion, const PageKey& key) {
   PageRequest request = request_of(companion, key.look.size);
-  //TRAVEL
+  // TRAVEL
   const Fonts& fonts = renderer_.fonts();
   const bool may_keep = text_ && key.look.keep_text && text_key_->place == key.text.place &&
                         text_key_->loaded == key.text.loaded && text_key_->size == key.text.size;

@@ -69,10 +69,11 @@ void draw_panel(Desk& desk, const Region& region) {
                ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 3.0F : 1.0F);
   const float close = ImGui::GetFrameHeight();
   ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(bold_control_font());
   ImGui::TextUnformatted(title_of(desk.companion.panel));
+  ImGui::PopFont();
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - close);
-  const bool closed = ImGui::Button("×", {close, 0});
-  tooltip_of_last("Close (Esc)");
+  const bool closed = icon_button("close", Icon::close, "", told(Command::leave), close);
   ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   draw_contents(desk);
   ImGui::EndChild();

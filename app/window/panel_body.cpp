@@ -114,7 +114,7 @@ void draw_body(Desk& desk) {
   ImGui::BeginDisabled(companion.edits().empty());
   if (ImGui::Button("Back to the lesson's scene", {-1, 0})) companion.reset_edits();
   ImGui::EndDisabled();
-  tooltip_of_last("Undoes all changes of this stage (R)");
+  tooltip_of_last(told(Command::reset_scene));
 }
 
 }  // namespace polhode

@@ -50,7 +50,7 @@ void choose_method(Desk& desk, const SceneModel& model) {
         motion.step_s = model.scene.motion.step_s.value_or(usual_step_s(model));
       set_motion(desk, motion);
     }
-    tooltip_of_last(reason ? reason->c_str() : fmt::format("{}; keeps {}", facts.term, facts.keeps).c_str());
+    tooltip_of_last(reason ? *reason : fmt::format("{}; keeps {}", facts.term, facts.keeps));
   }
   ImGui::EndCombo();
 }

@@ -15,7 +15,7 @@ namespace {
 /// A dot: full where we are, ringed where we were.
 void add_mark(ImVec2 at, float em, bool is_here, bool is_visited) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 color = ImGui::GetColorU32(is_here ? ImGuiCol_SliderGrabActive : ImGuiCol_CheckMark);
+  const ImU32 color = ImGui::GetColorU32(is_here ? ImGuiCol_NavHighlight : ImGuiCol_CheckMark);
   if (is_here || is_visited)
     list.AddCircleFilled(at, (is_here ? 0.3F : 0.22F) * em, color, 20);
   else

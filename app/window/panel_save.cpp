@@ -23,7 +23,7 @@ void choose_size(TakeAwayOptions& options) {
   ImGui::EndCombo();
 }
 
-void offer(Desk& desk, const char* words, TakeAway what, const char* tooltip) {
+void offer(Desk& desk, const char* words, TakeAway what, const std::string& tooltip) {
   ImGui::BeginDisabled(!can_take_away(desk.companion, what));
   if (ImGui::Button(words, {-1, 0})) desk.wishes.take_away = what;
   ImGui::EndDisabled();
@@ -36,7 +36,7 @@ void draw_save(Desk& desk) {
   heading("Pictures");
   choose_size(desk.memory.take_away);
   ImGui::Checkbox("transparent background", &desk.memory.take_away.transparent);
-  offer(desk, "Save the page", TakeAway::page, "The page that polhode export writes of this state (Ctrl+S)");
+  offer(desk, "Save the page", TakeAway::page, "As polhode export writes it. " + told(Command::save_page));
   offer(desk, "Save the figure", TakeAway::figure, "Without text and plots");
   offer(desk, "Save the equation", TakeAway::equation, "The last one of this step, at 300 dots per inch");
   heading("Motion");

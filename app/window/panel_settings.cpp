@@ -11,10 +11,10 @@ void draw_settings(Desk& desk) {
   Companion& companion = desk.companion;
   heading("Text size");
   if (ImGui::Button("smaller")) companion.change_text_scale(-1);
-  tooltip_of_last("Smaller type (-)");
+  tooltip_of_last(told(Command::smaller_text));
   ImGui::SameLine();
   if (ImGui::Button("larger")) companion.change_text_scale(1);
-  tooltip_of_last("Larger type (+)");
+  tooltip_of_last(told(Command::larger_text));
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(fmt::format("{:.0f} %", 100 * companion.preferences.text_scale).c_str());
@@ -27,9 +27,9 @@ void draw_settings(Desk& desk) {
   ImGui::Checkbox("reduced: nothing fades or travels", &companion.preferences.reduced_motion);
   heading("For an audience");
   if (ImGui::Button("Present", {-1, 0})) companion.presenting = true;
-  tooltip_of_last("The page alone; Esc comes back, N shows what comes next and what to say (P)");
+  tooltip_of_last(told(Command::present) + "; " + told(Command::notes));
   if (ImGui::Button("Full screen", {-1, 0})) desk.wishes.full_screen = true;
-  tooltip_of_last("On and off (F)");
+  tooltip_of_last(told(Command::full_screen));
 }
 
 }  // namespace polhode

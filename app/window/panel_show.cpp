@@ -36,7 +36,7 @@ void choose_views(Companion& companion, Desk& desk) {
 void choose_camera(Companion& companion) {
   bool following = companion.is_following();
   if (ImGui::Checkbox("follow the body", &following)) companion.set_following(following);
-  tooltip_of_last("The camera keeps pace with the body's turning about the vertical (C)");
+  tooltip_of_last(told(Command::follow));
   bool first = true;
   for (const CameraPreset& preset : camera_presets()) {
     const float width = ImGui::CalcTextSize(preset.name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;

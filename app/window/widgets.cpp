@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace polhode {
@@ -41,6 +42,9 @@ void add_icon(Icon icon, ImVec2 at, float size, ImU32 color) {
     case Icon::frame_forward:
       add_bar(list, at.x - 0.8F * size, at.y, size, bar, color);
       return add_triangle(list, {at.x + 0.2F * size, at.y}, 0.8F * size, 1, color);
+    case Icon::close:
+      list.AddLine({at.x - size, at.y - size}, {at.x + size, at.y + size}, color, 0.5F * bar);
+      return list.AddLine({at.x - size, at.y + size}, {at.x + size, at.y - size}, color, 0.5F * bar);
     case Icon::reset:
       add_bar(list, at.x - 0.9F * size, at.y, size, bar, color);
       add_triangle(list, {at.x - 0.1F * size, at.y}, 0.7F * size, -1, color);
@@ -52,16 +56,26 @@ ImU32 color_of(ImGuiCol role) { return ImGui::GetColorU32(role); }
 
 }  // namespace
 
-void tooltip_of_last(const char* text) {
-  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+std::string told(Command command) {
+  for (const CommandFacts& facts : all_commands()) {
+    if (facts.command != command) continue;
+    std::string words(facts.does);
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return fmt::format("{} ({})", words, facts.keys);
+  }
+  return {};
+}
+
+void tooltip_of_last(const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }
 
-bool icon_button(const char* id, Icon icon, const char* words, const char* tooltip, float width) {
+bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width) {
   ImGui::PushID(id);
   const float em = ImGui::GetFontSize();
   const bool pressed = ImGui::Button("##icon", {width, 0});
@@ -81,7 +95,7 @@ bool icon_button(const char* id, Icon icon, const char* words, const char* toolt
   return pressed;
 }
 
-bool toggle_button(const char* words, bool is_on, const char* tooltip) {
+bool toggle_button(const char* words, bool is_on, const std::string& tooltip) {
   if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
   const bool pressed = ImGui::Button(words);
   if (is_on) ImGui::PopStyleColor();
@@ -109,19 +123,19 @@ std::optional<double> time_line(const Companion::Interval& interval, double t_s,
   list.AddRectFilled({x0, y - 0.5F * thick}, {x_of(t_s), y + 0.5F * thick}, color_of(ImGuiCol_CheckMark),
                      thick);
   const float mark = 0.28F * em;
+  const ImU32 accent = color_of(ImGuiCol_NavHighlight);
   for (const double flip : flips) {
     const float x = x_of(flip), above = y - 0.75F * em;
-    list.AddQuadFilled({x, above - mark}, {x + mark, above}, {x, above + mark}, {x - mark, above},
-                       color_of(ImGuiCol_SliderGrabActive));
+    list.AddQuadFilled({x, above - mark}, {x + mark, above}, {x, above + mark}, {x - mark, above}, accent);
   }
   list.AddCircleFilled({x_of(t_s), y}, (active || hovered ? 0.48F : 0.42F) * em,
-                       color_of(active ? ImGuiCol_SliderGrabActive : ImGuiCol_CheckMark), 24);
+                       active ? accent : color_of(ImGuiCol_CheckMark), 24);
   const float pointer = ImGui::GetIO().MousePos.x;
   if (hovered && !active) {
     const auto near = std::find_if(flips.begin(), flips.end(),
                                    [&](double flip) { return std::abs(x_of(flip) - pointer) < 0.6F * em; });
-    tooltip_of_last(near != flips.end() ? fmt::format("flip at t = {:.4g} s", *near).c_str()
-                                        : fmt::format("t = {:.4g} s", t_at(pointer)).c_str());
+    tooltip_of_last(near != flips.end() ? fmt::format("flip at t = {:.4g} s", *near)
+                                        : fmt::format("t = {:.4g} s", t_at(pointer)));
   }
   if (!active) return std::nullopt;
   return t_at(pointer);
@@ -129,7 +143,9 @@ std::optional<double> time_line(const Companion::Interval& interval, double t_s,
 
 void heading(const char* text) {
   ImGui::Dummy({0, 0.2F * ImGui::GetFontSize()});
+  ImGui::PushFont(bold_control_font());
   ImGui::TextUnformatted(text);
+  ImGui::PopFont();
   ImGui::Separator();
 }
 
@@ -142,7 +158,7 @@ void quiet_words(const std::string& text) {
 }
 
 void warning_words(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_SliderGrabActive));
+  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_NavHighlight));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();

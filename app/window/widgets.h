@@ -2,22 +2,26 @@
 // Small controls that Dear ImGui does not have.
 #pragma once
 
+#include "app/companion/command.h"
 #include "app/window/desk.h"
 
 #include <vector>
 
 namespace polhode {
 
-enum class Icon { back, next, play, pause, frame_back, frame_forward, reset };
+enum class Icon { back, next, play, pause, frame_back, frame_forward, reset, close };
+
+/// "Next step (Right)": what a command does, and its keys.
+std::string told(Command command);
 
 /// With words beside the icon, or without; a tooltip says what it does and by which key.
-bool icon_button(const char* id, Icon icon, const char* words, const char* tooltip, float width);
+bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width);
 
 /// A button that stays down while what it stands for is on.
-bool toggle_button(const char* words, bool is_on, const char* tooltip);
+bool toggle_button(const char* words, bool is_on, const std::string& tooltip);
 
 /// Shown when the pointer rests on the last item.
-void tooltip_of_last(const char* text);
+void tooltip_of_last(const std::string& text);
 
 /// A line of time with a knob, and a mark at each flip. The time that was pointed at while the button is
 /// down.

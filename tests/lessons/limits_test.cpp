@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Limit{"quotes", kMaxNesting, quotes, "nested deeper"},
                       Limit{"lists", kMaxNesting, lists, "nested deeper"},
                       Limit{"toml", kMaxNesting, toml_arrays, "nested deeper"},
-                      Limit{"overlays", kMaxOverlays, overlays, "at most 32"},
+                      Limit{"overlays", kMaxOverlays, overlays, "at most 40"},
                       Limit{"macros", static_cast<int>(kMaxMacros), macros, "at most 64 macros"},
                       Limit{"symbols", static_cast<int>(kMaxSymbols), symbols, "at most 200 symbols"}),
     [](const auto& test) { return std::string(test.param.name); });

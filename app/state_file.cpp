@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "app/state_file.h"
+
+#include "app/exit_codes.h"
+#include "app/or_fail.h"
+#include "render/image/atomic_file.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+namespace polhode {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int kFormat = 1;
+
+/// A folder of the file's name opens, and throws when it is read.
+std::string whole_text(const fs::path& path) {
+  const CommandError unreadable(ExitCode::failed, fmt::format("cannot read {}", path.string()));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw unreadable;
+  try {
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  } catch (const std::ios_base::failure&) {
+    throw unreadable;
+  }
+}
+
+std::string set_aside(const fs::path& path) {
+  const fs::path aside = path.string() + ".damaged";
+  std::error_code error;
+  fs::rename(path, aside, error);
+  if (error)
+    throw CommandError(ExitCode::failed, fmt::format("{} is damaged and cannot be set aside: {}",
+                                                     path.string(), error.message()));
+  return fmt::format("{} was damaged: it is now {}, and a new one is begun", path.string(), aside.string());
+}
+
+}  // namespace
+
+std::optional<fs::path> state_folder() {
+  const char* state = std::getenv("XDG_STATE_HOME");
+  if (state && fs::path(state).is_absolute()) return fs::path(state) / "polhode";
+  const char* home = std::getenv("HOME");
+  if (home && fs::path(home).is_absolute()) return fs::path(home) / ".local" / "state" / "polhode";
+  return std::nullopt;
+}
+
+std::string read_state_file(const fs::path& path, const std::string& what, const TakeState& take) {
+  std::error_code none;
+  if (!fs::exists(path, none)) return {};
+  const std::string text = whole_text(path);
+  try {
+    const Json json = Json::parse(text);
+    if (json.at("format") != kFormat)
+      throw CommandError(ExitCode::failed,
+                         fmt::format("{} is of another version of this program; move it away", what));
+    take(json);
+  } catch (const CommandError&) {
+    throw;
+  } catch (const std::exception&) {
+    return set_aside(path);
+  }
+  return {};
+}
+
+void write_state_file(const fs::path& path, const Json& members) {
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("cannot make {}: {}", path.parent_path().string(), error.message()));
+  Json json{{"format", kFormat}};
+  json.update(members);
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  or_fail(write_file_atomically(
+      path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), Durability::sync));
+}
+
+}  // namespace polhode

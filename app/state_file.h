@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Small JSON files in the state folder, $XDG_STATE_HOME/polhode or ~/.local/state/polhode (XDG Base Directory
+// Specification 0.8): what is kept from one run to the next.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace polhode {
+
+/// Nothing where neither XDG_STATE_HOME (absolute) nor HOME says where.
+std::optional<std::filesystem::path> state_folder();
+
+/// Takes what a file says. Throws any std::exception if it is not such a file.
+using TakeState = std::function<void(const nlohmann::ordered_json&)>;
+
+/// Hands over what the file says; an absent one is passed over. One that is damaged is set aside as
+/// NAME.damaged: the answer says so, and is empty otherwise. `what` names the file in a sentence: "the log of
+/// answers". What `take` has taken of a damaged file is to be forgotten.
+/// @throws CommandError failed if it is there and cannot be read, or is of another "format" than 1
+std::string read_state_file(const std::filesystem::path& path, const std::string& what,
+                            const TakeState& take);
+
+/// Whole or not at all; makes the folder, and puts "format" first. @throws CommandError failed
+void write_state_file(const std::filesystem::path& path, const nlohmann::ordered_json& members);
+
+}  // namespace polhode

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "app/companion/command.h"
+
+#include "tests/app/companion/example_lesson.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace polhode {
+namespace {
+
+using test::example;
+
+std::vector<std::string> keys_of(const CommandFacts& facts) {
+  std::vector<std::string> keys;
+  std::istringstream text{std::string(facts.keys)};
+  for (std::string key; std::getline(text >> std::ws, key, ',');) keys.push_back(key);
+  return keys;
+}
+
+TEST(Command, EachHasAKeyAndNoKeyHasTwo) {
+  std::map<std::string, Command> by_key;
+  std::set<Command> commands;
+  for (const CommandFacts& facts : all_commands()) {
+    EXPECT_TRUE(commands.insert(facts.command).second) << facts.does;
+    EXPECT_FALSE(facts.does.empty());
+    const auto keys = keys_of(facts);
+    EXPECT_FALSE(keys.empty()) << facts.does;
+    for (const std::string& key : keys) {
+      EXPECT_TRUE(by_key.emplace(key, facts.command).second) << key;
+      EXPECT_EQ(command_of(key), facts.command) << key;
+    }
+  }
+  EXPECT_EQ(commands.size(), static_cast<std::size_t>(Command::quit) + 1) << "all of them are there";
+}
+
+TEST(Command, OtherKeysHaveNone) {
+  for (const char* key : {"", "Shift+Q", "right", "?, F1", ",", ", ", "Z"})
+    EXPECT_FALSE(command_of(key)) << key;
+}
+
+TEST(Command, HelpGoesGroupByGroup) {
+  std::vector<std::string_view> groups;
+  for (const CommandFacts& facts : all_commands())
+    if (groups.empty() || groups.back() != facts.group) groups.push_back(facts.group);
+  EXPECT_EQ(groups,
+            (std::vector<std::string_view>{"Walk", "Time", "Body", "Understand", "Panels", "Window"}));
+}
+
+TEST(Command, WhatOnlyAWindowCanDoIsLeftToIt) {
+  Companion companion(example());
+  const std::set<Command> of_windows = {Command::next_symbol, Command::previous_symbol, Command::explain,
+                                        Command::save_page,   Command::full_screen,     Command::quit};
+  for (const CommandFacts& facts : all_commands())
+    EXPECT_EQ(do_command(companion, facts.command), of_windows.count(facts.command) == 0) << facts.does;
+}
+
+TEST(Command, WalksAndPlays) {
+  Companion companion(example());
+  const auto press = [&](const char* key) { return do_command(companion, command_of(key).value()); };
+  press("Right");
+  press("Right");
+  press("Left");
+  EXPECT_EQ(companion.place(), (Place{0, 1}));
+  press("PageDown");
+  EXPECT_EQ(companion.place(), (Place{1, 0}));
+  press("End");
+  EXPECT_EQ(companion.place(), (Place{2, 0}));
+  press("PageUp");
+  press("Home");
+  EXPECT_EQ(companion.place(), (Place{0, 0}));
+  press("Space");
+  EXPECT_TRUE(companion.is_playing());
+  press("Shift+Up");
+  EXPECT_EQ(companion.speed(), 2);
+  press("Shift+Down");
+  press("Shift+Right");
+  EXPECT_FALSE(companion.is_playing());
+  EXPECT_GT(companion.t_s(), 0.5);
+  press("Shift+Left");
+  EXPECT_NEAR(companion.t_s(), 0.5, 1e-15);
+  press("0");
+  EXPECT_EQ(companion.t_s(), 0.5);
+}
+
+TEST(Command, ChangesTheSceneAndGivesItBack) {
+  Companion companion(example());
+  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
+  const auto views = [&] { return companion.model()->scene.views; };
+  press("V");
+  EXPECT_EQ(views(), (std::vector<View>{View::body}));
+  press("V");
+  EXPECT_EQ(views(), (std::vector<View>{View::space, View::body}));
+  press("V");
+  EXPECT_EQ(views(), (std::vector<View>{View::space}));
+  press("G");
+  EXPECT_TRUE(companion.model()->scene.motion.ghost);
+  press("C");
+  EXPECT_TRUE(companion.is_following());
+  press("R");
+  EXPECT_TRUE(companion.edits().empty());
+  companion.go_to({1, 0});
+  for (const char* key : {"V", "G", "C", "R", "Space", "0", "Shift+Right"}) press(key);
+  EXPECT_EQ(companion.model(), nullptr) << "without a scene they do nothing";
+}
+
+TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
+  Companion companion(example());
+  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
+  for (const auto& [key, panel] : std::vector<std::pair<const char*, Panel>>{{"O", Panel::outline},
+                                                                             {"B", Panel::body},
+                                                                             {"M", Panel::method},
+                                                                             {"S", Panel::show},
+                                                                             {"Q", Panel::question},
+                                                                             {"E", Panel::save},
+                                                                             {"F2", Panel::settings},
+                                                                             {"F1", Panel::help}}) {
+    press(key);
+    EXPECT_EQ(companion.panel, panel) << key;
+  }
+  press("?");
+  EXPECT_EQ(companion.panel, Panel::none) << "the same key again closes it";
+  press("P");
+  press("N");
+  press("B");
+  companion.light("omega");
+  EXPECT_TRUE(companion.notes_shown);
+  press("Escape");
+  EXPECT_EQ(companion.panel, Panel::none);
+  EXPECT_EQ(companion.lit(), "omega");
+  press("Escape");
+  EXPECT_EQ(companion.lit(), "");
+  EXPECT_TRUE(companion.presenting);
+  press("Escape");
+  EXPECT_FALSE(companion.presenting);
+}
+
+TEST(Command, ChangesHowItIsShown) {
+  Companion companion(example());
+  do_command(companion, *command_of("T"));
+  EXPECT_EQ(companion.preferences.theme, Theme::dark);
+  do_command(companion, *command_of("T"));
+  EXPECT_EQ(companion.preferences.theme, Theme::paper);
+  do_command(companion, *command_of("+"));
+  EXPECT_GT(companion.preferences.text_scale, 1);
+  do_command(companion, *command_of("-"));
+  EXPECT_NEAR(companion.preferences.text_scale, 1, 1e-15);
+}
+
+}  // namespace
+}  // namespace polhode
