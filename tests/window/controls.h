@@ -12,8 +12,9 @@ inline constexpr Point kOutline{922, 775};
 /// The third stage in the outline of euler-equations, at its beginning.
 inline constexpr Point kThirdStage{1100, 168};
 
-/// The figure of played.md, a place in it that is background, and the tip of ω at the start.
+/// The figure of played.md and its plots, a place in it that is background, and the tip of ω at the start.
 inline constexpr Point kFigureFrom{640, 10}, kFigureTo{1270, 500};
+inline constexpr Point kPlotsFrom{640, 530}, kPlotsTo{1270, 745};
 inline constexpr Point kInFigure{720, 440};
 inline constexpr Point kOmegaTip{934, 210};
 
