@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/companion/bookmark.h"
 #include "app/or_fail.h"
+#include "app/state_file.h"
 #include "app/window/window.h"
 
 #include <CLI/CLI.hpp>
@@ -51,7 +52,8 @@ class Memory {
       note(bookmark.warning);
       restore(companion, bookmark.bookmark);
     } catch (const CommandError& error) {
-      note(error.what());
+      note(std::string(error.what()) + ": place and answers are not kept");
+      folder_.reset();  // what cannot be read is not written over
     }
     preferences_ = companion.preferences;
     answers_ = companion.answers();

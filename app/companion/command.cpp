@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/companion/command.h"
 
+#include "app/companion/figure_hand.h"
+
 #include <array>
 #include <cmath>
 
@@ -26,6 +28,12 @@ constexpr std::array kCommands = {
     CommandFacts{C::reset_time, "0", "Time", "back to the time of the lesson"},
 
     CommandFacts{C::next_view, "V", "Body", "from space, from the body, both"},
+    CommandFacts{C::turn_left, "Ctrl+Left", "Body", "turn the camera to the left"},
+    CommandFacts{C::turn_right, "Ctrl+Right", "Body", "to the right"},
+    CommandFacts{C::turn_up, "Ctrl+Up", "Body", "upward"},
+    CommandFacts{C::turn_down, "Ctrl+Down", "Body", "downward"},
+    CommandFacts{C::nearer, "Z", "Body", "nearer"},
+    CommandFacts{C::farther, "X", "Body", "farther"},
     CommandFacts{C::follow, "C", "Body", "the camera turns with the body"},
     CommandFacts{C::ghost, "G", "Body", "the exact body beside the computed one"},
     CommandFacts{C::reset_scene, "R", "Body", "the scene of the lesson again"},
@@ -54,6 +62,8 @@ constexpr std::array kCommands = {
     CommandFacts{C::quit, "Ctrl+Q", "Window", "quit"},
 };
 
+constexpr double kTurn = 1.0 / 24;  ///< 7.5 degrees a key
+
 bool has_key(std::string_view keys, std::string_view key) {
   constexpr std::string_view kBetween = ", ";
   while (true) {
@@ -69,12 +79,12 @@ void toggle(Companion& companion, Panel panel) {
 }
 
 void leave(Companion& companion) {
-  if (companion.panel != Panel::none)
+  if (companion.presenting)
+    companion.presenting = false;
+  else if (companion.panel != Panel::none)
     companion.panel = Panel::none;
   else if (!companion.lit().empty())
     companion.light({});
-  else
-    companion.presenting = false;
 }
 
 /// From space, from the body, both.
@@ -85,6 +95,15 @@ void show_next_view(Companion& companion) {
   SceneEdits edits = companion.edits();
   edits.views = shown == space ? body : shown == body ? both : space;
   static_cast<void>(companion.set_edits(edits));
+}
+
+/// By a drag over this part of the picture's height.
+void turn_camera(Companion& companion, double right, double down) {
+  if (companion.has_scene()) companion.set_camera(orbited(companion.model()->scene.camera, right, down, 1.0));
+}
+
+void zoom_camera(Companion& companion, double notches) {
+  if (companion.has_scene()) companion.set_camera(zoomed(companion.model()->scene.camera, notches));
 }
 
 void toggle_ghost(Companion& companion) {
@@ -180,6 +199,24 @@ bool do_command(Companion& companion, Command command) {
       return true;
     case C::follow:
       companion.set_following(!companion.is_following());
+      return true;
+    case C::turn_left:
+      turn_camera(companion, -kTurn, 0);
+      return true;
+    case C::turn_right:
+      turn_camera(companion, kTurn, 0);
+      return true;
+    case C::turn_up:
+      turn_camera(companion, 0, -kTurn);
+      return true;
+    case C::turn_down:
+      turn_camera(companion, 0, kTurn);
+      return true;
+    case C::nearer:
+      zoom_camera(companion, 1);
+      return true;
+    case C::farther:
+      zoom_camera(companion, -1);
       return true;
     case C::next_view:
       show_next_view(companion);

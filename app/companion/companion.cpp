@@ -230,8 +230,8 @@ void Companion::step_frames(int frames) {
 
 void Companion::reset_time() {
   if (!has_scene()) return;
+  loop_ = 0;  // of the first loop the end is its end, not the beginning of the next
   set_time(still_time_s(lesson_scene()));
-  loop_ = std::floor(t_s_ / model_->span_s);
 }
 
 void Companion::advance(double seconds) {

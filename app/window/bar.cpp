@@ -152,8 +152,11 @@ void draw_bar(Desk& desk, const Region& region) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
                    ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PopStyleVar();
-  ImGui::GetWindowDrawList()->AddLine({region.x, region.y + 0.5F}, {region.x + region.width, region.y + 0.5F},
-                                      ImGui::GetColorU32(ImGuiCol_Border));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRectFullScreen();
+  list.AddLine({region.x, region.y + 0.5F}, {region.x + region.width, region.y + 0.5F},
+               ImGui::GetColorU32(ImGuiCol_Border));
+  list.PopClipRect();
   draw_walk(desk);
   const float gap = 2 * style.ItemSpacing.x, left = ImGui::GetItemRectMax().x + gap;
   const float right =

@@ -41,9 +41,8 @@ ControlSizes control_sizes(double scale) {
 }
 
 void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
-  // Latin; digits below the line from Pagella; arrows, signs and Greek from the mathematical face.
+  // Latin; arrows, signs and Greek from the mathematical face.
   static constexpr std::array<ImWchar, 5> kLatin = {0x20, 0x17F, 0x2010, 0x2027, 0};
-  static constexpr std::array<ImWchar, 5> kRaised = {0x2070, 0x209C, 0x2713, 0x2713, 0};
   static constexpr std::array<ImWchar, 11> kSigns = {0x370,  0x3FF,  0x2032, 0x2033, 0x2190, 0x21FF,
                                                      0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -54,11 +53,11 @@ void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
     config.OversampleV = 1;
     config.GlyphOffset.y = -std::round(0.06F * sizes.em);  // what is above the capitals is empty
     const auto add = [&](Face from, const ImWchar* ranges) {
-      atlas.AddFontFromFileTTF(fonts.path(from).c_str(), sizes.em, &config, ranges);
+      const float size = from == Face::math ? 0.94F * sizes.em : sizes.em;
+      atlas.AddFontFromFileTTF(fonts.path(from).c_str(), size, &config, ranges);
       config.MergeMode = true;
     };
     add(face, kLatin.data());
-    add(face == Face::sans ? Face::serif : Face::serif_bold, kRaised.data());
     add(Face::math, kSigns.data());
   }
   atlas.Build();

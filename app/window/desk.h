@@ -32,7 +32,7 @@ struct PanelMemory {
   std::string folder{};
   std::unique_ptr<FrontMeasurement> front{};
   std::string front_problem{};  ///< that was measured
-  int front_choice = 0;         ///< among its steps
+  int front_choice = -1;        ///< among its steps; −1: to be found
   std::unique_ptr<TradeMeter> trade{};
   unsigned trade_of = 0;
   LiveTrade live{};

@@ -65,8 +65,10 @@ void draw_panel(Desk& desk, const Region& region) {
   desk.memory.panel_has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool focused = desk.memory.panel_has_focus;
+  list.PushClipRectFullScreen();
   list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},
                ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 3.0F : 1.0F);
+  list.PopClipRect();
   const float close = ImGui::GetFrameHeight();
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(bold_control_font());

@@ -50,7 +50,7 @@ void edit_moments(Desk& desk, const Scene& scene) {
     memory.moments_of = desk.companion.model_number();
     memory.refusal.clear();
   }
-  static constexpr std::array kNames = {"I₁", "I₂", "I₃"};
+  static constexpr std::array kNames = {"I1", "I2", "I3"};
   for (std::size_t i = 0; i < 3; ++i) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
     const double low = 0.01, high = 10.0 * std::max(1.0, scene.body.moments.vector().maxCoeff() / 10.0);
@@ -66,7 +66,7 @@ void edit_moments(Desk& desk, const Scene& scene) {
 }
 
 void edit_omega(Desk& desk, const Scene& scene) {
-  static constexpr std::array kNames = {"ω₁", "ω₂", "ω₃"};
+  static constexpr std::array kNames = {"ω1", "ω2", "ω3"};
   const double speed = scene.w0_B.norm(), most = std::max(1.0, 2 * speed), least = -most;
   for (int i = 0; i < 3; ++i) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());

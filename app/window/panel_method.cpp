@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace polhode {
 
@@ -88,6 +89,24 @@ std::string problem_text(const Scene& scene) {
                      scene.torque.size());
 }
 
+/// Where the present method is: the nearest step to its own; the closed form is last.
+int place_on(const std::vector<ParetoStep>& steps, const SceneModel& model) {
+  const auto last = static_cast<int>(steps.size()) - 1;
+  const Method method = method_of(model);
+  int best = last;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= last; ++i) {
+    const MethodChoice& choice = steps[static_cast<std::size_t>(i)].choice;
+    if (choice.method != method) continue;
+    const double off = std::abs(std::log(choice.step_s.value_or(1) / model.scene.motion.step_s.value_or(1)));
+    if (off < least) {
+      least = off;
+      best = i;
+    }
+  }
+  return best;
+}
+
 /// Measured when the panel opens, and again for another motion.
 void choose_from_front(Desk& desk, const SceneModel& model) {
   PanelMemory& memory = desk.memory;
@@ -96,12 +115,13 @@ void choose_from_front(Desk& desk, const SceneModel& model) {
     memory.front.reset();
     memory.front = std::make_unique<FrontMeasurement>(problem_of(model.scene));
     memory.front_problem = problem;
+    memory.front_choice = -1;
   }
   if (!memory.front || !memory.front->is_ready())
     return quiet_words("measuring the methods on this motion …");
   const std::vector<ParetoStep>& steps = memory.front->steps();
   if (steps.empty()) return quiet_words("Nothing could be measured on this motion.");
-  memory.front_choice = std::min(memory.front_choice, static_cast<int>(steps.size()) - 1);
+  if (memory.front_choice < 0) memory.front_choice = place_on(steps, model);
   ImGui::SetNextItemWidth(-1);
   if (ImGui::SliderInt("##front", &memory.front_choice, 0, static_cast<int>(steps.size()) - 1, "")) {
     const MethodChoice& choice = steps[static_cast<std::size_t>(memory.front_choice)].choice;

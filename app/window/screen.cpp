@@ -73,6 +73,10 @@ Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   io.ConfigWindowsMoveFromTitleBarOnly = true;
+  for (int key = 0; key < ImGuiKey_COUNT; ++key)
+    io.KeyMap[key] = key;  // until a window's back end knows better
+  std::error_code unknown;
+  memory_.folder = std::filesystem::current_path(unknown).string();
 }
 
 Screen::~Screen() { ImGui::DestroyContext(imgui_); }

@@ -125,7 +125,7 @@ std::optional<double> time_line(const Companion::Interval& interval, double t_s,
   const float mark = 0.28F * em;
   const ImU32 accent = color_of(ImGuiCol_NavHighlight);
   for (const double flip : flips) {
-    const float x = x_of(flip), above = y - 0.75F * em;
+    const float x = x_of(flip), above = y;
     list.AddQuadFilled({x, above - mark}, {x + mark, above}, {x, above + mark}, {x - mark, above}, accent);
   }
   list.AddCircleFilled({x_of(t_s), y}, (active || hovered ? 0.48F : 0.42F) * em,

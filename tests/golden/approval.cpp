@@ -65,6 +65,8 @@ void keep_evidence(const std::string& name, const Image& want, const Image& got)
 
 Renderer& renderer() { return *stage().renderer; }
 
+const GlContext& context() { return *stage().context; }
+
 void lay_over_violet(Image& image) {
   constexpr int kViolet[] = {192, 64, 192};
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {

@@ -15,6 +15,8 @@ inline const std::filesystem::path kFolder = std::filesystem::path(POLHODE_SOURC
 /// One for all tests of this process: shaders compile once. CMake sets GALLIUM_OVERRIDE_CPU_CAPS=sse4.1,
 /// which puts every x86 machine into one class of pixels.
 Renderer& renderer();
+/// What it draws in.
+const GlContext& context();
 
 /// A transparent picture as it shows on a violet slide. Straight colours of nearly transparent pixels say
 /// little: a rounding of one level at alpha 2 changes them by 127.
@@ -27,5 +29,7 @@ void expect_as_approved(const std::string& name, const Image& got);
 std::vector<std::string> page_names();
 /// And of board_golden_test.cpp.
 std::vector<std::string> board_names();
+/// And of window_golden_test.cpp.
+std::vector<std::string> window_names();
 
 }  // namespace polhode::golden

@@ -146,6 +146,7 @@ TEST(Goldens, NoFileIsWithoutItsRow) {
   for (const Golden& golden : all()) names.insert(golden.name + ".png");
   for (const std::string& name : page_names()) names.insert(name + ".png");
   for (const std::string& name : board_names()) names.insert(name + ".png");
+  for (const std::string& name : window_names()) names.insert(name + ".png");
   for (const auto& entry : fs::directory_iterator(kFolder))
     EXPECT_TRUE(entry.path().extension() != ".png" || names.contains(entry.path().filename().string()))
         << entry.path();

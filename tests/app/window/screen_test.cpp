@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/screen.h"
+
+#include "app/companion/figure_hand.h"
+#include "app/picture_maker.h"
+#include "tests/app/companion/example_lesson.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+constexpr Size kSize{1280, 800};
+
+const GlContext& context() {
+  static const std::unique_ptr<GlContext> kContext = [] {
+    auto opened = open_context(ContextKind::any);
+    if (!opened) throw std::runtime_error(opened.error());
+    return std::move(opened).value();
+  }();
+  return *kContext;
+}
+
+/// A screen and a hand.
+class ScreenTest : public testing::Test {
+ protected:
+  ScreenTest() {
+    auto made = Screen::create(context());
+    if (!made) throw std::runtime_error(made.error());
+    screen = std::move(made).value();
+    companion.preferences.reduced_motion = true;
+  }
+
+  void frame(int count = 1) {
+    for (int i = 0; i < count; ++i) {
+      ImGui::GetIO().MousePos = {x, y};
+      ImGui::GetIO().MouseDown[0] = down;
+      const Status drawn = screen->draw(companion, {.size = kSize, .scale = 1, .seconds = 0.02});
+      ASSERT_TRUE(drawn) << drawn.error();
+    }
+  }
+  void move(double to_x, double to_y) {
+    x = static_cast<float>(to_x);
+    y = static_cast<float>(to_y);
+    frame(2);
+  }
+  void click(double at_x, double at_y) {
+    move(at_x, at_y);
+    down = true;
+    frame(2);
+    down = false;
+    frame(3);
+  }
+  void drag(double from_x, double from_y, double to_x, double to_y) {
+    move(from_x, from_y);
+    down = true;
+    frame(2);
+    for (int i = 1; i <= 5; ++i) move(from_x + i * (to_x - from_x) / 5, from_y + i * (to_y - from_y) / 5);
+    down = false;
+    frame(3);
+  }
+  const PixelRect& figure() { return screen->page().insets().front().place; }
+
+  std::unique_ptr<Screen> screen;
+  Companion companion{test::loaded_lesson("euler-equations")};
+  float x = -1, y = -1;
+  bool down = false;
+};
+
+TEST_F(ScreenTest, ThePageIsTheOneThatExportMakes) {
+  companion.go_to({5, 1});
+  companion.scrub_to(1.25);
+  frame(3);
+  const Image shown = screen->page().picture().read();
+  ExportOptions options;
+  options.size = shown.size;
+  options.at_s = companion.t_s();
+  const PlannedPicture picture{.stage = &companion.stage(),
+                               .number = 6,
+                               .step = 2,
+                               .scene = &*companion.step().scene,
+                               .equation = nullptr,
+                               .frame = {},
+                               .file = {}};
+  const auto maker = make_page_maker({companion.lesson(), options, screen->renderer()});
+  EXPECT_EQ(maker->draw(picture).rgba, shown.rgba);
+}
+
+TEST_F(ScreenTest, APanelMakesRoomForItself) {
+  frame(3);
+  EXPECT_EQ(screen->page().picture().size().width, kSize.width);
+  companion.panel = Panel::outline;
+  frame(3);
+  const int beside = screen->page().picture().size().width;
+  EXPECT_LT(beside, kSize.width - 200);
+  EXPECT_GT(beside, kSize.width / 2);
+}
+
+TEST_F(ScreenTest, PresentingThePageIsAllThereIs) {
+  companion.presenting = true;
+  frame(3);
+  EXPECT_EQ(screen->page().picture().size(), kSize);
+  EXPECT_EQ(screen->read().rgba, screen->page().picture().read().rgba);
+}
+
+TEST_F(ScreenTest, WhatComesNextIsShownBesideThePageWhilePresenting) {
+  companion.presenting = companion.notes_shown = true;
+  frame(3);
+  const Image first = screen->read();
+  companion.next_step();
+  frame(3);
+  EXPECT_NE(screen->read().rgba, first.rgba);
+}
+
+TEST_F(ScreenTest, NothingIsDrawnAnewThatHasNotChanged) {
+  frame(4);
+  EXPECT_GT(screen->seconds_to_wake(companion), 60);
+  companion.preferences.reduced_motion = false;
+  companion.set_playing(true);
+  frame();
+  EXPECT_EQ(screen->seconds_to_wake(companion), 0);
+}
+
+TEST_F(ScreenTest, TimePassesOnlyWhileSomethingMoves) {
+  frame(5);
+  const double t_s = companion.t_s();
+  companion.set_playing(true);
+  frame();  // what went before was rest
+  EXPECT_EQ(companion.t_s(), t_s);
+  frame();
+  EXPECT_NEAR(companion.t_s() - t_s, 0.02 * companion.model()->rate, 1e-12);
+}
+
+TEST_F(ScreenTest, TabGoesThroughTheSymbolsOfThePageAndBack) {
+  companion.go_to({1, 0});
+  frame(3);
+  ASSERT_GT(screen->page().symbols().size(), 2U);
+  ASSERT_TRUE(screen->press(companion, "Tab"));
+  EXPECT_EQ(companion.lit(), screen->page().symbols()[0].name);
+  screen->press(companion, "Tab");
+  EXPECT_EQ(companion.lit(), screen->page().symbols()[1].name);
+  screen->press(companion, "Shift+Tab");
+  screen->press(companion, "Shift+Tab");
+  EXPECT_EQ(companion.lit(), "");
+}
+
+TEST_F(ScreenTest, ASymbolUnderThePointerLightsUp) {
+  companion.go_to({1, 0});
+  frame(3);
+  const Image before = screen->page().picture().read();
+  const PageSymbol symbol = screen->page().symbols().front();
+  move(0.5 * (symbol.box.x0 + symbol.box.x1), 0.5 * (symbol.box.y0 + symbol.box.y1));
+  frame(2);
+  EXPECT_EQ(companion.lit(), symbol.name);
+  EXPECT_NE(screen->page().picture().read().rgba, before.rgba);
+  move(4, 4);
+  frame(2);
+  EXPECT_EQ(companion.lit(), "");
+  EXPECT_EQ(screen->page().picture().read().rgba, before.rgba);
+}
+
+TEST_F(ScreenTest, ADragInTheFigureTurnsTheCamera) {
+  frame(3);
+  const CameraSpec before = companion.model()->scene.camera;
+  drag(figure().x + 20, figure().y + 20, figure().x + 120, figure().y + 60);
+  const CameraSpec after = companion.model()->scene.camera;
+  EXPECT_NE(after.azimuth_rad, before.azimuth_rad);
+  EXPECT_NE(after.elevation_rad, before.elevation_rad);
+  EXPECT_EQ(companion.model()->scene.w0_B, companion.lesson_scene().w0_B);
+}
+
+TEST_F(ScreenTest, TheTipOfOmegaIsTakenElsewhere) {
+  companion.go_to({26, 0});
+  frame(3);
+  ASSERT_TRUE(companion.model());
+  const auto tips = omega_tips(*companion.model(), companion.t_s(), screen->page().insets());
+  ASSERT_FALSE(tips.empty());
+  const Vec3 before = companion.model()->scene.w0_B;
+  drag(tips[0].x, tips[0].y, tips[0].x + 25, tips[0].y - 10);
+  EXPECT_GT((companion.model()->scene.w0_B - before).norm(), 1e-3);
+  const auto now = omega_tips(*companion.model(), companion.t_s(), screen->page().insets());
+  ASSERT_FALSE(now.empty());
+  EXPECT_LT(std::hypot(now[0].x - tips[0].x - 25, now[0].y - tips[0].y + 10), 3);
+}
+
+TEST_F(ScreenTest, KeysOfAFocusedPanelAreItsOwn) {
+  screen->press(companion, "B");
+  frame(3);
+  EXPECT_EQ(companion.panel, Panel::body);
+  const Place before = companion.place();
+  EXPECT_FALSE(screen->press(companion, "Right"));
+  EXPECT_EQ(companion.place(), before);
+  screen->press(companion, "F6");
+  frame(3);
+  EXPECT_TRUE(screen->press(companion, "Right"));
+  EXPECT_NE(companion.place(), before);
+  screen->press(companion, "Escape");
+  EXPECT_EQ(companion.panel, Panel::none);
+}
+
+TEST_F(ScreenTest, EveryPanelIsDrawnOnEveryKindOfStep) {
+  for (const std::size_t stage : {std::size_t{0}, std::size_t{2}, std::size_t{26}})
+    for (int panel = 0; panel <= static_cast<int>(Panel::help); ++panel) {
+      companion.go_to({stage, 0});
+      companion.panel = static_cast<Panel>(panel);
+      frame(2);
+    }
+  SUCCEED();
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Golden windows: page, bar and panels as the screen draws them off-screen, by the golden rule, each proved
+// able to fail.
+#include "app/lesson_lookup.h"
+#include "app/window/screen.h"
+#include "render/image/compare.h"
+#include "tests/golden/approval.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace polhode::golden {
+namespace {
+
+/// What is done to a companion, and where the pointer rests; then frames are drawn until all has settled.
+struct Asked {
+  Size size{1280, 800};
+  std::size_t step = 0;
+  double scale = 1;
+  float x = -1, y = -1;
+  std::vector<std::function<void(Companion&)>> changes{};
+};
+
+struct Row {
+  std::string name;
+  Asked asked;
+};
+
+void open(Companion& companion, Panel panel) { companion.panel = panel; }
+
+/// The panel of methods shows times, which no two runs share: that is looked at under Xvfb.
+const std::vector<Row>& rows() {
+  static const std::vector<Row> kRows = {
+      {"window-plain", {.step = 0}},
+      {"window-outline", {.step = 0, .changes = {[](Companion& c) { open(c, Panel::outline); }}}},
+      {"window-body", {.step = 0, .changes = {[](Companion& c) { open(c, Panel::body); }}}},
+      {"window-answer-dark", {.step = 1, .changes = {[](Companion& c) {
+                                           c.preferences.theme = Theme::dark;
+                                           open(c, Panel::question);
+                                           c.answer(*c.questions().front(), "1");
+                                           c.show_hint(*c.questions().front());
+                                         }}}},
+      {"window-note", {.step = 0, .x = 216, .y = 143}},
+      {"window-narrow-double-scale",
+       {.size = {1400, 1000}, .step = 0, .scale = 1.5, .changes = {[](Companion& c) {
+                                                         open(c, Panel::show);
+                                                       }}}},
+  };
+  return kRows;
+}
+
+std::shared_ptr<const LoadedLesson> lesson() {
+  static const auto kLesson = std::make_shared<const LoadedLesson>(
+      load_lesson(std::string(POLHODE_SOURCE_DIR) + "/tests/data/golden/page.md"));
+  return kLesson;
+}
+
+Image picture(const Asked& asked) {
+  auto screen = Screen::create(context());
+  if (!screen) throw std::runtime_error(screen.error());
+  Companion companion(lesson());
+  companion.preferences.reduced_motion = true;
+  companion.go_to({0, asked.step});
+  for (const auto& change : asked.changes) change(companion);
+  constexpr int kSettled = 4;
+  for (int i = 0; i < kSettled; ++i) {
+    ImGui::GetIO().MousePos = {asked.x, asked.y};
+    const Status drawn =
+        (*screen)->draw(companion, {.size = asked.size, .scale = asked.scale, .seconds = 0.02});
+    if (!drawn) throw std::runtime_error(drawn.error());
+  }
+  return (*screen)->read();
+}
+
+struct Mutation {
+  const char* what;
+  std::function<void(Asked&)> change;
+};
+
+const std::vector<Mutation>& mutations() {
+  static const std::vector<Mutation> kMutations = {
+      {"the other step", [](Asked& a) { a.step = 1 - a.step, a.changes.clear(); }},
+      {"a frame later",
+       [](Asked& a) { a.changes.push_back([](Companion& c) { c.scrub_to(c.t_s() + 0.04); }); }},
+      {"another panel",
+       [](Asked& a) { a.changes.push_back([](Companion& c) { open(c, Panel::settings); }); }},
+      {"the other theme",
+       [](Asked& a) {
+         a.changes.push_back([](Companion& c) {
+           c.preferences.theme = c.preferences.theme == Theme::paper ? Theme::dark : Theme::paper;
+         });
+       }},
+      {"larger text", [](Asked& a) { a.changes.push_back([](Companion& c) { c.change_text_scale(1); }); }},
+      {"a camera turned by half a degree",
+       [](Asked& a) {
+         a.changes.push_back([](Companion& c) {
+           CameraSpec camera = c.model()->scene.camera;
+           camera.azimuth_rad += 0.5 * static_cast<double>(EIGEN_PI) / 180;
+           c.set_camera(camera);
+         });
+       }},
+      {"another speed", [](Asked& a) { a.changes.push_back([](Companion& c) { c.set_speed(1.0 / 16); }); }},
+  };
+  return kMutations;
+}
+
+class GoldenWindow : public testing::TestWithParam<Row> {};
+
+TEST_P(GoldenWindow, IsAsApproved) { expect_as_approved(GetParam().name, picture(GetParam().asked)); }
+
+TEST_P(GoldenWindow, RefusesEveryMutation) {
+  const Image approved = picture(GetParam().asked);
+  for (const Mutation& mutation : mutations()) {
+    Asked asked = GetParam().asked;
+    mutation.change(asked);
+    EXPECT_FALSE(compare_images(approved, picture(asked)).equal()) << mutation.what;
+  }
+}
+
+TEST_P(GoldenWindow, RepeatsToTheByte) {
+  EXPECT_EQ(picture(GetParam().asked).rgba, picture(GetParam().asked).rgba);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GoldenWindow, testing::ValuesIn(rows()), [](const auto& row) {
+  std::string name = row.param.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+}  // namespace
+
+std::vector<std::string> window_names() {
+  std::vector<std::string> names;
+  for (const Row& row : rows()) names.push_back(row.name);
+  return names;
+}
+
+}  // namespace polhode::golden
