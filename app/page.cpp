@@ -170,18 +170,18 @@ Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, co
   return sheet;
 }
 
-/// What the present step's claims and formulas come to at this time.
+/// What the present step's claims, and the numbers of all formulas, come to at this time.
 Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& fonts) {
   Sheet sheet;
-  const auto newest = stack.pieces.end() - static_cast<std::ptrdiff_t>(stack.newest);
+  const std::vector<ColumnPiece>& pieces = stack.pieces;
   const auto has_slots = [](const ColumnPiece& piece) {
     return !piece.live.empty() || !piece.numbers.empty();
   };
-  if (std::none_of(newest, stack.pieces.end(), has_slots)) return sheet;
+  if (std::none_of(pieces.begin(), pieces.end(), has_slots)) return sheet;
   const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
   const View view = request.model ? request.model->scene.views.front() : View::space;
-  for (auto piece = newest; piece != stack.pieces.end(); ++piece)
-    append(sheet, live_values(*piece, live ? &*live : nullptr, view, fonts), {0, 0});
+  for (const ColumnPiece& piece : pieces)
+    append(sheet, live_values(piece, live ? &*live : nullptr, view, fonts), {0, 0});
   return sheet;
 }
 
