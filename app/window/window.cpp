@@ -2,6 +2,7 @@
 #include "app/window/window.h"
 
 #include "app/interrupt.h"
+#include "app/window/input_portion.h"
 #include "app/window/key_names.h"
 #include "app/window/plain_window.h"
 #include "app/window/screen.h"
@@ -14,8 +15,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cfloat>
 #include <cstdlib>
 #include <ctime>
+#include <deque>
 #include <fstream>
 
 namespace polhode {
@@ -147,8 +151,7 @@ class Display {
 
 /// What the callbacks reach by the window's user pointer.
 struct Input {
-  Companion& companion;
-  Screen& screen;
+  std::deque<InputEvent> waiting{};
   int settling = kSettlingFrames;  ///< frames still to be drawn
 };
 
@@ -158,27 +161,98 @@ Input& input_of(GLFWwindow* window) {
   return input;
 }
 
-/// Ours go first: Dear ImGui's back end passes on to what was there before it.
 void listen(GLFWwindow* window) {
-  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int modifiers) {
-    Input& input = input_of(w);
-    if (action == GLFW_RELEASE) return;
-    if (const std::string name = key_name(key, modifiers); !name.empty())
-      input.screen.press(input.companion, name);
+  using Kind = InputEvent::Kind;
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+    input_of(w).waiting.push_back({Kind::key, key, scancode, action, modifiers});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code_point) {
-    Input& input = input_of(w);
-    if (const std::string name = character_name(code_point); !name.empty())
-      input.screen.press(input.companion, name);
+    input_of(w).waiting.push_back({Kind::character, static_cast<int>(code_point)});
   });
-  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int, int, int) { input_of(w); });
-  glfwSetScrollCallback(window, [](GLFWwindow* w, double, double) { input_of(w); });
-  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double, double) { input_of(w); });
-  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int) { input_of(w); });
-  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int) { input_of(w); });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+    input_of(w).waiting.push_back({Kind::button, button, 0, action, modifiers});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    input_of(w).waiting.push_back({.kind = Kind::wheel, .x = x, .y = y});
+  });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    input_of(w).waiting.push_back({.kind = Kind::pointer, .x = x, .y = y});
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    if (!entered) input_of(w).waiting.push_back({.kind = Kind::pointer, .x = -FLT_MAX, .y = -FLT_MAX});
+  });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    input_of(w);
+    ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+  });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w); });
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w); });
 }
+
+/// Keyboard and mouse as the controls are told of them: as much as they can see in one frame.
+class ControlInput {
+ public:
+  ControlInput(GLFWwindow* window, Companion& companion, Screen& screen)
+      : window_(window), companion_(companion), screen_(screen) {}
+
+  /// After the back end has told what it knows, which is where they are by now.
+  void feed(std::deque<InputEvent>& waiting) {
+    InputPortion portion;
+    while (!waiting.empty() && portion.takes(waiting.front())) {
+      const InputEvent event = waiting.front();
+      waiting.pop_front();
+      if (is_command(event)) continue;
+      portion.add(event);
+      give(event);
+    }
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = pointer_;
+    std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+  }
+
+ private:
+  bool is_command(const InputEvent& event) {
+    std::string name;
+    if (event.kind == InputEvent::Kind::character) name = character_name(static_cast<unsigned>(event.code));
+    if (event.kind == InputEvent::Kind::key && event.action != GLFW_RELEASE)
+      name = key_name(event.code, event.modifiers);
+    return !name.empty() && screen_.press(companion_, name);
+  }
+
+  void give(const InputEvent& event) {
+    switch (event.kind) {
+      case InputEvent::Kind::pointer:
+        move_to(static_cast<float>(event.x), static_cast<float>(event.y));
+        break;
+      case InputEvent::Kind::wheel:
+        ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
+        break;
+      case InputEvent::Kind::button:
+        if (event.code >= 0 && event.code < static_cast<int>(buttons_.size()))
+          buttons_[static_cast<std::size_t>(event.code)] = event.action == GLFW_PRESS;
+        break;
+      case InputEvent::Kind::key:
+        ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.modifiers);
+        break;
+      case InputEvent::Kind::character:
+        ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
+        break;
+    }
+  }
+
+  /// A hand that holds something does not let go of it where the window ends.
+  void move_to(float x, float y) {
+    const bool is_out = x == -FLT_MAX;
+    const bool holds = std::find(buttons_.begin(), buttons_.end(), true) != buttons_.end();
+    if (!is_out || !holds) pointer_ = {x, y};
+  }
+
+  GLFWwindow* window_;
+  Companion& companion_;
+  Screen& screen_;
+  ImVec2 pointer_{-FLT_MAX, -FLT_MAX};
+  std::array<bool, 5> buttons_{};  // as many as Dear ImGui knows
+};
 
 std::string title_of(const Companion& companion, const std::string& stage) {
   return fmt::format("{} — stage {} of {}, step {} of {} — polhode", stage, companion.place().stage + 1,
@@ -246,11 +320,11 @@ class Loop {
   Loop(Companion& companion, const WindowOptions& options)
       : companion_(companion),
         options_(options),
-        input_{companion, display_.screen()},
+        control_input_(display_.window(), companion, display_.screen()),
         full_screen_(display_.window()) {
     glfwSetWindowUserPointer(display_.window(), &input_);
     listen(display_.window());
-    ImGui_ImplGlfw_InitForOther(display_.window(), true);
+    ImGui_ImplGlfw_InitForOther(display_.window(), false);
     if (!display_.fallback().empty())
       screen().tell("This display has no OpenGL 3.3 (" + display_.fallback() + "): drawn off-screen.");
     if (!options.news.empty()) screen().tell(options.news);
@@ -301,13 +375,14 @@ class Loop {
   void draw() {
     const double now_s = glfwGetTime();
     ImGui_ImplGlfw_NewFrame();
+    control_input_.feed(input_.waiting);
     const ScreenFrame frame = measured_frame(now_s);
     drawn_s_ = now_s;
     if (Status drawn = screen().draw(companion_, frame); !drawn)
       throw CommandError(ExitCode::failed, drawn.error());
     display_.present();
     frame_log_.note(companion_.is_moving(), screen().is_full());
-    input_.settling = std::max(0, input_.settling - 1);
+    input_.settling = input_.waiting.empty() ? std::max(0, input_.settling - 1) : kSettlingFrames;
     wake_s_ = now_s + screen().seconds_to_wake(companion_);
     follow_wishes();
     update_title();
@@ -356,6 +431,7 @@ class Loop {
   Glfw glfw_;
   Display display_;
   Input input_;
+  ControlInput control_input_;
   FullScreen full_screen_;
   FrameLog frame_log_;
   std::string title_, lesson_errors_;

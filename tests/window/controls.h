@@ -6,16 +6,16 @@
 
 namespace polhode::window_test {
 
-inline constexpr Point kPreviousStep{24, 775}, kNextStep{120, 775}, kOutline{200, 775};
-inline constexpr Point kPlay{300, 775};
-inline constexpr Point kTimeLineStart{400, 775}, kTimeLineEnd{700, 775};
-/// A row of the outline, from 1.
-inline Point outline_row(int n) { return {1100, 40 + 22 * n}; }
+inline constexpr Point kPreviousStep{50, 775}, kNextStep{132, 775}, kPlay{268, 775};
+inline constexpr Point kTimeLineStart{334, 775}, kTimeLineEnd{696, 775};
+inline constexpr Point kOutline{922, 775};
+/// The third stage in the outline of euler-equations, at its beginning.
+inline constexpr Point kThirdStage{1100, 168};
 
-/// In the figure, and its rectangle.
-inline constexpr Point kFigureFrom{640, 60}, kFigureTo{1270, 480};
-inline constexpr Point kInFigure{900, 300};
-/// ω's tip in played.md at its start.
-inline constexpr Point kOmegaTip{980, 200};
+/// The figure of played.md and its plots, a place in it that is background, and the tip of ω at the start.
+inline constexpr Point kFigureFrom{640, 10}, kFigureTo{1270, 500};
+inline constexpr Point kPlotsFrom{640, 530}, kPlotsTo{1270, 745};
+inline constexpr Point kInFigure{720, 440};
+inline constexpr Point kOmegaTip{934, 210};
 
 }  // namespace polhode::window_test

@@ -30,7 +30,7 @@ TEST_F(Fault, ALessonWithErrorsShowsThemAll) {
   const Start start = start_of_play(display(), home(), {test_lesson("two_errors.md")});
   EXPECT_EQ(Child(start).wait(), 3);
   EXPECT_THAT(text_of(start.err) + text_of(start.out),
-              AllOf(HasSubstr("two_errors.md:11"), HasSubstr("two_errors.md:15")));
+              AllOf(HasSubstr("two_errors.md:12"), HasSubstr("two_errors.md:16")));
 }
 
 TEST_F(Fault, UnknownNamesAreUsage) {

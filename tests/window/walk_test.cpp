@@ -74,7 +74,7 @@ TEST_F(Walk, TheOutlineLeadsToAStage) {
   PlayedLesson lesson(display(), home(), {kLecture});
   lesson.click(kOutline);
   const Image opened = lesson.picture_at_rest();
-  lesson.click(outline_row(3));
+  lesson.click(kThirdStage);
   EXPECT_TRUE(lesson.comes_to(3, 1));
   EXPECT_TRUE(lesson.changes_from(opened));
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/input_portion.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+bool contains(const std::vector<int>& codes, int code) {
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+/// Enter, Backspace, arrows ...: no character comes of it.
+bool acts(const InputEvent& key) { return key.code >= GLFW_KEY_ESCAPE && key.code < GLFW_KEY_LEFT_SHIFT; }
+
+}  // namespace
+
+bool InputPortion::takes(const InputEvent& event) const {
+  switch (event.kind) {
+    case InputEvent::Kind::pointer:
+    case InputEvent::Kind::wheel:
+      return buttons_.empty();
+    case InputEvent::Kind::button:
+      return !contains(buttons_, event.code);
+    case InputEvent::Kind::key:
+      return event.action == GLFW_REPEAT || !contains(keys_, event.code);
+    case InputEvent::Kind::character:
+      return !acted_;
+  }
+  return true;
+}
+
+void InputPortion::add(const InputEvent& event) {
+  if (event.kind == InputEvent::Kind::button) buttons_.push_back(event.code);
+  if (event.kind != InputEvent::Kind::key) return;
+  keys_.push_back(event.code);
+  acted_ = acted_ || (event.action != GLFW_RELEASE && acts(event));
+}
+
+}  // namespace polhode
