@@ -92,14 +92,10 @@ class SceneKeys {
     }
     const auto wxyz = read_numbers(entry, 4, report_);
     if (!wxyz) return;
-    const auto& v = *wxyz;
-    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2]), std::abs(v[3])});
-    if (largest == 0) {
+    if (std::all_of(wxyz->begin(), wxyz->end(), [](double x) { return x == 0; }))
       report_.error(entry.value.place, "the quaternion of an attitude must not be zero");
-      return;
-    }
-    // Scaled first: squares of the largest and smallest numbers are not finite or zero.
-    scene_.attitude = Quat(v[0] / largest, v[1] / largest, v[2] / largest, v[3] / largest).normalized();
+    else
+      scene_.attitude = attitude_from(*wxyz);
   }
 
   void torque(const TomlEntry& entry) {
@@ -322,6 +318,13 @@ class SceneKeys {
 };
 
 }  // namespace
+
+Quat attitude_from(const std::vector<double>& wxyz) {
+  // Scaled first: squares of the largest and smallest numbers are not finite or zero.
+  double largest = 0;
+  for (double x : wxyz) largest = std::max(largest, std::abs(x));
+  return Quat(wxyz[0] / largest, wxyz[1] / largest, wxyz[2] / largest, wxyz[3] / largest).normalized();
+}
 
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
                                         LessonScene& scene, TextReader& texts) {

@@ -18,6 +18,9 @@ inline constexpr std::size_t kMaxCaptionCharacters = 120;
 inline constexpr std::size_t kMaxTorqueTerms = 4;
 inline constexpr std::size_t kMaxHighlights = 4;
 
+/// The unit quaternion of the four numbers w, x, y, z of the key `attitude`, which are not all zero.
+Quat attitude_from(const std::vector<double>& wxyz);
+
 /// The lesson's own bodies; other names are those of physics/bodies.h.
 struct LessonBodies {
   std::map<std::string, Body> named;

@@ -265,6 +265,7 @@ Status Companion::set_edits(const SceneEdits& edits) {
   SceneEdits wanted = edits;
   if (following_ && wanted.camera == edits_.camera) wanted.camera = camera();
   if (wanted.camera) wanted.camera = writable(*wanted.camera);
+  if (wanted.attitude) wanted.attitude = writable(*wanted.attitude);
   if (same_model(edited(lesson_scene(), wanted), edited(lesson_scene(), edits_))) {
     edits_ = wanted;
   } else {

@@ -112,8 +112,8 @@ class Companion {
   unsigned model_number() const { return model_number_; }
   const SceneEdits& edits() const { return edits_; }
   /// Refused, with what is wrong and nothing changed, if the scene cannot be modelled. What starts another
-  /// motion (body, ω, attitude) starts it at t = 0; time goes on over a change of method or overlays. The
-  /// camera becomes the `writable` one.
+  /// motion (body, ω, attitude) starts it at t = 0; time goes on over a change of method or overlays. Camera
+  /// and attitude become the `writable` ones.
   Status set_edits(const SceneEdits& edits);
   /// Follows nothing any more; a motion that was changed begins at the scene's own time.
   void reset_edits();

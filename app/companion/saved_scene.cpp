@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace polhode {
 
@@ -60,12 +60,14 @@ std::string list_of_names(const std::vector<std::string>& names) {
 
 // Numbers that the reader turns into others: the text is sought that gives the ones there are.
 
-/// What reads as this angle: the degrees of the quotient are at most some ulps off.
+/// What reads as this angle: whole 1e-4° of a writable camera, else some ulps from the quotient.
 double degrees_that_read_as(double angle_rad) {
+  constexpr double kParts = 1e4;
   const auto reads = [&](double degrees) {
     return std::remainder(degrees, 360.0) * (std::numbers::pi / 180) == angle_rad;
   };
-  const double near = angle_rad * kDegreesPerRadian;
+  const double near = angle_rad * kDegreesPerRadian, whole = std::round(near * kParts) / kParts;
+  if (reads(whole)) return whole;
   double above = near, below = near;
   for (int ulps = 0; ulps < 8; ++ulps) {
     if (reads(above)) return above;
@@ -76,36 +78,39 @@ double degrees_that_read_as(double angle_rad) {
   return near;
 }
 
-/// A direction is read by dividing it by its length, which may move the last digit of a unit vector: a
-/// multiple of it reads as the same.
-constexpr int kMultiples = 1000;
-
-std::vector<double> times(int factor, const std::vector<double>& v) {
-  std::vector<double> product;
-  for (double x : v) product.push_back(factor * x);
-  return product;
-}
-
-std::vector<double> wxyz_that_read_as(const Quat& q) {
-  const std::vector<double> unit{q.w(), q.x(), q.y(), q.z()};
-  for (int factor = 1; factor <= kMultiples; ++factor) {
-    const auto v = times(factor, unit);
-    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2]), std::abs(v[3])});
-    const Quat read = Quat(v[0] / largest, v[1] / largest, v[2] / largest, v[3] / largest).normalized();
-    if (read == q) return v;
-  }
+/// A direction is read by dividing it by its length, which may move the last digits of a unit vector: of what
+/// is an ulp or none beside a multiple of it, some reads as itself.
+template <class Reads>
+std::vector<double> that_reads(const std::vector<double>& unit, const Reads& reads) {
+  constexpr int kMultiples = 100;
+  const auto sides = static_cast<int>(std::pow(3, unit.size()));
+  for (int factor = 1; factor <= kMultiples; ++factor)
+    for (int side = 0; side < sides; ++side) {
+      std::vector<double> beside;
+      for (int rest = side; beside.size() < unit.size(); rest /= 3) {
+        const double x = factor * unit[beside.size()];
+        beside.push_back(rest % 3 == 0 ? x : std::nextafter(x, rest % 3 == 1 ? HUGE_VAL : -HUGE_VAL));
+      }
+      if (reads(beside)) return beside;
+    }
   return unit;
 }
 
+std::vector<double> wxyz_that_read_as(const Quat& q) {
+  const std::vector<double> short_one = wxyz_in_short(q);
+  const auto reads = [&](const std::vector<double>& v) { return attitude_from(v) == q; };
+  return reads(short_one) ? short_one : that_reads({q.w(), q.x(), q.y(), q.z()}, reads);
+}
+
 std::string text_of(const HeavyTop& top) {
-  std::string text;
-  for (int factor = 1; factor <= kMultiples; ++factor) {
-    const auto a = times(factor, {top.axis_B[0], top.axis_B[1], top.axis_B[2]});
-    text = fmt::format("heavy:{},{}", top.mgr, fmt::join(a, ","));
-    const auto read = parse_torque_term(text);
-    if (const auto* term = std::get_if<TorqueTerm>(&read); term && *term == TorqueTerm(top)) break;
-  }
-  return text;
+  const auto text = [&](const std::vector<double>& axis) {
+    return fmt::format("heavy:{},{}", top.mgr, fmt::join(axis, ","));
+  };
+  return text(that_reads({top.axis_B[0], top.axis_B[1], top.axis_B[2]}, [&](const auto& axis) {
+    const auto read = parse_torque_term(text(axis));
+    const auto* term = std::get_if<TorqueTerm>(&read);
+    return term && *term == TorqueTerm(top);
+  }));
 }
 
 std::string text_of(const SpaceTorque& torque) { return fmt::format("space:{}", fmt::join(torque.N_S, ",")); }
@@ -252,25 +257,15 @@ std::vector<MarkdownBlock> blocks_of(const Stage& stage, std::size_t step, const
   return blocks;
 }
 
-/// A scene stands where the stage's first one stood. Where a later one was all there was to a step, the step
-/// keeps an empty one.
-std::string steps_of(const Companion& companion, const std::string& scene_keys) {
+/// The scene stands where the stage's first one stood; later ones change nothing.
+std::string steps_of(const Companion& companion, std::string scene_keys) {
   const SourceText source(companion.lesson().source);
-  const auto blocks = blocks_of(companion.stage(), companion.place().step, source);
   std::string text;
-  bool scene_stands = false, step_is_empty = true;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const bool last_of_step = i + 1 == blocks.size() || blocks[i + 1].kind == MarkdownBlock::Kind::rule;
-    if (!is_scene(source, blocks[i])) {
-      step_is_empty = blocks[i].kind == MarkdownBlock::Kind::rule;
-      text += fmt::format("\n{}\n", source.lines(blocks[i].first_line, blocks[i].last_line));
-    } else if (!scene_stands) {
-      step_is_empty = false;
-      scene_stands = true;
-      text += fmt::format("\n```scene\n{}```\n", scene_keys);
-    } else if (step_is_empty && last_of_step) {
-      text += "\n```scene\n```\n";
-    }
+  for (const MarkdownBlock& block : blocks_of(companion.stage(), companion.place().step, source)) {
+    if (is_scene(source, block))
+      text += fmt::format("\n```scene\n{}```\n", std::exchange(scene_keys, {}));
+    else
+      text += fmt::format("\n{}\n", source.lines(block.first_line, block.last_line));
   }
   return text;
 }

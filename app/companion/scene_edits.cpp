@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/companion/scene_edits.h"
 
+#include "lessons/scene_keys.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -65,6 +67,20 @@ CameraSpec writable(const CameraSpec& camera) {
   return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree,
           std::clamp(camera.distance, kLeastScale, kMostScale),
           std::clamp(camera.zoom, kLeastScale, kMostScale)};
+}
+
+std::vector<double> wxyz_in_short(const Quat& q_SB) {
+  constexpr double kParts = 1e12;
+  const double largest = q_SB.coeffs().cwiseAbs().maxCoeff();
+  std::vector<double> wxyz;
+  for (double x : {q_SB.w(), q_SB.x(), q_SB.y(), q_SB.z()})
+    wxyz.push_back(std::round(x / largest * kParts) / kParts);
+  return wxyz;
+}
+
+AttitudeSpec writable(const AttitudeSpec& attitude) {
+  const Quat* q_SB = std::get_if<Quat>(&attitude);
+  return q_SB ? attitude_from(wxyz_in_short(*q_SB)) : attitude;
 }
 
 }  // namespace polhode

@@ -2,9 +2,11 @@
 // What is saved reads back as what was there.
 #include "app/companion/saved_scene.h"
 
+#include "lessons/scene_keys.h"
 #include "tests/app/companion/example_lesson.h"
 #include "tests/app/run_program.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,9 +45,10 @@ void expect_saved(const Companion& companion) {
   ASSERT_EQ(saved.scene.has_value(), companion.has_scene());
   if (!saved.scene) return;
   const Scene expected = shown_in(companion);
-  EXPECT_EQ(*saved.scene, expected) << companion.lesson().id << ' ' << companion.stage().id << "\nwants\n"
-                                    << scene_keys_of(expected, companion.t_s()) << "\nhas\n"
-                                    << lesson_of(companion);
+  EXPECT_TRUE(*saved.scene == expected) << companion.lesson().id << ' ' << companion.stage().id << "\nwants\n"
+                                        << scene_keys_of(expected, companion.t_s()) << "\nhas\n"
+                                        << scene_keys_of(*saved.scene, still_time_s(*saved.scene)) << "\nin\n"
+                                        << lesson_of(companion);
 }
 
 void go_to_last_step(Companion& companion, std::size_t stage) {
@@ -72,10 +75,12 @@ TEST(SavedScene, TextEquationsClaimsAndQuestionsComeBack) {
       ASSERT_EQ(saved.blocks.size(), step.blocks.size()) << companion.stage().id;
       for (std::size_t i = 0; i < step.blocks.size(); ++i) {
         ASSERT_EQ(saved.blocks[i].index(), step.blocks[i].index());
-        if (const auto* equation = std::get_if<Equation>(&step.blocks[i]))
+        if (const auto* equation = std::get_if<Equation>(&step.blocks[i])) {
           EXPECT_EQ(std::get<Equation>(saved.blocks[i]).tex, equation->tex);
-        if (const auto* prose = std::get_if<Prose>(&step.blocks[i]))
+        }
+        if (const auto* prose = std::get_if<Prose>(&step.blocks[i])) {
           EXPECT_EQ(std::get<Prose>(saved.blocks[i]).markdown, prose->markdown);
+        }
       }
     }
   }
@@ -155,15 +160,27 @@ TEST(SavedScene, WhatAHandHasMadeOfItComesBackToTheBit) {
   EXPECT_GT(taken, all / 2);
 }
 
+/// As an author writes its axis, with few digits.
+TorqueTerm heavy_top(Hand& hand) {
+  const auto text = fmt::format("heavy:{},{:.3g},{:.3g},{:.3g}", hand.number(), hand.number(), hand.number(),
+                                hand.number());
+  return std::get<TorqueTerm>(parse_torque_term(text));
+}
+
+/// Components of an attitude likewise.
+AttitudeSpec attitude(Hand& hand) {
+  const auto rounded = [&] { return std::round(1e3 * hand.number()) / 1e3; };
+  return attitude_from({rounded(), rounded(), rounded(), rounded()});
+}
+
 TEST(SavedScene, DirectionsComeBackToTheBit) {
   Hand hand(7);
   const std::string front = "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# X {x}\n```scene\n";
   for (int i = 0; i < 200; ++i) {
     Scene scene;
-    scene.attitude = Quat(hand.number(), hand.number(), hand.number(), hand.number()).normalized();
+    scene.attitude = i % 3 == 0 ? attitude(hand) : writable(attitude(hand));
     scene.torque = {SpaceTorque{{hand.number(), 1e-7, -1e20}}, BodyTorque{{0, hand.number(), 0.1}},
-                    HeavyTop{hand.number(), Vec3(hand.number(), hand.number(), hand.number()).normalized()},
-                    LinearDamping{std::abs(hand.number())}};
+                    heavy_top(hand), LinearDamping{std::abs(hand.number())}};
     scene.v0_S = {hand.number(), 0, 1e-300};
     scene.F_S = {0, hand.number(), 3};
     scene.arrow = i % 2 == 0 ? ArrowHeld::free : ArrowHeld::in_body;
@@ -173,7 +190,7 @@ TEST(SavedScene, DirectionsComeBackToTheBit) {
     scene.meters = std::vector<Meter>{Meter::momentum, Meter::omega};
     const LessonReading reading = read_lesson(front + scene_keys_of(scene, 0) + "```\n", "x.md");
     ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
-    EXPECT_EQ(*reading.lesson->stages[0].steps[0].scene, scene) << scene_keys_of(scene, 0);
+    EXPECT_TRUE(*reading.lesson->stages[0].steps[0].scene == scene) << scene_keys_of(scene, 0);
   }
 }
 
