@@ -30,6 +30,7 @@ void ask_for_words(Desk& desk, const Ask& ask, std::string& typed, const char* e
   if (desk.take_focus) ImGui::SetKeyboardFocusHere();
   const bool entered =
       ImGui::InputTextWithHint("##answer", example, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (entered) ImGui::SetKeyboardFocusHere(-1);  // for another try
   ImGui::SameLine();
   if ((ImGui::Button("Check") || entered) && !typed.empty()) desk.companion.answer(ask, typed);
 }

@@ -87,22 +87,20 @@ void PlayedLesson::type(const std::string& text) { display_.act({"type", "--dela
 
 void PlayedLesson::move_to(Point point) { display_.act(move_words(point)); }
 
-// Controls see the pointer arrive before they are pressed, as they do of a person.
 void PlayedLesson::click(Point point) {
-  display_.act(
-      joined(move_words(point), Words{"sleep", "0.05", "mousedown", "1", "sleep", "0.05", "mouseup", "1"}));
+  display_.act(joined(move_words(point), Words{"mousedown", "1", "mouseup", "1"}));
 }
 
 void PlayedLesson::turn_wheel(Point point, int notches) {
   const std::string button = notches > 0 ? "4" : "5";
-  display_.act(joined(move_words(point), Words{"sleep", "0.05", "click", "--repeat",
-                                               std::to_string(std::abs(notches)), "--delay", "20", button}));
+  display_.act(
+      joined(move_words(point), Words{"click", "--repeat", std::to_string(std::abs(notches)), button}));
 }
 
 void PlayedLesson::drag(const std::vector<Point>& points) {
-  Words words = joined(move_words(points.front()), Words{"sleep", "0.05", "mousedown", "1", "sleep", "0.05"});
-  for (const Point& point : points) words = joined(words, move_words(point), Words{"sleep", "0.02"});
-  display_.act(joined(words, Words{"sleep", "0.05", "mouseup", "1"}));
+  Words words = joined(move_words(points.front()), Words{"mousedown", "1"});
+  for (const Point& point : points) words = joined(words, move_words(point));
+  display_.act(joined(words, Words{"mouseup", "1"}));
 }
 
 bool PlayedLesson::comes_to(int stage, int step) const {
