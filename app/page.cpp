@@ -3,6 +3,7 @@
 
 #include "app/figure_place.h"
 #include "app/page_text.h"
+#include "app/page_travel.h"
 #include "render/scene/fade.h"
 #include "render/scene/meter_plots.h"
 #include "render/type/paragraph.h"
@@ -149,16 +150,14 @@ void add_meters(const PageRequest& request, const Grid& grid, const std::vector<
   }
 }
 
-/// What the present step's claims and the live numbers of formulas come to at this time, each at its slot.
-Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& fonts) {
+/// The values of a piece's claims and the live numbers of its formulas, each at its slot.
+Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, const Fonts& fonts) {
   Sheet sheet;
-  if (stack.live.empty() && stack.numbers.empty()) return sheet;
-  const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
-  for (const LiveNumberSlot& slot : stack.numbers)
-    sheet.texts.push_back(live_number_in(slot.room, *slot.number, live ? &*live : nullptr, fonts));
+  for (const LiveNumberSlot& slot : piece.numbers)
+    sheet.texts.push_back(live_number_in(slot.room, *slot.number, live, fonts));
   if (!live) return sheet;
-  for (const LiveSlot& slot : stack.live) {
-    const std::string text = live_text(*slot.claim, *live, request.model->scene.views.front());
+  for (const LiveSlot& slot : piece.live) {
+    const std::string text = live_text(*slot.claim, *live, view);
     TextStyle style = slot.style;
     DisplayList line = set_line(text, style, fonts);
     if (line.width > slot.room) {
@@ -171,11 +170,42 @@ Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& f
   return sheet;
 }
 
+/// What the present step's claims, and the numbers of all formulas, come to at this time.
+Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& fonts) {
+  Sheet sheet;
+  const std::vector<ColumnPiece>& pieces = stack.pieces;
+  const auto has_slots = [](const ColumnPiece& piece) {
+    return !piece.live.empty() || !piece.numbers.empty();
+  };
+  if (std::none_of(pieces.begin(), pieces.end(), has_slots)) return sheet;
+  const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
+  const View view = request.model ? request.model->scene.views.front() : View::space;
+  for (const ColumnPiece& piece : pieces)
+    append(sheet, live_values(piece, live ? &*live : nullptr, view, fonts), {0, 0});
+  return sheet;
+}
+
+void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet, const Fonts& fonts) {
+  const Sheet values = live_values(request, text.stack, fonts);
+  if (request.travel && *request.travel < 1.0) {
+    append(sheet, column_on_its_way(request.from, text, *request.travel), {0, 0});
+    append(sheet, faded(values, appeared(*request.travel)), text.corner);
+    return;
+  }
+  const double news = request.news.value_or(1.0);
+  const std::size_t old = text.stack.pieces.size() - text.stack.newest;
+  for (std::size_t i = 0; i < text.stack.pieces.size(); ++i)
+    append(sheet, faded(text.stack.pieces[i].sheet, i < old ? 1.0 : news), text.corner);
+  append(sheet, faded(values, news), text.corner);
+}
+
 }  // namespace
 
 FittedText text_of_page(const PageRequest& request, const Fonts& fonts) {
   const Grid grid = grid_of(request, plots_of(request).size());
-  return fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
+  FittedText text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
+  text.corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
+  return text;
 }
 
 Page compose_page(const PageRequest& request, const Fonts& fonts) {
@@ -195,10 +225,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   const PixelRect& place = grid.figure;
   page.figure = {static_cast<double>(place.x), static_cast<double>(place.y),
                  static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
-  const Vec2 corner(std::round(grid.text.x0), std::round(grid.text.y0));
-  append(page.sheet, text.stack.sheet, corner);
-  append(page.sheet, faded(text.stack.newest, request.news.value_or(1.0)), corner);
-  append(page.sheet, faded(live_values(request, text.stack, fonts), request.news.value_or(1.0)), corner);
+  add_column(request, text, page.sheet, fonts);
   if (!request.model) return page;
   PlacedFigure figure = figure_on_page(request, grid, fonts);
   page.insets = std::move(figure.insets);

@@ -15,6 +15,8 @@ namespace polhode {
 
 inline constexpr Size kSmallestPage{320, 240};
 
+struct FittedText;
+
 struct PageRequest {
   const Lesson& lesson;
   const Stage& stage;
@@ -32,6 +34,13 @@ struct PageRequest {
   /// of a wide page; labels, captions and plots follow by half. Where there is less room than that needs,
   /// type is set smaller as ever.
   double text_scale = 1;
+  /// On the way from the page before to this one, 0…1 in proportion to time (page_travel.h): what stands on
+  /// both goes from place to place; the equation in focus, with panel and bar, comes out of the one in focus
+  /// before (render/type/morph.h); what else is new appears, what is gone vanishes. At 1, or absent: arrived.
+  /// Figure and plots are those of this page. Not together with `news`.
+  std::optional<double> travel{};
+  const FittedText* from =
+      nullptr;  ///< of the page before, of the same lesson; null: all that is new fades in
 };
 
 struct Page {
@@ -54,15 +63,15 @@ inline constexpr double kLeastScale = 0.86;
 /// A display set smaller than this part of its size is hard to read.
 inline constexpr double kLeastFormulaScale = 0.6;
 
-/// The text column, which is the same at all times and opacities; most of what a page costs.
-struct FittedText;
+/// The text column (page_text.h), which is the same at all times, opacities and on all ways; most of what a
+/// page costs.
 FittedText text_of_page(const PageRequest& request, const Fonts& fonts);
 
 /// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
 /// @throws CommandError invalid for text that cannot be set, and for a step with more than a page holds (lint
 /// says where)
 Page compose_page(const PageRequest& request, const Fonts& fonts);
-/// The same with a text that is there: of this request, whatever its time and opacity.
+/// The same with a text that is there: of this request, whatever its time, opacity and way.
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts);
 
 }  // namespace polhode

@@ -94,7 +94,7 @@ class ScaledText {
         scale_(scale),
         column_(width, scale * em, request.theme, symbols, fonts),
         last_(static_cast<std::size_t>(request.step - 1)),
-        begun_{header(false), column_.title(request.stage.title_text)},
+        begun_{header(false), title()},
         continued_{header(true), begun_[1]},
         whole_(last_ + 1),
         equations_(last_ + 1) {}
@@ -164,6 +164,12 @@ class ScaledText {
     return refs;
   }
 
+  ColumnPiece title() const {
+    ColumnPiece piece = column_.title(request_.stage.title_text);
+    piece.of = &request_.stage;
+    return piece;
+  }
+
   /// Lesson, stage, step: small, above the title; without the lesson's title where that is too long.
   ColumnPiece header(bool continued) const {
     // It keeps its size where other type is set smaller, but not the size of a reader's larger type.
@@ -179,6 +185,7 @@ class ScaledText {
     DisplayList line = set_line(request_.lesson.title + "  ·  " + place, quiet, fonts_);
     if (line.width > width_) line = set_line(place, quiet, fonts_);
     ColumnPiece piece;
+    piece.of = &request_.lesson;
     piece.height = std::round(quiet.size);
     piece.gap = kHeaderToTitle * em;
     piece.sheet.texts.push_back({.list = std::move(line), .at = {0, std::round(0.8 * quiet.size)}});
@@ -199,15 +206,21 @@ class ScaledText {
     const std::vector<std::string> marked =
         is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
     Pieces pieces;
+    const auto take = [&](ColumnPiece piece, const Block& block) {
+      piece.of = &block;
+      piece.is_main = first && std::get_if<Equation>(&block) == first;
+      pieces.push_back(std::move(piece));
+    };
     for (const Block& block : step.blocks) {
       if (const auto* equation = std::get_if<Equation>(&block))
-        pieces.push_back(column_.equation(*equation, focus_on(*equation), marked,
-                                          verdicts_on(*equation, step, is_present)));
+        take(column_.equation(*equation, focus_on(*equation), marked,
+                              verdicts_on(*equation, step, is_present)),
+             block);
       if (const auto* claim = std::get_if<Claim>(&block); claim && !has_equation(step, claim->equation))
-        pieces.push_back(verdict(*claim, is_present));
-      if (const auto* prose = std::get_if<Prose>(&block)) pieces.push_back(column_.prose(prose->text));
-      if (const auto* callout = std::get_if<Callout>(&block)) pieces.push_back(column_.callout(*callout));
-      if (const auto* ask = std::get_if<Ask>(&block)) pieces.push_back(column_.question(*ask));
+        take(verdict(*claim, is_present), block);
+      if (const auto* prose = std::get_if<Prose>(&block)) take(column_.prose(prose->text), block);
+      if (const auto* callout = std::get_if<Callout>(&block)) take(column_.callout(*callout), block);
+      if (const auto* ask = std::get_if<Ask>(&block)) take(column_.question(*ask), block);
     }
     return pieces;
   }
@@ -239,8 +252,11 @@ class ScaledText {
     Pieces pieces;
     for (const Block& block : request_.stage.steps[i].blocks)
       if (const auto* equation = std::get_if<Equation>(&block);
-          equation && !is_refuted(request_.stage, *equation))
+          equation && !is_refuted(request_.stage, *equation)) {
         pieces.push_back(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i])));
+        pieces.back().of = &block;
+        pieces.back().is_main = equation == focus_of(request_.stage, request_.stage.steps[i]);
+      }
     equations_[i] = std::move(pieces);
     return *equations_[i];
   }
@@ -264,8 +280,12 @@ FittedText fit_text(const PageRequest& request, double width, double height, dou
     return ScaledText(request, symbols, verdicts, width, em, scale, fonts);
   };
   const auto fitted = [](ScaledText& text, const Selection& shown) {
-    return FittedText{text.stacked(shown), text.scale(), text.formula_scale(shown), text.equations_in(shown),
-                      static_cast<int>(shown.whole_from) + 1};
+    return FittedText{text.stacked(shown),
+                      text.scale(),
+                      text.formula_scale(shown),
+                      text.equations_in(shown),
+                      static_cast<int>(shown.whole_from) + 1,
+                      {0, 0}};
   };
   std::optional<FittedText> best;
   std::size_t best_rank = 0;

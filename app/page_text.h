@@ -14,6 +14,7 @@ struct FittedText {
   double formula_scale = 1;  ///< of the display that had to be set smallest to fit the column's width
   std::vector<const Equation*> equations;  ///< that stand there
   int whole_from = 1;                      ///< the first step that is there whole
+  Vec2 corner{0, 0};                       ///< of the column, px of the page
 };
 
 /// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a

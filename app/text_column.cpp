@@ -163,6 +163,7 @@ ColumnPiece TextColumn::numbered(const Equation& equation, double size,
   }
   if (!equation.tag.empty())
     piece.sheet.texts.push_back({.list = tag, .at = {std::round(width_ - tag.width), top}});
+  piece.formula = piece.sheet.texts.size();
   piece.sheet.texts.push_back({.list = std::move(list), .at = at});
   return piece;
 }
@@ -213,10 +214,12 @@ ColumnPiece TextColumn::equation(const Equation& equation, Focus focus,
   ColumnPiece piece{.sheet = {},
                     .height = plain.height + 2.0 * pad,
                     .gap = 0.9 * plain.gap,
-                    .formula_scale = plain.formula_scale};
+                    .formula_scale = plain.formula_scale,
+                    .formula = plain.formula};
   if (focus == Focus::now)
     piece.sheet.shapes = {Area{rectangle(left, 0, right, piece.height), colors().panel},
                           Area{rectangle(left, 0, left + bar, piece.height), colors().accent}};
+  piece.panel = piece.sheet.shapes.size();
   add(piece, std::move(plain), {0, pad});
   return piece;
 }
@@ -228,8 +231,9 @@ ColumnPiece TextColumn::earlier_equation(const Equation& equation, const std::st
   quiet.sans = true;
   DisplayList word = set_line(kind, quiet, fonts_);
   const Vec2& formula = piece.sheet.texts.back().at;
-  if (!kind.empty() && word.width + size_ < formula.x())
-    piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = {0, formula.y()}});
+  if (kind.empty() || word.width + size_ >= formula.x()) return piece;
+  piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = {0, formula.y()}});
+  ++*piece.formula;
   return piece;
 }
 
@@ -273,12 +277,20 @@ ColumnPiece TextColumn::question(const Ask& ask) const {
 }
 
 Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest) {
-  Stack made;
+  Stack made{.pieces = {}, .newest = newest};
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i > 0) made.height += std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap));
-    append(i + newest < pieces.size() ? made.sheet : made.newest, pieces[i]->sheet, {0, made.height});
-    add_slots(made, *pieces[i], {0, made.height});
-    made.height += pieces[i]->height;
+    const ColumnPiece& piece = *pieces[i];
+    made.pieces.push_back({.sheet = {},
+                           .height = piece.height,
+                           .gap = piece.gap,
+                           .formula_scale = piece.formula_scale,
+                           .of = piece.of,
+                           .formula = piece.formula,
+                           .is_main = piece.is_main,
+                           .panel = piece.panel});
+    add(made.pieces.back(), piece, {0, made.height});
+    made.height += piece.height;
   }
   return made;
 }

@@ -36,6 +36,10 @@ struct ColumnPiece {
   double formula_scale = 1;  ///< of its normal size, of a display that is wider than the column
   std::vector<LiveSlot> live{};
   std::vector<LiveNumberSlot> numbers{};
+  const void* of = nullptr;              ///< the part of the lesson it shows: the same on another page
+  std::optional<std::size_t> formula{};  ///< of an equation: which of the sheet's texts it is
+  bool is_main = false;                  ///< the equation that its step has come to
+  std::size_t panel = 0;  ///< so many of the sheet's shapes, the first, are panel and bar of the focus
 };
 
 /// How an equation stands among others: in focus between bar and panel, or with the room that these took.
@@ -79,13 +83,11 @@ class TextColumn {
   const Fonts& fonts_;
 };
 
-/// Pieces one below the other; the height they take together.
+/// Pieces one below the other, each in its place; the height they take together.
 struct Stack {
-  Sheet sheet;
-  Sheet newest;  ///< the last pieces, apart
+  std::vector<ColumnPiece> pieces;
+  std::size_t newest = 0;  ///< so many of them, the last
   double height = 0;
-  std::vector<LiveSlot> live{};  ///< of the newest
-  std::vector<LiveNumberSlot> numbers{};
 };
 Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest = 0);
 /// The same without drawing.

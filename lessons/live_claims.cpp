@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/live_claims.h"
 
+#include "lessons/expression_names.h"
 #include "lessons/expression_variants.h"
 #include "physics/euler.h"
 #include "physics/method.h"
@@ -95,6 +96,13 @@ std::array<double, 3> values_of(const Triple<SizedNumber>& x) {
   return {x[0].value.value, x[1].value.value, x[2].value.value};
 }
 
+/// Nothing if it is not finite; 0 if it is nothing beside `size`, that of the terms it comes from.
+std::optional<double> without_noise(const SizedNumber& number, double size) {
+  constexpr double kNoise = 1e-9;
+  if (std::abs(number.value) <= kNoise * size) return 0.0;
+  return std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
+}
+
 Triple<SizedNumber> in_body(const Triple<SizedNumber>& x_S, const ClaimState<SizedNumber>& state) {
   return Evaluation<SizedNumber>(state).to_body(x_S);
 }
@@ -155,12 +163,30 @@ std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, V
 }
 
 std::optional<double> live_number(const Expression& scalar, const LiveState& live) {
-  constexpr double kNoise = 1e-9;  // beside the terms it comes from
   Triple<SizedNumber> value;
   if (!Evaluation<SizedNumber>(live.state)(scalar, value)) return std::nullopt;
-  const SizedNumber& number = value[0].value;
-  if (std::abs(number.value) <= kNoise * number.size) return 0.0;
-  return std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
+  return without_noise(value[0].value, value[0].value.size);
+}
+
+std::optional<LiveQuantity> live_quantity(std::string_view name, const LiveState& live, View view) {
+  const QuantityFacts* facts = find_quantity(name);
+  if (!facts) return std::nullopt;
+  ExpressionNode node;
+  node.operation = Operation::quantity;
+  node.quantity = facts->quantity;
+  node.type = facts->type;
+  const Expression expression{.text = std::string(name), .nodes = {node}};
+  Triple<SizedNumber> value;
+  if (!Evaluation<SizedNumber>(live.state)(expression, value)) return std::nullopt;
+  LiveQuantity quantity{.is_vector = facts->type == ExpressionType::vector};
+  if (quantity.is_vector && view == View::body) value = in_body(value, live.state);
+  const double size = quantity.is_vector ? size_of(value) : value[0].value.size;
+  for (std::size_t i = 0; i < (quantity.is_vector ? 3u : 1u); ++i) {
+    const auto component = without_noise(value[i].value, size);
+    if (!component) return std::nullopt;
+    quantity.components[i] = *component;
+  }
+  return quantity;
 }
 
 bool can_be_shown(const Claim& claim, const Scene& scene) {

@@ -249,7 +249,7 @@ Companion::Interval Companion::time_line() const {
 }
 
 const std::vector<double>& Companion::flips() const {
-  if (flips_.model_number == model_number_ && flips_.loop == loop_) return flips_.times_s;
+  if (model_ && flips_.model_number == model_number_ && flips_.loop == loop_) return flips_.times_s;
   flips_ = {model_number_, loop_, {}};
   if (!model_ || !model_->needs.omega) return flips_.times_s;
   const auto [from_s, to_s] = time_line();

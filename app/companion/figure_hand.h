@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// Turned by a drag of (dx, dy) px in a picture `height` px high: half a turn for the height; elevation stays
-/// within ±89°.
+/// Turned by a drag of (dx, dy) px, y down, in a picture `height` px high: half a turn for the height, what
+/// is in front goes with the hand; elevation stays within ±89°.
 CameraSpec orbited(CameraSpec camera, double dx, double dy, double height);
 /// Each notch of the wheel is a tenth; zoom stays within 0.25…8.
 CameraSpec zoomed(CameraSpec camera, double notches);
@@ -35,8 +35,10 @@ std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const s
 
 /// ω of the same energy, in body axes, with its tip as near to the point (px of the page) as it can be drawn:
 /// the new motion starts there with `attitude`, as the scene with that ω at t = 0 would be drawn in the same
-/// pane. Where the scene holds L upright the body turns under the hand; the tip stays at the pointer. Nothing
-/// where it cannot be found.
+/// pane. Where the scene holds L upright the body turns under the hand; the tip stays at the pointer. Where
+/// no tip can be drawn at the point, the nearest that can. Nothing without ω. Under torque the energy is that
+/// of the moment. Levenberg and Marquardt's method from the present ω; if that does not get there, from
+/// others.
 struct GrabbedOmega {
   Vec3 w0_B;
   std::optional<AttitudeSpec> attitude;  ///< that of the moment, unless the scene holds L down or up

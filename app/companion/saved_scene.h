@@ -19,10 +19,10 @@ std::string own_body_of(const Body& body);
 /// A whole lesson that `polhode export` reads: the front matter with the lesson's title, symbols and macros,
 /// and the scene's body; one stage, with its steps up to the present one as the author wrote them; and the
 /// scene, as it is now, from the step on that had the stage's first one (later scene blocks are empty). Its
-/// last step has the figure of the companion's model to the byte, and the page but for the number of the
-/// stage. What is merely pointed at is not highlighted in it. The lesson's id, and the name that its file
-/// should have, is that of the stage. Measured claims of the stage may fail on a motion that was changed: the
-/// reader takes them, `lint` says so.
+/// last step has the figure of the companion's model to the byte, and its page too, but for the line above
+/// the title: stage 1 of 1, the last step. What is merely pointed at is not highlighted in it. The lesson's
+/// id, and the name that its file should have, is that of the stage. Measured claims of the stage may fail on
+/// a motion that was changed: the reader takes them, `lint` says so.
 std::string lesson_of(const Companion& companion);
 
 /// As `polhode trace --format csv`: of the present motion, over the interval of the time line, with a line

@@ -10,15 +10,20 @@
 namespace polhode {
 
 struct SymbolNote {
-  std::string meaning;  ///< "angular velocity"; of a term its name in words
+  std::string meaning;  ///< "angular velocity"; of a term its formula in words; empty: nothing is known of it
   std::string unit;     ///< "rad/s"; may be empty
-  std::string value;    ///< "(0.31, −0.20, 1.13)", "2.94"; empty where the lesson's scene has none
+  std::string value;    ///< "(0.31, −0.20, 1.13)", "2.94", "3.10·10⁻⁶"; empty where the scene has none
   std::string frame;    ///< of the value's components: "space" or "body"; empty for scalars
 };
 
 /// `model` may be null. The value is that of the quantity of claims with the symbol's name
-/// (lessons/expression_names.h), at t, in the frame of the scene's first view; three digits.
-SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s);
+/// (lessons/expression_names.h) at t, in the frame of the scene's first view, with three digits of the
+/// largest component; of I the principal moments. Nothing of the centre of mass where it does not drift, and
+/// of A where it is not shown. Symbols come before terms. Several terms have one name: that which the reader
+/// has seen last is meant, in the stage of this id up to the step (from 0); without a stage the first of the
+/// lesson. Some 10 µs.
+SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s,
+                   const std::string& stage_id = {}, std::size_t step = 0);
 
 /// The overlay that shows a symbol in the scene: that of the same name; nothing if there is none. What to put
 /// into Scene::highlight.

@@ -4,6 +4,7 @@
 #include "physics/euler.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/drift.h"
+#include "render/scene/omega_tip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,14 +63,10 @@ double Moment::emphasis(Overlay o) const {
   return std::find(stressed.begin(), stressed.end(), name_of(o)) == stressed.end() ? 1.0 : 1.5;
 }
 
-Moment moment_at(const SceneModel& model, double t_s, View view) {
-  const Scene& scene = model.scene;
-  RigidBodyState state{Quat::Identity(), scene.w0_B};
-  if (model.needs.attitude)
-    state = model.motion->at(t_s);
-  else if (model.needs.omega)
-    state.w_B = model.motion->w_B_at(t_s);
+namespace {
 
+Moment moment_in(const SceneModel& model, double t_s, View view, const RigidBodyState& state) {
+  const Scene& scene = model.scene;
   const bool space = view == View::space;
   const double omega_scale = omega_scale_of(scene);
   const double L_scale = L_scale_of(scene);
@@ -88,6 +85,17 @@ Moment moment_at(const SceneModel& model, double t_s, View view) {
            .thickness = scene.views.size() > 1 ? 1.15 : 1.0};
   m.center_V = center_of_mass_V(m);
   return m;
+}
+
+}  // namespace
+
+Moment moment_at(const SceneModel& model, double t_s, View view) {
+  RigidBodyState state{Quat::Identity(), model.scene.w0_B};
+  if (model.needs.attitude)
+    state = model.motion->at(t_s);
+  else if (model.needs.omega)
+    state.w_B = model.motion->w_B_at(t_s);
+  return moment_in(model, t_s, view, state);
 }
 
 }  // namespace builders
@@ -257,6 +265,37 @@ Figure make_figure(const SceneModel& model, double t_s, double aspect) {
     builders::add_values(builders::moment_at(model, t_s, model.scene.views.front()),
                          figure.panes.front().list);
   return figure;
+}
+
+std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect) {
+  const std::vector<View>& views = model.scene.views;
+  if (!model.drawn.contains(Overlay::omega) || pane >= views.size()) return std::nullopt;
+  const builders::Moment m = builders::moment_at(model, t_s, views[pane]);
+  if (m.state.w_B.isZero(0.0)) return std::nullopt;
+  return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect / static_cast<double>(views.size()))};
+}
+
+TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
+                       const std::optional<AttitudeSpec>& attitude)
+    : pane_(pane), aspect_(aspect) {
+  trial_.scene = model.scene;
+  trial_.scene.at_s = 0.0;
+  if (attitude) trial_.scene.attitude = attitude;
+  trial_.drawn = drawn_overlays(trial_.scene);
+  trial_.needs = requirements(trial_.scene);
+  is_remade_ = drifts(trial_.scene) || trial_.drawn.contains(Overlay::puck);
+}
+
+std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
+  trial_.scene.w0_B = w0_B;
+  if (is_remade_) return drawn_omega(make_model(trial_.scene), 0.0, pane_, aspect_);
+  const std::vector<View>& views = trial_.scene.views;
+  if (!trial_.drawn.contains(Overlay::omega) || pane_ >= views.size() || w0_B.isZero(0.0))
+    return std::nullopt;
+  RigidBodyState start{Quat::Identity(), w0_B};
+  if (trial_.needs.attitude) start.q_SB = problem_of(trial_.scene).start.q_SB;
+  const builders::Moment m = builders::moment_in(trial_, 0.0, views[pane_], start);
+  return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect_ / static_cast<double>(views.size()))};
 }
 
 }  // namespace polhode

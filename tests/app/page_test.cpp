@@ -472,6 +472,20 @@ TEST(Page, InASequenceWhatStandsThereStaysInItsPlace) {
   EXPECT_LT(alone.texts.back().at.y(), after.texts.back().at.y()) << "a page by itself needs no such room";
 }
 
+TEST(Page, NumbersOfEarlierFormulasStayLive) {
+  const Lesson lesson = lesson_of(
+      "# A stage {one}\n```math e\na = \\live{2*T}\n```\n\n```scene\nshow = [\"shape\"]\n```\n---\nThen.\n");
+  const SceneModel model = make_model(*lesson.stages[0].steps[1].scene, Product::page);
+  const auto texts_at = [&](int step) {
+    const Page page = compose_page(
+        {.lesson = lesson, .stage = lesson.stages[0], .step = step, .model = &model, .size = {1024, 768}},
+        test_fonts());
+    return column_of(page).size();
+  };
+  EXPECT_EQ(texts_at(1), 4u) << "header, title, formula and its number";
+  EXPECT_EQ(texts_at(2), 5u) << "and the words of the second step";
+}
+
 TEST(Page, AHighlightedTermIsMarkedBehind) {
   const Lesson lesson = lesson_of(kHighlighted);
   const Checked page = text_page(lesson, 1);

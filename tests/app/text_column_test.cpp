@@ -126,18 +126,18 @@ TEST_P(Column, StackedPiecesDoNotOverlap) {
   const Stack stacked = stack(refs);
   EXPECT_EQ(stacked.height, height_of(refs));
   double least = 0;
-  std::size_t text = 0;
+  ASSERT_EQ(stacked.pieces.size(), pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
+    ASSERT_EQ(stacked.pieces[i].sheet.texts.size(), pieces[i].sheet.texts.size());
     double top = 1e9, bottom = -1e9;
-    for (std::size_t k = 0; k < pieces[i].sheet.texts.size(); ++k, ++text) {
-      const PixelBox box = box_of(stacked.sheet.texts[text]);
+    for (std::size_t k = 0; k < pieces[i].sheet.texts.size(); ++k) {
+      const PixelBox box = box_of(stacked.pieces[i].sheet.texts[k]);
       top = std::min(top, box.y0);
       bottom = std::max(bottom, box.y1);
     }
     EXPECT_TRUE(i == 0 || top > least) << i;
     least = bottom;
   }
-  EXPECT_EQ(text, stacked.sheet.texts.size());
   EXPECT_LE(least, stacked.height + 1.0);
 }
 
@@ -260,7 +260,7 @@ TEST(TextColumn, WhatTheFontsLackIsRefused) {
 TEST(Stack, OfNothingIsEmpty) {
   const Stack empty = stack({});
   EXPECT_EQ(empty.height, 0.0);
-  EXPECT_TRUE(empty.sheet.texts.empty());
+  EXPECT_TRUE(empty.pieces.empty());
 }
 
 TEST(Stack, KeepsTheLargerOfTwoGaps) {
