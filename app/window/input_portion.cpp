@@ -25,7 +25,7 @@ bool InputPortion::takes(const InputEvent& event) const {
     case InputEvent::Kind::wheel:
       return buttons_.empty();
     case InputEvent::Kind::button:
-      return !contains(buttons_, event.code);
+      return !contains(buttons_, event.code) && !(moved_ && event.action == GLFW_RELEASE);
     case InputEvent::Kind::key:
       return event.action == GLFW_REPEAT || !contains(keys_, event.code);
     case InputEvent::Kind::character:
@@ -35,6 +35,7 @@ bool InputPortion::takes(const InputEvent& event) const {
 }
 
 void InputPortion::add(const InputEvent& event) {
+  if (event.kind == InputEvent::Kind::pointer) moved_ = true;
   if (event.kind == InputEvent::Kind::button) buttons_.push_back(event.code);
   if (event.kind != InputEvent::Kind::key) return;
   keys_.push_back(event.code);

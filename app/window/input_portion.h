@@ -26,6 +26,7 @@ class InputPortion {
 
  private:
   std::vector<int> buttons_, keys_;  ///< that were pressed or let go
+  bool moved_ = false;               ///< what is dragged is there before it is let go
   bool acted_ = false;               ///< a key that does something to a text; characters come before it
 };
 
