@@ -100,6 +100,7 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   c[ImGuiCol_ScrollbarGrab] = line;
   c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = shade(page.quiet);
   c[ImGuiCol_PlotHistogram] = focus;
+  c[ImGuiCol_PlotLines] = shade(page.meant);  // of what is right
   c[ImGuiCol_TextSelectedBg] = between(page.paper, page.question, 0.35F);
   c[ImGuiCol_NavHighlight] = shade(page.accent);
 }

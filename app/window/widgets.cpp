@@ -149,21 +149,25 @@ void heading(const char* text) {
   ImGui::Separator();
 }
 
-void quiet_words(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+namespace {
+
+void wrapped(const std::string& text, const ImVec4& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 
+}  // namespace
+
+void quiet_words(const std::string& text) { wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
+
 void warning_words(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_NavHighlight));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_NavHighlight));
 }
+
+void right_words(const std::string& text) { wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_PlotLines)); }
 
 void value_row(const char* name, const std::string& value) {
   ImGui::TextDisabled("%s", name);
