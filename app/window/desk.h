@@ -55,7 +55,7 @@ struct Desk {
   Wishes& wishes;
   double frame_ms = 0;      ///< CPU time of the last page that was drawn
   double clock_s = 0;       ///< since the window opened
-  bool take_focus = false;  ///< the panel was just opened
+  bool take_focus = false;  ///< the panel was just opened by a key
 };
 
 /// Names of panels as the bar and help have them: "Outline".

@@ -67,7 +67,7 @@ void draw_panel(Desk& desk, const Region& region) {
   const bool focused = desk.memory.panel_has_focus;
   list.PushClipRectFullScreen();
   list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},
-               ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 3.0F : 1.0F);
+               ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 2.0F : 1.0F);
   list.PopClipRect();
   const float close = ImGui::GetFrameHeight();
   ImGui::AlignTextToFramePadding();

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 namespace polhode {
 
@@ -135,7 +136,9 @@ bool Screen::press(Companion& companion, std::string_view key) {
     return false;
   const auto command = command_of(key);
   if (!command) return false;
+  const Panel before = companion.panel;
   if (do_command(companion, *command)) {
+    panel_takes_focus_ = companion.panel != before && companion.panel != Panel::none;
     if (*command == Command::leave) {
       focus_.reset();
       explains_ = false;
@@ -267,8 +270,7 @@ void Screen::lay_out_controls(Companion& companion, const Region& page, Size siz
             .wishes = wishes_,
             .frame_ms = 1e3 * page_s_,
             .clock_s = clock_s_,
-            .take_focus = companion.panel != shown_panel_ && companion.panel != Panel::none};
-  shown_panel_ = companion.panel;
+            .take_focus = std::exchange(panel_takes_focus_, false)};
   if (companion.presenting) {
     if (companion.notes_shown) draw_notes(desk, page, size);
     return;
