@@ -36,9 +36,12 @@ bool holds(const PixelRect& rect, const Vec2& at) {
          at.y() < rect.y + rect.height;
 }
 
-/// Of controls too, for those who want large type; pages have the rest.
-double control_scale(const Companion& companion, double scale) {
-  return scale * std::clamp(companion.preferences.text_scale, 0.9, 1.5);
+/// Controls grow with the window, half as fast as the page does, and with the text for those who want it
+/// large.
+double control_scale(const Companion& companion, const ScreenFrame& frame) {
+  const double room = std::min(frame.size.width / 1280.0, frame.size.height / 800.0) / frame.scale;
+  return frame.scale * std::clamp(0.5 + 0.5 * room, 1.0, 1.6) *
+         std::clamp(companion.preferences.text_scale, 0.9, 1.5);
 }
 
 Size whole(const Region& region) {
@@ -88,8 +91,8 @@ void Screen::tell(const std::string& news) {
   news_until_s_ = clock_s_ + kNewsSeconds;
 }
 
-void Screen::adopt_style(const Companion& companion, double scale) {
-  const ControlSizes sizes = control_sizes(control_scale(companion, scale));
+void Screen::adopt_style(const Companion& companion, const ScreenFrame& frame) {
+  const ControlSizes sizes = control_sizes(control_scale(companion, frame));
   const Theme theme = companion.preferences.theme;
   if (sizes_ != sizes) {
     load_control_fonts(sizes, renderer_->fonts());
@@ -189,7 +192,7 @@ Status Screen::draw(Companion& companion, const ScreenFrame& frame) {
   clock_s_ += frame.seconds;
   companion.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s)
                                 : 0);  // rest is no time that passes
-  adopt_style(companion, frame.scale);
+  adopt_style(companion, frame);
   if (shown_place_ != companion.place()) {
     shown_place_ = companion.place();
     focus_.reset();
@@ -236,7 +239,8 @@ Result<bool> Screen::show_page(Companion& companion, const Region& region, doubl
   auto painted = page_->show(companion, look);
   page_error_ = painted ? "" : painted.error();
   picture_->bind();
-  gl_->ClearColor(0, 0, 0, 1);
+  const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+  gl_->ClearColor(ground.x, ground.y, ground.z, 1);
   gl_->Clear(GL_COLOR_BUFFER_BIT);
   if (painted) page_->picture().copy_to(*picture_, 0, picture_->size().height - look.size.height);
   if (companion.presenting && companion.notes_shown)

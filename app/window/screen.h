@@ -58,7 +58,7 @@ class Screen {
  private:
   Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
          std::unique_ptr<ControlPass> controls, ImGuiContext* imgui);
-  void adopt_style(const Companion& companion, double scale);
+  void adopt_style(const Companion& companion, const ScreenFrame& frame);
   Region page_region(const Companion& companion, Size size) const;
   Result<bool> show_page(Companion& companion, const Region& region, double resolution);
   Status show_preview(const Companion& companion, const Region& region);
