@@ -95,6 +95,7 @@ TEST_F(Hand, AnswersAQuestionWrongAndRight) {
   lesson.type("w1 + w1");
   lesson.press({"Return"});
   EXPECT_TRUE(tries(2, true));
+  lesson.picture();
   EXPECT_TRUE(lesson.changes_from(wrong));
   EXPECT_EQ(lesson.place().stage, 2) << "letters and Enter are for the question";
 }
