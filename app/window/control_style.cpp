@@ -42,7 +42,7 @@ ControlSizes control_sizes(double scale) {
 
 void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
   // Latin; arrows, signs and Greek from the mathematical face.
-  static constexpr std::array<ImWchar, 5> kLatin = {0x20, 0x17F, 0x2010, 0x2027, 0};
+  static constexpr std::array<ImWchar, 7> kLatin = {0x20, 0x17F, 0x2010, 0x2027, 0x2211, 0x2213, 0};
   static constexpr std::array<ImWchar, 11> kSigns = {0x370,  0x3FF,  0x2032, 0x2033, 0x2190, 0x21FF,
                                                      0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
@@ -100,6 +100,7 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   c[ImGuiCol_ScrollbarGrab] = line;
   c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = shade(page.quiet);
   c[ImGuiCol_PlotHistogram] = focus;
+  c[ImGuiCol_PlotLines] = shade(page.meant);  // of what is right
   c[ImGuiCol_TextSelectedBg] = between(page.paper, page.question, 0.35F);
   c[ImGuiCol_NavHighlight] = shade(page.accent);
 }

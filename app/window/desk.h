@@ -25,14 +25,13 @@ struct Wishes {
 /// What is typed or chosen in the panels, and not yet part of the companion.
 struct PanelMemory {
   std::map<std::string, std::string> typed_answers{};  ///< by "stage/ask"
-  std::array<double, 3> moments{};
-  unsigned moments_of = 0;  ///< model_number that they were taken from
-  std::string refusal{};    ///< why the last edit was not made; empty: it was
+  std::optional<SceneEdits> edits{};                   ///< to be made
+  double most_moment = 1, most_omega = 1;              ///< ends of sliders; they stand while one is held
+  std::string refusal{};                               ///< why the last edit was not made; empty: it was
   TakeAwayOptions take_away{};
   std::string folder{};
   std::unique_ptr<FrontMeasurement> front{};
   std::string front_problem{};  ///< that was measured
-  int front_choice = -1;        ///< among its steps; −1: to be found
   std::unique_ptr<TradeMeter> trade{};
   unsigned trade_of = 0;
   LiveTrade live{};
@@ -55,7 +54,7 @@ struct Desk {
   Wishes& wishes;
   double frame_ms = 0;      ///< CPU time of the last page that was drawn
   double clock_s = 0;       ///< since the window opened
-  bool take_focus = false;  ///< the panel was just opened
+  bool take_focus = false;  ///< the panel was just opened by a key
 };
 
 /// Names of panels as the bar and help have them: "Outline".

@@ -37,13 +37,17 @@ PageView::PageKey PageView::key_of(const Companion& companion, const PageLook& l
 
 void PageView::compose(const Companion& companion, const PageKey& key) {
   PageRequest request = request_of(companion, key.look.size);
-  // TRAVEL
   const Fonts& fonts = renderer_.fonts();
   const bool may_keep = text_ && key.look.keep_text && text_key_->place == key.text.place &&
                         text_key_->loaded == key.text.loaded && text_key_->size == key.text.size;
   if (!may_keep && !(text_ && text_key_ == key.text)) {
+    from_ = text_ && is_step_before(*text_key_, key.text) ? std::move(text_) : std::nullopt;
     text_ = text_of_page(request, fonts);
     text_key_ = key.text;
+  }
+  if (companion.travel() < 1) {
+    request.travel = companion.travel();
+    request.from = from_ ? &*from_ : nullptr;
   }
   page_ = compose_page(request, *text_, fonts);
   symbols_ = symbols_on(page_.sheet, fonts);
@@ -52,6 +56,12 @@ void PageView::compose(const Companion& companion, const PageKey& key) {
        marks_of(symbols_, key.lit, key.look.focus, colors.marked, colors.question, page_.scale * 16))
     page_.sheet.shapes.push_back(std::move(mark));
   for (Inset& inset : page_.insets) inset.resolution = key.look.resolution;
+}
+
+bool PageView::is_step_before(const TextKey& before, const TextKey& now) {
+  return before.loaded == now.loaded && before.place.stage == now.place.stage &&
+         before.place.step + 1 == now.place.step && before.size == now.size &&
+         before.preferences == now.preferences;
 }
 
 Result<bool> PageView::show(const Companion& companion, const PageLook& look) {

@@ -55,13 +55,14 @@ class PageView {
     bool operator==(const PageKey&) const = default;
   };
   PageKey key_of(const Companion& companion, const PageLook& look) const;
+  static bool is_step_before(const TextKey& before, const TextKey& now);
   void compose(const Companion& companion, const PageKey& key);
 
   const Gl& gl_;
   Renderer& renderer_;
   std::optional<PageKey> shown_;
   std::optional<TextKey> text_key_;
-  std::optional<FittedText> text_;
+  std::optional<FittedText> text_, from_;  ///< of this step, and of the one it was reached from
   Page page_;
   std::vector<PageSymbol> symbols_;
   std::optional<Framebuffer> picture_;

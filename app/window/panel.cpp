@@ -52,7 +52,17 @@ void draw_contents(Desk& desk) {
   }
 }
 
+/// What cannot be is not made, and the panel says why.
+void make_edits(Desk& desk) {
+  if (!desk.memory.edits) return;
+  const Status made = desk.companion.set_edits(*desk.memory.edits);
+  desk.memory.refusal = made ? "" : made.error();
+  desk.memory.edits.reset();
+}
+
 }  // namespace
+
+void ask_for_edits(Desk& desk, const SceneEdits& edits) { desk.memory.edits = edits; }
 
 void draw_panel(Desk& desk, const Region& region) {
   ImGui::SetNextWindowPos({region.x, region.y});
@@ -67,7 +77,7 @@ void draw_panel(Desk& desk, const Region& region) {
   const bool focused = desk.memory.panel_has_focus;
   list.PushClipRectFullScreen();
   list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},
-               ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 3.0F : 1.0F);
+               ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 2.0F : 1.0F);
   list.PopClipRect();
   const float close = ImGui::GetFrameHeight();
   ImGui::AlignTextToFramePadding();
@@ -78,6 +88,7 @@ void draw_panel(Desk& desk, const Region& region) {
   const bool closed = icon_button("close", Icon::close, "", told(Command::leave), close);
   ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   draw_contents(desk);
+  make_edits(desk);
   ImGui::EndChild();
   ImGui::End();
   if (closed) desk.companion.panel = Panel::none;

@@ -20,54 +20,49 @@ void choose_body(Desk& desk, const Scene& scene) {
   SceneEdits edits = desk.companion.edits();
   if (ImGui::Selectable(fmt::format("{} (the lesson's)", of_lesson).c_str(), !edits.body)) {
     edits.body.reset();
-    set_edits_or_say(desk, edits);
+    ask_for_edits(desk, edits);
   }
   for (const std::string& name : named_bodies()) {
     if (!ImGui::Selectable(name.c_str(), scene.body.name == name)) continue;
     edits.body = find_body(name);
-    set_edits_or_say(desk, edits);
+    ask_for_edits(desk, edits);
   }
   ImGui::EndCombo();
 }
 
 /// What cannot be is not set, and says why.
-void set_moments(Desk& desk, const std::array<double, 3>& moments) {
-  const auto body = body_with_moments({moments[0], moments[1], moments[2]});
-  if (!body) {
-    desk.memory.refusal = body.error();
-    return;
-  }
+void set_moments(Desk& desk, const Vec3& moments) {
+  const auto body = body_with_moments(moments);
+  desk.memory.refusal = body ? "" : body.error();
+  if (!body) return;
   SceneEdits edits = desk.companion.edits();
   edits.body = *body;
-  set_edits_or_say(desk, edits);
+  ask_for_edits(desk, edits);
 }
 
 void edit_moments(Desk& desk, const Scene& scene) {
-  PanelMemory& memory = desk.memory;
-  if (memory.moments_of != desk.companion.model_number()) {
-    const Vec3 I = scene.body.moments.vector();
-    memory.moments = {I[0], I[1], I[2]};
-    memory.moments_of = desk.companion.model_number();
-    memory.refusal.clear();
-  }
   static constexpr std::array kNames = {"I1", "I2", "I3"};
-  for (std::size_t i = 0; i < 3; ++i) {
+  const Vec3 present = scene.body.moments.vector();
+  const double high = desk.memory.most_moment, low = 1e-4 * high;
+  for (int i = 0; i < 3; ++i) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
-    const double low = 0.01, high = 10.0 * std::max(1.0, scene.body.moments.vector().maxCoeff() / 10.0);
-    std::array<double, 3> moments = memory.moments;
-    if (ImGui::SliderScalar(fmt::format("{} kg m²", kNames[i]).c_str(), ImGuiDataType_Double, &moments[i],
-                            &low, &high, "%.4g", ImGuiSliderFlags_Logarithmic)) {
-      memory.refusal.clear();
+    Vec3 moments = present;
+    if (ImGui::SliderScalar(fmt::format("{} kg m²", kNames[static_cast<std::size_t>(i)]).c_str(),
+                            ImGuiDataType_Double, &moments[i], &low, &high, "%.4g",
+                            ImGuiSliderFlags_Logarithmic))
       set_moments(desk, moments);
-      if (memory.refusal.empty()) memory.moments = moments;
-    }
   }
-  if (!memory.refusal.empty()) warning_words(memory.refusal);
+}
+
+void set_ranges(PanelMemory& memory, const Scene& scene) {
+  if (ImGui::IsAnyItemActive()) return;
+  memory.most_moment = 10 * scene.body.moments.vector().maxCoeff();
+  memory.most_omega = scene.w0_B.isZero(0) ? 1 : 2 * scene.w0_B.norm();
 }
 
 void edit_omega(Desk& desk, const Scene& scene) {
   static constexpr std::array kNames = {"ω1", "ω2", "ω3"};
-  const double speed = scene.w0_B.norm(), most = std::max(1.0, 2 * speed), least = -most;
+  const double most = desk.memory.most_omega, least = -most;
   for (int i = 0; i < 3; ++i) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
     double component = scene.w0_B[i];
@@ -77,7 +72,7 @@ void edit_omega(Desk& desk, const Scene& scene) {
     SceneEdits edits = desk.companion.edits();
     edits.w0_B = scene.w0_B;
     (*edits.w0_B)[i] = component;
-    set_edits_or_say(desk, edits);
+    ask_for_edits(desk, edits);
   }
   quiet_words("Body axes, at t = 0. Or take the tip of ω in the figure.");
 }
@@ -95,17 +90,14 @@ void show_state(const SceneModel& model, double t_s) {
 
 }  // namespace
 
-void set_edits_or_say(Desk& desk, const SceneEdits& edits) {
-  const Status made = desk.companion.set_edits(edits);
-  desk.memory.refusal = made ? "" : made.error();
-}
-
 void draw_body(Desk& desk) {
   Companion& companion = desk.companion;
   if (!companion.model()) return quiet_words("This step has no figure.");
   heading("Body");
+  set_ranges(desk.memory, companion.model()->scene);
   choose_body(desk, companion.model()->scene);
   edit_moments(desk, companion.model()->scene);
+  if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
   heading("Angular velocity");
   edit_omega(desk, companion.model()->scene);
   heading("Now");

@@ -20,14 +20,18 @@ double usual_step_s(const SceneModel& model) {
   return speed > 0 ? 2 * M_PI / speed / 64 : 0.01;
 }
 
-std::string number_or_dash(double value, const char* unit) {
-  return std::isfinite(value) ? fmt::format("{:.1e}{}", value, unit) : std::string();
+/// Two digits; as a power of ten where that is shorter. Empty where there is no number.
+std::string short_number(double value, const char* unit) {
+  if (!std::isfinite(value)) return {};
+  const double size = std::abs(value);
+  return size == 0 || (size >= 0.01 && size < 1000) ? fmt::format("{:.2g}{}", value, unit)
+                                                    : fmt::format("{:.1e}{}", value, unit);
 }
 
 void set_motion(Desk& desk, const MotionSpec& motion) {
   SceneEdits edits = desk.companion.edits();
   edits.motion = motion;
-  set_edits_or_say(desk, edits);
+  ask_for_edits(desk, edits);
 }
 
 Method method_of(const SceneModel& model) {
@@ -89,20 +93,21 @@ std::string problem_text(const Scene& scene) {
                      scene.torque.size());
 }
 
-/// Where the present method is: the nearest step to its own; the closed form is last.
-int place_on(const std::vector<ParetoStep>& steps, const SceneModel& model) {
-  const auto last = static_cast<int>(steps.size()) - 1;
-  const Method method = method_of(model);
-  int best = last;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= last; ++i) {
-    const MethodChoice& choice = steps[static_cast<std::size_t>(i)].choice;
-    if (choice.method != method) continue;
-    const double off = std::abs(std::log(choice.step_s.value_or(1) / model.scene.motion.step_s.value_or(1)));
-    if (off < least) {
-      least = off;
-      best = i;
-    }
+/// Where the present method is: with its step or tolerance, or one within a factor of two.
+std::optional<int> place_on(const std::vector<ParetoStep>& steps, const SceneModel& model) {
+  const MotionSpec& motion = model.scene.motion;
+  const auto size_of = [](const std::optional<double>& step_s, const std::optional<double>& tolerance) {
+    return step_s.value_or(tolerance.value_or(1));
+  };
+  const double present = size_of(motion.step_s, motion.tolerance);
+  std::optional<int> best;
+  double least = std::log(2.0);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const MethodChoice& choice = steps[i].choice;
+    const double off = std::abs(std::log(size_of(choice.step_s, choice.tolerance) / present));
+    if (choice.method != method_of(model) || off > least) continue;
+    least = off;
+    best = static_cast<int>(i);
   }
   return best;
 }
@@ -115,28 +120,31 @@ void choose_from_front(Desk& desk, const SceneModel& model) {
     memory.front.reset();
     memory.front = std::make_unique<FrontMeasurement>(problem_of(model.scene));
     memory.front_problem = problem;
-    memory.front_choice = -1;
   }
   if (!memory.front || !memory.front->is_ready())
     return quiet_words("measuring the methods on this motion …");
   const std::vector<ParetoStep>& steps = memory.front->steps();
   if (steps.empty()) return quiet_words("Nothing could be measured on this motion.");
-  if (memory.front_choice < 0) memory.front_choice = place_on(steps, model);
+  const auto present = place_on(steps, model);
+  int chosen = present.value_or(0);
   ImGui::SetNextItemWidth(-1);
-  if (ImGui::SliderInt("##front", &memory.front_choice, 0, static_cast<int>(steps.size()) - 1, "")) {
-    const MethodChoice& choice = steps[static_cast<std::size_t>(memory.front_choice)].choice;
+  if (ImGui::SliderInt("##front", &chosen, 0, static_cast<int>(steps.size()) - 1, "")) {
+    const MethodChoice& choice = steps[static_cast<std::size_t>(chosen)].choice;
     set_motion(desk, {.method = choice.method,
                       .step_s = choice.step_s,
                       .tolerance = choice.tolerance,
                       .ghost = model.scene.motion.ghost});
+    return;  // the model is another one now
   }
   ImGui::TextDisabled("fast");
-  const float end = ImGui::GetWindowContentRegionMax().x;
-  ImGui::SameLine(end - ImGui::CalcTextSize("accurate").x);
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("accurate").x);
   ImGui::TextDisabled("accurate");
-
-  const ParetoStep& step = steps[static_cast<std::size_t>(memory.front_choice)];
-  quiet_words(fmt::format("{}: error {:.0e} after 10 periods, {:.2g} µs a period", step.name, step.error,
+  if (!present)
+    return quiet_words(
+        "Each step of the slider is the fastest for its accuracy. The present method is none of them.");
+  const ParetoStep& step = steps[static_cast<std::size_t>(*present)];
+  const std::string error = step.error > 0 ? short_number(step.error, "") : std::string("none");
+  quiet_words(fmt::format("{}: error after 10 periods {}, {:.2g} µs a period", step.name, error,
                           step.ns_per_period / 1e3));
 }
 
@@ -155,11 +163,11 @@ void show_trade(Desk& desk, const SceneModel& model) {
     memory.live_of_t = desk.companion.t_s();
   }
   const LiveTrade& live = memory.live;
-  value_row("error of ω", live.error ? number_or_dash(live.error->omega, "") : "none: it is exact");
-  value_row("error of attitude", live.error ? number_or_dash(live.error->attitude_rad, " rad") : "");
-  value_row("drift of T", number_or_dash(live.drift.T, ""));
-  value_row("drift of |L|", number_or_dash(live.drift.L, ""));
-  value_row("drift of L's direction", number_or_dash(live.drift.L_direction_rad, " rad"));
+  value_row("error of ω", live.error ? short_number(live.error->omega, "") : "none: it is exact");
+  value_row("error of attitude", live.error ? short_number(live.error->attitude_rad, " rad") : "");
+  value_row("drift of T", short_number(live.drift.T, ""));
+  value_row("drift of |L|", short_number(live.drift.L, ""));
+  value_row("drift of L's direction", short_number(live.drift.L_direction_rad, " rad"));
   value_row("motion, per frame", fmt::format("{:.3g} ns", live.ns_per_frame));
 }
 
@@ -169,7 +177,7 @@ void choose_quality(Desk& desk, const SceneModel& model) {
     if (!ImGui::RadioButton(name_of(level), model.scene.quality == level)) continue;
     SceneEdits edits = desk.companion.edits();
     edits.quality = level;
-    set_edits_or_say(desk, edits);
+    ask_for_edits(desk, edits);
   }
   value_row("picture, per frame", fmt::format("{:.0f} ms", desk.frame_ms));
 }

@@ -14,7 +14,7 @@ void show_verdict(const AnswerJudgement& verdict, const std::string& typed) {
   using Outcome = AnswerJudgement::Outcome;
   const bool right = verdict.outcome == Outcome::right;
   const std::string word = verdict.outcome == Outcome::wrong ? "Not right" : "Cannot be read";
-  if (right) return ImGui::TextUnformatted("Right.");
+  if (right) return right_words("Right.");
   warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
   if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, typed));
   if (!verdict.hint.empty()) quiet_words(verdict.hint);
@@ -35,6 +35,14 @@ void ask_for_words(Desk& desk, const Ask& ask, std::string& typed, const char* e
   if ((ImGui::Button("Check") || entered) && !typed.empty()) desk.companion.answer(ask, typed);
 }
 
+/// Controls set no formulas: what has some is to be read where it is set.
+void words_or_see_page(const Desk& desk, const std::string& markdown, const RichText& text) {
+  if (markdown.find('$') != markdown.npos) return quiet_words("as on the page");
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(desk.speaker.words(text).c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void ask_for_choice(Desk& desk, const Ask& ask, std::string& typed) {
   for (std::size_t i = 0; i < ask.choices.size(); ++i) {
     const std::string letter(1, letter_of_choice(i));
@@ -44,9 +52,7 @@ void ask_for_choice(Desk& desk, const Ask& ask, std::string& typed) {
     }
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(desk.speaker.words(ask.choice_texts[i]).c_str());
-    ImGui::PopTextWrapPos();
+    words_or_see_page(desk, ask.choices[i], ask.choice_texts[i]);
   }
 }
 
@@ -65,17 +71,14 @@ void show_hints(Desk& desk, const Ask& ask) {
 void draw_question(Desk& desk, const Ask& ask, std::size_t number, std::size_t count) {
   ImGui::PushID(ask.id.c_str());
   heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(desk.speaker.words(ask.prompt_text).c_str());
-  ImGui::PopTextWrapPos();
+  words_or_see_page(desk, ask.prompt, ask.prompt_text);
   std::string& typed = desk.memory.typed_answers[desk.companion.stage().id + '/' + ask.id];
   switch (ask.type) {
     case Ask::Type::expression:
       ask_for_words(desk, ask, typed, "w3*w1*(I1 - I3)");
       break;
     case Ask::Type::order:
-      for (std::size_t i = 0; i < ask.choices.size(); ++i)
-        quiet_words(fmt::format("{}  {}", letter_of_choice(i), desk.speaker.words(ask.choice_texts[i])));
+      quiet_words("Put the letters in order.");
       ask_for_words(desk, ask, typed, "C A B");
       break;
     case Ask::Type::choice:

@@ -24,7 +24,7 @@ void choose_views(Companion& companion, Desk& desk) {
     if (!ImGui::RadioButton(words, views == offered)) return;
     SceneEdits edits = companion.edits();
     edits.views = offered;
-    set_edits_or_say(desk, edits);
+    ask_for_edits(desk, edits);
   };
   offer("space", {View::space});
   ImGui::SameLine();
@@ -58,7 +58,7 @@ void offer_overlay(Desk& desk, Overlay overlay) {
   if (ImGui::Checkbox(words_of(overlay).c_str(), &shown)) {
     SceneEdits edits = companion.edits();
     set_shown(edits, companion.lesson_scene(), overlay, shown);
-    set_edits_or_say(desk, edits);
+    ask_for_edits(desk, edits);
   }
   if (!nothing_to_see) return;
   ImGui::SameLine();

@@ -15,7 +15,8 @@ void draw_save(Desk& desk);
 void draw_settings(Desk& desk);
 void draw_help(Desk& desk);
 
-/// What was edited, told in the panel if it could not be.
-void set_edits_or_say(Desk& desk, const SceneEdits& edits);
+/// Asks for these edits once the panel is drawn: they make another model, and what is being drawn refers to
+/// the present one.
+void ask_for_edits(Desk& desk, const SceneEdits& edits);
 
 }  // namespace polhode

@@ -13,12 +13,14 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <utility>
 
 namespace polhode {
 
 namespace {
 
 constexpr double kNewsSeconds = 6;
+constexpr std::size_t kMostWords = 60;    // of a term read aloud: a longer one is no help
 constexpr double kLongestFrame_s = 0.25;  // a window that was stopped does not jump
 constexpr double kTipReach = 16;          // px of the display at scale 1: so near the tip of ω is taken
 constexpr double kSymbolReach = 4;        // px round the ink of a symbol
@@ -134,7 +136,9 @@ bool Screen::press(Companion& companion, std::string_view key) {
     return false;
   const auto command = command_of(key);
   if (!command) return false;
+  const Panel before = companion.panel;
   if (do_command(companion, *command)) {
+    panel_takes_focus_ = companion.panel != before && companion.panel != Panel::none;
     if (*command == Command::leave) {
       focus_.reset();
       explains_ = false;
@@ -266,8 +270,7 @@ void Screen::lay_out_controls(Companion& companion, const Region& page, Size siz
             .wishes = wishes_,
             .frame_ms = 1e3 * page_s_,
             .clock_s = clock_s_,
-            .take_focus = companion.panel != shown_panel_ && companion.panel != Panel::none};
-  shown_panel_ = companion.panel;
+            .take_focus = std::exchange(panel_takes_focus_, false)};
   if (companion.presenting) {
     if (companion.notes_shown) draw_notes(desk, page, size);
     return;
@@ -311,8 +314,10 @@ void Screen::draw_note(const Companion& companion) {
   const auto shown = hovered_ ? hovered_ : explains_ ? focus_ : std::nullopt;
   if (!shown || *shown >= page_->symbols().size()) return;
   const PageSymbol& symbol = page_->symbols()[*shown];
-  const SymbolNote note = note_of(companion.lesson(), symbol.name, companion.model(), companion.t_s());
-  if (note.meaning.empty() && note.value.empty()) return;
+  const SymbolNote note = note_of(companion.lesson(), symbol.name, companion.model(), companion.t_s(),
+                                  companion.stage().id, companion.place().step);
+  if (note.value.empty() && (note.meaning.empty() || (symbol.is_term && note.meaning.size() > kMostWords)))
+    return;
   const TypeBox& box = symbol.box;
   const bool above = box.y0 > 0.25 * ImGui::GetIO().DisplaySize.y;
   const float gap = 0.5F * sizes_->em;

@@ -91,7 +91,7 @@ class Screen {
   bool explains_ = false;                       ///< the symbol in focus
   enum class Hold { nothing, camera, omega } hold_ = Hold::nothing;
   Place shown_place_{};
-  Panel shown_panel_ = Panel::none;
+  bool panel_takes_focus_ = false;  ///< it was opened by a key
   std::size_t held_inset_ = 0, held_pane_ = 0;
 };
 

@@ -14,10 +14,11 @@ namespace {
 
 constexpr float kIconSize = 0.36F;  // half the height of an icon, em
 
-/// Pointing right (way = 1) or left (−1), its middle at `at`.
+/// Pointing right (way = 1) or left (−1), its middle at `at`. Clockwise, as edges are softened.
 void add_triangle(ImDrawList& list, ImVec2 at, float size, float way, ImU32 color) {
-  list.AddTriangleFilled({at.x - 0.8F * way * size, at.y - size}, {at.x - 0.8F * way * size, at.y + size},
-                         {at.x + 0.9F * way * size, at.y}, color);
+  const float back = at.x - 0.8F * way * size;
+  list.AddTriangleFilled({back, at.y - way * size}, {at.x + 0.9F * way * size, at.y},
+                         {back, at.y + way * size}, color);
 }
 
 void add_bar(ImDrawList& list, float x, float y, float half, float width, ImU32 color) {
@@ -149,21 +150,25 @@ void heading(const char* text) {
   ImGui::Separator();
 }
 
-void quiet_words(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+namespace {
+
+void wrapped(const std::string& text, const ImVec4& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
 }
 
+}  // namespace
+
+void quiet_words(const std::string& text) { wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
+
 void warning_words(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_NavHighlight));
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::PopStyleColor();
+  wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_NavHighlight));
 }
+
+void right_words(const std::string& text) { wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_PlotLines)); }
 
 void value_row(const char* name, const std::string& value) {
   ImGui::TextDisabled("%s", name);

@@ -32,6 +32,8 @@ std::optional<double> time_line(const Companion::Interval& interval, double t_s,
 void heading(const char* text);
 /// Quiet words that wrap.
 void quiet_words(const std::string& text);
+/// In the colour of what is right.
+void right_words(const std::string& text);
 /// Words that wrap, in the colour of what is wrong.
 void warning_words(const std::string& text);
 

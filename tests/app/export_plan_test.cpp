@@ -58,6 +58,16 @@ TEST(ExportPlan, StageShowsItsLastDrawnStep) {
   EXPECT_EQ(time_of(plan.pictures[0], {}, 5.0), 2.0);
 }
 
+TEST(ExportPlan, AStillMayBeOfAnotherTimeThanTheScenesOwn) {
+  Lesson l = lesson();
+  l.stages[0].steps[1].scene->still_s = 7.0;
+  ExportOptions options = figures();
+  const ExportPlan plan = plan_export(l, options);
+  EXPECT_EQ(time_of(plan.pictures[0], options, 5.0), 7.0);
+  options.at_s = 3.0;
+  EXPECT_EQ(time_of(plan.pictures[0], options, 5.0), 3.0);
+}
+
 TEST(ExportPlan, NumberIsThePlaceInTheLessonNotInTheSelection) {
   const Lesson l = lesson();
   ExportOptions options = figures();

@@ -43,7 +43,7 @@ const std::vector<Row>& rows() {
                                            c.answer(*c.questions().front(), "1");
                                            c.show_hint(*c.questions().front());
                                          }}}},
-      {"window-note", {.step = 0, .x = 216, .y = 143}},
+      {"window-note", {.step = 0, .x = 160, .y = 155}},
       {"window-narrow-double-scale",
        {.size = {1400, 1000}, .step = 0, .scale = 1.5, .changes = {[](Companion& c) {
                                                          open(c, Panel::show);

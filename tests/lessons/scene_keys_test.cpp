@@ -39,7 +39,8 @@ TEST(SceneKeys, ReadEveryKey) {
   const Scene scene = scene_from(
       "body = 'racket'\nomega = [1, 2, 3]\nattitude = 'L-up'\ntorque = ['space:1,2,3', 'damping:0.5']\n"
       "motion = 'symmetric'\nviews = ['body', 'space']\nshow = ['omega', 'trail-L']\n"
-      "camera = { azimuth_deg = 90, elevation_deg = -30, distance = 3, zoom = 2 }\nat = -1.5\nduration = 2\n"
+      "camera = { azimuth_deg = 90, elevation_deg = -30, distance = 3, zoom = 2 }\nat = -1.5\nstill = "
+      "2.5\nduration = 2\n"
       "velocity = [4, 5, 6]\nforce = [7, 8, 9]\narrow = 'free'\n"
       "rate = 0.5\nhighlight = ['turn', 'omega']\nquality = 'draft'\ncaption = 'A caption'\n"
       "meters = ['drift', 'omega']");
@@ -61,6 +62,7 @@ TEST(SceneKeys, ReadEveryKey) {
   EXPECT_EQ(scene.camera.distance, 3);
   EXPECT_EQ(scene.camera.zoom, 2);
   EXPECT_EQ(scene.at_s, -1.5);
+  EXPECT_EQ(still_time_s(scene), 2.5);
   EXPECT_EQ(scene.duration_s, 2);
   EXPECT_EQ(scene.rate, 0.5);
   EXPECT_THAT(scene.highlight, ElementsAre("turn", "omega"));
@@ -82,6 +84,7 @@ TEST(SceneKeys, LeaveTheRestOfTheSceneAlone) {
   scene.at_s = 7;
   scene.show = {Overlay::plane};
   const Scene changed = scene_from("at = 8", scene);
+  EXPECT_EQ(still_time_s(changed), 8) << "absent, `still` is `at`";
   EXPECT_EQ(changed.at_s, 8);
   EXPECT_EQ(changed.show, scene.show);
 }

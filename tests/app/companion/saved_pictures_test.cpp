@@ -4,6 +4,7 @@
 #include "app/figure_place.h"
 #include "app/page.h"
 #include "tests/app/companion/example_lesson.h"
+#include "tests/app/run_program.h"
 #include "tests/gl/drawn.h"
 
 #include <gtest/gtest.h>
@@ -87,6 +88,32 @@ TEST(SavedPictures, OfBoardsAndTables) {
   ASSERT_TRUE(has_table);
   companion.scrub_to(companion.t_s() + 0.123);
   expect_same_pictures(companion);
+}
+
+TEST(SavedPictures, ExportDrawsWhatItDrawsOfTheLessonAtThatTime) {
+  const std::string lesson = std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md";
+  Companion companion(test::loaded_lesson("euler-equations"));
+  std::size_t stage = 0;
+  while (companion.lesson().stages[stage].id != "rotation-law") ++stage;
+  companion.go_to({stage, kMaxStepsPerStage});
+  companion.scrub_to(0.625);
+  const ScratchFolder scratch;
+  write_text(scratch / "rotation-law.md", lesson_of(companion));
+  const auto exported = [&](const std::string& from, const char* to, std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"export", from, "-o", (scratch / to).string(), "--what", "figure", "--size", "160x120"});
+    const ProgramRun run = polhode(more);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return scratch / to;
+  };
+  const auto saved = exported((scratch / "rotation-law.md").string(), "saved", {}) / "01-rotation-law.png";
+  const auto names = names_in(exported(lesson, "own", {"--stage", "rotation-law", "--at", "0.625"}));
+  const auto own = std::find_if(names.begin(), names.end(),
+                                [](const auto& name) { return name.ends_with("-rotation-law.png"); });
+  ASSERT_NE(own, names.end());
+  const ProgramRun run = polhode({"compare", saved.string(), (scratch / "own" / *own).string(), "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("\"max\": 0"), std::string::npos) << run.out;
 }
 
 TEST(SavedPictures, OfAWholePage) {

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/control_input.h"
+
+#include "app/window/key_names.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+
+#include <algorithm>
+#include <cfloat>
+
+namespace polhode {
+
+namespace {
+
+Input& input_of(GLFWwindow* window) {
+  Input& input = *static_cast<Input*>(glfwGetWindowUserPointer(window));
+  input.settling = kSettlingFrames;
+  return input;
+}
+
+}  // namespace
+
+void listen(GLFWwindow* window, Input& input) {
+  glfwSetWindowUserPointer(window, &input);
+  using Kind = InputEvent::Kind;
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
+    input_of(w).waiting.push_back({Kind::key, key, scancode, action, modifiers});
+  });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code_point) {
+    input_of(w).waiting.push_back({Kind::character, static_cast<int>(code_point)});
+  });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int modifiers) {
+    input_of(w).waiting.push_back({Kind::button, button, 0, action, modifiers});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    input_of(w).waiting.push_back({.kind = Kind::wheel, .x = x, .y = y});
+  });
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    input_of(w).waiting.push_back({.kind = Kind::pointer, .x = x, .y = y});
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    if (!entered) input_of(w).waiting.push_back({.kind = Kind::pointer, .x = -FLT_MAX, .y = -FLT_MAX});
+  });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    input_of(w);
+    ImGui_ImplGlfw_WindowFocusCallback(w, focused);
+  });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w); });
+  glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w); });
+}
+
+void ControlInput::feed(std::deque<InputEvent>& waiting) {
+  InputPortion portion;
+  while (!waiting.empty() && portion.takes(waiting.front())) {
+    const InputEvent event = waiting.front();
+    waiting.pop_front();
+    if (is_command(event)) continue;
+    portion.add(event);
+    give(event);
+  }
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = pointer_;
+  std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+}
+
+bool ControlInput::is_command(const InputEvent& event) {
+  std::string name;
+  if (event.kind == InputEvent::Kind::character) name = character_name(static_cast<unsigned>(event.code));
+  if (event.kind == InputEvent::Kind::key && event.action != GLFW_RELEASE)
+    name = key_name(event.code, event.modifiers);
+  return !name.empty() && screen_.press(companion_, name);
+}
+
+void ControlInput::give(const InputEvent& event) {
+  switch (event.kind) {
+    case InputEvent::Kind::pointer:
+      move_to(static_cast<float>(event.x), static_cast<float>(event.y));
+      break;
+    case InputEvent::Kind::wheel:
+      ImGui_ImplGlfw_ScrollCallback(window_, event.x, event.y);
+      break;
+    case InputEvent::Kind::button:
+      if (event.code >= 0 && event.code < static_cast<int>(buttons_.size()))
+        buttons_[static_cast<std::size_t>(event.code)] = event.action == GLFW_PRESS;
+      break;
+    case InputEvent::Kind::key:
+      ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.modifiers);
+      break;
+    case InputEvent::Kind::character:
+      ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
+      break;
+  }
+}
+
+/// A hand that holds something does not let go of it where the window ends.
+void ControlInput::move_to(float x, float y) {
+  const bool is_out = x == -FLT_MAX;
+  const bool holds = std::find(buttons_.begin(), buttons_.end(), true) != buttons_.end();
+  if (!is_out || !holds) pointer_ = {x, y};
+}
+
+}  // namespace polhode

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/display.h"
+
+#include "app/exit_codes.h"
+#include "app/window/window_context.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <fmt/format.h>
+
+namespace polhode {
+
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 800, kLeastWidth = 640, kLeastHeight = 480;
+
+std::string last_glfw_error() {
+  const char* text = nullptr;
+  return glfwGetError(&text) == GLFW_NO_ERROR || !text ? "no reason given" : text;
+}
+
+WindowPointer make_glfw_window(bool with_opengl) {
+  glfwDefaultWindowHints();
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // all is drawn in framebuffers of our own
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  if (with_opengl) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  } else {
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  }
+  WindowPointer window(glfwCreateWindow(kWidth, kHeight, "polhode", nullptr, nullptr));
+  if (window)
+    glfwSetWindowSizeLimits(window.get(), kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  return window;
+}
+
+}  // namespace
+
+Glfw::Glfw() {
+  if (glfwInit() != GLFW_TRUE)
+    throw CommandError(
+        ExitCode::failed,
+        fmt::format("no window can be opened here ({}); without a display, write the pages to files: "
+                    "polhode export LESSON -o DIR",
+                    last_glfw_error()));
+}
+
+Glfw::~Glfw() { glfwTerminate(); }
+
+void WindowDeleter::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+
+Display::Display() {
+  window_ = make_glfw_window(true);
+  std::string why = window_ ? "" : last_glfw_error();
+  if (window_) {
+    auto context = context_of_window(window_.get());
+    if (context)
+      context_ = std::move(context).value();
+    else
+      why = context.error();
+  }
+  if (!context_) fall_back(why);
+  auto screen = Screen::create(*context_);
+  if (!screen) throw CommandError(ExitCode::failed, screen.error());
+  screen_ = std::move(screen).value();
+  if (!plain_) {
+    glfwSwapInterval(1);
+    gl_.emplace(std::move(Gl::load(*context_)).value());
+  }
+}
+
+void Display::present() {
+  if (plain_) return plain_->show(screen_->read());
+  const Size size = screen_->picture().size();
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, screen_->picture().resolved());
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_->BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
+                       GL_NEAREST);
+  glfwSwapBuffers(window_.get());
+}
+
+/// Off-screen, and the pictures in a plain window. The off-screen context may be on this thread: GLFW calls
+/// no OpenGL then.
+void Display::fall_back(const std::string& why) {
+  window_ = make_glfw_window(false);
+  if (!window_)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("no window can be opened here ({}); pages can be written to files: "
+                                   "polhode export LESSON -o DIR",
+                                   last_glfw_error()));
+  auto plain = PlainWindow::create(window_.get());
+  auto context = plain ? open_context(ContextKind::any)
+                       : Result<std::unique_ptr<GlContext>>(failure("no plain window: " + plain.error()));
+  if (!context)
+    throw CommandError(
+        ExitCode::failed,
+        fmt::format("the window has no OpenGL 3.3 ({}), and there is nothing else to draw with: {} Pages "
+                    "can be written to files where there is: polhode export LESSON -o DIR",
+                    why, context.error()));
+  plain_ = std::move(plain).value();
+  context_ = std::move(context).value();
+  fallback_ = why;
+}
+
+bool FullScreen::is_on() const { return glfwGetWindowMonitor(window_) != nullptr; }
+
+void FullScreen::set(bool on) {
+  if (on == is_on()) return;
+  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  if (on && monitor) {
+    glfwGetWindowPos(window_, &x_, &y_);
+    glfwGetWindowSize(window_, &width_, &height_);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  } else if (!on) {
+    glfwSetWindowMonitor(window_, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// A window on the display, what its pictures are drawn with, and how they get onto it.
+#pragma once
+
+#include "app/window/plain_window.h"
+#include "app/window/screen.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace polhode {
+
+/// GLFW while it lives; one at a time.
+class Glfw {
+ public:
+  /// @throws CommandError failed: no display; names `export`
+  Glfw();
+  ~Glfw();
+  Glfw(const Glfw&) = delete;
+  Glfw& operator=(const Glfw&) = delete;
+};
+
+struct WindowDeleter {
+  void operator()(GLFWwindow* window) const;
+};
+using WindowPointer = std::unique_ptr<GLFWwindow, WindowDeleter>;
+
+/// With the display's OpenGL; where that is not 3.3, off-screen in a plain window. Needs a Glfw.
+class Display {
+ public:
+  /// @throws CommandError failed: neither is possible; says why
+  Display();
+
+  GLFWwindow* window() const { return window_.get(); }
+  Screen& screen() { return *screen_; }
+  /// Why there is no OpenGL in the window; empty: there is.
+  const std::string& fallback() const { return fallback_; }
+  /// The screen's picture, onto the window.
+  void present();
+
+ private:
+  void fall_back(const std::string& why);
+
+  WindowPointer window_;
+  std::unique_ptr<PlainWindow> plain_;
+  std::unique_ptr<GlContext> context_;
+  std::unique_ptr<Screen> screen_;
+  std::optional<Gl> gl_;
+  std::string fallback_;
+};
+
+/// Fills the screen of the primary monitor, and gives the window back its place.
+class FullScreen {
+ public:
+  explicit FullScreen(GLFWwindow* window) : window_(window) {}
+  bool is_on() const;
+  void set(bool on);
+
+ private:
+  GLFWwindow* window_;
+  int x_ = 0, y_ = 0, width_ = 0, height_ = 0;  ///< of the window before
+};
+
+}  // namespace polhode
