@@ -17,6 +17,11 @@ bool contains(const std::vector<int>& codes, int code) {
 /// Enter, Backspace, arrows ...: no character comes of it.
 bool acts(const InputEvent& key) { return key.code >= GLFW_KEY_ESCAPE && key.code < GLFW_KEY_LEFT_SHIFT; }
 
+/// Shift, Ctrl, Alt, Super, left and right.
+bool modifies(const InputEvent& key) {
+  return key.code >= GLFW_KEY_LEFT_SHIFT && key.code <= GLFW_KEY_RIGHT_SUPER;
+}
+
 }  // namespace
 
 bool InputPortion::takes(const InputEvent& event) const {
@@ -27,6 +32,7 @@ bool InputPortion::takes(const InputEvent& event) const {
     case InputEvent::Kind::button:
       return !contains(buttons_, event.code) && !(moved_ && event.action == GLFW_RELEASE);
     case InputEvent::Kind::key:
+      if (modifies(event)) return keys_.empty();  // what was pressed with it is seen with it
       return event.action == GLFW_REPEAT || !contains(keys_, event.code);
     case InputEvent::Kind::character:
       return !acted_;
@@ -38,7 +44,7 @@ void InputPortion::add(const InputEvent& event) {
   if (event.kind == InputEvent::Kind::pointer) moved_ = true;
   if (event.kind == InputEvent::Kind::button) buttons_.push_back(event.code);
   if (event.kind != InputEvent::Kind::key) return;
-  keys_.push_back(event.code);
+  if (!modifies(event)) keys_.push_back(event.code);
   acted_ = acted_ || (event.action != GLFW_RELEASE && acts(event));
 }
 

@@ -25,7 +25,7 @@ class InputPortion {
   void add(const InputEvent& event);
 
  private:
-  std::vector<int> buttons_, keys_;  ///< that were pressed or let go
+  std::vector<int> buttons_, keys_;  ///< that were pressed or let go, but for Shift and the like
   bool moved_ = false;               ///< what is dragged is there before it is let go
   bool acted_ = false;               ///< a key that does something to a text; characters come before it
 };

@@ -15,7 +15,7 @@
 namespace polhode::window_test {
 
 /// How long anything may take before a test gives up: a machine that is busy with other tests takes its time.
-inline constexpr std::chrono::seconds kPatience{60};
+inline constexpr std::chrono::seconds kPatience{40};
 
 /// Asks until it holds; false once patience is spent.
 template <class F>

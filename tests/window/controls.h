@@ -17,5 +17,9 @@ inline constexpr Point kFigureFrom{640, 10}, kFigureTo{1270, 500};
 inline constexpr Point kPlotsFrom{640, 530}, kPlotsTo{1270, 745};
 inline constexpr Point kInFigure{720, 440};
 inline constexpr Point kOmegaTip{934, 210};
+/// ω in its text, and what is written there.
+inline constexpr Point kOmegaWord{239, 144}, kTextFrom{40, 40}, kTextTo{600, 200};
+/// In the panel "Take away".
+inline constexpr Point kSaveFigure{1114, 201}, kSaveLesson{1114, 421};
 
 }  // namespace polhode::window_test

@@ -110,6 +110,7 @@ Image Display::picture() const {
     image.rgba[i + 2] = bgrx[i];
     image.rgba[i + 3] = 255;
   }
+  last_picture_ = image;
   return image;
 }
 

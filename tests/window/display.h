@@ -31,6 +31,8 @@ class Display {
 
   /// What is seen.
   Image picture() const;
+  /// As it was asked for last.
+  const Image& last_picture() const { return last_picture_; }
   /// Of the first window of this process that has a title.
   std::optional<unsigned> window_of(pid_t process) const;
   std::string title_of(unsigned window) const;
@@ -45,6 +47,7 @@ class Display {
   std::string name_;
   std::unique_ptr<Child> server_;
   std::unique_ptr<Connection> connection_;
+  mutable Image last_picture_;  // when a test has failed, the window is gone
 };
 
 }  // namespace polhode::window_test

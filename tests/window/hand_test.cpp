@@ -66,6 +66,26 @@ TEST_F(Hand, ChoosesAnotherMethodByKeysAlone) {
   EXPECT_TRUE(eventually([&] { return lesson.picture_at_rest().rgba == start.rgba; }));
 }
 
+// By the pointer or by Tab: a symbol is lit in the text and in the figure, with a note beside it.
+TEST_F(Hand, PointsAtASymbol) {
+  PlayedLesson lesson(display(), home(), {kPlayed});
+  const Image start = lesson.picture_at_rest();
+  const auto expect_lit = [&] {
+    ASSERT_TRUE(lesson.changes_from(start));
+    const Image lit = lesson.picture_at_rest();
+    EXPECT_GT(changed_part(start, lit, kTextFrom, kTextTo), 0.005);
+    EXPECT_GT(changed_part(start, lit, kFigureFrom, kFigureTo), 1e-4);
+  };
+  lesson.move_to(kOmegaWord);
+  expect_lit();
+  lesson.move_to({1, 1});
+  EXPECT_TRUE(eventually([&] { return lesson.picture().rgba == start.rgba; }));
+  lesson.press({"Tab"});
+  expect_lit();
+  lesson.press({"Escape"});
+  EXPECT_TRUE(eventually([&] { return lesson.picture().rgba == start.rgba; }));
+}
+
 nlohmann::json answers(const Home& home, const std::string& lesson_id) {
   const auto path = home.state() / (lesson_id + ".answers.json");
   if (!std::filesystem::exists(path)) return nlohmann::json::object();
@@ -95,6 +115,7 @@ TEST_F(Hand, AnswersAQuestionWrongAndRight) {
   lesson.type("w1 + w1");
   lesson.press({"Return"});
   EXPECT_TRUE(tries(2, true));
+  lesson.picture();
   EXPECT_TRUE(lesson.changes_from(wrong));
   EXPECT_EQ(lesson.place().stage, 2) << "letters and Enter are for the question";
 }

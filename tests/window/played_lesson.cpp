@@ -81,7 +81,9 @@ PlayedLesson::PlayedLesson(const Display& display, const Home& home, const Words
   picture_at_rest();
 }
 
-void PlayedLesson::press(const Words& keys) { display_.act(joined({"key", "--delay", "1"}, keys)); }
+void PlayedLesson::press(const Words& keys) {
+  if (!keys.empty()) display_.act(joined({"key", "--delay", "1"}, keys));
+}
 
 void PlayedLesson::type(const std::string& text) { display_.act({"type", "--delay", "1", text}); }
 

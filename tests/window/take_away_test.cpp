@@ -28,14 +28,15 @@ std::string text_in(const PngFile& file, const std::string& keyword) {
   return {};
 }
 
-/// `polhode export` of the same page.
-Image exported(const std::string& lesson, const PngFile& like, const std::string& name) {
+/// `polhode export` of the same page or figure.
+Image exported(const std::string& lesson, const PngFile& like, const std::string& what,
+               const std::string& name) {
   const ScratchFolder folder;
   const std::string size =
       std::to_string(like.image.size.width) + 'x' + std::to_string(like.image.size.height);
   const ProgramRun run =
       polhode({"export", lesson, "-o", (folder / "out").string(), "--stage", text_in(like, "polhode:stage"),
-               "--each", "step", "--size", size, "--at", text_in(like, "polhode:t")});
+               "--each", "step", "--what", what, "--size", size, "--at", text_in(like, "polhode:t")});
   EXPECT_EQ(run.code, 0) << run.err;
   Result<PngFile> file = read_png(folder / "out" / name);
   EXPECT_TRUE(file);
@@ -53,7 +54,26 @@ TEST_F(TakeAway, ASavedPageIsThatOfExport) {
   ASSERT_TRUE(saved);
   EXPECT_EQ(text_in(*saved, "polhode:stage"), "figure");
   EXPECT_NE(text_in(*saved, "polhode:t"), "0");
-  EXPECT_EQ(saved->image.rgba, exported(kPlayed, *saved, "01-figure-step2.png").rgba);
+  EXPECT_EQ(saved->image.rgba, exported(kPlayed, *saved, "page", "01-figure-step2.png").rgba);
+}
+
+TEST_F(TakeAway, WhatWasMadeByHandIsALessonOfTheSameFigure) {
+  PlayedLesson lesson(display(), home(), {kPlayed});
+  const Image start = lesson.picture_at_rest();
+  lesson.drag({kOmegaTip, {kOmegaTip.x - 40, kOmegaTip.y + 20}});
+  ASSERT_TRUE(lesson.changes_from(start));
+  lesson.drag({kInFigure, {kInFigure.x + 50, kInFigure.y}});
+  lesson.press({"shift+Right", "shift+Right", "e"});
+  lesson.picture_at_rest();
+  lesson.click(kSaveFigure);
+  ASSERT_TRUE(eventually([&] { return files(".png").size() == 1; }));
+  lesson.click(kSaveLesson);
+  ASSERT_TRUE(eventually([&] { return files(".md").size() == 1; }));
+  Result<PngFile> saved = read_png(files(".png").front());
+  ASSERT_TRUE(saved);
+  const std::string made = files(".md").front().string();
+  EXPECT_EQ(saved->image.rgba, exported(made, *saved, "figure", "01-figure-step1.png").rgba);
+  EXPECT_NE(saved->image.rgba, exported(kPlayed, *saved, "figure", "01-figure-step1.png").rgba);
 }
 
 // Asked to close, or torn away at any moment of a save: what is there is whole.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace polhode::window_test {
 namespace {
 
@@ -36,10 +38,12 @@ TEST_F(Walk, TheKeyboardAloneGoesThroughTheLectureAndBack) {
   EXPECT_FALSE(is_blank(lesson.picture_at_rest()));
 
   lesson.press({"Right"});  // there is nothing further
-  for (std::size_t i = way.size() - 1; i-- > 0;) {
-    lesson.press({"Left"});
-    ASSERT_TRUE(lesson.comes_to(way[i].stage, way[i].step)) << "back to " << way[i].stage_title;
-    ASSERT_EQ(lesson.place(), way[i]);
+  for (int stage = way.back().stage; stage >= 1; --stage) {
+    const auto first = std::ranges::find(way, stage, &TitlePlace::stage);
+    lesson.press(std::vector<std::string>(static_cast<std::size_t>(first->steps - 1), "Left"));
+    ASSERT_TRUE(lesson.comes_to(stage, 1)) << "back to " << first->stage_title;
+    ASSERT_EQ(lesson.place(), *first);
+    lesson.press({"Left"});  // to the last step of the stage before, if there is one
   }
   EXPECT_EQ(lesson.said(), "");
 }

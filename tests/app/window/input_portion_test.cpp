@@ -12,10 +12,10 @@ namespace {
 using testing::ElementsAre;
 
 // The numbers of GLFW 3.
-constexpr int kRelease = 0, kPress = 1, kRepeat = 2, kLetterA = 65, kEnter = 257;
+constexpr int kRelease = 0, kPress = 1, kRepeat = 2, kLetterA = 65, kEnter = 257, kShift = 340;
 
 /// p: pointer, w: wheel, b B: button pressed, let go, c C: another one, e E: Enter, a A: the key of a letter,
-/// r: Enter repeats, x: a character.
+/// s S: Shift, r: Enter repeats, x: a character.
 InputEvent event_of(char sign) {
   using Kind = InputEvent::Kind;
   switch (sign) {
@@ -32,6 +32,9 @@ InputEvent event_of(char sign) {
     case 'e':
     case 'E':
       return {Kind::key, kEnter, 0, sign == 'e' ? kPress : kRelease};
+    case 's':
+    case 'S':
+      return {Kind::key, kShift, 0, sign == 's' ? kPress : kRelease};
     case 'r':
       return {Kind::key, kEnter, 0, kRepeat};
     case 'a':
@@ -70,7 +73,14 @@ TEST(InputPortion, WhatIsTurnedAndPressedTogetherIsSeenTogether) {
   EXPECT_THAT(frames_of("bw"), ElementsAre("b", "w"));
 }
 
-TEST(InputPortion, AKeyIsSeenBeforeItIsLetGo) { EXPECT_THAT(frames_of("eEeE"), ElementsAre("e", "E", "e", "E")); }
+TEST(InputPortion, AKeyIsSeenBeforeItIsLetGo) {
+  EXPECT_THAT(frames_of("eEeE"), ElementsAre("e", "E", "e", "E"));
+}
+
+TEST(InputPortion, AKeyIsSeenWithItsShift) {
+  EXPECT_THAT(frames_of("saxSA"), ElementsAre("sax", "SA"));
+  EXPECT_THAT(frames_of("asASa"), ElementsAre("a", "sA", "Sa"));
+}
 
 TEST(InputPortion, ARepeatedKeyMakesNoQueue) { EXPECT_THAT(frames_of("errrr"), ElementsAre("errrr")); }
 
