@@ -2,6 +2,7 @@
 #include "app/lesson_lookup.h"
 
 #include "app/exit_codes.h"
+#include "app/page_lint.h"
 #include "app/sha256.h"
 #include "app/suggest.h"
 #include "lessons/type_check.h"
@@ -156,6 +157,11 @@ LoadedLesson load_lesson(std::string_view name) {
 
 void check_type_of(const LoadedLesson& loaded, const Fonts& fonts) {
   const std::vector<Diagnostic> found = check_type(loaded.lesson, fonts, loaded.path.string());
+  if (!found.empty()) throw has_errors(loaded.path, found);
+}
+
+void check_pages_of(const LoadedLesson& loaded, const Fonts& fonts) {
+  const std::vector<Diagnostic> found = page_errors(loaded.lesson, fonts, loaded.path.string());
   if (!found.empty()) throw has_errors(loaded.path, found);
 }
 

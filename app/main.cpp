@@ -14,8 +14,8 @@ int main(int argc, char** argv) {
   CLI::App app("Lecture companion for the rotation of a rigid body.", "polhode");
   Action action;
   describe_program(app);
-  for (const auto add : {add_list, add_play, add_export, add_verify, add_lint, add_info, add_trace, add_measure,
-                         add_answer, add_compare})
+  for (const auto add : {add_list, add_play, add_export, add_verify, add_lint, add_info, add_trace,
+                         add_measure, add_answer, add_compare})
     add(app, action);
 
   try {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace polhode {
 
@@ -21,14 +22,20 @@ SourcePlace place_of(const Stage& stage, const Step& step) {
 
 class PageLint {
  public:
-  PageLint(const Lesson& lesson, const Fonts& fonts, std::string_view file_name)
-      : lesson_(lesson), fonts_(fonts), file_(file_name) {}
+  PageLint(const Lesson& lesson, const Fonts& fonts, std::string_view file_name, std::span<const Size> sizes)
+      : lesson_(lesson), fonts_(fonts), file_(file_name), sizes_(sizes) {}
 
+  std::vector<Diagnostic> all() {
+    for (std::size_t i = 0; i < lesson_.stages.size(); ++i) check(lesson_.stages[i], static_cast<int>(i + 1));
+    return std::move(found_);
+  }
+
+ private:
   void check(const Stage& stage, int number) {
     for (std::size_t i = 0; i < stage.steps.size(); ++i) {
       const Step& step = stage.steps[i];
       const SceneModel model = step.scene ? make_model(*step.scene, Product::page) : SceneModel();
-      for (const Size& size : kPages)
+      for (const Size& size : sizes_)
         if (!check({.lesson = lesson_,
                     .stage = stage,
                     .number = number,
@@ -42,9 +49,6 @@ class PageLint {
     }
   }
 
-  std::vector<Diagnostic> take() { return std::move(found_); }
-
- private:
   /// Whether the page is as it should be.
   bool check(const PageRequest& request, SourcePlace place) {
     const auto on_page = [&] {
@@ -78,6 +82,7 @@ class PageLint {
   const Lesson& lesson_;
   const Fonts& fonts_;
   std::string file_;
+  std::span<const Size> sizes_;
   std::vector<Diagnostic> found_;
 };
 
@@ -85,10 +90,13 @@ class PageLint {
 
 std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& fonts,
                                          std::string_view file_name) {
-  PageLint lint(lesson, fonts, file_name);
-  for (std::size_t i = 0; i < lesson.stages.size(); ++i)
-    lint.check(lesson.stages[i], static_cast<int>(i + 1));
-  return lint.take();
+  return PageLint(lesson, fonts, file_name, kPages).all();
+}
+
+std::vector<Diagnostic> page_errors(const Lesson& lesson, const Fonts& fonts, std::string_view file_name) {
+  std::vector<Diagnostic> found = PageLint(lesson, fonts, file_name, std::span(kPages).first(1)).all();
+  std::erase_if(found, [](const Diagnostic& d) { return d.severity != Severity::error; });
+  return found;
 }
 
 }  // namespace polhode

@@ -16,4 +16,7 @@ namespace polhode {
 std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& fonts,
                                          std::string_view file_name);
 
+/// The errors alone, of the wide page alone: a step that no page can hold.
+std::vector<Diagnostic> page_errors(const Lesson& lesson, const Fonts& fonts, std::string_view file_name);
+
 }  // namespace polhode

@@ -25,6 +25,7 @@ std::shared_ptr<const LoadedLesson> load(const std::string& name) {
   auto loaded = std::make_shared<const LoadedLesson>(load_lesson(name));
   const Fonts fonts = or_fail(Fonts::open());
   check_type_of(*loaded, fonts);
+  check_pages_of(*loaded, fonts);
   return loaded;
 }
 
@@ -60,22 +61,36 @@ class Memory {
     bookmark_ = bookmark_of(companion);
   }
 
-  void keep(const Companion& companion) {
-    if (!folder_) return;
+  /// What is to be told; empty: nothing.
+  std::string keep(const Companion& companion) {
+    if (!folder_) return {};
     try {
       if (const Bookmark now = bookmark_of(companion); now != bookmark_)
         write_bookmark(*folder_, companion.lesson().id, bookmark_ = now);
-      if (companion.answers() != answers_)
-        write_answer_log(answer_log_path(*folder_, companion.lesson().id), answers_ = companion.answers());
+      if (companion.answers() != answers_) keep_answers(companion);
       if (companion.preferences != preferences_)
         write_preferences(*folder_, preferences_ = companion.preferences);
+      return {};
     } catch (const CommandError& error) {
-      fmt::print(stderr, "polhode: {}: place and answers are not kept\n", error.what());
       folder_.reset();
+      return std::string(error.what()) + ": place and answers are not kept";
     }
   }
 
  private:
+  /// Into what is there by now: another window, or `polhode answer`, may have been at it.
+  void keep_answers(const Companion& companion) {
+    const fs::path path = answer_log_path(*folder_, companion.lesson().id);
+    AnswerLog log = read_answer_log(path).log;
+    for (const auto& [name, record] : answers_)
+      if (!companion.answers().contains(name)) log.erase(name);
+    for (const auto& [name, record] : companion.answers())
+      if (const auto before = answers_.find(name); before == answers_.end() || before->second != record)
+        log[name] = record;
+    write_answer_log(path, log);
+    answers_ = companion.answers();
+  }
+
   std::optional<fs::path> folder_;
   Bookmark bookmark_;
   AnswerLog answers_;
@@ -127,7 +142,7 @@ ExitCode play(const Options& options) {
     const Stage& stage = stage_of(loaded->lesson, options.stage);
     companion.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
   }
-  window.keep = [&](const Companion& now) { memory.keep(now); };
+  window.keep = [&](const Companion& now) { return memory.keep(now); };
   LessonWatch watch(*loaded);
   if (options.watch)
     window.look_for_changes = [&](Companion& now, std::string& errors) { watch.look(now, errors); };

@@ -3,6 +3,7 @@
 
 #include "app/companion/figure_hand.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,33 +14,33 @@ namespace {
 using C = Command;
 
 constexpr std::array kCommands = {
-    CommandFacts{C::next_step, "Right", "Walk", "next step"},
-    CommandFacts{C::previous_step, "Left", "Walk", "previous step"},
-    CommandFacts{C::next_stage, "PageDown", "Walk", "next stage"},
-    CommandFacts{C::previous_stage, "PageUp", "Walk", "beginning of this stage, or the stage before"},
+    CommandFacts{C::next_step, "Right", "Walk", "next step", true},
+    CommandFacts{C::previous_step, "Left", "Walk", "previous step", true},
+    CommandFacts{C::next_stage, "PageDown", "Walk", "next stage", true},
+    CommandFacts{C::previous_stage, "PageUp", "Walk", "beginning of this stage, or the stage before", true},
     CommandFacts{C::first_stage, "Home", "Walk", "first stage"},
     CommandFacts{C::last_stage, "End", "Walk", "last stage"},
 
     CommandFacts{C::play_pause, "Space", "Time", "play, pause"},
-    CommandFacts{C::frame_forward, "Shift+Right", "Time", "one frame forward"},
-    CommandFacts{C::frame_back, "Shift+Left", "Time", "one frame back"},
-    CommandFacts{C::faster, "Shift+Up", "Time", "twice as fast"},
-    CommandFacts{C::slower, "Shift+Down", "Time", "half as fast"},
+    CommandFacts{C::frame_forward, "Shift+Right", "Time", "one frame forward", true},
+    CommandFacts{C::frame_back, "Shift+Left", "Time", "one frame back", true},
+    CommandFacts{C::faster, "Shift+Up", "Time", "twice as fast", true},
+    CommandFacts{C::slower, "Shift+Down", "Time", "half as fast", true},
     CommandFacts{C::reset_time, "0", "Time", "back to the time of the lesson"},
 
     CommandFacts{C::next_view, "V", "Body", "from space, from the body, both"},
-    CommandFacts{C::turn_left, "Ctrl+Left", "Body", "turn the camera to the left"},
-    CommandFacts{C::turn_right, "Ctrl+Right", "Body", "to the right"},
-    CommandFacts{C::turn_up, "Ctrl+Up", "Body", "upward"},
-    CommandFacts{C::turn_down, "Ctrl+Down", "Body", "downward"},
-    CommandFacts{C::nearer, "Z", "Body", "nearer"},
-    CommandFacts{C::farther, "X", "Body", "farther"},
+    CommandFacts{C::turn_left, "Ctrl+Left", "Body", "turn the camera to the left", true},
+    CommandFacts{C::turn_right, "Ctrl+Right", "Body", "to the right", true},
+    CommandFacts{C::turn_up, "Ctrl+Up", "Body", "upward", true},
+    CommandFacts{C::turn_down, "Ctrl+Down", "Body", "downward", true},
+    CommandFacts{C::nearer, "Z", "Body", "nearer", true},
+    CommandFacts{C::farther, "X", "Body", "farther", true},
     CommandFacts{C::follow, "C", "Body", "the camera turns with the body"},
     CommandFacts{C::ghost, "G", "Body", "the exact body beside the computed one"},
     CommandFacts{C::reset_scene, "R", "Body", "the scene of the lesson again"},
 
-    CommandFacts{C::next_symbol, "Tab", "Understand", "next symbol"},
-    CommandFacts{C::previous_symbol, "Shift+Tab", "Understand", "previous symbol"},
+    CommandFacts{C::next_symbol, "Tab", "Understand", "next symbol", true},
+    CommandFacts{C::previous_symbol, "Shift+Tab", "Understand", "previous symbol", true},
     CommandFacts{C::explain, "Enter", "Understand", "explain the symbol"},
 
     CommandFacts{C::outline, "O", "Panels", "stages of the lesson"},
@@ -51,9 +52,10 @@ constexpr std::array kCommands = {
     CommandFacts{C::settings, "F2", "Panels", "settings"},
     CommandFacts{C::help, "?, F1", "Panels", "keys"},
     CommandFacts{C::leave, "Escape", "Panels", "close, leave"},
+    CommandFacts{C::switch_focus, "F6", "Panels", "the keys go to the panel, or to the page"},
 
-    CommandFacts{C::larger_text, "+, =", "Window", "larger text"},
-    CommandFacts{C::smaller_text, "-", "Window", "smaller text"},
+    CommandFacts{C::larger_text, "+, =", "Window", "larger text", true},
+    CommandFacts{C::smaller_text, "-", "Window", "smaller text", true},
     CommandFacts{C::theme, "T", "Window", "paper, dark"},
     CommandFacts{C::full_screen, "F, F11", "Window", "full screen"},
     CommandFacts{C::present, "P, F5", "Window", "present: the page alone"},
@@ -127,6 +129,12 @@ std::optional<Command> command_of(std::string_view key) {
   for (const CommandFacts& facts : kCommands)
     if (has_key(facts.keys, key)) return facts.command;
   return std::nullopt;
+}
+
+bool repeats(Command command) {
+  const auto facts = std::find_if(kCommands.begin(), kCommands.end(),
+                                  [&](const CommandFacts& f) { return f.command == command; });
+  return facts != kCommands.end() && facts->repeats;
 }
 
 bool do_command(Companion& companion, Command command) {
@@ -239,6 +247,7 @@ bool do_command(Companion& companion, Command command) {
     case C::notes:
       companion.notes_shown = !companion.notes_shown;
       return true;
+    case C::switch_focus:
     case C::next_symbol:
     case C::previous_symbol:
     case C::explain:

@@ -27,6 +27,7 @@ enum class Command {
   previous_symbol,
   explain,
   leave,
+  switch_focus,
   outline,
   body,
   method,
@@ -60,6 +61,7 @@ struct CommandFacts {
   std::string_view keys;   ///< "Right", "Shift+Tab", "Ctrl+S"; several: "Right, L" — as help shows them
   std::string_view group;  ///< "Walk", "Time", "Body", "Understand", "Panels", "Window"
   std::string_view does;   ///< "next step"
+  bool repeats = false;    ///< while the key is held
 };
 /// Group by group.
 std::span<const CommandFacts> all_commands();
@@ -68,8 +70,10 @@ std::span<const CommandFacts> all_commands();
 /// before it in this order.
 std::optional<Command> command_of(std::string_view key);
 
+bool repeats(Command command);
+
 /// What is done to the companion alone. False for what only a window can do (full_screen, save_page, quit,
-/// explain, next_symbol, previous_symbol), with nothing changed.
+/// explain, next_symbol, previous_symbol, switch_focus), with nothing changed.
 bool do_command(Companion& companion, Command command);
 
 }  // namespace polhode

@@ -182,6 +182,7 @@ void Companion::show_lesson_scene() {
   if (!has_scene()) return;
   make_model_of({});
   reset_time();
+  if (following_) heading_rad_ = heading_at(t_s_);  // another motion begins with the scene's camera
   patch_model();
 }
 

@@ -35,10 +35,11 @@ std::string stem_of(const Companion& companion) {
                      companion.place().step + 1);
 }
 
-/// A name that is not taken yet.
+/// A name that is not taken yet; one that cannot be looked at is left to the writing to refuse.
 fs::path free_name(const fs::path& folder, const std::string& stem, const std::string& ending) {
+  std::error_code error;
   fs::path path = folder / (stem + ending);
-  for (int i = 2; fs::exists(fs::symlink_status(path)); ++i)
+  for (int i = 2; fs::exists(fs::symlink_status(path, error)) && !error; ++i)
     path = folder / fmt::format("{}-{}{}", stem, i, ending);
   return path;
 }

@@ -51,15 +51,21 @@ void listen(GLFWwindow* window, Input& input) {
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w); });
 }
 
+/// What a command or a click opens has the keyboard a few frames later: what is typed behind it waits.
 void ControlInput::feed(std::deque<InputEvent>& waiting) {
   InputPortion portion;
-  while (!waiting.empty() && portion.takes(waiting.front())) {
+  while (wait_ == 0 && !waiting.empty() && portion.takes(waiting.front())) {
     const InputEvent event = waiting.front();
     waiting.pop_front();
-    if (is_command(event)) continue;
+    if (is_command(event)) {
+      wait_ = kSettlingFrames;
+      break;
+    }
     portion.add(event);
     give(event);
+    if (event.kind == InputEvent::Kind::button) wait_ = kSettlingFrames;
   }
+  wait_ = std::max(0, wait_ - 1);
   ImGuiIO& io = ImGui::GetIO();
   io.MousePos = pointer_;
   std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
@@ -68,9 +74,12 @@ void ControlInput::feed(std::deque<InputEvent>& waiting) {
 bool ControlInput::is_command(const InputEvent& event) {
   std::string name;
   if (event.kind == InputEvent::Kind::character) name = character_name(static_cast<unsigned>(event.code));
-  if (event.kind == InputEvent::Kind::key && event.action != GLFW_RELEASE)
-    name = key_name(event.code, event.modifiers);
-  return !name.empty() && screen_.press(companion_, name);
+  if (event.kind == InputEvent::Kind::key && event.action != GLFW_RELEASE) {
+    is_repeated_ = event.action == GLFW_REPEAT;  // of its character too, which comes next
+    const char* letter = glfwGetKeyName(event.code, event.scancode);
+    name = key_name(event.code, event.modifiers, letter ? letter : "");
+  }
+  return !name.empty() && screen_.press(companion_, name, is_repeated_);
 }
 
 void ControlInput::give(const InputEvent& event) {

@@ -45,6 +45,8 @@ class ControlInput {
   GLFWwindow* window_;
   Companion& companion_;
   Screen& screen_;
+  int wait_ = 0;  ///< frames
+  bool is_repeated_ = false;
   ImVec2 pointer_{-FLT_MAX, -FLT_MAX};
   std::array<bool, 5> buttons_{};  // as many as Dear ImGui knows
 };

@@ -25,13 +25,15 @@ struct Wishes {
 /// What is typed or chosen in the panels, and not yet part of the companion.
 struct PanelMemory {
   std::map<std::string, std::string> typed_answers{};  ///< by "stage/ask"
+  std::string judged{};                                ///< the answer that was judged last
   std::optional<SceneEdits> edits{};                   ///< to be made
   double most_moment = 1, most_omega = 1;              ///< ends of sliders; they stand while one is held
+  std::pair<Panel, Place> shown{};                     ///< panel and place of the frame before
   std::string refusal{};                               ///< why the last edit was not made; empty: it was
   TakeAwayOptions take_away{};
   std::string folder{};
   std::unique_ptr<FrontMeasurement> front{};
-  std::string front_problem{};  ///< that was measured
+  std::optional<Scene> front_of{};  ///< whose motion was measured
   std::unique_ptr<TradeMeter> trade{};
   unsigned trade_of = 0;
   LiveTrade live{};

@@ -38,6 +38,19 @@ WindowPointer make_glfw_window(bool with_opengl) {
   return window;
 }
 
+/// That shows this place of the desktop; else the primary one. Null: there is none.
+GLFWmonitor* monitor_at(int x, int y) {
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    int left = 0, top = 0;
+    glfwGetMonitorPos(monitors[i], &left, &top);
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    if (mode && x >= left && y >= top && x < left + mode->width && y < top + mode->height) return monitors[i];
+  }
+  return glfwGetPrimaryMonitor();
+}
+
 }  // namespace
 
 Glfw::Glfw() {
@@ -54,23 +67,25 @@ Glfw::~Glfw() { glfwTerminate(); }
 void WindowDeleter::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 
 Display::Display() {
+  const std::string why = open_with_opengl();
+  if (!screen_) fall_back(why);
+}
+
+/// Or says why not.
+std::string Display::open_with_opengl() {
   window_ = make_glfw_window(true);
-  std::string why = window_ ? "" : last_glfw_error();
-  if (window_) {
-    auto context = context_of_window(window_.get());
-    if (context)
-      context_ = std::move(context).value();
-    else
-      why = context.error();
-  }
-  if (!context_) fall_back(why);
-  auto screen = Screen::create(*context_);
-  if (!screen) throw CommandError(ExitCode::failed, screen.error());
+  if (!window_) return last_glfw_error();
+  auto context = context_of_window(window_.get());
+  if (!context) return context.error();
+  auto screen = Screen::create(**context);
+  if (!screen) return screen.error();
+  auto table = Gl::load(**context);
+  if (!table) return table.error();
+  glfwSwapInterval(1);
+  context_ = std::move(context).value();
   screen_ = std::move(screen).value();
-  if (!plain_) {
-    glfwSwapInterval(1);
-    gl_.emplace(std::move(Gl::load(*context_)).value());
-  }
+  gl_ = *table;
+  return {};
 }
 
 void Display::present() {
@@ -101,8 +116,11 @@ void Display::fall_back(const std::string& why) {
         fmt::format("the window has no OpenGL 3.3 ({}), and there is nothing else to draw with: {} Pages "
                     "can be written to files where there is: polhode export LESSON -o DIR",
                     why, context.error()));
+  auto screen = Screen::create(**context);
+  if (!screen) throw CommandError(ExitCode::failed, screen.error());
   plain_ = std::move(plain).value();
   context_ = std::move(context).value();
+  screen_ = std::move(screen).value();
   fallback_ = why;
 }
 
@@ -110,15 +128,13 @@ bool FullScreen::is_on() const { return glfwGetWindowMonitor(window_) != nullptr
 
 void FullScreen::set(bool on) {
   if (on == is_on()) return;
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
-  if (on && monitor) {
-    glfwGetWindowPos(window_, &x_, &y_);
-    glfwGetWindowSize(window_, &width_, &height_);
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-  } else if (!on) {
-    glfwSetWindowMonitor(window_, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
-  }
+  if (!on) return glfwSetWindowMonitor(window_, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
+  glfwGetWindowPos(window_, &x_, &y_);
+  glfwGetWindowSize(window_, &width_, &height_);
+  GLFWmonitor* monitor = monitor_at(x_ + width_ / 2, y_ + height_ / 2);
+  if (!monitor) return;
+  const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+  glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 }  // namespace polhode

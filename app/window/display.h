@@ -40,6 +40,7 @@ class Display {
   void present();
 
  private:
+  std::string open_with_opengl();
   void fall_back(const std::string& why);
 
   WindowPointer window_;
@@ -50,7 +51,7 @@ class Display {
   std::string fallback_;
 };
 
-/// Fills the screen of the primary monitor, and gives the window back its place.
+/// Fills the screen of the monitor that the window is on, and gives the window back its place.
 class FullScreen {
  public:
   explicit FullScreen(GLFWwindow* window) : window_(window) {}

@@ -31,16 +31,16 @@ constexpr std::array<std::pair<int, const char*>, 17> kNamed = {{{GLFW_KEY_LEFT,
 
 }  // namespace
 
-std::string key_name(int key, int modifiers) {
+std::string key_name(int key, int modifiers, std::string_view letter) {
   const std::string ctrl = (modifiers & GLFW_MOD_CONTROL) != 0 ? "Ctrl+" : "";
   const std::string shift = (modifiers & GLFW_MOD_SHIFT) != 0 ? "Shift+" : "";
   for (const auto& [code, name] : kNamed)
     if (code == key) return shift + ctrl + name;
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
     return shift + ctrl + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
-  // Without Ctrl the character comes, wherever the keyboard has it.
-  if (!ctrl.empty() && key >= GLFW_KEY_A && key <= GLFW_KEY_Z)
-    return shift + ctrl + static_cast<char>('A' + (key - GLFW_KEY_A));
+  // Without Ctrl the character comes by itself.
+  if (!ctrl.empty() && letter.size() == 1)
+    return shift + ctrl + character_name(static_cast<unsigned char>(letter[0]));
   return {};
 }
 

@@ -4,6 +4,8 @@
 
 #include <imgui.h>
 
+#include <utility>
+
 namespace polhode {
 
 namespace {
@@ -87,6 +89,9 @@ void draw_panel(Desk& desk, const Region& region) {
   ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - close);
   const bool closed = icon_button("close", Icon::close, "", told(Command::leave), close);
   ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  if (desk.memory.shown != std::pair(desk.companion.panel, desk.companion.place()))
+    desk.memory.refusal.clear();
+  desk.memory.shown = {desk.companion.panel, desk.companion.place()};
   draw_contents(desk);
   make_edits(desk);
   ImGui::EndChild();

@@ -87,10 +87,9 @@ void choose_step(Desk& desk, const SceneModel& model) {
   }
 }
 
-std::string problem_text(const Scene& scene) {
-  const Vec3 I = scene.body.moments.vector();
-  return fmt::format("{} {} {} {} {} {} {}", I[0], I[1], I[2], scene.w0_B[0], scene.w0_B[1], scene.w0_B[2],
-                     scene.torque.size());
+/// Whatever the method and what is shown.
+bool same_problem(const Scene& a, const Scene& b) {
+  return a.body == b.body && a.w0_B == b.w0_B && a.attitude == b.attitude && a.torque == b.torque;
 }
 
 /// Where the present method is: with its step or tolerance, or one within a factor of two.
@@ -115,11 +114,10 @@ std::optional<int> place_on(const std::vector<ParetoStep>& steps, const SceneMod
 /// Measured when the panel opens, and again for another motion.
 void choose_from_front(Desk& desk, const SceneModel& model) {
   PanelMemory& memory = desk.memory;
-  const std::string problem = problem_text(model.scene);
-  if (memory.front_problem != problem && !ImGui::IsAnyItemActive()) {
+  if (!(memory.front_of && same_problem(*memory.front_of, model.scene)) && !ImGui::IsAnyItemActive()) {
     memory.front.reset();
     memory.front = std::make_unique<FrontMeasurement>(problem_of(model.scene));
-    memory.front_problem = problem;
+    memory.front_of = model.scene;
   }
   if (!memory.front || !memory.front->is_ready())
     return quiet_words("measuring the methods on this motion …");

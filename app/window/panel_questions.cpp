@@ -23,6 +23,11 @@ void show_verdict(const AnswerJudgement& verdict, const std::string& typed) {
         fmt::format("At {} yours is {}, right is {}.", counter->state, counter->left, counter->right));
 }
 
+void judge(Desk& desk, const Ask& ask, const std::string& typed) {
+  desk.companion.answer(ask, typed);
+  desk.memory.judged = typed;  // what the verdict is about, whatever is typed since
+}
+
 /// Typed, and checked with Enter or the button.
 void ask_for_words(Desk& desk, const Ask& ask, std::string& typed, const char* example) {
   const float check = ImGui::CalcTextSize("Check").x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -32,7 +37,7 @@ void ask_for_words(Desk& desk, const Ask& ask, std::string& typed, const char* e
       ImGui::InputTextWithHint("##answer", example, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   if (entered) ImGui::SetKeyboardFocusHere(-1);  // for another try
   ImGui::SameLine();
-  if ((ImGui::Button("Check") || entered) && !typed.empty()) desk.companion.answer(ask, typed);
+  if ((ImGui::Button("Check") || entered) && !typed.empty()) judge(desk, ask, typed);
 }
 
 /// Controls set no formulas: what has some is to be read where it is set.
@@ -48,7 +53,7 @@ void ask_for_choice(Desk& desk, const Ask& ask, std::string& typed) {
     const std::string letter(1, letter_of_choice(i));
     if (toggle_button(letter.c_str(), typed == letter, "")) {
       typed = letter;
-      desk.companion.answer(ask, typed);
+      judge(desk, ask, typed);
     }
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -87,7 +92,7 @@ void draw_question(Desk& desk, const Ask& ask, std::size_t number, std::size_t c
       break;
   }
   if (const AnswerJudgement* verdict = desk.companion.verdict(ask))
-    show_verdict(*verdict, typed);
+    show_verdict(*verdict, desk.memory.judged);
   else if (const AnswerRecord* record = desk.companion.record(ask); record && record->right)
     quiet_words("You have answered this one right.");
   show_hints(desk, ask);

@@ -120,25 +120,19 @@ Region Screen::page_region(const Companion& companion, Size size) const {
   return region;
 }
 
-bool Screen::press(Companion& companion, std::string_view key) {
+bool Screen::press(Companion& companion, std::string_view key, bool is_repeated) {
   static constexpr std::array<std::string_view, 13> kOfPanels = {
       "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
       "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
   const bool typing = ImGui::GetIO().WantTextInput;
-  if (key == "F6") {  // between page and panel
-    if (memory_.panel_has_focus || companion.panel == Panel::none)
-      ImGui::SetWindowFocus(nullptr);
-    else
-      ImGui::SetWindowFocus("panel");
-    return true;
-  }
   if (typing && key != "Escape" && !key.starts_with("Ctrl+") && !(key.size() > 1 && key[0] == 'F'))
     return false;
-  if (typing && key.starts_with("Ctrl+") && key != "Ctrl+S" && key != "Ctrl+Q") return false;
+  if (typing && key.starts_with("Ctrl+") && key != "Ctrl+S") return false;
   if (memory_.panel_has_focus && std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end())
     return false;
   const auto command = command_of(key);
   if (!command) return false;
+  if (is_repeated && !repeats(*command)) return true;
   const Panel before = companion.panel;
   if (do_command(companion, *command)) {
     panel_takes_focus_ = companion.panel != before && companion.panel != Panel::none;
@@ -150,6 +144,9 @@ bool Screen::press(Companion& companion, std::string_view key) {
     return true;
   }
   switch (*command) {
+    case Command::switch_focus:
+      ImGui::SetWindowFocus(memory_.panel_has_focus || companion.panel == Panel::none ? nullptr : "panel");
+      break;
     case Command::next_symbol:
       move_focus(companion, 1);
       break;
@@ -208,6 +205,7 @@ Status Screen::draw(Companion& companion, const ScreenFrame& frame) {
   ImGui::NewFrame();
   lay_out_controls(companion, page_region(companion, frame.size), frame.size);
   use_pointer(companion, page_region(companion, frame.size));
+  if (!wishes_.clipboard.empty()) copy();
   if (wishes_.take_away) take(companion);
   draw_note(companion);
   draw_strip(page_region(companion, frame.size));
@@ -219,7 +217,8 @@ Status Screen::draw(Companion& companion, const ScreenFrame& frame) {
     if (!made) return failure(made.error());
     picture_ = std::move(made).value();
   }
-  const bool moving = companion.is_moving() || hold_ != Hold::nothing;
+  const bool is_dragging = hold_ != Hold::nothing && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+  const bool moving = companion.is_moving() || is_dragging;
   const double resolution = moving ? pace_.resolution() : 1.0;
   const auto painted = show_page(companion, page_region(companion, frame.size), resolution);
   if (!painted) return failure(painted.error());
@@ -243,15 +242,15 @@ Result<bool> Screen::show_page(Companion& companion, const Region& region, doubl
   gl_->ClearColor(ground.x, ground.y, ground.z, 1);
   gl_->Clear(GL_COLOR_BUFFER_BIT);
   if (painted) page_->picture().copy_to(*picture_, 0, picture_->size().height - look.size.height);
-  if (companion.presenting && companion.notes_shown)
-    if (Status shown = show_preview(companion, region); !shown) return failure(shown.error());
+  if (companion.presenting && companion.notes_shown) show_preview(companion, region);
   return painted ? *painted : true;
 }
 
-/// The step that comes next, small, in the upper right corner.
-Status Screen::show_preview(const Companion& companion, const Region& page) {
+/// The step that comes next, small, in the upper right corner. Its place is left empty if it cannot be set:
+/// that is told when it is reached.
+void Screen::show_preview(const Companion& companion, const Region& page) {
   const auto next = companion.next_place();
-  if (!next) return success();
+  if (!next) return;
   if (!next_ || next_->place() != *next || &next_->lesson() != &companion.lesson()) {
     next_ = std::make_unique<Companion>(companion.loaded_pointer());
     next_->go_to(*next);
@@ -259,10 +258,9 @@ Status Screen::show_preview(const Companion& companion, const Region& page) {
   next_->preferences = companion.preferences;
   next_->preferences.reduced_motion = true;
   const Region at = preview_region(page, picture_->size());
-  if (auto shown = preview_->show(*next_, {.size = whole(at)}); !shown) return failure(shown.error());
+  if (!preview_->show(*next_, {.size = whole(at)})) return;
   preview_->picture().copy_to(*picture_, static_cast<int>(at.x),
                               picture_->size().height - static_cast<int>(at.y) - whole(at).height);
-  return success();
 }
 
 void Screen::lay_out_controls(Companion& companion, const Region& page, Size size) {
@@ -286,10 +284,8 @@ void Screen::lay_out_controls(Companion& companion, const Region& page, Size siz
 /// Errors of the lesson stay, news go; above the bar, and no wider than they are.
 void Screen::draw_strip(const Region& page) {
   const bool news = !news_.empty() && clock_s_ < news_until_s_;
-  const std::string text = !page_error_.empty()      ? page_error_
-                           : !lesson_errors_.empty() ? lesson_errors_
-                           : news                    ? news_
-                                                     : std::string();
+  std::string text = page_error_.empty() ? lesson_errors_ : page_error_;
+  if (news) text += (text.empty() ? "" : "\n\n") + news_;
   if (text.empty()) return;
   const bool is_error = !page_error_.empty() || !lesson_errors_.empty();
   const PageColors& colors = colors_of(*theme_);
@@ -414,14 +410,19 @@ void Screen::use_figure(Companion& companion, bool on_page) {
 
 void Screen::take(Companion& companion) {
   try {
-    if (!wishes_.clipboard.empty()) ImGui::SetClipboardText(wishes_.clipboard.c_str());
     const auto path = take_away(companion, *wishes_.take_away, memory_.take_away,
                                 memory_.folder.empty() ? "." : memory_.folder, *renderer_);
     tell("saved: " + path.string());
-  } catch (const CommandError& error) {
+  } catch (const std::exception& error) {  // also those of file systems
     tell(std::string("not saved: ") + error.what());
   }
   wishes_.take_away.reset();
+}
+
+void Screen::copy() {
+  ImGui::SetClipboardText(wishes_.clipboard.c_str());
+  wishes_.clipboard.clear();
+  tell("copied");
 }
 
 double Screen::seconds_to_wake(const Companion& companion) const {

@@ -28,8 +28,9 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// A key as app/companion/command.h names it. False: it is for the panel that has the focus, or for nobody.
-  bool press(Companion& companion, std::string_view key);
+  /// A key as app/companion/command.h names it; repeated while it is held. False: it is for the panel that
+  /// has the focus, or for nobody.
+  bool press(Companion& companion, std::string_view key, bool is_repeated = false);
   /// Lets time pass, then draws. What goes wrong with the page is shown in its place.
   Status draw(Companion& companion, const ScreenFrame& frame);
 
@@ -46,6 +47,8 @@ class Screen {
   void tell(const std::string& news);
   void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
 
+  /// Where things are saved.
+  void set_folder(const std::string& folder) { memory_.folder = folder; }
   /// Of the present stage, in words.
   const std::string& stage_title() const { return stage_title_; }
 
@@ -61,7 +64,7 @@ class Screen {
   void adopt_style(const Companion& companion, const ScreenFrame& frame);
   Region page_region(const Companion& companion, Size size) const;
   Result<bool> show_page(Companion& companion, const Region& region, double resolution);
-  Status show_preview(const Companion& companion, const Region& region);
+  void show_preview(const Companion& companion, const Region& region);
   void lay_out_controls(Companion& companion, const Region& page, Size size);
   void draw_strip(const Region& page);
   void draw_note(const Companion& companion);
@@ -69,6 +72,7 @@ class Screen {
   void use_figure(Companion& companion, bool on_page);
   void move_focus(Companion& companion, int by);
   void take(Companion& companion);
+  void copy();
 
   std::unique_ptr<const Gl> gl_;
   std::unique_ptr<Renderer> renderer_;

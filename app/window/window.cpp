@@ -18,7 +18,7 @@ namespace polhode {
 
 namespace {
 
-constexpr double kLeastFrame_s = 1.0 / 60;
+constexpr double kLeastFrame_s = 1.0 / 60, kClock_s = 1e-3;
 /// So long at most nothing is looked at: signals, changes of the lesson.
 constexpr double kLongestWait_s = 0.5, kWatchEvery_s = 0.25;
 
@@ -46,21 +46,34 @@ class Loop {
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  void run() {
+  ExitCode run() {
     const InterruptWatch watch;
     while (!glfwWindowShouldClose(display_.window()) && !screen().wishes().quit && !watch.interrupted()) {
       wait();
       look_for_changes();
       if (!must_draw()) continue;
       draw();
-      if (options_.keep) options_.keep(companion_);
+      keep();
     }
+    keep();
+    return watch.interrupted() ? ExitCode::interrupted : ExitCode::done;
   }
 
  private:
   Screen& screen() { return display_.screen(); }
 
-  bool must_draw() { return input_.settling > 0 || glfwGetTime() >= wake_s_; }
+  /// Not more often than kLeastFrame_s, however fast events come, and not what nobody sees.
+  bool must_draw() {
+    const double now_s = glfwGetTime();
+    if (now_s < drawn_s_ + kLeastFrame_s - kClock_s) return false;
+    if (glfwGetWindowAttrib(display_.window(), GLFW_ICONIFIED) == GLFW_TRUE) return false;
+    return input_.settling > 0 || now_s >= wake_s_;
+  }
+
+  void keep() {
+    if (!options_.keep) return;
+    if (const std::string news = options_.keep(companion_); !news.empty()) screen().tell(news);
+  }
 
   void wait() {
     const double now_s = glfwGetTime();
@@ -128,7 +141,8 @@ class Loop {
     }
     if (companion_.presenting != presenting_) {
       presenting_ = companion_.presenting;
-      full_screen_.set(presenting_);
+      if (presenting_) was_full_ = full_screen_.is_on();
+      full_screen_.set(presenting_ || was_full_);
     }
   }
 
@@ -148,16 +162,14 @@ class Loop {
   FullScreen full_screen_;
   FrameLog frame_log_;
   std::string title_, lesson_errors_;
-  bool presenting_ = false;
+  bool presenting_ = false, was_full_ = false;  ///< before it presented
   double drawn_s_ = 0, wake_s_ = 0, looked_s_ = 0;
 };
 
 }  // namespace
 
 ExitCode run_window(Companion& companion, const WindowOptions& options) {
-  Loop(companion, options).run();
-  if (options.keep) options.keep(companion);
-  return ExitCode::done;
+  return Loop(companion, options).run();
 }
 
 }  // namespace polhode

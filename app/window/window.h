@@ -15,14 +15,14 @@ struct WindowOptions {
   /// A new reading of the lesson if its file has changed, or what is wrong with it; called a few times a
   /// second. Empty: the lesson is not watched.
   std::function<void(Companion&, std::string& errors)> look_for_changes{};
-  /// Called when place, answers or preferences may have changed, and at the end.
-  std::function<void(const Companion&)> keep{};
+  /// Called when place, answers or preferences may have changed, and at the end; the answer is to be told.
+  std::function<std::string(const Companion&)> keep{};
   std::string news{};  ///< to be told at the beginning
 };
 
-/// Until the user closes it. Draws with the display's OpenGL; where it has no 3.3, off-screen, and shows the
-/// pictures in a plain window. @throws CommandError failed: no display, or nothing to draw with; says what to
-/// do
+/// Until the user closes it, or a signal: then interrupted. Draws with the display's OpenGL; where it has
+/// no 3.3, off-screen, and shows the pictures in a plain window. @throws CommandError failed: no display, or
+/// nothing to draw with; says what to do
 ExitCode run_window(Companion& companion, const WindowOptions& options);
 
 }  // namespace polhode

@@ -16,7 +16,8 @@ namespace {
 TEST(KeyNames, AreThoseOfCommands) {
   EXPECT_EQ(key_name(kRight, 0), "Right");
   EXPECT_EQ(key_name(kTab, kShift), "Shift+Tab");
-  EXPECT_EQ(key_name(kS, kControl), "Ctrl+S");
+  EXPECT_EQ(key_name(kS, kControl, "s"), "Ctrl+S");
+  EXPECT_EQ(key_name(kS, kControl, "o"), "Ctrl+O");  // where the layout has another letter there
   EXPECT_EQ(key_name(kF1, 0), "F1");
   EXPECT_EQ(key_name(kF11, 0), "F11");
 }
@@ -36,7 +37,10 @@ TEST(KeyNames, EveryCommandHasAKeyThatTheWindowMakes) {
   std::set<std::string> made;
   for (int key = 32; key < 349; ++key)
     for (const int modifiers : {0, kShift, kControl, kShift | kControl})
-      made.insert(key_name(key, modifiers));
+      {
+      const std::string letter(1, static_cast<char>(key));  // of a US keyboard
+      made.insert(key_name(key, modifiers, key >= 'A' && key <= 'Z' ? letter : ""));
+    }
   for (unsigned character = 0; character < 128; ++character) made.insert(character_name(character));
   std::set<Command> given;
   for (const std::string& name : made)

@@ -3,12 +3,14 @@
 
 #include "app/companion/figure_hand.h"
 #include "app/picture_maker.h"
+#include "app/window/notes.h"
 #include "tests/app/companion/example_lesson.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
 
 #include <cmath>
+#include <cstring>
 
 namespace polhode {
 namespace {
@@ -106,13 +108,27 @@ TEST_F(ScreenTest, PresentingThePageIsAllThereIs) {
   EXPECT_EQ(screen->read().rgba, screen->page().picture().read().rgba);
 }
 
+/// Pixels of a part of the window that are not as its upper left one.
+int varied(const Image& image, const Region& part) {
+  const auto x0 = static_cast<int>(part.x), y0 = static_cast<int>(part.y);
+  int count = 0;
+  for (int y = y0; y < y0 + static_cast<int>(part.height); ++y)
+    for (int x = x0; x < x0 + static_cast<int>(part.width); ++x)
+      count += std::memcmp(image.pixel(x, y), image.pixel(x0, y0), 4) != 0;
+  return count;
+}
+
 TEST_F(ScreenTest, WhatComesNextIsShownBesideThePageWhilePresenting) {
   companion.presenting = companion.notes_shown = true;
   frame(3);
-  const Image first = screen->read();
-  companion.next_step();
+  const Size page = screen->page().picture().size();
+  const Region at =
+      preview_region({0, 0, static_cast<float>(page.width), static_cast<float>(page.height)}, kSize);
+  EXPECT_GT(varied(screen->read(), at), 2000);
+  const auto& stages = companion.lesson().stages;
+  companion.go_to({stages.size() - 1, stages.back().steps.size() - 1});
   frame(3);
-  EXPECT_NE(screen->read().rgba, first.rgba);
+  EXPECT_EQ(companion.next_place(), std::nullopt);
 }
 
 TEST_F(ScreenTest, NothingIsDrawnAnewThatHasNotChanged) {
@@ -204,12 +220,62 @@ TEST_F(ScreenTest, KeysOfAFocusedPanelAreItsOwn) {
 
 TEST_F(ScreenTest, EveryPanelIsDrawnOnEveryKindOfStep) {
   for (const std::size_t stage : {std::size_t{0}, std::size_t{2}, std::size_t{26}})
-    for (int panel = 0; panel <= static_cast<int>(Panel::help); ++panel) {
+    for (int panel = 1; panel <= static_cast<int>(Panel::help); ++panel) {
       companion.go_to({stage, 0});
       companion.panel = static_cast<Panel>(panel);
-      frame(2);
+      frame(3);
+      const auto left = static_cast<float>(screen->page().picture().size().width) + 4;
+      EXPECT_GT(varied(screen->read(), {left, 4, kSize.width - left - 4, 300}), 500) << stage << " " << panel;
     }
-  SUCCEED();
+}
+
+std::string& clipboard() {
+  static std::string text;
+  return text;
+}
+
+TEST_F(ScreenTest, WhatIsCopiedIsOnTheClipboardOnce) {
+  ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { clipboard() = text; };
+  frame(2);
+  screen->wishes().clipboard = "t,w1";
+  frame();
+  EXPECT_EQ(clipboard(), "t,w1");
+  clipboard() = "somebody else's";
+  frame(3);
+  EXPECT_EQ(clipboard(), "somebody else's");
+}
+
+TEST_F(ScreenTest, AHeldKeyRepeatsStepsAlone) {
+  frame(2);
+  EXPECT_TRUE(screen->press(companion, "Right", true));
+  EXPECT_EQ(companion.place().step, 1U);
+  EXPECT_TRUE(screen->press(companion, "Space", true));
+  EXPECT_FALSE(companion.is_playing());
+  screen->press(companion, "Space");
+  EXPECT_TRUE(companion.is_playing());
+}
+
+TEST_F(ScreenTest, ASliderThatIsHeldStands) {
+  companion.panel = Panel::body;
+  move(1088, 134);  // the first moment
+  down = true;
+  frame(3);
+  move(1110, 134);
+  frame(5);
+  const double moved = companion.model()->scene.body.moments.vector()[0];
+  EXPECT_NE(moved, companion.lesson_scene().body.moments.vector()[0]);
+  frame(40);
+  EXPECT_EQ(companion.model()->scene.body.moments.vector()[0], moved);
+}
+
+TEST_F(ScreenTest, WhatCannotBeSavedIsTold) {
+  companion.panel = Panel::save;
+  frame(3);
+  const Image before = screen->read();
+  screen->set_folder("/dev/null/nowhere");
+  screen->press(companion, "Ctrl+S");
+  frame(3);
+  EXPECT_NE(screen->read().rgba, before.rgba);
 }
 
 }  // namespace
