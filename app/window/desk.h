@@ -22,6 +22,9 @@ struct Wishes {
   std::string clipboard{};  ///< to be copied; empty: nothing
 };
 
+/// A panel has its new height, and its scroll bar, two frames after it has new contents.
+inline constexpr int kFramesOfFront = 3;
+
 /// What is typed or chosen in the panels, and not yet part of the companion.
 struct PanelMemory {
   std::map<std::string, std::string> typed_answers{};  ///< by "stage/ask"
@@ -34,6 +37,7 @@ struct PanelMemory {
   std::string folder{};
   std::unique_ptr<FrontMeasurement> front{};
   std::optional<Scene> front_of{};  ///< whose motion was measured
+  int front_frames = 0;  ///< kFramesOfFront while it is shown as awaited, then down to 0 while it settles
   std::unique_ptr<TradeMeter> trade{};
   unsigned trade_of = 0;
   LiveTrade live{};

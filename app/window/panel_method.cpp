@@ -119,8 +119,10 @@ void choose_from_front(Desk& desk, const SceneModel& model) {
     memory.front = std::make_unique<FrontMeasurement>(problem_of(model.scene));
     memory.front_of = model.scene;
   }
-  if (!memory.front || !memory.front->is_ready())
+  if (!memory.front || !memory.front->is_ready()) {
+    memory.front_frames = kFramesOfFront;
     return quiet_words("measuring the methods on this motion …");
+  }
   const std::vector<ParetoStep>& steps = memory.front->steps();
   if (steps.empty()) return quiet_words("Nothing could be measured on this motion.");
   const auto present = place_on(steps, model);

@@ -273,6 +273,7 @@ void Screen::lay_out_controls(Companion& companion, const Region& page, Size siz
             .frame_ms = 1e3 * page_s_,
             .clock_s = clock_s_,
             .take_focus = std::exchange(panel_takes_focus_, false)};
+  memory_.front_frames = std::max(0, memory_.front_frames - 1);
   if (companion.presenting) {
     if (companion.notes_shown) draw_notes(desk, page, size);
     return;
@@ -429,7 +430,7 @@ double Screen::seconds_to_wake(const Companion& companion) const {
   const bool moving = companion.is_moving();
   if (moving || !is_full_) return 0;
   if (ImGui::GetIO().WantTextInput) return 0.3;  // the caret blinks
-  if (memory_.front && !memory_.front->is_ready()) return 0.1;
+  if (memory_.front_frames > 0) return memory_.front_frames == kFramesOfFront ? 0.1 : 0;
   if (!news_.empty() && clock_s_ < news_until_s_) return news_until_s_ - clock_s_ + 0.01;
   return 3600;
 }

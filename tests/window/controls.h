@@ -19,6 +19,8 @@ inline constexpr Point kInFigure{720, 440};
 inline constexpr Point kOmegaTip{934, 210};
 /// ω in its text, and what is written there.
 inline constexpr Point kOmegaWord{239, 144}, kTextFrom{40, 40}, kTextTo{600, 200};
+/// The grab of the slider from fast to accurate, at its end: it is blue.
+inline constexpr Point kFrontEnd{1241, 101};
 /// In the panel "Take away".
 inline constexpr Point kSaveFigure{1114, 201}, kSaveLesson{1114, 421};
 
