@@ -2,7 +2,7 @@
 #include "tests/window/played_lesson.h"
 
 #include <algorithm>
-#include <regex>
+#include <cstdio>
 #include <sstream>
 #include <stdexcept>
 
@@ -43,11 +43,13 @@ using Words = std::vector<std::string>;
 }  // namespace
 
 TitlePlace place_in(const std::string& title) {
-  static const std::regex kTitle(R"((.*) — stage (\d+) of (\d+), step (\d+) of (\d+) — polhode)");
-  std::smatch found;
-  if (!std::regex_match(title, found, kTitle)) return {};
-  const auto number = [&](std::size_t group) { return std::stoi(found[group]); };
-  return {found[1], number(2), number(3), number(4), number(5)};
+  const std::size_t begin = title.rfind(" — stage ");
+  if (begin == std::string::npos) return {};
+  TitlePlace place{.stage_title = title.substr(0, begin)};
+  int read = 0;
+  std::sscanf(title.c_str() + begin, " — stage %d of %d, step %d of %d — polhode%n", &place.stage,
+              &place.stages, &place.step, &place.steps, &read);
+  return begin + static_cast<std::size_t>(read) == title.size() ? place : TitlePlace{};
 }
 
 Start start_of_play(const Display& display, const Home& home, const std::vector<std::string>& arguments,
