@@ -43,15 +43,13 @@ using Words = std::vector<std::string>;
 }  // namespace
 
 TitlePlace place_in(const std::string& title) {
-  const std::string between = " — stage ";
-  const std::size_t at = title.find(between);
-  if (at == std::string::npos) return {};
-  TitlePlace place{title.substr(0, at)};
-  int end = 0;
-  const std::string rest = title.substr(at + between.size());
-  const int read = std::sscanf(rest.c_str(), "%d of %d, step %d of %d — polhode%n", &place.stage,
-                               &place.stages, &place.step, &place.steps, &end);
-  return read == 4 && end == static_cast<int>(rest.size()) ? place : TitlePlace{};
+  const std::size_t begin = title.rfind(" — stage ");
+  if (begin == std::string::npos) return {};
+  TitlePlace place{.stage_title = title.substr(0, begin)};
+  int read = 0;
+  std::sscanf(title.c_str() + begin, " — stage %d of %d, step %d of %d — polhode%n", &place.stage,
+              &place.stages, &place.step, &place.steps, &read);
+  return begin + static_cast<std::size_t>(read) == title.size() ? place : TitlePlace{};
 }
 
 Start start_of_play(const Display& display, const Home& home, const std::vector<std::string>& arguments,
