@@ -239,7 +239,10 @@ void Companion::advance(double seconds) {
   if (!(seconds > 0)) return;
   travel_ = preferences.reduced_motion ? 1 : std::min(1.0, travel_ + seconds / kMorphSeconds);
   if (!playing_) return;
-  const double next_s = t_s_ + model_->rate * speed_ * seconds;
+  double next_s = t_s_ + model_->rate * speed_ * seconds;
+  const Interval loop = time_line();
+  if (lesson_scene().duration_s && next_s > loop.to_s)  // what has an end begins again
+    next_s = loop.from_s + std::fmod(next_s - loop.from_s, model_->span_s);
   set_time(next_s);
   if (t_s_ != next_s) playing_ = false;
 }

@@ -91,7 +91,8 @@ class Companion {
   /// `frames` of kFrameSeconds, forward or back; stops the motion.
   void step_frames(int frames);
   void reset_time();  ///< to the scene's own time
-  /// Real time passes; the motion stops where it cannot be computed any further.
+  /// Real time passes; a scene with a duration plays it again and again. The motion stops where it cannot be
+  /// computed any further.
   void advance(double seconds);
   /// What the time line shows: the loop of the scene, or that many of them further, in which t lies. At the
   /// border of two it is the one that was shown before. Precondition: has_scene()

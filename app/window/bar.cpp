@@ -82,7 +82,8 @@ void draw_time(Desk& desk, float width) {
   ImGui::SameLine();
   const float x = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
-  ImGui::Text("t = %s s", fmt::format("{:.3f}", companion.t_s()).c_str());
+  const double t_s = companion.t_s();
+  ImGui::TextUnformatted(fmt::format("t = {}{:.3f} s", t_s < 0 ? "−" : "", std::abs(t_s)).c_str());
   ImGui::SameLine(x + number + gap);
   draw_speed(companion, speed);
 }

@@ -56,7 +56,10 @@ void PageView::compose(const Companion& companion, const PageKey& key) {
   for (FlatShape& mark :
        marks_of(symbols_, key.lit, key.look.focus, colors.marked, colors.question, page_.scale * 16))
     page_.sheet.shapes.push_back(std::move(mark));
-  for (Inset& inset : page_.insets) inset.resolution = key.look.resolution;
+  for (Inset& inset : page_.insets) {
+    inset.resolution = key.look.resolution;
+    inset.figure.caption_px *= key.look.resolution;  // enlarged again
+  }
 }
 
 bool PageView::is_step_before(const TextKey& before, const TextKey& now) {

@@ -18,6 +18,11 @@ void draw_help(Desk&) {
     ImGui::TextUnformatted(std::string(facts.does).c_str());
     ImGui::PopTextWrapPos();
   }
+  heading("In a panel");
+  quiet_words(
+      "Arrows go from control to control. Space presses a button, and takes a slider, which arrows then "
+      "move; "
+      "Enter types a number into it. F6 goes back to the page.");
   heading("Mouse");
   quiet_words(
       "Rest on a symbol for its meaning and value. Drag the figure to turn it, the wheel zooms, a double "

@@ -34,6 +34,11 @@ void set_motion(Desk& desk, const MotionSpec& motion) {
   ask_for_edits(desk, edits);
 }
 
+std::string time_text(double ns) {
+  if (ns < 1e3) return fmt::format("{:.3g} ns", ns);
+  return ns < 1e6 ? fmt::format("{:.3g} µs", ns / 1e3) : fmt::format("{:.3g} ms", ns / 1e6);
+}
+
 Method method_of(const SceneModel& model) {
   return model.scene.motion.method.value_or(default_method(problem_of(model.scene)));
 }
@@ -144,8 +149,12 @@ void choose_from_front(Desk& desk, const SceneModel& model) {
         "Each step of the slider is the fastest for its accuracy. The present method is none of them.");
   const ParetoStep& step = steps[static_cast<std::size_t>(*present)];
   const std::string error = step.error > 0 ? short_number(step.error, "") : std::string("none");
-  quiet_words(fmt::format("{}: error after 10 periods {}, {:.2g} µs a period", step.name, error,
-                          step.ns_per_period / 1e3));
+  quiet_words(fmt::format("{}: error after 10 periods {}, {} a period", step.name, error,
+                          time_text(step.ns_per_period)));
+}
+
+const char* why_no_error(const SceneModel& model) {
+  return facts_of(method_of(model)).control == StepControl::none ? "none: it is exact" : "no closed form";
 }
 
 void show_trade(Desk& desk, const SceneModel& model) {
@@ -163,12 +172,12 @@ void show_trade(Desk& desk, const SceneModel& model) {
     memory.live_of_t = desk.companion.t_s();
   }
   const LiveTrade& live = memory.live;
-  value_row("error of ω", live.error ? short_number(live.error->omega, "") : "none: it is exact");
+  value_row("error of ω", live.error ? short_number(live.error->omega, "") : why_no_error(model));
   value_row("error of attitude", live.error ? short_number(live.error->attitude_rad, " rad") : "");
   value_row("drift of T", short_number(live.drift.T, ""));
   value_row("drift of |L|", short_number(live.drift.L, ""));
   value_row("drift of L's direction", short_number(live.drift.L_direction_rad, " rad"));
-  value_row("motion, per frame", fmt::format("{:.3g} ns", live.ns_per_frame));
+  value_row("motion, per frame", time_text(live.ns_per_frame));
 }
 
 void choose_quality(Desk& desk, const SceneModel& model) {

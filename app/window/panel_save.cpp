@@ -47,7 +47,7 @@ void draw_save(Desk& desk) {
   offer(desk, "Save as CSV", TakeAway::trace, "The same as a file");
   heading("Scene");
   offer(desk, "Save as a lesson", TakeAway::scene,
-        "With all that was changed by hand; polhode export makes the same picture of it");
+        "With all that was changed by hand; polhode export makes the same figure of it");
   heading("Folder");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputText("##folder", &desk.memory.folder);
