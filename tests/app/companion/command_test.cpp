@@ -54,7 +54,8 @@ TEST(Command, HelpGoesGroupByGroup) {
 TEST(Command, WhatOnlyAWindowCanDoIsLeftToIt) {
   Companion companion(example());
   const std::set<Command> of_windows = {Command::next_symbol, Command::previous_symbol, Command::explain,
-                                        Command::save_page,   Command::full_screen,     Command::quit};
+                                        Command::save_page,   Command::full_screen,     Command::quit,
+                                        Command::switch_focus};
   for (const CommandFacts& facts : all_commands())
     EXPECT_EQ(do_command(companion, facts.command), of_windows.count(facts.command) == 0) << facts.does;
 }

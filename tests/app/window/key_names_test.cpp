@@ -36,8 +36,7 @@ TEST(KeyNames, CharactersComeAsTheKeyboardHasThem) {
 TEST(KeyNames, EveryCommandHasAKeyThatTheWindowMakes) {
   std::set<std::string> made;
   for (int key = 32; key < 349; ++key)
-    for (const int modifiers : {0, kShift, kControl, kShift | kControl})
-      {
+    for (const int modifiers : {0, kShift, kControl, kShift | kControl}) {
       const std::string letter(1, static_cast<char>(key));  // of a US keyboard
       made.insert(key_name(key, modifiers, key >= 'A' && key <= 'Z' ? letter : ""));
     }
