@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -178,6 +179,29 @@ TEST(CompanionTime, StopsInANewStage) {
   EXPECT_FALSE(companion.is_playing()) << "there is nothing to play";
   companion.set_playing(true);
   EXPECT_FALSE(companion.is_playing());
+}
+
+TEST(CompanionTime, ASceneWithADurationPlaysAgainAndAgain) {
+  Companion companion(test::loaded_lesson("intermediate-axis"));
+  const auto& stages = companion.lesson().stages;
+  const auto stage =
+      std::find_if(stages.begin(), stages.end(), [](const Stage& s) { return s.id == "separatrix"; });
+  ASSERT_NE(stage, stages.end());
+  companion.go_to({static_cast<std::size_t>(stage - stages.begin()), 0});
+  const double end_s = companion.lesson_scene().duration_s.value();
+  companion.set_playing(true);
+  int returns = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double before_s = companion.t_s();
+    companion.advance(0.04);
+    ASSERT_GE(companion.t_s(), 0);
+    ASSERT_LE(companion.t_s(), end_s);
+    returns += companion.t_s() < before_s;
+  }
+  EXPECT_TRUE(companion.is_playing());
+  EXPECT_NEAR(returns, 40 / end_s, 1);
+  companion.scrub_to(3 * end_s + 1);  // by hand any t
+  EXPECT_EQ(companion.t_s(), 3 * end_s + 1);
 }
 
 }  // namespace
