@@ -23,6 +23,8 @@ import sys
 import tempfile
 import time
 
+from figure_table import Table
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LESSON = [ROOT / "tests/bench/poinsot.md", "--what", "figure", "--each", "frame"]
 FPS = 25
@@ -30,21 +32,6 @@ FPS = 25
 
 class Missing(Exception):
     """Why a figure was not measured."""
-
-
-class Table:
-    """Prints a row as soon as it is known."""
-
-    FORM = "{:<58} {:>14}  {:<40} {}"
-
-    def __init__(self):
-        self.missed = 0
-        print(self.FORM.format("figure", "required", "measured", "holds"))
-        print("-" * 122, flush=True)
-
-    def row(self, figure, required, measured, holds=None):
-        self.missed += holds is False
-        print(self.FORM.format(figure, required, measured, {True: "yes", False: "NO", None: ""}[holds]), flush=True)
 
 
 class Usage:

@@ -16,26 +16,13 @@ import sys
 import tempfile
 import time
 
+from figure_table import Table
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STAGES = [("euler-equations", "frames"), ("euler-equations", "tensor-turns"), ("euler-equations", "components"),
           ("euler-equations", "poinsot"), ("euler-equations", "trust"), ("intermediate-axis", "map"),
           ("intermediate-axis", "three-spins"), ("numerical-lab", "ghost")]
 PATIENCE_S = 60
-
-
-class Table:
-    """Prints a row as soon as it is known."""
-
-    FORM = "{:<58} {:>14}  {:<40} {}"
-
-    def __init__(self):
-        self.missed = 0
-        print(self.FORM.format("figure", "required", "measured", "holds"))
-        print("-" * 122, flush=True)
-
-    def row(self, figure, required, measured, holds=None):
-        self.missed += holds is False
-        print(self.FORM.format(figure, required, measured, {True: "yes", False: "NO", None: ""}[holds]), flush=True)
 
 
 class Display:
