@@ -110,7 +110,7 @@ set_up() {
   install_packages "${install[@]}"
 }
 
-# build PRESET: configures and builds build/PRESET. Starts afresh if the repository was moved or copied with it.
+# build PRESET [TARGET…]: configures and builds build/PRESET, or those targets of it. Starts afresh if the repository was moved or copied with it.
 build() {
   local dir=$root/build/$1 fresh=()
   if [ -f "$dir/CMakeCache.txt" ] && ! grep -Fxq "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$dir/CMakeCache.txt"; then
@@ -120,5 +120,6 @@ build() {
   say "building in build/$1"
   cmake --preset "$1" "${fresh[@]}" >"$root/build/configure-$1.log" 2>&1 ||
     { cat "$root/build/configure-$1.log" >&2; fail "cmake could not configure the preset $1"; }
-  cmake --build --preset "$1" || fail "the build failed"
+  local targets=("${@:2}")
+  cmake --build --preset "$1" ${targets[@]+--target "${targets[@]}"} || fail "the build failed"
 }

@@ -190,9 +190,7 @@ Result<Image> GlRenderer::draw(const Figure& figure, Size size, const Background
 }
 
 Size drawn_size(const Inset& inset) {
-  const auto drawn = [&](int side) {
-    return std::max(1, static_cast<int>(std::lround(inset.resolution * side)));
-  };
+  const auto drawn = [&](int side) { return static_cast<int>(std::ceil(inset.resolution * side)); };
   return {drawn(inset.place.width), drawn(inset.place.height)};
 }
 

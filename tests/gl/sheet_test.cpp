@@ -152,6 +152,24 @@ TEST(Insets, MayLeaveThePage) {
   }
 }
 
+TEST(Insets, OfLessResolutionFillTheSamePlaceAlike) {
+  Drawn drawn;
+  std::vector<Inset> insets = {{figure_of(0.4), {50, 30, 201, 141}, {}, {}}};
+  const Image full = drawn.draw({}, "paper", {300, 200}, insets);
+  insets[0].resolution = 0.5;
+  const Image coarse = drawn.draw({}, "paper", {300, 200}, insets);
+  EXPECT_NE(full.rgba, coarse.rgba);
+  double apart = 0;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 300; ++x) {
+      const bool inside = x >= 50 && x < 251 && y >= 30 && y < 171;
+      const int off = std::abs(full.pixel(x, y)[1] - coarse.pixel(x, y)[1]);
+      ASSERT_TRUE(inside || off == 0) << x << ", " << y;
+      apart += off;
+    }
+  EXPECT_LT(apart / (201 * 141), 3) << "levels a pixel: edges alone";
+}
+
 TEST(Insets, OneThatCannotBeDrawnIsAnErrorAndTheNextPageIsDrawn) {
   Drawn drawn;
   for (const PixelRect& place : {PixelRect{0, 0, 0, 10}, PixelRect{0, 0, 17000, 10}}) {
