@@ -24,7 +24,7 @@ void draw_notes(Desk& desk, const Region& page, Size window) {
   const bool last = !companion.next_place();
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                      ImGuiWindowFlags_NoFocusOnAppearing;
+                                      ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
   ImGui::SetNextWindowPos({page.width, 0});
   ImGui::SetNextWindowSize({width, picture.y});
   ImGui::Begin("next", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);

@@ -62,6 +62,13 @@ void make_edits(Desk& desk) {
   desk.memory.edits.reset();
 }
 
+void draw_contents_below_title(Desk& desk) {
+  ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  draw_contents(desk);
+  ImGui::EndChild();
+  make_edits(desk);
+}
+
 }  // namespace
 
 void ask_for_edits(Desk& desk, const SceneEdits& edits) { desk.memory.edits = edits; }
@@ -81,20 +88,19 @@ void draw_panel(Desk& desk, const Region& region) {
   list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},
                ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 2.0F : 1.0F);
   list.PopClipRect();
-  const float close = ImGui::GetFrameHeight();
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(bold_control_font());
   ImGui::TextUnformatted(title_of(desk.companion.panel));
   ImGui::PopFont();
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - close);
-  const bool closed = icon_button("close", Icon::close, "", told(Command::leave), close);
-  ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   if (desk.memory.shown != std::pair(desk.companion.panel, desk.companion.place()))
     desk.memory.refusal.clear();
   desk.memory.shown = {desk.companion.panel, desk.companion.place()};
-  draw_contents(desk);
-  make_edits(desk);
-  ImGui::EndChild();
+  draw_contents_below_title(desk);
+  // After the contents, so that keys come to these first.
+  const float close = ImGui::GetFrameHeight();
+  const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+  ImGui::SetCursorPos({region.width - padding.x - close, padding.y});
+  const bool closed = icon_button("close", Icon::close, "", told(Command::leave), close);
   ImGui::End();
   if (closed) desk.companion.panel = Panel::none;
 }

@@ -274,6 +274,7 @@ void Screen::lay_out_controls(Companion& companion, const Region& page, Size siz
             .clock_s = clock_s_,
             .take_focus = std::exchange(panel_takes_focus_, false)};
   memory_.front_frames = std::max(0, memory_.front_frames - 1);
+  memory_.panel_has_focus = false;  // unless it says so
   if (companion.presenting) {
     if (companion.notes_shown) draw_notes(desk, page, size);
     return;

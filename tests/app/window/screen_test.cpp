@@ -218,6 +218,22 @@ TEST_F(ScreenTest, KeysOfAFocusedPanelAreItsOwn) {
   EXPECT_EQ(companion.panel, Panel::none);
 }
 
+TEST_F(ScreenTest, KeysAreThePagesAgainWhenAPanelIsGone) {
+  screen->press(companion, "M");
+  frame(3);
+  screen->press(companion, "Escape");
+  frame(3);
+  const Place before = companion.place();
+  EXPECT_TRUE(screen->press(companion, "Right"));
+  EXPECT_NE(companion.place(), before);
+  screen->press(companion, "B");
+  frame(3);
+  screen->press(companion, "P");  // presenting hides the panel
+  frame(3);
+  EXPECT_TRUE(screen->press(companion, "Left"));
+  EXPECT_EQ(companion.place(), before);
+}
+
 TEST_F(ScreenTest, EveryPanelIsDrawnOnEveryKindOfStep) {
   for (const std::size_t stage : {std::size_t{0}, std::size_t{2}, std::size_t{26}})
     for (int panel = 1; panel <= static_cast<int>(Panel::help); ++panel) {
