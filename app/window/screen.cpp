@@ -410,7 +410,10 @@ void Screen::use_figure(Companion& companion, bool on_page) {
   if (Status made = companion.set_edits(edits); !made) tell(made.error());
 }
 
+/// What is pointed at is lit in the window alone.
 void Screen::take(Companion& companion) {
+  const std::string lit = companion.lit();
+  companion.light("");
   try {
     const auto path = take_away(companion, *wishes_.take_away, memory_.take_away,
                                 memory_.folder.empty() ? "." : memory_.folder, *renderer_);
@@ -418,6 +421,7 @@ void Screen::take(Companion& companion) {
   } catch (const std::exception& error) {  // also those of file systems
     tell(std::string("not saved: ") + error.what());
   }
+  companion.light(lit);
   wishes_.take_away.reset();
 }
 

@@ -11,6 +11,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 
 namespace polhode {
 namespace {
@@ -282,6 +284,29 @@ TEST_F(ScreenTest, ASliderThatIsHeldStands) {
   EXPECT_NE(moved, companion.lesson_scene().body.moments.vector()[0]);
   frame(40);
   EXPECT_EQ(companion.model()->scene.body.moments.vector()[0], moved);
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST_F(ScreenTest, WhatIsPointedAtIsLitInTheWindowAlone) {
+  const auto folder = std::filesystem::temp_directory_path() / "polhode-screen-test";
+  std::filesystem::remove_all(folder);
+  companion.go_to({1, 0});
+  frame(3);
+  screen->set_folder(folder.string());
+  screen->press(companion, "Ctrl+S");
+  frame(2);
+  companion.light("p");
+  screen->press(companion, "Ctrl+S");
+  frame(2);
+  EXPECT_EQ(companion.lit(), "p");
+  const std::string plain = text_of(folder / "02-newton-step1.png");
+  EXPECT_GT(plain.size(), 1000U);
+  EXPECT_EQ(plain, text_of(folder / "02-newton-step1-2.png"));
+  std::filesystem::remove_all(folder);
 }
 
 TEST_F(ScreenTest, WhatCannotBeSavedIsTold) {
