@@ -119,6 +119,4 @@ SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneMod
   return note;
 }
 
-std::optional<Overlay> overlay_of_symbol(const std::string& name) { return overlay_from(name); }
-
 }  // namespace polhode

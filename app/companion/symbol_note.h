@@ -25,8 +25,4 @@ struct SymbolNote {
 SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s,
                    const std::string& stage_id = {}, std::size_t step = 0);
 
-/// The overlay that shows a symbol in the scene: that of the same name; nothing if there is none. What to put
-/// into Scene::highlight.
-std::optional<Overlay> overlay_of_symbol(const std::string& name);
-
 }  // namespace polhode

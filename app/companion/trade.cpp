@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/companion/trade.h"
 
+#include "app/companion/companion.h"
 #include "app/exit_codes.h"
 #include "app/stopwatch.h"
 #include "app/trace_motion.h"
@@ -15,8 +16,6 @@
 namespace polhode {
 
 namespace {
-
-constexpr double kFramesPerSecond = 25;
 
 MethodChoice choice_of(const SceneModel& model, const Problem& problem) {
   const MotionSpec& spec = model.scene.motion;
@@ -52,7 +51,7 @@ double ns_per_frame(const SceneModel& model, const Problem& problem, const Metho
                     const RigidBodyState& now) {
   constexpr int kTimings = 3;
   if (!is_finite(now)) return std::numeric_limits<double>::quiet_NaN();
-  const double frame_s = model.rate / kFramesPerSecond;
+  const double frame_s = model.rate * kFrameSeconds;
   volatile double sink = 0;  // keeps the calls from being optimised away
   std::vector<double> times_ns;
   for (int i = 0; i < kTimings; ++i) {

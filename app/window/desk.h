@@ -58,7 +58,7 @@ struct Desk {
   const ControlSizes& sizes;
   PanelMemory& memory;
   Wishes& wishes;
-  double frame_ms = 0;      ///< CPU time of the last page that was drawn
+  double frame_ms = 0;      ///< wall time of the last frame in which a page was drawn
   double clock_s = 0;       ///< since the window opened
   bool take_focus = false;  ///< the panel was just opened by a key
 };

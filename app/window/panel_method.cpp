@@ -68,6 +68,7 @@ void choose_method(Desk& desk, const SceneModel& model) {
 void choose_step(Desk& desk, const SceneModel& model) {
   const MethodFacts& facts = facts_of(method_of(model));
   MotionSpec motion = model.scene.motion;
+  if (facts.control == StepControl::none) return quiet_words("A closed form: any t at once, no step.");
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ImGui::GetFontSize());
   if (facts.control == StepControl::fixed) {
     double step = motion.step_s.value_or(usual_step_s(model));
@@ -77,7 +78,7 @@ void choose_step(Desk& desk, const SceneModel& model) {
       motion.step_s = step;
       set_motion(desk, motion);
     }
-  } else if (facts.control == StepControl::adaptive) {
+  } else {
     double tolerance = motion.tolerance.value_or(kDefaultTolerance);
     const double low = 1e-14, high = 1e-2;
     if (ImGui::SliderScalar("tolerance", ImGuiDataType_Double, &tolerance, &low, &high, "%.1e",
@@ -86,9 +87,6 @@ void choose_step(Desk& desk, const SceneModel& model) {
       motion.tolerance = tolerance;
       set_motion(desk, motion);
     }
-  } else {
-    ImGui::Dummy({0, 0});
-    quiet_words("A closed form: any t at once, no step.");
   }
 }
 
@@ -148,13 +146,14 @@ void choose_from_front(Desk& desk, const SceneModel& model) {
     return quiet_words(
         "Each step of the slider is the fastest for its accuracy. The present method is none of them.");
   const ParetoStep& step = steps[static_cast<std::size_t>(*present)];
-  const std::string error = step.error > 0 ? short_number(step.error, "") : std::string("none");
-  quiet_words(fmt::format("{}: error after 10 periods {}, {} a period", step.name, error,
-                          time_text(step.ns_per_period)));
+  const bool is_reference = facts_of(step.choice.method).control == StepControl::none;
+  const std::string error = is_reference ? "what the errors of the others are against"
+                                         : "error after 10 periods " + short_number(step.error, "");
+  quiet_words(fmt::format("{}: {}, {} a period", step.name, error, time_text(step.ns_per_period)));
 }
 
 const char* why_no_error(const SceneModel& model) {
-  return facts_of(method_of(model)).control == StepControl::none ? "none: it is exact" : "no closed form";
+  return facts_of(method_of(model)).control == StepControl::none ? "the reference" : "no closed form";
 }
 
 void show_trade(Desk& desk, const SceneModel& model) {

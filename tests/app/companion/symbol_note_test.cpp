@@ -131,11 +131,5 @@ TEST(SymbolNote, OfEverySymbolOfTheLessonsSaysSomething) {
   }
 }
 
-TEST(SymbolNote, NamesTheOverlayOfASymbol) {
-  EXPECT_EQ(overlay_of_symbol("omega"), Overlay::omega);
-  EXPECT_EQ(overlay_of_symbol("L"), Overlay::L);
-  EXPECT_EQ(overlay_of_symbol("T"), std::nullopt);
-}
-
 }  // namespace
 }  // namespace polhode
