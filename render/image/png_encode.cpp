@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "render/image/packer.h"
 #include "render/image/png.h"
 #include "render/image/png_filter.h"
 #include "render/image/png_text.h"
 
-#include <libdeflate.h>
 #include <png.h>
 
 #include <algorithm>
@@ -16,9 +16,6 @@
 namespace polhode {
 namespace {
 
-// Measured on rendered frames. Fast: what libpng's default settings take 200 ms for. Small: level 12 is 3 %
-// smaller in 2.4 times the time.
-constexpr int kFastLevel = 1, kSmallLevel = 10;
 constexpr std::size_t kMostIdatBytes = 8 << 20;
 constexpr std::size_t kITxtBytes = 5;  // of an iTXt chunk besides keyword and text
 
@@ -122,41 +119,18 @@ Status check_image(const Image& image) {
   return success();
 }
 
-// Memory that is not cleared: what is not written to takes none.
-class Buffer {
- public:
-  std::uint8_t* at_least(std::size_t bytes) {
-    if (bytes > bytes_) {
-      data_.reset();  // first, or both would be there at once
-      data_ = std::make_unique_for_overwrite<std::uint8_t[]>(bytes);
-      bytes_ = bytes;
-    }
-    return data_.get();
-  }
-
- private:
-  std::unique_ptr<std::uint8_t[]> data_;
-  std::size_t bytes_ = 0;
-};
-
-struct FreeCompressor {
-  void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
-};
-
 }  // namespace
 
 struct PngEncoder::State {
   PngPacking packing;
-  std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor;
-  Buffer filtered, packed;
+  std::unique_ptr<Packer> packer;
+  Buffer filtered;
   Writer writer;
 };
 
 PngEncoder::PngEncoder(PngPacking packing) : state_(std::make_unique<State>()) {
   state_->packing = packing;
-  state_->compressor.reset(
-      libdeflate_alloc_compressor(packing == PngPacking::fast ? kFastLevel : kSmallLevel));
-  if (!state_->compressor) throw std::bad_alloc();
+  state_->packer = make_packer(packing);
 }
 PngEncoder::~PngEncoder() = default;
 PngEncoder::PngEncoder(PngEncoder&&) noexcept = default;
@@ -171,11 +145,8 @@ Result<std::span<const std::uint8_t>> PngEncoder::encode(const Image& image, con
   std::uint8_t* filtered = state_->filtered.at_least(filtered_bytes(image.size, PngChannels::rgba));
   const PngChannels channels = state_->packing == PngPacking::fast ? filter_rows_fast(image, filtered)
                                                                    : filter_rows_well(image, filtered);
-  const std::size_t count = filtered_bytes(image.size, channels);
-  const std::size_t bound = libdeflate_zlib_compress_bound(state_->compressor.get(), count);
-  std::uint8_t* packed = state_->packed.at_least(bound);
-  const std::size_t packed_count =
-      libdeflate_zlib_compress(state_->compressor.get(), filtered, count, packed, bound);
+  const std::span<const std::uint8_t> packed =
+      state_->packer->pack({filtered, filtered_bytes(image.size, channels)});
 
   Writer& writer = state_->writer;
   writer.bytes.clear();
@@ -185,7 +156,7 @@ Result<std::span<const std::uint8_t>> PngEncoder::encode(const Image& image, con
   if (!handles.info)
     return failure("libpng cannot start: out of memory, or it is older than the one we were built with.");
   png_set_write_fn(handles.png, &writer, on_write, on_flush);
-  if (run(handles, image, channels, {packed, packed_count}, texts->chunks, metadata.dpi))
+  if (run(handles, image, channels, packed, texts->chunks, metadata.dpi))
     return std::span<const std::uint8_t>(writer.bytes);
   return failure(std::string("libpng cannot write the image: ") + writer.error.data() + ".");
 }

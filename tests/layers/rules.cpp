@@ -48,7 +48,7 @@ const std::vector<Layer>& layers() {
       {"render/type/", Names{"render/type/"} + kShared, {"ft2build.h", "freetype/", "FT_", "hb"}, kConsole},
       {"render/image/",
        {"render/image/", "render/result.h"},
-       Names{"png.h", "zlib.h", "libdeflate.h", "webp/"} + kPosix,
+       Names{"png.h", "zlib.h", "libdeflate.h", "isa-l/", "webp/"} + kPosix,
        kConsole},
       {"render/gl/",
        Names{"render/gl/", "render/scene/", "render/type/", "render/image/", "physics/types.h"} + kShared,
