@@ -72,7 +72,8 @@ double crossed(const Vec2& from, const Vec2& to, double clear, const Crowd& crow
   return count;
 }
 
-double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const Crowd& crowd) {
+/// @param limit costs beyond it need not be exact: the many obstacles come last, and may not be looked at
+double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const Crowd& crowd, double limit) {
   const double area = std::max(1.0, box.width() * box.height());
   const double unit = unit_of(label);
   const PixelBox with_air = box.grown(crowd.rules.air * unit);
@@ -82,10 +83,6 @@ double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const
   cost += 0.5 * (1.0 - away.normalized().dot(label.outward)) * label.outward.norm();
   for (const PixelBox& other : crowd.taken) cost += 40.0 * with_air.overlap(other) / area;
   cost += 60.0 * (1.0 - std::min(1.0, box.overlap(crowd.frame) / area));
-  double covered = 0.0;
-  for (const Vec2& p : crowd.obstacles) covered += with_air.contains(p) ? 1.0 : 0.0;
-  cost += 2.5 * covered / (covered + 4.0) + crowd.rules.cost_covered * covered;
-
   const Vec2 end = nearest_on(box, label.anchor);
   for (const auto& [from, to] : crowd.leaders) {
     if (segments_cross(from, to, label.anchor, end)) cost += 6.0;
@@ -94,6 +91,10 @@ double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const
   for (const PixelBox& other : crowd.taken)
     for (double f : {0.3, 0.6, 0.9})
       cost += other.contains(label.anchor + f * (end - label.anchor)) ? 8.0 : 0.0;
+  if (cost > limit) return cost;
+  double covered = 0.0;
+  for (const Vec2& p : crowd.obstacles) covered += with_air.contains(p) ? 1.0 : 0.0;
+  cost += 2.5 * covered / (covered + 4.0) + crowd.rules.cost_covered * covered;
   if (crowd.rules.cost_crossed > 0.0)
     cost += crowd.rules.cost_crossed * crossed(label.anchor, end, label.clear, crowd);
   return cost;
@@ -127,7 +128,7 @@ Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {
   for (double gap : gaps_of(label))
     for (int k = 0; k < kDirections; ++k) {
       const PixelBox box = box_beside(label, 2.0 * std::numbers::pi * k / kDirections, gap);
-      const double cost = cost_of(box, label, gap, crowd);
+      const double cost = cost_of(box, label, gap, crowd, best.cost);
       if (cost < best.cost - 1e-9) best = {{.box = box}, cost};
     }
   // No name is cut, even if its anchor lies where none of its places has room.
