@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kNowhere = -1e6;        // a height, scene units; finite when counted in pixels
 constexpr float kSunk = 0.42F;           // what opaque things keep below the floor, seen from above
+constexpr int kCornersOfOutline = 20;    // a hundredth more than the ellipse; a box has a quarter more
 constexpr std::size_t kMostGlasses = 2;  // as in behind_glass.glsl
 
 std::array<float, 3> floats(const Vec3& v) {
@@ -58,11 +59,19 @@ FloorColors floor_colors(bool dark) {
   return {{0.800F, 0.830F, 0.865F}, {0.86F, 0.88F, 0.905F}, {0.60F, 0.66F, 0.72F}, 1.0F};
 }
 
+/// Whether each pixel gets the colour of a backdrop: to clear it before is not needed.
+bool covers_all(const Figure& figure, const Background& background) {
+  const Pane& pane = figure.panes.front();
+  return background.kind == Background::Kind::studio && pane.x <= 0.0 && pane.y <= 0.0 && pane.width >= 1.0 &&
+         pane.height >= 1.0;
+}
+
 }  // namespace
 
 struct FigurePass::Shown {
   const Pane& pane;
   const Background& background;
+  std::array<int, 4> viewport;  ///< x, y, width, height
   Viewpoint at;
   double fineness;
 
@@ -83,7 +92,7 @@ FigurePass::FigurePass(const Gl& gl, Programs programs)
       programs_(std::move(programs)),
       tubes_(gl, {3, 3, 4, 3}),
       meshes_(gl, {3, 3, 4}),
-      lines_(gl, {3, 3, 4, 3, 2}),
+      lines_(gl, {3, 3, 4, 4, 2, 3, 1}),
       solids_(gl, {2, 3, 3, 4, 2}),
       nothing_(gl, {}) {}
 
@@ -105,11 +114,11 @@ Result<std::unique_ptr<FigurePass>> FigurePass::create(const Gl& gl) {
   auto studio = make("backdrop", {kSkyGlsl, kBackdropVert}, {kSkyGlsl, kNoiseGlsl, kBackdropFrag});
   const auto floors = [&](const std::string& name, const char* sky) -> std::array<std::optional<Program>, 3> {
     const char* const mirror = "#define MIRROR\n";
-    const Parts vertex = {kSkyGlsl, kFloorVert}, vertex_with_ball = {ball, kSkyGlsl, kFloorVert};
-    return {
-        make(name, vertex, {sky, kSkyGlsl, kNoiseGlsl, kFloorFrag}),
-        make("shaded " + name, vertex_with_ball, {ball, sky, kSkyGlsl, kNoiseGlsl, kFloorFrag}),
-        make("mirroring " + name, vertex_with_ball, {ball, mirror, sky, kSkyGlsl, kNoiseGlsl, kFloorFrag})};
+    const auto part = [&](const std::string& title, const char* first, const char* second) {
+      return make(title, {first, second, sky, kSkyGlsl, kFloorVert},
+                  {first, second, sky, kSkyGlsl, kNoiseGlsl, kFloorFrag});
+    };
+    return {part(name, "", ""), part("shaded " + name, ball, ""), part("mirroring " + name, ball, mirror)};
   };
   auto on_color = floors("floor", "");
   auto on_studio = floors("floor of the studio", studio_sky);
@@ -157,7 +166,8 @@ FigurePass::Shown FigurePass::show(const Pane& pane, const Framebuffer& target, 
   const std::array<int, 4> viewport = {x0, y0, std::max(1, x1 - x0), std::max(1, y1 - y0)};
   gl_.Viewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   const double aspect = static_cast<double>(viewport[2]) / viewport[3];
-  return {pane, background, viewpoint_of(pane.camera, aspect, viewport[3]), static_cast<double>(fineness)};
+  return {pane, background, viewport, viewpoint_of(pane.camera, aspect, viewport[3]),
+          static_cast<double>(fineness)};
 }
 
 void FigurePass::clear(const Background& background, GLbitfield buffers) const {
@@ -171,7 +181,8 @@ void FigurePass::draw(const Figure& figure, const Background& background, int fi
                       const Framebuffer& target, const Framebuffer* layer) {
   if (layer) draw_layer(figure, background, fineness, *layer);
   target.bind();
-  clear(background, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  clear(background,
+        covers_all(figure, background) ? GL_DEPTH_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   for (const Pane& pane : figure.panes) {
     const Shown shown = show(pane, target, background, fineness);
     draw_surroundings(shown);
@@ -221,24 +232,33 @@ void FigurePass::draw_surroundings(const Shown& shown) {
   gl_.Disable(GL_BLEND);
   if (studio) {
     programs_.studio.use();
-    set_sky(programs_.studio, shown);
+    set_window(programs_.studio, shown);
     for (const ClipBox& box : around(seen, {})) draw_box(programs_.studio, box);
   }
   if (floor) draw_floor(shown, studio ? programs_.on_studio : programs_.on_color, seen);
   gl_.Enable(GL_BLEND);
 }
 
-void FigurePass::set_sky(const Program& program, const Shown& shown) {
-  const Color sky = sky_of(shown.background);
-  program.set("u_sky", sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
-  set(program, "u_fineness", shown.fineness);
+/// From clip space to noise.glsl.
+void FigurePass::set_window(const Program& program, const Shown& shown) {
+  const auto [x, y, width, height] = shown.viewport;
+  const double column = 1.0 / (16.0 * shown.fineness), row = 1.0 / shown.fineness;
+  const auto set_four = [&](double a, double b, double c, double d) {
+    program.set("u_window", static_cast<float>(a), static_cast<float>(b), static_cast<float>(c),
+                static_cast<float>(d));
+  };
+  set_four(column * (x + 0.5 * width), row * (y + 0.5 * height), column * 0.5 * width, row * 0.5 * height);
 }
 
 void FigurePass::set_floor(const Program& program, const Shown& shown) {
   const Floor& floor = *shown.floor();
   const FloorColors colors = floor_colors(is_dark(halo_of(shown.background)));
   program.use();
-  set_sky(program, shown);
+  set_window(program, shown);
+  const Color sky = sky_of(shown.background);
+  program.set("u_sky", sky.r * sky.a, sky.g * sky.a, sky.b * sky.a, sky.a);
+  program.set("u_step", static_cast<float>(2.0 * shown.fineness / shown.viewport[2]),
+              static_cast<float>(2.0 * shown.fineness / shown.viewport[3]));
   set(program, "u_ray", shown.at.ray);
   set(program, "u_eye", shown.at.eye);
   set(program, "u_floor_z", floor.z);
@@ -249,9 +269,14 @@ void FigurePass::set_floor(const Program& program, const Shown& shown) {
   set(program, "u_line", colors.line);
   if (shown.pane.list.ellipsoids.empty()) return;
   const GlassEllipsoid& e = shown.pane.list.ellipsoids.front();
+  const FloorForm form = floor_form(shown.at, floor.z, e, floor.grid);
+  std::array<float, 9> rows;
+  std::copy(form.u.begin(), form.u.end(), rows.begin());
+  std::copy(form.v.begin(), form.v.end(), rows.begin() + 3);
+  std::copy(form.to_light.begin(), form.to_light.end(), rows.begin() + 6);
+  program.set_array("u_from_ball", 3, rows);
   set(program, "u_to_ball", to_ball(e));
   set(program, "u_ball_center", e.center);
-  set(program, "u_light", shown.at.light);
   const float image = 0.92F * colors.image;
   program.set("u_tint", image * e.tint.r, image * e.tint.g, image * e.tint.b);
 }
@@ -283,7 +308,13 @@ void FigurePass::draw_glass(const Shown& shown, const Program& program) {
   set(program, "u_fineness", shown.fineness);
   for (const GlassEllipsoid& e : shown.pane.list.ellipsoids) {
     set_glass(program, "u_glass", "u_to_ball", e, shown.at);
-    draw_box(program, outline_box(e, shown.at.view_projection));
+    const OutlineEllipse outline = outline_ellipse(e, shown.at.view_projection);
+    const Eigen::Vector2f center = outline.center.cast<float>();
+    const Eigen::Matrix2f axes = outline.axes.cast<float>();
+    program.set("u_center", center.x(), center.y());
+    program.set_array("u_axes", 2, std::span<const float, 4>(axes.data(), 4));
+    program.set("u_corners", static_cast<float>(kCornersOfOutline));
+    nothing_.draw_without_vertices(GL_TRIANGLE_FAN, kCornersOfOutline);
   }
 }
 

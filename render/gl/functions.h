@@ -99,6 +99,7 @@
   F(Uniform1fv, UNIFORM1FV)                                         \
   F(Uniform1i, UNIFORM1I)                                           \
   F(Uniform2f, UNIFORM2F)                                           \
+  F(Uniform2fv, UNIFORM2FV)                                         \
   F(Uniform3f, UNIFORM3F)                                           \
   F(Uniform3fv, UNIFORM3FV)                                         \
   F(Uniform4f, UNIFORM4F)                                           \

@@ -108,6 +108,7 @@ void Program::set_mat4(const char* name, std::span<const float, 16> columns) con
 void Program::set_array(const char* name, int components, std::span<const float> values) const {
   const GLsizei count = static_cast<GLsizei>(values.size()) / components;
   if (components == 1) gl_->Uniform1fv(uniform(name), count, values.data());
+  if (components == 2) gl_->Uniform2fv(uniform(name), count, values.data());
   if (components == 3) gl_->Uniform3fv(uniform(name), count, values.data());
   if (components == 4) gl_->Uniform4fv(uniform(name), count, values.data());
 }

@@ -45,7 +45,7 @@ class Program {
   void set(const char* name, const std::array<float, 4>& v) const { set(name, v[0], v[1], v[2], v[3]); }
   void set_mat3(const char* name, std::span<const float, 9> columns) const;
   void set_mat4(const char* name, std::span<const float, 16> columns) const;
-  /// An array of `components`-vectors (1, 3 or 4): name[0], name[1], …
+  /// An array of `components`-vectors: name[0], name[1], …
   void set_array(const char* name, int components, std::span<const float> values) const;
   /// Binds a uniform block to a binding point; nothing if the program has no such block.
   void bind_block(const char* name, GLuint binding) const;

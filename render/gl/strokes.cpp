@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/strokes.h"
 
+#include "render/gl/curve_pieces.h"
 #include "render/gl/viewpoint.h"
 
 #include <algorithm>
@@ -32,34 +33,8 @@ class Painter {
   Painter(const Vec3& eye, const std::vector<GlassEllipsoid>& glasses) : eye_(eye), glasses_(glasses) {}
 
   void add(const Tube& tube) {
-    const Tube fine = in_short_pieces(tube);
-    const std::vector<SegmentTangents> tangents = tangents_of(fine);
-    const std::size_t n = fine.points.size();
-    std::vector<float> along(tangents.size() + 1, 0.0F);
-    for (std::size_t i = 0; i < tangents.size(); ++i)
-      along[i + 1] = along[i] + static_cast<float>((fine.points[(i + 1) % n] - fine.points[i]).norm());
-    for (std::size_t i = 0; i < tangents.size(); ++i) {
-      const std::array<Vec3, 2> ends = {fine.points[i], fine.points[(i + 1) % n]};
-      const auto first = static_cast<std::uint32_t>(made_.lines.vertices.size());
-      const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(tangents.size());
-      const auto color = floats(fine.color, std::lerp(fine.fade_start, 1.0, middle));
-      for (std::size_t k = 0; k < 2; ++k)
-        for (const float side : {-1.0F, 1.0F}) {
-          made_.lines.vertices.push_back(
-              {floats(ends[k]),
-               floats(k ? tangents[i].end : tangents[i].start),
-               color,
-               {side, static_cast<float>(fine.radius),
-                static_cast<float>(fine.dash > 0.0 ? 1.0 / fine.dash : 0.0)},
-               fine.closed ? std::array{along[i + k] + kFarFromEnds, along.back() + 2 * kFarFromEnds}
-                           : std::array{along[i + k], along.back()}});
-        }
-      // Trails are what a picture is about: nothing is laid over them.
-      const bool front = fine.fade_start < 1.0 || (in_front(ends[0], tangents[i].start, fine.radius) &&
-                                                   in_front(ends[1], tangents[i].end, fine.radius));
-      add_piece(0.5 * (ends[0] + ends[1]), fine.radius,
-                front ? Strokes::Kind::line : Strokes::Kind::line_in_glass, first);
-    }
+    const Line line = line_of(tube);
+    for (const CurvePiece& piece : curve_pieces(line.tube, line.tangents, eye_)) add(line, piece);
   }
 
   void add(const Arrow& arrow) {
@@ -101,6 +76,51 @@ class Painter {
   }
 
  private:
+  struct Line {
+    Tube tube;
+    std::vector<SegmentTangents> tangents;
+    std::vector<float>
+        along;  ///< length from the first point to each, and for a closed one to the first again
+
+    const Vec3& point(std::size_t i) const { return tube.points[i % tube.points.size()]; }
+  };
+
+  static Line line_of(const Tube& tube) {
+    Line line{in_short_pieces(tube), {}, {0.0F}};
+    line.tangents = tangents_of(line.tube);
+    for (std::size_t i = 0; i < line.tangents.size(); ++i)
+      line.along.push_back(line.along.back() +
+                           static_cast<float>((line.point(i + 1) - line.point(i)).norm()));
+    return line;
+  }
+
+  void add(const Line& line, const CurvePiece& piece) {
+    const Tube& tube = line.tube;
+    const std::array<std::size_t, 2> ends = {piece.first, piece.first + piece.segments};
+    const std::array<Vec3, 2> tangents = {line.tangents[ends[0]].start, line.tangents[ends[1] - 1].end};
+    const auto first = static_cast<std::uint32_t>(made_.lines.vertices.size());
+    const double middle =
+        0.5 * static_cast<double>(ends[0] + ends[1]) / static_cast<double>(line.tangents.size());
+    const auto color = floats(tube.color, std::lerp(tube.fade_start, 1.0, middle));
+    const auto dashes = static_cast<float>(tube.dash > 0.0 ? 1.0 / tube.dash : 0.0);
+    for (std::size_t k = 0; k < 2; ++k)
+      for (const float side : {-1.0F, 1.0F})
+        made_.lines.vertices.push_back(
+            {floats(line.point(ends[k])),
+             floats(tangents[k]),
+             color,
+             {side, static_cast<float>(tube.radius), dashes, static_cast<float>(piece.reach[k])},
+             tube.closed
+                 ? std::array{line.along[ends[k]] + kFarFromEnds, line.along.back() + 2 * kFarFromEnds}
+                 : std::array{line.along[ends[k]], line.along.back()},
+             floats(piece.bow),
+             static_cast<float>(k)});
+    // Trails are what a picture is about: nothing is laid over them.
+    const bool front = tube.fade_start < 1.0 || in_front(line, piece);
+    add_piece(0.5 * (line.point(ends[0]) + line.point(ends[1])), tube.radius,
+              front ? Strokes::Kind::line : Strokes::Kind::line_in_glass, first);
+  }
+
   /// Another program for a few pieces costs more than it saves: short runs that need no glass join their
   /// neighbours.
   void spare_changes() {
@@ -118,16 +138,25 @@ class Painter {
     if (tube.points.size() != 2) return tube;
     Tube fine = tube;
     const Vec3 a = tube.points[0], b = tube.points[1];
-    const auto pieces = std::max(1, static_cast<int>(std::ceil((b - a).norm() / kLongestPiece)));
+    // Cut at the same lengths from the tail, which arrows share: beside one another they sort alike. At least
+    // once, for a piece has one end of its tube at most.
+    const double length = (b - a).norm(), piece = std::min(kLongestPiece, 0.5 * length);
     fine.points.clear();
-    // Cut at the same lengths from the tail, which arrows share: beside one another they sort alike.
-    for (int i = 0; i < pieces; ++i) fine.points.push_back(a + i * kLongestPiece * direction(a, b));
+    for (int i = 0; i * piece < length; ++i) fine.points.push_back(a + i * piece * direction(a, b));
     fine.points.push_back(b);
     return fine;
   }
 
   void add_piece(const Vec3& middle, double radius, Strokes::Kind kind, std::uint32_t first) {
     pieces_.push_back({(middle - eye_).norm() - radius, kind, first});
+  }
+
+  bool in_front(const Line& line, const CurvePiece& piece) const {
+    for (std::size_t i = piece.first; i < piece.first + piece.segments; ++i)
+      if (!in_front(line.point(i), line.tangents[i].start, line.tube.radius) ||
+          !in_front(line.point(i + 1), line.tangents[i].end, line.tube.radius))
+        return false;
+    return true;
   }
 
   /// Whether nothing of a line of this radius at `p` can lie behind the near side of a glass: the flat side

@@ -15,8 +15,12 @@ struct StrokeVertex {
   std::array<float, 3> position;
   std::array<float, 3> tangent;
   std::array<float, 4> color;  ///< the same in all four of a piece
-  std::array<float, 3> shape;  ///< side, radius, dashes and gaps to a length of 1
+  /// Side, radius, dashes and gaps to a length of 1, the tube's largest bow: pieces meet in the same two
+  /// places.
+  std::array<float, 4> shape;
   std::array<float, 2> along;  ///< from the first end to here, and to the last; far from both if closed
+  std::array<float, 3> bow;    ///< from the middle of the piece's chord to that of the curve
+  float end;                   ///< of the piece: 0 or 1
 };
 
 /// As solid.vert reads it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/viewpoint.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -59,6 +61,20 @@ Mat3 to_ball(const GlassEllipsoid& e) {
   return e.semi_axes.cwiseInverse().asDiagonal() * e.rotation.toRotationMatrix().transpose();
 }
 
+FloorForm floor_form(const Viewpoint& at, double floor_z, const GlassEllipsoid& e, double unit) {
+  const Mat3 ball = to_ball(e);
+  const Eigen::Matrix<double, 3, 2> axes = unit * ball.leftCols<2>();
+  const Vec3 origin = ball * (Vec3(0.0, 0.0, floor_z) - e.center), light = (ball * at.light).normalized();
+  // p = axes (x, y) + origin, and axes = Q R with orthogonal columns in Q: what of p lies in the floor is R
+  // (x, y) + Qᵀ origin, the rest is the same everywhere.
+  const Vec3 q0 = axes.col(0).normalized();
+  const Vec3 q1 = (axes.col(1) - q0.dot(axes.col(1)) * q0).normalized();
+  const double beside = origin.dot(q0.cross(q1));
+  return {{q0.dot(axes.col(0)), q0.dot(axes.col(1)), q0.dot(origin)},
+          {q1.dot(axes.col(1)), q1.dot(origin), beside * beside},
+          {-light.dot(axes.col(0)), -light.dot(axes.col(1)), -light.dot(origin)}};
+}
+
 ClipBox common(const ClipBox& a, const ClipBox& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
@@ -80,23 +96,43 @@ std::vector<ClipBox> around(const ClipBox& hole, const ClipBox& whole) {
   return boxes;
 }
 
-ClipBox outline_box(const GlassEllipsoid& e, const Mat4& view_projection) {
+namespace {
+
+/// Of the outline in clip space: its middle, and half-axes squared as a matrix. Nothing if the eye's plane
+/// cuts the ellipsoid.
+std::optional<std::pair<Eigen::Vector2d, Eigen::Matrix2d>> outline(const GlassEllipsoid& e,
+                                                                   const Mat4& view_projection) {
   Mat4 place = Mat4::Identity();
   place.topLeftCorner<3, 3>() = e.rotation.toRotationMatrix() * e.semi_axes.asDiagonal();
   place.topRightCorner<3, 1>() = e.center;
   const Mat4 m = view_projection * place;
   const Eigen::Vector4d unit_ball(1.0, 1.0, 1.0, -1.0);
   const Mat4 dual = m * unit_ball.asDiagonal() * m.transpose();
-  if (dual(3, 3) >= 0.0) return {};
+  if (dual(3, 3) >= 0.0) return std::nullopt;
+  const Eigen::Vector2d middle = dual.topRightCorner<2, 1>() / dual(3, 3);
+  return std::pair{middle,
+                   Eigen::Matrix2d(middle * middle.transpose() - dual.topLeftCorner<2, 2>() / dual(3, 3))};
+}
 
-  const auto interval = [&](Eigen::Index k) {
-    const double middle = dual(k, 3) / dual(3, 3);
-    const double half = std::sqrt(std::max(0.0, middle * middle - dual(k, k) / dual(3, 3)));
-    return std::pair{middle - half, middle + half};
-  };
-  const auto [x0, x1] = interval(0);
-  const auto [y0, y1] = interval(1);
-  return common(widened({x0, y0, x1, y1}, kMargin), {});
+}  // namespace
+
+ClipBox outline_box(const GlassEllipsoid& e, const Mat4& view_projection) {
+  const auto found = outline(e, view_projection);
+  if (!found) return {};
+  const auto& [middle, squares] = *found;
+  const Eigen::Vector2d half = squares.diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::Vector2d low = middle - half, high = middle + half;
+  return common(widened({low.x(), low.y(), high.x(), high.y()}, kMargin), {});
+}
+
+OutlineEllipse outline_ellipse(const GlassEllipsoid& e, const Mat4& view_projection) {
+  constexpr double kLeastWidth = 0.3;  // triangles that are slivers interpolate badly
+  const auto found = outline(e, view_projection);
+  if (!found) return {Eigen::Vector2d::Zero(), std::numbers::sqrt2 * Eigen::Matrix2d::Identity()};
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(found->second);
+  Eigen::Vector2d half = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().array() + kMargin;
+  half = half.cwiseMax(kLeastWidth * half.maxCoeff());
+  return {found->first, axes.eigenvectors() * half.asDiagonal()};
 }
 
 ClipBox floor_box(const Viewpoint& at, double floor_z) {

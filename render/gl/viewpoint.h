@@ -6,6 +6,7 @@
 #include "render/scene/camera.h"
 #include "render/scene/draw_list.h"
 
+#include <array>
 #include <vector>
 
 namespace polhode {
@@ -40,12 +41,30 @@ std::vector<ClipBox> around(const ClipBox& hole, const ClipBox& whole);
 /// Multiple View Geometry, 2nd ed., eq. 8.7). The whole screen if the eye's plane cuts the ellipsoid.
 ClipBox outline_box(const GlassEllipsoid& ellipsoid, const Mat4& view_projection);
 
+/// The ellipse in clip space that holds it: center + axes · (cos, sin), a soft edge larger. One around the
+/// whole screen if the eye's plane cuts the ellipsoid.
+struct OutlineEllipse {
+  Eigen::Vector2d center;
+  Eigen::Matrix2d axes;
+};
+OutlineEllipse outline_ellipse(const GlassEllipsoid& ellipsoid, const Mat4& view_projection);
+
 /// Floors fade out at this distance from the middle of the view.
 inline constexpr double kFloorFades = 1.6, kFloorEnds = 7.5;
 
 /// Where the floor is seen: up to its far end for an eye above it, from there up for one below. The whole
 /// screen for an eye that stands over its end.
 ClipBox floor_box(const Viewpoint& at, double floor_z);
+
+/// Of a point of the floor, for a unit length of 1 in the floor's plane: what the shadow of an ellipsoid is
+/// made of, in the space where this is the unit ball. Its squared distance from the centre is u² + v² + w²,
+/// its way to the light's nearest point that third row.
+struct FloorForm {
+  std::array<double, 3> u;         ///< u = u[0] x + u[1] y + u[2]
+  std::array<double, 3> v;         ///< v = v[0] y + v[1], w² = v[2]
+  std::array<double, 3> to_light;  ///< to_light[0] x + to_light[1] y + to_light[2]
+};
+FloorForm floor_form(const Viewpoint& at, double floor_z, const GlassEllipsoid& ellipsoid, double unit);
 
 /// Where the ellipsoid changes the floor by half a level of 255 or more.
 struct FloorShading {

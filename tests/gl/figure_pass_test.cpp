@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -57,6 +58,33 @@ TEST(FigurePass, CrossingLinesLeaveNoCracks) {
   const Figure figure = figure_of(scene);
   // 56 when this was written; 134 with soft edges in the depth buffer, 276 without one.
   EXPECT_LE(pixels_off(draw(drawn, figure), draw(drawn, figure, {0, 4, false}), 60), 80);
+}
+
+// 22 November 2026: ribbons whose widths differed where they met left pixels between them that were in
+// neither.
+TEST(FigurePass, PiecesOfACurveMeetWithoutACrack) {
+  Drawn drawn;
+  const Scene scene = poinsot_scene();
+  Figure figure{{Pane{}}, "", 0};
+  Pane& pane = figure.panes[0];
+  pane.camera = orbit(scene.camera, Vec3::Zero(), 1);
+  // Ever finer from one end to the other: no two pieces have the same bow.
+  for (int ring = 0; ring < 12; ++ring) {
+    Tube tube{.points = {}, .closed = false, .radius = 0.012, .color = {0, 0, 0, 1}};
+    for (int i = 0; i <= 400; ++i) {
+      const double turn = 0.2 * ring + 6.0 * std::pow(i / 400.0, 1.7), radius = 0.1 + 0.09 * ring;
+      tube.points.emplace_back(radius * std::cos(turn), radius * std::sin(turn),
+                               0.3 * radius * std::sin(3.0 * turn));
+    }
+    pane.list.tubes.push_back(tube);
+  }
+  const Image image = draw(drawn, figure);
+  for (const Tube& tube : pane.list.tubes)
+    for (std::size_t i = 20; i + 20 < tube.points.size(); ++i) {
+      const auto pixel = project(pane.camera, tube.points[i], kSize.width, kSize.height);
+      const std::uint8_t* p = image.pixel(static_cast<int>(pixel->x()), static_cast<int>(pixel->y()));
+      ASSERT_LE(p[0], 100) << "of a black line on a light backdrop, at " << pixel->x() << ", " << pixel->y();
+    }
 }
 
 // 21 November 2026: stripes of both colours along the shafts of a steady spin.

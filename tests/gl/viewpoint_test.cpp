@@ -67,6 +67,67 @@ TEST(OutlineBox, HoldsTheProjectedSurfaceAndNoMuchMore) {
   }
 }
 
+TEST(OutlineEllipse, HoldsTheProjectedSurfaceAndHardlyMoreThanItNeeds) {
+  std::mt19937 random(8);
+  for (int trial = 0; trial < 50; ++trial) {
+    const GlassEllipsoid e = random_ellipsoid(random);
+    const Camera camera = random_camera(random);
+    const Eigen::Matrix4d m = camera.projection(1.5) * camera.view();
+    const OutlineEllipse outline = outline_ellipse(e, m);
+    double furthest = 0.0;  // 1: on the ellipse
+    for (int i = 0; i < 100; ++i)
+      for (int j = 0; j < 50; ++j) {
+        const double a = 2 * std::numbers::pi * i / 100, b = std::numbers::pi * j / 50;
+        const Vec3 n(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
+        const Eigen::Vector4d c =
+            m * (e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(n))).homogeneous();
+        const Eigen::Vector2d at = c.head<2>() / c.w() - outline.center;
+        furthest = std::max(furthest, (outline.axes.inverse() * at).norm());
+      }
+    EXPECT_LE(furthest, 1.0);
+    EXPECT_GE(furthest, 0.9) << "the soft edge of 0.004 beside half-axes of 0.04 and more";
+  }
+}
+
+TEST(OutlineEllipse, IsNeverASliver) {
+  GlassEllipsoid needle;
+  needle.semi_axes = Vec3(1.0, 1e-3, 1e-3);
+  const Camera camera = orbit({}, Vec3::Zero(), 1);
+  const OutlineEllipse outline = outline_ellipse(needle, camera.projection(1.5) * camera.view());
+  const double across = outline.axes.col(0).norm(), along = outline.axes.col(1).norm();
+  EXPECT_GE(std::min(across, along), 0.29 * std::max(across, along));
+}
+
+TEST(OutlineEllipse, OfAnEyeInsideHoldsTheScreen) {
+  GlassEllipsoid around;
+  around.semi_axes = Vec3(50.0, 50.0, 50.0);
+  const Camera camera = orbit({}, Vec3::Zero(), 1);
+  const OutlineEllipse outline = outline_ellipse(around, camera.projection(1.5) * camera.view());
+  for (const double x : {-1.0, 1.0})
+    for (const double y : {-1.0, 1.0})
+      EXPECT_LE((outline.axes.inverse() * (Eigen::Vector2d(x, y) - outline.center)).norm(), 1.0 + 1e-12);
+}
+
+TEST(FloorForm, IsTheDistanceInTheSpaceOfTheBall) {
+  std::mt19937 random(9);
+  for (int trial = 0; trial < 50; ++trial) {
+    const GlassEllipsoid e = random_ellipsoid(random);
+    const Viewpoint at = viewpoint_of(random_camera(random), 1.5, 720.0);
+    const double floor_z = tangent_floor(e), unit = between(0.1, 2.0, random);
+    const FloorForm form = floor_form(at, floor_z, e, unit);
+    const Mat3 ball = to_ball(e);
+    for (int i = 0; i < 20; ++i) {
+      const double x = between(-5.0, 5.0, random), y = between(-5.0, 5.0, random);
+      const Vec3 p = ball * (Vec3(unit * x, unit * y, floor_z) - e.center);
+      const double u = form.u[0] * x + form.u[1] * y + form.u[2], v = form.v[0] * y + form.v[1];
+      const double kRounding = 1e-13 * (1.0 + p.squaredNorm());
+      EXPECT_NEAR(u * u + v * v + form.v[2], p.squaredNorm(), kRounding);
+      EXPECT_NEAR(form.to_light[0] * x + form.to_light[1] * y + form.to_light[2],
+                  -p.dot((ball * at.light).normalized()), kRounding);
+    }
+  }
+}
+
 TEST(ClipBoxes, WhatSurroundsAHoleCoversTheRestOnce) {
   Random random(3);
   const auto u = [&] { return between(-1.0, 1.0, random); };

@@ -1,5 +1,5 @@
 // The studio with nothing in it.
-in vec2 v_sky;
-flat in float v_fineness;
+noperspective in vec2 v_sky;
+noperspective in vec2 v_place;
 out vec4 o_color;
-void main() { o_color = vec4(studio(v_sky) + noise(v_fineness), 1.0); }
+void main() { o_color = vec4(studio(v_sky) + noise(v_place), 1.0); }

@@ -8,6 +8,7 @@ vec3 behind_glass(vec3 color, Glass glass, Ray ray) {
   float depth = 1.0 - (chord.middle - chord.half_length);
   // What lies on the glass is in front of it: the soft edge begins behind.
   float behind = clamp(depth / max(fwidth(depth), 1e-6), 0.0, 1.0);
-  vec4 side = behind * near_side(glass, chord, ray, u_fineness);
+  vec3 ball = near_point(glass, chord, ray), normal = normal_at(glass, ball);
+  vec4 side = behind * near_side(glass, chord, ray, ball, inversesqrt(dot(normal, normal)), u_fineness);
   return side.rgb + (1.0 - side.a) * color;
 }

@@ -1,7 +1,7 @@
 // A glass ellipsoid with nothing in it, or (FAR_SIDE, NEAR_SIDE) one of its sides; the near one with its depth.
-in vec3 v_ray;
-in vec3 v_towards;
-in float v_to_light;
+noperspective in vec3 v_ray;
+noperspective in vec3 v_towards;
+noperspective in float v_to_light;
 flat in vec3 v_eye;
 flat in vec3 v_per_axis;
 flat in vec3 v_up;
@@ -14,21 +14,31 @@ uniform vec3 u_eye;
 #endif
 out vec4 o_color;
 
+/// 1 / each, by one division.
+vec3 inverse(vec3 x) {
+  vec3 others = x.yzx * x.zxy;
+  return others / (x.x * others.x);
+}
+
 void main() {
-  float per_length = inversesqrt(dot(v_ray, v_ray));
-  Ray ray = Ray(v_towards, per_length, v_to_light * per_length);
   Glass glass = Glass(v_eye, v_per_axis, v_up, v_light, v_tint, v_graticule_fineness.x);
   float fineness = v_graticule_fineness.y;
+  Ray ray = Ray(v_towards, 0.0, 0.0);
   Chord chord = chord_of(glass, ray);
+  vec3 near = near_point(glass, chord, ray), far = far_point(glass, chord, ray);
+  vec3 near_normal = normal_at(glass, near), far_normal = normal_at(glass, far);
+  vec3 per_length = inverse(sqrt(vec3(dot(near_normal, near_normal), dot(far_normal, far_normal), dot(v_ray, v_ray))));
+  ray.per_length = per_length.z;
+  ray.to_light = v_to_light * per_length.z;
 #if defined(FAR_SIDE)
-  o_color = far_side(glass, chord, ray, fineness);
+  o_color = far_side(glass, chord, ray, far, per_length.y, fineness);
 #elif defined(NEAR_SIDE)
-  o_color = near_side(glass, chord, ray, fineness);
+  o_color = near_side(glass, chord, ray, near, per_length.x, fineness);
   if (chord.coverage <= 0.0) discard;
   vec4 clip = u_view_projection * vec4(u_eye + (chord.middle - chord.half_length) * v_ray, 1.0);
   gl_FragDepth = clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0);
 #else
-  vec4 near = near_side(glass, chord, ray, fineness);
-  o_color = near + (1.0 - near.a) * far_side(glass, chord, ray, fineness);
+  vec4 front = near_side(glass, chord, ray, near, per_length.x, fineness);
+  o_color = front + (1.0 - front.a) * far_side(glass, chord, ray, far, per_length.y, fineness);
 #endif
 }

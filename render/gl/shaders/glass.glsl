@@ -9,17 +9,17 @@ struct Ray {
 /// Where a ray crosses the ball: after middle -/+ half_length.
 struct Chord {
   float middle, half_length;
+  float square;    // of the ray's length in the ball's space
   float coverage;  // of the pixel by the ball
 };
 
 Chord chord_of(Glass glass, Ray ray) {
-  float per_square = 1.0 / dot(ray.towards, ray.towards);
+  float square = dot(ray.towards, ray.towards), per_square = 1.0 / square;
   float middle = -dot(glass.eye, ray.towards) * per_square;
   vec3 nearest = glass.eye + middle * ray.towards;
-  float miss2 = dot(nearest, nearest);
-  float miss = sqrt(miss2);
+  float miss2 = dot(nearest, nearest), miss = sqrt(miss2);
   float coverage = clamp((1.0 - miss) / fwidth(miss) + 0.5, 0.0, 1.0);
-  return Chord(middle, sqrt(max(1.0 - miss2, 0.0) * per_square), coverage);
+  return Chord(middle, sqrt(max(1.0 - miss2, 0.0) * per_square), square, coverage);
 }
 
 /// Thin circles every 30 degrees of latitude about axis 3, fainter where they crowd. @param height on that axis
@@ -31,20 +31,20 @@ float circles(float height, float fineness) {
   return clamp(1.1 - d * per_width, 0.0, 1.0) * clamp(crowd - 1.0, 0.0, 1.0);
 }
 
-/// What both sides share.
+/// The normal there as the point on the ball has it, of any length.
+vec3 normal_at(Glass glass, vec3 ball) { return ball * glass.per_axis; }
+
+/// What both sides share. @param ball the point, on the unit ball @param per_normal 1 / length of the normal there
 struct Side {
-  vec3 ball;          // the point, on the unit ball
-  float per_normal;   // 1 / length of the normal
-  float facing;       // cosine of the angle of sight
+  vec3 ball;
+  float per_normal;
+  float facing;  // cosine of the angle of sight
   float fresnel;
   vec3 color;
 };
 
-Side side_at(Glass glass, Ray ray, float way) {
-  vec3 ball = glass.eye + way * ray.towards;
-  vec3 normal = ball * glass.per_axis;
-  float per_normal = inversesqrt(dot(normal, normal));
-  float facing = abs(dot(ball, ray.towards)) * per_normal * ray.per_length;
+Side side_at(Glass glass, Chord chord, Ray ray, vec3 ball, float per_normal) {
+  float facing = chord.half_length * chord.square * per_normal * ray.per_length;
   float f = 1.0 - facing;
   float fresnel = f * f * f * (0.35 + 0.65 * f * f);
   float shade = (0.80 + 0.20 * max(dot(ball, glass.up) * per_normal, 0.0)) * (1.0 - 0.28 * fresnel);
@@ -52,25 +52,29 @@ Side side_at(Glass glass, Ray ray, float way) {
 }
 
 vec4 with_circles(Glass glass, Side side, float alpha, float strength, float fineness) {
-  float line = strength * glass.graticule * circles(side.ball.z, fineness);
-  float sum = alpha + line;
-  vec3 color = side.color + (line / sum) * (vec3(0.25, 0.38, 0.46) - side.color);
-  alpha = min(sum, 1.0);
-  return vec4(color * alpha, alpha);
+  float line = min(strength * glass.graticule * circles(side.ball.z, fineness), 1.0 - alpha);
+  return vec4(alpha * side.color + line * vec3(0.25, 0.38, 0.46), alpha + line);
 }
 
-vec4 far_side(Glass glass, Chord chord, Ray ray, float fineness) {
-  Side side = side_at(glass, ray, chord.middle + chord.half_length);
+vec3 near_point(Glass glass, Chord chord, Ray ray) {
+  return glass.eye + (chord.middle - chord.half_length) * ray.towards;
+}
+vec3 far_point(Glass glass, Chord chord, Ray ray) {
+  return glass.eye + (chord.middle + chord.half_length) * ray.towards;
+}
+
+vec4 far_side(Glass glass, Chord chord, Ray ray, vec3 ball, float per_normal, float fineness) {
+  Side side = side_at(glass, chord, ray, ball, per_normal);
   float ahead = step(0.0, chord.middle + chord.half_length);
   return with_circles(glass, side, 0.11 + 0.25 * side.fresnel, 0.12, fineness) * (chord.coverage * ahead);
 }
 
-vec4 near_side(Glass glass, Chord chord, Ray ray, float fineness) {
-  Side side = side_at(glass, ray, chord.middle - chord.half_length);
-  // The normal's share of the direction halfway between light and viewer.
-  float s = max((dot(side.ball, glass.light) * side.per_normal + side.facing) *
-                    inversesqrt(max(2.0 - 2.0 * ray.to_light, 1e-6)), 0.0);
-  float s4 = s * s; s4 *= s4;
+vec4 near_side(Glass glass, Chord chord, Ray ray, vec3 ball, float per_normal, float fineness) {
+  Side side = side_at(glass, chord, ray, ball, per_normal);
+  // The normal's share of the direction halfway between light and viewer; its square.
+  float s = max(dot(ball, glass.light) * per_normal + side.facing, 0.0);
+  float s2 = s * s / max(2.0 - 2.0 * ray.to_light, 1e-6);
+  float s4 = s2 * s2;
   float s16 = s4 * s4; s16 *= s16;
   float s64 = s16 * s16; s64 *= s64;
   float highlight = 0.42 * s64 * s64 + 0.06 * s16;

@@ -1,14 +1,16 @@
-// A rectangle of the viewport with the rays through a glass ellipsoid. What is the same in all pixels is flat, as in
+// A polygon around the outline of a glass ellipsoid, with the rays through it. What is the same in all pixels is flat, as in
 // floor.vert.
-uniform vec4 u_bounds;  // x0, y0, x1, y1 in clip space
+uniform vec2 u_center;   // of the outline in clip space, and its half-axes
+uniform vec2 u_axes[2];
+uniform float u_corners;  // of the polygon
 uniform mat4 u_ray;     // clip (x, y, 1, 1) -> direction in the view's frame
 uniform vec3 u_light;   // unit, towards the key light
 uniform mat3 u_to_ball;
 uniform Glass u_glass;
 uniform float u_fineness;
-out vec3 v_ray;
-out vec3 v_towards;
-out float v_to_light;
+noperspective out vec3 v_ray;
+noperspective out vec3 v_towards;
+noperspective out float v_to_light;
 flat out vec3 v_eye;
 flat out vec3 v_per_axis;
 flat out vec3 v_up;
@@ -16,7 +18,8 @@ flat out vec3 v_light;
 flat out vec3 v_tint;
 flat out vec2 v_graticule_fineness;
 void main() {
-  vec2 clip = mix(u_bounds.xy, u_bounds.zw, vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1)));
+  float corner = 6.2831853 / u_corners, turn = corner * float(gl_VertexID);
+  vec2 clip = u_center + (cos(turn) * u_axes[0] + sin(turn) * u_axes[1]) / cos(0.5 * corner);
   gl_Position = vec4(clip, 0.0, 1.0);
   v_ray = (u_ray * vec4(clip, 1.0, 1.0)).xyz;
   v_towards = u_to_ball * v_ray;

@@ -1,5 +1,4 @@
 // What is behind everything: the studio's gradient (STUDIO), else one colour.
-uniform vec4 u_sky;  // premultiplied
 
 /// Of a place in clip space, for studio(): linear.
 vec2 sky_place(vec2 clip) { return (0.5 * clip - vec2(0.0, 0.12)) * vec2(1.25, 1.0); }

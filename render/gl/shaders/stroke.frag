@@ -2,10 +2,12 @@
 flat in vec4 v_color;
 in vec4 v_light;  // as stroke.vert gives them
 in vec4 v_px;     // across, half width, to the nearer end, above the level below which it is fainter, or not drawn
+in vec2 v_bow;
 in vec2 v_dash;   // dashes; pixels to a dash and a gap
 #if GLASSES > 0
 flat in Glass v_glass[GLASSES];
 in vec3 v_towards[GLASSES];
+flat in vec3 v_towards_bow[GLASSES];
 in vec2 v_ray;
 #endif
 uniform vec2 u_strengths;  // below that level and above
@@ -15,13 +17,14 @@ out vec4 o_color;
 float reached(float px) { return clamp(px + 0.5, 0.0, 1.0); }
 
 void main() {
-  float across = clamp(v_px.x / v_px.y, -1.0, 1.0), offset = abs(v_px.x);
+  float bowed = v_bow.x * (1.0 - v_bow.x), beside = v_px.x - bowed * v_bow.y;
+  float across = clamp(beside / v_px.y, -1.0, 1.0), offset = abs(beside);
   float front = sqrt(1.0 - across * across);
   float to_light = across * v_light.x + front * v_light.y;
   vec3 color = lit(v_color.rgb, to_light, (to_light + front * v_light.z) * v_light.w, 0.58, 0.32);
 #if GLASSES > 0
   for (int i = 0; i < GLASSES; ++i)
-    color = behind_glass(color, v_glass[i], Ray(v_towards[i], v_ray.x, v_ray.y));
+    color = behind_glass(color, v_glass[i], Ray(v_towards[i] + bowed * v_towards_bow[i], v_ray.x, v_ray.y));
 #endif
 
   float covered = clamp(min(v_px.y, offset + 0.5) - max(-v_px.y, offset - 0.5), 0.0, 1.0);

@@ -2,8 +2,10 @@
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_tangent;  // unit
 layout(location = 2) in vec4 a_color;    // straight alpha
-layout(location = 3) in vec3 a_shape;    // side -1 or +1, radius, dashes and gaps to a length of 1 (0: solid)
+layout(location = 3) in vec4 a_shape;    // side -1 or +1, radius, dashes and gaps to a length of 1 (0: solid), wider for the bow
 layout(location = 4) in vec2 a_along;    // lengths from the first end: of this vertex, of the whole
+layout(location = 5) in vec3 a_bow;      // from the middle of the piece's chord to that of the curve, a parabola
+layout(location = 6) in float a_end;     // of the piece: 0 or 1
 uniform mat4 u_view_projection;
 uniform vec3 u_eye;
 uniform float u_pixel;  // its side at distance 1 along the line of sight
@@ -13,12 +15,14 @@ invariant gl_Position;  // the depth comes from another program
 flat out vec4 v_color;
 out vec4 v_light;   // shares of the light in the ribbon's side and front, of the viewer in the front, 1 / halfway
 out vec4 v_px;      // across, half width, to the nearer end, above the level
+out vec2 v_bow;     // along the piece, 0 to 1; 4 times the bow to the side, px
 out vec2 v_dash;    // dashes; pixels to a dash and a gap
 #if GLASSES > 0
 uniform Glass u_glass[GLASSES];
 uniform mat3 u_to_ball[GLASSES];
 flat out Glass v_glass[GLASSES];  // flat for the reason in floor.vert
-out vec3 v_towards[GLASSES];
+out vec3 v_towards[GLASSES];  // from the chord
+flat out vec3 v_towards_bow[GLASSES];
 out vec2 v_ray;     // 1 / length, cosine of the angle with the key light
 #endif
 void main() {
@@ -29,7 +33,7 @@ void main() {
   vec3 to_eye = normalize(u_eye - position);
   vec3 side = cross(a_tangent, to_eye);
   side /= max(length(side), 1e-4);  // end-on pieces shrink instead of jumping
-  float half_width = a_shape.y + kSoft * pixel;
+  float half_width = a_shape.y + a_shape.w + kSoft * pixel;
   vec3 point = position + a_shape.x * half_width * side;
   vec4 clip = u_view_projection * vec4(point, 1.0);
   vec4 front = u_view_projection * vec4(point + a_shape.y * to_eye, 1.0);
@@ -43,11 +47,13 @@ void main() {
   float shown = length(cross(a_tangent, to_eye)) / pixel;  // px to a length of 1 along the tube
   v_px = vec4(a_shape.x * half_width / pixel, a_shape.y / pixel, min(along, a_along.y - along) * shown,
               (point.z - u_level) / pixel);
+  v_bow = vec2(a_end, 4.0 * dot(a_bow, side) / pixel);
   v_dash = a_shape.z > 0.0 ? vec2(0.5 * along * a_shape.z, 2.0 * shown / a_shape.z) : vec2(0.25, 4.0);
 #if GLASSES > 0
   for (int i = 0; i < GLASSES; ++i) {
     v_glass[i] = u_glass[i];
     v_towards[i] = u_to_ball[i] * near;
+    v_towards_bow[i] = u_to_ball[i] * (4.0 * a_bow);
   }
   v_ray = vec2(per_length, -eye_light);
 #endif
