@@ -2,6 +2,7 @@
 // What a frame costs: CPU ms of all threads (column CPU) beside wall time, for the Poinsot scene with labels
 // and a moving camera. BM_Frame is the figure that counts: picture and PNG together, at most 65 ms of CPU at
 // 1080p.
+#include "app/picture_writer.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/renderer.h"
 #include "render/image/png.h"
@@ -10,7 +11,9 @@
 
 #include <benchmark/benchmark.h>
 #include <png.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <stdexcept>
 
 namespace polhode {
@@ -38,6 +41,14 @@ Studio& studio() {
   return made;
 }
 
+/// A fresh one, removed with what it holds.
+struct Folder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("polhode-bench-" + std::to_string(::getpid()));
+  Folder() { std::filesystem::create_directory(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+};
+
 Size size_of(const benchmark::State& state) {
   const auto height = static_cast<int>(state.range(0));
   return {height * 16 / 9, height};
@@ -63,6 +74,22 @@ void make_frames(benchmark::State& state, const Quality& quality) {
   }
 }
 void BM_Frame(benchmark::State& state) { make_frames(state, {}); }
+/// The same as `export` does it: the picture before is packed and written in a second thread.
+void BM_Film(benchmark::State& state) {
+  SceneModel model = make_model(poinsot_scene());
+  const Size size = size_of(state);
+  draw(model, 0.0, size);
+  const Folder folder;
+  PictureWriter writer(folder.path, PngPacking::fast, Durability::rename_only);
+  double t_s = 0.0;
+  for (auto _ : state) {
+    t_s += model.rate / 25.0;
+    model.scene.camera.azimuth_rad += 0.01;
+    if (!writer.put({"frame.png", draw(model, t_s, size), {}}))
+      throw std::runtime_error("a frame cannot be written");
+  }
+  if (!writer.finish()) throw std::runtime_error("the frames cannot be written");
+}
 /// The common way: all by samples and a depth buffer.
 void BM_FrameMsaa4(benchmark::State& state) { make_frames(state, {.samples = 4, .soft_lines = false}); }
 
@@ -193,6 +220,7 @@ void BM_MakeFigure(benchmark::State& state) {
 
 constexpr auto kMs = benchmark::kMillisecond;
 BENCHMARK(BM_Frame)->Arg(720)->Arg(1080)->Arg(2160)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
+BENCHMARK(BM_Film)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_FrameMsaa4)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_ClearReadPng)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_Draw)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
