@@ -15,8 +15,7 @@ struct StrokeVertex {
   std::array<float, 3> position;
   std::array<float, 3> tangent;
   std::array<float, 4> color;  ///< the same in all four of a piece
-  /// Side, radius, dashes and gaps to a length of 1, the tube's largest bow: pieces meet in the same two
-  /// places.
+  /// Side, radius, dashes and gaps to a length of 1, how much wider for the bow.
   std::array<float, 4> shape;
   std::array<float, 2> along;  ///< from the first end to here, and to the last; far from both if closed
   std::array<float, 3> bow;    ///< from the middle of the piece's chord to that of the curve
@@ -49,7 +48,7 @@ inline bool is_line(Strokes::Kind kind) {
   return kind == Strokes::Kind::line || kind == Strokes::Kind::line_in_glass;
 }
 
-/// Meshes are left out. O(n log n) in the pieces; those of Poinsot's scene, some 4400, take about half a
+/// Meshes are left out. O(n log n) in the pieces; those of Poinsot's scene, some 2700, take about half a
 /// millisecond (a hundredth of a 1080p frame).
 Strokes make_strokes(const DrawList& list, const Vec3& eye);
 
