@@ -17,7 +17,7 @@ out vec4 o_color;
 /// 1 / each, by one division.
 vec3 inverse(vec3 x) {
   vec3 others = x.yzx * x.zxy;
-  return others / (x.x * others.x);
+  return others * (1.0 / (x.x * others.x));
 }
 
 void main() {
