@@ -153,9 +153,19 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
                                              shell_line(e.out.resume)));
 }
 
+/// Before all is drawn for nothing.
+void refuse_folders(const ExportOutput& out) {
+  std::error_code unknown;  // told where the file is written
+  for (const auto& [option, file] : {std::pair{"--film", &out.film}, std::pair{"--deck", &out.deck}})
+    if (fs::is_directory(*file, unknown))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("{}: {} is a folder; give it a name of its own", option, *file));
+}
+
 ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
   const ExportPlan plan = plan_export(loaded.lesson, options);
   note_left_out(plan, options.what);
+  refuse_folders(out);
   or_fail(look_into(out.folder, identity_of(loaded, options)));
   const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;

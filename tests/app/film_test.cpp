@@ -310,6 +310,14 @@ TEST_F(Film, OfAnExportLeavesOnlyTheFilmUnlessAFolderIsNamed) {
   EXPECT_EQ(names_in(other / "kept").size(), 21u);
 }
 
+TEST_F(Film, AFolderOfItsNameIsSaidBeforeAnythingIsDrawn) {
+  fs::create_directory(other / "f.mp4");
+  const ProgramRun run = export_film(other, "f.mp4", {"--fps", "5", "--seconds", "2"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("f.mp4 is a folder"));
+  EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4"));
+}
+
 TEST_F(Film, OfStepsShowsEachForItsSeconds) {
   const ProgramRun run = export_film(other, "f.mp4", {"--each", "step", "--seconds", "1.5", "--fps", "10"});
   EXPECT_EQ(run.code, 0) << run.err;
