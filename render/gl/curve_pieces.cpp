@@ -8,7 +8,7 @@ namespace polhode {
 namespace {
 
 constexpr double kDeviation = 0.02, kDeepest = 0.1;  // in radii
-constexpr double kLongest = 0.08;                    // scene units; longer ones sort badly
+constexpr double kLongest = 0.03;                    // scene units; longer ones beside one another sort badly
 constexpr double kLeastCosine = 0.995;               // of 0.1 rad
 
 class Cutter {

@@ -61,6 +61,7 @@ FloorColors floor_colors(bool dark) {
 
 /// Whether each pixel gets the colour of a backdrop: to clear it before is not needed.
 bool covers_all(const Figure& figure, const Background& background) {
+  if (figure.panes.empty()) return false;
   const Pane& pane = figure.panes.front();
   return background.kind == Background::Kind::studio && pane.x <= 0.0 && pane.y <= 0.0 && pane.width >= 1.0 &&
          pane.height >= 1.0;
@@ -243,11 +244,10 @@ void FigurePass::draw_surroundings(const Shown& shown) {
 void FigurePass::set_window(const Program& program, const Shown& shown) {
   const auto [x, y, width, height] = shown.viewport;
   const double column = 1.0 / (16.0 * shown.fineness), row = 1.0 / shown.fineness;
-  const auto set_four = [&](double a, double b, double c, double d) {
-    program.set("u_window", static_cast<float>(a), static_cast<float>(b), static_cast<float>(c),
-                static_cast<float>(d));
-  };
-  set_four(column * (x + 0.5 * width), row * (y + 0.5 * height), column * 0.5 * width, row * 0.5 * height);
+  const Eigen::Vector4f window = Eigen::Vector4d(column * (x + 0.5 * width), row * (y + 0.5 * height),
+                                                 0.5 * column * width, 0.5 * row * height)
+                                     .cast<float>();
+  program.set("u_window", window.x(), window.y(), window.z(), window.w());
 }
 
 void FigurePass::set_floor(const Program& program, const Shown& shown) {
@@ -267,17 +267,19 @@ void FigurePass::set_floor(const Program& program, const Shown& shown) {
   set(program, "u_near", colors.near);
   set(program, "u_far", colors.far);
   set(program, "u_line", colors.line);
-  if (shown.pane.list.ellipsoids.empty()) return;
-  const GlassEllipsoid& e = shown.pane.list.ellipsoids.front();
-  const FloorForm form = floor_form(shown.at, floor.z, e, floor.grid);
-  std::array<float, 9> rows;
-  std::copy(form.u.begin(), form.u.end(), rows.begin());
-  std::copy(form.v.begin(), form.v.end(), rows.begin() + 3);
-  std::copy(form.to_light.begin(), form.to_light.end(), rows.begin() + 6);
-  program.set_array("u_from_ball", 3, rows);
+  const float image = 0.92F * colors.image;
+  if (!shown.pane.list.ellipsoids.empty())
+    set_ball(program, shown.pane.list.ellipsoids.front(), image, shown);
+}
+
+/// What the ellipsoid does to the floor. @param image of its tint in the mirror
+void FigurePass::set_ball(const Program& program, const GlassEllipsoid& e, float image, const Shown& shown) {
+  const FloorForm form = floor_form(shown.at, shown.floor()->z, e, shown.floor()->grid);
+  Eigen::Matrix3f columns;
+  columns << form.u.cast<float>(), form.v.cast<float>(), form.to_light.cast<float>();
+  program.set_array("u_from_ball", 3, std::span<const float, 9>(columns.data(), 9));
   set(program, "u_to_ball", to_ball(e));
   set(program, "u_ball_center", e.center);
-  const float image = 0.92F * colors.image;
   program.set("u_tint", image * e.tint.r, image * e.tint.g, image * e.tint.b);
 }
 

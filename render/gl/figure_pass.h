@@ -66,6 +66,7 @@ class FigurePass {
   void draw_solids(const Shown& shown);
   void draw_box(const Program& program, const ClipBox& box);
   void set_floor(const Program& program, const Shown& shown);
+  void set_ball(const Program& program, const GlassEllipsoid& e, float image, const Shown& shown);
   void set_window(const Program& program, const Shown& shown);
 
   const Gl& gl_;

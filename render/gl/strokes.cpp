@@ -13,6 +13,7 @@ namespace {
 constexpr float kFarFromEnds = 1e3F;  // scene units
 /// Arrows are long and near one another; pieces of them are sorted as those of curves.
 constexpr double kLongestPiece = 0.06;
+constexpr double kShortest = 1e-9;  // scene units
 
 std::array<float, 3> floats(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
@@ -142,6 +143,7 @@ class Painter {
     // once, for a piece has one end of its tube at most.
     const double length = (b - a).norm(), piece = std::min(kLongestPiece, 0.5 * length);
     fine.points.clear();
+    if (!(length > kShortest && std::isfinite(length))) return fine;  // of rounding there is no direction
     for (int i = 0; i * piece < length; ++i) fine.points.push_back(a + i * piece * direction(a, b));
     fine.points.push_back(b);
     return fine;

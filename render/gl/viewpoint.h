@@ -6,7 +6,6 @@
 #include "render/scene/camera.h"
 #include "render/scene/draw_list.h"
 
-#include <array>
 #include <vector>
 
 namespace polhode {
@@ -41,8 +40,8 @@ std::vector<ClipBox> around(const ClipBox& hole, const ClipBox& whole);
 /// Multiple View Geometry, 2nd ed., eq. 8.7). The whole screen if the eye's plane cuts the ellipsoid.
 ClipBox outline_box(const GlassEllipsoid& ellipsoid, const Mat4& view_projection);
 
-/// The ellipse in clip space that holds it: center + axes · (cos, sin), a soft edge larger. One around the
-/// whole screen if the eye's plane cuts the ellipsoid.
+/// The ellipse in clip space that holds it: center + axes · (cos, sin), a soft edge larger, never a sliver.
+/// One around the screen if that would be some screens large, or the eye's plane cuts the ellipsoid.
 struct OutlineEllipse {
   Eigen::Vector2d center;
   Eigen::Matrix2d axes;
@@ -56,13 +55,13 @@ inline constexpr double kFloorFades = 1.6, kFloorEnds = 7.5;
 /// screen for an eye that stands over its end.
 ClipBox floor_box(const Viewpoint& at, double floor_z);
 
-/// Of a point of the floor, for a unit length of 1 in the floor's plane: what the shadow of an ellipsoid is
-/// made of, in the space where this is the unit ball. Its squared distance from the centre is u² + v² + w²,
-/// its way to the light's nearest point that third row.
+/// What the shadow of an ellipsoid on the floor is made of, in the space where it is the unit ball, for the
+/// point (unit x, unit y) of the floor: its squared distance from the centre is u² + v² + w², and from it the
+/// ray to the light passes the centre after a way of to_light.
 struct FloorForm {
-  std::array<double, 3> u;         ///< u = u[0] x + u[1] y + u[2]
-  std::array<double, 3> v;         ///< v = v[0] y + v[1], w² = v[2]
-  std::array<double, 3> to_light;  ///< to_light[0] x + to_light[1] y + to_light[2]
+  Vec3 u;         ///< u = u[0] x + u[1] y + u[2]
+  Vec3 v;         ///< v = v[0] y + v[1], w² = v[2]
+  Vec3 to_light;  ///< of x, y and 1
 };
 FloorForm floor_form(const Viewpoint& at, double floor_z, const GlassEllipsoid& ellipsoid, double unit);
 

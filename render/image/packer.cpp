@@ -13,6 +13,7 @@ namespace {
 class FastPacker final : public Packer {
  public:
   std::span<const std::uint8_t> pack(std::span<const std::uint8_t> bytes) override {
+    if (bytes.size() > kMost) throw std::length_error("more bytes than ISA-L can count");
     const std::size_t room = bound(bytes.size());
     std::uint8_t* packed = packed_.at_least(room);
     isal_deflate_init(&stream_);
@@ -31,6 +32,7 @@ class FastPacker final : public Packer {
   }
 
  private:
+  static constexpr std::size_t kMost = std::size_t{1} << 31;
   static constexpr std::uint32_t kLevel = 1, kWork = ISAL_DEF_LVL1_DEFAULT;
 
   // Blocks that do not get smaller are stored: 5 bytes for each 64 KiB, of which a block of tokens may begin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PNG: pixels packed by ISA-L or libdeflate, chunks and reading by libpng; metadata, resolution, limits on what is
-// read.
+// PNG: pixels packed by ISA-L or libdeflate, chunks and reading by libpng; metadata, resolution, limits on
+// what is read.
 #pragma once
 
 #include "render/image/atomic_file.h"

@@ -38,7 +38,7 @@ TEST(CurvePieces, EachSegmentIsInOneAndNeighboursAgreeOnTheirSeam) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 20; ++trial)
     for (const bool closed : {false, true}) {
-      const Tube tube = tube_of(random_ellipse(random), 300, closed);
+      const Tube tube = tube_of(random_ellipse(random), 400, closed);
       const std::vector<CurvePiece> pieces = pieces_of(tube);
       std::size_t next = 0;
       for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -49,11 +49,11 @@ TEST(CurvePieces, EachSegmentIsInOneAndNeighboursAgreeOnTheirSeam) {
           EXPECT_EQ(pieces[i - 1].reach[1], pieces[i].reach[0]);
         }
       }
-      EXPECT_EQ(next, closed ? 300U : 299U);
+      EXPECT_EQ(next, closed ? 400U : 399U);
       if (closed) {
         EXPECT_EQ(pieces.back().reach[1], pieces.front().reach[0]);
       }
-      EXPECT_LE(pieces.size(), 150U) << "fewer are the point of it";
+      EXPECT_LE(pieces.size(), 250U) << "fewer are the point of it";
     }
 }
 

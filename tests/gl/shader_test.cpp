@@ -76,13 +76,13 @@ TEST(Shader, EveryKindOfUniformArrives) {
   ASSERT_TRUE(made.ok()) << made.error();
   const Result<Program> program = Program::create(current.gl, "uniforms", {kVertex}, {R"(
 uniform int i; uniform float f; uniform vec2 v2; uniform vec3 v3; uniform vec4 v4; uniform mat3 m3; uniform mat4 m4;
-uniform float f_list[2]; uniform vec3 v3_list[2]; uniform vec4 v4_list[2];
+uniform float f_list[2]; uniform vec2 v2_list[2]; uniform vec3 v3_list[2]; uniform vec4 v4_list[2];
 out vec4 fragment;
 void main() {
   bool scalars = i == -7 && f == 0.5;
   bool vectors = v2 == vec2(1, 2) && v3 == vec3(3, 4, 5) && v4 == vec4(6, 7, 8, 9);
   bool matrices = m3 * vec3(0, 1, 0) == vec3(4, 5, 6) && m4 * vec4(0, 0, 0, 1) == vec4(13, 14, 15, 16);
-  bool lists = f_list[1] == 2.0 && v3_list[1] == vec3(4, 5, 6) && v4_list[1] == vec4(5, 6, 7, 8);
+  bool lists = f_list[1] == 2.0 && v2_list[1] == vec2(3, 4) && v3_list[1] == vec3(4, 5, 6) && v4_list[1] == vec4(5, 6, 7, 8);
   fragment = vec4(scalars, vectors, matrices, lists);
 })"});
   ASSERT_TRUE(program.ok()) << program.error();
@@ -96,6 +96,7 @@ void main() {
   program->set_mat3("m3", std::span(count).first<9>());
   program->set_mat4("m4", count);
   program->set_array("f_list", 1, std::span(count).first(2));
+  program->set_array("v2_list", 2, std::span(count).first(4));
   program->set_array("v3_list", 3, std::span(count).first(6));
   program->set_array("v4_list", 4, std::span(count).first(8));
   GLuint array = 0;

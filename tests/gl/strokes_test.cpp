@@ -127,10 +127,12 @@ TEST(Strokes, DegenerateItemsAddNothingThatIsNotFinite) {
   DrawList list;
   list.tubes.push_back({.points = {Vec3(1, 1, 1)}, .color = {}});
   list.tubes.push_back({.points = {Vec3(1, 1, 1), Vec3(1, 1, 1)}, .color = {}});
+  // 22 November 2026: what was left of a trail behind a tip at rest was drawn as a dash in any direction.
+  list.tubes.push_back({.points = {Vec3(1, 1, 1), Vec3(1, 1, 1 + 1e-15)}, .color = {}});
+  list.tubes.push_back({.points = {Vec3(1, 1, 1), Vec3(HUGE_VAL, 1, 1)}, .color = {}});
   list.arrows.push_back({.tail = Vec3::Ones(), .tip = Vec3::Ones(), .color = {}});
   const Strokes strokes = make_strokes(list, kEye);
-  for (const StrokeVertex& v : strokes.lines.vertices)
-    for (float x : v.tangent) EXPECT_TRUE(std::isfinite(x));
+  EXPECT_TRUE(strokes.lines.vertices.empty());
   EXPECT_TRUE(make_strokes({}, kEye).runs.empty());
 }
 

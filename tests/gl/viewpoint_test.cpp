@@ -98,6 +98,19 @@ TEST(OutlineEllipse, IsNeverASliver) {
   EXPECT_GE(std::min(across, along), 0.29 * std::max(across, along));
 }
 
+// 22 November 2026: of an ellipse of many screens the polygon's triangles had no digits left, and the glass
+// kinks.
+TEST(OutlineEllipse, IsNeverManyScreensLarge) {
+  GlassEllipsoid e;
+  e.semi_axes = Vec3(1.0, 0.5, 0.3);
+  for (double distance = 0.3; distance < 6.0; distance *= 1.01) {
+    const Camera camera =
+        orbit({.azimuth_rad = 0.6, .elevation_rad = 0.35, .distance = distance}, Vec3::Zero(), 1);
+    const OutlineEllipse outline = outline_ellipse(e, camera.projection(1.5) * camera.view());
+    EXPECT_LE(outline.center.norm() + outline.axes.colwise().norm().maxCoeff(), 3.0) << distance;
+  }
+}
+
 TEST(OutlineEllipse, OfAnEyeInsideHoldsTheScreen) {
   GlassEllipsoid around;
   around.semi_axes = Vec3(50.0, 50.0, 50.0);

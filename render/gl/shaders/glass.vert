@@ -1,10 +1,10 @@
-// A polygon around the outline of a glass ellipsoid, with the rays through it. What is the same in all pixels is flat, as in
-// floor.vert.
-uniform vec2 u_center;   // of the outline in clip space, and its half-axes
-uniform vec2 u_axes[2];
+// A polygon around the outline of a glass ellipsoid, with the rays through it. What is the same in all pixels is flat,
+// as in floor.vert.
+uniform vec2 u_center;    // of the outline in clip space, ...
+uniform vec2 u_axes[2];   // ... and its half-axes
 uniform float u_corners;  // of the polygon
-uniform mat4 u_ray;     // clip (x, y, 1, 1) -> direction in the view's frame
-uniform vec3 u_light;   // unit, towards the key light
+uniform mat4 u_ray;       // clip (x, y, 1, 1) -> direction in the view's frame
+uniform vec3 u_light;     // unit, towards the key light
 uniform mat3 u_to_ball;
 uniform Glass u_glass;
 uniform float u_fineness;

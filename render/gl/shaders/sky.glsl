@@ -1,6 +1,4 @@
-// What is behind everything: the studio's gradient (STUDIO), else one colour.
-
-/// Of a place in clip space, for studio(): linear.
+// The studio's gradient, of a place that is linear in clip space.
 vec2 sky_place(vec2 clip) { return (0.5 * clip - vec2(0.0, 0.12)) * vec2(1.25, 1.0); }
 
 vec3 studio(vec2 place) {

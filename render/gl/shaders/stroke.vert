@@ -2,7 +2,7 @@
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_tangent;  // unit
 layout(location = 2) in vec4 a_color;    // straight alpha
-layout(location = 3) in vec4 a_shape;    // side -1 or +1, radius, dashes and gaps to a length of 1 (0: solid), wider for the bow
+layout(location = 3) in vec4 a_shape;    // side -1 or +1, radius, 1 / length of dash and gap (0: solid), wider for the bow
 layout(location = 4) in vec2 a_along;    // lengths from the first end: of this vertex, of the whole
 layout(location = 5) in vec3 a_bow;      // from the middle of the piece's chord to that of the curve, a parabola
 layout(location = 6) in float a_end;     // of the piece: 0 or 1
