@@ -116,10 +116,11 @@ class Painter {
                  : std::array{line.along[ends[k]], line.along.back()},
              floats(piece.bow),
              static_cast<float>(k)});
-    // Trails are what a picture is about: nothing is laid over them.
-    const bool front = tube.fade_start < 1.0 || in_front(line, piece);
-    add_piece(0.5 * (line.point(ends[0]) + line.point(ends[1])), tube.radius,
-              front ? Strokes::Kind::line : Strokes::Kind::line_in_glass, first);
+    // Trails are what a picture is about: no glass is laid over them, and they come after the curve that they
+    // lie on, whose pieces are cut elsewhere.
+    const bool trail = tube.fade_start < 1.0;
+    add_piece(0.5 * (line.point(ends[0]) + line.point(ends[1])), tube.radius + (trail ? kLongestPiece : 0.0),
+              trail || in_front(line, piece) ? Strokes::Kind::line : Strokes::Kind::line_in_glass, first);
   }
 
   /// Another program for a few pieces costs more than it saves: short runs that need no glass join their

@@ -66,6 +66,32 @@ TEST(Strokes, AreDrawnFromFarToNear) {
               (places[i - 1] - kEye).norm() + kRadii + 1e-6);  // vertices are floats
 }
 
+// 22 November 2026: polhode and trail took turns along the way, in stripes.
+TEST(Strokes, ATrailIsLaidOverTheCurveThatItLiesOn) {
+  DrawList list;
+  list.tubes.push_back(ring(1.0, 0.0));
+  Tube trail = ring(1.0, 0.0);
+  trail.closed = false;
+  trail.radius *= 1.15;
+  trail.fade_start = 0.0;
+  for (Vec3& p : trail.points) p = Eigen::AngleAxisd(0.013, Vec3::UnitZ()) * p;  // cut at other places
+  list.tubes.push_back(trail);
+  const Strokes strokes = make_strokes(list, kEye);
+  const std::vector<Vec3> places = middles(strokes);
+  const auto is_trail = [&](std::size_t piece) {
+    return strokes.lines.vertices[strokes.lines.indices[6 * piece]].shape[1] > 0.0105F;
+  };
+  constexpr double kPiece = 2.0 * std::numbers::pi / 100.0;
+  int pairs = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t k = i + 1; k < places.size(); ++k) {
+      if ((places[i] - places[k]).norm() > 0.5 * kPiece || is_trail(i) == is_trail(k)) continue;
+      EXPECT_TRUE(is_trail(k)) << "drawn after its curve at " << places[k].transpose();
+      ++pairs;
+    }
+  EXPECT_GE(pairs, 90);
+}
+
 TEST(Strokes, RunsHaveEachIndexOnce) {
   DrawList list;
   list.tubes.push_back(ring(1.0, 0.0));
