@@ -14,8 +14,8 @@ struct CurvePiece {
   std::size_t first;
   std::size_t segments;  ///< of the tube, at least 1
   Vec3 bow;              ///< from the middle of the chord to that of the curve
-  std::array<double, 2>
-      reach;  ///< at both ends: no less than the bow, and what the piece that meets it there has
+  /// At both ends: no less than the bow, and what the piece that meets it there has.
+  std::array<double, 2> reach;
 };
 
 /// Each segment is in one piece. Pieces turn by 0.1 rad at most in space and as the eye sees them; a segment

@@ -80,8 +80,8 @@ class Painter {
   struct Line {
     Tube tube;
     std::vector<SegmentTangents> tangents;
-    std::vector<float>
-        along;  ///< length from the first point to each, and for a closed one to the first again
+    /// Length from the first point to each, and for a closed one to the first again.
+    std::vector<float> along;
 
     const Vec3& point(std::size_t i) const { return tube.points[i % tube.points.size()]; }
   };
@@ -145,7 +145,8 @@ class Painter {
     const double length = (b - a).norm(), piece = std::min(kLongestPiece, 0.5 * length);
     fine.points.clear();
     if (!(length > kShortest && std::isfinite(length))) return fine;  // of rounding there is no direction
-    for (int i = 0; i * piece < length; ++i) fine.points.push_back(a + i * piece * direction(a, b));
+    for (int i = 0; i * piece < length - kShortest; ++i)
+      fine.points.push_back(a + i * piece * direction(a, b));
     fine.points.push_back(b);
     return fine;
   }

@@ -48,6 +48,7 @@ vec3 with_image(vec3 color, float way) {
 
 #ifdef BALL
 vec3 shaded(vec3 color, float way) {
+  way = clamp(way, -1e4, 1e4);  // at the horizon, where the floor has faded: no infinity times 0
   // Of the point from the ball's centre, squared, and along the ray to the light. All roots are of homogeneous things:
   // they need not wait for the division that made `way`.
   float p2 = dot(v_from_ball.xy, v_from_ball.xy) + v_beside * v_floor.z * v_floor.z;

@@ -1,5 +1,6 @@
 // A rectangle of the viewport with the rays through it, linear on the screen. What is the same in all pixels is flat:
-// on the software rasteriser uniforms cost more in a fragment shader than most arithmetic.
+// on the software rasteriser uniforms cost more in a fragment shader than most arithmetic. w is 1: `noperspective`
+// changes the cost alone, and GLSL ES, which lacks it, may define it as nothing.
 uniform vec4 u_bounds;   // x0, y0, x1, y1 in clip space
 uniform vec4 u_window;   // clip space to noise(): offset, factor
 uniform mat4 u_ray;      // clip (x, y, 1, 1) -> direction in the view's frame
@@ -13,7 +14,7 @@ uniform vec3 u_line;
 noperspective out vec3 v_floor;  // where the ray meets the floor, homogeneous: x / z and y / z in cells
 flat out vec3 v_right;           // what a pixel's step to the right adds to it
 flat out vec3 v_up;              // and a step up
-flat out vec3 v_reach;         // of a distance in cells: towards the far colour; start and speed of the fading
+flat out vec3 v_reach;           // of a distance in cells: towards the far colour; start and speed of the fading
 flat out vec3 v_near;
 flat out vec3 v_far_less_near;
 flat out vec3 v_line;
@@ -25,7 +26,7 @@ uniform vec4 u_sky;  // premultiplied
 flat out vec4 v_sky;
 #endif
 #ifdef BALL
-uniform vec3 u_from_ball[3];          // as FloorForm has it
+uniform vec3 u_from_ball[3];         // as FloorForm has it
 noperspective out vec3 v_from_ball;  // u, v and way to the light, times v_floor.z
 flat out float v_beside;             // w squared
 #endif

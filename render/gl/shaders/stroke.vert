@@ -21,8 +21,8 @@ out vec2 v_dash;    // dashes; pixels to a dash and a gap
 uniform Glass u_glass[GLASSES];
 uniform mat3 u_to_ball[GLASSES];
 flat out Glass v_glass[GLASSES];  // flat for the reason in floor.vert
-out vec3 v_towards[GLASSES];  // from the chord
-flat out vec3 v_towards_bow[GLASSES];
+out vec3 v_towards[GLASSES];           // of the chord
+flat out vec3 v_towards_bow[GLASSES];  // what its bow adds, times 4
 out vec2 v_ray;     // 1 / length, cosine of the angle with the key light
 #endif
 void main() {
