@@ -27,7 +27,7 @@ class FastPacker final : public Packer {
     stream_.next_out = packed;
     stream_.avail_out = static_cast<std::uint32_t>(room);
     if (isal_deflate(&stream_) != COMP_OK || stream_.internal_state.state != ZSTATE_END)
-      throw std::logic_error("ISA-L did not pack what fits by its own bound");
+      throw std::logic_error("ISA-L needs more room than its blocks can take");
     return {packed, room - stream_.avail_out};
   }
 

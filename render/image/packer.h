@@ -38,9 +38,9 @@ class Packer {
 };
 
 /// Fast: ISA-L's level 1. Its bytes are the same on all x86-64 processors that have SSE 4.2 (since 2008; seen
-/// by emulating five of them); one without gives other bytes of the same picture. Small: libdeflate's level
-/// 10; 12 is 3 % smaller in 2.4 times the time. 1080p frame: 9 of the 10 CPU ms that its PNG takes, and 0.9
-/// s.
+/// on one and by emulating four); one without gives other bytes of the same picture. Small: libdeflate's
+/// level 10; 12 is 3 % smaller in 2.4 times the time. 1080p frame: 9 of the 10 CPU ms that its PNG takes, and
+/// 0.9 s.
 std::unique_ptr<Packer> make_packer(PngPacking packing);
 
 }  // namespace polhode

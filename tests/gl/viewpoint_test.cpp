@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -40,6 +41,21 @@ bool holds(const ClipBox& box, double x, double y) {
   return x >= box.x0 && x <= box.x1 && y >= box.y0 && y <= box.y1;
 }
 
+/// Places in clip space of points all over the surface.
+std::vector<Eigen::Vector2d> projected_surface(const GlassEllipsoid& e,
+                                               const Eigen::Matrix4d& view_projection) {
+  std::vector<Eigen::Vector2d> places;
+  for (int i = 0; i < 200; ++i)
+    for (int j = 0; j < 100; ++j) {
+      const double a = 2 * std::numbers::pi * i / 200, b = std::numbers::pi * j / 100;
+      const Vec3 n(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
+      const Vec3 point = e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(n));
+      const Eigen::Vector4d clip = view_projection * point.homogeneous();
+      places.emplace_back(clip.x() / clip.w(), clip.y() / clip.w());
+    }
+  return places;
+}
+
 TEST(OutlineBox, HoldsTheProjectedSurfaceAndNoMuchMore) {
   std::mt19937 random(7);
   for (int trial = 0; trial < 50; ++trial) {
@@ -48,15 +64,10 @@ TEST(OutlineBox, HoldsTheProjectedSurfaceAndNoMuchMore) {
     const Eigen::Matrix4d m = camera.projection(1.5) * camera.view();
     const ClipBox box = outline_box(e, m);
     double x0 = 1, x1 = -1, y0 = 1, y1 = -1;
-    for (int i = 0; i < 200; ++i)
-      for (int j = 0; j < 100; ++j) {
-        const double a = 2 * std::numbers::pi * i / 200, b = std::numbers::pi * j / 100;
-        const Vec3 n(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
-        const Eigen::Vector4d c =
-            m * (e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(n))).homogeneous();
-        x0 = std::min(x0, c.x() / c.w()), x1 = std::max(x1, c.x() / c.w());
-        y0 = std::min(y0, c.y() / c.w()), y1 = std::max(y1, c.y() / c.w());
-      }
+    for (const Eigen::Vector2d& at : projected_surface(e, m)) {
+      x0 = std::min(x0, at.x()), x1 = std::max(x1, at.x());
+      y0 = std::min(y0, at.y()), y1 = std::max(y1, at.y());
+    }
     constexpr double kMargin = 0.01;  // the box's own margin of 0.004, and the coarseness of the sampling
     EXPECT_LE(box.x0, x0);
     EXPECT_LE(box.y0, y0);
@@ -75,15 +86,8 @@ TEST(OutlineEllipse, HoldsTheProjectedSurfaceAndHardlyMoreThanItNeeds) {
     const Eigen::Matrix4d m = camera.projection(1.5) * camera.view();
     const OutlineEllipse outline = outline_ellipse(e, m);
     double furthest = 0.0;  // 1: on the ellipse
-    for (int i = 0; i < 100; ++i)
-      for (int j = 0; j < 50; ++j) {
-        const double a = 2 * std::numbers::pi * i / 100, b = std::numbers::pi * j / 50;
-        const Vec3 n(std::sin(b) * std::cos(a), std::sin(b) * std::sin(a), std::cos(b));
-        const Eigen::Vector4d c =
-            m * (e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(n))).homogeneous();
-        const Eigen::Vector2d at = c.head<2>() / c.w() - outline.center;
-        furthest = std::max(furthest, (outline.axes.inverse() * at).norm());
-      }
+    for (const Eigen::Vector2d& at : projected_surface(e, m))
+      furthest = std::max(furthest, (outline.axes.inverse() * (at - outline.center)).norm());
     EXPECT_LE(furthest, 1.0);
     EXPECT_GE(furthest, 0.9) << "the soft edge of 0.004 beside half-axes of 0.04 and more";
   }
