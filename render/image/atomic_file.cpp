@@ -161,6 +161,22 @@ Status write_file_atomically(FileOps& files, const fs::path& path, std::span<con
   return write_file_in_pieces(files, path, all_at_once(bytes), durability);
 }
 
+Status replace_file_atomically(const fs::path& path, std::span<const std::uint8_t> bytes,
+                               Durability durability) {
+  return replace_file_in_pieces(path, all_at_once(bytes), durability);
+}
+
+Status replace_file_in_pieces(const fs::path& path, const FillFile& fill, Durability durability) {
+  PosixFileOps files;
+  return replace_file_in_pieces(files, path, fill, durability);
+}
+
+Status replace_file_in_pieces(FileOps& files, const fs::path& path, const FillFile& fill,
+                              Durability durability) {
+  if (!path.has_filename()) return cannot_write(path, "it names no file");
+  return replace(files, path, fill, durability);
+}
+
 Status write_file_in_pieces(const fs::path& path, const FillFile& fill, Durability durability) {
   PosixFileOps files;
   return write_file_in_pieces(files, path, fill, durability);

@@ -60,6 +60,11 @@ Status write_file_atomically(const std::filesystem::path& path, std::span<const 
 Status write_file_atomically(FileOps& files, const std::filesystem::path& path,
                              std::span<const std::uint8_t> bytes, Durability durability);
 
+/// The same for files of our own in a folder that others may write too: whatever stands under the name makes
+/// way. A symbolic link is not followed, and neither device nor pipe is opened; a folder is an error.
+Status replace_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
+                               Durability durability = Durability::rename_only);
+
 /// Takes the next bytes of a file; a failure (a full disk) is to be passed on.
 using AppendBytes = std::function<Status(std::span<const std::uint8_t>)>;
 
@@ -71,6 +76,11 @@ Status write_file_in_pieces(const std::filesystem::path& path, const FillFile& f
                             Durability durability = Durability::rename_only);
 Status write_file_in_pieces(FileOps& files, const std::filesystem::path& path, const FillFile& fill,
                             Durability durability);
+
+Status replace_file_in_pieces(const std::filesystem::path& path, const FillFile& fill,
+                              Durability durability = Durability::rename_only);
+Status replace_file_in_pieces(FileOps& files, const std::filesystem::path& path, const FillFile& fill,
+                              Durability durability);
 
 /// Flushes the file system that holds `folder` to disk (syncfs): call once after the last file of an export.
 Status sync_folder(const std::filesystem::path& folder);

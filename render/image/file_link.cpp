@@ -55,7 +55,8 @@ Result<bool> create_file_atomically(FileOps& files, const fs::path& path,
   if (fs::exists(fs::symlink_status(path, error))) return false;
   // Of the names of one process the one that no other function asks for.
   const fs::path whole = folder_of(path) / temporary_name(kMaxNames);
-  const Status written = write_file_atomically(files, whole, bytes, Durability::sync);
+  const FillFile fill = [&](const AppendBytes& append) { return append(bytes); };
+  const Status written = replace_file_in_pieces(files, whole, fill, Durability::sync);
   if (!written) return failure(written.error());
   const int link_error = files.link(whole.c_str(), path.c_str()) == 0 ? 0 : errno;
   if (has_no_links(link_error)) {

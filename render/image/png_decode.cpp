@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "render/image/file_bytes.h"
 #include "render/image/png.h"
 #include "render/image/png_text.h"
 
@@ -9,9 +10,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <string_view>
-#include <system_error>
 
 namespace polhode {
 namespace {
@@ -21,8 +20,6 @@ constexpr std::size_t kChunkFrameBytes = 12;  // length, type and checksum
 constexpr png_uint_32 kMaxAncillaryChunks = 1000;
 // Deflate cannot do better: 258 bytes from two bits (zlib's "Maximum Expansion Factor").
 constexpr std::uint64_t kMaxExpansion = 1032;
-// The largest picture we write is 1 GiB of pixels.
-constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{5} << 28;
 
 // What libpng's callbacks need. Lives outside the functions that longjmp may leave.
 struct Reader {
@@ -148,19 +145,6 @@ Result<PngFile> decode(const Handles& handles, Reader& reader, std::size_t file_
   return file;
 }
 
-Result<std::vector<std::uint8_t>> read_bytes(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) return failure(error.message());
-  if (size > kMaxFileBytes) return failure("larger than any picture of ours");
-  std::vector<std::uint8_t> bytes(size);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return failure(std::generic_category().message(errno));
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!file) return failure("the file ends too early");
-  return bytes;
-}
-
 }  // namespace
 
 Result<PngFile> decode_png(std::span<const std::uint8_t> bytes) {
@@ -181,7 +165,7 @@ Result<PngFile> read_png(const std::filesystem::path& path) {
   const auto cannot_read = [&](const std::string& reason) {
     return failure("Cannot read " + path.string() + ": " + reason + ".");
   };
-  const Result<std::vector<std::uint8_t>> bytes = read_bytes(path);
+  const Result<std::vector<std::uint8_t>> bytes = read_file_bytes(path);
   if (!bytes) return cannot_read(bytes.error());
   Result<PngFile> file = decode_png(*bytes);
   if (!file) return cannot_read(file.error());

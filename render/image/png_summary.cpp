@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "render/image/png_summary.h"
 
-#include "render/image/png_chunks.h"
+#include "render/image/file_bytes.h"
 #include "render/image/png_text.h"
 
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <optional>
-#include <system_error>
 
 namespace polhode {
 namespace {
-
-// The largest picture we write is 1 GiB of pixels.
-constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{5} << 28;
 
 std::string_view text_of(std::span<const std::uint8_t> data) {
   return {reinterpret_cast<const char*>(data.data()), data.size()};
@@ -56,8 +50,12 @@ int dpi_of(std::span<const std::uint8_t> data) {
 Result<PngSummary> summarize_png(std::span<const std::uint8_t> bytes) {
   const Result<PngChunks> png = read_png_chunks(bytes);
   if (!png) return failure(png.error());
-  PngSummary summary{png->header.size, {}};
-  for (const auto& [type, data] : png->chunks) {
+  return summarize_png(*png);
+}
+
+PngSummary summarize_png(const PngChunks& png) {
+  PngSummary summary{png.header.size, {}};
+  for (const auto& [type, data] : png.chunks) {
     if (type == "tEXt") add_latin1_text(text_of(data), summary.metadata);
     if (type == "iTXt") add_utf8_text(text_of(data), summary.metadata);
     if (type == "pHYs") summary.metadata.dpi = dpi_of(data);
@@ -66,16 +64,9 @@ Result<PngSummary> summarize_png(std::span<const std::uint8_t> bytes) {
 }
 
 Result<PngSummary> summarize_png_file(const std::filesystem::path& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) return failure(error.message());
-  if (size > kMaxFileBytes) return failure("it is larger than any picture of ours");
-  std::vector<std::uint8_t> bytes(size);
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return failure(std::generic_category().message(errno));
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!file) return failure("it cannot be read to its end");
-  return summarize_png(bytes);
+  const auto bytes = read_file_bytes(path);
+  if (!bytes) return failure(bytes.error());
+  return summarize_png(*bytes);
 }
 
 }  // namespace polhode
