@@ -3,6 +3,7 @@
 #include "app/answer_log.h"
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
+#include "app/message.h"
 #include "app/speaker.h"
 #include "app/state_file.h"
 #include "lessons/answers.h"
@@ -71,50 +72,44 @@ void print_verdict(const AnswerJudgement& judgement, const std::string& answer) 
     fmt::print("At {} yours is {}, right is {}.\n", counter->state, counter->left, counter->right);
 }
 
-/// One try, or one hint, of one question; kept if there is a place for it.
-class Session {
+/// What was answered to one question, where it is kept.
+class KeptAnswers {
  public:
-  Session(const std::string& lesson_id, std::string name) : name_(std::move(name)) {
-    const auto folder = state_folder();
-    if (!folder) {
-      fmt::print(stderr, "polhode: neither XDG_STATE_HOME nor HOME is set: the answer is not kept\n");
-      return;
-    }
-    path_ = answer_log_path(*folder, lesson_id);
-    AnswerLogReading reading = read_answer_log(*path_);
-    if (!reading.warning.empty()) fmt::print(stderr, "polhode: {}\n", reading.warning);
-    log_ = std::move(reading.log);
+  KeptAnswers(const std::string& lesson_id, std::string name) : name_(std::move(name)) {
+    if (const auto folder = state_folder()) path_ = answer_log_path(*folder, lesson_id);
   }
 
-  AnswerRecord& record() { return log_[name_]; }
-  void forget() { log_.erase(name_); }
-  /// A verdict is given also where it cannot be kept.
-  void keep() const {
-    try {
-      if (path_) write_answer_log(*path_, log_);
-    } catch (const CommandError& error) {
-      fmt::print(stderr, "polhode: {}: the answer is not kept\n", error.what());
+  /// A verdict, or a hint, is given also where it cannot be kept; that is said.
+  void change(const std::function<void(AnswerLog&, const std::string& name)>& change) const try {
+    if (!path_) {
+      say("polhode: neither XDG_STATE_HOME nor HOME is set: the answer is not kept\n");
+      return;
     }
+    const std::string warning = change_answer_log(*path_, [&](AnswerLog& log) { change(log, name_); });
+    if (!warning.empty()) say("polhode: {}\n", warning);
+  } catch (const CommandError& error) {
+    say("polhode: {}: the answer is not kept\n", error.what());
   }
 
  private:
   std::string name_;
   std::optional<std::filesystem::path> path_;
-  AnswerLog log_;
 };
 
-ExitCode show_hint(const Ask& ask, const Speaker& speaker, Session& session) {
-  const auto next = note_hint(session.record(), ask.hints.size());
-  if (!next) {
+ExitCode show_hint(const Ask& ask, const Speaker& speaker, const KeptAnswers& kept) {
+  AnswerRecord unseen;
+  std::optional<std::size_t> next = note_hint(unseen, ask.hints.size());  // where no log can be read
+  if (!ask.hints.empty())
+    kept.change(
+        [&](AnswerLog& log, const std::string& name) { next = note_hint(log[name], ask.hints.size()); });
+  if (next)
+    fmt::print("Hint {} of {}: {}\n", *next + 1, ask.hints.size(), speaker.words(ask.hint_texts[*next]));
+  else
     fmt::print("{}\n", ask.hints.empty() ? "There is no hint." : "There are no more hints.");
-    return ExitCode::done;
-  }
-  fmt::print("Hint {} of {}: {}\n", *next + 1, ask.hints.size(), speaker.words(ask.hint_texts[*next]));
-  session.keep();
   return ExitCode::done;
 }
 
-ExitCode judge_and_keep(const Ask& ask, const Options& options, Session& session) {
+ExitCode judge_and_keep(const Ask& ask, const Options& options, const KeptAnswers& kept) {
   const AnswerJudgement judgement = judge_answer(ask, options.answer, Prover());
   options.json ? print_json(judgement) : print_verdict(judgement, options.answer);
   if (judgement.outcome == Outcome::unreadable && !options.json) {
@@ -124,8 +119,9 @@ ExitCode judge_and_keep(const Ask& ask, const Options& options, Session& session
                                             : fmt::format("{} ({})", judgement.reason, judgement.hint));
   }
   if (judgement.outcome != Outcome::unreadable) {
-    note_try(session.record(), judgement.outcome == Outcome::right, options.answer);
-    session.keep();
+    kept.change([&](AnswerLog& log, const std::string& name) {
+      note_try(log[name], judgement.outcome == Outcome::right, options.answer);
+    });
     if (!options.json && judgement.outcome == Outcome::wrong && !ask.hints.empty())
       fmt::print("A hint: polhode answer {} {} {} --hint\n", options.lesson, options.stage, options.ask);
   }
@@ -138,14 +134,13 @@ ExitCode answer(const Options& options) {
   const LoadedLesson loaded = load_lesson(options.lesson);
   const Stage& stage = stage_of(loaded.lesson, options.stage);
   const Ask& ask = ask_of(stage, options.ask);
-  Session session(loaded.lesson.id, answer_name(stage.id, ask.id));
-  if (options.hint) return show_hint(ask, Speaker(loaded.lesson), session);
+  const KeptAnswers kept(loaded.lesson.id, answer_name(stage.id, ask.id));
+  if (options.hint) return show_hint(ask, Speaker(loaded.lesson), kept);
   if (options.reset) {
-    session.forget();
-    session.keep();
+    kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); });
     return ExitCode::done;
   }
-  return judge_and_keep(ask, options, session);
+  return judge_and_keep(ask, options, kept);
 }
 
 }  // namespace

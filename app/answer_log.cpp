@@ -39,6 +39,13 @@ std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints) {
   return shown;
 }
 
+void merge_record(AnswerRecord& record, const AnswerRecord& before, const AnswerRecord& now) {
+  record.right = record.right || now.right;
+  record.tries += std::max(0, now.tries - before.tries);
+  record.hints = std::max(record.hints, now.hints);
+  if (now.tries > before.tries) record.last = now.last;
+}
+
 fs::path answer_log_path(const fs::path& folder, const std::string& lesson_id) {
   return folder / (lesson_id + ".answers.json");
 }
@@ -54,12 +61,16 @@ AnswerLogReading read_answer_log(const fs::path& path) {
   return {std::move(log), {}};
 }
 
-void write_answer_log(const fs::path& path, const AnswerLog& log) {
+std::string change_answer_log(const fs::path& path, const std::function<void(AnswerLog&)>& change) {
+  const StateLock lock(path);
+  AnswerLogReading reading = read_answer_log(path);
+  change(reading.log);
   Json answers = Json::object();
-  for (const auto& [name, record] : log)
+  for (const auto& [name, record] : reading.log)
     answers[name] = {
         {"right", record.right}, {"tries", record.tries}, {"hints", record.hints}, {"last", record.last}};
   write_state_file(path, {{"answers", answers}});
+  return std::move(reading.warning);
 }
 
 }  // namespace polhode

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ void note_try(AnswerRecord& record, bool is_right, std::string_view answer);
 /// Which of so many hints comes next, from 0, noted as shown; nothing if all were.
 std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints);
 
+/// Adds to a record what came between `before` and `now`, two moments of a copy of it: tries of both count.
+void merge_record(AnswerRecord& record, const AnswerRecord& before, const AnswerRecord& now);
+
 std::filesystem::path answer_log_path(const std::filesystem::path& folder, const std::string& lesson_id);
 
 struct AnswerLogReading {
@@ -35,7 +39,11 @@ struct AnswerLogReading {
 };
 /// An absent file is an empty log. @throws CommandError as read_state_file
 AnswerLogReading read_answer_log(const std::filesystem::path& path);
-/// Whole or not at all; makes the folder. @throws CommandError failed
-void write_answer_log(const std::filesystem::path& path, const AnswerLog& log);
+/// Reads the log, lets `change` change it, and writes it, whole or not at all, with the folder it lies in.
+/// Nothing that another process notes meanwhile is lost: one at a time does this.
+/// @returns the warning of the reading
+/// @throws CommandError as read_state_file; failed if it cannot be written
+std::string change_answer_log(const std::filesystem::path& path,
+                              const std::function<void(AnswerLog&)>& change);
 
 }  // namespace polhode

@@ -2,6 +2,7 @@
 // polhode lint: what is wrong with lessons, and where.
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
+#include "app/message.h"
 #include "app/or_fail.h"
 #include "app/page_lint.h"
 #include "lessons/claim_check.h"
@@ -52,7 +53,7 @@ void lint_one(const std::string& name, Findings& findings) {
     for (Diagnostic& diagnostic : reading.diagnostics) findings.diagnostics.push_back(std::move(diagnostic));
   } catch (const CommandError& error) {
     if (error.code != ExitCode::failed) throw;
-    fmt::print(stderr, "polhode: {}\n", error.what());
+    say("polhode: {}\n", error.what());
     findings.all_read = false;
   }
 }
@@ -75,8 +76,7 @@ ExitCode lint(const std::vector<std::string>& names, bool json) {
   const auto errors = std::count_if(findings.diagnostics.begin(), findings.diagnostics.end(),
                                     [](const Diagnostic& d) { return d.severity == Severity::error; });
   const auto warnings = static_cast<long>(findings.diagnostics.size()) - errors;
-  fmt::print(stderr, "{} error{}, {} warning{}\n", errors, errors == 1 ? "" : "s", warnings,
-             warnings == 1 ? "" : "s");
+  say("{} error{}, {} warning{}\n", errors, errors == 1 ? "" : "s", warnings, warnings == 1 ? "" : "s");
   if (!findings.all_read) return ExitCode::failed;
   return errors > 0 ? ExitCode::invalid : ExitCode::done;
 }

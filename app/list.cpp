@@ -2,6 +2,7 @@
 // polhode list: the lessons there are.
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
+#include "app/message.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -26,8 +27,8 @@ std::vector<Entry> readable_lessons() {
     if (reading.lesson)
       entries.push_back({std::move(found), std::move(*reading.lesson)});
     else
-      fmt::print(stderr, "polhode: {} has errors and is not listed; see: polhode lint {}\n",
-                 found.path.string(), found.path.string());
+      say("polhode: {} has errors and is not listed; see: polhode lint {}\n", found.path.string(),
+          found.path.string());
   }
   return entries;
 }
@@ -59,7 +60,7 @@ ExitCode list(bool json) {
   if (entries.empty()) {
     std::vector<std::string> places;
     for (const auto& folder : lesson_folders()) places.push_back(folder.string());
-    fmt::print(stderr, "polhode: no lessons in {}\n", fmt::join(places, ", "));
+    say("polhode: no lessons in {}\n", fmt::join(places, ", "));
   }
   return ExitCode::done;
 }

@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
+#include "app/message.h"
 #include "app/picture_metadata.h"
 #include "app/usage.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
 
-int main(int argc, char** argv) {
-  using namespace polhode;
+namespace polhode {
+
+namespace {
+
+ExitCode fail(ExitCode code, const char* text) {
+  say("polhode: {}\n", text);
+  return code;
+}
+
+ExitCode run(int argc, char** argv) {
   CLI::App app("Lecture companion for the rotation of a rigid body.", "polhode");
   Action action;
   describe_program(app);
@@ -24,20 +34,34 @@ int main(int argc, char** argv) {
     std::reverse(words.begin(), words.end());  // as the parser takes them
     app.parse(std::move(words));
     if (!action) throw CommandError(ExitCode::usage, "a command is needed; see: polhode --help");
-    ExitCode code = action();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
-      throw CommandError(ExitCode::failed, "cannot write to stdout");
-    return static_cast<int>(code);
+    return action();
   } catch (const CLI::ParseError& error) {
-    return static_cast<int>(report(app, error));
+    return report(app, error);
   } catch (const CommandError& error) {
-    fmt::print(stderr, "polhode: {}\n", error.what());
-    return static_cast<int>(error.code);
+    return fail(error.code, error.what());
   } catch (const std::domain_error& error) {
-    fmt::print(stderr, "polhode: {}\n", error.what());
-    return static_cast<int>(ExitCode::invalid);
+    return fail(ExitCode::invalid, error.what());
   } catch (const std::exception& error) {
-    fmt::print(stderr, "polhode: {}\n", error.what());
-    return static_cast<int>(ExitCode::failed);
+    return fail(ExitCode::failed, error.what());
   }
+}
+
+/// What was printed so far, help and version among it, has left the program.
+bool stdout_is_written() {
+  std::cout.flush();
+  return std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.good();
+}
+
+}  // namespace
+
+}  // namespace polhode
+
+int main(int argc, char** argv) {
+  using namespace polhode;
+  reserve_standard_streams();
+  signal(SIGXFSZ, SIG_IGN);  // a file larger than `ulimit -f` allows is then an error like a full disk
+  ExitCode code = run(argc, argv);
+  if (!stdout_is_written() && code != ExitCode::failed)
+    code = fail(ExitCode::failed, "cannot write to stdout");
+  return static_cast<int>(code);
 }

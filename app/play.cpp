@@ -3,6 +3,7 @@
 #include "app/answer_log.h"
 #include "app/commands.h"
 #include "app/companion/bookmark.h"
+#include "app/message.h"
 #include "app/or_fail.h"
 #include "app/state_file.h"
 #include "app/window/window.h"
@@ -80,14 +81,14 @@ class Memory {
  private:
   /// Into what is there by now: another window, or `polhode answer`, may have been at it.
   void keep_answers(const Companion& companion) {
-    const fs::path path = answer_log_path(*folder_, companion.lesson().id);
-    AnswerLog log = read_answer_log(path).log;
-    for (const auto& [name, record] : answers_)
-      if (!companion.answers().contains(name)) log.erase(name);
-    for (const auto& [name, record] : companion.answers())
-      if (const auto before = answers_.find(name); before == answers_.end() || before->second != record)
-        log[name] = record;
-    write_answer_log(path, log);
+    change_answer_log(answer_log_path(*folder_, companion.lesson().id), [&](AnswerLog& log) {
+      for (const auto& [name, record] : answers_)
+        if (!companion.answers().contains(name)) log.erase(name);
+      for (const auto& [name, record] : companion.answers()) {
+        const auto before = answers_.find(name);
+        merge_record(log[name], before == answers_.end() ? AnswerRecord() : before->second, record);
+      }
+    });
     answers_ = companion.answers();
   }
 
@@ -137,7 +138,7 @@ ExitCode play(const Options& options) {
   Companion companion(loaded);
   WindowOptions window;
   Memory memory(companion, window.news);
-  if (!window.news.empty()) fmt::print(stderr, "polhode: {}\n", window.news);
+  if (!window.news.empty()) say("polhode: {}\n", window.news);
   if (!options.stage.empty()) {
     const Stage& stage = stage_of(loaded->lesson, options.stage);
     companion.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});

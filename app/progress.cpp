@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/progress.h"
 
+#include "app/message.h"
+
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 namespace polhode {
@@ -45,13 +46,12 @@ ProgressBar::ProgressBar(std::int64_t total)
       colored_(!environment_has("NO_COLOR")) {}
 
 ProgressBar::~ProgressBar() {
-  if (visible_) fmt::print(stderr, "\r\x1b[K");
+  if (visible_) write_message("\r\x1b[K");
 }
 
 void ProgressBar::show(std::int64_t done, std::string_view name) const {
   if (!visible_) return;
-  fmt::print(stderr, "\r{}\x1b[K", progress_line(done, total_, name, terminal_columns(), colored_));
-  std::fflush(stderr);
+  say("\r{}\x1b[K", progress_line(done, total_, name, terminal_columns(), colored_));
 }
 
 }  // namespace polhode

@@ -5,11 +5,18 @@
 #include "app/or_fail.h"
 #include "render/image/atomic_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <system_error>
+#include <thread>
 
 namespace polhode {
 
@@ -42,7 +49,39 @@ std::string set_aside(const fs::path& path) {
   return fmt::format("{} was damaged: it is now {}, and a new one is begun", path.string(), aside.string());
 }
 
+void make_folder_of(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("cannot make {}: {}", path.parent_path().string(), error.message()));
+}
+
 }  // namespace
+
+StateLock::StateLock(const fs::path& state_file) {
+  make_folder_of(state_file);
+  const std::string name = state_file.string() + ".lock";
+  const auto cannot = [&](int error) {
+    return CommandError(ExitCode::failed,
+                        fmt::format("cannot lock {}: {}", name, std::generic_category().message(error)));
+  };
+  file_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+  if (file_ < 0) throw cannot(errno);
+  using namespace std::chrono_literals;
+  const auto until = std::chrono::steady_clock::now() + 10s;
+  while (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+    const int error = errno;
+    if ((error == EWOULDBLOCK || error == EINTR) && std::chrono::steady_clock::now() < until) {
+      std::this_thread::sleep_for(5ms);
+      continue;
+    }
+    ::close(file_);
+    throw cannot(error);
+  }
+}
+
+StateLock::~StateLock() { ::close(file_); }
 
 std::optional<fs::path> state_folder() {
   const char* state = std::getenv("XDG_STATE_HOME");
@@ -71,11 +110,7 @@ std::string read_state_file(const fs::path& path, const std::string& what, const
 }
 
 void write_state_file(const fs::path& path, const Json& members) {
-  std::error_code error;
-  fs::create_directories(path.parent_path(), error);
-  if (error)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("cannot make {}: {}", path.parent_path().string(), error.message()));
+  make_folder_of(path);
   Json json{{"format", kFormat}};
   json.update(members);
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

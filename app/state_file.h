@@ -15,6 +15,22 @@ namespace polhode {
 /// Nothing where neither XDG_STATE_HOME (absolute) nor HOME says where.
 std::optional<std::filesystem::path> state_folder();
 
+/// Held by one process at a time while it reads a state file, changes what it read and writes it again. It is
+/// an advisory lock (flock) on a file beside it, NAME.lock, which stays there; a process that dies gives it
+/// back.
+class StateLock {
+ public:
+  /// Makes the folder, and waits for others, but not for more than 10 s.
+  /// @throws CommandError failed if the lock cannot be had
+  explicit StateLock(const std::filesystem::path& state_file);
+  ~StateLock();
+  StateLock(const StateLock&) = delete;
+  StateLock& operator=(const StateLock&) = delete;
+
+ private:
+  int file_ = -1;
+};
+
 /// Takes what a file says. Throws any std::exception if it is not such a file.
 using TakeState = std::function<void(const nlohmann::ordered_json&)>;
 

@@ -2,6 +2,7 @@
 // polhode trace: the numbers of a motion, row by row.
 #include "app/commands.h"
 #include "app/horizon.h"
+#include "app/message.h"
 #include "app/numbers.h"
 #include "app/trace_motion.h"
 #include "app/trace_rows.h"
@@ -88,7 +89,7 @@ std::string reason_of_overflow(const Motion& motion) {
 }
 
 void print_note(const std::string& note) {
-  if (!note.empty()) fmt::print(stderr, "polhode: {}\n", note);
+  if (!note.empty()) say("polhode: {}\n", note);
 }
 
 ExitCode trace(const TypedOptions& typed) {

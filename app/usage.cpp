@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/usage.h"
 
+#include "app/message.h"
 #include "app/picture_metadata.h"
 #include "app/suggest.h"
 
@@ -64,8 +65,7 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = named_command(app);
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   const std::string text = unexpected ? unexpected_word(app, command) : error.what();
-  fmt::print(stderr, "polhode: {}\nSee: polhode {}--help\n", text,
-             &command == &app ? "" : command.get_name() + " ");
+  say("polhode: {}\nSee: polhode {}--help\n", text, &command == &app ? "" : command.get_name() + " ");
   return ExitCode::usage;
 }
 

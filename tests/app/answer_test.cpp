@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "app/answer_log.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <thread>
 
 namespace polhode {
 namespace {
@@ -85,6 +88,42 @@ TEST_F(Answer, ADamagedLogIsSetAside) {
   EXPECT_THAT(run.err, HasSubstr("damaged"));
   EXPECT_TRUE(std::filesystem::exists(log().string() + ".damaged"));
   EXPECT_EQ(logged()["quiz/which"]["tries"], 1);
+}
+
+// HOSTILE F2: of 40 answers that were given at once 3 to 12 were kept.
+TEST_F(Answer, AllThatAreGivenAtOnceAreKept) {
+  constexpr int kAnswers = 40;
+  std::vector<std::thread> learners;
+  std::vector<int> codes(kAnswers, -1);
+  for (int i = 0; i < kAnswers; ++i)
+    learners.emplace_back([&, i] {
+      const ProgramRun run = i % 2 == 0 ? answer("which", {"A"}) : answer("sign", {"I1"});
+      codes[static_cast<std::size_t>(i)] = run.code;
+    });
+  for (std::thread& learner : learners) learner.join();
+  EXPECT_THAT(codes, testing::Each(4));
+  EXPECT_EQ(logged()["quiz/which"]["tries"], kAnswers / 2);
+  EXPECT_EQ(logged()["quiz/sign"]["tries"], kAnswers / 2);
+}
+
+TEST_F(Answer, ALogThatCannotBeReadTakesNoVerdictAway) {
+  answer("which", {"B"});
+  write_text(log(), "{\"format\":2}");
+  const ProgramRun run = answer("which", {"B"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.out, "right\n");
+  EXPECT_THAT(run.err, HasSubstr("another version"));
+  EXPECT_THAT(run.err, HasSubstr("not kept"));
+  EXPECT_EQ(text_of(log()), "{\"format\":2}");
+}
+
+TEST(AnswerRecords, OfTwoProcessesAddUp) {
+  const AnswerRecord before{false, 2, 1, "a"};
+  AnswerRecord there{true, 5, 2, "b"};  // three tries and a hint of another process
+  merge_record(there, before, before);
+  EXPECT_EQ(there, (AnswerRecord{true, 5, 2, "b"}));
+  merge_record(there, before, {false, 3, 3, "c"});
+  EXPECT_EQ(there, (AnswerRecord{true, 6, 3, "c"}));
 }
 
 TEST_F(Answer, IsJsonIfAskedFor) {

@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <sstream>
+#include <thread>
 
 namespace polhode {
 namespace {
@@ -253,6 +255,64 @@ TEST(Usage, ResultsThatCannotBeWrittenAreCode1) {
     EXPECT_EQ(run.code, 1) << words[0];
     EXPECT_THAT(run.err, HasSubstr("stdout"));
   }
+}
+
+TEST(Usage, HelpThatCannotBeWrittenIsCode1) {
+  RunOptions full;
+  full.stdout_to = "/dev/full";
+  for (const char* word : {"--help", "--version"}) EXPECT_EQ(polhode({word}, full).code, 1) << word;
+}
+
+/// Runs the program with its stderr redirected by the shell: "2>/dev/full".
+RunOptions redirected(const std::string& redirection) {
+  RunOptions options;
+  options.wrapper = {"sh", "-c", "\"$@\" " + redirection, "sh"};
+  return options;
+}
+
+// HOSTILE F1: the program aborted (134), also after success.
+TEST(Usage, MessagesThatCannotBeWrittenAreLostAndNothingElse) {
+  const Words trace = {"trace", "--inertia", "1,1.75,2.5", "--omega", "1,2,3", "--times", "0"};
+  const std::vector<std::pair<Words, int>> runs = {{trace, 0},
+                                                   {{"lint", test_lesson("tiny.md")}, 0},
+                                                   {{"info", "no-such-lesson"}, 2},
+                                                   {{"lint", test_lesson("two_errors.md")}, 3},
+                                                   {{"verify", "/nonexistent"}, 1}};
+  for (const auto& [words, code] : runs)
+    for (const char* redirection : {"2>/dev/full", "2>&-"})
+      EXPECT_EQ(polhode(words, redirected(redirection)).code, code) << words[0] << ' ' << redirection;
+}
+
+TEST(Usage, AMessageToAPipeThatNobodyReadsDoesNotEndTheProgram) {
+  const ScratchFolder scratch;
+  const std::string code = scratch / "code";
+  RunOptions options;
+  // The reader is gone long before the lesson is read.
+  options.wrapper = {"sh", "-c", "{ sleep 0.2; \"$@\"; echo $? >'" + code + "'; } 2>&1 >/dev/null | true",
+                     "sh"};
+  polhode({"info", "no-such-lesson"}, options);
+  for (int tries = 0; tries < 500 && text_of(code).empty(); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_EQ(text_of(code), "2\n");
+}
+
+TEST(Usage, WithoutAStderrNoMessageGoesIntoAPicture) {
+  const ScratchFolder scratch;
+  const Words exporting = {
+      "export", test_lesson("tiny.md"), "-o", scratch / "out", "--what", "figure", "--size", "48x27"};
+  EXPECT_EQ(polhode(exporting, redirected("2>&-")).code, 0);
+  EXPECT_EQ(polhode({"verify", scratch / "out"}).code, 0);
+}
+
+// HOSTILE F8: SIGXFSZ ended the program without a word.
+TEST(Usage, AFileLargerThanTheLimitIsAnError) {
+  const ScratchFolder scratch;
+  RunOptions options;
+  options.wrapper = {"sh", "-c", "ulimit -f 1; exec \"$@\"", "sh"};
+  const ProgramRun run =
+      polhode({"export", test_lesson("tiny.md"), "-o", scratch / "out", "--size", "320x240"}, options);
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("File too large"));
 }
 
 TEST(List, ReadsTheFolderOfTheEnvironmentFirst) {
