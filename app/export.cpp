@@ -5,9 +5,11 @@
 #include "app/film.h"
 #include "app/jobs.h"
 #include "app/lesson_deck.h"
+#include "app/message.h"
 #include "app/or_fail.h"
 #include "app/picture_export.h"
 #include "app/progress.h"
+#include "app/sha256.h"
 #include "app/transcript.h"
 #include "app/usage.h"
 
@@ -27,7 +29,7 @@ namespace {
 
 void write_text(const std::string& name, const std::string& text, const ExportOutput& out) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  or_fail(write_file_atomically(out.folder / name, bytes, out.durability));
+  or_fail(replace_file_atomically(out.folder / name, bytes, out.durability));
 }
 
 /// With the pictures that are there. @throws Interrupted
@@ -44,7 +46,7 @@ void make_deck(const PictureExport& e, const InterruptWatch& watch) {
     if (!status && watch.interrupted()) throw Interrupted();
     or_fail(std::move(status));
   }
-  fmt::print(stderr, "{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
+  say("{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
 }
 
 /// Frames pass as they are; of stills each is shown for --seconds.
@@ -63,7 +65,7 @@ void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
   if (!e.out.film.empty()) {
     const FilmRequest film = film_of(e);
     write_film(film, watch);
-    fmt::print(stderr, "film of {} pictures: {}\n", film.pictures.size(), e.out.film);
+    say("film of {} pictures: {}\n", film.pictures.size(), e.out.film);
   }
   if (!e.out.deck.empty()) make_deck(e, watch);
 }
@@ -79,7 +81,7 @@ void remove_parts(const PictureExport& e) {
 void note_left_out(const ExportPlan& plan, What what) {
   const char* missing = what == What::equation ? "equation" : "scene";
   for (const std::string& id : plan.left_out)
-    fmt::print(stderr, "polhode: stage \"{}\" has no {} and is left out\n", id, missing);
+    say("polhode: stage \"{}\" has no {} and is left out\n", id, missing);
   if (plan.pictures.empty())
     throw CommandError(ExitCode::usage,
                        fmt::format("nothing to export: no frame, or no stage with {} {}, was selected",
@@ -126,8 +128,8 @@ PicturesMade make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
 }
 
 void report_interruption(const PictureExport& e, const PicturesMade& made) {
-  fmt::print(stderr, "polhode: interrupted after {} of {} pictures in {}; go on with\n  {}\n", made.count,
-             e.out.shard.size(e.plan.pictures.size()), e.out.folder.string(), shell_line(e.out.resume));
+  say("polhode: interrupted after {} of {} pictures in {}; go on with\n  {}\n", made.count,
+      e.out.shard.size(e.plan.pictures.size()), e.out.folder.string(), shell_line(e.out.resume));
 }
 
 void report_pictures(const PictureExport& e, const PicturesMade& made) {
@@ -135,14 +137,13 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
   const std::string kept = made.kept > 0 ? fmt::format(" ({} of them kept)", made.kept) : "";
   const std::string folder = e.out.folder.string();
   if (made.renderer.find(kBetweenRenderers) != std::string::npos)
-    fmt::print(stderr,
-               "polhode: drawn by different drivers, which may differ by a level here and there: {}\n",
-               made.renderer);
+    say("polhode: drawn by different drivers, which may differ by a level here and there: {}\n",
+        made.renderer);
   if (made.finished)
-    fmt::print(stderr, "{}{} and {} in {}\n", count, kept, kManifestName, folder);
+    say("{}{} and {} in {}\n", count, kept, kManifestName, folder);
   else
-    fmt::print(stderr, "{}{} of shard {}/{} in {}; the last shard to finish writes {}\n", count, kept,
-               e.out.shard.index, e.out.shard.count, folder, kManifestName);
+    say("{}{} of shard {}/{} in {}; the last shard to finish writes {}\n", count, kept, e.out.shard.index,
+        e.out.shard.count, folder, kManifestName);
 }
 
 /// What failed may be mended: a full disk, a lost connection.
@@ -182,8 +183,8 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
     else
       remove_parts(e);
   } catch (const Interrupted&) {
-    fmt::print(stderr, "polhode: interrupted; the pictures are in {}; go on with\n  {}\n",
-               out.folder.string(), shell_line(out.resume));
+    say("polhode: interrupted; the pictures are in {}; go on with\n  {}\n", out.folder.string(),
+        shell_line(out.resume));
     return ExitCode::interrupted;
   } catch (const CommandError& error) {
     fail_with_advice(e, error);
@@ -199,10 +200,12 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
   make_folder(out.folder);
   ManifestFile file;
   file.file = loaded.lesson.id + ".txt";
-  write_text(file.file, transcript_of(loaded.lesson, options.stages), out);
+  const std::string text = transcript_of(loaded.lesson, options.stages);
+  file.sha256 = sha256_hex(text);
+  write_text(file.file, text, out);
   or_fail(sync_folder(out.folder));
   write_text(kManifestName, manifest_head(identity, "") + manifest_entry(file) + manifest_end(false), out);
-  fmt::print(stderr, "1 transcript and {} in {}\n", kManifestName, out.folder.string());
+  say("1 transcript and {} in {}\n", kManifestName, out.folder.string());
   return ExitCode::done;
 }
 

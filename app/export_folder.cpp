@@ -113,27 +113,32 @@ Result<FolderState> begin_in(const fs::path& folder, const Marker& mine) {
   Marker both = mine;
   both.renderer = join_renderers({state->renderer, mine.renderer});
   if (both.renderer == state->renderer) return state;
-  const Status added = write_file_atomically(folder / kMarkerName, bytes_of(text_of(both)));
+  const Status added = replace_file_atomically(folder / kMarkerName, bytes_of(text_of(both)));
   if (!added) return failure(added.error());
   return state;
 }
 
-Result<std::optional<std::string>> renderer_of_shards(const fs::path& folder, const ExportIdentity& mine,
+Result<std::optional<ShardsSummary>> summarize_shards(const fs::path& folder, const ExportIdentity& mine,
                                                       std::int64_t shards, std::size_t pictures) {
+  ShardsSummary all;
   std::vector<std::string> renderers;
   for (Shard shard{1, shards}; shard.index <= shards; ++shard.index) {
     const fs::path path = folder / shard_manifest_name(shard);
     const auto there = summarize_manifest(path);
     if (!there) return failure(there.error() + "; remove it and export that shard again");
-    if (!*there) return std::optional<std::string>();
+    if (!*there) return std::optional<ShardsSummary>();
     const ManifestSummary& found = **there;
     if (found.of.options != mine.options || found.of.lesson_sha256 != mine.lesson_sha256 ||
         found.files != shard.size(pictures))
       return failure(
           fmt::format("{} is of another export; remove it and export that shard again", path.string()));
     renderers.push_back(found.renderer);
+    auto checksums = checksums_in_manifest(path);
+    if (!checksums) return failure(checksums.error());
+    all.checksums.merge(*checksums);
   }
-  return std::optional(join_renderers(renderers));
+  all.renderer = join_renderers(renderers);
+  return std::optional(std::move(all));
 }
 
 void remove_traces(const fs::path& folder) {

@@ -46,10 +46,16 @@ struct Marker {
 /// exporter that came in between is noticed here, with the same errors.
 Result<FolderState> begin_in(const std::filesystem::path& folder, const Marker& mine);
 
-/// The drivers of all shards, if every shard's manifest is there; nothing if one is missing. An error if one
-/// is of something else.
+/// What the manifests of all shards say together.
+struct ShardsSummary {
+  std::string renderer;  ///< join_renderers
+  Checksums checksums;
+};
+
+/// Of all shards, if every shard's manifest is there; nothing if one is missing. An error if one is of
+/// something else.
 /// @param pictures of the whole plan
-Result<std::optional<std::string>> renderer_of_shards(const std::filesystem::path& folder,
+Result<std::optional<ShardsSummary>> summarize_shards(const std::filesystem::path& folder,
                                                       const ExportIdentity& mine, std::int64_t shards,
                                                       std::size_t pictures);
 

@@ -5,6 +5,8 @@
 #include "app/export_folder.h"
 #include "app/numbers.h"
 #include "app/picture_check.h"
+#include "app/sha256.h"
+#include "render/image/file_bytes.h"
 #include "render/image/png_summary.h"
 #include "render/image/temporary_file.h"
 
@@ -14,6 +16,7 @@
 #include <array>
 #include <fstream>
 #include <set>
+#include <utility>
 
 namespace polhode {
 
@@ -27,9 +30,11 @@ std::string text_in(const Json& json, const char* name) {
                                                                            : "";
 }
 
+/// 0 where there is none, or none that fits.
 int number_in(const Json& json, const char* name) {
-  return json.is_object() && json.contains(name) && json[name].is_number_integer() ? json[name].get<int>()
-                                                                                   : 0;
+  if (!json.is_object() || !json.contains(name) || !json[name].is_number_integer()) return 0;
+  const auto number = json[name].get<std::int64_t>();
+  return std::in_range<int>(number) ? static_cast<int>(number) : 0;
 }
 
 /// Manifest or marker.
@@ -91,15 +96,19 @@ class Check {
   /// @param file an entry of a manifest; of a marker the name alone
   void check_file(const Json& file, const Json& record) {
     const std::string name = file.is_string() ? file.get<std::string>() : text_in(file, "file");
-    expected_.insert(name);
+    if (!expected_.insert(name).second) {
+      damaged(kManifestName, fmt::format("it lists {} twice", name));
+      return;
+    }
     if (names_.count(name) == 0) {
       found_.missing.push_back(name);
       return;
     }
+    const std::string sha256 = text_in(file, "sha256");
     if (!name.ends_with(".png"))
-      check_text(name);
+      check_text(name, sha256);
     else
-      judge(name, check_picture(folder_ / name, size_of(name, file), metadata_of(file, record)));
+      judge(name, check_picture(folder_ / name, size_of(name, file), metadata_of(file, record), sha256));
   }
 
   void judge(const std::string& name, const PictureCheck& check) {
@@ -118,9 +127,15 @@ class Check {
     }
   }
 
-  void check_text(const std::string& name) {
-    std::error_code error;
-    if (fs::file_size(folder_ / name, error) == 0 || error) damaged(name, "it is empty or cannot be read");
+  /// @param sha256 empty in manifests of before 0.1.0: then only an empty file is known to be wrong
+  void check_text(const std::string& name, const std::string& sha256) {
+    const auto bytes = read_file_bytes(folder_ / name);
+    if (!bytes)
+      damaged(name, bytes.error());
+    else if (bytes->empty())
+      damaged(name, "it is empty");
+    else if (!sha256.empty() && sha256_hex(*bytes) != sha256)
+      damaged(name, kOtherBytes);
   }
 
   /// As the manifest has it; a marker does not know it, and takes any.

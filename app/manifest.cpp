@@ -60,7 +60,8 @@ Json file_json(const ManifestFile& file) {
           {"height", count_or_null(file.size.height)},
           {"tex", file.tex},
           {"alt", file.alt},
-          {"method", text_or_null(file.method)}};
+          {"method", text_or_null(file.method)},
+          {"sha256", text_or_null(file.sha256)}};
 }
 
 /// A line of JSON's indented form, further in.
@@ -151,6 +152,24 @@ Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem:
       ManifestSummary{{text(json["lesson"], "id"), text(json["lesson"], "sha256"), json["options"]},
                       text(json, "renderer"),
                       counter.count()});
+}
+
+Result<Checksums> checksums_in_manifest(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return failure("cannot read " + path.string() + ": " + std::generic_category().message(errno));
+  Checksums checksums;
+  // One entry after the other is looked at and forgotten: a manifest may list a million files.
+  const auto take = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    if (depth != 2 || event != Json::parse_event_t::object_end) return true;
+    const auto text = [&](const char* name) {
+      return parsed.contains(name) && parsed[name].is_string() ? parsed[name].get<std::string>() : "";
+    };
+    if (const std::string sha256 = text("sha256"); !sha256.empty()) checksums[text("file")] = sha256;
+    return false;
+  };
+  if (Json::parse(file, take, false).is_discarded())
+    return failure(path.string() + " is not a manifest of polhode");
+  return checksums;
 }
 
 std::string first_difference(const Json& there, const Json& here) {

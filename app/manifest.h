@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct ManifestFile {
   std::vector<std::string> tex;  ///< the display mathematics on screen
   std::string alt;
   std::string method;  ///< of the motion
+  std::string sha256;  ///< of the file's bytes
 };
 
 /// What an export is of: the same for all processes that make it.
@@ -52,6 +54,12 @@ struct ManifestSummary {
 };
 /// Nothing if there is no such file; an error if it is none of polhode's. Takes no memory for the files.
 Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem::path& path);
+
+/// SHA-256 of files by their names, in hexadecimal digits.
+using Checksums = std::map<std::string, std::string>;
+/// Those that a manifest lists; of files for which it has none (an older one), nothing. An error if there is
+/// no such manifest.
+Result<Checksums> checksums_in_manifest(const std::filesystem::path& path);
 
 /// "size is 640x360 there and 1280x720 here", of the first option that differs.
 std::string first_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here);

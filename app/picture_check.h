@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether a file is, whole, the picture that it should be. Its pixels are taken on trust: what is compared is
-// what the file says of itself, after every check sum in it.
+// Whether a file is, whole, the picture that it should be: by every check sum in it, by its pixels, which are
+// unpacked, by what it says of itself, and by the checksum of all its bytes where that is known. That the
+// pixels show the right thing is taken on trust.
 #pragma once
 
 #include "render/image/png.h"
@@ -19,9 +20,15 @@ struct PictureCheck {
   };
   State state = State::whole;
   std::string reason;  ///< "it is truncated or damaged after 512 bytes"
+  std::string sha256;  ///< of its bytes, where it is whole
 };
 
 /// @param metadata every text of it has to be in the file, and its dpi
-PictureCheck check_picture(const std::filesystem::path& file, Size size, const PngMetadata& metadata);
+/// @param sha256 of its bytes when it was written; empty: not known
+PictureCheck check_picture(const std::filesystem::path& file, Size size, const PngMetadata& metadata,
+                           const std::string& sha256 = {});
+
+/// What is wrong with a file of any kind that has another checksum.
+inline constexpr const char* kOtherBytes = "its bytes are not those that were written";
 
 }  // namespace polhode

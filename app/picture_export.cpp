@@ -6,8 +6,12 @@
 #include "app/picture_maker.h"
 #include "app/picture_metadata.h"
 #include "app/picture_writer.h"
+#include "app/sha256.h"
+#include "render/image/file_bytes.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace polhode {
 
@@ -71,10 +75,13 @@ PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool ma
     PngMetadata metadata =
         picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s, e.options.dpi);
     ++made.count;
-    if (may_keep && check_picture(e.out.folder / picture.file, description.size, metadata).state ==
-                        PictureCheck::State::whole) {
-      ++made.kept;
-      continue;
+    if (may_keep) {
+      PictureCheck there = check_picture(e.out.folder / picture.file, description.size, metadata);
+      if (there.state == PictureCheck::State::whole) {
+        made.checksums[picture.file] = std::move(there.sha256);
+        ++made.kept;
+        continue;
+      }
     }
     const bool repeats = before && maker.same_bytes(*before, picture);
     or_fail(writer.put(
@@ -82,20 +89,30 @@ PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool ma
     before = &picture;
   }
   or_fail(writer.finish());
+  made.checksums.insert(writer.checksums().begin(), writer.checksums().end());
   made.interrupted = made.count < e.out.shard.size(e.plan.pictures.size());
   return made;
 }
 
-ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker) {
+ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker, const Checksums& checksums) {
   PictureDescription made = maker.describe(picture);
-  return {picture.file, picture.stage->id,   picture.step,        picture.frame,         made.t_s,
-          made.size,    std::move(made.tex), std::move(made.alt), std::move(made.method)};
+  const auto checksum = checksums.find(picture.file);
+  return {picture.file,
+          picture.stage->id,
+          picture.step,
+          picture.frame,
+          made.t_s,
+          made.size,
+          std::move(made.tex),
+          std::move(made.alt),
+          std::move(made.method),
+          checksum == checksums.end() ? "" : checksum->second};
 }
 
-/// Of the pictures of a shard. Needs nothing remembered of their drawing, so that anyone can write the
-/// manifest of all; takes the same memory for any number of them.
+/// Of the pictures of a shard. Needs nothing remembered of their drawing but checksums, which are also in the
+/// manifests of shards, so that anyone can write the manifest of all.
 void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& shard,
-                    const std::string& renderer, const std::string& name) {
+                    const std::string& renderer, const Checksums& checksums, const std::string& name) {
   const auto fill = [&](const AppendBytes& append) -> Status {
     std::string text = manifest_head(identity_of(e.loaded, e.options), renderer);
     const auto flush = [&] {
@@ -107,7 +124,7 @@ void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& sh
     for (std::size_t place = 0; place < e.plan.pictures.size(); ++place) {
       if (!shard.takes(place)) continue;
       if (!empty) text += kManifestComma;
-      text += manifest_entry(manifest_file(e.plan.pictures[place], maker));
+      text += manifest_entry(manifest_file(e.plan.pictures[place], maker, checksums));
       empty = false;
       constexpr std::size_t kPiece = 1 << 16;
       if (text.size() < kPiece) continue;
@@ -123,7 +140,7 @@ void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& sh
       return failure(error.what());
     }
   };
-  or_fail(write_file_in_pieces(e.out.folder / name, fill_or_say, Durability::sync));
+  or_fail(replace_file_in_pieces(e.out.folder / name, fill_or_say, Durability::sync));
 }
 
 /// A manifest promises the pictures: someone may have removed some, or the folder, meanwhile.
@@ -144,15 +161,30 @@ bool has_manifest_of_this(const PictureExport& e) {
 
 /// A shard's manifest; and that of all, if this is the last.
 void finish_shard(const PictureExport& e, PictureMaker& maker, PicturesMade& made) {
-  write_manifest(e, maker, e.out.shard, made.renderer, shard_manifest_name(e.out.shard));
-  const auto of_all = or_fail(renderer_of_shards(e.out.folder, identity_of(e.loaded, e.options),
-                                                 e.out.shard.count, e.plan.pictures.size()));
+  write_manifest(e, maker, e.out.shard, made.renderer, made.checksums, shard_manifest_name(e.out.shard));
+  const auto of_all = or_fail(summarize_shards(e.out.folder, identity_of(e.loaded, e.options),
+                                               e.out.shard.count, e.plan.pictures.size()));
   // Some may be missing because another shard found all of them, or a process without shards came by.
   made.finished = of_all || has_manifest_of_this(e);
   if (!of_all) return;
-  made.renderer = *of_all;
+  made.renderer = of_all->renderer;
   check_all_are_there(e, Shard{});
-  write_manifest(e, maker, Shard{}, made.renderer, kManifestName);
+  write_manifest(e, maker, Shard{}, made.renderer, of_all->checksums, kManifestName);
+}
+
+/// After a shard was made again in a folder that was finished. Other bytes come from another driver; then all
+/// files are read, so that of several that do this at once the last to end is right.
+void refresh_manifest(const PictureExport& e, PictureMaker& maker, const FolderState& before,
+                      const PicturesMade& made) {
+  Checksums of_all = or_fail(checksums_in_manifest(e.out.folder / kManifestName));
+  const auto is_listed = [&](const auto& file) {
+    const auto listed = of_all.find(file.first);
+    return listed != of_all.end() && listed->second == file.second;
+  };
+  if (std::all_of(made.checksums.begin(), made.checksums.end(), is_listed)) return;
+  for (const PlannedPicture& picture : e.plan.pictures)
+    of_all[picture.file] = sha256_hex(or_fail(read_file_bytes(e.out.folder / picture.file)));
+  write_manifest(e, maker, Shard{}, join_renderers({before.renderer, made.renderer}), of_all, kManifestName);
 }
 
 void finish(const PictureExport& e, PictureMaker& maker, const FolderState& before, PicturesMade& made) {
@@ -162,8 +194,10 @@ void finish(const PictureExport& e, PictureMaker& maker, const FolderState& befo
   // A folder that was finished still is after a shard of it was made again.
   made.finished = e.out.shard.whole() || before.finished;
   if (e.out.shard.whole())
-    write_manifest(e, maker, Shard{}, made.renderer, kManifestName);
-  else if (!before.finished)
+    write_manifest(e, maker, Shard{}, made.renderer, made.checksums, kManifestName);
+  else if (before.finished)
+    refresh_manifest(e, maker, before, made);
+  else
     finish_shard(e, maker, made);
   if (made.finished) remove_traces(e.out.folder);
 }

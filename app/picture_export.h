@@ -34,6 +34,7 @@ struct PicturesMade {
   bool finished = false;     ///< manifest.json is there, hence all pictures of all shards are
   /// That drew the pictures its manifest lists, those of other machines too; several: join_renderers.
   std::string renderer;
+  Checksums checksums;  ///< of the pictures of this shard
 };
 
 /// In this process: opens OpenGL, checks everything that can be checked without drawing, and only then

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture_writer.h"
 
+#include "app/sha256.h"
 #include "render/image/file_link.h"
 
 #include <cassert>
@@ -65,13 +66,14 @@ Status PictureWriter::write(const PictureFile& picture) try {
     bytes_ = *bytes;
   }
   assert(!bytes_.empty());
+  checksums_[picture.name] = picture.image ? sha256_hex(bytes_) : checksums_.at(last_);
   // A second name of the file before it. Where there can be none, or it is to be flushed: bytes of its own.
-  const std::filesystem::path before = std::exchange(last_, path);
+  const std::filesystem::path before = folder_ / std::exchange(last_, picture.name);
   if (!picture.image && durability_ == Durability::rename_only) {
     PosixFileOps files;
     if (link_file_atomically(files, before, path)) return success();
   }
-  return write_file_atomically(path, bytes_, durability_);
+  return replace_file_atomically(path, bytes_, durability_);
 } catch (const std::exception& error) {  // out of memory: it may not leave the thread
   return failure("Cannot write " + picture.name + ": " + error.what());
 }

@@ -2,6 +2,7 @@
 // Pictures become files in a second thread, while the next one is drawn.
 #pragma once
 
+#include "app/manifest.h"
 #include "render/image/atomic_file.h"
 #include "render/image/png.h"
 #include "render/result.h"
@@ -17,7 +18,7 @@
 namespace polhode {
 
 /// A picture on its way to disk. Without an image it is that of the picture put before it: a hard link to its
-/// file, where the file system has them.
+/// file, where the file system has them. A link or device under its name is replaced, not followed.
 struct PictureFile {
   std::string name;
   std::optional<Image> image;
@@ -42,6 +43,8 @@ class PictureWriter {
   Status put(PictureFile&& picture);
   /// Waits until everything that was put has its final name.
   Status finish();
+  /// Of what was written, after finish().
+  const Checksums& checksums() const { return checksums_; }
 
  private:
   void work();
@@ -51,7 +54,8 @@ class PictureWriter {
   const Durability durability_;
   PngEncoder encoder_;                     ///< of the thread, as are
   std::span<const std::uint8_t> bytes_{};  ///< those of the file written last
-  std::filesystem::path last_;             ///< it
+  std::string last_;                       ///< name of it
+  Checksums checksums_;                    ///< of all
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<PictureFile> waiting_;

@@ -33,10 +33,16 @@ Marker marker(const ExportOptions& options = {}, const std::string& renderer = "
   return {identity(options), renderer, {"polhode", "export"}, {"01-a.png"}};
 }
 
+/// Its files are PREFIX0.png, PREFIX1.png …, with the checksums RENDERER0, RENDERER1 …
 std::string manifest(const ExportIdentity& of, std::size_t files = 0,
-                     const std::string& renderer = "llvmpipe") {
+                     const std::string& renderer = "llvmpipe", const std::string& prefix = "") {
   std::string text = manifest_head(of, renderer);
-  for (std::size_t i = 0; i < files; ++i) text += (i > 0 ? kManifestComma : "") + manifest_entry({});
+  for (std::size_t i = 0; i < files; ++i) {
+    ManifestFile file;
+    file.file = prefix + std::to_string(i) + ".png";
+    file.sha256 = renderer + std::to_string(i);
+    text += (i > 0 ? kManifestComma : "") + manifest_entry(file);
+  }
   return text + manifest_end(files == 0);
 }
 
@@ -177,7 +183,8 @@ TEST_F(Folder, RemembersAllDrivers) {
 class MergedShards : public testing::Test {
  protected:
   void finish(Shard shard, std::size_t files, const ExportOptions& options = {}, const char* renderer = "r") {
-    write_text(scratch / shard_manifest_name(shard), manifest(identity(options), files, renderer));
+    write_text(scratch / shard_manifest_name(shard),
+               manifest(identity(options), files, renderer, std::to_string(shard.index) + '-'));
   }
   ScratchFolder scratch;
 };
@@ -185,13 +192,15 @@ class MergedShards : public testing::Test {
 TEST_F(MergedShards, AreMergedWhenAllAreThere) {
   finish({1, 3}, 2, {}, "b");
   finish({3, 3}, 1);
-  auto renderer = renderer_of_shards(scratch.path(), identity(), 3, 4);
-  ASSERT_TRUE(renderer.ok());
-  EXPECT_FALSE(renderer->has_value()) << "the second is missing";
+  auto shards = summarize_shards(scratch.path(), identity(), 3, 4);
+  ASSERT_TRUE(shards.ok());
+  EXPECT_FALSE(shards->has_value()) << "the second is missing";
   finish({2, 3}, 1, {}, "a");
-  renderer = renderer_of_shards(scratch.path(), identity(), 3, 4);
-  ASSERT_TRUE(renderer.ok() && renderer->has_value());
-  EXPECT_EQ(**renderer, "a | b | r");
+  shards = summarize_shards(scratch.path(), identity(), 3, 4);
+  ASSERT_TRUE(shards.ok() && shards->has_value());
+  EXPECT_EQ((*shards)->renderer, "a | b | r");
+  EXPECT_EQ((*shards)->checksums,
+            (Checksums{{"1-0.png", "b0"}, {"1-1.png", "b1"}, {"2-0.png", "a0"}, {"3-0.png", "r0"}}));
 }
 
 TEST_F(MergedShards, OfSomethingElseAreAnError) {
@@ -199,13 +208,13 @@ TEST_F(MergedShards, OfSomethingElseAreAnError) {
   other.dpi = 100;
   finish({1, 2}, 2);
   finish({2, 2}, 2, other);
-  const auto of_others = renderer_of_shards(scratch.path(), identity(), 2, 4);
+  const auto of_others = summarize_shards(scratch.path(), identity(), 2, 4);
   ASSERT_FALSE(of_others.ok());
   EXPECT_THAT(of_others.error(), HasSubstr("manifest.2-of-2.json"));
   finish({2, 2}, 1);
-  EXPECT_FALSE(renderer_of_shards(scratch.path(), identity(), 2, 4).ok()) << "a picture is missing in it";
+  EXPECT_FALSE(summarize_shards(scratch.path(), identity(), 2, 4).ok()) << "a picture is missing in it";
   write_text(scratch / "manifest.2-of-2.json", "{");
-  EXPECT_FALSE(renderer_of_shards(scratch.path(), identity(), 2, 4).ok());
+  EXPECT_FALSE(summarize_shards(scratch.path(), identity(), 2, 4).ok());
 }
 
 }  // namespace

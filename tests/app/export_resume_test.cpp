@@ -173,19 +173,21 @@ void expect_nothing_half_written(const fs::path& folder) {
   }
 }
 
-int kill_rounds() {
-  const char* value = std::getenv("POLHODE_KILL_ROUNDS");
-  return value ? std::atoi(value) : 16;
+int kills_of_a_test() {
+  const char* value = std::getenv("POLHODE_KILLS");
+  return value ? std::atoi(value) : 40;
 }
 
-// F1, F3. POLHODE_KILL_ROUNDS=200 for the full number.
-TEST(Killed, AtAnyTimeAnExportGoesOnToTheBytesOfOneProcess) {
+/// 200 kills in five tests, each with a seed of its own, so that two cores share them.
+class Killed : public testing::TestWithParam<unsigned> {};
+
+TEST_P(Killed, AtAnyTimeAnExportGoesOnToTheBytesOfOneProcess) {
   const auto start = std::chrono::steady_clock::now();
   static_cast<void>(whole_export());
   const double takes_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::mt19937 random(2);
+  std::mt19937 random(GetParam());
   constexpr int kKillsOfAnExport = 8;
-  for (int kills = 0; kills < kill_rounds(); kills += kKillsOfAnExport) {
+  for (int kills = 0; kills < kills_of_a_test(); kills += kKillsOfAnExport) {
     const ScratchFolder scratch;
     const std::int64_t count = std::uniform_int_distribution<std::int64_t>(1, 8)(random);
     const auto make = [&](std::int64_t index, const RunOptions& options) {
@@ -204,6 +206,8 @@ TEST(Killed, AtAnyTimeAnExportGoesOnToTheBytesOfOneProcess) {
     ASSERT_EQ(contents(scratch.path()), whole_export()) << kills << " kills, " << count << " shards";
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Export, Killed, testing::Range(1u, 6u));
 
 TEST(Interrupted, SaysTheCommandThatGoesOn) {
   for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
@@ -245,6 +249,35 @@ TEST(ExportShards, WhereAPictureIsGoneNoManifestPromisesIt) {
   EXPECT_FALSE(fs::exists(scratch / kManifestName));
   EXPECT_EQ(make({"--skip-existing"}).code, 0);
   EXPECT_EQ(contents(scratch.path()), whole_export());
+}
+
+// HOSTILE F7
+TEST(Export, ReplacesPlantedLinksAndLeavesTheirTargetsAlone) {
+  const ScratchFolder scratch, elsewhere;
+  const fs::path folder = scratch / "out";
+  fs::create_directory(folder);
+  for (const auto& [name, bytes] : whole_export()) {
+    if (name == kManifestName) continue;  // whatever stands there is refused
+    write_text(elsewhere / name, "precious");
+    fs::create_symlink(elsewhere / name, folder / name);
+  }
+  fs::create_symlink(elsewhere / "dangling", folder / kManifestName);
+  EXPECT_EQ(polhode(small_export(folder)).code, 0);
+  EXPECT_EQ(contents(folder), whole_export());
+  for (const std::string& name : names_in(elsewhere.path())) EXPECT_EQ(text_of(elsewhere / name), "precious");
+  EXPECT_FALSE(fs::exists(elsewhere / "dangling"));
+}
+
+TEST(ExportShards, MadeAgainByAnotherDriverAreInTheManifest) {
+  if (Json::parse(whole_export().at(kManifestName))["renderer"].get<std::string>().find("128 bits") !=
+      std::string::npos)
+    GTEST_SKIP() << "this machine has 128 bits only";
+  const ScratchFolder scratch;
+  ASSERT_EQ(polhode(small_export(scratch.path())).code, 0);
+  RunOptions narrow;
+  narrow.environment = {{"GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1"}};
+  ASSERT_EQ(polhode(small_export(scratch.path(), {"--shard", "1/2"}), narrow).code, 0);
+  EXPECT_EQ(polhode({"verify", scratch.path()}).code, 0);
 }
 
 std::uint64_t inode(const fs::path& file) {

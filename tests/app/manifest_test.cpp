@@ -25,8 +25,9 @@ std::string text_of_manifest(const std::vector<ManifestFile>& files) {
 }
 
 std::vector<ManifestFile> two_files() {
-  return {{"01-a.png", "a", 2, std::nullopt, 0.1, {4, 3}, {"\\vec\\omega"}, "ω\nand \"more\"", "uniform"},
-          {"01-a-frame7.png", "a", 2, 7, 0.1, {4, 3}, {}, "", "rk4"}};
+  return {
+      {"01-a.png", "a", 2, std::nullopt, 0.1, {4, 3}, {"\\vec\\omega"}, "ω\nand \"more\"", "uniform", "ab01"},
+      {"01-a-frame7.png", "a", 2, 7, 0.1, {4, 3}, {}, "", "rk4", "cd02"}};
 }
 
 TEST(Manifest, HasTheFieldsOfFormat1) {
@@ -45,7 +46,8 @@ TEST(Manifest, HasTheFieldsOfFormat1) {
                         {"height", 3},
                         {"tex", {"\\vec\\omega"}},
                         {"alt", "ω\nand \"more\""},
-                        {"method", "uniform"}}));
+                        {"method", "uniform"},
+                        {"sha256", "ab01"}}));
   EXPECT_EQ(json["files"][1]["frame"], 7);
 }
 
@@ -71,6 +73,19 @@ TEST(Manifest, IsSummarizedWithoutItsFiles) {
     EXPECT_EQ((*there)->renderer, "llvmpipe");
     EXPECT_EQ((*there)->files, files.size());
   }
+}
+
+TEST(Manifest, TellsTheChecksumsOfItsFiles) {
+  const ScratchFolder scratch;
+  std::vector<ManifestFile> files = two_files();
+  files.push_back({"of-an-older-version.png", "", 0, std::nullopt, std::nullopt, {}, {}, "", "", ""});
+  write_text(scratch / kManifestName, text_of_manifest(files));
+  const auto found = checksums_in_manifest(scratch / kManifestName);
+  ASSERT_TRUE(found.ok()) << found.error();
+  EXPECT_EQ(*found, (Checksums{{"01-a.png", "ab01"}, {"01-a-frame7.png", "cd02"}}));
+  EXPECT_FALSE(checksums_in_manifest(scratch / "none").ok());
+  write_text(scratch / kManifestName, "{");
+  EXPECT_FALSE(checksums_in_manifest(scratch / kManifestName).ok());
 }
 
 TEST(Manifest, OfSomethingElseIsNotSummarized) {

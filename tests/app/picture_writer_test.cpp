@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture_writer.h"
 
+#include "app/sha256.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace polhode {
 namespace {
@@ -46,6 +48,38 @@ TEST(PictureWriter, RepeatsTheBytesOfThePictureBefore) {
   EXPECT_EQ(text_of(scratch / "a.png"), text_of(scratch / "b.png"));
   EXPECT_EQ(text_of(scratch / "a.png"), text_of(scratch / "c.png"));
   EXPECT_NE(text_of(scratch / "a.png"), text_of(scratch / "d.png"));
+}
+
+TEST(PictureWriter, TellsTheChecksumOfEveryFile) {
+  const ScratchFolder scratch;
+  PictureWriter writer(scratch.path(), PngPacking::fast, Durability::rename_only);
+  ASSERT_TRUE(writer.put(picture("a.png", 1)).ok());
+  ASSERT_TRUE(writer.put({"b.png", std::nullopt, {}}).ok());
+  ASSERT_TRUE(writer.put(picture("c.png", 2)).ok());
+  ASSERT_TRUE(writer.finish().ok());
+  EXPECT_EQ(writer.checksums().size(), 3u);
+  for (const auto& [name, sha256] : writer.checksums())
+    EXPECT_EQ(sha256, sha256_hex(text_of(scratch / name)));
+}
+
+// HOSTILE F7: who may write into the folder could have any file of the exporter replaced, or keep it waiting.
+TEST(PictureWriter, ReplacesLinksAndPipesUnderAPicturesName) {
+  const ScratchFolder scratch, elsewhere;
+  write_text(elsewhere / "precious", "precious");
+  std::filesystem::create_symlink(elsewhere / "precious", scratch / "a.png");
+  std::filesystem::create_symlink(elsewhere / "dangling", scratch / "b.png");
+  ASSERT_EQ(mkfifo((scratch / "c.png").c_str(), 0600), 0);
+  PictureWriter writer(scratch.path(), PngPacking::fast, Durability::rename_only);
+  ASSERT_TRUE(writer.put(picture("a.png", 1)).ok());
+  ASSERT_TRUE(writer.put({"b.png", std::nullopt, {}}).ok());
+  ASSERT_TRUE(writer.put(picture("c.png", 2)).ok());
+  ASSERT_TRUE(writer.finish().ok());
+  EXPECT_EQ(text_of(elsewhere / "precious"), "precious");
+  EXPECT_FALSE(std::filesystem::exists(elsewhere / "dangling"));
+  for (const std::string& name : names_in(scratch.path())) {
+    EXPECT_FALSE(std::filesystem::is_symlink(scratch / name)) << name;
+    EXPECT_TRUE(read_png(scratch / name).ok()) << name;
+  }
 }
 
 TEST(PictureWriter, TheFirstErrorStopsItAndStays) {

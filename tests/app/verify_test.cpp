@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode verify, on exports that are whole, hurt, or not finished.
 #include "app/export_folder.h"
+#include "render/image/png.h"
 #include "tests/app/small_export.h"
 
 #include <gmock/gmock.h>
@@ -122,6 +123,51 @@ TEST_F(Verify, ReadsTranscripts) {
   EXPECT_EQ(polhode({"verify", scratch / "text"}).code, 0);
   fs::resize_file(scratch / "text/tiny.txt", 0);
   EXPECT_EQ(polhode({"verify", scratch / "text"}).code, 4);
+}
+
+// HOSTILE F3: a transcript that was cut or changed was called whole.
+TEST_F(Verify, FindsATranscriptThatIsCutOrChanged) {
+  const fs::path text = scratch / "text";
+  ASSERT_EQ(polhode({"export", test_lesson("tiny.md"), "-o", text, "--what", "transcript"}).code, 0);
+  const std::string whole = text_of(text / "tiny.txt");
+  std::string changed = whole;
+  changed[whole.size() / 2] ^= 1;
+  for (const std::string& hurt : {whole.substr(0, whole.size() - 1), whole + "\n", changed}) {
+    write_text(text / "tiny.txt", hurt);
+    const ProgramRun run = polhode({"verify", text});
+    EXPECT_EQ(run.code, 4);
+    EXPECT_THAT(run.out, HasSubstr("damaged: tiny.txt: its bytes are not those that were written"));
+  }
+  write_text(text / "tiny.txt", whole);
+  EXPECT_EQ(polhode({"verify", text}).code, 0);
+}
+
+TEST_F(Verify, FindsAWholePictureThatWasNotWrittenByThisExport) {
+  std::string bytes = text_of(file(kFirst));
+  auto png = decode_png(std::span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+  ASSERT_TRUE(png.ok());
+  png->image.rgba[0] ^= 1;
+  ASSERT_TRUE(write_png(file(kFirst), png->image, png->metadata).ok());
+  EXPECT_EQ(json(4)["reasons"][kFirst], "its bytes are not those that were written");
+}
+
+TEST_F(Verify, FindsAManifestThatListsAFileTwiceOrAnImpossibleSize) {
+  const std::string whole = text_of(file(kManifestName));
+  Json manifest = Json::parse(whole);
+  manifest["files"].push_back(manifest["files"][0]);
+  write_text(file(kManifestName), manifest.dump());
+  EXPECT_THAT(json(4)["damaged"], ElementsAre(kManifestName));
+  manifest = Json::parse(whole);
+  manifest["files"][0]["width"] = manifest["files"][0]["width"].get<std::int64_t>() + (std::int64_t{1} << 32);
+  write_text(file(kManifestName), manifest.dump());
+  EXPECT_THAT(json(4)["foreign"], ElementsAre(kFirst));
+}
+
+TEST_F(Verify, TakesManifestsOfBeforeThereWereChecksums) {
+  Json manifest = Json::parse(text_of(file(kManifestName)));
+  for (Json& one : manifest["files"]) one.erase("sha256");
+  write_text(file(kManifestName), manifest.dump());
+  json(0);
 }
 
 TEST_F(Verify, AFolderThatCannotBeReadIsCode1) {
