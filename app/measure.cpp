@@ -4,6 +4,7 @@
 #include "app/lesson_lookup.h"
 #include "app/measure_rendering.h"
 #include "app/measure_report.h"
+#include "app/message.h"
 #include "app/numbers.h"
 #include "app/plot_file.h"
 #include "app/progress.h"
@@ -97,19 +98,18 @@ WorkPrecision measured(const Problem& problem, const WorkPrecisionPlan& plan) {
 }
 
 void print_notes(const Problem& problem, const WorkPrecisionPlan& plan, const WorkPrecision& found) {
-  const std::string reference =
-      problem.torque.empty() ? "the closed form"
-                             : fmt::format("dormand-prince-8 at tolerance {:g}, itself good to about {:.0e}",
-                                           kReferenceTolerance, found.reference_error);
-  fmt::print(stderr, "polhode: {:g} {} of {:.6g} s, against {}\n", plan.periods,
-             period_s(problem) ? "polhode periods" : "turns 2 pi/|omega|", plan.period_s, reference);
+  const std::string reference = problem.torque.empty()
+                                    ? "the closed form"
+                                    : fmt::format("dormand-prince-8 at tolerance {:g}", kReferenceTolerance);
+  say("polhode: {:g} {} of {:.6g} s, against {}, itself good to about {:.0e}\n", plan.periods,
+      period_s(problem) ? "polhode periods" : "turns 2 pi/|omega|", plan.period_s, reference,
+      found.reference_error);
   if (found.out_of_reach.empty()) return;
   std::vector<std::string_view> names;
   for (Method method : found.out_of_reach) names.push_back(name_of(method));
-  fmt::print(stderr,
-             "polhode: left out, too many steps for --seconds {:g} even when they are long: {}; more reach "
-             "further\n",
-             plan.cpu_seconds, fmt::join(names, ", "));
+  say("polhode: left out, too many steps for --seconds {:g} even when they are long: {}; more reach "
+      "further\n",
+      plan.cpu_seconds, fmt::join(names, ", "));
 }
 
 void write_text_file(const std::string& path, const std::string& text) {
@@ -199,7 +199,8 @@ void add_measure(CLI::App& app, Action& action) {
   command->footer(fmt::format(
       "{}\n"
       "Errors: at the end, of omega relative to its length, of attitude as an angle in rad, against the\n"
-      "closed form; under a torque against a tight Dormand-Prince 8, and never said to be below its own.\n"
+      "closed form; under a torque against a tight Dormand-Prince 8. Never said to be below what that\n"
+      "itself is good to: the closed form 2^-53 (4 + |omega t| + condition * periods), see trace.\n"
       "Drifts: the largest on the way, relative, of T and |L|; of the direction of L in space in rad; - or\n"
       "null where the torque does not keep them. What could not be computed is - or null too.\n"
       "Steps are halved from a tenth of a period, tolerances divided by ten from 1e-3, until rounding ends\n"

@@ -105,10 +105,9 @@ std::string table_row(const WorkPrecisionRow& row, char mark) {
 }
 
 std::string result_text(const WorkPrecisionRow& row) {
-  const std::string errors = goes_step_by_step(row.method)
-                                 ? fmt::format("errors {} and {} rad", small_text(row.error_omega),
-                                               small_text(row.error_attitude_rad))
-                                 : "the closed form itself";
+  const char* bound = goes_step_by_step(row.method) ? "errors" : "errors of at most";
+  const std::string errors =
+      fmt::format("{} {} and {} rad", bound, small_text(row.error_omega), small_text(row.error_attitude_rad));
   return fmt::format("{}: {}, {}", name_of(row.method), cost_text(row), errors);
 }
 

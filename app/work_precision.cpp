@@ -3,6 +3,7 @@
 
 #include "app/exit_codes.h"
 #include "app/stopwatch.h"
+#include "physics/conditioning.h"
 #include "physics/motion_errors.h"
 
 #include <fmt/format.h>
@@ -28,7 +29,10 @@ struct Reference {
 };
 
 Reference reference_of(const Problem& problem, double end_s) {
-  if (problem.torque.empty()) return {make_motion(problem, {Method::exact})->at(end_s), {}};
+  if (problem.torque.empty()) {
+    const double own = closed_form_error(problem.I, problem.start.w_B, end_s);
+    return {make_motion(problem, {Method::exact})->at(end_s), {own, own}};
+  }
   const auto end_with = [&](double tolerance) {
     return make_motion(problem, {Method::dormand_prince_8, {}, tolerance})->at(end_s);
   };

@@ -2,10 +2,11 @@
 // The trade between speed and accuracy, measured: what each method costs and how wrong it is after some
 // periods, over a range of steps or tolerances.
 //
-// Error: at the end, against the closed form; under a torque against Dormand-Prince 8(5,3) at
-// kReferenceTolerance, whose own error is estimated by the next looser tolerance: no row is then said to be
-// better than that. Drift: the largest over kDriftSamples times. Cost: CPU time of this thread, from making
-// the motion to its state at the end, median of repeats; of long ones a single run.
+// Error: at the end, against the closed form, whose own error is closed_form_error; under a torque against
+// Dormand-Prince 8(5,3) at kReferenceTolerance, whose own is estimated by the next looser tolerance. No row
+// is said to be better than that, the reference itself among them. Drift: the largest over kDriftSamples
+// times. Cost: CPU time of this thread, from making the motion to its state at the end, median of repeats; of
+// long ones a single run.
 #pragma once
 
 #include "physics/method.h"
@@ -47,7 +48,7 @@ struct WorkPrecisionPlan {
 
 struct WorkPrecision {
   std::vector<WorkPrecisionRow> rows;  ///< method by method, long steps and loose tolerances first
-  double reference_error = 0;          ///< estimated, the larger of ω and attitude; 0: the closed form
+  double reference_error = 0;          ///< its own, estimated: the larger of ω and attitude
   std::vector<Method> out_of_reach;    ///< methods without a row: too many steps for the time, even if long
 };
 

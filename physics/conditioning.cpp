@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/conditioning.h"
 
+#include "physics/poinsot.h"
 #include "physics/polhode_constants.h"
 #include "physics/symmetric_motion.h"
 #include "physics/uniform_motion.h"
@@ -65,6 +66,14 @@ std::optional<Conditioning> conditioning(const PrincipalMoments& I, const Vec3& 
   const auto sum = sum_of_log_derivatives(I, w_B);
   if (!sum) return std::nullopt;
   return Conditioning{static_cast<double>(2 * std::numbers::pi_v<Extended> * *sum)};
+}
+
+double closed_form_error(const PrincipalMoments& I, const Vec3& w_B, double t_s) {
+  const auto number = conditioning(I, w_B);
+  const auto period_s = polhode_period(I, w_B);
+  const double periods = period_s ? std::abs(t_s) / *period_s : 0;
+  const double phase = number ? number->phase_per_period * periods : 0;
+  return 0x1p-53 * (4 + w_B.stableNorm() * std::abs(t_s) + phase);
 }
 
 }  // namespace polhode

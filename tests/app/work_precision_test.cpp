@@ -2,6 +2,7 @@
 #include "app/work_precision.h"
 
 #include "app/exit_codes.h"
+#include "physics/conditioning.h"
 #include "physics/poinsot.h"
 
 #include <gmock/gmock.h>
@@ -93,11 +94,38 @@ TEST(WorkPrecision, TolerancesFallByDecadesAndErrorsWithThem) {
   EXPECT_LT(found.rows[6].error(), 1e-3 * found.rows[0].error());
 }
 
+// VERIFY A1: the closed form was said to have the error 0 after any time, and was recommended for any
+// tolerance.
+TEST(WorkPrecision, NoRowIsBetterThanItsReference) {
+  const std::vector<Method> methods = {Method::exact, Method::moser_veselov_10, Method::dormand_prince_8};
+  for (const double periods : {1.0, 20.0}) {
+    const auto plan = plan_with(methods, periods, 12);
+    const auto found = measured(kFree, plan);
+    const double own = closed_form_error(kFree.I, kFree.start.w_B, periods * plan.period_s);
+    EXPECT_EQ(found.reference_error, own);
+    bool reached = false;
+    for (const WorkPrecisionRow& r : found.rows) {
+      EXPECT_GE(r.error_omega, own) << name_of(r.method);
+      EXPECT_GE(r.error_attitude_rad, own) << name_of(r.method);
+      reached = reached || (goes_step_by_step(r.method) && r.error() == own);
+    }
+    EXPECT_TRUE(reached) << "a good method comes as near as the reference can tell";
+  }
+}
+
+TEST(WorkPrecision, TheClosedFormIsNotRecommendedBeyondItsError) {
+  const auto found = measured(kFree, plan_with({Method::exact}, 1e7, 40));
+  ASSERT_EQ(found.rows.size(), 1u);
+  EXPECT_GT(found.rows[0].error(), 1e-12);
+  EXPECT_EQ(cheapest_within(found.rows, 1e-12), std::nullopt);
+  EXPECT_EQ(cheapest_within(found.rows, 1e-6), 0u);
+}
+
 TEST(WorkPrecision, TheClosedFormIsOneRowAndTheMeasure) {
   const auto found = measured(kFree, plan_with({Method::exact}, 100, 40));
   ASSERT_EQ(found.rows.size(), 1u);
   EXPECT_EQ(found.rows[0].evaluations, 1);
-  EXPECT_EQ(found.rows[0].error(), 0);
+  EXPECT_EQ(found.rows[0].error(), found.reference_error);
   EXPECT_LT(found.rows[0].drift_T, 1e-12);
   EXPECT_LT(found.rows[0].drift_L_direction_rad, 1e-12);
   EXPECT_FALSE(found.rows[0].step_s || found.rows[0].tolerance);

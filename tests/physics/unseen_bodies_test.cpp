@@ -59,6 +59,34 @@ TEST(AccuracySets, AreWhole) {
   for (const ReferenceCase& c : test::unseen_cases()) EXPECT_EQ(c.states.size(), 3u) << c.name;
 }
 
+// What `measure` says of the closed form may be too much, but never too little.
+TEST(ClosedFormError, IsNeverBelowTheTruth) {
+  double largest = 0;
+  for (const auto* cases : {&test::reference_cases(), &test::unseen_cases()})
+    for (const ReferenceCase& c : *cases) {
+      const auto motion = test::exact_motion(c.I, c.start);
+      for (const ReferenceState& truth : c.states) {
+        const RigidBodyState state = motion->at(truth.t_s);
+        const double angle_rad = 2 * std::asin(std::min(1.0, test::q_error(state.q_SB, truth.state.q_SB)));
+        const double bound = closed_form_error(c.I, c.start.w_B, truth.t_s);
+        EXPECT_LE(test::w_error(state.w_B, truth.state.w_B), bound) << c.name << " " << truth.t_s;
+        EXPECT_LE(angle_rad, bound) << c.name << " " << truth.t_s;
+        largest = std::max(largest, angle_rad / bound);
+      }
+    }
+  EXPECT_GE(largest, 0.1) << "a bound that is never come near says nothing";
+}
+
+TEST(ClosedFormError, GrowsWithTimeAndIsNeverZero) {
+  const ReferenceCase& c = test::reference_case("generic_above");
+  EXPECT_EQ(closed_form_error(c.I, c.start.w_B, 0), 4 * kEps);
+  const double once = closed_form_error(c.I, c.start.w_B, c.period_s),
+               often = closed_form_error(c.I, c.start.w_B, -1e6 * c.period_s);
+  EXPECT_NEAR(often / once, 1e6, 1e-2 * 1e6);
+  const double kappa = conditioning(c.I, c.start.w_B)->phase_per_period;
+  EXPECT_GE(once, kEps * (1 + kappa));
+}
+
 // After n periods the phase moves by at most n · phase_per_period per relative change of the inputs, and ω
 // with it: of the order of the reference's condition number, which was made by differences of the motion
 // itself.
