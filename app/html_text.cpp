@@ -3,6 +3,7 @@
 
 #include "app/sha256.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace polhode {

@@ -4,6 +4,8 @@
 #include "lessons/report.h"
 #include "render/type/paragraph.h"
 
+#include <algorithm>
+
 namespace polhode {
 namespace {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/framebuffer.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 

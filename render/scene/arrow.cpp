@@ -3,6 +3,7 @@
 
 #include "render/scene/difference.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace polhode {

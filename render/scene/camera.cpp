@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace polhode {

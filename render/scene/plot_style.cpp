@@ -3,6 +3,7 @@
 
 #include "render/scene/palette.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>

@@ -2,6 +2,7 @@
 #include "render/type/characters.h"
 #include "render/type/math_parser.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace polhode {

@@ -4,6 +4,7 @@
 #include "render/type/math_parser.h"
 #include "render/type/near_name.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace polhode {

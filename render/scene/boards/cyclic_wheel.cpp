@@ -3,6 +3,7 @@
 #include "render/scene/boards/board_paper.h"
 #include "render/scene/terms.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -15,6 +15,7 @@
 #include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
