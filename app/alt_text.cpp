@@ -6,6 +6,7 @@
 #include "render/scene/model.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>

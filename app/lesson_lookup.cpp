@@ -9,6 +9,7 @@
 #include "render/scene/model.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cerrno>

@@ -7,6 +7,7 @@
 #include "physics/poinsot.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <numbers>
 

@@ -4,6 +4,7 @@
 #include "physics/euler.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
