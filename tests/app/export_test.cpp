@@ -90,7 +90,7 @@ TEST(Export, PutsTheMetadataIntoEachFile) {
   ASSERT_TRUE(png.ok());
   const std::map<std::string, std::string> text(png->metadata.text.begin(), png->metadata.text.end());
   EXPECT_EQ(text.at("Title"), "Rolling – A tiny lesson");
-  EXPECT_EQ(text.at("Description"), manifest_in(scratch.path())["files"][0]["alt"]);
+  EXPECT_EQ(text.at("Description"), manifest_in(scratch.path())["files"][0]["alt"].get<std::string>());
   EXPECT_THAT(text.at("Description"), testing::AllOf(HasSubstr("the polhode"), HasSubstr("At t = 1.25 s")));
   EXPECT_THAT(text.at("Software"), testing::StartsWith("polhode "));
   EXPECT_EQ(text.at("polhode:lesson"), "tiny");

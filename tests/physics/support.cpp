@@ -91,11 +91,11 @@ Drift drift(const PrincipalMoments& I, const RigidBodyState& start, const RigidB
           beyond(direction, slack_L)};
 }
 
-const ReferenceCase& reference_case(const std::string& name) {
+const ReferenceCase& reference_case(std::string_view name) {
   for (const ReferenceCase& c : reference_cases()) {
     if (c.name == name) return c;
   }
-  throw std::runtime_error("no reference case " + name);
+  throw std::runtime_error("no reference case " + std::string(name));
 }
 
 double w_error(const Vec3& w, const Vec3& truth) {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode::test {
@@ -33,7 +34,7 @@ struct ReferenceCase {
 
 /// tests/reference/torque_free.json, 52 bodies.
 const std::vector<ReferenceCase>& reference_cases();
-const ReferenceCase& reference_case(const std::string& name);
+const ReferenceCase& reference_case(std::string_view name);
 /// tests/reference/unseen.json, 60 more, made after the formulas.
 const std::vector<ReferenceCase>& unseen_cases();
 

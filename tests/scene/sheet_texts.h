@@ -8,6 +8,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -22,17 +23,17 @@ inline PixelBox box_of(const PlacedType& type) {
   return {type.at.x() + ink.x0, type.at.y() + ink.y0, type.at.x() + ink.x1, type.at.y() + ink.y1};
 }
 
-inline std::vector<const PlacedType*> texts_of(const Sheet& sheet, const std::string& text) {
+inline std::vector<const PlacedType*> texts_of(const Sheet& sheet, std::string_view text) {
   std::vector<const PlacedType*> found;
   for (const PlacedType& type : sheet.texts)
     if (type.text == text) found.push_back(&type);
   return found;
 }
 
-inline const PlacedType& only_text(const Sheet& sheet, const std::string& text) {
+inline const PlacedType& only_text(const Sheet& sheet, std::string_view text) {
   const auto found = texts_of(sheet, text);
   if (found.size() != 1)
-    throw std::runtime_error(text + " stands there " + std::to_string(found.size()) + " times");
+    throw std::runtime_error(std::string(text) + " stands there " + std::to_string(found.size()) + " times");
   return *found.front();
 }
 
