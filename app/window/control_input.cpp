@@ -20,6 +20,48 @@ Input& input_of(GLFWwindow* window) {
   return input;
 }
 
+// From version 1.87 on Dear ImGui is told of events, which it adopts in the order of their telling, and what
+// is written into its io is overruled by the back end's. Until then its io is what it looks at.
+#if IMGUI_VERSION_NUM < 18700
+
+void tell_mouse(const ImVec2& pointer, const std::array<bool, 5>& buttons) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = pointer;
+  std::copy(buttons.begin(), buttons.end(), io.MouseDown);
+}
+
+/// The back end has them from the keys it was told of.
+void tell_modifiers(const InputEvent&) {}
+
+#else
+
+void tell_mouse(const ImVec2& pointer, const std::array<bool, 5>& buttons) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.AddMousePosEvent(pointer.x, pointer.y);
+  for (std::size_t i = 0; i < buttons.size(); ++i) io.AddMouseButtonEvent(static_cast<int>(i), buttons[i]);
+}
+
+/// The back end asks which of Shift and the like are held now; what counts is which were when the key was
+/// pressed. Of one of them itself the event says what was held before.
+void tell_modifiers(const InputEvent& key) {
+  struct Modifier {
+    int mask, left, right;
+    ImGuiKey name;
+  };
+  static constexpr std::array<Modifier, 4> kModifiers = {
+      {{GLFW_MOD_CONTROL, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL, ImGuiMod_Ctrl},
+       {GLFW_MOD_SHIFT, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, ImGuiMod_Shift},
+       {GLFW_MOD_ALT, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT, ImGuiMod_Alt},
+       {GLFW_MOD_SUPER, GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER, ImGuiMod_Super}}};
+  for (const Modifier& modifier : kModifiers) {
+    const bool itself = key.code == modifier.left || key.code == modifier.right;
+    ImGui::GetIO().AddKeyEvent(modifier.name,
+                               itself ? key.action != GLFW_RELEASE : (key.modifiers & modifier.mask) != 0);
+  }
+}
+
+#endif
+
 }  // namespace
 
 void listen(GLFWwindow* window, Input& input) {
@@ -66,9 +108,7 @@ void ControlInput::feed(std::deque<InputEvent>& waiting) {
     if (event.kind == InputEvent::Kind::button) wait_ = kSettlingFrames;
   }
   wait_ = std::max(0, wait_ - 1);
-  ImGuiIO& io = ImGui::GetIO();
-  io.MousePos = pointer_;
-  std::copy(buttons_.begin(), buttons_.end(), io.MouseDown);
+  tell_mouse(pointer_in_pixels(), buttons_);
 }
 
 bool ControlInput::is_command(const InputEvent& event) {
@@ -96,6 +136,7 @@ void ControlInput::give(const InputEvent& event) {
       break;
     case InputEvent::Kind::key:
       ImGui_ImplGlfw_KeyCallback(window_, event.code, event.scancode, event.action, event.modifiers);
+      tell_modifiers(event);
       break;
     case InputEvent::Kind::character:
       ImGui_ImplGlfw_CharCallback(window_, static_cast<unsigned>(event.code));
@@ -108,6 +149,15 @@ void ControlInput::move_to(float x, float y) {
   const bool is_out = x == -FLT_MAX;
   const bool holds = std::find(buttons_.begin(), buttons_.end(), true) != buttons_.end();
   if (!is_out || !holds) pointer_ = {x, y};
+}
+
+ImVec2 ControlInput::pointer_in_pixels() const {
+  Size pixels, units;
+  glfwGetFramebufferSize(window_, &pixels.width, &pixels.height);
+  glfwGetWindowSize(window_, &units.width, &units.height);
+  if (!ImGui::IsMousePosValid(&pointer_) || units.width <= 0 || units.height <= 0) return pointer_;
+  return {pointer_.x * static_cast<float>(pixels.width) / static_cast<float>(units.width),
+          pointer_.y * static_cast<float>(pixels.height) / static_cast<float>(units.height)};
 }
 
 }  // namespace polhode

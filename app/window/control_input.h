@@ -41,14 +41,15 @@ class ControlInput {
   bool is_command(const InputEvent& event);
   void give(const InputEvent& event);
   void move_to(float x, float y);
+  ImVec2 pointer_in_pixels() const;
 
   GLFWwindow* window_;
   Companion& companion_;
   Screen& screen_;
   int wait_ = 0;  ///< frames
   bool is_repeated_ = false;
-  ImVec2 pointer_{-FLT_MAX, -FLT_MAX};
-  std::array<bool, 5> buttons_{};  // as many as Dear ImGui knows
+  ImVec2 pointer_{-FLT_MAX, -FLT_MAX};  // in the window's units, which need not be pixels
+  std::array<bool, 5> buttons_{};       // as many as Dear ImGui knows
 };
 
 }  // namespace polhode

@@ -78,8 +78,12 @@ Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   io.ConfigWindowsMoveFromTitleBarOnly = true;
+#if IMGUI_VERSION_NUM < 18700
   for (int key = 0; key < ImGuiKey_COUNT; ++key)
     io.KeyMap[key] = key;  // until a window's back end knows better
+#else
+  io.ConfigInputTrickleEventQueue = false;  // what goes into one frame: app/window/input_portion.h
+#endif
   std::error_code unknown;
   memory_.folder = std::filesystem::current_path(unknown).string();
 }

@@ -114,21 +114,13 @@ class Loop {
     update_title();
   }
 
-  /// The pointer comes in the window's units, which need not be pixels.
   ScreenFrame measured_frame(double now_s) {
     ScreenFrame frame;
     glfwGetFramebufferSize(display_.window(), &frame.size.width, &frame.size.height);
     frame.size = {std::max(1, frame.size.width), std::max(1, frame.size.height)};
-    int width = 0, height = 0;
-    glfwGetWindowSize(display_.window(), &width, &height);
     float scale_x = 1, scale_y = 1;
     glfwGetWindowContentScale(display_.window(), &scale_x, &scale_y);
-    ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsMousePosValid(&io.MousePos) && width > 0 && height > 0) {
-      io.MousePos.x *= static_cast<float>(frame.size.width) / static_cast<float>(width);
-      io.MousePos.y *= static_cast<float>(frame.size.height) / static_cast<float>(height);
-    }
-    io.DisplayFramebufferScale = {1, 1};
+    ImGui::GetIO().DisplayFramebufferScale = {1, 1};
     frame.scale = std::clamp(static_cast<double>(std::max(scale_x, scale_y)), 1.0, 4.0);
     frame.seconds = drawn_s_ > 0 ? now_s - drawn_s_ : 0;
     return frame;
