@@ -6,8 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <qpdf/QPDF.hh>
-#include <qpdf/QPDFObjectHandle.hh>
 
 namespace polhode {
 
@@ -45,21 +43,23 @@ std::string to_unicode(const std::vector<char32_t>& characters) {
   return map + "endcmap\nCMapName currentdict /CMap defineresource pop\nend\nend\n";
 }
 
-QPDFObjectHandle font_of(QPDF& pdf, const std::vector<char32_t>& characters, QPDFObjectHandle letter) {
+PdfObject font_of(PdfFile& pdf, const std::vector<char32_t>& characters, const PdfObject& letter) {
   const auto count = static_cast<int>(characters.size());
   std::string names, widths;
   for (int i = 0; i < count; ++i) {
     names += " /letter";
     widths += fmt::format(" {}", 1000 * kLetterWidth);
   }
-  QPDFObjectHandle font = QPDFObjectHandle::parse(
-      &pdf, fmt::format("<< /Type /Font /Subtype /Type3 /FontBBox [0 -250 {} 750] "
-                        "/FontMatrix [0.001 0 0 0.001 0 0] /FirstChar 1 /LastChar {} /Widths [{} ] "
-                        "/Encoding << /Type /Encoding /Differences [1{} ] >> /Resources << >> >>",
-                        1000 * kLetterWidth, count, widths, names));
-  font.replaceKey("/CharProcs", QPDFObjectHandle::newDictionary({{"/letter", letter}}));
-  font.replaceKey("/ToUnicode", QPDFObjectHandle::newStream(&pdf, to_unicode(characters)));
-  return pdf.makeIndirectObject(font);
+  PdfObject font = PdfObject::parse(
+      fmt::format("<< /Type /Font /Subtype /Type3 /FontBBox [0 -250 {} 750] "
+                  "/FontMatrix [0.001 0 0 0.001 0 0] /FirstChar 1 /LastChar {} /Widths [{} ] "
+                  "/Encoding << /Type /Encoding /Differences [1{} ] >> /Resources << >> >>",
+                  1000 * kLetterWidth, count, widths, names));
+  PdfObject glyphs = PdfObject::parse("<< >>");
+  glyphs.set("/letter", letter);
+  font.set("/CharProcs", glyphs);
+  font.set("/ToUnicode", pdf.stream(to_unicode(characters)));
+  return pdf.numbered(font);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -157,15 +157,14 @@ std::string PdfTextLayer::content(const DeckSlide& slide, double width, double h
   return content + "ET\n";
 }
 
-QPDFObjectHandle PdfTextLayer::make_fonts(QPDF& pdf) const {
-  QPDFObjectHandle letter =
-      QPDFObjectHandle::newStream(&pdf, fmt::format("{0} 0 0 -250 {0} 750 d1\n", 1000 * kLetterWidth));
-  QPDFObjectHandle fonts = QPDFObjectHandle::newDictionary();
+PdfObject PdfTextLayer::make_fonts(PdfFile& pdf) const {
+  const PdfObject letter = pdf.stream(fmt::format("{0} 0 0 -250 {0} 750 d1\n", 1000 * kLetterWidth));
+  PdfObject fonts = PdfObject::parse("<< >>");
   for (std::size_t begin = 0; begin < characters_.size(); begin += kCodes) {
     const std::size_t end = std::min(characters_.size(), begin + kCodes);
     const std::vector<char32_t> some(characters_.begin() + static_cast<std::ptrdiff_t>(begin),
                                      characters_.begin() + static_cast<std::ptrdiff_t>(end));
-    fonts.replaceKey(fmt::format("/T{}", begin / kCodes), font_of(pdf, some, letter));
+    fonts.set(fmt::format("/T{}", begin / kCodes), font_of(pdf, some, letter));
   }
   return fonts;
 }

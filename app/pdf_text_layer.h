@@ -4,12 +4,10 @@
 #pragma once
 
 #include "app/deck.h"
+#include "app/pdf_file.h"
 
 #include <map>
 #include <set>
-
-class QPDF;
-class QPDFObjectHandle;
 
 namespace polhode {
 
@@ -27,7 +25,7 @@ class PdfTextLayer {
   std::string content(const DeckSlide& slide, double width, double height, int first_id) const;
 
   /// The fonts that content() names, for the resources of each page.
-  QPDFObjectHandle make_fonts(QPDF& pdf) const;
+  PdfObject make_fonts(PdfFile& pdf) const;
 
  private:
   struct Code {
