@@ -71,7 +71,7 @@ class InlineScan {
       return;
     }
     std::size_t end = i_ + 1;
-    while (end < paragraph_end_ && text_[end] != '$') end += text_[end] == '\\' ? 2 : 1;
+    while (end < paragraph_end_ && text_[end] != '$') end += text_[end] == '\\' ? 2U : 1U;
     if (end >= paragraph_end_) {
       report_.warning(place_of(i_), "this $ has no partner in its paragraph", "write \\$ for a dollar sign");
       i_ = paragraph_end_;

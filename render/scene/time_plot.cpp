@@ -27,7 +27,6 @@ constexpr double kDot = 0.24, kDotRim = 0.1;
 constexpr double kLeaderFrom = 0.3;  // of displacement of a name
 constexpr int kMostIntervals = 4;
 constexpr int kLeastDecades = 2;
-constexpr float kLineShare = 0.4F;       // lines need less contrast than type
 constexpr double kSimplification = 0.1;  // px
 
 Color mixed(const Color& a, const Color& b, float f) {

@@ -80,7 +80,8 @@ bool covers(SourceSpan a, SourceSpan b) { return a.begin <= b.begin && b.end <= 
 TEST(MathLayout, EveryFormulaIsTypesetAndNothingIsLost) {
   const auto formulas = testing::all_formulas();
   ASSERT_GE(formulas.size(), 300U);
-  for (const auto& [name, tex] : formulas) {
+  for (const testing::NamedFormula& formula : formulas) {
+    const std::string &name = formula.name, &tex = formula.tex;
     const Math math = parsed(tex);
     ASSERT_TRUE(math.root) << name;
     const DisplayList list = set(tex);

@@ -250,8 +250,9 @@ TEST(Morph, RulesTravelByTheirDirectionAndDoNotTurnOver) {
 }
 
 TEST(Morph, GoesOnWithoutJumps) {
-  for (const auto& [from, to] : examples())
+  for (const auto& example : examples())
     for (int i = 0; i < 200; ++i) {
+      const DisplayList &from = example.first, &to = example.second;
       // What is hardly visible may be missing: opacity changes by at most 2·step.
       const auto visible = [&](double u) {
         double sum = 0;
