@@ -15,7 +15,7 @@ Result<KeptLibrary> KeptLibrary::open(const char* name, const char* packages) {
   if (handle) return KeptLibrary(handle, name);
   const char* reason = dlerror();
   return failure(std::string("Cannot open ") + name + ": " + (reason ? reason : "unknown reason") +
-                 ". Install the Debian package " + packages + ".");
+                 ". Install " + packages + ".");
 }
 
 void* KeptLibrary::symbol(const char* name) const { return dlsym(handle_, name); }
@@ -36,7 +36,8 @@ ContextResult open_any(const char* osmesa_library, const char* egl_library) {
   if (osmesa) return osmesa;
   ContextResult egl = open_egl(egl_library);
   if (egl) return egl;
-  return failure("No off-screen OpenGL. OSMesa: " + osmesa.error() + " EGL: " + egl.error());
+  // EGL first: its packages are those that every release has.
+  return failure("No off-screen OpenGL. EGL: " + egl.error() + " OSMesa: " + osmesa.error());
 }
 
 Result<std::unique_ptr<GlContext>> open_context(ContextKind kind) {

@@ -22,7 +22,7 @@ class GlContext {
 };
 
 /// Opens libOSMesa or libEGL (surfaceless platform) at run time. The error names what failed and the Debian
-/// package to install (libosmesa6, or libegl1 and libegl-mesa0).
+/// package to install.
 Result<std::unique_ptr<GlContext>> open_context(ContextKind kind);
 
 }  // namespace polhode

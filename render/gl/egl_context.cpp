@@ -15,7 +15,12 @@
 namespace polhode {
 namespace {
 
-constexpr const char* kPackages = "libegl1 and libegl-mesa0";
+constexpr const char* kPackages = "the Debian packages libegl1, libegl-mesa0 and libgl1-mesa-dri";
+
+/// The end of a message, where the library is there, but none or none of use behind it.
+std::string or_card(const char* package) {
+  return std::string(". Install the Debian package ") + package + ", or a driver for your graphics card.";
+}
 
 struct Egl {
   PFNEGLGETPROCADDRESSPROC address;
@@ -158,16 +163,18 @@ ContextResult open_egl(const char* library_name) {
   if (!library) return failure(library.error());
   const Result<Egl> egl = load(*library);
   if (!egl) return failure(egl.error());
-  std::string reason = "it has neither the surfaceless nor the device platform";
+  std::string reason = "it has neither the surfaceless nor the device platform" + or_card("libegl-mesa0");
   for (const EGLDisplay display : displays(*egl)) {
     auto context = std::make_unique<EglContext>(*egl, display);
-    Status opened = context->open();
-    if (opened) opened = check_version(*context, library_name);
-    if (opened) return std::unique_ptr<GlContext>(std::move(context));
-    reason = opened.error();
+    if (const Status opened = context->open(); !opened) {
+      reason = opened.error() + or_card("libgl1-mesa-dri");
+      continue;
+    }
+    const Status version = check_version(*context, library_name);
+    if (version) return std::unique_ptr<GlContext>(std::move(context));
+    reason = version.error();
   }
-  return failure(std::string(library_name) + " gives no off-screen OpenGL 3.3: " + reason + ". Install " +
-                 kPackages + ", or a driver for your graphics card.");
+  return failure(std::string(library_name) + " gives no off-screen OpenGL 3.3: " + reason);
 }
 
 }  // namespace polhode

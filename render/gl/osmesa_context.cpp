@@ -26,6 +26,8 @@ constexpr int kCoreProfile = 0x34;
 constexpr int kMajorVersion = 0x36;
 constexpr int kMinorVersion = 0x37;
 
+constexpr const char* kPackage = "the Debian package libosmesa6, which releases up to 13 have";
+
 struct Osmesa {
   CreateContextAttribs create;
   MakeCurrent make_current;
@@ -71,7 +73,7 @@ class OsmesaContext : public GlContext {
 }  // namespace
 
 ContextResult open_osmesa(const char* library_name) {
-  const Result<KeptLibrary> library = KeptLibrary::open(library_name, "libosmesa6");
+  const Result<KeptLibrary> library = KeptLibrary::open(library_name, kPackage);
   if (!library) return failure(library.error());
   const Result<Osmesa> osmesa = load(*library);
   if (!osmesa) return failure(osmesa.error());

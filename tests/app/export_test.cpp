@@ -260,6 +260,29 @@ TEST(Export, WithoutAnyContextBothPackagesAreNamed) {
   EXPECT_THAT(run.err, testing::AllOf(HasSubstr("libosmesa6"), HasSubstr("libegl1")));
 }
 
+/// What `export --context egl` says where no file that this pattern matches can be read.
+ProgramRun export_by_egl_without(const std::string& files) {
+  const ScratchFolder scratch;
+  return export_tiny(scratch.path(), {"--context", "egl", "--stage", "steady"},
+                     in_own_namespace(hide(files)));
+}
+
+TEST(Export, EglWithoutMesaNamesThePackageThatIsMissing) {
+  if (!can_mount(hide("libEGL_mesa.so."))) GTEST_SKIP() << "a library cannot be hidden here";
+  const ProgramRun run = export_by_egl_without("libEGL_mesa.so.");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("Install the Debian package libegl-mesa0, or"));
+}
+
+// Newer releases of Mesa have the driver in a library that libegl-mesa0 depends on.
+TEST(Export, EglWithoutItsDriverNamesThePackageThatIsMissing) {
+  if (!can_mount(hide("dri/"))) GTEST_SKIP() << "the drivers cannot be hidden here";
+  const ProgramRun run = export_by_egl_without("dri/");
+  if (run.code == 0) GTEST_SKIP() << "this release of Mesa needs no driver of libgl1-mesa-dri";
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("Install the Debian package libgl1-mesa-dri, or"));
+}
+
 TEST(Export, InterruptedEndsWith130AndWholeFiles) {
   const ScratchFolder scratch;
   RunOptions options;
