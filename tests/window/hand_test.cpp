@@ -126,5 +126,20 @@ TEST_F(Hand, AnswersAQuestionWrongAndRight) {
   EXPECT_EQ(lesson.place().stage, 2) << "letters and Enter are for the question";
 }
 
+TEST_F(Hand, EditsAnAnswer) {
+  PlayedLesson lesson(display(), home(), {kPlayed, "--stage", "question"});
+  const Image start = lesson.picture_at_rest();
+  lesson.press({"q"});
+  ASSERT_TRUE(lesson.changes_from(start));
+  lesson.picture_at_rest();
+  lesson.type("w1w1*w3");
+  lesson.press({"BackSpace", "BackSpace", "shift+Left", "Delete", "Home", "Right", "Right"});
+  lesson.type(" + ");
+  lesson.press({"Return"});
+  EXPECT_TRUE(eventually([&] {
+    return answers(home(), "played").dump().find("w1 + w1") != std::string::npos;
+  })) << answers(home(), "played").dump();
+}
+
 }  // namespace
 }  // namespace polhode::window_test
