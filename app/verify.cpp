@@ -87,11 +87,10 @@ void add_verify(CLI::App& app, Action& action) {
   command->add_flag("--json", options->json,
                     "the same as JSON: ok, files, missing, damaged, foreign, resume, ...");
   command->footer(
-      "Every file is read; its bytes have to be those that were written (sha256 in manifest.json), or, of "
-      "an\n"
-      "export that is not finished, those of a whole picture of the plan. Then the command that finishes it\n"
-      "is told. Films and decks beside the pictures are passed over; nothing is drawn again to compare it.\n"
-      "Left over is what killed processes left.\n"
+      "Every file is read: its bytes have to be those that were written (sha256 in manifest.json), or in an\n"
+      "unfinished export those of a whole picture of the plan. Then the command that finishes it is told.\n"
+      "Films and decks beside the pictures are passed over; nothing is drawn again to compare it. Left over\n"
+      "is what killed processes left.\n"
       "Exit code 0 if all is there and whole and nothing else, 4 if not, 1 if DIR cannot be read.");
   command->callback([options, &action] { action = [options] { return verify(*options); }; });
 }
