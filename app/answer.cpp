@@ -160,9 +160,10 @@ void add_answer(CLI::App& app, Action& action) {
   command->add_option("LESSON", options->lesson, "Lesson file or id")->required();
   command->add_option("STAGE", options->stage, "Id of the stage")->required();
   command->add_option("ASK", options->ask, "Id of the question")->required();
-  CLI::Option* given =
-      command->add_option("ANSWER", options->answer,
-                          "An expression such as \"w3*w1*(I1 - I3)\"; a choice, B or 2; an order, \"C A B\"");
+  CLI::Option* given = command->add_option(
+      "ANSWER", options->answer,
+      fmt::format("An expression such as \"{}\"; a choice, B or 2; an order such as \"{}\"",
+                  form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order)));
   command->add_flag("--hint", options->hint, "Show the next hint instead");
   command->add_flag("--reset", options->reset, "Forget what was answered to the question, and its hints");
   command->add_flag("--json", options->json, "verdict, reason, hint, column and counterexample as JSON");

@@ -212,4 +212,17 @@ AnswerJudgement judge_answer(const Ask& ask, std::string_view answer, const Prov
   return judge_choice(ask, answer);
 }
 
+std::string_view form_of_answer(Ask::Type type) {
+  switch (type) {
+    case Ask::Type::expression:
+      return "2*a*(b - c)";
+    case Ask::Type::order:
+      return "X Y Z";
+    case Ask::Type::choice:
+    case Ask::Type::predict:
+      return "";
+  }
+  return "";
+}
+
 }  // namespace polhode

@@ -27,4 +27,8 @@ struct AnswerJudgement {
 /// commas or spaces between. Up to some 50 ms.
 AnswerJudgement judge_answer(const Ask& ask, std::string_view answer, const Prover& prover);
 
+/// How such an answer is written, for an empty box and for help: of letters that no quantity and no choice
+/// has, so that it answers no question, neither right nor wrong. Of choices, which are taken, empty.
+std::string_view form_of_answer(Ask::Type type);
+
 }  // namespace polhode

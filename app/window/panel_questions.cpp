@@ -18,7 +18,7 @@ void show_verdict(const AnswerJudgement& verdict, const std::string& typed) {
   const std::string word = verdict.outcome == Outcome::wrong ? "Not right" : "Cannot be read";
   if (right) return right_words("Right.");
   warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
-  if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, typed));
+  if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
   if (!verdict.hint.empty()) quiet_words(verdict.hint);
   if (const auto& counter = verdict.counterexample)
     quiet_words(
@@ -31,12 +31,13 @@ void judge(Desk& desk, const Ask& ask, const std::string& typed) {
 }
 
 /// Typed, and checked with Enter or the button.
-void ask_for_words(Desk& desk, const Ask& ask, std::string& typed, const char* example) {
+void ask_for_words(Desk& desk, const Ask& ask, std::string& typed) {
   const float check = ImGui::CalcTextSize("Check").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - check - ImGui::GetStyle().ItemSpacing.x);
   if (desk.take_focus) ImGui::SetKeyboardFocusHere();
+  const std::string form = fmt::format("such as {}", form_of_answer(ask.type));
   const bool entered =
-      ImGui::InputTextWithHint("##answer", example, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+      ImGui::InputTextWithHint("##answer", form.c_str(), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   if (entered) ImGui::SetKeyboardFocusHere(-1);  // for another try
   ImGui::SameLine();
   if ((ImGui::Button("Check") || entered) && !typed.empty()) judge(desk, ask, typed);
@@ -82,11 +83,11 @@ void draw_question(Desk& desk, const Ask& ask, std::size_t number, std::size_t c
   std::string& typed = desk.memory.typed_answers[desk.companion.stage().id + '/' + ask.id];
   switch (ask.type) {
     case Ask::Type::expression:
-      ask_for_words(desk, ask, typed, "w3*w1*(I1 - I3)");
+      ask_for_words(desk, ask, typed);
       break;
     case Ask::Type::order:
       quiet_words("Put the letters in order.");
-      ask_for_words(desk, ask, typed, "C A B");
+      ask_for_words(desk, ask, typed);
       break;
     case Ask::Type::choice:
     case Ask::Type::predict:

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/answers.h"
 
+#include "lessons/ask_block.h"
+#include "lessons/reader.h"
 #include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <numeric>
 
 namespace polhode {
 namespace {
@@ -121,6 +125,40 @@ TEST(JudgeAnswer, AnOrderNamesEveryChoiceOnce) {
   EXPECT_EQ(judged(ask, "C B A").reason, "place 2 is not right, the one before it is");
   for (const char* no : {"A B", "A A B", "A B C A", "ABD"})
     EXPECT_EQ(judged(ask, no).outcome, Outcome::unreadable) << no;
+}
+
+TEST(FormOfAnAnswer, AnswersNoQuestionOfItsKind) {
+  for (const char* right : {"w3*w1*(I1 - I3)", "cross(omega, L)", "0"}) {
+    const AnswerJudgement form =
+        judged(asking(right, "motion"), std::string(form_of_answer(Ask::Type::expression)));
+    EXPECT_EQ(form.outcome, Outcome::unreadable) << right;
+    EXPECT_THAT(form.reason, HasSubstr("unknown symbol")) << "it is written as expressions are";
+  }
+  for (std::size_t choices = 2; choices <= kMaxChoices; ++choices) {
+    std::vector<int> in_order(choices);
+    std::iota(in_order.begin(), in_order.end(), 1);
+    const Ask order = choosing(Ask::Type::order, in_order, choices);
+    EXPECT_EQ(judged(order, std::string(form_of_answer(order.type))).outcome, Outcome::unreadable) << choices;
+  }
+}
+
+TEST(FormOfAnAnswer, AnswersNoQuestionOfTheLessons) {
+  for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
+    if (path.filename() == "FORMAT.md") continue;  // no lesson
+    const LessonReading reading = read_lesson(testing::read_file(path), path.filename().string());
+    ASSERT_TRUE(reading.lesson) << path;
+    std::size_t written = 0;
+    for (const Stage& stage : reading.lesson->stages)
+      for (const Step& step : stage.steps)
+        for (const Block& block : step.blocks) {
+          const auto* ask = std::get_if<Ask>(&block);
+          if (!ask || form_of_answer(ask->type).empty()) continue;
+          ++written;
+          EXPECT_EQ(judged(*ask, std::string(form_of_answer(ask->type))).outcome, Outcome::unreadable)
+              << path << ' ' << stage.id << ' ' << ask->id;
+        }
+    EXPECT_GT(written, 0u) << path;
+  }
 }
 
 }  // namespace
