@@ -124,7 +124,7 @@ void Companion::arrive(Place place) {
   travel_ = same_stage && place.step == place_.step + 1 && !preferences.reduced_motion ? 0 : 1;
   place_ = place;
   visited_.insert(stage().id);
-  verdicts_.clear();
+  judged_.clear();
   if (same_stage && left == step().scene) return;
 
   const bool goes_on =
@@ -161,7 +161,7 @@ void Companion::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   place_.stage = std::min(place_.stage, stages.size() - 1);
   place_.step = std::min(place_.step, stage().steps.size() - 1);
   set_visited(visited_);
-  verdicts_.clear();
+  judged_.clear();
   travel_ = 1;
 
   const SceneEdits kept = edits_;
@@ -351,15 +351,16 @@ std::vector<const Ask*> Companion::questions() const {
 
 const AnswerJudgement& Companion::answer(const Ask& ask, std::string_view text) {
   using Outcome = AnswerJudgement::Outcome;
-  AnswerJudgement& judgement = verdicts_[ask.id] = judge_answer(ask, text, Prover());
-  if (judgement.outcome != Outcome::unreadable)
-    note_try(answers_[answer_name(stage().id, ask.id)], judgement.outcome == Outcome::right, text);
-  return judgement;
+  JudgedAnswer& judged = judged_[ask.id] = {std::string(text), judge_answer(ask, text, Prover())};
+  const Outcome outcome = judged.judgement.outcome;
+  if (outcome != Outcome::unreadable)
+    note_try(answers_[answer_name(stage().id, ask.id)], outcome == Outcome::right, text);
+  return judged.judgement;
 }
 
-const AnswerJudgement* Companion::verdict(const Ask& ask) const {
-  const auto found = verdicts_.find(ask.id);
-  return found == verdicts_.end() ? nullptr : &found->second;
+const JudgedAnswer* Companion::judged(const Ask& ask) const {
+  const auto found = judged_.find(ask.id);
+  return found == judged_.end() ? nullptr : &found->second;
 }
 
 const AnswerRecord* Companion::record(const Ask& ask) const {
@@ -373,7 +374,7 @@ void Companion::show_hint(const Ask& ask) {
 
 void Companion::forget_answer(const Ask& ask) {
   answers_.erase(answer_name(stage().id, ask.id));
-  verdicts_.erase(ask.id);
+  judged_.erase(ask.id);
 }
 
 // How it is shown.

@@ -39,6 +39,12 @@ struct Preferences {
 };
 inline constexpr double kTextScaleFactor = 1.1;  ///< of one step; the ends: app/page_theme.h
 
+/// An answer, and what is to be said of it.
+struct JudgedAnswer {
+  std::string text;
+  AnswerJudgement judgement;
+};
+
 inline constexpr double kSlowest = 1.0 / 16, kFastest = 16;
 /// Single frames are those of a film: shown seconds.
 inline constexpr double kFrameSeconds = 1.0 / 25;
@@ -137,8 +143,8 @@ class Companion {
   void set_answers(AnswerLog answers) { answers_ = std::move(answers); }
   /// Judges and notes it; what cannot be read is judged, not noted.
   const AnswerJudgement& answer(const Ask& ask, std::string_view text);
-  /// The verdict on what was answered last since the place was reached; null: none.
-  const AnswerJudgement* verdict(const Ask& ask) const;
+  /// What was answered last to this question since the place was reached; null: nothing.
+  const JudgedAnswer* judged(const Ask& ask) const;
   const AnswerRecord* record(const Ask& ask) const;  ///< null: never answered
   void show_hint(const Ask& ask);                    ///< one more, if there is one
   void forget_answer(const Ask& ask);
@@ -182,7 +188,7 @@ class Companion {
   mutable Flips flips_;  ///< found when asked for
   std::string lit_;
   AnswerLog answers_;
-  std::map<std::string, AnswerJudgement> verdicts_;  ///< by ask, since the place was reached
+  std::map<std::string, JudgedAnswer> judged_;  ///< by ask, since the place was reached
 };
 
 }  // namespace polhode

@@ -28,7 +28,6 @@ inline constexpr int kFramesOfFront = 3;
 /// What is typed or chosen in the panels, and not yet part of the companion.
 struct PanelMemory {
   std::map<std::string, std::string> typed_answers{};  ///< by "stage/ask"
-  std::string judged{};                                ///< the answer that was judged last
   std::optional<SceneEdits> edits{};                   ///< to be made
   double most_moment = 1, most_omega = 1;              ///< ends of sliders; they stand while one is held
   std::pair<Panel, Place> shown{};                     ///< panel and place of the frame before

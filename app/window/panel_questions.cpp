@@ -12,7 +12,9 @@ namespace polhode {
 
 namespace {
 
-void show_verdict(const AnswerJudgement& verdict, const std::string& typed) {
+/// Of the answer that was judged, whatever is typed since.
+void show_verdict(const JudgedAnswer& answer) {
+  const AnswerJudgement& verdict = answer.judgement;
   using Outcome = AnswerJudgement::Outcome;
   const bool right = verdict.outcome == Outcome::right;
   const std::string word = verdict.outcome == Outcome::wrong ? "Not right" : "Cannot be read";
@@ -25,11 +27,6 @@ void show_verdict(const AnswerJudgement& verdict, const std::string& typed) {
         fmt::format("At {} yours is {}, right is {}.", counter->state, counter->left, counter->right));
 }
 
-void judge(Desk& desk, const Ask& ask, const std::string& typed) {
-  desk.companion.answer(ask, typed);
-  desk.memory.judged = typed;  // what the verdict is about, whatever is typed since
-}
-
 /// Typed, and checked with Enter or the button.
 void ask_for_words(Desk& desk, const Ask& ask, std::string& typed) {
   const float check = ImGui::CalcTextSize("Check").x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -40,7 +37,7 @@ void ask_for_words(Desk& desk, const Ask& ask, std::string& typed) {
       ImGui::InputTextWithHint("##answer", form.c_str(), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   if (entered) ImGui::SetKeyboardFocusHere(-1);  // for another try
   ImGui::SameLine();
-  if ((ImGui::Button("Check") || entered) && !typed.empty()) judge(desk, ask, typed);
+  if ((ImGui::Button("Check") || entered) && !typed.empty()) desk.companion.answer(ask, typed);
 }
 
 /// Controls set no formulas: what has some is to be read where it is set.
@@ -56,7 +53,7 @@ void ask_for_choice(Desk& desk, const Ask& ask, std::string& typed) {
     const std::string letter(1, letter_of_choice(i));
     if (toggle_button(letter.c_str(), typed == letter, "")) {
       typed = letter;
-      judge(desk, ask, typed);
+      desk.companion.answer(ask, typed);
     }
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
@@ -94,8 +91,8 @@ void draw_question(Desk& desk, const Ask& ask, std::size_t number, std::size_t c
       ask_for_choice(desk, ask, typed);
       break;
   }
-  if (const AnswerJudgement* verdict = desk.companion.verdict(ask))
-    show_verdict(*verdict, desk.memory.judged);
+  if (const JudgedAnswer* answer = desk.companion.judged(ask))
+    show_verdict(*answer);
   else if (const AnswerRecord* record = desk.companion.record(ask); record && record->right)
     quiet_words("You have answered this one right.");
   show_hints(desk, ask);

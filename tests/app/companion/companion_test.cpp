@@ -4,6 +4,7 @@
 
 #include "tests/app/companion/example_lesson.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -102,27 +103,47 @@ TEST(Companion, DoesNotTravelWithReducedMotion) {
   EXPECT_FALSE(companion.is_moving());
 }
 
+TEST(Companion, EachQuestionHasItsOwnVerdict) {
+  const auto asking = [](const char* id, const char* answer) {
+    return fmt::format("```ask {}\ntype = \"expression\"\nprompt = 'What?'\nanswer = \"{}\"\n```\n", id,
+                       answer);
+  };
+  Companion companion(
+      test::loaded_text("+++\nformat = 1\nid = \"two\"\ntitle = \"Two\"\n+++\n# Two {two}\nAsk.\n\n" +
+                        asking("first", "w1") + asking("second", "w2")));
+  const std::vector<const Ask*> asks = companion.questions();
+  ASSERT_EQ(asks.size(), 2u);
+  companion.answer(*asks[0], "w1*(");
+  companion.answer(*asks[1], "w2");
+  ASSERT_TRUE(companion.judged(*asks[0]) && companion.judged(*asks[1]));
+  EXPECT_EQ(companion.judged(*asks[0])->text, "w1*(");
+  EXPECT_EQ(companion.judged(*asks[0])->judgement.outcome, Outcome::unreadable);
+  EXPECT_EQ(companion.judged(*asks[1])->text, "w2");
+  EXPECT_EQ(companion.judged(*asks[1])->judgement.outcome, Outcome::right);
+}
+
 TEST(Companion, JudgesAnAnswerAndKeepsIt) {
   Companion companion(example());
   EXPECT_TRUE(companion.questions().empty());
   companion.next_step();
   ASSERT_EQ(companion.questions().size(), 1u);
   const Ask& ask = *companion.questions()[0];
-  EXPECT_EQ(companion.verdict(ask), nullptr);
+  EXPECT_EQ(companion.judged(ask), nullptr);
   EXPECT_EQ(companion.record(ask), nullptr);
 
   EXPECT_EQ(companion.answer(ask, "seven").outcome, Outcome::unreadable);
-  ASSERT_NE(companion.verdict(ask), nullptr);
+  ASSERT_NE(companion.judged(ask), nullptr);
   EXPECT_EQ(companion.record(ask), nullptr) << "it was no try";
   EXPECT_EQ(companion.answer(ask, "1").outcome, Outcome::wrong);
   EXPECT_EQ(companion.answer(ask, "B").outcome, Outcome::right);
   EXPECT_EQ(companion.answer(ask, "A").outcome, Outcome::wrong);
   EXPECT_EQ(*companion.record(ask), (AnswerRecord{true, 3, 0, "A"}));
+  EXPECT_EQ(companion.judged(ask)->text, "A");
   EXPECT_EQ(companion.answers().count("free/axis"), 1u) << "the name that `polhode answer` uses";
 
   companion.next_step();
   companion.previous_step();
-  EXPECT_EQ(companion.verdict(ask), nullptr) << "the place was left";
+  EXPECT_EQ(companion.judged(ask), nullptr) << "the place was left";
   EXPECT_NE(companion.record(ask), nullptr);
   companion.forget_answer(ask);
   EXPECT_EQ(companion.record(ask), nullptr);
