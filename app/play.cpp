@@ -160,8 +160,10 @@ void add_play(CLI::App& app, Action& action) {
   command->add_flag("--watch", options->watch,
                     "For authors: read the lesson again whenever its file changes");
   command->footer(
-      "Press ? in the window for its keys. Place, answers and preferences are kept in\n"
-      "$XDG_STATE_HOME/polhode, or ~/.local/state/polhode. Without a display, see: polhode export --help");
+      "Left and Right, or Page Up and Page Down as remote clickers send them, go through the steps,\n"
+      "Up and Down through the stages; press ? in the window for all its keys. Place, answers and\n"
+      "preferences are kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode. Without a display, see:\n"
+      "polhode export --help");
   command->callback([options, &action] { action = [options] { return play(*options); }; });
 }
 

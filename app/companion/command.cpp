@@ -13,11 +13,13 @@ namespace {
 
 using C = Command;
 
+// What walks goes as in the deck (assets/deck/deck.js): remote clickers send Page Down and Page Up.
 constexpr std::array kCommands = {
-    CommandFacts{C::next_step, "Right", "Walk", "next step", true},
-    CommandFacts{C::previous_step, "Left", "Walk", "previous step", true},
-    CommandFacts{C::next_stage, "PageDown", "Walk", "next stage", true},
-    CommandFacts{C::previous_stage, "PageUp", "Walk", "beginning of this stage, or the stage before", true},
+    CommandFacts{C::next_step, "Right, PageDown", "Walk", "next step", true},
+    CommandFacts{C::previous_step, "Left, PageUp", "Walk", "previous step", true},
+    CommandFacts{C::next_stage, "Down, Ctrl+PageDown, Shift+PageDown", "Walk", "next stage", true},
+    CommandFacts{C::previous_stage, "Up, Ctrl+PageUp, Shift+PageUp", "Walk",
+                 "beginning of this stage, or the stage before", true},
     CommandFacts{C::first_stage, "Home", "Walk", "first stage"},
     CommandFacts{C::last_stage, "End", "Walk", "last stage"},
 

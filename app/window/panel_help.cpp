@@ -11,8 +11,10 @@ void draw_help(Desk&) {
   std::string_view group;
   for (const CommandFacts& facts : all_commands()) {
     if (facts.group != group) heading(std::string(group = facts.group).c_str());
-    const float left = 7.2F * ImGui::GetFontSize();
+    const float left = 8.2F * ImGui::GetFontSize();
+    ImGui::PushTextWrapPos(left);
     ImGui::TextDisabled("%s", std::string(facts.keys).c_str());
+    ImGui::PopTextWrapPos();
     ImGui::SameLine(left);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(std::string(facts.does).c_str());

@@ -53,12 +53,24 @@ TEST_F(Walk, KeysGoFromStageToStage) {
   const int last = lesson.place().stages;
   lesson.press({"End"});
   EXPECT_TRUE(lesson.comes_to(last, 1));
-  lesson.press({"Right", "Prior"});  // first to the beginning of this stage
+  lesson.press({"Right", "Up"});  // first to the beginning of this stage
   EXPECT_TRUE(lesson.comes_to(last, 1));
-  lesson.press({"Prior"});
+  lesson.press({"Up"});
   EXPECT_TRUE(lesson.comes_to(last - 1, 1));
-  lesson.press({"Home", "Next", "Next"});
-  EXPECT_TRUE(lesson.comes_to(3, 1));
+  lesson.press({"Home", "Down", "ctrl+Next", "shift+Next"});
+  EXPECT_TRUE(lesson.comes_to(4, 1));
+  lesson.press({"shift+Prior", "ctrl+Prior"});
+  EXPECT_TRUE(lesson.comes_to(2, 1));
+}
+
+// The keys of a remote clicker go from step to step, as in the deck; while presenting too.
+TEST_F(Walk, AClickerGoesFromStepToStep) {
+  PlayedLesson lesson(display(), home(), {kLecture});
+  ASSERT_GT(lesson.place().steps, 2);
+  lesson.press({"p", "Next", "Next"});
+  EXPECT_TRUE(lesson.comes_to(1, 3));
+  lesson.press({"Prior"});
+  EXPECT_TRUE(lesson.comes_to(1, 2));
 }
 
 TEST_F(Walk, TheMouseAloneGoesThroughTheLectureAndBack) {
@@ -86,7 +98,7 @@ TEST_F(Walk, TheOutlineLeadsToAStage) {
 TEST_F(Walk, ThePositionIsKeptAndAStageAskedForWins) {
   {
     PlayedLesson lesson(display(), home(), {kLecture});
-    lesson.press({"Next", "Next", "Right"});
+    lesson.press({"Down", "Down", "Right"});
     ASSERT_TRUE(lesson.comes_to(3, 2));
     lesson.close();
     EXPECT_EQ(lesson.process().wait(), 0);

@@ -6,9 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 namespace polhode {
 namespace {
@@ -68,10 +71,23 @@ TEST(Command, WalksAndPlays) {
   press("Left");
   EXPECT_EQ(companion.place(), (Place{0, 1}));
   press("PageDown");
-  EXPECT_EQ(companion.place(), (Place{1, 0}));
+  press("PageDown");
+  EXPECT_EQ(companion.place(), (Place{0, 3}));
+  press("PageUp");
+  EXPECT_EQ(companion.place(), (Place{0, 2}));
+  for (const auto& [next, previous] : {std::pair("Down", "Up"), std::pair("Ctrl+PageDown", "Ctrl+PageUp"),
+                                       std::pair("Shift+PageDown", "Shift+PageUp")}) {
+    press(next);
+    EXPECT_EQ(companion.place(), (Place{1, 0})) << next;
+    press(previous);
+    EXPECT_EQ(companion.place(), (Place{0, 0})) << previous;
+    press("Right");
+    press(previous);
+    EXPECT_EQ(companion.place(), (Place{0, 0})) << "first to the beginning of this stage";
+  }
   press("End");
   EXPECT_EQ(companion.place(), (Place{2, 0}));
-  press("PageUp");
+  press("Up");
   press("Home");
   EXPECT_EQ(companion.place(), (Place{0, 0}));
   press("Space");
@@ -148,6 +164,34 @@ TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
   EXPECT_EQ(companion.lit(), "omega");
   press("Escape");
   EXPECT_EQ(companion.lit(), "");
+}
+
+/// What the keys of the deck do that go to a slide: "ArrowRight" → "wanted + 1", outside the overview and
+/// without Shift.
+std::map<std::string, std::string> moves_of_deck() {
+  std::ifstream script(POLHODE_SOURCE_DIR "/assets/deck/deck.js");
+  const std::regex move("case '(\\w+)': return (?:.*: )?(\\S.*);");
+  std::map<std::string, std::string> moves;
+  std::smatch found;
+  for (std::string line; std::getline(script, line);)
+    if (std::regex_search(line, found, move)) moves[found[1]] = found[2];
+  return moves;
+}
+
+TEST(Command, TheSameKeysWalkThroughTheDeck) {
+  const std::map<std::string, std::string> deck = moves_of_deck();
+  for (const auto& [key, of_deck, of_window] :
+       {std::tuple("PageDown", "wanted + 1", Command::next_step),
+        std::tuple("PageUp", "wanted - 1", Command::previous_step),
+        std::tuple("ArrowRight", "wanted + 1", Command::next_step),
+        std::tuple("ArrowLeft", "wanted - 1", Command::previous_step),
+        std::tuple("ArrowDown", "nextStage(wanted)", Command::next_stage),
+        std::tuple("ArrowUp", "previousStage(wanted)", Command::previous_stage)}) {
+    ASSERT_TRUE(deck.contains(key)) << key;
+    EXPECT_EQ(deck.at(key), of_deck) << key;
+    const std::string name = key;
+    EXPECT_EQ(command_of(name.starts_with("Arrow") ? name.substr(5) : name), of_window) << key;
+  }
 }
 
 TEST(Command, ChangesHowItIsShown) {
