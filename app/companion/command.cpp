@@ -61,7 +61,9 @@ constexpr std::array kCommands = {
     CommandFacts{C::theme, "T", "Window", "paper, dark"},
     CommandFacts{C::full_screen, "F, F11", "Window", "full screen"},
     CommandFacts{C::present, "P, F5", "Window", "present: the page alone"},
-    CommandFacts{C::notes, "N", "Window", "what comes next, while presenting"},
+    CommandFacts{
+        C::notes, "N", "Window",
+        "while presenting, and until you go on: what comes next and what to say, on the same screen"},
     CommandFacts{C::save_page, "Ctrl+S", "Window", "save this page"},
     CommandFacts{C::quit, "Ctrl+Q", "Window", "quit"},
 };
@@ -83,8 +85,10 @@ void toggle(Companion& companion, Panel panel) {
 }
 
 void leave(Companion& companion) {
-  if (companion.presenting)
-    companion.presenting = false;
+  if (companion.are_notes_shown())
+    companion.show_notes(false);
+  else if (companion.is_presenting())
+    companion.set_presenting(false);
   else if (companion.panel != Panel::none)
     companion.panel = Panel::none;
   else if (!companion.lit().empty())
@@ -244,10 +248,10 @@ bool do_command(Companion& companion, Command command) {
       toggle_theme(companion.preferences);
       return true;
     case C::present:
-      companion.presenting = !companion.presenting;
+      companion.set_presenting(!companion.is_presenting());
       return true;
     case C::notes:
-      companion.notes_shown = !companion.notes_shown;
+      companion.show_notes(!companion.are_notes_shown());
       return true;
     case C::switch_focus:
     case C::next_symbol:

@@ -125,6 +125,7 @@ void Companion::arrive(Place place) {
   place_ = place;
   visited_.insert(stage().id);
   judged_.clear();
+  notes_shown_ = false;
   if (same_stage && left == step().scene) return;
 
   const bool goes_on =
@@ -383,6 +384,13 @@ void Companion::change_text_scale(int steps) {
   preferences.text_scale =
       std::clamp(preferences.text_scale * std::pow(kTextScaleFactor, steps), kLeastTextScale, kMostTextScale);
 }
+
+void Companion::set_presenting(bool presenting) {
+  if (presenting != presenting_) notes_shown_ = false;
+  presenting_ = presenting;
+}
+
+void Companion::show_notes(bool shown) { notes_shown_ = presenting_ && shown; }
 
 bool Companion::is_moving() const { return playing_ || travel() < 1; }
 

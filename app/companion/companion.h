@@ -152,9 +152,14 @@ class Companion {
   // How it is shown.
   Panel panel = Panel::none;
   Preferences preferences{};
-  bool presenting = false;   ///< the page alone
-  bool notes_shown = false;  ///< while presenting: what comes next, and what is to be said
   void change_text_scale(int steps);
+  /// The page alone, for an audience. It begins and ends without notes.
+  bool is_presenting() const { return presenting_; }
+  void set_presenting(bool presenting);
+  /// What comes next and what is to be said, on the audience's screen: only while presenting, and only at the
+  /// place where they were asked for. Going on hides them.
+  bool are_notes_shown() const { return notes_shown_; }
+  void show_notes(bool shown);
 
   /// From the step before to this one, 0…1; 1: arrived. Only a step forward within a stage travels.
   double travel() const { return preferences.reduced_motion ? 1 : travel_; }
@@ -189,6 +194,7 @@ class Companion {
   std::string lit_;
   AnswerLog answers_;
   std::map<std::string, JudgedAnswer> judged_;  ///< by ask, since the place was reached
+  bool presenting_ = false, notes_shown_ = false;
 };
 
 }  // namespace polhode

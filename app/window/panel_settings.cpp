@@ -26,7 +26,7 @@ void draw_settings(Desk& desk) {
   heading("Motion on the page");
   ImGui::Checkbox("reduced: nothing fades or travels", &companion.preferences.reduced_motion);
   heading("For an audience");
-  if (ImGui::Button("Present", {-1, 0})) companion.presenting = true;
+  if (ImGui::Button("Present", {-1, 0})) companion.set_presenting(true);
   tooltip_of_last(told(Command::present) + "; " + told(Command::notes));
   if (ImGui::Button("Full screen", {-1, 0})) desk.wishes.full_screen = true;
   tooltip_of_last(told(Command::full_screen));

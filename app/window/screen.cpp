@@ -114,8 +114,8 @@ void Screen::adopt_style(const Companion& companion, const ScreenFrame& frame) {
 /// What bar and panel leave.
 Region Screen::page_region(const Companion& companion, Size size) const {
   Region region{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-  if (companion.presenting) {
-    if (companion.notes_shown) region.width = std::round(0.68F * region.width);
+  if (companion.is_presenting()) {
+    if (companion.are_notes_shown()) region.width = std::round(0.68F * region.width);
     return region;
   }
   region.height -= bar_height(*sizes_, region.width);
@@ -246,7 +246,7 @@ Result<bool> Screen::show_page(Companion& companion, const Region& region, doubl
   gl_->ClearColor(ground.x, ground.y, ground.z, 1);
   gl_->Clear(GL_COLOR_BUFFER_BIT);
   if (painted) page_->picture().copy_to(*picture_, 0, picture_->size().height - look.size.height);
-  if (companion.presenting && companion.notes_shown) show_preview(companion, region);
+  if (companion.are_notes_shown()) show_preview(companion, region);
   return painted ? *painted : true;
 }
 
@@ -279,8 +279,8 @@ void Screen::lay_out_controls(Companion& companion, const Region& page, Size siz
             .take_focus = std::exchange(panel_takes_focus_, false)};
   memory_.front_frames = std::max(0, memory_.front_frames - 1);
   memory_.panel_has_focus = false;  // unless it says so
-  if (companion.presenting) {
-    if (companion.notes_shown) draw_notes(desk, page, size);
+  if (companion.is_presenting()) {
+    if (companion.are_notes_shown()) draw_notes(desk, page, size);
     return;
   }
   if (companion.panel != Panel::none) draw_panel(desk, {page.width, 0, width - page.width, page.height});

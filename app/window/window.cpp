@@ -131,8 +131,8 @@ class Loop {
       full_screen_.set(!full_screen_.is_on());
       screen().wishes().full_screen = false;
     }
-    if (companion_.presenting != presenting_) {
-      presenting_ = companion_.presenting;
+    if (companion_.is_presenting() != presenting_) {
+      presenting_ = companion_.is_presenting();
       if (presenting_) was_full_ = full_screen_.is_on();
       full_screen_.set(presenting_ || was_full_);
     }

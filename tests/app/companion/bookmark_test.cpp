@@ -74,6 +74,25 @@ TEST(Bookmark, NumbersAreTakenWithinTheirBounds) {
   EXPECT_EQ(read_preferences(scratch.path()).preferences.text_scale, kMostTextScale);
 }
 
+// Whether notes are shown is nobody's preference: an audience would see them.
+TEST(Bookmark, NotesAreNotKept) {
+  const ScratchFolder scratch;
+  write_text(
+      scratch / "preferences.json",
+      R"({"format":1,"theme":"dark","text_scale":1,"reduced_motion":false,"notes":true,"notes_shown":true})");
+  Companion companion(test::example());
+  const PreferencesReading reading = read_preferences(scratch.path());
+  EXPECT_THAT(reading.warning, IsEmpty());
+  companion.preferences = reading.preferences;
+  companion.set_presenting(true);
+  EXPECT_FALSE(companion.are_notes_shown());
+  companion.show_notes(true);
+  write_preferences(scratch.path(), companion.preferences);
+  write_bookmark(scratch.path(), "example", bookmark_of(companion));
+  for (const char* file : {"preferences.json", "example.place.json"})
+    EXPECT_THAT(text_of(scratch / file), ::testing::Not(HasSubstr("notes"))) << file;
+}
+
 TEST(Bookmark, OfAnotherVersionIsLeftAsItIs) {
   const ScratchFolder scratch;
   write_text(scratch / "example.place.json", "{\"format\":2}");

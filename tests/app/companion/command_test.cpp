@@ -155,15 +155,46 @@ TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
   press("N");
   press("B");
   companion.light("omega");
-  EXPECT_TRUE(companion.notes_shown);
+  EXPECT_TRUE(companion.are_notes_shown());
   press("Escape");
-  EXPECT_FALSE(companion.presenting) << "the page alone shows no panel";
+  EXPECT_FALSE(companion.are_notes_shown()) << "they lie on the page";
+  EXPECT_TRUE(companion.is_presenting());
+  press("Escape");
+  EXPECT_FALSE(companion.is_presenting()) << "the page alone shows no panel";
   EXPECT_EQ(companion.panel, Panel::body);
   press("Escape");
   EXPECT_EQ(companion.panel, Panel::none);
   EXPECT_EQ(companion.lit(), "omega");
   press("Escape");
   EXPECT_EQ(companion.lit(), "");
+}
+
+// The audience sees the same screen: notes are there for as long as they were asked for, and nowhere else.
+TEST(Command, NotesAreShownOnlyWhereTheyAreAskedFor) {
+  Companion companion(example());
+  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
+  press("N");
+  EXPECT_FALSE(companion.are_notes_shown()) << "nobody presents";
+  press("P");
+  EXPECT_FALSE(companion.are_notes_shown()) << "they were asked for before";
+  press("N");
+  EXPECT_TRUE(companion.are_notes_shown());
+  press("N");
+  EXPECT_FALSE(companion.are_notes_shown());
+  for (const char* leaving : {"P", "F5"}) {
+    press("N");
+    press(leaving);
+    EXPECT_FALSE(companion.are_notes_shown()) << leaving;
+    press("P");
+    EXPECT_FALSE(companion.are_notes_shown()) << "of the last time";
+  }
+  for (const char* going : {"Right", "PageDown", "Left", "Down", "Up", "End", "Home"}) {
+    press("N");
+    press("0");
+    EXPECT_TRUE(companion.are_notes_shown()) << "the same step";
+    press(going);
+    EXPECT_FALSE(companion.are_notes_shown()) << going;
+  }
 }
 
 /// What the keys of the deck do that go to a slide: "ArrowRight" → "wanted + 1", outside the overview and

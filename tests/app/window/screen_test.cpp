@@ -104,7 +104,7 @@ TEST_F(ScreenTest, APanelMakesRoomForItself) {
 }
 
 TEST_F(ScreenTest, PresentingThePageIsAllThereIs) {
-  companion.presenting = true;
+  companion.set_presenting(true);
   frame(3);
   EXPECT_EQ(screen->page().picture().size(), kSize);
   EXPECT_EQ(screen->read().rgba, screen->page().picture().read().rgba);
@@ -121,7 +121,8 @@ int varied(const Image& image, const Region& part) {
 }
 
 TEST_F(ScreenTest, WhatComesNextIsShownBesideThePageWhilePresenting) {
-  companion.presenting = companion.notes_shown = true;
+  companion.set_presenting(true);
+  companion.show_notes(true);
   frame(3);
   const Size page = screen->page().picture().size();
   const Region at =
