@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 
 namespace polhode {
 
@@ -32,6 +33,29 @@ void set_distances(ImGuiStyle& style, const ControlSizes& sizes) {
   style.DisplaySafeAreaPadding = {0, 0};
 }
 
+// Superscripts and subscripts: TeX Gyre has ¹²³ alone, and these are hard to read on a screen. They are signs
+// of the face itself, a little larger than those three.
+constexpr float kSmall = 0.68F;
+constexpr std::u16string_view kSigns = u"0123456789+−=()", kSuperscripts = u"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾",
+                              kSubscripts = u"₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎";
+
+/// `small` has kSigns at kSmall of the size of `font`. What is above the line is as high as a digit, what is
+/// below it reaches down by a third of its own height.
+void add_small_signs(ImFont& font, ImFont& small) {
+  const ImFontGlyph &digit = *font.FindGlyph('1'), &small_digit = *small.FindGlyph('1');
+  const float raised = std::round(digit.Y0 - small_digit.Y0),
+              lowered = std::round(digit.Y1 - small_digit.Y1 + (small_digit.Y1 - small_digit.Y0) / 3);
+  const auto add = [&](char16_t sign, const ImFontGlyph& of, float y) {
+    font.AddGlyph(nullptr, sign, of.X0, of.Y0 + y, of.X1, of.Y1 + y, of.U0, of.V0, of.U1, of.V1, of.AdvanceX);
+  };
+  for (std::size_t i = 0; i < kSigns.size(); ++i) {
+    const ImFontGlyph& of = *small.FindGlyph(kSigns[i]);
+    add(kSuperscripts[i], of, raised);
+    add(kSubscripts[i], of, lowered);
+  }
+  font.BuildLookupTable();
+}
+
 }  // namespace
 
 ControlSizes control_sizes(double scale) {
@@ -41,26 +65,30 @@ ControlSizes control_sizes(double scale) {
 }
 
 void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
-  // Latin; arrows, signs and Greek from the mathematical face.
-  static constexpr std::array<ImWchar, 7> kLatin = {0x20, 0x17F, 0x2010, 0x2027, 0x2211, 0x2213, 0};
-  static constexpr std::array<ImWchar, 11> kSigns = {0x370,  0x3FF,  0x2032, 0x2033, 0x2190, 0x21FF,
-                                                     0x2200, 0x22FF, 0x25A0, 0x25FF, 0};
+  // Of signs and Greek the mathematical face comes first, and then whatever a page may have, for texts of any
+  // author; ImGui's characters end at 16 bits. Headings are ours.
+  static constexpr std::array<ImWchar, 13> kLatin = {
+      0x20,  0xB1,   0xB4,   0xB8,   0xBA,  // ²³¹ are small signs
+      0x36F, 0x1E00, 0x1EFF, 0x2010, 0x2027, 0x2211, 0x2213, 0};
+  static constexpr std::array<ImWchar, 5> kRest = {0xBA, 0xD7FF, 0xF900, 0xFFFD, 0};
+  static constexpr std::array<ImWchar, 5> kOfSmallSigns = {'(', '=', 0x2212, 0x2212, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
-  for (const Face face : {Face::sans, Face::sans_bold}) {
+  const auto add = [&](Face face, float size, const ImWchar* ranges, bool merged = false) -> ImFont& {
     ImFontConfig config;
     config.OversampleH = 3;
     config.OversampleV = 1;
     config.GlyphOffset.y = -std::round(0.06F * sizes.em);  // what is above the capitals is empty
-    const auto add = [&](Face from, const ImWchar* ranges) {
-      const float size = from == Face::math ? 0.94F * sizes.em : sizes.em;
-      atlas.AddFontFromFileTTF(fonts.path(from).c_str(), size, &config, ranges);
-      config.MergeMode = true;
-    };
-    add(face, kLatin.data());
-    add(Face::math, kSigns.data());
-  }
+    config.MergeMode = merged;
+    return *atlas.AddFontFromFileTTF(fonts.path(face).c_str(), size * sizes.em, &config, ranges);
+  };
+  ImFont& regular = add(Face::sans, 1, kLatin.data());
+  add(Face::math, 0.94F, kRest.data(), true);
+  add(Face::sans, 1, kRest.data(), true);
+  add(Face::sans_bold, 1, kLatin.data());
+  ImFont& small = add(Face::sans, kSmall, kOfSmallSigns.data());
   atlas.Build();
+  add_small_signs(regular, small);
 }
 
 ImFont* bold_control_font() { return ImGui::GetIO().Fonts->Fonts[1]; }

@@ -6,9 +6,11 @@
 #include "app/window/notes.h"
 #include "tests/app/companion/example_lesson.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -246,6 +248,83 @@ TEST_F(ScreenTest, EveryPanelIsDrawnOnEveryKindOfStep) {
       const auto left = static_cast<float>(screen->page().picture().size().width) + 4;
       EXPECT_GT(varied(screen->read(), {left, 4, kSize.width - left - 4, 300}), 500) << stage << " " << panel;
     }
+}
+
+/// How many characters of the last frame no font has. From now on a rare sign stands for them.
+class MissingGlyphs {
+ public:
+  MissingGlyphs() {
+    for (ImFont* font : ImGui::GetIO().Fonts->Fonts) {
+      font->FallbackChar = kRare;
+      font->BuildLookupTable();
+      fallbacks_.push_back(font->FindGlyphNoFallback(kRare));
+    }
+  }
+  std::size_t count() const {
+    std::size_t found = 0;
+    const ImDrawData& drawn = *ImGui::GetDrawData();
+    for (int i = 0; i < drawn.CmdListsCount; ++i)
+      for (const ImDrawVert& vertex : drawn.CmdLists[i]->VtxBuffer)
+        for (const ImFontGlyph* rare : fallbacks_)
+          found += rare && vertex.uv.x == rare->U0 && vertex.uv.y == rare->V0;
+    return found;
+  }
+
+ private:
+  static constexpr ImWchar kRare = 0x17F;  // ſ
+  std::vector<const ImFontGlyph*> fallbacks_;
+};
+
+TEST_F(ScreenTest, NothingIsWrittenThatTheControlFontHasNot) {
+  constexpr Size kTall{900, 1600};  // all of a panel is seen
+  const auto expect_none = [&](Companion& walked, const MissingGlyphs& missing, const std::string& where) {
+    for (int i = 0; i < 3; ++i)
+      ASSERT_TRUE(screen->draw(walked, {.size = kTall, .scale = 1, .seconds = 0.02}));
+    EXPECT_EQ(missing.count(), 0U) << where;
+  };
+  frame(2);
+  const MissingGlyphs missing;
+  for (const char* id : test::kLessons) {
+    Companion walked(test::loaded_lesson(id));
+    walked.preferences.reduced_motion = true;
+    for (std::size_t stage = 0; stage < walked.lesson().stages.size(); stage += 5) {
+      walked.go_to({stage, 1});
+      for (const Ask* ask : walked.questions()) {
+        walked.answer(*ask, "w1*w2 + w3");
+        for (std::size_t i = 0; i < ask->hints.size(); ++i) walked.show_hint(*ask);
+      }
+      for (int panel = 1; panel <= static_cast<int>(Panel::help); ++panel) {
+        walked.panel = static_cast<Panel>(panel);
+        expect_none(walked, missing, fmt::format("{}, stage {}, panel {}", id, stage, panel));
+      }
+      walked.set_presenting(true);
+      walked.show_notes(true);
+      expect_none(walked, missing, fmt::format("{}, stage {}, notes", id, stage));
+      walked.set_presenting(false);
+    }
+  }
+  screen->tell("\u6F22");
+  frame(3);
+  EXPECT_GT(missing.count(), 0U) << "that is seen";
+}
+
+// The note on a tensor of a small body has a power of ten.
+TEST_F(ScreenTest, ANoteWritesPowersOfTen) {
+  const auto& stages = companion.lesson().stages;
+  const auto stage = std::ranges::find(stages, "tensor-out", &Stage::id);
+  ASSERT_NE(stage, stages.end());
+  companion.go_to({static_cast<std::size_t>(stage - stages.begin()), 0});
+  SceneEdits edits;
+  edits.body = find_body("t-handle");
+  ASSERT_TRUE(companion.set_edits(edits));
+  frame(3);
+  for (std::size_t i = 0; companion.lit() != "I"; ++i) {
+    ASSERT_LT(i, screen->page().symbols().size());
+    screen->press(companion, "Tab");
+  }
+  const MissingGlyphs missing;
+  frame(3);
+  EXPECT_EQ(missing.count(), 0U);
 }
 
 std::string& clipboard() {
