@@ -4,6 +4,7 @@
 #include "app/companion/command.h"
 #include "app/companion/figure_hand.h"
 #include "app/companion/symbol_note.h"
+#include "app/companion/typed_folder.h"
 #include "app/exit_codes.h"
 #include "app/window/notes.h"
 
@@ -419,9 +420,11 @@ void Screen::take(Companion& companion) {
   const std::string lit = companion.lit();
   companion.light("");
   try {
-    const auto path = take_away(companion, *wishes_.take_away, memory_.take_away,
-                                memory_.folder.empty() ? "." : memory_.folder, *renderer_);
-    tell("saved: " + path.string());
+    const auto path =
+        take_away(companion, *wishes_.take_away, memory_.take_away, typed_folder(memory_.folder), *renderer_);
+    std::error_code unknown;
+    const auto real = std::filesystem::canonical(path, unknown);
+    tell("saved: " + (unknown ? path : real).string());
   } catch (const std::exception& error) {  // also those of file systems
     tell(std::string("not saved: ") + error.what());
   }

@@ -45,6 +45,7 @@ class Screen {
 
   /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
   void tell(const std::string& news);
+  const std::string& news() const { return news_; }  ///< told last
   void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
 
   /// Where things are saved.

@@ -389,6 +389,28 @@ TEST_F(ScreenTest, WhatIsPointedAtIsLitInTheWindowAlone) {
   std::filesystem::remove_all(folder);
 }
 
+TEST_F(ScreenTest, WhatIsSavedIsToldByItsRealPath) {
+  const auto home = std::filesystem::temp_directory_path() / "polhode-screen-test-home";
+  std::filesystem::remove_all(home);
+  std::filesystem::create_directories(home / "talks");
+  std::filesystem::create_directory_symlink(home / "talks", home / "linked");
+  const char* before = std::getenv("HOME");
+  const std::string kept = before ? before : "";
+  setenv("HOME", home.c_str(), 1);
+  for (const char* folder : {"~/talks", "$HOME/linked"}) {
+    screen->set_folder(folder);
+    screen->press(companion, "Ctrl+S");
+    frame(2);
+  }
+  before ? setenv("HOME", kept.c_str(), 1) : unsetenv("HOME");
+  const auto real = std::filesystem::canonical(home) / "talks";
+  EXPECT_TRUE(std::filesystem::exists(real / "01-frames-step1.png"));
+  EXPECT_TRUE(std::filesystem::exists(real / "01-frames-step1-2.png"));
+  EXPECT_EQ(screen->news(), "saved: " + (real / "01-frames-step1-2.png").string());
+  EXPECT_FALSE(std::filesystem::exists("~")) << "here";
+  std::filesystem::remove_all(home);
+}
+
 TEST_F(ScreenTest, WhatCannotBeSavedIsTold) {
   companion.panel = Panel::save;
   frame(3);
