@@ -263,6 +263,7 @@ RigidBodyState not_a_number() { return {Quat(kNaN, kNaN, kNaN, kNaN), Vec3::Cons
 struct Limits {
   double tolerance;
   std::int64_t max_steps;
+  Effort effort;
 };
 
 // The motion in its own units on one side of t = 0; times are ≥ 0.
@@ -295,6 +296,12 @@ class Side {
     return node ? piece_from(*node) : std::nullopt;
   }
 
+  // Whether all the steps that may be made end before t.
+  bool is_too_far(double t) const {
+    const auto last = nodes_.after(limits_.max_steps);
+    return last && last->is_at_or_before(t);
+  }
+
   // The same, from a piece that may be at hand and near.
   void move_to(double t, std::optional<Piece>& piece) const {
     for (std::int64_t i = 0; i < decltype(nodes_)::kFirstSpacing && piece; ++i) {
@@ -325,6 +332,13 @@ class Side {
 
   // One accepted step on: its length, in h its stages. Without any the node is dead.
   double step(Node& node, MotionVector* k, MotionVector& end) const {
+    const std::int64_t before = node.evaluations;
+    const double h = tried_step(node, k, end);
+    spend(limits_.effort, node.evaluations - before);
+    return h;
+  }
+
+  double tried_step(Node& node, MotionVector* k, MotionVector& end) const {
     constexpr double kShortest = std::numeric_limits<double>::min(), kLongest = 0x1p1022;
     k[0] = node.rate;
     bool refused = false;
@@ -403,6 +417,7 @@ class DormandPrinceMotion::Path {
   virtual ~Path() = default;
   virtual void at(std::span<const double> t_s, std::span<RigidBodyState> states) const = 0;
   virtual std::int64_t evaluations_to(double t_s) const = 0;
+  virtual bool is_too_far(double t_s) const = 0;
 
   template <class Pair>
   class Of;
@@ -423,6 +438,11 @@ class DormandPrinceMotion::Path::Of final : public Path {
     if (t_s == 0 || !std::isfinite(t)) return 0;
     const auto piece = side_of(t_s).piece_at(t);
     return piece ? piece->end.evaluations + Pair::kDenseStages - Pair::kStages : 0;
+  }
+
+  bool is_too_far(double t_s) const override {
+    const double t = in_own_unit(t_s);
+    return !std::isfinite(t) || side_of(t_s).is_too_far(t);
   }
 
  private:
@@ -465,10 +485,10 @@ class DormandPrinceMotion::Path::Of final : public Path {
 };
 
 DormandPrinceMotion::DormandPrinceMotion(DormandPrincePair pair, const Problem& unchecked, double tolerance,
-                                         std::int64_t max_steps)
+                                         std::int64_t max_steps, const Effort& effort)
     : pair_(pair), tolerance_(checked_tolerance(tolerance)) {
   const Problem problem = checked(unchecked);
-  const Limits limits{tolerance_, max_steps};
+  const Limits limits{tolerance_, max_steps, effort};
   path_ = with_coefficients(pair, [&]<class Pair>(Pair) -> std::unique_ptr<const Path> {
     return std::make_unique<const Path::Of<Pair>>(problem, limits);
   });
@@ -487,6 +507,8 @@ void DormandPrinceMotion::at(std::span<const double> t_s, std::span<RigidBodySta
 }
 
 std::int64_t DormandPrinceMotion::evaluations_to(double t_s) const { return path_->evaluations_to(t_s); }
+
+bool DormandPrinceMotion::is_too_far(double t_s) const { return path_->is_too_far(t_s); }
 
 std::string_view DormandPrinceMotion::method() const {
   return pair_ == DormandPrincePair::five_four ? "dormand-prince-5" : "dormand-prince-8";

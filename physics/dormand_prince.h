@@ -39,6 +39,7 @@
 // results scale to the bit with I, N and with ω, 1/t, √N.
 #pragma once
 
+#include "physics/effort.h"
 #include "physics/equations_of_motion.h"
 #include "physics/motion.h"
 
@@ -68,13 +69,13 @@ class DormandPrinceMotion final : public Motion {
 
   /// @throws std::domain_error if the state or the torque is not finite, or not 0 < tolerance < 1.
   DormandPrinceMotion(DormandPrincePair pair, const Problem& problem, double tolerance,
-                      std::int64_t max_steps = kMaxSteps);
+                      std::int64_t max_steps = kMaxSteps, const Effort& effort = {});
   ~DormandPrinceMotion() override;
 
   /// By the dense output of the step that t lies in; steps start from t = 0 in both directions and do not
   /// depend on the times asked. New times cost one step for each step not yet taken, times seen before at
-  /// most 16 steps (more once 2·10⁵ have been taken). NaN in every component if t is more than kMaxSteps
-  /// steps away, which no one knows beforehand (max_time_s() is infinite), or ω overflows, or no step is
+  /// most 16 steps (more once 2·10⁵ have been taken). NaN in every component if t is more than
+  /// max_steps away, which no one knows beforehand (max_time_s() is infinite), or ω overflows, or no step is
   /// short enough.
   RigidBodyState at(double t_s) const override;
 
@@ -84,6 +85,9 @@ class DormandPrinceMotion final : public Motion {
   /// With the refused steps, the two evaluations of the starting step and the three of the dense output of
   /// 8(5,3). 0 where at(t_s) is NaN or t_s = 0.
   std::int64_t evaluations_to(double t_s) const override;
+
+  /// Whether max_steps steps end before t: costs them, where they have not been taken.
+  bool is_too_far(double t_s) const override;
 
   std::string_view method() const override;
 

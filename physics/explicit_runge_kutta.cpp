@@ -184,31 +184,35 @@ class ExplicitRungeKutta {
 };
 
 template <class Tableau>
-std::unique_ptr<const Motion> made(std::string_view name, const Problem& problem, double step_s) {
+std::unique_ptr<const Motion> made(std::string_view name, const Problem& problem, double step_s,
+                                   const Effort& effort) {
   using Free = FixedStepMotion<ExplicitRungeKutta<Tableau, FreeBody, RangeOfQ>>;
   using Driven = FixedStepMotion<ExplicitRungeKutta<Tableau, DrivenBody, RangeOfQ>>;
-  if (problem.torque.empty()) return std::make_unique<Free>(name, problem, step_s);
-  return std::make_unique<Driven>(name, problem, step_s);
+  if (problem.torque.empty()) return std::make_unique<Free>(name, problem, step_s, effort);
+  return std::make_unique<Driven>(name, problem, step_s, effort);
 }
 
 }  // namespace
 
-std::unique_ptr<const Motion> explicit_euler_motion(const Problem& problem, double step_s) {
-  return made<Euler>("explicit-euler", problem, step_s);
+std::unique_ptr<const Motion> explicit_euler_motion(const Problem& problem, double step_s,
+                                                    const Effort& effort) {
+  return made<Euler>("explicit-euler", problem, step_s, effort);
 }
 
-std::unique_ptr<const Motion> explicit_midpoint_motion(const Problem& problem, double step_s) {
-  return made<Midpoint>("explicit-midpoint", problem, step_s);
+std::unique_ptr<const Motion> explicit_midpoint_motion(const Problem& problem, double step_s,
+                                                       const Effort& effort) {
+  return made<Midpoint>("explicit-midpoint", problem, step_s, effort);
 }
 
-std::unique_ptr<const Motion> rk4_motion(const Problem& problem, double step_s) {
-  return made<Rk4>("rk4", problem, step_s);
+std::unique_ptr<const Motion> rk4_motion(const Problem& problem, double step_s, const Effort& effort) {
+  return made<Rk4>("rk4", problem, step_s, effort);
 }
 
-std::unique_ptr<const Motion> rk4_projected_motion(const Problem& problem, double step_s) {
+std::unique_ptr<const Motion> rk4_projected_motion(const Problem& problem, double step_s,
+                                                   const Effort& effort) {
   if (!problem.torque.empty()) throw std::domain_error("projection is for torque-free motion");
-  return std::make_unique<FixedStepMotion<ExplicitRungeKutta<Rk4, FreeBody, Projection>>>("rk4-projected",
-                                                                                          problem, step_s);
+  return std::make_unique<FixedStepMotion<ExplicitRungeKutta<Rk4, FreeBody, Projection>>>(
+      "rk4-projected", problem, step_s, effort);
 }
 
 }  // namespace polhode

@@ -24,6 +24,7 @@
 // any h there is an answer, until ω or q overflows; from there on it is NaN.
 #pragma once
 
+#include "physics/effort.h"
 #include "physics/motion.h"
 #include "physics/problem.h"
 
@@ -33,9 +34,12 @@ namespace polhode {
 
 /// @throws std::domain_error if state or torque is not finite, the step is not finite and > 0, or
 /// rk4_projected_motion is given a torque.
-std::unique_ptr<const Motion> explicit_euler_motion(const Problem& problem, double step_s);
-std::unique_ptr<const Motion> explicit_midpoint_motion(const Problem& problem, double step_s);
-std::unique_ptr<const Motion> rk4_motion(const Problem& problem, double step_s);
-std::unique_ptr<const Motion> rk4_projected_motion(const Problem& problem, double step_s);
+std::unique_ptr<const Motion> explicit_euler_motion(const Problem& problem, double step_s,
+                                                    const Effort& effort = {});
+std::unique_ptr<const Motion> explicit_midpoint_motion(const Problem& problem, double step_s,
+                                                       const Effort& effort = {});
+std::unique_ptr<const Motion> rk4_motion(const Problem& problem, double step_s, const Effort& effort = {});
+std::unique_ptr<const Motion> rk4_projected_motion(const Problem& problem, double step_s,
+                                                   const Effort& effort = {});
 
 }  // namespace polhode

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "physics/checkpoints.h"
+#include "physics/effort.h"
 #include "physics/motion.h"
 #include "physics/scaled_problem.h"
 #include "physics/step_arithmetic.h"
@@ -43,8 +44,8 @@ template <class Stepper>
 class FixedStepMotion final : public Motion {
  public:
   /// @throws std::domain_error if state or torque is not finite, or the step is not finite and > 0.
-  FixedStepMotion(std::string_view name, const Problem& problem, double step_s)
-      : FixedStepMotion(name, checked(problem), scaled(checked(problem)), step_s) {}
+  FixedStepMotion(std::string_view name, const Problem& problem, double step_s, const Effort& effort = {})
+      : FixedStepMotion(name, checked(problem), scaled(checked(problem)), step_s, effort) {}
 
   RigidBodyState at(double t_s) const override { return t_s == 0 ? start_ : answer(reached(t_s)); }
 
@@ -73,8 +74,7 @@ class FixedStepMotion final : public Motion {
         : plan(motion.plan(h_s)),
           grid(
               motion.stepper_.start(start),
-              [this, &stepper = motion.stepper_](State& y, std::int64_t n) { stepper.advance(y, plan, n); },
-              is_alive) {}
+              [this, &motion](State& y, std::int64_t n) { motion.advance(y, plan, n); }, is_alive) {}
 
     Plan plan;
     Checkpoints<State> grid;
@@ -87,11 +87,13 @@ class FixedStepMotion final : public Motion {
     State y{};
   };
 
-  FixedStepMotion(std::string_view name, const Problem& problem, const ScaledProblem& in_units, double step_s)
+  FixedStepMotion(std::string_view name, const Problem& problem, const ScaledProblem& in_units, double step_s,
+                  const Effort& effort)
       : name_(name),
         start_(problem.start),
         step_s_(checked_step(step_s)),
         ew_(in_units.ew),
+        effort_(effort),
         stepper_(in_units.problem),
         forward_(in_units.problem.start, *this, step_s),
         backward_(in_units.problem.start, *this, -step_s) {}
@@ -104,6 +106,12 @@ class FixedStepMotion final : public Motion {
   static bool is_alive(const State& y) { return is_finite(y.v) && is_finite(y.q) && dot(y.q, y.q) > 0; }
 
   Plan plan(double h_s) const { return stepper_.plan(std::scalbn(h_s, ew_)); }
+
+  void advance(State& y, const Plan& plan, std::int64_t n) const {
+    const std::int64_t before = y.evaluations;
+    stepper_.advance(y, plan, n);
+    spend(effort_, y.evaluations - before);
+  }
 
   std::optional<State> reached(double t_s) const {
     GridPoint none;
@@ -124,7 +132,7 @@ class FixedStepMotion final : public Motion {
     constexpr std::int64_t kNear = 8;
     const Path& path = backwards ? backward_ : forward_;
     if (last.is_known && last.backwards == backwards && k >= last.k && k - last.k <= kNear) {
-      stepper_.advance(last.y, path.plan, k - last.k);
+      advance(last.y, path.plan, k - last.k);
       last.is_known = is_alive(last.y);
     } else if (const auto y = path.grid.after(k)) {
       last.y = *y;
@@ -139,7 +147,7 @@ class FixedStepMotion final : public Motion {
   std::optional<State> shorter_step(const State& from, double h_s) const {
     State y{};
     static_cast<StepState&>(y) = from;  // what else it remembers is of the grid
-    stepper_.advance(y, plan(h_s), 1);
+    advance(y, plan(h_s), 1);
     return is_alive(y) ? std::optional(y) : std::nullopt;
   }
 
@@ -156,6 +164,7 @@ class FixedStepMotion final : public Motion {
   RigidBodyState start_;
   double step_s_;
   int ew_;
+  Effort effort_;
   Stepper stepper_;
   Path forward_, backward_;
 };

@@ -21,21 +21,24 @@ class MidpointRule {
 };
 
 template <class Attitude>
-std::unique_ptr<const Motion> made(std::string_view name, const Problem& problem, double step_s) {
+std::unique_ptr<const Motion> made(std::string_view name, const Problem& problem, double step_s,
+                                   const Effort& effort) {
   if (!problem.torque.empty())
     throw std::domain_error("the implicit midpoint rule is for torque-free motion");
   return std::make_unique<FixedStepMotion<MidpointStepper<MidpointRule, Attitude, NoTorque>>>(name, problem,
-                                                                                              step_s);
+                                                                                              step_s, effort);
 }
 
 }  // namespace
 
-std::unique_ptr<const Motion> implicit_midpoint_motion(const Problem& problem, double step_s) {
-  return made<CayleyAttitude>("implicit-midpoint", problem, step_s);
+std::unique_ptr<const Motion> implicit_midpoint_motion(const Problem& problem, double step_s,
+                                                       const Effort& effort) {
+  return made<CayleyAttitude>("implicit-midpoint", problem, step_s, effort);
 }
 
-std::unique_ptr<const Motion> implicit_midpoint_exp_motion(const Problem& problem, double step_s) {
-  return made<ExponentialAttitude>("implicit-midpoint-exp", problem, step_s);
+std::unique_ptr<const Motion> implicit_midpoint_exp_motion(const Problem& problem, double step_s,
+                                                           const Effort& effort) {
+  return made<ExponentialAttitude>("implicit-midpoint-exp", problem, step_s, effort);
 }
 
 }  // namespace polhode

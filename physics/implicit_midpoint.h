@@ -19,6 +19,7 @@
 // 60 rounds, the answer is NaN from there on.
 #pragma once
 
+#include "physics/effort.h"
 #include "physics/motion.h"
 #include "physics/problem.h"
 
@@ -28,7 +29,9 @@ namespace polhode {
 
 /// @throws std::domain_error if the state is not finite, the step is not finite and > 0, or there is a
 /// torque.
-std::unique_ptr<const Motion> implicit_midpoint_motion(const Problem& problem, double step_s);
-std::unique_ptr<const Motion> implicit_midpoint_exp_motion(const Problem& problem, double step_s);
+std::unique_ptr<const Motion> implicit_midpoint_motion(const Problem& problem, double step_s,
+                                                       const Effort& effort = {});
+std::unique_ptr<const Motion> implicit_midpoint_exp_motion(const Problem& problem, double step_s,
+                                                           const Effort& effort = {});
 
 }  // namespace polhode

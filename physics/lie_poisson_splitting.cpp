@@ -102,11 +102,12 @@ class LiePoissonSplitting {
 
 }  // namespace
 
-std::unique_ptr<const Motion> splitting_motion(const Problem& problem, double step_s) {
+std::unique_ptr<const Motion> splitting_motion(const Problem& problem, double step_s, const Effort& effort) {
   constexpr std::string_view kName = "splitting";
   if (problem.torque.empty())
-    return std::make_unique<FixedStepMotion<LiePoissonSplitting<NoTorque>>>(kName, problem, step_s);
-  return std::make_unique<FixedStepMotion<LiePoissonSplitting<AttitudeTorque>>>(kName, problem, step_s);
+    return std::make_unique<FixedStepMotion<LiePoissonSplitting<NoTorque>>>(kName, problem, step_s, effort);
+  return std::make_unique<FixedStepMotion<LiePoissonSplitting<AttitudeTorque>>>(kName, problem, step_s,
+                                                                                effort);
 }
 
 }  // namespace polhode

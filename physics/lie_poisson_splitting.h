@@ -17,6 +17,7 @@
 // Torque that depends on attitude alone: kick / free flow / kick, attitude_torque.h.
 #pragma once
 
+#include "physics/effort.h"
 #include "physics/motion.h"
 #include "physics/problem.h"
 
@@ -26,6 +27,7 @@ namespace polhode {
 
 /// @throws std::domain_error if state or torque is not finite, the step is not finite and > 0, or the torque
 /// depends on ω.
-std::unique_ptr<const Motion> splitting_motion(const Problem& problem, double step_s);
+std::unique_ptr<const Motion> splitting_motion(const Problem& problem, double step_s,
+                                               const Effort& effort = {});
 
 }  // namespace polhode

@@ -125,13 +125,15 @@ Method default_method(const Problem& problem) {
   return problem.torque.empty() ? M::exact : M::dormand_prince_8;
 }
 
-std::unique_ptr<const Motion> make_motion(const Problem& unchecked, const MethodChoice& choice) {
+std::unique_ptr<const Motion> make_motion(const Problem& unchecked, const MethodChoice& choice,
+                                          const Effort& effort) {
   const MethodFacts& facts = facts_of(choice.method);
   const Problem problem = checked(unchecked);
   if (const auto reason = why_not(choice.method, problem))
     throw std::domain_error("\"" + std::string(facts.name) + "\" cannot serve this: " + *reason +
                             "; what can: " + joined(serving_methods(problem)));
   check_settings(facts, choice);
+  const std::int64_t max_steps = choice.max_steps.value_or(DormandPrinceMotion::kMaxSteps);
 
   switch (choice.method) {
     case M::exact:
@@ -141,33 +143,46 @@ std::unique_ptr<const Motion> make_motion(const Problem& unchecked, const Method
     case M::symmetric:
       return std::make_unique<SymmetricMotion>(problem.I, problem.start);
     case M::explicit_euler:
-      return explicit_euler_motion(problem, *choice.step_s);
+      return explicit_euler_motion(problem, *choice.step_s, effort);
     case M::explicit_midpoint:
-      return explicit_midpoint_motion(problem, *choice.step_s);
+      return explicit_midpoint_motion(problem, *choice.step_s, effort);
     case M::rk4:
-      return rk4_motion(problem, *choice.step_s);
+      return rk4_motion(problem, *choice.step_s, effort);
     case M::rk4_projected:
-      return rk4_projected_motion(problem, *choice.step_s);
+      return rk4_projected_motion(problem, *choice.step_s, effort);
     case M::splitting:
-      return splitting_motion(problem, *choice.step_s);
+      return splitting_motion(problem, *choice.step_s, effort);
     case M::implicit_midpoint:
-      return implicit_midpoint_motion(problem, *choice.step_s);
+      return implicit_midpoint_motion(problem, *choice.step_s, effort);
     case M::implicit_midpoint_exp:
-      return implicit_midpoint_exp_motion(problem, *choice.step_s);
+      return implicit_midpoint_exp_motion(problem, *choice.step_s, effort);
     case M::moser_veselov_2:
-      return moser_veselov_motion(2, problem, *choice.step_s);
+      return moser_veselov_motion(2, problem, *choice.step_s, effort);
     case M::moser_veselov_6:
-      return moser_veselov_motion(6, problem, *choice.step_s);
+      return moser_veselov_motion(6, problem, *choice.step_s, effort);
     case M::moser_veselov_10:
-      return moser_veselov_motion(10, problem, *choice.step_s);
+      return moser_veselov_motion(10, problem, *choice.step_s, effort);
     case M::dormand_prince_5:
       return std::make_unique<DormandPrinceMotion>(DormandPrincePair::five_four, problem,
-                                                   choice.tolerance.value_or(kDefaultTolerance));
+                                                   choice.tolerance.value_or(kDefaultTolerance), max_steps,
+                                                   effort);
     case M::dormand_prince_8:
       return std::make_unique<DormandPrinceMotion>(DormandPrincePair::eight_five_three, problem,
-                                                   choice.tolerance.value_or(kDefaultTolerance));
+                                                   choice.tolerance.value_or(kDefaultTolerance), max_steps,
+                                                   effort);
   }
   throw std::logic_error("a method without a motion");
+}
+
+std::string why_no_state(const Motion& motion, const Problem& problem, double t_s) {
+  if (motion.is_too_far(t_s)) return "it takes more steps than are made: choose a shorter time";
+  const auto method = method_from(motion.method());
+  const bool has_step = method && facts_of(*method).control == fixed;
+  const std::string torque = problem.torque.empty() ? "" : "the torque is too large";
+  const std::string rest = has_step                 ? "the step is too long"
+                           : problem.torque.empty() ? "the angular velocity or the time is too large"
+                                                    : "";
+  return "its numbers overflow: " + torque + (torque.empty() || rest.empty() ? "" : ", or ") + rest;
 }
 
 }  // namespace polhode

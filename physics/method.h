@@ -4,6 +4,7 @@
 // each method.
 #pragma once
 
+#include "physics/effort.h"
 #include "physics/motion.h"
 #include "physics/problem.h"
 
@@ -69,10 +70,17 @@ struct MethodChoice {
   std::optional<double> step_s = {};  ///< of fixed-step methods: required, finite, > 0
   std::optional<double> tolerance =
       {};  ///< of adaptive methods, 0 < tolerance < 1; absent: kDefaultTolerance
+  std::optional<std::int64_t> max_steps = {};  ///< of adaptive methods; absent: as many as they make at most
 };
 
 /// @throws std::domain_error with the reason: state or torque not finite, why_not (naming the methods that
-/// can serve), step missing, step or tolerance out of range, or given to a method that has none.
-std::unique_ptr<const Motion> make_motion(const Problem& problem, const MethodChoice& choice);
+/// can serve), step missing, step or tolerance out of range, or given to a method that has none. What an
+/// integrator costs is told to `effort`; a closed form tells nothing.
+std::unique_ptr<const Motion> make_motion(const Problem& problem, const MethodChoice& choice,
+                                          const Effort& effort = {});
+
+/// Of a time at which the motion has no state: why, and what to change. "its numbers overflow: the step is
+/// too long".
+std::string why_no_state(const Motion& motion, const Problem& problem, double t_s);
 
 }  // namespace polhode

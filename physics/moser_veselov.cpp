@@ -27,20 +27,22 @@ class MoserVeselovRule {
 };
 
 template <int kOrder>
-std::unique_ptr<const Motion> made(std::string_view name, const Problem& problem, double step_s) {
+std::unique_ptr<const Motion> made(std::string_view name, const Problem& problem, double step_s,
+                                   const Effort& effort) {
   using Rule = MoserVeselovRule<kOrder>;
   using Free = FixedStepMotion<MidpointStepper<Rule, CayleyAttitude, NoTorque>>;
   using Driven = FixedStepMotion<MidpointStepper<Rule, CayleyAttitude, AttitudeTorque>>;
-  if (problem.torque.empty()) return std::make_unique<Free>(name, problem, step_s);
-  return std::make_unique<Driven>(name, problem, step_s);
+  if (problem.torque.empty()) return std::make_unique<Free>(name, problem, step_s, effort);
+  return std::make_unique<Driven>(name, problem, step_s, effort);
 }
 
 }  // namespace
 
-std::unique_ptr<const Motion> moser_veselov_motion(int order, const Problem& problem, double step_s) {
-  if (order == 2) return made<2>("moser-veselov-2", problem, step_s);
-  if (order == 6) return made<6>("moser-veselov-6", problem, step_s);
-  if (order == 10) return made<10>("moser-veselov-10", problem, step_s);
+std::unique_ptr<const Motion> moser_veselov_motion(int order, const Problem& problem, double step_s,
+                                                   const Effort& effort) {
+  if (order == 2) return made<2>("moser-veselov-2", problem, step_s, effort);
+  if (order == 6) return made<6>("moser-veselov-6", problem, step_s, effort);
+  if (order == 10) return made<10>("moser-veselov-10", problem, step_s, effort);
   throw std::domain_error("Moser-Veselov integrators are of order 2, 6 or 10");
 }
 

@@ -21,6 +21,7 @@
 // at each step, since a kick changes T and |L|.
 #pragma once
 
+#include "physics/effort.h"
 #include "physics/motion.h"
 #include "physics/problem.h"
 
@@ -31,6 +32,7 @@ namespace polhode {
 /// order 2, 6 or 10: "moser-veselov-2", ...
 /// @throws std::domain_error if state or torque is not finite, the step is not finite and > 0, the torque
 /// depends on ω, or the order is another.
-std::unique_ptr<const Motion> moser_veselov_motion(int order, const Problem& problem, double step_s);
+std::unique_ptr<const Motion> moser_veselov_motion(int order, const Problem& problem, double step_s,
+                                                   const Effort& effort = {});
 
 }  // namespace polhode

@@ -7,6 +7,7 @@
 
 #include "physics/state.h"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -15,8 +16,9 @@
 namespace polhode {
 
 /// Pure and random-access: at(t) depends on the motion and t alone, never on the times asked before; any sign
-/// of t; safe to call from several threads. Never throws once constructed, except for lack of memory. At
-/// times it cannot reach (see the implementation) every component of the answer is NaN.
+/// of t; safe to call from several threads. Never throws once constructed, except for lack of memory and what
+/// its Effort throws (effort.h). At times it cannot reach (see the implementation) every component of the
+/// answer is NaN.
 class Motion {
  public:
   virtual ~Motion() = default;
@@ -34,6 +36,9 @@ class Motion {
 
   /// The longest |t| that is computed, s; beyond it the answer is NaN.
   virtual double max_time_s() const { return std::numeric_limits<double>::infinity(); }
+
+  /// Where at(t_s) is NaN: whether that is because t_s takes more steps than are made. If not, ω overflows.
+  virtual bool is_too_far(double t_s) const { return std::abs(t_s) > max_time_s(); }
 
   /// Evaluations of the right-hand side (of a closed form: of the formula) that a path from the start to t_s
   /// takes when nothing is known yet.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scaling by powers of two, which is exact: results are then the same to the bit at any scale. Internal to
-// physics/.
+// Scaling by powers of two, which is exact: results are then the same to the bit at any scale.
 #pragma once
 
 #include "physics/types.h"
@@ -17,5 +16,12 @@ inline Vec3 times_two_to(int e, const Vec3& v) {
 
 /// e with 2^e ≤ max |v_i| < 2^(e+1); v ≠ 0.
 inline int exponent_of(const Vec3& v) { return std::ilogb(v.cwiseAbs().maxCoeff()); }
+
+/// |v|, whose squares leave the range of double no more than it does itself. To the bit v.norm() elsewhere.
+inline double norm_of(const Vec3& v) {
+  if (v.isZero(0.0) || !v.allFinite()) return v.norm();
+  const int e = exponent_of(v);
+  return std::scalbn(times_two_to(-e, v).norm(), e);
+}
 
 }  // namespace polhode
