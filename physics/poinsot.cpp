@@ -3,11 +3,14 @@
 
 #include "physics/curve_sampling.h"
 #include "physics/elliptic.h"
+#include "physics/euler.h"
 #include "physics/polhode_constants.h"
+#include "physics/powers_of_two.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -29,6 +32,27 @@ double checked_tolerance(double chord_tolerance) {
 double checked_energy(double two_T) {
   if (!std::isfinite(two_T) || two_T <= 0) throw std::domain_error("the energy must be finite and > 0");
   return two_T;
+}
+
+// A body in units in which moments and ω are about 1. Both units are powers of two, that of the moments of
+// four, so that square roots scale as exactly as all else.
+struct InUnits {
+  PrincipalMoments I;
+  int eI, ew;
+  double two_T;
+};
+
+InUnits in_units(const PrincipalMoments& I, const Vec3& w_B) {
+  const int e = exponent_of(I.vector()), eI = e - (e & 1), ew = exponent_of(w_B);
+  // A moment that falls out of the range is kept above 0: the body is possible.
+  const Vec3 moments = times_two_to(-eI, I.vector()).cwiseMax(std::numeric_limits<double>::min());
+  const PrincipalMoments J(moments[0], moments[1], moments[2]);
+  return {J, eI, ew, 2.0 * kinetic_energy(J, times_two_to(-ew, w_B))};
+}
+
+void scale(int e, std::vector<Curve>& curves) {
+  for (Curve& curve : curves)
+    for (Vec3& point : curve.points) point = times_two_to(e, point);
 }
 
 // A quarter of any polhode, in its own axes (a, b, c): φ from 0 to π/2.
@@ -121,7 +145,7 @@ double largest_rate(const Motion& motion, double t0_s, double t1_s) {
   constexpr int kLooks = 8;
   double largest = 0;
   for (int i = 0; i <= kLooks; ++i) {
-    const double rate = motion.w_B_at(t0_s + (t1_s - t0_s) * (double{1} * i / kLooks)).norm();
+    const double rate = norm_of(motion.w_B_at(t0_s + (t1_s - t0_s) * (double{1} * i / kLooks)));
     if (rate > largest) largest = rate;  // false for NaN
   }
   return largest;
@@ -135,6 +159,16 @@ Vec3 energy_ellipsoid_semi_axes(const PrincipalMoments& I, double two_T) {
 
 Vec3 momentum_ellipsoid_semi_axes(const PrincipalMoments& I, double two_T) {
   return I.vector().unaryExpr([two_T](double I_i) { return std::sqrt(two_T) * std::sqrt(I_i); });
+}
+
+Vec3 energy_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B) {
+  const InUnits body = in_units(I, w_B);
+  return times_two_to(body.ew, energy_ellipsoid_semi_axes(body.I, body.two_T));
+}
+
+Vec3 momentum_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B) {
+  const InUnits body = in_units(I, w_B);
+  return times_two_to(body.ew, times_two_to(body.eI, momentum_ellipsoid_semi_axes(body.I, body.two_T)));
 }
 
 double invariable_plane_distance(const PrincipalMoments& I, const Vec3& w_B) {
@@ -172,6 +206,26 @@ std::vector<PolhodeOfFamily> polhode_family(const PrincipalMoments& I, double tw
   return family;
 }
 
+std::vector<PolhodeOfFamily> polhode_family(const PrincipalMoments& I, const Vec3& w_B,
+                                            const std::vector<double>& L2_over_2T, double chord_tolerance) {
+  const InUnits body = in_units(I, w_B);
+  std::vector<double> levels = L2_over_2T;
+  for (double& level : levels) level = std::scalbn(level, -body.eI);
+  auto family = polhode_family(body.I, body.two_T, levels, std::scalbn(chord_tolerance, -body.ew));
+  for (std::size_t i = 0; i < family.size(); ++i) {
+    family[i].L2_over_2T = L2_over_2T[i];
+    scale(body.ew, family[i].branches);
+  }
+  return family;
+}
+
+std::vector<Curve> separatrices(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance) {
+  const InUnits body = in_units(I, w_B);
+  auto ellipses = separatrices(body.I, body.two_T, std::scalbn(chord_tolerance, -body.ew));
+  scale(body.ew, ellipses);
+  return ellipses;
+}
+
 std::vector<Curve> separatrices(const PrincipalMoments& I, double two_T, double chord_tolerance) {
   checked_tolerance(chord_tolerance);
   checked_energy(two_T);
@@ -201,7 +255,7 @@ Curve herpolhode(const Motion& motion, double t0_s, double t1_s, double chord_to
   Curve curve{sample_curve(tip_S, t0_s, t1_s, sampling), false};
 
   const auto is_near_start = [&](const Vec3& p) {
-    return (p - curve.points.front()).norm() <= chord_tolerance;
+    return norm_of(p - curve.points.front()) <= chord_tolerance;
   };
   if (std::all_of(curve.points.begin(), curve.points.end(), is_near_start) && !curve.points.empty()) {
     curve.points.resize(1);

@@ -30,6 +30,10 @@ Vec3 energy_ellipsoid_semi_axes(const PrincipalMoments& I, double two_T);
 /// radius |L|. Relative error 2ε.
 Vec3 momentum_ellipsoid_semi_axes(const PrincipalMoments& I, double two_T);
 
+/// The same two of a body that turns with w_B ≠ 0: what they are may be in range where 2T is not.
+Vec3 energy_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B);
+Vec3 momentum_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B);
+
 /// Distance 2T/|L| of the invariable plane ω·L = 2T from the centre, rad/s (ω-space). Zero for ω = 0.
 /// Relative error 4ε.
 double invariable_plane_distance(const PrincipalMoments& I, const Vec3& w_B);
@@ -57,9 +61,15 @@ struct PolhodeOfFamily {
 std::vector<PolhodeOfFamily> polhode_family(const PrincipalMoments& I, double two_T,
                                             const std::vector<double>& L2_over_2T, double chord_tolerance);
 
+/// The same for the energy of a body that turns with w_B ≠ 0, which itself may be out of range.
+std::vector<PolhodeOfFamily> polhode_family(const PrincipalMoments& I, const Vec3& w_B,
+                                            const std::vector<double>& L2_over_2T, double chord_tolerance);
+
 /// The two plane ellipses L² = 2T·I_mid that part the polhodes about I_min from those about I_max; empty if
 /// two moments are equal. @throws std::domain_error if two_T is not finite and > 0.
 std::vector<Curve> separatrices(const PrincipalMoments& I, double two_T, double chord_tolerance);
+/// The same for the energy of a body that turns with w_B ≠ 0.
+std::vector<Curve> separatrices(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance);
 
 /// ω's tip in space over [t0_s, t1_s] (either order), rad/s, S components: the herpolhode if the motion is
 /// torque-free. Open. One point if it never leaves the tolerance. Pieces of at most ½ rad of turning are

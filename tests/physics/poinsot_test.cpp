@@ -5,6 +5,7 @@
 #include "physics/euler.h"
 #include "physics/explicit_runge_kutta.h"
 #include "physics/polhode_constants.h"
+#include "physics/powers_of_two.h"
 #include "physics/symmetric_motion.h"
 #include "physics/uniform_motion.h"
 #include "tests/physics/support.h"
@@ -206,6 +207,40 @@ TEST(Polhode, RefusesTolerancesThatAreNone) {
     EXPECT_THROW(herpolhode(UniformMotion(kI, {}), 0, 1, bad), std::domain_error);
   }
   EXPECT_LE(polhode(kI, {1, 1, 1}, 1e-300).points.size(), 1U << 17);  // taken as 2⁻²⁶ of the size
+}
+
+TEST(Poinsot, OfABodyWhoseEnergyIsOutOfRangeIsThatOfASlowOneToTheBit) {
+  const Vec3 w_B(0.4, 1.1, -0.3);
+  const double two_T = 2 * kinetic_energy(kI, w_B);
+  const std::vector<double> levels = {1.2, 2.1};
+  const auto plain = polhode_family(kI, two_T, levels, 1e-3);
+  const auto ellipses = separatrices(kI, two_T, 1e-3);
+  EXPECT_EQ(energy_ellipsoid_semi_axes(kI, w_B), energy_ellipsoid_semi_axes(kI, two_T));
+  EXPECT_EQ(momentum_ellipsoid_semi_axes(kI, w_B), momentum_ellipsoid_semi_axes(kI, two_T));
+  for (const int e : {-900, 0, 900}) {
+    const Vec3 fast_B = times_two_to(e, w_B);
+    EXPECT_EQ(energy_ellipsoid_semi_axes(kI, fast_B), times_two_to(e, energy_ellipsoid_semi_axes(kI, two_T)));
+    EXPECT_EQ(momentum_ellipsoid_semi_axes(kI, fast_B),
+              times_two_to(e, momentum_ellipsoid_semi_axes(kI, two_T)));
+    const auto family = polhode_family(kI, fast_B, levels, std::scalbn(1e-3, e));
+    ASSERT_EQ(family.size(), plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      EXPECT_EQ(family[i].L2_over_2T, levels[i]);
+      ASSERT_EQ(family[i].branches[1].points.size(), plain[i].branches[1].points.size());
+      for (std::size_t k = 0; k < plain[i].branches[1].points.size(); ++k)
+        EXPECT_EQ(family[i].branches[1].points[k], times_two_to(e, plain[i].branches[1].points[k]));
+    }
+    const auto fast_ellipses = separatrices(kI, fast_B, std::scalbn(1e-3, e));
+    ASSERT_EQ(fast_ellipses.size(), ellipses.size());
+    EXPECT_EQ(fast_ellipses[0].points[3], times_two_to(e, ellipses[0].points[3]));
+  }
+}
+
+TEST(Poinsot, OfMomentsAtTheEndOfTheRangeHasItsSemiAxes) {
+  const PrincipalMoments huge(1.2e308, 1.3e308, 1.5e308);
+  const Vec3 axes = energy_ellipsoid_semi_axes(huge, Vec3(3, 2, 1));
+  const Vec3 same = energy_ellipsoid_semi_axes(PrincipalMoments(1.2, 1.3, 1.5), Vec3(3, 2, 1));
+  EXPECT_LE((axes - same).norm(), 8 * kEps * same.norm());
 }
 
 TEST(PolhodeFamily, HasTheAskedMomentumAndTheCommonEnergy) {
