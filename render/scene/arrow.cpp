@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/arrow.h"
 
+#include "physics/powers_of_two.h"
 #include "render/scene/difference.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ Vec3 arrow_A_S(const SceneModel& model, double t_s) {
 
 ArrowRates arrow_rates(const SceneModel& model, double t_s) {
   const RigidBodyState now = model.motion->at(t_s);
-  const double h_s = kDifferenceAngle / std::max(pace(model), now.w_B.norm());
+  const double h_s = kDifferenceAngle / std::max(pace(model), norm_of(now.w_B));
   const auto A_B = [&](double at_s) -> Vec3 {
     const Quat q_SB = model.motion->at(at_s).q_SB;
     return q_SB.conjugate() * arrow_A_S(model, at_s, q_SB);

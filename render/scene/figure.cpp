@@ -2,6 +2,7 @@
 #include "render/scene/figure.h"
 
 #include "physics/euler.h"
+#include "physics/powers_of_two.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/drift.h"
 #include "render/scene/omega_tip.h"
@@ -24,19 +25,17 @@ bool shows_momentum_space(const OverlaySet& show) {
 /// a little longer than the body, so that its tip can be seen.
 double omega_scale_of(const Scene& scene) {
   constexpr double kBesideSolid = 1.15;
-  const double speed = scene.w0_B.norm();
+  const double speed = norm_of(scene.w0_B);
   if (speed == 0.0) return 1.0;
   if (scene.show.contains(Overlay::shape) && !scene.show.contains(Overlay::energy_ellipsoid))
     return kBesideSolid / speed;
-  const double two_T = 2.0 * kinetic_energy(scene.body.moments, scene.w0_B);
-  return 1.0 / energy_ellipsoid_semi_axes(scene.body.moments, two_T).maxCoeff();
+  return 1.0 / energy_ellipsoid_semi_axes(scene.body.moments, scene.w0_B).maxCoeff();
 }
 
 double L_scale_of(const Scene& scene) {
   if (!shows_momentum_space(scene.show) || scene.w0_B.isZero(0.0)) return 0.0;
-  const double two_T = 2.0 * kinetic_energy(scene.body.moments, scene.w0_B);
-  const double L = angular_momentum_B(scene.body.moments, scene.w0_B).norm();
-  return 1.0 / std::max(L, momentum_ellipsoid_semi_axes(scene.body.moments, two_T).maxCoeff());
+  const double L = norm_of(angular_momentum_B(scene.body.moments, scene.w0_B));
+  return 1.0 / std::max(L, momentum_ellipsoid_semi_axes(scene.body.moments, scene.w0_B).maxCoeff());
 }
 
 /// A fixed length along the direction of L: past the plane where there is one, so that one sees it stand
@@ -46,7 +45,7 @@ double L_length_of(const Scene& scene, double omega_scale, double L_scale) {
   constexpr double kPastThePlane = 0.42;
   const PrincipalMoments& I = scene.body.moments;
   if (scene.w0_B.isZero(0.0)) return kLength;
-  if (L_scale > 0.0) return L_scale * angular_momentum_B(I, scene.w0_B).norm();
+  if (L_scale > 0.0) return L_scale * norm_of(angular_momentum_B(I, scene.w0_B));
   if (!scene.show.contains(Overlay::plane)) return kLength;
   return invariable_plane_distance(I, scene.w0_B) * omega_scale + kPastThePlane;
 }
@@ -108,7 +107,7 @@ double reach_of(const builders::Moment& m) {
   double reach = 1.0;
   if (m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body)) reach = builders::kTriadLength + kLabel;
   if (m.shows(Overlay::omega) || m.shows(Overlay::trail_omega))
-    reach = std::max(reach, m.model.scene.w0_B.norm() * m.omega_scale + kLabel);
+    reach = std::max(reach, norm_of(m.model.scene.w0_B) * m.omega_scale + kLabel);
   if (m.shows(Overlay::L)) reach = std::max(reach, m.L_length + kLabel);
   if (m.shows(Overlay::N) && !m.model.scene.torque.empty()) reach = std::max(reach, m.L_length + 0.3);
   constexpr double kTriangle = 0.5;  // of what stands on the tip of an arrow

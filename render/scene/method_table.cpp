@@ -27,18 +27,20 @@ bool stands_in_table(const MethodFacts& facts, const Problem& problem) {
 
 }  // namespace
 
-MethodTable method_table(const Problem& problem, double step_s, double t_s) {
+MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort) {
   const bool is_free = problem.torque.empty();
   const auto reference = make_motion(
-      problem, is_free ? MethodChoice{} : MethodChoice{Method::dormand_prince_8, {}, kReferenceTolerance});
+      problem,
+      is_free ? MethodChoice{} : MethodChoice{Method::dormand_prince_8, {}, kReferenceTolerance, kMostSteps},
+      effort);
   const RigidBodyState end = reference->at(t_s);
   MethodTable table{t_s, step_s, {}};
   if (is_free) table.rows.push_back(row_of(*reference, Method::exact, problem, t_s));
   for (const MethodFacts& facts : all_methods()) {
     if (!stands_in_table(facts, problem)) continue;
     const bool steps = facts.control == StepControl::fixed;
-    const auto motion =
-        make_motion(problem, {facts.method, steps ? std::optional(step_s) : std::nullopt, {}});
+    const auto motion = make_motion(
+        problem, {facts.method, steps ? std::optional(step_s) : std::nullopt, {}, kMostSteps}, effort);
     MethodRow row = row_of(*motion, facts.method, problem, t_s);
     row.error = error_of(motion->at(t_s), end);
     table.rows.push_back(row);

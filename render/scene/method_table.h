@@ -6,6 +6,7 @@
 #include "physics/method.h"
 #include "physics/motion_errors.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace polhode {
@@ -28,12 +29,15 @@ struct MethodTable {
 /// Steps that each method of a scene's table takes at most: about 0.2 s in all.
 inline constexpr double kMostTableSteps = 1e5;
 
+/// More steps than this make no still: about a second.
+inline constexpr std::int64_t kMostSteps = 2'000'000;
+
 /// Steps that a plot of orders shows, each half of the one before.
 inline constexpr int kOrderSteps = 7;
 
 /// Every method of fixed step that serves the problem, and Dormand-Prince 8 with its usual tolerance, against
 /// the closed form; where there is none, against Dormand-Prince 8 at tolerance 1e-13.
 /// @throws std::domain_error as make_motion does.
-MethodTable method_table(const Problem& problem, double step_s, double t_s);
+MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort = {});
 
 }  // namespace polhode

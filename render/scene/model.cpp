@@ -3,6 +3,8 @@
 
 #include "physics/euler.h"
 #include "physics/method.h"
+#include "physics/motion_errors.h"
+#include "physics/powers_of_two.h"
 #include "render/scene/drift.h"
 #include "render/scene/rotor.h"
 #include "render/scene/terms.h"
@@ -18,8 +20,6 @@ namespace {
 constexpr double kHerpolhodePeriods = 3.0;  // enough for the annulus to show
 constexpr double kShownSecondsPerPeriod = 8.0;
 constexpr double kTurnsWithoutPeriod = 4.0;  // of ω, where torque leaves no polhode period
-/// More fixed steps than this make no still: about a second.
-constexpr double kMostSteps = 2e6;
 /// Of ω; more would have too few points to a turn (kMaxHerpolhodePoints).
 constexpr double kMostHerpolhodeTurns = 1300;
 constexpr int kFamilySize = 4;  // polhodes on each side of the separatrix
@@ -39,12 +39,19 @@ Quat align(const Vec3& from_B, const Vec3& to_S) {
   return Quat::FromTwoVectors(half * from_B, to_S) * half;
 }
 
+/// A vector along L, whatever the units: |L| itself may be out of range.
+Vec3 along_L_B(const Scene& scene) {
+  const Vec3 &I = scene.body.moments.vector(), &w_B = scene.w0_B;
+  if (w_B.isZero(0.0) || !w_B.allFinite()) return Vec3::Zero();
+  return times_two_to(-exponent_of(I), I).cwiseProduct(times_two_to(-exponent_of(w_B), w_B));
+}
+
 Quat initial_attitude(const Scene& scene) {
   const AttitudeSpec spec =
       scene.attitude.value_or(scene.show.contains(Overlay::plane) ? LPoints::down : LPoints::up);
   if (const Quat* given = std::get_if<Quat>(&spec)) return given->normalized();
   const double z = std::get<LPoints>(spec) == LPoints::down ? -1.0 : 1.0;
-  return align(angular_momentum_B(scene.body.moments, scene.w0_B), Vec3(0.0, 0.0, z));
+  return align(along_L_B(scene), Vec3(0.0, 0.0, z));
 }
 
 double natural_span(const Scene& scene) {
@@ -90,12 +97,12 @@ std::string why(const MotionSpec& spec, const MethodChoice& choice, const Motion
 
 /// The longest |t| that a motion can be asked for in the time there is for a still.
 double reach_of(const Motion& motion, const std::optional<double>& step_s) {
-  return step_s ? std::min(motion.max_time_s(), kMostSteps * *step_s) : motion.max_time_s();
+  return step_s ? std::min(motion.max_time_s(), double{kMostSteps} * *step_s) : motion.max_time_s();
 }
 
 void check_reach(const MethodChoice& choice, const Motion& motion, double reach_s) {
   const std::string name(facts_of(choice.method).name);
-  if (choice.step_s && reach_s > kMostSteps * *choice.step_s)
+  if (choice.step_s && reach_s > double{kMostSteps} * *choice.step_s)
     throw std::domain_error("at and duration reach " + std::to_string(reach_s / *choice.step_s) +
                             " steps of \"" + name + "\" from the start, at most " +
                             std::to_string(kMostSteps) + " are made: choose a shorter time or a longer step");
@@ -142,28 +149,73 @@ void check_method_table(const Scene& scene, const Requirements& needs) {
                             " are made: choose an earlier time `at` or a longer step");
 }
 
+bool is_computable(const Motion& motion, const Requirements& needs, double t_s) {
+  return needs.attitude ? is_finite(motion.at(t_s)) : !needs.omega || motion.w_B_at(t_s).allFinite();
+}
+
+/// What is drawn is scaled to the picture, and what is written is a number of double.
+void check_size(const Scene& scene, const Requirements& needs) {
+  const PrincipalMoments& I = scene.body.moments;
+  const Vec3& w_B = scene.w0_B;
+  if (!needs.omega || w_B.isZero(0.0)) return;
+  const double size = energy_ellipsoid_semi_axes(I, w_B).maxCoeff();
+  if (!std::isfinite(size) || !std::isfinite(1.0 / w_B.cwiseAbs().maxCoeff()))
+    throw std::domain_error("the angular velocity is too large or too small to be drawn");
+  if (!std::isfinite(norm_of(angular_momentum_B(I, w_B))))
+    throw std::domain_error("the angular momentum exceeds the largest number there is, 1.8e308 kg m²/s");
+  const std::vector<Meter> meters = needs.meters ? shown_meters(scene) : std::vector<Meter>{};
+  const bool tells_energy = scene.show.contains(Overlay::values) ||
+                            std::find(meters.begin(), meters.end(), Meter::energy) != meters.end();
+  if (tells_energy && !std::isfinite(2.0 * kinetic_energy(I, w_B)))
+    throw std::domain_error("the kinetic energy exceeds the largest number there is, 1.8e308 J");
+}
+
+/// Only on the way is it seen how far steps by tolerance lead, and whether a motion overflows.
+void check_course(const Scene& scene, const Problem& problem, const Motion& motion,
+                  const Requirements& needs) {
+  for (const double t_s : {scene.at_s, still_time_s(scene)})
+    if (!is_computable(motion, needs, t_s))
+      throw std::domain_error("the motion cannot be computed at t = " + std::to_string(t_s) +
+                              " s: " + why_no_state(motion, problem, t_s));
+  if (!needs.omega || facts_of(*method_from(motion.method())).control != StepControl::adaptive) return;
+  const double reach_s = std::max(reach_of(scene, needs), needs.meters ? span_of(scene) : 0.0);
+  const double end_s = std::copysign(reach_s, scene.at_s);
+  if (!motion.w_B_at(end_s).allFinite() && motion.is_too_far(end_s))
+    throw std::domain_error("at and duration reach " + std::to_string(reach_s) + " s from the start, \"" +
+                            std::string(motion.method()) + "\" takes more than " +
+                            std::to_string(kMostSteps) +
+                            " steps to get there: choose a shorter time or a larger tolerance");
+}
+
 /// What the scene asks for, or the method that is best for body and torque.
-Choice choose_motion(const Scene& scene, const Problem& problem, const Requirements& needs) {
+Choice choose_motion(const Scene& scene, const Problem& problem, const Requirements& needs,
+                     const Effort& effort) {
   const MotionSpec& spec = scene.motion;
-  const MethodChoice choice{spec.method.value_or(default_method(problem)), spec.step_s, spec.tolerance};
-  auto motion = make_motion(problem, choice);
+  const MethodChoice choice{spec.method.value_or(default_method(problem)), spec.step_s, spec.tolerance,
+                            kMostSteps};
+  auto motion = make_motion(problem, choice, effort);
   check_reach(choice, *motion, reach_of(scene, needs));
   check_herpolhode(scene, needs);
   check_drift(scene);
   check_method_table(scene, needs);
+  check_size(scene, needs);
   std::string reason = why(spec, choice, *motion, needs);
   return {std::move(motion), std::move(reason)};
 }
 
-/// Even steps of L²/2T between each extreme moment and the middle one.
+/// Even steps of L²/2T between each extreme moment and the middle one; none where both are equal, or so
+/// nearly that no number lies between.
 std::vector<double> family_levels(const PrincipalMoments& I) {
   Vec3 sorted = I.vector();
   std::sort(sorted.begin(), sorted.end());
   std::vector<double> levels;
   for (int side = 0; side < 2; ++side)
-    for (int n = 1; n <= kFamilySize && sorted[side] < sorted[side + 1]; ++n)
-      levels.push_back(
-          std::lerp(sorted[side], sorted[side + 1], (n - 0.5 * (1 - side) - 0.25) / kFamilySize));
+    for (int n = 1; n <= kFamilySize; ++n) {
+      const double level =
+          std::lerp(sorted[side], sorted[side + 1], (n - 0.5 * (1 - side) - 0.25) / kFamilySize);
+      const bool is_new = levels.empty() || level > levels.back();
+      if (is_new && level > sorted[side] && level < sorted[side + 1]) levels.push_back(level);
+    }
   return levels;
 }
 
@@ -182,32 +234,43 @@ double longest_term(const SceneModel& model) {
 }
 
 /// As exact as there is: the closed form, under torque the best method at a tolerance near rounding.
-std::unique_ptr<const Motion> exact_motion(const Problem& problem) {
+std::unique_ptr<const Motion> exact_motion(const Problem& problem, const Effort& effort) {
   constexpr double kTolerance = 1e-13;
   const Method method = default_method(problem);
   const bool adaptive = facts_of(method).control == StepControl::adaptive;
   return make_motion(problem,
-                     {.method = method, .tolerance = adaptive ? std::optional(kTolerance) : std::nullopt});
+                     {.method = method,
+                      .tolerance = adaptive ? std::optional(kTolerance) : std::nullopt,
+                      .max_steps = kMostSteps},
+                     effort);
 }
 
-void compute_parts(SceneModel& model, double chord_tolerance) {
+/// Told where a closed form is asked as often as a curve has points, which is four times.
+void spend_on(const Curve& curve, const Effort& effort) {
+  spend(effort, 4 * static_cast<std::int64_t>(curve.points.size()));
+}
+
+void compute_parts(SceneModel& model, const Effort& effort, double chord_tolerance) {
   const Scene& scene = model.scene;
   const PrincipalMoments& I = scene.body.moments;
-  const double two_T = 2.0 * kinetic_energy(I, scene.w0_B);
-  const double tolerance = chord_tolerance * energy_ellipsoid_semi_axes(I, two_T).maxCoeff();
-  const bool moves = two_T > 0.0;
+  const Vec3& w_B = scene.w0_B;
+  const bool moves = !w_B.isZero(0.0);
+  const double tolerance = moves ? chord_tolerance * energy_ellipsoid_semi_axes(I, w_B).maxCoeff() : 0.0;
 
-  if (model.needs.polhode && moves) model.polhode_B = polhode(I, scene.w0_B, tolerance);
+  if (model.needs.polhode && moves) model.polhode_B = polhode(I, w_B, tolerance);
   if (model.needs.polhode_family && moves)
-    model.family_B = polhode_family(I, two_T, family_levels(I), tolerance);
-  if (model.needs.separatrix && moves) model.separatrices_B = separatrices(I, two_T, tolerance);
+    model.family_B = polhode_family(I, w_B, family_levels(I), tolerance);
+  if (model.needs.separatrix && moves) model.separatrices_B = separatrices(I, w_B, tolerance);
   if (model.needs.herpolhode && moves)
     model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
+  spend_on(model.herpolhode_S, effort);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
   if (model.needs.terms) model.longest_term = longest_term(model);
   for (int k = 0; model.needs.orders && k < kOrderSteps; ++k)
-    model.orders.push_back(method_table(problem_of(scene), table_step_s(scene) * std::exp2(-k), scene.at_s));
-  if (model.needs.methods) model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s);
+    model.orders.push_back(
+        method_table(problem_of(scene), table_step_s(scene) * std::exp2(-k), scene.at_s, effort));
+  if (model.needs.methods)
+    model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s, effort);
 }
 
 }  // namespace
@@ -338,9 +401,17 @@ Problem problem_of(const Scene& scene) {
   return {scene.body.moments, {initial_attitude(scene), scene.w0_B}, scene.torque};
 }
 
-void check_scene(const Scene& scene) { choose_motion(scene, problem_of(scene), requirements(scene)); }
+void check_scene(const Scene& scene, const Effort& effort) {
+  const Problem problem = problem_of(scene);
+  const Requirements needs = requirements(scene, Product::page);
+  check_course(scene, problem, *choose_motion(scene, problem, needs, effort).motion, needs);
+}
 
-SceneModel make_model(const Scene& scene, Product product, double chord_tolerance) {
+bool is_computable(const SceneModel& model, double t_s) {
+  return is_computable(*model.motion, model.needs, t_s);
+}
+
+SceneModel make_model(const Scene& scene, Product product, const Effort& effort, double chord_tolerance) {
   SceneModel model;
   model.scene = scene;
   model.drawn = drawn_overlays(scene);
@@ -348,7 +419,7 @@ SceneModel make_model(const Scene& scene, Product product, double chord_toleranc
   const Problem problem = problem_of(scene);
   model.q0_SB = problem.start.q_SB;
 
-  Choice choice = choose_motion(scene, problem, model.needs);
+  Choice choice = choose_motion(scene, problem, model.needs, effort);
   model.motion = std::move(choice.motion);
   model.why = std::move(choice.why);
 
@@ -360,8 +431,8 @@ SceneModel make_model(const Scene& scene, Product product, double chord_toleranc
   model.span_s = span_of(scene);
   model.reach_s = reach_of(*model.motion, scene.motion.step_s);
   model.rate = scene.rate.value_or(natural_span(scene) / kShownSecondsPerPeriod);
-  if (model.needs.ghost) model.exact = exact_motion(problem);
-  compute_parts(model, chord_tolerance);
+  if (model.needs.ghost) model.exact = exact_motion(problem, effort);
+  compute_parts(model, effort, chord_tolerance);
   return model;
 }
 

@@ -3,6 +3,7 @@
 // alone.
 #pragma once
 
+#include "physics/effort.h"
 #include "physics/motion.h"
 #include "physics/poinsot.h"
 #include "physics/problem.h"
@@ -53,8 +54,10 @@ Requirements requirements(const Scene& scene, Product product = Product::figure)
 /// Body, state at t = 0 and torque of a scene: what there is to be followed in time.
 Problem problem_of(const Scene& scene);
 
-/// @throws std::domain_error as make_model does, without computing any curve.
-void check_scene(const Scene& scene);
+/// Whether a scene can be shown on a page at its own times, without computing any curve: what must be
+/// computed step by step is followed as far as a still reaches.
+/// @throws std::domain_error as make_model does, and what `effort` throws
+void check_scene(const Scene& scene, const Effort& effort = {});
 
 /// "omega", "attitude", "polhode", ...: for `info`.
 std::vector<std::string> names_of(const Requirements& needs);
@@ -90,9 +93,14 @@ double herpolhode_span_s(const Scene& scene);
 /// picture.
 inline constexpr double kChordTolerance = 2e-4;
 
-/// Chooses the cheapest motion that gives what is asked and computes the parts asked for.
-/// @throws std::domain_error if the body, the state or the chosen method cannot serve.
-SceneModel make_model(const Scene& scene, Product product = Product::figure,
+/// Whether what is needed of the motion can be computed at t.
+bool is_computable(const SceneModel& model, double t_s);
+
+/// Chooses the cheapest motion that gives what is asked and computes the parts asked for. What that costs is
+/// told to `effort`, and later what the motion costs: it must outlive the model.
+/// @throws std::domain_error if the body, the state or the chosen method cannot serve; and what `effort`
+/// throws
+SceneModel make_model(const Scene& scene, Product product = Product::figure, const Effort& effort = {},
                       double chord_tolerance = kChordTolerance);
 
 }  // namespace polhode

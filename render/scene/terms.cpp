@@ -2,6 +2,7 @@
 #include "render/scene/terms.h"
 
 #include "physics/euler.h"
+#include "physics/powers_of_two.h"
 #include "render/scene/difference.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ Terms terms_at(const Motion& motion, const PrincipalMoments& I, const Torque& to
   const RigidBodyState now = motion.at(t_s);
   const Vec3 N_B = torque_B(torque, I, now);
   // The pace at which ω changes: of its own turning, and from rest of what the torque does.
-  const double pace = std::max(now.w_B.norm(), std::sqrt(N_B.norm() / I.vector().minCoeff()));
+  const double pace = std::max(norm_of(now.w_B), std::sqrt(N_B.norm() / I.vector().minCoeff()));
   const Vec3 gyroscopic_B = now.w_B.cross(angular_momentum_B(I, now.w_B));
   if (pace == 0.0) return {Vec3::Zero(), gyroscopic_B, N_B};
   const auto w_B = [&](double at_s) { return motion.w_B_at(at_s); };

@@ -2,17 +2,20 @@
 #include "render/scene/model.h"
 
 #include "physics/euler.h"
+#include "physics/powers_of_two.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace polhode {
 namespace {
 
 using O = Overlay;
 using testing::HasSubstr;
+using testing::Not;
 
 Scene scene_with(OverlaySet show, std::vector<View> views = {View::space}) {
   Scene scene;
@@ -180,6 +183,106 @@ TEST(Model, RefusesCurvesThatTakeTooManySteps) {  // 2026-11-21: lint hung on su
   EXPECT_THROW(check_scene(scene), std::domain_error);
   scene.show = {O::omega};
   EXPECT_NO_THROW(make_model(scene));
+}
+
+const OverlaySet kCurves = {O::polhode, O::polhode_family, O::separatrix, O::herpolhode, O::cones};
+
+TEST(Model, OfNearlyEqualMomentsHasItsCurves) {  // 2026-11-22: gaps of 2e-16 to 1e-15 were refused
+  for (int ulps = 0; ulps < 16; ++ulps) {
+    const double middle = 1.0 + ulps * std::numeric_limits<double>::epsilon();
+    for (const PrincipalMoments& I : {PrincipalMoments(1.0, middle, 1.5), PrincipalMoments(0.6, middle, 1.0),
+                                      PrincipalMoments(1.0, 1.0, middle)}) {
+      Scene scene = scene_with(kCurves, {View::space, View::body});
+      scene.body.moments = I;
+      scene.duration_s = 20;  // a period of what is nearly a sphere has 1e16 turns
+      SceneModel model;
+      ASSERT_NO_THROW(model = make_model(scene)) << ulps;
+      EXPECT_FALSE(model.polhode_B.points.empty()) << ulps;
+      for (const PolhodeOfFamily& member : model.family_B) {
+        EXPECT_GT(member.L2_over_2T, I.vector().minCoeff());
+        EXPECT_LT(member.L2_over_2T, I.vector().maxCoeff());
+      }
+    }
+  }
+}
+
+TEST(Model, OfAnyAngularVelocityHasTheSameCurvesToTheBit) {
+  Scene scene = scene_with(kCurves, {View::space, View::body});
+  const SceneModel plain = make_model(scene);
+  for (const int e : {-900, -600, 500, 900}) {
+    scene.w0_B = times_two_to(e, plain.scene.w0_B);
+    const SceneModel fast = make_model(scene);
+    const auto expect_same = [e](const Curve& is, const Curve& slow) {
+      ASSERT_EQ(is.points.size(), slow.points.size()) << e;
+      for (std::size_t i = 0; i < slow.points.size(); ++i)
+        EXPECT_EQ(is.points[i], times_two_to(e, slow.points[i])) << e;
+    };
+    expect_same(fast.polhode_B, plain.polhode_B);
+    expect_same(fast.herpolhode_S, plain.herpolhode_S);
+    ASSERT_EQ(fast.family_B.size(), plain.family_B.size());
+    for (std::size_t i = 0; i < plain.family_B.size(); ++i)
+      expect_same(fast.family_B[i].branches[0], plain.family_B[i].branches[0]);
+    ASSERT_EQ(fast.separatrices_B.size(), 2u);
+    expect_same(fast.separatrices_B[1], plain.separatrices_B[1]);
+  }
+}
+
+std::string refusal_of(const Scene& scene) {
+  try {
+    check_scene(scene);
+  } catch (const std::domain_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Model, RefusesNumbersThatNoDoubleHolds) {
+  Scene scene = scene_with({O::omega, O::polhode});
+  scene.w0_B = Vec3(1e300, 1e300, 1e300);
+  EXPECT_EQ(refusal_of(scene), "");
+  scene.show.insert(O::values);  // T in joules
+  EXPECT_THAT(refusal_of(scene), HasSubstr("kinetic energy exceeds"));
+  scene.show = {O::omega};
+  scene.body.moments = PrincipalMoments(1e10, 1e10, 1.5e10);
+  EXPECT_THAT(refusal_of(scene), HasSubstr("angular momentum exceeds"));
+}
+
+TEST(Model, RefusesHopelessStepsByTolerance) {  // 2026-11-22: 22 s, paid again by every part of lint
+  Scene scene = scene_with({O::omega});
+  scene.torque = {HeavyTop{1e3, Vec3::UnitZ()}};
+  scene.duration_s = 1e6;
+  EXPECT_THAT(refusal_of(scene), HasSubstr("takes more than 2000000 steps to get there"));
+  scene.duration_s = 10;
+  EXPECT_EQ(refusal_of(scene), "");
+  scene.at_s = 1e7;
+  EXPECT_THAT(refusal_of(scene), HasSubstr("the motion cannot be computed at t = "));
+}
+
+TEST(Model, RefusesAMotionWithoutAStateAtItsTimes) {  // 2026-11-22: only export found that
+  Scene scene = scene_with({O::omega});
+  scene.motion = {.method = Method::explicit_euler, .step_s = 0.01};
+  scene.at_s = 1e4;
+  EXPECT_THAT(refusal_of(scene), testing::AllOf(HasSubstr("cannot be computed at t = 10000"),
+                                                HasSubstr("step is too long"), Not(HasSubstr("torque"))));
+  scene.at_s = 1;
+  EXPECT_EQ(refusal_of(scene), "");
+  scene.still_s = 1e4;
+  EXPECT_THAT(refusal_of(scene), HasSubstr("cannot be computed at t = 10000"));
+}
+
+TEST(Model, TellsWhatItCosts) {
+  Scene scene = scene_with({O::omega, O::herpolhode});
+  std::int64_t told = 0;
+  const Effort effort = [&](std::int64_t n) { told += n; };
+  const SceneModel closed = make_model(scene, Product::figure, effort);
+  EXPECT_GE(told, static_cast<std::int64_t>(closed.herpolhode_S.points.size()));
+  scene.show = {O::method_table};
+  scene.at_s = 5;
+  told = 0;
+  static_cast<void>(make_model(scene, Product::figure, effort));
+  EXPECT_GT(told, 1000);
+  Budget budget(1000);
+  EXPECT_THROW(make_model(scene, Product::figure, budget.effort()), BudgetSpent);
 }
 
 TEST(DrawnOverlays, LeaveOutWhatThereIsNothingToSeeOf) {

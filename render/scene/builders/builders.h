@@ -91,9 +91,9 @@ bool puck_alone(const Moment& m);
 /// axes.
 std::vector<Vec3> path_of_center_V(const Moment& m);
 
-/// Twice the energy that the surfaces and the body inside them are drawn for, J: without torque that of the
-/// start, so that a computed motion which does not keep it leaves them.
-double two_T_of_surfaces(const Moment& m);
+/// The angular velocity that the surfaces and the body inside them are drawn for: without torque that of the
+/// start, so that a computed motion which does not keep T and |L| leaves them.
+const Vec3& w_B_of_surfaces(const Moment& m);
 
 /// Where the arrow of N begins and ends.
 struct Ends {

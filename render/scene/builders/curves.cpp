@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Polhode, its family, separatrices, herpolhode.
 #include "physics/euler.h"
+#include "physics/powers_of_two.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 
@@ -14,8 +15,11 @@ constexpr double kFamilyRadius = 0.0062;
 
 /// Curves were computed for the energy of t = 0. ω scales with √T, and so do curves of the same L²/2T.
 double growth(const Moment& m) {
-  const double two_T0 = 2.0 * kinetic_energy(m.I(), m.model.scene.w0_B);
-  return m.model.scene.torque.empty() || two_T0 <= 0.0 ? 1.0 : std::sqrt(m.two_T / two_T0);
+  const Vec3& w0_B = m.model.scene.w0_B;
+  if (m.model.scene.torque.empty() || w0_B.isZero(0.0)) return 1.0;
+  const int e = exponent_of(w0_B);  // lest the energies leave the range of double
+  const auto T = [&](const Vec3& w_B) { return kinetic_energy(m.I(), times_two_to(-e, w_B)); };
+  return std::sqrt(T(m.state.w_B) / T(w0_B));
 }
 
 /// Body components of ω-space, or of L-space where the scene shows that, to the view.

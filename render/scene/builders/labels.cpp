@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Names of what is shown, anchored to it, and the computed values in the corner.
 #include "physics/euler.h"
+#include "physics/powers_of_two.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 
@@ -147,18 +148,20 @@ void add_labels(const Moment& m, const Camera& camera, DrawList& list) {
 }
 
 void add_values(const Moment& m, DrawList& list) {
-  const double L = m.L_B.norm();
+  const double L = norm_of(m.L_B);
+  // L²/2T, whose square may leave the range of double: |L| by the distance 2T/|L| of the plane.
+  const double J = m.state.w_B.isZero(0.0) ? 0.0 : L / invariable_plane_distance(m.I(), m.state.w_B);
   Readout readout;
   const std::string gap = "\u2003";  // an em
   readout.lines.push_back("$I_1$ = " + number(m.I()[0]) + gap + "$I_2$ = " + number(m.I()[1]) + gap +
                           "$I_3$ = " + number(m.I()[2]) + " kg m²");
   readout.lines.push_back("$2T$ = $\\vec\\omega\\cdot\\vec L$ = " + number(m.two_T) + " J" + gap +
                           "$|\\vec L|$ = " + number(L) + " kg m²/s");
-  if (m.two_T > 0.0) readout.lines.push_back("$L^2/2T$ = " + number(L * L / m.two_T) + " kg m²");
+  if (J > 0.0) readout.lines.push_back("$L^2/2T$ = " + number(J) + " kg m²");
   Vec3 sorted = m.I().vector();
   std::sort(sorted.begin(), sorted.end());
-  readout.color_bar = m.shows(Overlay::polhode_family) && m.two_T > 0.0 && sorted[2] > sorted[0];
-  if (readout.color_bar) readout.marker = scale_place(m.I(), L * L / m.two_T);
+  readout.color_bar = m.shows(Overlay::polhode_family) && J > 0.0 && sorted[2] > sorted[0];
+  if (readout.color_bar) readout.marker = scale_place(m.I(), J);
   list.readouts.push_back(std::move(readout));
 }
 

@@ -192,9 +192,9 @@ void add_cover(const Quat& q_VB, const Vec3& half, DrawList& list) {
             color_from_hex(0xF2EFE8), list);
 }
 
-Vec3 room_for(const Moment& m, double two_T) {
-  if (m.shows(Overlay::energy_ellipsoid) && two_T > 0.0)
-    return kInsideGlass * m.omega_scale * energy_ellipsoid_semi_axes(m.I(), two_T);
+Vec3 room_for(const Moment& m, const Vec3& w_B) {
+  if (m.shows(Overlay::energy_ellipsoid) && !w_B.isZero(0.0))
+    return kInsideGlass * m.omega_scale * energy_ellipsoid_semi_axes(m.I(), w_B);
   return Vec3::Constant(kAloneRadius);
 }
 
@@ -226,14 +226,13 @@ void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const Co
 }  // namespace
 
 double scene_units_per_m(const Moment& m) {
-  const double two_T0 = 2.0 * kinetic_energy(m.I(), m.model.scene.w0_B);
-  return fit(parts_of(m.model.scene, m.shows(Overlay::pivot)), room_for(m, two_T0));
+  return fit(parts_of(m.model.scene, m.shows(Overlay::pivot)), room_for(m, m.model.scene.w0_B));
 }
 
 void add_solid(const Moment& m, DrawList& list) {
   if (!m.model.needs.solid) return;
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
-  const double scale = fit(parts, room_for(m, two_T_of_surfaces(m)));
+  const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
   add_parts(std::move(parts), m.q_VB, scale, kSolid, 1.0F, list);
   if (m.turn && m.model.solid.kind == ShapeKind::box)
     add_cover(m.q_VB, 0.5 * scale * m.model.solid.size_m, list);
@@ -245,7 +244,7 @@ void add_ghost_of_solid(const Moment& m, const Quat& q_SB, DrawList& list) {
   constexpr double kLarger =
       1.004;  // where both coincide, their faces would show through each other in specks
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
-  const double scale = fit(parts, room_for(m, two_T_of_surfaces(m)));
+  const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
   add_parts(std::move(parts), q_SB, kLarger * scale, {kGlassTint.r, kGlassTint.g, kGlassTint.b, kAlpha},
             kEdges, list);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arrows that add up: the triangle of the transport theorem, the terms of equation (6).
+#include "physics/powers_of_two.h"
 #include "render/scene/arrow.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
@@ -75,7 +76,7 @@ void add_transport(const Moment& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::transport)) return;
   constexpr double kLongest = 1.0;  // of a rate as large as |ω₀||A|
   const ArrowRates rates = arrow_rates(m.model, m.t_s);
-  const double speed = m.model.scene.w0_B.norm();
+  const double speed = norm_of(m.model.scene.w0_B);
   const double scale = kLongest / (speed > 0.0 ? speed : 1.0);
   const Vec3 A_V = m.q_VS * rates.A_S;
   const auto drawn = [&](const Vec3& rate_S) -> Vec3 { return m.q_VS * (scale * rate_S); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Energy ellipsoid, momentum sphere and ellipsoid, invariable plane; body and space cones.
 #include "physics/euler.h"
+#include "physics/powers_of_two.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 
@@ -48,10 +49,6 @@ Curve first_round(const Curve& herpolhode_S) {
   return {{points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n)}, false};
 }
 
-double L_of_surfaces(const Moment& m) {
-  return m.model.scene.torque.empty() ? angular_momentum_B(m.I(), m.model.scene.w0_B).norm() : m.L_B.norm();
-}
-
 }  // namespace
 
 double plane_z(const Moment& m) {
@@ -60,20 +57,21 @@ double plane_z(const Moment& m) {
   return -invariable_plane_distance(m.I(), m.model.scene.w0_B) * m.omega_scale;
 }
 
-double two_T_of_surfaces(const Moment& m) {
-  return m.model.scene.torque.empty() ? 2.0 * kinetic_energy(m.I(), m.model.scene.w0_B) : m.two_T;
+const Vec3& w_B_of_surfaces(const Moment& m) {
+  return m.model.scene.torque.empty() ? m.model.scene.w0_B : m.state.w_B;
 }
 
 void add_surfaces(const Moment& m, DrawList& list) {
-  const double two_T = two_T_of_surfaces(m), L = L_of_surfaces(m);
-  if (two_T <= 0.0) return;
+  const Vec3& w_B = w_B_of_surfaces(m);
+  if (w_B.isZero(0.0)) return;
+  const double L = norm_of(angular_momentum_B(m.I(), w_B));
   if (m.shows(Overlay::energy_ellipsoid))
     list.ellipsoids.push_back({.rotation = m.q_VB,
-                               .semi_axes = energy_ellipsoid_semi_axes(m.I(), two_T) * m.omega_scale,
+                               .semi_axes = energy_ellipsoid_semi_axes(m.I(), w_B) * m.omega_scale,
                                .tint = kGlassTint});
   if (m.shows(Overlay::momentum_ellipsoid))
     list.ellipsoids.push_back({.rotation = m.q_VB,
-                               .semi_axes = momentum_ellipsoid_semi_axes(m.I(), two_T) * m.L_scale,
+                               .semi_axes = momentum_ellipsoid_semi_axes(m.I(), w_B) * m.L_scale,
                                .tint = kGlassTint});
   if (m.shows(Overlay::momentum_sphere))
     list.ellipsoids.push_back({.rotation = m.q_VB,
