@@ -21,7 +21,7 @@ struct Layer {
   bool is_library = true;
 };
 
-const Names kPosix = {"dlfcn.h", "fcntl.h", "poll.h", "signal.h", "spawn.h", "sys/", "unistd.h"};
+const Names kPosix = {"dlfcn.h", "fcntl.h", "poll.h", "pwd.h", "signal.h", "spawn.h", "sys/", "unistd.h"};
 const Names kConsole = {"iostream", "print"};
 const Names kConsoleAndFiles = {"iostream", "print", "filesystem", "fstream"};
 
