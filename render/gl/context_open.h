@@ -25,7 +25,7 @@ ContextResult open_any(const char* osmesa_library = kOsmesaLibrary, const char* 
 /// does not reload.
 class KeptLibrary {
  public:
-  /// `packages`: "the Debian package …" that has it, for the message.
+  /// `packages`: "the package …" that has it, for the message.
   static Result<KeptLibrary> open(const char* name, const char* packages);
   const char* name() const { return name_; }
   /// Null if the library has no such symbol.

@@ -26,7 +26,7 @@ constexpr int kCoreProfile = 0x34;
 constexpr int kMajorVersion = 0x36;
 constexpr int kMinorVersion = 0x37;
 
-constexpr const char* kPackage = "the Debian package libosmesa6, which releases up to 13 have";
+constexpr const char* kPackage = "the package libosmesa6, which Debian has up to release 13";
 
 struct Osmesa {
   CreateContextAttribs create;

@@ -81,7 +81,7 @@ TEST(Context, AMissingLibraryIsNamedWithItsPackage) {
   ASSERT_FALSE(osmesa.ok());
   EXPECT_THAT(osmesa.error(),
               AllOf(HasSubstr("libOSMesa-of-no-one.so.8"),
-                    HasSubstr("Install the Debian package libosmesa6, which"), HasSubstr("up to 13 have")));
+                    HasSubstr("Install the package libosmesa6, which Debian has up to release 13.")));
   const ContextResult egl = open_egl("libEGL-of-no-one.so.1");
   ASSERT_FALSE(egl.ok());
   EXPECT_THAT(egl.error(),
