@@ -194,11 +194,11 @@ Choice choose_motion(const Scene& scene, const Problem& problem, const Requireme
   const MethodChoice choice{spec.method.value_or(default_method(problem)), spec.step_s, spec.tolerance,
                             kMostSteps};
   auto motion = make_motion(problem, choice, effort);
+  check_size(scene, needs);
   check_reach(choice, *motion, reach_of(scene, needs));
   check_herpolhode(scene, needs);
   check_drift(scene);
   check_method_table(scene, needs);
-  check_size(scene, needs);
   std::string reason = why(spec, choice, *motion, needs);
   return {std::move(motion), std::move(reason)};
 }
@@ -245,9 +245,10 @@ std::unique_ptr<const Motion> exact_motion(const Problem& problem, const Effort&
                      effort);
 }
 
-/// Told where a closed form is asked as often as a curve has points, which is four times.
+/// A closed form tells nothing by itself: it is asked four times for each point, which is as dear as this.
 void spend_on(const Curve& curve, const Effort& effort) {
-  spend(effort, 4 * static_cast<std::int64_t>(curve.points.size()));
+  constexpr std::int64_t kEvaluationsPerPoint = 10;
+  spend(effort, kEvaluationsPerPoint * static_cast<std::int64_t>(curve.points.size()));
 }
 
 void compute_parts(SceneModel& model, const Effort& effort, double chord_tolerance) {
