@@ -7,7 +7,9 @@
 #include "app/speaker.h"
 #include "app/state_file.h"
 #include "lessons/answers.h"
+#include "lessons/source_text.h"
 #include "lessons/suggest.h"
+#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -57,16 +59,21 @@ void print_json(const AnswerJudgement& judgement) {
   if (const auto& counter = judgement.counterexample)
     json["counterexample"] = {
         {"state", counter->state}, {"answer", counter->left}, {"right", counter->right}};
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", printable(json.dump(2, ' ', false, Json::error_handler_t::replace)));
 }
 
+/// The column counts characters, of which the answer as it is shown may have more.
 void print_place(const std::string& answer, int column) {
-  if (column > 0) fmt::print("  {}\n  {:>{}}\n", answer, '^', column);
+  if (column <= 0) return;
+  const std::size_t offset = SourceText(answer).offset_of({1, column});
+  const int before = count_characters(printable_line(answer.substr(0, offset)));
+  fmt::print("  {}\n  {:>{}}\n", printable_line(answer), '^', before + 1);
 }
 
 void print_verdict(const AnswerJudgement& judgement, const std::string& answer) {
   if (judgement.outcome == Outcome::unreadable) return;
-  fmt::print("{}{}{}\n", word_of(judgement.outcome), judgement.reason.empty() ? "" : ": ", judgement.reason);
+  fmt::print("{}{}{}\n", word_of(judgement.outcome), judgement.reason.empty() ? "" : ": ",
+             printable_line(judgement.reason));
   print_place(answer, judgement.column);
   if (const auto& counter = judgement.counterexample)
     fmt::print("At {} yours is {}, right is {}.\n", counter->state, counter->left, counter->right);

@@ -2,6 +2,8 @@
 // How the program ends; scripts rely on these numbers.
 #pragma once
 
+#include "render/printable.h"
+
 #include <stdexcept>
 #include <string>
 
@@ -18,9 +20,10 @@ enum class ExitCode : int {
 
 /// Ends a command; main prints `what()` on stderr after "polhode: " and exits with `code`. The text is one
 /// sentence for a user: what was found, what was expected, what to do. Empty: the command has said all
-/// itself.
+/// itself. What is echoed in it is made printable.
 struct CommandError : std::runtime_error {
-  CommandError(ExitCode exit_code, const std::string& text) : std::runtime_error(text), code(exit_code) {}
+  CommandError(ExitCode exit_code, const std::string& text)
+      : std::runtime_error(printable(text)), code(exit_code) {}
   ExitCode code;
 };
 

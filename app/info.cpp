@@ -4,6 +4,7 @@
 #include "app/horizon.h"
 #include "app/lesson_lookup.h"
 #include "app/stopwatch.h"
+#include "render/printable.h"
 #include "render/scene/model.h"
 
 #include <CLI/CLI.hpp>
@@ -130,7 +131,7 @@ ExitCode show_info(const std::string& name, bool json) {
   Json stages = Json::array();
   for (const StageInfo& info : infos) stages.push_back(to_json(info));
   const Json all = {{"lesson", loaded.lesson.id}, {"stages", std::move(stages)}};
-  fmt::print("{}\n", all.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", printable(all.dump(2, ' ', false, Json::error_handler_t::replace)));
   return ExitCode::done;
 }
 

@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
 #include "app/message.h"
+#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -41,7 +42,7 @@ void print_json(const std::vector<Entry>& entries) {
                     {"title", entry.lesson.title},
                     {"path", entry.found.path.string()},
                     {"stages", entry.lesson.stages.size()}});
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  fmt::print("{}\n", printable(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)));
 }
 
 void print_table(const std::vector<Entry>& entries) {

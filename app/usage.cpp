@@ -4,6 +4,7 @@
 #include "app/message.h"
 #include "app/picture_metadata.h"
 #include "app/suggest.h"
+#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -64,8 +65,10 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
   }
   const CLI::App& command = named_command(app);
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  const std::string text = unexpected ? unexpected_word(app, command) : error.what();
-  say("polhode: {}\nSee: polhode {}--help\n", text, &command == &app ? "" : command.get_name() + " ");
+  const std::string text = printable(unexpected ? unexpected_word(app, command) : error.what());
+  say("polhode: {}
+See: polhode {}--help
+", text, &command == &app ? "" : command.get_name() + " ");
   return ExitCode::usage;
 }
 

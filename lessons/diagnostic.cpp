@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/diagnostic.h"
 
+#include "render/printable.h"
+
 namespace polhode {
 
 std::string to_string(const Diagnostic& d) {
-  std::string text = d.file + ':' + std::to_string(d.place.line) + ':' + std::to_string(d.place.column) +
-                     (d.severity == Severity::error ? ": error: " : ": warning: ") + d.message;
-  if (!d.hint.empty()) text += " (" + d.hint + ')';
+  std::string text =
+      printable_line(d.file) + ':' + std::to_string(d.place.line) + ':' + std::to_string(d.place.column) +
+      (d.severity == Severity::error ? ": error: " : ": warning: ") + printable_line(d.message);
+  if (!d.hint.empty()) text += " (" + printable_line(d.hint) + ')';
   return text;
 }
 

@@ -24,7 +24,7 @@ struct Diagnostic {
   std::string hint;     ///< what to do ("did you mean \"omega\"?"), may be empty
 };
 
-/// `file:line:column: error: message (hint)`.
+/// `file:line:column: error: message (hint)`, one line, printable.
 std::string to_string(const Diagnostic& diagnostic);
 
 }  // namespace polhode

@@ -177,11 +177,20 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) 
       if (auto text = read_text(e, report)) target = std::move(*text);
     };
   };
+  const auto line_into = [&report](std::string& target) {
+    return [&report, &target](const TomlEntry& e) {
+      auto text = read_text(e, report);
+      if (text && !is_plain_line(*text))
+        report.error(e.value.place, in_quotes(e.key) + " is one line of text without control characters");
+      else if (text)
+        target = std::move(*text);
+    };
+  };
   read_keys(*table, "symbol " + in_quotes(entry.key),
             {{"tex", text_into(symbol.tex)},
              {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
-             {"say", text_into(symbol.say)},
-             {"unit", text_into(symbol.unit)}},
+             {"say", line_into(symbol.say)},
+             {"unit", line_into(symbol.unit)}},
             report);
   if (const TomlEntry* tex = table->find("tex")) {
     const LocatedText located = located_string(texts.source(), tex->value.place, symbol.tex);

@@ -46,7 +46,8 @@ std::optional<char32_t> entity_character(std::string_view entity) {
   name.remove_prefix(hex ? 2 : 1);
   std::uint32_t value = 0;
   const auto read = std::from_chars(name.data(), name.data() + name.size(), value, hex ? 16 : 10);
-  const bool is_character = value >= 0x20 && value <= 0x10FFFF && !(value >= 0xD800 && value <= 0xDFFF);
+  const bool is_control = value < 0x20 || (value >= 0x7F && value < 0xA0);
+  const bool is_character = !is_control && value <= 0x10FFFF && !(value >= 0xD800 && value <= 0xDFFF);
   if (read.ec != std::errc{} || read.ptr != name.data() + name.size() || !is_character) return std::nullopt;
   return value;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/report.h"
 
+#include "render/printable.h"
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -40,10 +42,10 @@ std::vector<Diagnostic> Report::take() {
 }
 
 std::string in_quotes(std::string_view name) {
-  if (name.size() <= kMaxQuotedBytes) return '"' + std::string(name) + '"';
+  if (name.size() <= kMaxQuotedBytes) return '"' + printable_line(name) + '"';
   std::size_t end = kMaxQuotedBytes;
   while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end;  // keep characters whole
-  return '"' + std::string(name.substr(0, end)) + "…\"";
+  return '"' + printable_line(name.substr(0, end)) + "…\"";
 }
 
 }  // namespace polhode

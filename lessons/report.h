@@ -37,7 +37,7 @@ class Report {
   std::vector<Diagnostic> warnings_;
 };
 
-/// A name in quotes, shortened if it is very long.
+/// A name in quotes, printable, shortened if it is very long.
 std::string in_quotes(std::string_view name);
 
 }  // namespace polhode

@@ -45,7 +45,9 @@ std::size_t character_length(std::string_view bytes) {
 bool is_forbidden_control(std::string_view bytes, std::size_t i) {
   const auto byte = static_cast<unsigned char>(bytes[i]);
   if (byte == '\r') return i + 1 >= bytes.size() || bytes[i + 1] != '\n';
-  return (byte < 0x20U && byte != '\n' && byte != '\t') || byte == 0x7FU;
+  const bool is_c1 =
+      byte == 0xC2U && i + 1 < bytes.size() && static_cast<unsigned char>(bytes[i + 1]) < 0xA0U;
+  return (byte < 0x20U && byte != '\n' && byte != '\t') || byte == 0x7FU || is_c1;
 }
 
 }  // namespace
@@ -130,7 +132,8 @@ std::optional<NotText> why_not_text(std::string_view bytes) {
                      "save the lesson as UTF-8"};
     }
     if (is_forbidden_control(bytes, i)) {
-      return NotText{i, "this is not a text file: control character " + byte,
+      const std::string code = length == 1 ? byte : hex_byte(static_cast<unsigned char>(bytes[i + 1]));
+      return NotText{i, "this is not a text file: control character " + code,
                      "a lesson is UTF-8 text with tabs and line feeds only"};
     }
     i += length;

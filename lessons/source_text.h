@@ -79,8 +79,8 @@ struct NotText {
   std::string message;
   std::string hint;
 };
-/// Why this is no text a lesson can be: the first byte that is not UTF-8, or a control character other than
-/// tab, line feed and carriage return before a line feed. Linear.
+/// Why this is no text a lesson can be: the first byte that is not UTF-8, or a control character (U+0000-1F,
+/// U+007F-9F) other than tab, line feed and carriage return before a line feed. Linear.
 std::optional<NotText> why_not_text(std::string_view bytes);
 
 }  // namespace polhode

@@ -136,6 +136,20 @@ TEST_F(Answer, IsJsonIfAskedFor) {
   EXPECT_EQ(Json::parse(answer("sign", {"I1", "--json"}).out)["verdict"], "wrong");
 }
 
+TEST_F(Answer, EchoesNothingThatSteersATerminal) {
+  const ProgramRun unreadable = answer("sign", {"w1 + \x1b[31m"});
+  EXPECT_EQ(unreadable.code, 2);
+  EXPECT_THAT(unreadable.out, HasSubstr("  w1 + \\u001b[31m\n       ^\n"));
+  for (const ProgramRun& run :
+       {unreadable, answer("\x1b[2J", {"w1"}),
+        answer("sign", {"\xc2\x9b"
+                        "31m"}),
+        polhode({"info", "\x1b[2J"}), polhode({"lint", "\x1b[2J"}), polhode({"\x1b[2J"})}) {
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ((run.out + run.err).find_first_of("\x1b\x9b"), std::string::npos) << run.out << run.err;
+  }
+}
+
 TEST_F(Answer, SaysWhichQuestionsThereAre) {
   const ProgramRun run = answer("sing", {"w1"});
   EXPECT_EQ(run.code, 2);

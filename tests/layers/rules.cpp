@@ -31,7 +31,7 @@ Names operator+(Names a, const Names& b) {
 }
 
 /// Small headers that every layer of render/ and above it shares.
-const Names kShared = {"render/result.h", "render/color.h"};
+const Names kShared = {"render/result.h", "render/color.h", "render/printable.h"};
 
 const std::vector<Layer>& layers() {
   static const Names kProgram = {"app/", "lessons/", "render/", "physics/"};
@@ -41,6 +41,7 @@ const std::vector<Layer>& layers() {
       {"physics/", {"physics/"}, {"Eigen/"}, kConsoleAndFiles},
       {"render/result.h", {}, {}, kConsoleAndFiles},
       {"render/color.h", {}, {}, kConsoleAndFiles},
+      {"render/printable.h", {}, {}, kConsoleAndFiles},
       {"render/scene/",
        Names{"physics/", "render/scene/", "render/type/"} + kShared,
        {"Eigen/"},

@@ -45,6 +45,18 @@ TEST(FrontMatter, ReportsImpossibleMomentsWithTheReasonOfPhysics) {
   EXPECT_THAT(at.lines(), ElementsAre("6:1: error: " + *why_impossible(1.0, 2.0, 3.5)));
 }
 
+TEST(FrontMatter, WhatSymbolsSayIsOnePlainLine) {  // 2026-11-22: an ESC of TOML went into transcripts
+  for (const char* bad :
+       {"say = \"\\u001b[31mred\"", "unit = \"a\\nb\"", "say = \"\\u202elive\"", "unit = \"\\u009bm\""}) {
+    TextReport at(kHead + std::string("[symbols]\nL = { tex = 'L', ") + bad + " }\n+++\n");
+    const FrontMatter front = read_front_matter(at.texts);
+    EXPECT_THAT(at.lines(), ElementsAre(::testing::AllOf(
+                                ::testing::StartsWith("6:"),
+                                ::testing::HasSubstr("is one line of text without control characters"))));
+    EXPECT_TRUE(front.symbols.at("L").say.empty() && front.symbols.at("L").unit.empty());
+  }
+}
+
 TEST(FrontMatter, GoesOnAfterASyntaxError) {
   TextReport at("+++\nid = \n+++\nrest");
   const FrontMatter front = read_front_matter(at.texts);

@@ -135,6 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Refused{"- a\n\n  ***\n", "3:3: error: a rule inside a text is not read"},
                       Refused{"a &omegga; b", "1:3: error: unknown character &omegga;"},
                       Refused{"a &#0; b", "1:3: error: unknown character &#0;"},
+                      Refused{"a &#155; b", "1:3: error: unknown character &#155;"},
                       Refused{"ωω $\\vec{a$", "1:9: error: { is never closed"},
                       Refused{"a [b](c$d$)", "1:8: error: a formula cannot stand here"},
                       Refused{"a $b \\tag{1}$", "1:11: error: \\tag numbers a display"},
