@@ -9,11 +9,13 @@
 #include "render/image/file_bytes.h"
 #include "render/image/png_summary.h"
 #include "render/image/temporary_file.h"
+#include "render/printable.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <set>
 #include <utility>
@@ -184,24 +186,55 @@ class Check {
     found_.shards_finished.push_back(name.substr(kStart.size(), name.size() - kStart.size() - kEnd.size()));
   }
 
+  /// The words that the marker has, or words made of the options. Whoever may write into the folder may have
+  /// written either: nothing is offered for copying but an export by this program, of words that show as they
+  /// are.
   std::vector<std::string> resume(const Json& record) const {
+    std::vector<std::string> words = words_in(record);
+    if (!is_export(words)) words = words_of_options(record["options"]);
+    if (!is_export(words)) return {};
+    words.front() = program_invocation_name;
+    return words;
+  }
+
+  std::vector<std::string> words_in(const Json& record) const {
     std::vector<std::string> words;
-    if (record.contains("resume") && record["resume"].is_array()) {
-      for (const Json& word : record["resume"])
-        if (word.is_string()) words.push_back(word.get<std::string>());
-      const auto output = std::find(words.begin(), words.end(), "--output");
-      if (output != words.end() && output + 1 != words.end()) output[1] = folder_.string();
-      return words;
-    }
-    words = {"polhode", "export", found_.lesson_id, "--output", folder_.string()};
-    for (const auto& [name, value] : record["options"].items())
+    if (!record.contains("resume") || !record["resume"].is_array()) return words;
+    for (const Json& word : record["resume"])
+      if (word.is_string()) words.push_back(word.get<std::string>());
+    const auto output = std::find(words.begin(), words.end(), "--output");
+    if (output != words.end() && output + 1 != words.end()) output[1] = folder_.string();
+    return words;
+  }
+
+  std::vector<std::string> words_of_options(const Json& options) const {
+    std::vector<std::string> words = {"polhode", "export", found_.lesson_id, "--output", folder_.string()};
+    for (const auto& [name, value] : options.items())
       for (const Json& one : value.is_array() ? value : Json::array({value}))
         if (!one.is_null()) {
-          words.push_back("--" + name);
+          std::string option = "--" + name;
+          std::replace(option.begin(), option.end(), '_', '-');
+          words.push_back(option);
           words.push_back(one.is_string() ? one.get<std::string>() : one.dump());
         }
     words.emplace_back("--skip-existing");
     return words;
+  }
+
+  /// polhode export LESSON [--option VALUE]… --skip-existing, as words_of in export.cpp writes it; of the
+  /// program the name alone is looked at.
+  static bool is_export(const std::vector<std::string>& words) {
+    static const std::set<std::string> kOptions = {
+        "--output", "--stage", "--what",    "--each", "--size",    "--theme",   "--background",
+        "--dpi",    "--fps",   "--seconds", "--at",   "--frames",  "--quality", "--text-size",
+        "--png",    "--film",  "--deck",    "--sync", "--context", "--shard",   "--jobs"};
+    const auto shows_as_it_is = [](const std::string& word) { return printable_line(word) == word; };
+    if (words.size() < 4 || !std::all_of(words.begin(), words.end(), shows_as_it_is)) return false;
+    if (fs::path(words[0]).filename() != "polhode" || words[1] != "export") return false;
+    if (words[2].empty() || words[2].front() == '-' || words.back() != "--skip-existing") return false;
+    for (std::size_t i = 3; i + 1 < words.size(); i += 2)
+      if (!kOptions.contains(words[i]) || i + 2 >= words.size()) return false;
+    return true;
   }
 
   fs::path folder_;

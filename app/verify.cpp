@@ -5,6 +5,7 @@
 #include "app/export_options.h"
 #include "app/folder_check.h"
 #include "app/usage.h"
+#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -35,18 +36,19 @@ void print_json(const FolderCheck& found, const std::string& folder) {
   for (const auto& [file, reason] : found.reasons) json["reasons"][file] = reason;
   json["shards_finished"] = found.shards_finished;
   json["resume"] = found.resume.empty() ? Json(nullptr) : Json(shell_line(found.resume));
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", printable(json.dump(2, ' ', false, Json::error_handler_t::replace)));
 }
 
 void print_files(const char* what, const std::vector<std::string>& files, const FolderCheck& found) {
   for (const std::string& file : files) {
     const auto reason = found.reasons.find(file);
-    fmt::print("{}: {}{}{}\n", what, file, reason == found.reasons.end() ? "" : ": ",
-               reason == found.reasons.end() ? "" : reason->second);
+    fmt::print("{}: {}{}{}\n", what, printable_line(file), reason == found.reasons.end() ? "" : ": ",
+               reason == found.reasons.end() ? "" : printable_line(reason->second));
   }
 }
 
-void print_words(const FolderCheck& found, const std::string& folder) {
+void print_words(const FolderCheck& found, const std::string& folder_name) {
+  const std::string folder = printable_line(folder_name);
   print_files("missing", found.missing, found);
   print_files("damaged", found.damaged, found);
   print_files("foreign", found.foreign, found);
@@ -59,7 +61,8 @@ void print_words(const FolderCheck& found, const std::string& folder) {
   if (found.lesson_id.empty())
     fmt::print("{}: neither the manifest nor the marker of an export can be read\n", folder);
   else if (found.ok())
-    fmt::print("{}: {} file{} of {}, all there and whole\n", folder, found.expected, s, found.lesson_id);
+    fmt::print("{}: {} file{} of {}, all there and whole\n", folder, found.expected, s,
+               printable_line(found.lesson_id));
   else
     fmt::print("{}: {} export of {} file{}: {}\n", folder, found.finished ? "finished" : "unfinished",
                found.expected, s, counts);

@@ -15,6 +15,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
@@ -115,6 +116,45 @@ TEST_F(Verify, SaysHowToFinishAnUnfinishedExport) {
   EXPECT_EQ(command.find("--shard"), std::string::npos);
   EXPECT_EQ(std::system((command + " 2>/dev/null").c_str()), 0) << command;
   json(0);
+}
+
+TEST_F(Verify, OffersNothingForCopyingButAnExportByThisProgram) {
+  fs::remove_all(folder());
+  make({"--shard", "2/3"});
+  const Json genuine = Json::parse(text_of(file(kMarkerName)));
+  const std::vector<Json> planted = {
+      {"sh", "-c", "rm -rf ~; echo \u001b[2J"},
+      {"/tmp/evil/sh", "export", "tiny", "--skip-existing"},
+      {"polhode", "compare", "a", "b", "--skip-existing"},
+      {"polhode", "export", "tiny", "--wrapper", "sh", "--skip-existing"},
+      {"polhode", "export", "tiny\u001b[2J", "--output", "x", "--skip-existing"},
+      {"polhode", "export", "tiny", "--output", "x"},
+      {1, 2, 3}};
+  for (const Json& resume : planted) {
+    Json marker = genuine;
+    marker["resume"] = resume;
+    write_text(file(kMarkerName), marker.dump());
+    const std::string offered = json(4)["resume"];
+    EXPECT_THAT(offered, HasSubstr("polhode export tiny --output ")) << resume;
+    EXPECT_THAT(offered,
+                testing::AllOf(Not(HasSubstr("rm -rf")), Not(HasSubstr("evil")), Not(HasSubstr("wrapper"))));
+    EXPECT_THAT(polhode({"verify", folder()}).out, Not(HasSubstr("\x1b")));
+  }
+  Json marker = genuine;
+  marker["resume"][0] = "/tmp/evil/polhode";
+  write_text(file(kMarkerName), marker.dump());
+  EXPECT_THAT(json(4)["resume"], Not(HasSubstr("evil"))) << "the program is the one that verifies";
+  marker["resume"] = nullptr;
+  marker["options"] = {{"output \u001b", "x"}};
+  write_text(file(kMarkerName), marker.dump());
+  EXPECT_TRUE(json(4)["resume"].is_null());
+}
+
+TEST_F(Verify, WritesOutWhatSteersATerminal) {
+  write_text(file("\x1b[31mred.png"), "?");
+  const ProgramRun run = polhode({"verify", folder()});
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.out, testing::AllOf(Not(HasSubstr("\x1b")), HasSubstr("foreign: \\u001b[31mred.png\n")));
 }
 
 TEST_F(Verify, ReadsTranscripts) {
