@@ -148,7 +148,7 @@ class EquationMaker : public PictureMaker {
   void put_live_numbers_in(DisplayList& list, const Equation& equation) const {
     if (equation.live.empty()) return;
     const Scene* scene = scene_beside(equation);
-    const SceneModel model = scene ? make_model(*scene, Product::page) : SceneModel();
+    const SceneModel model = scene ? make_model(*scene, Product::page, context_.effort) : SceneModel();
     const auto live = scene ? live_state(model, still_time_s(*scene)) : std::nullopt;
     for (const LiveRoom& room : take_live_rooms(list)) {
       const PlacedType number =

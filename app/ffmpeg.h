@@ -15,9 +15,6 @@
 
 namespace polhode {
 
-/// Thrown out of what waits for a child when someone interrupts.
-struct Interrupted {};
-
 /// A run of ffmpeg. It stands in a process group of its own, so that Ctrl-C reaches us alone; an object that
 /// goes away ends it.
 class Ffmpeg {

@@ -5,6 +5,7 @@
 #include "app/or_fail.h"
 #include "app/picture_maker.h"
 #include "app/speaker.h"
+#include "physics/method.h"
 
 #include <fmt/format.h>
 
@@ -69,32 +70,24 @@ class FigureMaker : public PictureMaker {
 
   MakerContext context_;
   Speaker speaker_;
-  ModelOfScene models_{Product::figure};
+  ModelOfScene models_{Product::figure, context_.effort};
 };
 
 }  // namespace
 
 const SceneModel& ModelOfScene::of(const Scene& scene) {
   if (scene_ != &scene) {
-    model_ = make_model(scene, product_);
+    model_ = make_model(scene, product_, effort_);
     scene_ = &scene;
   }
   return model_;
 }
 
-bool is_computable(const SceneModel& model, double t_s) {
-  if (!model.needs.attitude) return !model.needs.omega || model.motion->w_B_at(t_s).allFinite();
-  const RigidBodyState state = model.motion->at(t_s);
-  return state.w_B.allFinite() && state.q_SB.coeffs().allFinite();
-}
-
 void check_computable(const Stage& stage, const SceneModel& model, double t_s) {
   if (!is_computable(model, t_s))
-    throw CommandError(
-        ExitCode::failed,
-        fmt::format("stage \"{}\": the motion cannot be computed at t = {:.6g} s: the torque is too "
-                    "large, or it is too many steps away",
-                    stage.id, t_s));
+    throw CommandError(ExitCode::failed,
+                       fmt::format("stage \"{}\": the motion cannot be computed at t = {:.6g} s: {}",
+                                   stage.id, t_s, why_no_state(*model.motion, problem_of(model.scene), t_s)));
 }
 
 std::unique_ptr<PictureMaker> make_figure_maker(const MakerContext& context) {

@@ -27,8 +27,15 @@ InterruptWatch::InterruptWatch() {
 
 InterruptWatch::~InterruptWatch() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+  interrupt_seen = 0;
 }
 
 bool InterruptWatch::interrupted() const { return interrupt_seen != 0; }
+
+Effort until_interrupted() {
+  return [](std::int64_t) {
+    if (interrupt_seen != 0) throw Interrupted();
+  };
+}
 
 }  // namespace polhode

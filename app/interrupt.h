@@ -3,6 +3,8 @@
 // are being written: finish the current one, then stop.
 #pragma once
 
+#include "physics/effort.h"
+
 #include <array>
 #include <csignal>
 
@@ -23,5 +25,11 @@ class InterruptWatch {
   static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
   std::array<struct sigaction, kSignals.size()> before_{};
 };
+
+/// Thrown out of what takes long, or waits, when someone interrupts.
+struct Interrupted {};
+
+/// For motions: throws Interrupted once the watch that lives has seen an interruption; never without a watch.
+Effort until_interrupted();
 
 }  // namespace polhode

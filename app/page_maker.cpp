@@ -109,7 +109,7 @@ class PageMaker : public PictureMaker {
 
   MakerContext context_;
   Speaker speaker_;
-  ModelOfScene models_{Product::page};
+  ModelOfScene models_{Product::page, context_.effort};
   StepText text_;  ///< of the picture seen last
 };
 

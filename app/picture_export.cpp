@@ -61,11 +61,9 @@ FolderState begin(const PictureExport& e, const std::string& renderer) {
   return or_fail(begin_in(e.out.folder, marker));
 }
 
-/// Draws and writes until all are there or someone interrupts.
-PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep,
-                            const TellProgress& tell, const InterruptWatch& watch) {
-  PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
-  PicturesMade made;
+/// Draws and puts. @throws Interrupted
+void put_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep, const TellProgress& tell,
+                  const InterruptWatch& watch, PictureWriter& writer, PicturesMade& made) {
   const PlannedPicture* before = nullptr;  // the one put last
   for (std::size_t place = 0; place < e.plan.pictures.size() && !watch.interrupted(); ++place) {
     if (!e.out.shard.takes(place)) continue;
@@ -74,11 +72,11 @@ PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool ma
     const PictureDescription description = maker.describe(picture);
     PngMetadata metadata =
         picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s, e.options.dpi);
-    ++made.count;
     if (may_keep) {
       PictureCheck there = check_picture(e.out.folder / picture.file, description.size, metadata);
       if (there.state == PictureCheck::State::whole) {
         made.checksums[picture.file] = std::move(there.sha256);
+        ++made.count;
         ++made.kept;
         continue;
       }
@@ -86,7 +84,19 @@ PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool ma
     const bool repeats = before && maker.same_bytes(*before, picture);
     or_fail(writer.put(
         {picture.file, repeats ? std::nullopt : std::optional(maker.draw(picture)), std::move(metadata)}));
+    ++made.count;
     before = &picture;
+  }
+}
+
+/// Draws and writes until all are there or someone interrupts.
+PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep,
+                            const TellProgress& tell, const InterruptWatch& watch) {
+  PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
+  PicturesMade made;
+  try {
+    put_pictures(e, maker, may_keep, tell, watch, writer, made);
+  } catch (const Interrupted&) {  // what was put is written
   }
   or_fail(writer.finish());
   made.checksums.insert(writer.checksums().begin(), writer.checksums().end());
@@ -133,14 +143,20 @@ void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& sh
     text += manifest_end(empty);
     return flush();
   };
+  bool interrupted = false;
   const auto fill_or_say = [&](const AppendBytes& append) -> Status {
     try {
       return fill(append);
     } catch (const std::exception& error) {
       return failure(error.what());
+    } catch (const Interrupted&) {
+      interrupted = true;
+      return failure("interrupted");
     }
   };
-  or_fail(replace_file_in_pieces(e.out.folder / name, fill_or_say, Durability::sync));
+  Status written = replace_file_in_pieces(e.out.folder / name, fill_or_say, Durability::sync);
+  if (interrupted) throw Interrupted();
+  or_fail(std::move(written));
 }
 
 /// A manifest promises the pictures: someone may have removed some, or the folder, meanwhile.
@@ -202,6 +218,24 @@ void finish(const PictureExport& e, PictureMaker& maker, const FolderState& befo
   if (made.finished) remove_traces(e.out.folder);
 }
 
+/// `made` is told what there is also where this throws. @throws Interrupted
+void make_pictures(const PictureExport& e, const TellProgress& tell, const InterruptWatch& watch,
+                   PicturesMade& made) {
+  const Studio studio(e.out.context);
+  const auto maker = maker_of({e.loaded.lesson, e.options, *studio.renderer, until_interrupted()});
+  check_pictures(e.plan, *maker);
+  const std::string mine = studio.renderer->driver();
+  const FolderState before = begin(e, mine);
+  made = write_pictures(e, *maker, e.out.skip_existing && before.ours, tell, watch);
+  if (made.interrupted) return;
+  const bool kept_all = made.kept == made.count, kept_none = made.kept == 0;
+  made.renderer = made.count == 0 ? ""
+                  : kept_none     ? mine
+                  : kept_all      ? before.renderer
+                                  : join_renderers({before.renderer, mine});
+  finish(e, *maker, before, made);
+}
+
 }  // namespace
 
 void make_folder(const fs::path& folder) {
@@ -219,19 +253,12 @@ ExportIdentity identity_of(const LoadedLesson& loaded, const ExportOptions& opti
 }
 
 PicturesMade make_pictures(const PictureExport& e, const TellProgress& tell, const InterruptWatch& watch) {
-  const Studio studio(e.out.context);
-  const auto maker = maker_of({e.loaded.lesson, e.options, *studio.renderer});
-  check_pictures(e.plan, *maker);
-  const std::string mine = studio.renderer->driver();
-  const FolderState before = begin(e, mine);
-  PicturesMade made = write_pictures(e, *maker, e.out.skip_existing && before.ours, tell, watch);
-  if (made.interrupted) return made;
-  const bool kept_all = made.kept == made.count, kept_none = made.kept == 0;
-  made.renderer = made.count == 0 ? ""
-                  : kept_none     ? mine
-                  : kept_all      ? before.renderer
-                                  : join_renderers({before.renderer, mine});
-  finish(e, *maker, before, made);
+  PicturesMade made;
+  try {
+    make_pictures(e, tell, watch, made);
+  } catch (const Interrupted&) {
+    made.interrupted = true;
+  }
   return made;
 }
 

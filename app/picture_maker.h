@@ -38,6 +38,7 @@ struct MakerContext {
   const Lesson& lesson;
   const ExportOptions& options;
   Renderer& renderer;
+  Effort effort{};  ///< is told what motions cost
 };
 
 std::unique_ptr<PictureMaker> make_figure_maker(const MakerContext& context);
@@ -47,17 +48,16 @@ std::unique_ptr<PictureMaker> make_equation_maker(const MakerContext& context);
 /// The model of the scene asked for last: neighbours in an export mostly share it.
 class ModelOfScene {
  public:
-  explicit ModelOfScene(Product product) : product_(product) {}
+  explicit ModelOfScene(Product product, Effort effort = {})
+      : product_(product), effort_(std::move(effort)) {}
   const SceneModel& of(const Scene& scene);
 
  private:
   Product product_;
+  Effort effort_;
   const Scene* scene_ = nullptr;
   SceneModel model_;
 };
-
-/// Whether what is needed of the motion can be computed at t.
-bool is_computable(const SceneModel& model, double t_s);
 
 /// A motion may overflow (a huge torque), or lie beyond the steps that its method takes.
 /// @throws CommandError failed

@@ -3,6 +3,7 @@
 #include "app/answer_log.h"
 #include "app/commands.h"
 #include "app/companion/bookmark.h"
+#include "app/interrupt.h"
 #include "app/message.h"
 #include "app/or_fail.h"
 #include "app/state_file.h"
@@ -135,7 +136,7 @@ class LessonWatch {
 ExitCode play(const Options& options) {
   const auto loaded = load(options.lesson);
   if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
-  Companion companion(loaded);
+  Companion companion(loaded, until_interrupted());
   WindowOptions window;
   Memory memory(companion, window.news);
   if (!window.news.empty()) say("polhode: {}\n", window.news);

@@ -9,7 +9,6 @@
 #include "app/trace_times.h"
 #include "app/typed_problem.h"
 #include "app/usage.h"
-#include "physics/dormand_prince.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -81,13 +80,6 @@ void check_reach(const Motion& motion, const TraceTimes& times) {
                                  times.furthest_s(), motion.max_time_s(), motion.method()));
 }
 
-/// Only an adaptive method cannot say beforehand how far it reaches.
-std::string reason_of_overflow(const Motion& motion) {
-  if (std::isfinite(motion.max_time_s())) return "torque, speed or step is too large";
-  return fmt::format("torque or speed is too large, or {} takes more than {} steps to get there",
-                     motion.method(), DormandPrinceMotion::kMaxSteps);
-}
-
 void print_note(const std::string& note) {
   if (!note.empty()) say("polhode: {}\n", note);
 }
@@ -104,8 +96,9 @@ ExitCode trace(const TypedOptions& typed) {
   const auto overflow_s =
       json ? print_json(problem, *traced.motion, times) : print_csv(problem, *traced.motion, times);
   if (overflow_s)
-    throw CommandError(ExitCode::failed, fmt::format("the motion cannot be computed at t = {:.6g} s: {}",
-                                                     *overflow_s, reason_of_overflow(*traced.motion)));
+    throw CommandError(ExitCode::failed,
+                       fmt::format("the motion cannot be computed at t = {:.6g} s: {}", *overflow_s,
+                                   why_no_state(*traced.motion, problem, *overflow_s)));
   return ExitCode::done;
 }
 

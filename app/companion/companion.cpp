@@ -68,7 +68,8 @@ bool is_seen_from_space(const Scene& scene) {
 
 }  // namespace
 
-Companion::Companion(std::shared_ptr<const LoadedLesson> loaded) : loaded_(std::move(loaded)) {
+Companion::Companion(std::shared_ptr<const LoadedLesson> loaded, Effort effort)
+    : loaded_(std::move(loaded)), effort_(std::move(effort)) {
   assert(loaded_ != nullptr && !lesson().stages.empty());
   visited_.insert(stage().id);
   show_lesson_scene();
@@ -188,7 +189,7 @@ void Companion::show_lesson_scene() {
 }
 
 void Companion::make_model_of(const SceneEdits& edits) {
-  model_ = std::make_unique<SceneModel>(make_model(edited(lesson_scene(), edits), Product::page));
+  model_ = std::make_unique<SceneModel>(make_model(edited(lesson_scene(), edits), Product::page, effort_));
   edits_ = edits;
   ++model_number_;
 }

@@ -53,8 +53,9 @@ inline constexpr double kMorphSeconds = 0.7;
 
 class Companion {
  public:
-  /// At the first step, at rest. `loaded` is never null.
-  explicit Companion(std::shared_ptr<const LoadedLesson> loaded);
+  /// At the first step, at rest. `loaded` is never null. Motions are computed with `effort`: what that throws
+  /// comes out of whatever asks for one.
+  explicit Companion(std::shared_ptr<const LoadedLesson> loaded, Effort effort = {});
   ~Companion();
 
   // The lesson, and where we are in it.
@@ -176,6 +177,7 @@ class Companion {
   double heading_at(double t_s) const;
 
   std::shared_ptr<const LoadedLesson> loaded_;
+  Effort effort_;
   Place place_{};
   std::set<std::string> visited_;
   double t_s_ = 0, speed_ = 1, travel_ = 1;

@@ -48,12 +48,15 @@ class Loop {
 
   ExitCode run() {
     const InterruptWatch watch;
-    while (!glfwWindowShouldClose(display_.window()) && !screen().wishes().quit && !watch.interrupted()) {
-      wait();
-      look_for_changes();
-      if (!must_draw()) continue;
-      draw();
-      keep();
+    try {
+      while (!glfwWindowShouldClose(display_.window()) && !screen().wishes().quit && !watch.interrupted()) {
+        wait();
+        look_for_changes();
+        if (!must_draw()) continue;
+        draw();
+        keep();
+      }
+    } catch (const Interrupted&) {  // while a motion was computed
     }
     keep();
     return watch.interrupted() ? ExitCode::interrupted : ExitCode::done;
