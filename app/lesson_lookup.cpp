@@ -5,6 +5,7 @@
 #include "app/page_lint.h"
 #include "app/sha256.h"
 #include "app/suggest.h"
+#include "lessons/lint_budget.h"
 #include "lessons/type_check.h"
 #include "render/scene/model.h"
 
@@ -42,13 +43,19 @@ bool opens_with_front_matter(const fs::path& path) {
 }
 
 /// The model's objections to each scene, at the place of its stage.
-std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view file_name) {
+std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view file_name,
+                                          const Effort& effort) {
   std::vector<Diagnostic> found;
+  const Scene* before = nullptr;
   for (const Stage& stage : lesson.stages) {
     for (const Step& step : stage.steps) {
-      if (!step.scene) continue;
+      if (!step.scene || (before && *before == *step.scene)) continue;
       try {
-        check_scene(*step.scene);
+        check_scene(*step.scene, effort);
+        before = &*step.scene;
+      } catch (const BudgetSpent&) {
+        found.push_back(too_long_to_check(file_name, stage.place));
+        return found;
       } catch (const std::domain_error& error) {
         found.push_back({Severity::error, std::string(file_name), stage.place,
                          fmt::format("the scene of stage \"{}\" cannot be: {}", stage.id, error.what()), ""});
@@ -131,10 +138,10 @@ std::string read_lesson_text(const fs::path& path) {
   return text;
 }
 
-LessonReading check_lesson(std::string_view text, std::string_view file_name) {
+LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort) {
   LessonReading reading = read_lesson(text, file_name);
   if (!reading.lesson) return reading;
-  std::vector<Diagnostic> found = model_diagnostics(*reading.lesson, file_name);
+  std::vector<Diagnostic> found = model_diagnostics(*reading.lesson, file_name, effort);
   if (found.empty()) return reading;
   reading.lesson.reset();
   add_in_order(std::move(found), reading.diagnostics);
@@ -151,7 +158,8 @@ void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all) {
 LoadedLesson load_lesson(std::string_view name) {
   const fs::path path = find_lesson(name, lesson_folders());
   const std::string text = read_lesson_text(path);
-  LessonReading reading = check_lesson(text, path.string());
+  Budget budget(kLintBudget);
+  LessonReading reading = check_lesson(text, path.string(), budget.effort());
   if (!reading.lesson) throw has_errors(path, reading.diagnostics);
   return {std::move(*reading.lesson), path, sha256_hex(text)};
 }

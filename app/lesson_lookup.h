@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/reader.h"
+#include "physics/effort.h"
 #include "render/type/fonts.h"
 
 #include <filesystem>
@@ -39,12 +40,12 @@ struct LoadedLesson {
   std::filesystem::path path;
   std::string sha256;  ///< of the text
 };
-/// @throws CommandError; of an invalid lesson all diagnostics are in its text.
+/// With kLintBudget. @throws CommandError; of an invalid lesson all diagnostics are in its text.
 LoadedLesson load_lesson(std::string_view name);
 
 /// What the reader says of a text, and if it has no error, what the model says of its scenes. In the order of
-/// places.
-LessonReading check_lesson(std::string_view text, std::string_view file_name);
+/// places. Where `effort` throws BudgetSpent the stage is an error, and no scene behind it is checked.
+LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort = {});
 
 /// Adds diagnostics to others, all in the order of their places.
 void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all);

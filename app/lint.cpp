@@ -6,7 +6,9 @@
 #include "app/or_fail.h"
 #include "app/page_lint.h"
 #include "lessons/claim_check.h"
+#include "lessons/lint_budget.h"
 #include "lessons/type_check.h"
+#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -35,22 +37,38 @@ struct Findings {
 };
 
 /// Of a lesson that reads: what the fonts lack, and if they lack nothing, what does not fit on a page.
-std::vector<Diagnostic> type_and_page_diagnostics(const Lesson& lesson, std::string_view file) {
+std::vector<Diagnostic> type_and_page_diagnostics(const Lesson& lesson, std::string_view file,
+                                                  const Effort& effort) {
   const Fonts fonts = or_fail(Fonts::open());
   std::vector<Diagnostic> found = check_type(lesson, fonts, file);
-  return found.empty() ? page_diagnostics(lesson, fonts, file) : found;
+  return found.empty() ? page_diagnostics(lesson, fonts, file, effort) : found;
+}
+
+Diagnostic failed_check(const std::string& file, const std::exception& error) {
+  return {Severity::error, file, {1, 1}, fmt::format("the lesson cannot be checked: {}", error.what()), ""};
+}
+
+/// All that is wrong with a text, for no more than kLintBudget.
+std::vector<Diagnostic> diagnostics_of(std::string_view text, const std::string& file) {
+  Budget budget(kLintBudget);
+  LessonReading reading = check_lesson(text, file, budget.effort());
+  if (!reading.lesson) return std::move(reading.diagnostics);
+  try {
+    add_in_order(check_claims(*reading.lesson, file, budget.effort()), reading.diagnostics);
+    if (!budget.is_spent())
+      add_in_order(type_and_page_diagnostics(*reading.lesson, file, budget.effort()), reading.diagnostics);
+  } catch (const std::domain_error& error) {  // that no check has given a place
+    add_in_order({failed_check(file, error)}, reading.diagnostics);
+  }
+  return std::move(reading.diagnostics);
 }
 
 /// One file; a file that cannot be read is a message on stderr, and the others are still looked at.
 void lint_one(const std::string& name, Findings& findings) {
   try {
     const auto path = find_lesson(name, lesson_folders());
-    LessonReading reading = check_lesson(read_lesson_text(path), path.string());
-    if (reading.lesson) {
-      add_in_order(check_claims(*reading.lesson, path.string()), reading.diagnostics);
-      add_in_order(type_and_page_diagnostics(*reading.lesson, path.string()), reading.diagnostics);
-    }
-    for (Diagnostic& diagnostic : reading.diagnostics) findings.diagnostics.push_back(std::move(diagnostic));
+    for (Diagnostic& diagnostic : diagnostics_of(read_lesson_text(path), path.string()))
+      findings.diagnostics.push_back(std::move(diagnostic));
   } catch (const CommandError& error) {
     if (error.code != ExitCode::failed) throw;
     say("polhode: {}\n", error.what());
@@ -65,12 +83,17 @@ void print(const std::vector<Diagnostic>& diagnostics, bool json) {
   }
   Json list = Json::array();
   for (const Diagnostic& diagnostic : diagnostics) list.push_back(to_json(diagnostic));
-  fmt::print("{}\n", list.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", printable(list.dump(2, ' ', false, Json::error_handler_t::replace)));
 }
 
 ExitCode lint(const std::vector<std::string>& names, bool json) {
   Findings findings;
-  for (const std::string& name : names) lint_one(name, findings);
+  try {
+    for (const std::string& name : names) lint_one(name, findings);
+  } catch (...) {
+    print(findings.diagnostics, json);  // whatever it is: who reads JSON gets JSON
+    throw;
+  }
   print(findings.diagnostics, json);
 
   const auto errors = std::count_if(findings.diagnostics.begin(), findings.diagnostics.end(),
@@ -93,7 +116,9 @@ void add_lint(CLI::App& app, Action& action) {
   auto options = std::make_shared<Options>();
   command->add_option("FILE", options->files, "Lesson files or ids")->required()->option_text("...");
   command->add_flag("--json", options->json, "file, line, column, severity, message and hint as JSON");
-  command->footer("Exit code 3 if there is an error; warnings alone give 0.");
+  command->footer(
+      "Exit code 3 if there is an error; warnings alone give 0. A lesson that takes more than 100 million\n"
+      "evaluations of the equations of motion to check, 5 to 10 s of one core, is an error too.");
   command->callback(
       [options, &action] { action = [options] { return lint(options->files, options->json); }; });
 }

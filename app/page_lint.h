@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/lesson.h"
+#include "physics/effort.h"
 #include "render/type/fonts.h"
 
 #include <string_view>
@@ -11,10 +12,11 @@
 namespace polhode {
 
 /// Composes the page of every step, wide, narrow and upright. A warning, at the step's first line, where its
-/// type or a formula has to be much smaller than normal; an error where no page can hold it. About 5 ms a
-/// step of the lecture.
-std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& fonts,
-                                         std::string_view file_name);
+/// type or a formula has to be much smaller than normal; an error where no page can hold it, or its figure
+/// cannot be. About 5 ms a step of the lecture. Where `effort` throws BudgetSpent the step is an error, and
+/// nothing behind it is checked.
+std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& fonts, std::string_view file_name,
+                                         const Effort& effort = {});
 
 /// The errors alone, of the wide page alone: a step that no page can hold.
 std::vector<Diagnostic> page_errors(const Lesson& lesson, const Fonts& fonts, std::string_view file_name);

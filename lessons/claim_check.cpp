@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claim_check.h"
 
+#include "lessons/lint_budget.h"
 #include "lessons/live_claims.h"
 #include "lessons/proof.h"
 #include "lessons/report.h"
@@ -21,19 +22,37 @@ std::string short_number(double value) {
 
 class ClaimCheck {
  public:
-  ClaimCheck(const Lesson& lesson, std::string_view file)
-      : lesson_(lesson), source_(lesson.source), report_(source_, file) {}
+  ClaimCheck(const Lesson& lesson, std::string_view file, const Effort& effort)
+      : lesson_(lesson), source_(lesson.source), report_(source_, file), effort_(effort) {}
 
   std::vector<Diagnostic> run() {
-    for (const Stage& stage : lesson_.stages)
-      for (const Step& step : stage.steps) {
-        model_.reset();
-        for (const Block& block : step.blocks) std::visit([&](const auto& b) { check(b, step); }, block);
-      }
+    SourcePlace place;
+    try {
+      for (const Stage& stage : lesson_.stages)
+        for (const Step& step : stage.steps) {
+          model_.reset();
+          for (const Block& block : step.blocks) {
+            if (report_.is_full()) return report_.take();
+            check_block(block, step, place);
+          }
+        }
+    } catch (const BudgetSpent&) {
+      const Diagnostic all = too_long_to_check("", place);
+      report_.error(place, all.message, all.hint);
+    }
     return report_.take();
   }
 
  private:
+  void check_block(const Block& block, const Step& step, SourcePlace& place) {
+    place = std::visit([](const auto& b) { return b.place; }, block);
+    try {
+      std::visit([&](const auto& b) { check(b, step); }, block);
+    } catch (const std::domain_error& error) {
+      report_.error(place, std::string("this cannot be checked: ") + error.what());
+    }
+  }
+
   template <class Other>
   void check(const Other&, const Step&) {}
 
@@ -58,16 +77,27 @@ class ClaimCheck {
 
   void check(const Claim& claim, const Step& step) {
     for (const ClaimLine& line : claim.lines) {
+      if (report_.is_full()) return;
+      spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
       if (claim.kind == ClaimKind::measured) {
         check_measured(line, step);
         continue;
       }
       const Judgement judgement = judge(line, claim.kind, prover_);
+      const bool searched = judgement.verdict == Verdict::fails || claim.kind == ClaimKind::is_false;
+      if (searched && !judgement.counterexample) spend(effort_, kVainSearchEvaluations);
       if (judgement.verdict != Verdict::holds)
         report_.error(line.place,
                       "the claim (" + std::string(name_of(claim.kind)) + ") fails: " + judgement.message,
                       judgement.hint);
     }
+  }
+
+  static std::int64_t nodes_in(const ClaimLine& line) {
+    const auto nodes = [](const Equality& equality) {
+      return equality.left.nodes.size() + equality.right.nodes.size();
+    };
+    return static_cast<std::int64_t>(nodes(line.equality) + (line.conclusion ? nodes(*line.conclusion) : 0));
   }
 
   void check_measured(const ClaimLine& line, const Step& step) {
@@ -94,7 +124,7 @@ class ClaimCheck {
   /// Null if the scene cannot be: whoever checks the scenes says so.
   const SceneModel* model_of(const Step& step) {
     try {
-      if (!model_) model_.emplace(make_model(*step.scene));
+      if (!model_) model_.emplace(make_model(*step.scene, Product::figure, effort_));
       return &*model_;
     } catch (const std::domain_error&) {
       return nullptr;
@@ -104,14 +134,15 @@ class ClaimCheck {
   const Lesson& lesson_;
   SourceText source_;
   Report report_;
+  const Effort& effort_;
   Prover prover_;
   std::optional<SceneModel> model_;  // of the step
 };
 
 }  // namespace
 
-std::vector<Diagnostic> check_claims(const Lesson& lesson, std::string_view file_name) {
-  return ClaimCheck(lesson, file_name).run();
+std::vector<Diagnostic> check_claims(const Lesson& lesson, std::string_view file_name, const Effort& effort) {
+  return ClaimCheck(lesson, file_name, effort).run();
 }
 
 }  // namespace polhode

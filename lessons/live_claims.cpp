@@ -5,6 +5,7 @@
 #include "lessons/expression_variants.h"
 #include "physics/euler.h"
 #include "physics/method.h"
+#include "physics/powers_of_two.h"
 #include "render/scene/arrow.h"
 #include "render/scene/difference.h"
 #include "render/scene/drift.h"
@@ -23,7 +24,7 @@ double rate_scale(const SceneModel& model, const RigidBodyState& state) {
   const Scene& scene = model.scene;
   const PrincipalMoments& I = scene.body.moments;
   const double torque = torque_B(scene.torque, I, state).norm();
-  const double scale = std::max(state.w_B.norm(), std::sqrt(torque / I.vector().minCoeff()));
+  const double scale = std::max(norm_of(state.w_B), std::sqrt(torque / I.vector().minCoeff()));
   return scale > 0 ? scale : 1;
 }
 

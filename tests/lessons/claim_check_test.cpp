@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claim_check.h"
 
+#include "lessons/lint_budget.h"
 #include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>
@@ -57,6 +58,32 @@ std::vector<std::string> faults_of(const std::string& body) {
   EXPECT_TRUE(reading.lesson);
   return reading.lesson ? testing::lines_of(check_claims(*reading.lesson, "a.md"))
                         : std::vector<std::string>();
+}
+
+std::vector<std::string> faults_within(const std::string& body, std::int64_t evaluations) {
+  const LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
+  EXPECT_TRUE(reading.lesson);
+  Budget budget(evaluations);
+  return testing::lines_of(check_claims(*reading.lesson, "a.md", budget.effort()));
+}
+
+TEST(CheckClaims, EndAtTheClaimThatIsTooDear) {
+  const std::string claim = "```math a\nx\n```\n```claim a measured\nddt(T) = dot(N, omega)\n```\n";
+  const std::string scene = "```scene\nshow = [\"omega\"]\ntorque = \"heavy:1,0,0,1\"\nduration = 100\n```\n";
+  const auto far = faults_within(claim + scene, 1'000'000'000);
+  EXPECT_THAT(far, IsEmpty());
+  const auto near = faults_within(claim + scene, kClaimLineEvaluations + 5'000);
+  ASSERT_THAT(near, SizeIs(1));
+  EXPECT_THAT(near[0], HasSubstr("error: the lesson is too long to check"));
+  EXPECT_THAT(near[0], ::testing::MatchesRegex("a\\.md:1[0-9]:.*"));
+}
+
+TEST(CheckClaims, ASearchInVainIsPaidFor) {
+  // False, and true in every state of small whole numbers that is tried: found out by the prover alone.
+  const std::string claim =
+      "```math a\nx\n```\n```claim a false\nw1*(w1-1)*(w1+1)*(w1-2)*(w1+2)*(w1-3)*(w1+3) = 0\n```\n";
+  EXPECT_THAT(faults_within(claim, kVainSearchEvaluations + 100'000), IsEmpty());
+  EXPECT_THAT(faults_within(claim, kVainSearchEvaluations), SizeIs(1));
 }
 
 TEST(CheckClaims, LiveNumbersAndAnswersHaveValues) {
