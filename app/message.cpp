@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/message.h"
 
+#include "render/printable.h"
+
 #include <fcntl.h>
 #include <signal.h>
 #include <unistd.h>
@@ -40,7 +42,9 @@ class QuietPipes {
 
 }  // namespace
 
-void write_message(std::string_view text) {
+void write_message(std::string_view text) { steer_terminal(printable(text)); }
+
+void steer_terminal(std::string_view text) {
   const QuietPipes quiet;
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);

@@ -8,10 +8,13 @@
 
 namespace polhode {
 
-/// Writes the text to stderr as it is, and at once. A message that cannot be written, because the disk is
-/// full, stderr is closed or nobody reads its pipe any more, is lost, and nothing else is: no exception, no
-/// signal.
+/// Writes a text of lines to stderr, at once; what would steer the terminal is written out (printable.h). A
+/// message that cannot be written, because the disk is full, stderr is closed or nobody reads its pipe any
+/// more, is lost, and nothing else is: no exception, no signal.
 void write_message(std::string_view text);
+
+/// The same for the program's own steering of the terminal: the text as it is.
+void steer_terminal(std::string_view text);
 
 /// Formats a message and writes it.
 template <class... Arguments>

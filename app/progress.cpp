@@ -2,6 +2,7 @@
 #include "app/progress.h"
 
 #include "app/message.h"
+#include "render/printable.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
@@ -46,12 +47,13 @@ ProgressBar::ProgressBar(std::int64_t total)
       colored_(!environment_has("NO_COLOR")) {}
 
 ProgressBar::~ProgressBar() {
-  if (visible_) write_message("\r\x1b[K");
+  if (visible_) steer_terminal("\r\x1b[K");
 }
 
 void ProgressBar::show(std::int64_t done, std::string_view name) const {
   if (!visible_) return;
-  say("\r{}\x1b[K", progress_line(done, total_, name, terminal_columns(), colored_));
+  const std::string line = progress_line(done, total_, printable_line(name), terminal_columns(), colored_);
+  steer_terminal("\r" + line + "\x1b[K");
 }
 
 }  // namespace polhode

@@ -4,7 +4,6 @@
 #include "app/message.h"
 #include "app/picture_metadata.h"
 #include "app/suggest.h"
-#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -65,7 +64,7 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
   }
   const CLI::App& command = named_command(app);
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  const std::string text = printable(unexpected ? unexpected_word(app, command) : error.what());
+  const std::string text = unexpected ? unexpected_word(app, command) : error.what();
   say("polhode: {}
 See: polhode {}--help
 ", text, &command == &app ? "" : command.get_name() + " ");
