@@ -140,6 +140,8 @@ AnswerJudgement judge_expression(const Ask& ask, std::string_view text, const Pr
     const Diagnostic fault = report.take().front();
     return unreadable(fault.message, fault.hint, fault.place.column);
   }
+  if (answer->uses(Operation::norm))
+    return unreadable("a length is a root, and a proof has none", "write norm2(a) for a·a");
   if (prover.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
     return unreadable("this is nowhere defined", "is something divided by 0?");
   if (!fit(answer->type(), ask.expression->type()))

@@ -110,6 +110,9 @@ class AskReader {
       const auto text = read_text(entry, report_);
       if (text) ask_.expression = read_expression(*text, inside_quotes(entry.value.place), report_);
       ok_ = ask_.expression.has_value();
+      if (ok_ && ask_.expression->uses(Operation::norm))
+        fail(entry.value.place, "a length is a root, and answers are proved: norm cannot be in them",
+             "ask for its square, norm2(a)");
     } else if (ask_.type == Ask::Type::order) {
       order(entry);
     } else {

@@ -93,9 +93,16 @@ class ClaimLineReader {
     auto right = read_expression(right_text, place_of(right_text), report_);
     if (!left || !right) return false;
     into = {std::move(*left), std::move(*right)};
-    if (fit(into.left.type(), into.right.type())) return true;
+    if (fit(into.left.type(), into.right.type())) return check_lengths(text, into);
     fail(text.substr(equals), std::string(name_of(into.left.type())) + " and " +
                                   std::string(name_of(into.right.type())) + " cannot be equal");
+    return false;
+  }
+
+  bool check_lengths(std::string_view text, const Equality& equality) {
+    if (kind_ == ClaimKind::measured || has_provable_lengths(equality)) return true;
+    fail(text, "a length is a root, and a proof has none: it is a whole side here, norm(a) = norm(b)",
+         "square both sides with norm2(a), or measure the claim");
     return false;
   }
 

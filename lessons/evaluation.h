@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <type_traits>
 #include <vector>
 
 namespace polhode {
@@ -161,6 +162,18 @@ class Evaluation {
     return product;
   }
 
+  /// |x|, where N has roots; its rate x·ẋ/|x| is nothing that can be used where x = 0.
+  static bool length([[maybe_unused]] const Triple<N>& x, [[maybe_unused]] Triple<N>& value) {
+    if constexpr (std::is_same_v<N, SizedNumber>) {
+      const Dual<N> square = dot(x, x);
+      const double length = std::sqrt(square.value.value);
+      value = scalar({{length, std::sqrt(square.value.size)},
+                      {square.rate.value / (2 * length), square.rate.size / (2 * length)}});
+      return true;
+    }
+    return false;
+  }
+
   Dual<N> J_at(std::size_t row, std::size_t column) const {
     constexpr std::size_t kPlace[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     return constant(s_.J[kPlace[row][column]]);
@@ -297,6 +310,8 @@ class Evaluation {
       case O::norm2:
         value = scalar(dot(operand(node.a), operand(node.a)));
         break;
+      case O::norm:
+        return length(operand(node.a), value);
       case O::inertia:
         value = to_space(I_times(to_body(operand(node.a))));
         break;

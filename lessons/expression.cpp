@@ -314,6 +314,25 @@ bool Expression::uses(Quantity quantity) const {
   });
 }
 
+bool has_provable_lengths(const Equality& equality) {
+  const auto is_length = [](const Expression& side) {
+    return side.nodes.back().operation == Operation::norm;
+  };
+  const auto holds_one = [](const Expression& side) {
+    return std::any_of(side.nodes.begin(), side.nodes.end() - 1,
+                       [](const ExpressionNode& node) { return node.operation == Operation::norm; });
+  };
+  return is_length(equality.left) == is_length(equality.right) && !holds_one(equality.left) &&
+         !holds_one(equality.right);
+}
+
+Equality with_lengths_squared(Equality equality) {
+  for (Expression* side : {&equality.left, &equality.right})
+    if (ExpressionNode& whole = side->nodes.back(); whole.operation == Operation::norm)
+      whole.operation = Operation::norm2;
+  return equality;
+}
+
 Expression zero_expression() {
   ExpressionNode zero;
   zero.type = ExpressionType::zero;

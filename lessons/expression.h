@@ -43,7 +43,7 @@ enum class Quantity {
 
 enum class Operation {
   number, quantity, negate, add, subtract, multiply, divide, power,
-  dot, cross, norm2, inertia, apply, comp, trace, star, ddt
+  dot, cross, norm2, norm, inertia, apply, comp, trace, star, ddt
 };
 // clang-format on
 
@@ -100,6 +100,13 @@ struct Equality {
     return left.type() == ExpressionType::vector || right.type() == ExpressionType::vector;
   }
 };
+
+/// A length is a root, which exact arithmetic has not. What is to be proved has lengths as norm(a) = norm(b)
+/// alone: lengths are not negative, so they are equal where their squares are.
+/// @return whether both sides are free of lengths inside, and both are one, or neither is.
+bool has_provable_lengths(const Equality& equality);
+/// Lengths that are whole sides replaced by their squares.
+Equality with_lengths_squared(Equality equality);
 
 /// Names an expression can use, for "did you mean".
 const std::vector<std::string>& expression_symbols();

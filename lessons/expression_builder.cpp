@@ -176,13 +176,14 @@ int ExpressionBuilder::call(const FunctionFacts& function, const std::vector<int
                                arguments.size() > 1 ? arguments[1] : -1, first, (*this)[arguments.back()]);
   node.begin = static_cast<std::uint32_t>(at);
   node.end = static_cast<std::uint32_t>(end);
-  node.type = function.operation == O::dot || function.operation == O::norm2 ? Type::scalar
-              : function.operation == O::ddt                                 ? first.type
-                                                                             : Type::vector;
+  const bool is_length = function.operation == O::norm2 || function.operation == O::norm;
+  node.type = function.operation == O::dot || is_length ? Type::scalar
+              : function.operation == O::ddt            ? first.type
+                                                        : Type::vector;
   node.degree = first.degree;
   if (function.operation == O::cross) node.degree = times(2, product(first.degree, (*this)[node.b].degree));
   if (function.operation == O::dot) node.degree = times(3, product(first.degree, (*this)[node.b].degree));
-  if (function.operation == O::norm2) node.degree = times(3, power_of(first.degree, 2));
+  if (is_length) node.degree = times(3, power_of(first.degree, 2));  // a length is proved by its square
   if (function.operation == O::inertia) node.degree = product(first.degree, kTensor);
   if (!is_rate) return push(node, at);
 

@@ -65,15 +65,16 @@ inline constexpr std::array<QuantityFacts, 30> kQuantities = [] {
   }};
 }();
 
-inline constexpr std::array<FunctionFacts, 9> kFunctions = {{{"dot", Operation::dot, 2},
-                                                             {"cross", Operation::cross, 2},
-                                                             {"norm2", Operation::norm2, 1},
-                                                             {"inertia", Operation::inertia, 1},
-                                                             {"apply", Operation::apply, 2},
-                                                             {"comp", Operation::comp, 2},
-                                                             {"trace", Operation::trace, 1},
-                                                             {"star", Operation::star, 1},
-                                                             {"ddt", Operation::ddt, 1}}};
+inline constexpr std::array<FunctionFacts, 10> kFunctions = {{{"dot", Operation::dot, 2},
+                                                              {"cross", Operation::cross, 2},
+                                                              {"norm2", Operation::norm2, 1},
+                                                              {"norm", Operation::norm, 1},
+                                                              {"inertia", Operation::inertia, 1},
+                                                              {"apply", Operation::apply, 2},
+                                                              {"comp", Operation::comp, 2},
+                                                              {"trace", Operation::trace, 1},
+                                                              {"star", Operation::star, 1},
+                                                              {"ddt", Operation::ddt, 1}}};
 
 const QuantityFacts* find_quantity(std::string_view name);
 const FunctionFacts* find_function(std::string_view name);

@@ -68,6 +68,16 @@ StateNumbers<FieldElement> random_numbers(std::mt19937_64& random) {
   return numbers;
 }
 
+/// The values of lengths, of whose squares those in `found` are.
+std::optional<Counterexample> with_roots(std::optional<Counterexample> found, const Equality& equality) {
+  const auto root = [](std::string& square, const Expression& side) {
+    if (side.nodes.back().operation == Operation::norm && square != "0" && square != "1")
+      square = "√" + square;
+  };
+  if (found) root(found->left, equality.left), root(found->right, equality.right);
+  return found;
+}
+
 Judgement not_what_it_says(std::string message, std::string hint,
                            std::optional<Counterexample> counter = {}) {
   if (counter) message += ": " + to_string(*counter);
@@ -146,7 +156,8 @@ Prover::Prover() {
     wide_[assumption] = state_of(wide, static_cast<Assumption>(assumption));
 }
 
-Verdict Prover::settle(const Equality& equality, Assumption assumption) const {
+Verdict Prover::settle(const Equality& given, Assumption assumption) const {
+  const Equality equality = with_lengths_squared(given);
   int defined = 0;
   for (const ClaimState<FieldElement>& state : samples(assumption)) {
     const std::optional<bool> agrees = agree(equality, state);
@@ -176,12 +187,14 @@ Verdict Prover::confirmed(const Equality& equality, Assumption assumption) const
 }
 
 std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption) const {
-  return first_small_state(equality, nullptr, assumption);
+  return with_roots(first_small_state(with_lengths_squared(equality), nullptr, assumption), equality);
 }
 
 std::optional<Counterexample> Prover::refute_inference(const Equality& premise,
                                                        const Equality& conclusion) const {
-  return first_small_state(conclusion, &premise, Assumption::motion);
+  const Equality premise_squared = with_lengths_squared(premise);
+  return with_roots(first_small_state(with_lengths_squared(conclusion), &premise_squared, Assumption::motion),
+                    conclusion);
 }
 
 Assumption assumption_of(ClaimKind kind) {

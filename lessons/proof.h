@@ -15,6 +15,8 @@
 // numbers whose size the reader bounds (Degree). Below 2⁶⁰ none but 0 is divisible by p. Otherwise the sides
 // are compared at one more point modulo 2¹²⁷ − 1, whose product with p divides none but 0 below 2¹⁸⁷; beyond,
 // the claim is undecided.
+//
+// Lengths, norm(a) = norm(b), are compared by their squares: neither is negative.
 #pragma once
 
 #include "lessons/claim_state.h"

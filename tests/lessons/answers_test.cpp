@@ -103,6 +103,7 @@ TEST(JudgeAnswer, SaysWhatCannotBeReadAndWhere) {
   EXPECT_THAT(unknown.reason, HasSubstr("unknown symbol \"w4\""));
   EXPECT_THAT(unknown.hint, HasSubstr("w1"));
   EXPECT_EQ(judged(asking("T", "identity"), "1/(T - T)").reason, "this is nowhere defined");
+  EXPECT_THAT(judged(asking("T", "identity"), "norm(L)").reason, HasSubstr("a length is a root"));
   EXPECT_EQ(judged(asking("T", "identity"), "").outcome, Outcome::unreadable);
   EXPECT_EQ(judged(asking("T", "identity"), "T\nT").outcome, Outcome::unreadable);
 }

@@ -52,6 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values("", "type = 'expression'\nprompt = 'x'", "type = 'expression'\nanswer = 'w1'",
                       "prompt = 'x'\nanswer = 'w1'", "type = 'expression'\nprompt = ' '\nanswer = 'w1'",
                       "type = 'expression'\nprompt = 'x'\nanswer = 'w9'",
+                      "type = 'expression'\nprompt = 'x'\nanswer = 'norm(L)'",
                       "type = 'expression'\nprompt = 'x'\nanswer = 1",
                       "type = 'expression'\nprompt = 'x'\nanswer = 'w1'\nmodulo = 'all'",
                       "type = 'expression'\nprompt = 'x'\nanswer = 'w1'\nchoices = ['a', 'b']",

@@ -71,18 +71,22 @@ TEST_P(ClaimLinesReport, AndLeaveOut) {
 }
 INSTANTIATE_TEST_SUITE_P(
     All, ClaimLinesReport,
-    ::testing::Values(Wrong{ClaimKind::law, "L", "1:1: error: a claim reads left = right"},
-                      Wrong{ClaimKind::law, "L =", "1:4: error: an expression is missing"},
-                      Wrong{ClaimKind::law, "= L", "1:1: error: an expression is missing"},
-                      Wrong{ClaimKind::law, "L = N = 0", "1:7: error: unknown character \"=\""},
-                      Wrong{ClaimKind::law, "L => N", "1:3: error: => is for claims"},
-                      Wrong{ClaimKind::law, "L = N within 1", "1:7: error: \"within\" is for"},
-                      Wrong{ClaimKind::measured, "L = N within", "1:13: error: \"within\" takes"},
-                      Wrong{ClaimKind::measured, "L = N within 0", "1:14: error: \"within\" takes"},
-                      Wrong{ClaimKind::measured, "L = N within inf", "1:14: error: \"within\" takes"},
-                      Wrong{ClaimKind::non_sequitur, "L = N", "1:1: error: a non-sequitur reads"},
-                      Wrong{ClaimKind::non_sequitur, "L = N => L",
-                            "1:10: error: a claim reads left = right"}));
+    ::testing::Values(
+        Wrong{ClaimKind::law, "L", "1:1: error: a claim reads left = right"},
+        Wrong{ClaimKind::law, "L =", "1:4: error: an expression is missing"},
+        Wrong{ClaimKind::law, "= L", "1:1: error: an expression is missing"},
+        Wrong{ClaimKind::law, "L = N = 0", "1:7: error: unknown character \"=\""},
+        Wrong{ClaimKind::law, "L => N", "1:3: error: => is for claims"},
+        Wrong{ClaimKind::law, "L = N within 1", "1:7: error: \"within\" is for"},
+        Wrong{ClaimKind::law, "T = norm(L)", "1:1: error: a length is a root"},
+        Wrong{ClaimKind::law, "2*norm(L) = norm(N)", "1:1: error: a length is a root"},
+        Wrong{ClaimKind::law, "norm(norm(N)*L) = norm(N)", "1:1: error: a length is a root"},
+        Wrong{ClaimKind::non_sequitur, "T = 0 => norm(L) = 1", "1:10: error: a length is a root"},
+        Wrong{ClaimKind::measured, "L = N within", "1:13: error: \"within\" takes"},
+        Wrong{ClaimKind::measured, "L = N within 0", "1:14: error: \"within\" takes"},
+        Wrong{ClaimKind::measured, "L = N within inf", "1:14: error: \"within\" takes"},
+        Wrong{ClaimKind::non_sequitur, "L = N", "1:1: error: a non-sequitur reads"},
+        Wrong{ClaimKind::non_sequitur, "L = N => L", "1:10: error: a claim reads left = right"}));
 
 TEST(ClaimLines, ReportBothSides) {
   TextReport at("foo = bar");
@@ -99,6 +103,15 @@ TEST(ClaimLines, EndAtTheLimit) {
   TextReport bad(text + "L = L\n");
   lines_from(bad, ClaimKind::law);
   EXPECT_THAT(bad.lines(), ElementsAre("65:1: error: a claim has at most 64 lines"));
+}
+
+TEST(ClaimLines, TakeLengthsWhereTheyCanBeSettled) {
+  TextReport whole("norm(ddt(omega)) = norm(star(omega))");
+  EXPECT_THAT(lines_from(whole, ClaimKind::identity), SizeIs(1));
+  TextReport anywhere("dot(omega, L)/norm(L) = 2*T/norm(L)");
+  EXPECT_THAT(lines_from(anywhere, ClaimKind::measured), SizeIs(1));
+  EXPECT_THAT(whole.lines(), IsEmpty());
+  EXPECT_THAT(anywhere.lines(), IsEmpty());
 }
 
 }  // namespace

@@ -176,5 +176,19 @@ TEST(LiveClaims, ABodyAtRestHasValues) {
   for (const char* law : kLaws) EXPECT_LE(value_of(law, scene, 1.0).residual, 1e-14) << law;
 }
 
+TEST(LiveClaims, LengthsAreRootsAndHaveRates) {
+  const SceneModel model = make_model(tumbling());
+  const auto live = live_state(model, 0.0);
+  const auto number = [&](const char* text) {
+    testing::TextReport at(text);
+    return *live_number(*read_expression(at.text, {1, 1}, at.report), *live);
+  };
+  const double length = std::sqrt(0.81 + 0.16 + 1.0);
+  EXPECT_NEAR(number("norm(omega)"), length, 8 * 2.3e-16 * length);
+  EXPECT_NEAR(number("ddt(norm(omega))"), number("dot(omega, ddt(omega))") / length, 64 * 2.3e-16 / 0.01)
+      << "as the differences allow";
+  EXPECT_EQ(number("norm(N)"), 0);
+}
+
 }  // namespace
 }  // namespace polhode

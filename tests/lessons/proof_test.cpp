@@ -118,5 +118,24 @@ TEST(Proof, TakesDecimalNumbersExactly) {
   EXPECT_FALSE(holds("0.333333333*T = T/3", ClaimKind::identity));
 }
 
+TEST(Proof, ComparesLengthsByTheirSquares) {
+  using K = ClaimKind;
+  EXPECT_TRUE(holds("norm(ddt(omega)) = norm(star(omega))", K::identity));
+  EXPECT_TRUE(holds("norm(omega) = norm(-omega)", K::identity));
+  EXPECT_TRUE(holds("norm(ddt(L)) = norm(N)", K::motion));
+  EXPECT_FALSE(holds("norm(ddt(L)) = norm(N)", K::identity));
+  EXPECT_TRUE(holds("norm(star(L)) = norm(N)", K::is_false));
+  EXPECT_TRUE(holds("norm(cross(omega, L)) = norm(N) => cross(omega, L) = N", K::non_sequitur));
+}
+
+TEST(Proof, ACounterexampleOfLengthsHasTheirValues) {
+  const Judgement wrong = judged("norm(omega + L) = norm(omega - L)", ClaimKind::identity);
+  EXPECT_EQ(wrong.verdict, Verdict::fails);
+  ASSERT_TRUE(wrong.counterexample);
+  EXPECT_EQ(wrong.counterexample->state, "I = (2, 3, 4), ω = (1, 0, 0)");
+  EXPECT_EQ(wrong.counterexample->left, "√9");
+  EXPECT_EQ(wrong.counterexample->right, "1");
+}
+
 }  // namespace
 }  // namespace polhode

@@ -124,6 +124,7 @@ std::vector<Term> changed_here(const Term& spot) {
         changed.push_back(with(O::comp, spot.operands, (spot.integer + step) % 3));
       break;
     case O::norm2:
+    case O::norm:
     case O::trace:
       changed.push_back(with(O::multiply, {number("2"), spot}));
       break;

@@ -206,6 +206,10 @@ Vector Oracle::value(const Expression& expression, int index, bool moving, Side&
       const Vector v = a();
       return scalar(dot(v, v));
     }
+    case O::norm: {
+      const Vector v = a();
+      return scalar(GiNaC::sqrt(dot(v, v)));
+    }
     case O::inertia: {  // Σ I_i e_i (e_i·a)
       const Vector v = a();
       Vector result{0, 0, 0};
