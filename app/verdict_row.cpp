@@ -103,6 +103,9 @@ class SideText {
 
 namespace {
 
+/// Of several lines the page could not say whose sides a pair of values is.
+bool has_sides(const Claim& claim) { return claim.lines.size() == 1; }
+
 /// Why a measured claim fails on its motion; nothing if it holds.
 std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel& model) {
   for (const ClaimLine& line : claim.lines) {
@@ -139,28 +142,30 @@ VerdictRow verdict_row(const Claim& claim, const Prover& prover, const Scene* sc
 std::string live_text(const Claim& claim, const LiveState& live, View view) {
   const auto value = live_value(claim, live, view);
   if (!value) return "";
-  const SideText side(*value);
-  const bool decided = value->tolerance <= kDecisive || claim.kind == ClaimKind::is_false;
   const bool apart = value->residual > std::min(value->tolerance, kDecisive);
+  const std::string distance =
+      fmt::format("{} {} {} {}", claim.kind == ClaimKind::identity ? "rounding" : "apart",
+                  power_of_ten(value->residual), apart ? ">" : "≤", power_of_ten(value->tolerance));
+  const bool refutes = claim.kind == ClaimKind::is_false;
+  if (value->tolerance > kDecisive && !refutes) return "the step is too long to tell";
+  if (!has_sides(claim)) return refutes ? "" : distance;
+  const SideText side(*value);
   const std::string frame = !value->is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";
   const std::string left = side(value->left);
   // What is equal is printed equal, whichever way the last digit was rounded.
   const std::string right = apart || value->right == std::array<double, 3>{} ? side(value->right) : left;
-  if (!decided)
-    return fmt::format("{}{} beside {}: the step is too long to tell", frame, left, side(value->right));
   const std::string sides = fmt::format("{}{} {} {}", frame, left, apart ? "≠" : "=", right);
-  if (claim.kind == ClaimKind::is_false) return sides;
-  return fmt::format("{},  {} {} {} {}", sides, claim.kind == ClaimKind::identity ? "rounding" : "apart",
-                     power_of_ten(value->residual), apart ? ">" : "≤", power_of_ten(value->tolerance));
+  return refutes ? sides : sides + ",  " + distance;
 }
 
 std::string widest_live_text(const Claim& claim) {
-  const bool vector = std::any_of(claim.lines.begin(), claim.lines.end(),
-                                  [](const ClaimLine& line) { return line.equality.is_vector(); });
+  constexpr const char* kDistance = "rounding $8{\\cdot}10^{-16}$ ≤ $8{\\cdot}10^{-13}$";
+  if (!has_sides(claim)) return kDistance;
+  const bool vector = claim.lines.front().equality.is_vector();
   const std::string side = vector ? "(−0.00, −0.00, −0.00)" : "−0.00${\\cdot}10^{-4}$";
   const std::string sides = fmt::format("{}{} = {}", vector ? "in $S^*$ " : "", side, side);
   if (claim.kind == ClaimKind::is_false) return sides;
-  return sides + ",  rounding $8{\\cdot}10^{-16}$ ≤ $8{\\cdot}10^{-13}$";
+  return sides + ",  " + kDistance;
 }
 
 }  // namespace polhode

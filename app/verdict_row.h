@@ -25,8 +25,9 @@ struct VerdictRow {
 /// With a model of it, measured claims are measured.
 VerdictRow verdict_row(const Claim& claim, const Prover& prover, const Scene* scene, const SceneModel* model);
 
-/// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13), apart 2·10⁻¹⁵ ≤ 4·10⁻¹³", as set_line sets it. Empty where
-/// there are no values; no relation where the step is too long to tell.
+/// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13), apart 2·10⁻¹⁵ ≤ 4·10⁻¹³", as set_line sets it: what the two
+/// sides of the equation come to. Of a claim of several lines only how far the worst of them is off. No
+/// numbers where the step is too long to tell, and nothing where there are no values.
 std::string live_text(const Claim& claim, const LiveState& live, View view);
 /// As wide as nearly all of a claim; a wider one is set smaller.
 std::string widest_live_text(const Claim& claim);

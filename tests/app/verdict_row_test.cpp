@@ -92,5 +92,22 @@ TEST(LiveText, SetsAFactorOfTenApart) {
   EXPECT_THAT(live_text_of("T = T", ClaimKind::law, scene, 0.0), HasSubstr("5.18${\\cdot}10^{6}$"));
 }
 
+// A page could not say whose sides they are.
+TEST(LiveText, OfSeveralLinesSaysOnlyHowFarTheWorstIsOff) {
+  const std::string text = live_text_of("T = dot(omega, L)/2\nddt(L) = N", ClaimKind::law, spinning(), 0.0);
+  EXPECT_THAT(text, ::testing::StartsWith("apart "));
+  EXPECT_THAT(text, Not(HasSubstr("=")));
+  EXPECT_EQ(live_text_of("T = 0\nw1 = 0", ClaimKind::is_false, spinning(), 0.0), "");
+}
+
+// Two vectors that differ, under what is proved, would seem to refute it.
+TEST(LiveText, ShowsNoNumbersOfAStepThatDecidesNothing) {
+  Scene scene = spinning();
+  scene.motion.method = Method::splitting;
+  scene.motion.step_s = 0.4;
+  EXPECT_EQ(live_text_of("star(L) = cross(L, omega)", ClaimKind::free, scene, 1.0),
+            "the step is too long to tell");
+}
+
 }  // namespace
 }  // namespace polhode
