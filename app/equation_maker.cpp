@@ -151,8 +151,8 @@ class EquationMaker : public PictureMaker {
     const SceneModel model = scene ? make_model(*scene, Product::page, context_.effort) : SceneModel();
     const auto live = scene ? live_state(model, still_time_s(*scene)) : std::nullopt;
     for (const LiveRoom& room : take_live_rooms(list)) {
-      const PlacedType number =
-          live_number_in(room, equation.live[room.index], live ? &*live : nullptr, context_.renderer.fonts());
+      const auto value = live ? live_number(equation.live[room.index], *live) : std::nullopt;
+      const PlacedType number = live_number_in(room, value, context_.renderer.fonts());
       append(list, number.list, number.at.x(), number.at.y());
     }
   }

@@ -12,18 +12,6 @@ namespace polhode {
 
 namespace {
 
-/// Three digits; a power of ten is set apart where there are too many zeros.
-std::string number_text(double value) {
-  if (value == 0) return "0";
-  const double size = std::abs(value);
-  const int exponent = static_cast<int>(std::floor(std::log10(size) + 1e-9));
-  const bool is_plain = exponent >= -2 && exponent <= 3;
-  const int decimals = is_plain ? std::clamp(2 - exponent, 0, 3) : 0;
-  std::string text = fmt::format("{:.{}f}", is_plain ? size : size / std::pow(10.0, exponent), decimals);
-  if (!is_plain) text += fmt::format("${{\\cdot}}10^{{{}}}$", exponent);
-  return (value < 0 ? "−" : "") + text;
-}
-
 std::optional<std::size_t> live_index(const std::string& name, const std::vector<std::string>& live_names) {
   const auto found = std::find(live_names.begin(), live_names.end(), name);
   if (found == live_names.end()) return std::nullopt;
@@ -31,6 +19,17 @@ std::optional<std::size_t> live_index(const std::string& name, const std::vector
 }
 
 }  // namespace
+
+std::string live_number_text(double value) {
+  if (value == 0) return "0";
+  const std::string rounded = fmt::format("{:.2e}", std::abs(value));  // "2.25e+04"
+  const std::size_t e = rounded.find('e');
+  const int exponent = std::stoi(rounded.substr(e + 1));
+  const bool is_plain = exponent >= -2 && exponent <= 4;
+  const std::string text = is_plain ? fmt::format("{:.{}f}", std::abs(value), std::max(2 - exponent, 0))
+                                    : fmt::format("{}${{\\cdot}}10^{{{}}}$", rounded.substr(0, e), exponent);
+  return (value < 0 ? "−" : "") + text;
+}
 
 std::vector<LiveRoom> take_live_rooms(DisplayList& list) {
   std::vector<std::string> live_names;
@@ -48,13 +47,17 @@ std::vector<LiveRoom> take_live_rooms(DisplayList& list) {
   return rooms;
 }
 
-PlacedType live_number_in(const LiveRoom& room, const Expression& number, const LiveState* live,
-                          const Fonts& fonts) {
-  const auto value = live ? live_number(number, *live) : std::nullopt;
+PlacedType live_number_in(const LiveRoom& room, std::optional<double> value, const Fonts& fonts) {
   TextStyle style;
   style.size = room.size;
   style.color = room.color;
-  DisplayList list = set_line(value ? number_text(*value) : "…", style, fonts);
+  const std::string text = value ? live_number_text(*value) : "…";
+  DisplayList list = set_line(text, style, fonts);
+  const double width = set_line(std::string(kLiveRoom), style, fonts).width;
+  if (list.width > width) {
+    style.size *= width / list.width;
+    list = set_line(text, style, fonts);
+  }
   return {.list = std::move(list), .at = room.at};
 }
 

@@ -5,6 +5,8 @@
 #include "lessons/live_claims.h"
 #include "render/scene/sheet.h"
 
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace polhode {
@@ -20,8 +22,11 @@ struct LiveRoom {
 /// Takes what holds their room out of the list.
 std::vector<LiveRoom> take_live_rooms(DisplayList& list);
 
-/// The number in its room, three digits; dots where there is no motion, or no value.
-PlacedType live_number_in(const LiveRoom& room, const Expression& number, const LiveState* live,
-                          const Fonts& fonts);
+/// Three digits, of whole numbers up to five: "2.47", "0.0123", "22500"; others with a power of ten, as
+/// set_line sets it.
+std::string live_number_text(double value);
+
+/// The number in its room, smaller where it is too wide; dots where there is none.
+PlacedType live_number_in(const LiveRoom& room, std::optional<double> value, const Fonts& fonts);
 
 }  // namespace polhode

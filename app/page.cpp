@@ -153,8 +153,10 @@ void add_meters(const PageRequest& request, const Grid& grid, const std::vector<
 /// The values of a piece's claims and the live numbers of its formulas, each at its slot.
 Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, const Fonts& fonts) {
   Sheet sheet;
-  for (const LiveNumberSlot& slot : piece.numbers)
-    sheet.texts.push_back(live_number_in(slot.room, *slot.number, live, fonts));
+  for (const LiveNumberSlot& slot : piece.numbers) {
+    const auto running = live ? live_number(*slot.number, *live) : std::nullopt;
+    sheet.texts.push_back(live_number_in(slot.room, slot.kept ? slot.kept : running, fonts));
+  }
   if (!live) return sheet;
   for (const LiveSlot& slot : piece.live) {
     const std::string text = live_text(*slot.claim, *live, view);

@@ -74,6 +74,42 @@ Verdicts verdicts_of(const PageRequest& request) {
   return verdicts;
 }
 
+/// Whether two scenes show one motion.
+bool same_motion(const Scene& a, const Scene& b) {
+  const Problem of_a = problem_of(a), of_b = problem_of(b);
+  return of_a.I.vector() == of_b.I.vector() && of_a.start.w_B == of_b.start.w_B &&
+         of_a.start.q_SB.coeffs() == of_b.start.q_SB.coeffs() && of_a.torque == of_b.torque &&
+         a.motion.method == b.motion.method && a.motion.step_s == b.motion.step_s &&
+         a.motion.tolerance == b.motion.tolerance && a.body.mass_kg == b.body.mass_kg && a.v0_S == b.v0_S &&
+         a.F_S == b.F_S && a.arrow == b.arrow;
+}
+
+/// The live numbers of earlier steps whose motion the page's step has replaced by another, as they are on the
+/// stills of their own: what the formula says of one motion does not turn into a number of the other.
+using KeptNumbers = std::map<const Expression*, double>;
+
+void keep_numbers(const Step& step, KeptNumbers& kept) {
+  std::optional<LiveState> live;
+  for (const Block& block : step.blocks) {
+    const auto* equation = std::get_if<Equation>(&block);
+    if (!equation || equation->live.empty()) continue;
+    if (!live) live = live_state(make_model(*step.scene), still_time_s(*step.scene));
+    for (const Expression& number : equation->live)
+      if (const auto value = live ? live_number(number, *live) : std::nullopt) kept.emplace(&number, *value);
+  }
+}
+
+KeptNumbers kept_numbers(const PageRequest& request) {
+  KeptNumbers kept;
+  const std::vector<Step>& steps = request.stage.steps;
+  const Step& present = steps[static_cast<std::size_t>(request.step - 1)];
+  for (int i = 0; i + 1 < request.step; ++i)
+    if (const Step& step = steps[static_cast<std::size_t>(i)];
+        step.scene && present.scene && !same_motion(*step.scene, *present.scene))
+      keep_numbers(step, kept);
+  return kept;
+}
+
 /// What of the earlier steps a page shows: nothing before `equations_from`, everything from `whole_from`.
 struct Selection {
   std::size_t equations_from = 0, whole_from = 0;
@@ -85,9 +121,10 @@ struct Selection {
 class ScaledText {
  public:
   ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, const Verdicts& verdicts,
-             double width, double em, double scale, const Fonts& fonts)
+             const KeptNumbers& kept, double width, double em, double scale, const Fonts& fonts)
       : request_(request),
         verdicts_(verdicts),
+        kept_(kept),
         fonts_(fonts),
         width_(width),
         em_(em),
@@ -208,6 +245,7 @@ class ScaledText {
     Pieces pieces;
     const auto take = [&](ColumnPiece piece, const Block& block) {
       piece.of = &block;
+      keep_numbers_of(piece);
       piece.is_main = first && std::get_if<Equation>(&block) == first;
       pieces.push_back(std::move(piece));
     };
@@ -246,6 +284,11 @@ class ScaledText {
                            is_present && request_.model && can_be_shown(claim, request_.model->scene));
   }
 
+  void keep_numbers_of(ColumnPiece& piece) const {
+    for (LiveNumberSlot& slot : piece.numbers)
+      if (const auto kept = kept_.find(slot.number); kept != kept_.end()) slot.kept = kept->second;
+  }
+
   /// Without the words that refute it, what is wrong would stand there as if it were right.
   const Pieces& equations(std::size_t i) {
     if (equations_[i]) return *equations_[i];
@@ -255,6 +298,7 @@ class ScaledText {
           equation && !is_refuted(request_.stage, *equation)) {
         pieces.push_back(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i])));
         pieces.back().of = &block;
+        keep_numbers_of(pieces.back());
         pieces.back().is_main = equation == focus_of(request_.stage, request_.stage.steps[i]);
       }
     equations_[i] = std::move(pieces);
@@ -263,6 +307,7 @@ class ScaledText {
 
   const PageRequest& request_;
   const Verdicts& verdicts_;
+  const KeptNumbers& kept_;
   const Fonts& fonts_;
   double width_, em_, scale_;
   TextColumn column_;
@@ -276,8 +321,9 @@ class ScaledText {
 FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts) {
   const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
   const Verdicts verdicts = verdicts_of(request);
+  const KeptNumbers kept = kept_numbers(request);
   const auto text_at = [&](double scale) {
-    return ScaledText(request, symbols, verdicts, width, em, scale, fonts);
+    return ScaledText(request, symbols, verdicts, kept, width, em, scale, fonts);
   };
   const auto fitted = [](ScaledText& text, const Selection& shown) {
     return FittedText{text.stacked(shown),

@@ -26,6 +26,8 @@ struct LiveSlot {
 struct LiveNumberSlot {
   const Expression* number = nullptr;
   LiveRoom room;
+  /// Its value where its step shows another motion than the page; absent: it runs with the page's.
+  std::optional<double> kept{};
 };
 
 /// Something in the column: its drawing from the upper left corner, and the room it takes.

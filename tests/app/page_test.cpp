@@ -487,6 +487,30 @@ TEST(Page, NumbersOfEarlierFormulasStayLive) {
   EXPECT_EQ(texts_at(2), 5u) << "and the words of the second step";
 }
 
+// "T = 2.47 J" does not become the energy of the motion that a later step follows.
+TEST(Page, NumbersOfEarlierFormulasStayWhatTheyWereWhereTheMotionIsAnother) {
+  const auto number_on_last_page = [](const std::string& later_keys) {
+    const Lesson lesson = lesson_of(
+        "# A stage {one}\n```math e\na = \\live{2*T}\n```\n\n```scene\nshow = [\"shape\"]\n```\n---\n"
+        "Then.\n\n```scene\n" +
+        later_keys + "\n```\n");
+    const SceneModel model = make_model(*lesson.stages[0].steps[1].scene, Product::page);
+    const Page page = compose_page({.lesson = lesson,
+                                    .stage = lesson.stages[0],
+                                    .step = 2,
+                                    .model = &model,
+                                    .t_s = 5.0,
+                                    .size = {1024, 768}},
+                                   test_fonts());
+    return letters_of(column_of(page).back()->list);  // values come last
+  };
+  const std::string two_T = fmt::format("{:.2f}", 0.81 + 1.75 * 0.16 + 2.5);
+  const auto expected = letters_of(set_line(two_T, {}, test_fonts()));
+  EXPECT_EQ(number_on_last_page("show = [\"omega\"]"), expected);
+  EXPECT_EQ(number_on_last_page("motion = { method = \"explicit-euler\", step = 0.2 }"), expected);
+  EXPECT_EQ(number_on_last_page("omega = [0, 0, 9]"), expected);
+}
+
 TEST(Page, AHighlightedTermIsMarkedBehind) {
   const Lesson lesson = lesson_of(kHighlighted);
   const Checked page = text_page(lesson, 1);
