@@ -146,10 +146,13 @@ void read_bodies(const TomlEntry& entry, FrontMatter& front, Report& report) {
     return;
   }
   for (const TomlEntry& one : table->entries) {
-    if (auto body = read_body(one, report))
+    if (auto body = read_body(one, report)) {
       front.bodies.named.insert_or_assign(one.key, std::move(*body));
-    else
+      const auto* keys = one.value.as<TomlTable>();
+      if (keys != nullptr && keys->find("draw") != nullptr) front.bodies.drawn_as_box.insert(one.key);
+    } else {
       front.bodies.complete = false;
+    }
   }
 }
 

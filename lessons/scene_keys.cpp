@@ -5,6 +5,7 @@
 #include "lessons/source_text.h"
 #include "lessons/suggest.h"
 #include "physics/method.h"
+#include "render/scene/rotor.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,12 @@ namespace {
 constexpr std::size_t kMaxViews = 2;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr double kMaxElevationDeg = 90;
+
+/// With moments about the pivot, where it hangs on one.
+Result<Body> body_of(const Scene& scene, const LessonBodies& bodies) {
+  if (bodies.drawn_as_box.contains(scene.body.name)) return scene.body;
+  return on_its_pivot(scene.body, scene.torque);
+}
 
 // One table's keys into one scene.
 class SceneKeys {
@@ -52,6 +59,7 @@ class SceneKeys {
          {"caption", [this](const TomlEntry& e) { caption(e); }},
          {"meters", [this](const TomlEntry& e) { meters(e); }}},
         report_);
+    check_pivot(table);
     return std::move(highlighted_);
   }
 
@@ -111,6 +119,18 @@ class SceneKeys {
       }
     }
     scene_.torque = std::move(torque);
+  }
+
+  /// Said where a table names the torque or the body, not again on steps that go on with both.
+  void check_pivot(const TomlTable& table) {
+    const TomlEntry* torque = table.find("torque");
+    const TomlEntry* named = torque != nullptr ? torque : table.find("body");
+    if (named == nullptr) return;
+    if (const auto body = body_of(scene_, bodies_); !body)
+      report_.error(
+          named->value.place,
+          "the moments of " + in_quotes(scene_.body.name) + " about the pivot: " + body.error(),
+          "let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by moments about the pivot");
   }
 
   void arrow(const TomlEntry& entry) {
@@ -324,6 +344,12 @@ Quat attitude_from(const std::vector<double>& wxyz) {
   double largest = 0;
   for (double x : wxyz) largest = std::max(largest, std::abs(x));
   return Quat(wxyz[0] / largest, wxyz[1] / largest, wxyz[2] / largest, wxyz[3] / largest).normalized();
+}
+
+Scene finished(const Scene& scene, const LessonBodies& bodies) {
+  Scene finished = scene;
+  if (auto body = body_of(scene, bodies)) finished.body = std::move(body).value();
+  return finished;
 }
 
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ Quat attitude_from(const std::vector<double>& wxyz);
 /// The lesson's own bodies; other names are those of physics/bodies.h.
 struct LessonBodies {
   std::map<std::string, Body> named;
+  std::set<std::string> drawn_as_box;  ///< of these: known by their moments, though they have a shape
   bool complete = true;  ///< false after an error in one: an unknown name is then no second error
 };
 
@@ -32,6 +34,11 @@ struct LessonScene {
   Scene scene;
   std::shared_ptr<const RichText> caption;  ///< Scene::caption, ready to be set; null: none
 };
+
+/// The scene as it is to be modelled: a body known by its shape that hangs on a pivot under `heavy` has its
+/// moments about that (render/scene/rotor.h). The scene that later keys change keeps those about the centre
+/// of mass. Where they cannot be had, the reading has said so.
+Scene finished(const Scene& scene, const LessonBodies& bodies);
 
 /// Changes `scene` by the keys of a table; a key replaces its whole value.
 /// @return what the table highlights, with places; the names are not checked here.

@@ -117,7 +117,7 @@ void StageBuilder::finish_step() {
                   only_one ? "write its text below the heading" : "leave out one ---");
   }
   if (!has_scene_) return;
-  step().scene = scene_.scene;
+  step().scene = finished(scene_.scene, front_.bodies);
   step().caption = scene_.caption;
 }
 

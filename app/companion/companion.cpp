@@ -272,16 +272,16 @@ Status Companion::set_edits(const SceneEdits& edits) {
   if (following_ && wanted.camera == edits_.camera) wanted.camera = camera();
   if (wanted.camera) wanted.camera = writable(*wanted.camera);
   if (wanted.attitude) wanted.attitude = writable(*wanted.attitude);
-  if (same_model(edited(lesson_scene(), wanted), edited(lesson_scene(), edits_))) {
-    edits_ = wanted;
-  } else {
-    const bool another = starts_another_motion(wanted, edits_);
-    try {
+  try {
+    if (same_model(edited(lesson_scene(), wanted), edited(lesson_scene(), edits_))) {
+      edits_ = wanted;
+    } else {
+      const bool another = starts_another_motion(wanted, edits_);
       make_model_of(wanted);
-    } catch (const std::domain_error& error) {
-      return failure(error.what());
+      go_on_from(another ? 0 : t_s_);
     }
-    go_on_from(another ? 0 : t_s_);
+  } catch (const std::domain_error& error) {
+    return failure(error.what());
   }
   heading_rad_ = heading_at(t_s_);
   patch_model();

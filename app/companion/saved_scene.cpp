@@ -4,6 +4,7 @@
 #include "app/trace_rows.h"
 #include "lessons/front_matter.h"
 #include "lessons/markdown.h"
+#include "render/scene/rotor.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -301,10 +302,14 @@ std::string scene_keys_of(const Scene& scene, double t_s) {
   return keys;
 }
 
-std::string own_body_of(const Body& body) {
-  if (find_body(body.name) == body) return {};
+std::string own_body_of(const Body& body, const Torque& torque) {
+  const auto reads_as_it = [&](const Body& written) {
+    const auto read = on_its_pivot(written, torque);
+    return read && *read == body;
+  };
+  if (const auto built_in = find_body(body.name); built_in && reads_as_it(*built_in)) return {};
   std::string lines = fmt::format("\n[body.{}]\n", body.name);
-  if (body.shape && make_body(body.name, body.shape->kind, body.shape->size_m, body.mass_kg) == body)
+  if (body.shape && reads_as_it(make_body(body.name, body.shape->kind, body.shape->size_m, body.mass_kg)))
     return lines + fmt::format("shape = \"{}\"\nsize_m = {}\nmass_kg = {}\n", name_of_shape(body.shape->kind),
                                toml(body.shape->size_m), toml(body.mass_kg));
   lines += fmt::format("moments = {}\n", toml(body.moments.vector()));
@@ -319,7 +324,7 @@ std::string lesson_of(const Companion& companion) {
   if (companion.has_scene()) {
     const Scene scene = saved(companion);
     keys = scene_keys_of(scene, companion.t_s());
-    text += own_body_of(scene.body);
+    text += own_body_of(scene.body, scene.torque);
   }
   text += macros_of(lesson) + symbols_of(lesson) + "+++\n\n";
   const SourceText source(lesson.source);

@@ -13,8 +13,9 @@ namespace polhode {
 /// pixels as what is shown. The body is named; own_body_of says what stands for it in the front matter.
 std::string scene_keys_of(const Scene& scene, double t_s);
 
-/// "[body.NAME]" with its keys; empty for a built-in body. A shape whose moments are not its own is left out.
-std::string own_body_of(const Body& body);
+/// "[body.NAME]" with its keys; empty for a built-in body. A shape whose moments are not its own, about the
+/// centre of mass or about the pivot of this torque, is left out.
+std::string own_body_of(const Body& body, const Torque& torque);
 
 /// A whole lesson that `polhode export` reads: the front matter with the lesson's title, symbols and macros,
 /// and the scene's body; one stage, with its steps up to the present one as the author wrote them; and the

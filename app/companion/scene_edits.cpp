@@ -2,10 +2,12 @@
 #include "app/companion/scene_edits.h"
 
 #include "lessons/scene_keys.h"
+#include "render/scene/rotor.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace polhode {
 
@@ -25,6 +27,11 @@ void replace(T& value, const std::optional<T>& edit) {
   if (edit) value = *edit;
 }
 
+Body or_throw(Result<Body> body) {
+  if (!body) throw std::domain_error(body.error());
+  return std::move(body).value();
+}
+
 void show(OverlaySet& shown, const SceneEdits& edits) {
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
@@ -39,7 +46,7 @@ Scene edited(Scene scene, const SceneEdits& edits) {
   if (!scene.attitude && scene.show.contains(Overlay::plane) && edits.off.contains(Overlay::plane))
     scene.attitude = LPoints::down;
   if (edits.attitude) scene.attitude = edits.attitude;
-  replace(scene.body, edits.body);
+  if (edits.body) scene.body = or_throw(on_its_pivot(*edits.body, scene.torque));
   replace(scene.w0_B, edits.w0_B);
   replace(scene.motion, edits.motion);
   replace(scene.views, edits.views);

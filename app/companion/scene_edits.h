@@ -27,8 +27,10 @@ struct SceneEdits {
 };
 
 /// The scene with the edits in it. ω and the attitude of the lesson stay with another body; L keeps pointing
-/// down where the plane, which had it so, is hidden. A method that cannot serve the body or torque is left to
-/// make_model to refuse.
+/// down where the plane, which had it so, is hidden. A body of a shape hangs on the pivot of the lesson's
+/// heavy torque, if there is one (render/scene/rotor.h). A method that cannot serve the body or torque is
+/// left to make_model to refuse.
+/// @throws std::domain_error if the body cannot hang there
 Scene edited(Scene scene, const SceneEdits& edits);
 
 /// Shows the overlay, or hides it; nothing is kept of what the lesson says anyway.

@@ -3,6 +3,7 @@
 // mass is.
 #pragma once
 
+#include "render/result.h"
 #include "render/scene/scene.h"
 
 namespace polhode {
@@ -13,6 +14,12 @@ struct Rotor {
   Shape shape;
   Vec3 center_B;  ///< of mass, m, from the pivot
 };
+
+/// Steiner's theorem for a body known by its shape and mass, whose moments are about the centre of mass: with
+/// HeavyTops in `torque` its moments about the pivot, at l = Σ mgr a/(m g) from there; without them as it is.
+/// It fails where l lies on no principal axis, since 1, 2, 3 are then not principal at the pivot, and where
+/// the moments overflow.
+Result<Body> on_its_pivot(Body body, const Torque& torque);
 
 /// The one torque of the scene, if it is a HeavyTop that weighs something; null otherwise.
 const HeavyTop* heavy_top_of(const Scene& scene);

@@ -181,5 +181,50 @@ TEST(SceneKeys, RefuseCaptionsOfSeveralLinesOrTooManyCharacters) {
   EXPECT_TRUE(is_refused("caption = '" + caption + "ω'"));
 }
 
+// A disc of 1 kg whose centre of mass lies 10 cm from the pivot.
+constexpr const char* kRod =
+    "+++\nformat = 1\nid = \"rod\"\ntitle = \"Rod\"\n[body.rod]\nshape = \"cylinder\"\n"
+    "size_m = [0.2, 0.2, 0.02]\nmass_kg = 1.0\n[body.plate]\nmoments = [1.0, 2.0, 2.9]\ndraw = "
+    "\"box\"\n+++\n";
+
+Vec3 moments_of(const std::string& scenes, std::size_t step) {
+  const LessonReading reading = read_lesson(kRod + ("# A stage {one}\nText.\n" + scenes), "rod.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return reading.lesson->stages[0].steps.at(step).scene->body.moments.vector();
+}
+
+TEST(SceneKeys, ABodyOfAShapeHasItsMomentsAboutThePivot) {
+  const Vec3 free(0.01 / 4 + 0.0004 / 12, 0.01 / 4 + 0.0004 / 12, 0.01 / 2);  // m(r²/4 + h²/12), m r²/2
+  const Vec3 on_pivot = free + Vec3(0.01, 0.01, 0);                           // m l²
+  const std::string heavy = "```scene\nbody = \"rod\"\ntorque = \"heavy:0.980665,0,0,1\"\n```\n";
+  EXPECT_LT((moments_of(heavy, 0) - on_pivot).norm(), 8 * kEpsilon);
+  EXPECT_LT((moments_of(heavy + "---\nMore.\n", 1) - on_pivot).norm(), 8 * kEpsilon) << "not twice";
+  EXPECT_LT((moments_of(heavy + "---\n```scene\ntorque = []\n```\n", 1) - free).norm(), 8 * kEpsilon)
+      << "without the pivot those about the centre of mass";
+}
+
+TEST(SceneKeys, MomentsThatAreGivenAreThoseAboutThePivot) {
+  EXPECT_EQ(moments_of("```scene\nbody = \"plate\"\ntorque = \"heavy:0.5,0,0,1\"\n```\n", 0),
+            Vec3(1.0, 2.0, 2.9));
+}
+
+TEST(SceneKeys, RefuseAShapeThatHangsOnNoPrincipalAxis) {
+  const auto complaints = [](const std::string& keys) {
+    return testing::complaints(testing::lesson_with("```scene\n" + keys + "\n```\n"));
+  };
+  const std::string says =
+      "error: the moments of \"book\" about the pivot: its weight hangs on no principal axis, so that 1, 2, "
+      "3 "
+      "are not principal at the pivot (let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by "
+      "moments about the pivot)";
+  EXPECT_THAT(complaints("torque = \"heavy:0.5,0,1,1\""), ElementsAre("10:10: " + says));
+  EXPECT_THAT(complaints("torque = \"heavy:0.5,0,1,0\""), IsEmpty());
+  EXPECT_THAT(complaints("body = \"textbook\"\ntorque = \"heavy:0.5,0,1,1\""), IsEmpty()) << "by moments";
+  EXPECT_THAT(complaints("body = \"textbook\"\ntorque = \"heavy:0.5,0,1,1\"\n```\n---\n```scene\n"
+                         "body = \"book\""),
+              ElementsAre("15:8: " + says));
+  EXPECT_EQ(complaints("torque = \"heavy:1e200,0,0,1\"").size(), 1U) << "moments overflow";
+}
+
 }  // namespace
 }  // namespace polhode

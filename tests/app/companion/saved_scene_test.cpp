@@ -198,7 +198,7 @@ TEST(SavedScene, DirectionsComeBackToTheBit) {
 TEST(SavedScene, SaysNothingOfWhatIsUsual) {
   EXPECT_EQ(scene_keys_of(Scene{}, 0), "");
   EXPECT_EQ(scene_keys_of(Scene{}, 2), "still = 2.0\n");
-  for (const std::string& name : named_bodies()) EXPECT_EQ(own_body_of(*find_body(name)), "") << name;
+  for (const std::string& name : named_bodies()) EXPECT_EQ(own_body_of(*find_body(name), {}), "") << name;
 }
 
 TEST(SavedScene, PointingAtSomethingIsNotSaved) {
@@ -278,6 +278,18 @@ TEST(SavedTrace, IsOfBoundedLength) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + kMostTraceLines);
   companion.go_to({1, 0});
   EXPECT_EQ(trace_of(companion), "");
+}
+
+TEST(SavedScene, ABodyOfAShapeOnItsPivotComesBack) {
+  for (const char* body : {"book", "rod"}) {
+    Companion companion(test::loaded_text(fmt::format(
+        "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n[body.rod]\nshape = \"cylinder\"\n"
+        "size_m = [0.2, 0.2, 0.02]\nmass_kg = 1.0\n+++\n# X {{x}}\nText.\n```scene\nbody = \"{}\"\n"
+        "torque = \"heavy:0.980665,0,0,1\"\nshow = [\"shape\", \"pivot\"]\n```\n",
+        body)));
+    expect_saved(companion);
+    EXPECT_TRUE(saved_step(companion).scene->body.shape) << body;
+  }
 }
 
 }  // namespace

@@ -97,5 +97,16 @@ TEST(SceneEdits, AWritableCameraIsHardlyAnotherAndStaysTheSame) {
   EXPECT_EQ(bounded.zoom, 0.1);
 }
 
+TEST(SceneEdits, ABodyOfAShapeHangsOnTheLessonsPivot) {
+  Scene scene = lesson_scene();
+  scene.torque = {HeavyTop{0.5, Vec3::UnitY()}};
+  const Body book = *find_body("book");
+  const double l_m = 0.5 / (book.mass_kg * 9.80665);
+  const Vec3 expected = book.moments.vector() + book.mass_kg * l_m * l_m * Vec3(1, 0, 1);
+  EXPECT_LT((edited(scene, {.body = book}).body.moments.vector() - expected).norm(), 1e-15);
+  scene.torque = {HeavyTop{0.5, Vec3(0.6, 0.8, 0)}};
+  EXPECT_THROW(edited(scene, {.body = book}), std::domain_error);
+}
+
 }  // namespace
 }  // namespace polhode
