@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: MIT
+// The two numbers that a page shows below an equation are those of its two sides: of all equations of all
+// lessons, against values that are computed here from the equation as it is printed, not from its claim.
+#include "lessons/live_claims.h"
+#include "physics/euler.h"
+#include "render/scene/arrow.h"
+#include "render/scene/drift.h"
+#include "tests/lessons/support.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <set>
+
+namespace polhode {
+namespace {
+
+/// A side of a printed equation: a scalar, a vector by its components on the body axes, or 0.
+struct Side {
+  Side(double scalar) : x(scalar, 0, 0) {}  // numbers and vectors are sides: implicit
+  Side(const Vec3& vector_B) : x(vector_B), is_vector(true) {}
+  Vec3 x;
+  bool is_vector = false;
+};
+using Sides2 = std::pair<Side, Side>;
+
+/// What equations speak of, from the motion alone. Vectors on the body axes; rates are central differences.
+class Now {
+ public:
+  Now(const SceneModel& model, double t_s) : model_(model), t_s_(t_s), at_(model.motion->at(t_s)) {}
+
+  Vec3 I() const { return model_.scene.body.moments.vector(); }
+  Mat3 R() const { return at_.q_SB.toRotationMatrix(); }
+  Vec3 w() const { return at_.w_B; }
+  Vec3 L() const { return times_I(w()); }
+  Vec3 N() const { return torque_B(model_.scene.torque, model_.scene.body.moments, at_); }
+  double T() const { return 0.5 * w().dot(L()); }
+  static Vec3 e(int i) { return Vec3::Unit(i - 1); }
+
+  /// d*/dt: of components on the body axes.
+  Vec3 star_w() const {
+    return rate([](const Now& now) { return now.w(); });
+  }
+  Vec3 star_L() const { return times_I(star_w()); }
+  /// d/dt: of components in space.
+  Vec3 ddt_w() const {
+    return to_body(rate([](const Now& now) -> Vec3 { return now.R() * now.w(); }));
+  }
+  Vec3 ddt_L() const {
+    return to_body(rate([](const Now& now) -> Vec3 { return now.R() * now.L(); }));
+  }
+  double ddt(const std::function<double(const Now&)>& f) const {
+    return rate([&](const Now& now) { return Vec3(f(now), 0, 0); })[0];
+  }
+  double second_w1() const {
+    return ddt([](const Now& now) { return now.star_w()[0]; });
+  }
+
+  double m() const { return drift().mass_kg; }
+  Vec3 v() const { return to_body(drift().v_S); }
+  Vec3 F() const { return to_body(drift().F_S); }
+  Vec3 ddt_v() const {
+    return to_body(rate([](const Now& now) { return now.drift().v_S; }));
+  }
+  Vec3 A() const { return to_body(A_S()); }
+  Vec3 ddt_A() const {
+    return to_body(rate([](const Now& now) { return now.A_S(); }));
+  }
+  Vec3 star_A() const {
+    return rate([](const Now& now) { return now.A(); });
+  }
+
+  /// The tensor on axes turned by 29° about (1, 1, 1).
+  Mat3 J() const {
+    const Mat3 Q = Eigen::AngleAxisd(0.5, Vec3(1, 1, 1).normalized()).toRotationMatrix();
+    return Q * I().asDiagonal() * Q.transpose();
+  }
+  Vec3 times_I(const Vec3& x) const { return I().cwiseProduct(x); }
+  Vec3 to_body(const Vec3& x_S) const { return R().transpose() * x_S; }
+
+ private:
+  template <class F>
+  Vec3 rate(const F& f) const {
+    constexpr double kStep_s = 1e-3;  // error kStep² of what turns once in some seconds
+    const double h = kStep_s / std::max(1.0, w().norm());
+    return (8 * (f(Now(model_, t_s_ + h)) - f(Now(model_, t_s_ - h))) -
+            (f(Now(model_, t_s_ + 2 * h)) - f(Now(model_, t_s_ - 2 * h)))) /
+           (12 * h);
+  }
+  Drift drift() const { return drift_at(model_.scene, t_s_); }
+  Vec3 A_S() const { return arrow_A_S(model_, t_s_, at_.q_SB); }
+
+  const SceneModel& model_;
+  double t_s_;
+  RigidBodyState at_;
+};
+
+/// Σ m r×(ω×r) over two particles of half a kilogram on each axis, which have the body's moments.
+Vec3 sum_over_particles(const Now& s) {
+  Vec3 sum = Vec3::Zero();
+  const double half_trace = 0.5 * s.I().sum();
+  for (int i = 0; i < 3; ++i)
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 r = side * std::sqrt(half_trace - s.I()[i]) * Vec3::Unit(i);
+      sum += 0.5 * r.cross(s.w().cross(r));
+    }
+  return sum;
+}
+
+/// ω×(I·ω) by its three cofactors.
+Vec3 by_cofactors(const Now& s) {
+  const Vec3 w = s.w(), L = s.L();
+  return {w[1] * L[2] - w[2] * L[1], -(w[0] * L[2] - w[2] * L[0]), w[0] * L[1] - w[1] * L[0]};
+}
+
+/// ω1 ω2 ω3 (I3 − I2), and cyclic.
+double product(const Now& s, int row) { return s.w().prod() * (s.I()[(row + 2) % 3] - s.I()[(row + 1) % 3]); }
+double sum_of_products(const Now& s) { return product(s, 0) + product(s, 1) + product(s, 2); }
+/// Left side of (7), (8), (9) without the torque.
+double euler_left(const Now& s, int row) {
+  const int j = (row + 1) % 3, k = (row + 2) % 3;
+  return s.I()[row] * s.star_w()[row] + s.w()[j] * s.w()[k] * (s.I()[k] - s.I()[j]);
+}
+double T_rate(const Now& s) {
+  return s.ddt([](const Now& now) { return now.T(); });
+}
+double L2_rate(const Now& s) {
+  return s.ddt([](const Now& now) { return now.L().squaredNorm(); });
+}
+double L2_minus_2TI(const Now& s, int i) { return s.L().squaredNorm() - 2 * s.T() * s.I()[i]; }
+/// I_i (I_i − I_k) ω_i²: what |L|² − 2T I_k is the sum of.
+double part(const Now& s, int i, int k) { return s.I()[i] * (s.I()[i] - s.I()[k]) * s.w()[i] * s.w()[i]; }
+Vec3 w_x_L(const Now& s) { return s.w().cross(s.L()); }
+Vec3 seen_from_body_plus_turn(const Now& s) { return s.star_L() + w_x_L(s); }
+
+// clang-format off
+const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
+  static const std::map<std::string, std::function<Sides2(const Now&)>> kPrinted = {
+    {"euler-equations/eq1", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.F()); }},
+    {"euler-equations/eq2", [](const Now& s) { return Sides2(s.ddt_L(), s.N()); }},
+    {"euler-equations/rotation-dot", [](const Now& s) { return Sides2(2 * s.L().dot(s.ddt_L()), 2 * s.L().dot(s.N())); }},
+    {"euler-equations/rotation-length", [](const Now& s) { return Sides2(L2_rate(s), 2 * s.L().dot(s.N())); }},
+    {"euler-equations/eq3", [](const Now& s) { return Sides2(s.m() * s.v(), s.m() * s.v()); }},
+    {"euler-equations/momentum-parallel", [](const Now& s) { return Sides2(s.v().cross(s.v()), 0.0); }},
+    {"euler-equations/momentum-product", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.m() * s.ddt_v()); }},
+    {"euler-equations/momentum-ma", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.F()); }},
+    {"euler-equations/angular-rigid", [](const Now& s) { return Sides2(s.L(), sum_over_particles(s)); }},
+    {"euler-equations/eq4", [](const Now& s) { return Sides2(s.L(), s.times_I(s.w())); }},
+    {"euler-equations/contrast-parallel", [](const Now& s) { return Sides2(s.v().cross(s.v()), 0.0); }},
+    {"euler-equations/contrast-not-parallel", [](const Now& s) { return Sides2(w_x_L(s), 0.0); }},
+    {"euler-equations/contrast-square", [](const Now& s) {
+       const double a = s.I()[0] * s.w()[0] * s.w()[0], b = s.I()[2] * s.w()[2] * s.w()[2];
+       return Sides2((a + b) * (a + b), 4 * a * b + (a - b) * (a - b)); }},
+    {"euler-equations/contrast-hypotenuse", [](const Now& s) {
+       const double I1 = s.I()[0], I3 = s.I()[2];
+       return Sides2((I3 - I1) * (I3 - I1) + 4 * I1 * I3, (I3 + I1) * (I3 + I1)); }},
+    {"euler-equations/tensor-symmetric", [](const Now& s) {
+       return Sides2(s.w().cross(s.times_I(s.e(1))) - s.times_I(s.w().cross(s.e(1))), s.w()[2] * (s.I()[0] - s.I()[1]) * s.e(2)); }},
+    {"euler-equations/transport-expand", [](const Now& s) { return Sides2(s.A(), s.A()); }},
+    {"euler-equations/transport-product", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
+    {"euler-equations/transport-steps", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
+    {"euler-equations/transport-sums", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
+    {"euler-equations/transport-theorem", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
+    {"euler-equations/transport-scalar", [](const Now& s) {
+       return Sides2(s.ddt([](const Now& now) { return now.A().squaredNorm(); }), 2 * s.A().dot(s.star_A())); }},
+    {"euler-equations/vector-transport", [](const Now& s) { return Sides2(s.ddt_L(), seen_from_body_plus_turn(s)); }},
+    {"euler-equations/eq5", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
+    {"euler-equations/vector-tempting", [](const Now& s) { return Sides2(s.star_L(), s.N()); }},
+    {"euler-equations/substitute-from", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
+    {"euler-equations/substitute-both", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
+    {"euler-equations/substitute-tempting", [](const Now& s) { return Sides2(s.L() + w_x_L(s), s.N()); }},
+    {"euler-equations/tensor-two-terms", [](const Now& s) { return Sides2(s.star_L(), s.times_I(s.star_w())); }},
+    {"euler-equations/tensor-outside", [](const Now& s) { return Sides2(s.times_I(s.star_w()) + w_x_L(s), s.N()); }},
+    {"euler-equations/omega-transport", [](const Now& s) { return Sides2(s.ddt_w(), s.star_w()); }},
+    {"euler-equations/omega-dot", [](const Now& s) { return Sides2(s.ddt_w(), s.star_w()); }},
+    {"euler-equations/tensor-collect", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
+    {"euler-equations/eq6", [](const Now& s) { return Sides2(s.times_I(s.star_w()) + w_x_L(s), s.N()); }},
+    {"euler-equations/euler-moved", [](const Now& s) { return Sides2(s.times_I(s.star_w()), s.N() - w_x_L(s)); }},
+    {"euler-equations/euler-solved", [](const Now& s) { return Sides2(s.star_w(), (s.N() - w_x_L(s)).cwiseQuotient(s.I())); }},
+    {"euler-equations/principal-tempting", [](const Now& s) { return Sides2(s.J()(0, 1), 0.0); }},
+    {"euler-equations/determinant", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
+    {"euler-equations/determinant-first", [](const Now& s) { return Sides2(by_cofactors(s)[0], by_cofactors(s)[0]); }},
+    {"euler-equations/determinant-second", [](const Now& s) { return Sides2(by_cofactors(s)[1], by_cofactors(s)[1]); }},
+    {"euler-equations/determinant-third", [](const Now& s) { return Sides2(by_cofactors(s)[2], by_cofactors(s)[2]); }},
+    {"euler-equations/determinant-cofactors", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
+    {"euler-equations/determinant-factored", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
+    {"euler-equations/determinant-flipped", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
+    {"euler-equations/determinant-tempting", [](const Now& s) {
+       return Sides2(s.w().cross(s.J() * s.w())[0], s.w()[1] * s.w()[2] * (s.J()(2, 2) - s.J()(1, 1))); }},
+    {"euler-equations/components-along-i", [](const Now& s) { return Sides2(euler_left(s, 0) * s.e(1), s.N()[0] * s.e(1)); }},
+    {"euler-equations/eq7", [](const Now& s) { return Sides2(euler_left(s, 0), s.N()[0]); }},
+    {"euler-equations/eq8", [](const Now& s) { return Sides2(euler_left(s, 1), s.N()[1]); }},
+    {"euler-equations/eq9", [](const Now& s) { return Sides2(euler_left(s, 2), s.N()[2]); }},
+    {"euler-equations/eq10", [](const Now& s) { return Sides2(euler_left(s, 0), 0.0); }},
+    {"euler-equations/eq11", [](const Now& s) { return Sides2(euler_left(s, 1), 0.0); }},
+    {"euler-equations/eq12", [](const Now& s) { return Sides2(euler_left(s, 2), 0.0); }},
+    {"euler-equations/free-tempting", [](const Now& s) { return Sides2(s.star_w(), 0.0); }},
+    {"euler-equations/energy-first-row", [](const Now& s) { return Sides2(s.w()[0] * s.I()[0] * s.star_w()[0] + product(s, 0), 0.0); }},
+    {"euler-equations/energy-dot", [](const Now& s) { return Sides2(s.w().dot(s.star_L()) + s.w().dot(w_x_L(s)), 0.0); }},
+    {"euler-equations/energy-vector", [](const Now& s) { return Sides2(s.w().dot(w_x_L(s)), 0.0); }},
+    {"euler-equations/energy-sum", [](const Now& s) { return Sides2(s.w().dot(s.star_L()) + sum_of_products(s), 0.0); }},
+    {"euler-equations/energy-cancel", [](const Now& s) { return Sides2(sum_of_products(s), 0.0); }},
+    {"euler-equations/energy-left", [](const Now& s) { return Sides2(s.w().dot(s.star_L()), 0.0); }},
+    {"euler-equations/energy-cancel-tempting", [](const Now& s) { return Sides2(product(s, 0), 0.0); }},
+    {"euler-equations/energy-definition", [](const Now& s) { return Sides2(s.T(), 0.5 * s.I().dot(s.w().cwiseAbs2())); }},
+    {"euler-equations/energy-square", [](const Now& s) {
+       return Sides2(s.ddt([](const Now& now) { return 0.5 * now.I()[0] * now.w()[0] * now.w()[0]; }), s.L()[0] * s.star_w()[0]); }},
+    {"euler-equations/energy-rate", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.star_w())); }},
+    {"euler-equations/energy-conserved", [](const Now& s) { return Sides2(T_rate(s), 0.0); }},
+    {"euler-equations/energy-measured", [](const Now& s) { return Sides2(2 * T_rate(s), 0.0); }},
+    {"euler-equations/energy-work", [](const Now& s) { return Sides2(T_rate(s), s.N().dot(s.w())); }},
+    {"euler-equations/momentum-expanded", [](const Now&) { return Sides2(0.0, 0.0); }},
+    {"euler-equations/momentum-cancel", [](const Now&) { return Sides2(0.0, 0.0); }},
+    {"euler-equations/momentum-left", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), 0.0); }},
+    {"euler-equations/magnitude-square", [](const Now& s) { return Sides2(s.L().squaredNorm(), s.I().cwiseAbs2().dot(s.w().cwiseAbs2())); }},
+    {"euler-equations/magnitude-rate", [](const Now& s) { return Sides2(0.5 * L2_rate(s), s.L().dot(s.star_L())); }},
+    {"euler-equations/magnitude-measured", [](const Now& s) { return Sides2(L2_rate(s), 0.0); }},
+    {"euler-equations/magnitude-subtract", [](const Now& s) { return Sides2(L2_minus_2TI(s, 0), part(s, 1, 0) + part(s, 2, 0)); }},
+    {"euler-equations/follows-product", [](const Now& s) { return Sides2(L2_rate(s), 2 * s.L().dot(s.ddt_L())); }},
+    {"euler-equations/follows-zero", [](const Now& s) { return Sides2(s.L().dot(s.ddt_L()), 0.0); }},
+    {"euler-equations/why-fixed", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
+    {"euler-equations/why-transport", [](const Now& s) { return Sides2(0.0, seen_from_body_plus_turn(s)); }},
+    {"euler-equations/why-star", [](const Now& s) { return Sides2(s.star_L(), -w_x_L(s)); }},
+    {"euler-equations/why-tempting", [](const Now& s) { return Sides2(s.star_L(), 0.0); }},
+    {"euler-equations/why-positive", [](const Now& s) { return Sides2(s.w().dot(s.L()), s.I().dot(s.w().cwiseAbs2())); }},
+    {"euler-equations/poinsot-energy", [](const Now& s) { return Sides2(s.w().dot(s.L()), 2 * s.T()); }},
+    {"euler-equations/poinsot-distance", [](const Now& s) { return Sides2(s.w().dot(s.L()) / s.L().norm(), 2 * s.T() / s.L().norm()); }},
+    {"euler-equations/poinsot-no-slip", [](const Now& s) { return Sides2(s.w().cross(s.w()), 0.0); }},
+    {"euler-equations/poinsot-speed", [](const Now& s) { return Sides2(s.ddt_w().norm(), s.star_w().norm()); }},
+
+    {"intermediate-axis/small-second", [](const Now& s) {
+       return Sides2(s.I()[1] * s.star_w()[1], (s.I()[2] - s.I()[0]) * s.w()[2] * s.w()[0]); }},
+    {"intermediate-axis/growth-product", [](const Now& s) {
+       const double D = s.I()[2] - s.I()[1];
+       return Sides2(s.ddt([D](const Now& now) { return -D * now.w()[1] * now.w()[2]; }),
+                     -D * (s.star_w()[1] * s.w()[2] + s.w()[1] * s.star_w()[2])); }},
+    {"intermediate-axis/growth-exact", [](const Now& s) {
+       const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
+       return Sides2(s.second_w1(), ((I2 - I1) * (I3 - I2) / (I1 * I3) * s.w()[1] * s.w()[1] -
+                                     (I3 - I2) * (I3 - I1) / (I1 * I2) * s.w()[2] * s.w()[2]) * s.w()[0]); }},
+    {"intermediate-axis/signs-proof", [](const Now& s) { return Sides2(L2_minus_2TI(s, 0), part(s, 1, 0) + part(s, 2, 0)); }},
+    {"intermediate-axis/signs-proof-three", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
+    {"intermediate-axis/signs-saddle", [](const Now& s) { return Sides2(L2_minus_2TI(s, 1), part(s, 2, 1) + part(s, 0, 1)); }},
+    {"intermediate-axis/separatrix-constant", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
+    {"intermediate-axis/separatrix-kappa", [](const Now& s) {
+       const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2], kappa = std::sqrt(I1 * (I2 - I1) / (I3 * (I3 - I2)));
+       return Sides2(std::pow(kappa * (I3 - I2) / I1, 2), (I2 - I1) * (I3 - I2) / (I1 * I3)); }},
+    {"intermediate-axis/L-space", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
+    {"intermediate-axis/L-along-two", [](const Now& s) { return Sides2(s.L()[1], s.I()[1] * s.w()[1]); }},
+    {"intermediate-axis/no-torque-body", [](const Now& s) { return Sides2(s.star_L(), -w_x_L(s)); }},
+    {"intermediate-axis/sink-proof", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
+    {"intermediate-axis/extremes-difference", [](const Now& s) { return Sides2(L2_minus_2TI(s, 1), part(s, 2, 1) + part(s, 0, 1)); }},
+
+    {"numerical-lab/task-equations", [](const Now& s) { return Sides2(s.times_I(s.star_w()), s.N() - w_x_L(s)); }},
+    {"numerical-lab/order-energy", [](const Now& s) { return Sides2(2 * s.T(), s.I().dot(s.w().cwiseAbs2())); }},
+    {"numerical-lab/splitting-energy", [](const Now& s) { return Sides2(s.T(), 0.5 * s.I().dot(s.w().cwiseAbs2())); }},
+  };
+  return kPrinted;
+}
+// clang-format on
+
+/// Calls `use(name, claim, scene)` for every claim whose two sides a page shows, as app/verdict_row.h has it.
+template <class Use>
+void for_each_shown_pair(const Use& use) {
+  for (const char* id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
+    const auto path = testing::source_dir() / "lessons" / (std::string(id) + ".md");
+    const LessonReading reading = read_lesson(testing::read_file(path), id);
+    ASSERT_TRUE(reading.lesson) << id;
+    for (const Stage& stage : reading.lesson->stages)
+      for (const Step& step : stage.steps)
+        for (const Block& block : step.blocks)
+          if (const auto* claim = std::get_if<Claim>(&block))
+            if (step.scene && claim->lines.size() == 1 && can_be_shown(*claim, *step.scene))
+              use(std::string(id) + '/' + claim->equation, *claim, *step.scene);
+  }
+}
+
+void expect_side(const Side& side, const std::array<double, 3>& shown, const Now& now, View view,
+                 double apart) {
+  const Vec3 expected = side.is_vector && view == View::space ? Vec3(now.R() * side.x) : side.x;
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(shown[static_cast<std::size_t>(i)], expected[i], apart);
+}
+
+TEST(ShownPairs, AreTheTwoSidesOfThePrintedEquation) {
+  std::set<std::string> seen;
+  for_each_shown_pair([&](const std::string& name, const Claim& claim, const Scene& scene) {
+    SCOPED_TRACE(name);
+    const auto found = printed().find(name);
+    ASSERT_NE(found, printed().end()) << "its printed sides are not written down here";
+    seen.insert(name);
+    const SceneModel model = make_model(scene);
+    for (const double t_s : {still_time_s(scene), 0.37 * model.span_s}) {
+      const Now now(model, t_s);
+      const auto live = live_state(model, t_s);
+      ASSERT_TRUE(live);
+      const View view = scene.views.front();
+      const auto shown = live_value(claim, *live, view);
+      ASSERT_TRUE(shown);
+      const auto [left, right] = found->second(now);
+      // Rates are differences here and there; a method that goes step by step has kinks between its steps.
+      const double apart = (1e-7 + shown->tolerance) * shown->size;
+      expect_side(left, shown->left, now, view, apart);
+      expect_side(right, shown->right, now, view, apart);
+    }
+  });
+  for (const auto& [name, sides] : printed()) EXPECT_TRUE(seen.contains(name)) << name << " shows no pair";
+}
+
+}  // namespace
+}  // namespace polhode
