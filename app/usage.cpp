@@ -65,9 +65,7 @@ ExitCode report(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = named_command(app);
   const bool unexpected = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   const std::string text = unexpected ? unexpected_word(app, command) : error.what();
-  say("polhode: {}
-See: polhode {}--help
-", text, &command == &app ? "" : command.get_name() + " ");
+  say("polhode: {}\nSee: polhode {}--help\n", text, &command == &app ? "" : command.get_name() + " ");
   return ExitCode::usage;
 }
 
