@@ -78,7 +78,8 @@ TEST(Lint, AHugeOrTinyAngularVelocityIsOneOrHasADiagnostic) {
     const bool is_extreme = std::string(omega).find("7e308, 1.7") != std::string::npos ||
                             std::string(omega).find("4e-324") != std::string::npos;
     EXPECT_EQ(found.code, is_extreme ? 3 : 0) << omega << found.messages();
-    if (is_extreme) EXPECT_THAT(found.messages(), HasSubstr("to be drawn"));
+    if (!is_extreme) continue;
+    EXPECT_THAT(found.messages(), HasSubstr("to be drawn"));
   }
 }
 
@@ -115,7 +116,7 @@ constexpr double kMostCpu_s = double(kLintBudget) * 50e-9 * 12;
 
 void expect_bounded(const std::string& name, const std::string& text, int code) {
   const Linted found = linted(text);
-  RecordProperty("cpu_s_" + name, std::to_string(found.cpu_s));
+  testing::Test::RecordProperty("cpu_s_" + name, std::to_string(found.cpu_s));
   EXPECT_EQ(found.code, code) << name << found.messages();
   EXPECT_LT(found.cpu_s, kMostCpu_s) << name;
 }
@@ -179,7 +180,8 @@ TEST(Lint, EchoesNothingThatSteersATerminal) {
     }
     EXPECT_EQ(run.out.find('\0'), std::string::npos);
     EXPECT_THAT(run.out, HasSubstr("\\u001b[31mRED")) << json;
-    if (*json) EXPECT_TRUE(Json::parse(run.out).is_array());
+    if (*json == '\0') continue;
+    EXPECT_TRUE(Json::parse(run.out).is_array());
   }
 }
 

@@ -75,7 +75,7 @@ TEST(CheckClaims, EndAtTheClaimThatIsTooDear) {
   const auto near = faults_within(claim + scene, kClaimLineEvaluations + 5'000);
   ASSERT_THAT(near, SizeIs(1));
   EXPECT_THAT(near[0], HasSubstr("error: the lesson is too long to check"));
-  EXPECT_THAT(near[0], ::testing::MatchesRegex("a\\.md:1[0-9]:.*"));
+  EXPECT_THAT(near[0], ::testing::StartsWith("12:1: error:"));
 }
 
 TEST(CheckClaims, ASearchInVainIsPaidFor) {
