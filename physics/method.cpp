@@ -177,12 +177,18 @@ std::unique_ptr<const Motion> make_motion(const Problem& unchecked, const Method
 std::string why_no_state(const Motion& motion, const Problem& problem, double t_s) {
   if (motion.is_too_far(t_s)) return "it takes more steps than are made: choose a shorter time";
   const auto method = method_from(motion.method());
-  const bool has_step = method && facts_of(*method).control == fixed;
-  const std::string torque = problem.torque.empty() ? "" : "the torque is too large";
-  const std::string rest = has_step                 ? "the step is too long"
-                           : problem.torque.empty() ? "the angular velocity or the time is too large"
-                                                    : "";
-  return "its numbers overflow: " + torque + (torque.empty() || rest.empty() ? "" : ", or ") + rest;
+  const bool is_free = problem.torque.empty();
+  switch (method ? facts_of(*method).control : none) {
+    case adaptive:
+      return std::string("no step is short enough: the ") + (is_free ? "angular velocity" : "torque") +
+             " is too large";
+    case fixed:
+      return std::string("its numbers overflow: ") +
+             (is_free ? "the step is too long" : "the torque is too large, or the step too long");
+    case none:
+      break;
+  }
+  return "its numbers overflow: the angular velocity or the time is too large";
 }
 
 }  // namespace polhode

@@ -79,8 +79,8 @@ struct MethodChoice {
 std::unique_ptr<const Motion> make_motion(const Problem& problem, const MethodChoice& choice,
                                           const Effort& effort = {});
 
-/// Of a time at which the motion has no state: why, and what to change. "its numbers overflow: the step is
-/// too long".
+/// Why the motion has no state at t_s, where it has none: "its numbers overflow: the step is too long".
+/// Speaks of a torque only where there is one.
 std::string why_no_state(const Motion& motion, const Problem& problem, double t_s);
 
 }  // namespace polhode
