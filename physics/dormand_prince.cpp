@@ -4,6 +4,7 @@
 #include "physics/checkpoints.h"
 #include "physics/dormand_prince_coefficients.h"
 #include "physics/scaled_problem.h"
+#include "physics/subnormal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +21,10 @@ constexpr int kSize = MotionVector::kSize;
 
 bool w_is_finite(const MotionVector& y) {
   return std::isfinite(y[0]) && std::isfinite(y[1]) && std::isfinite(y[2]);
+}
+
+bool has_subnormal(const MotionVector& y) {
+  return std::any_of(y.v, y.v + kSize, [](double x) { return any_subnormal(x); });
 }
 
 double largest_w(const MotionVector& y) { return std::max({std::abs(y[0]), std::abs(y[1]), std::abs(y[2])}); }
@@ -334,7 +339,10 @@ class Side {
   double step(Node& node, MotionVector* k, MotionVector& end) const {
     const std::int64_t before = node.evaluations;
     const double h = tried_step(node, k, end);
-    spend(limits_.effort, node.evaluations - before);
+    if (limits_.effort) {
+      const bool is_dear = has_subnormal(node.y) || has_subnormal(node.rate);
+      spend(limits_.effort, (node.evaluations - before) * (is_dear ? kSubnormalFactor : 1));
+    }
     return h;
   }
 

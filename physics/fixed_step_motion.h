@@ -13,6 +13,7 @@
 #include "physics/motion.h"
 #include "physics/scaled_problem.h"
 #include "physics/step_arithmetic.h"
+#include "physics/subnormal.h"
 
 #include <cmath>
 #include <cstdint>
@@ -110,7 +111,9 @@ class FixedStepMotion final : public Motion {
   void advance(State& y, const Plan& plan, std::int64_t n) const {
     const std::int64_t before = y.evaluations;
     stepper_.advance(y, plan, n);
-    spend(effort_, y.evaluations - before);
+    if (!effort_) return;
+    const bool is_dear = any_subnormal(y.v.x, y.v.y, y.v.z, y.q.s, y.q.x, y.q.y, y.q.z);
+    spend(effort_, (y.evaluations - before) * (is_dear ? kSubnormalFactor : 1));
   }
 
   std::optional<State> reached(double t_s) const {

@@ -3,6 +3,7 @@
 
 #include "physics/dormand_prince.h"
 #include "physics/method.h"
+#include "physics/subnormal.h"
 
 #include <gtest/gtest.h>
 
@@ -65,6 +66,20 @@ TEST(Effort, TellsOftenEnoughToStopWithinMilliseconds) {
     static_cast<void>(motion->at(1000));
     EXPECT_LT(longest, 20'000) << name_of(choice.method);  // at some 50 to 200 ns each
   }
+}
+
+TEST(Effort, SubnormalNumbersAreAsDearAsTheyAre) {
+  // Without energy to lose ω ends along one axis: the other two components fall below 1e-308 by t = 1e4 s.
+  const Problem damped{kI, {Quat::Identity(), {0.2, 3.0, 0.1}}, {EnergySink{0.05}}};
+  std::int64_t told = 0;
+  const auto motion = make_motion(damped, {Method::dormand_prince_8}, [&](std::int64_t n) { told += n; });
+  static_cast<void>(motion->at(8'000));
+  told = 0;
+  const std::int64_t before = motion->evaluations_to(1'000), after = motion->evaluations_to(8'000);
+  static_cast<void>(motion->at(1e4));
+  const std::int64_t more = motion->evaluations_to(1e4) - after;
+  ASSERT_TRUE(any_subnormal(motion->at(1e4).w_B[0]));
+  EXPECT_GT(told, 10 * more) << before << ' ' << after;
 }
 
 TEST(Effort, ThatStopsAMotionLeavesItAsItWas) {
