@@ -8,6 +8,8 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 namespace polhode {
 
 namespace {
@@ -54,6 +56,12 @@ GLFWmonitor* monitor_at(int x, int y) {
 }  // namespace
 
 Glfw::Glfw() {
+#ifdef GLFW_PLATFORM
+  // From version 3.4 on GLFW looks for Wayland before X11, and Wayland's library complains on stderr where it
+  // is not.
+  if (!std::getenv("WAYLAND_DISPLAY") && !std::getenv("WAYLAND_SOCKET"))
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
   if (glfwInit() != GLFW_TRUE)
     throw CommandError(
         ExitCode::failed,
