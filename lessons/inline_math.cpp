@@ -71,13 +71,14 @@ class InlineScan {
       return;
     }
     std::size_t end = i_ + 1;
-    while (end < paragraph_end_ && text_[end] != '$') end += text_[end] == '\\' ? 2U : 1U;
+    while (end < paragraph_end_ && text_[end] != '$') end += text_[end] == '\\' ? 2 : 1;
     if (end >= paragraph_end_) {
       report_.warning(place_of(i_), "this $ has no partner in its paragraph", "write \\$ for a dollar sign");
       i_ = paragraph_end_;
       return;
     }
-    if (is_space(text_[i_ + 1]) || is_space(text_[end - 1])) {
+    const auto byte = [this](std::size_t at) { return static_cast<unsigned char>(text_[at]); };
+    if (is_space(byte(i_ + 1)) || is_space(byte(end - 1))) {
       report_.warning(place_of(i_), "is this a formula? It begins or ends with a space",
                       "write \\$ for a dollar sign");
     } else {
