@@ -314,10 +314,13 @@ bool Expression::uses(Quantity quantity) const {
   });
 }
 
+namespace {
+
+bool is_length(const Expression& side) { return side.nodes.back().operation == Operation::norm; }
+
+}  // namespace
+
 bool has_provable_lengths(const Equality& equality) {
-  const auto is_length = [](const Expression& side) {
-    return side.nodes.back().operation == Operation::norm;
-  };
   const auto holds_one = [](const Expression& side) {
     return std::any_of(side.nodes.begin(), side.nodes.end() - 1,
                        [](const ExpressionNode& node) { return node.operation == Operation::norm; });
@@ -327,9 +330,9 @@ bool has_provable_lengths(const Equality& equality) {
 }
 
 Equality with_lengths_squared(Equality equality) {
-  for (Expression* side : {&equality.left, &equality.right})
-    if (ExpressionNode& whole = side->nodes.back(); whole.operation == Operation::norm)
-      whole.operation = Operation::norm2;
+  if (is_length(equality.left) && is_length(equality.right))
+    for (Expression* side : {&equality.left, &equality.right})
+      side->nodes.back().operation = Operation::norm2;
   return equality;
 }
 

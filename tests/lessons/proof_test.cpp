@@ -128,6 +128,12 @@ TEST(Proof, ComparesLengthsByTheirSquares) {
   EXPECT_TRUE(holds("norm(cross(omega, L)) = norm(N) => cross(omega, L) = N", K::non_sequitur));
 }
 
+// No reader lets such a line through to be proved; the prover itself must not square one side alone.
+TEST(Proof, DoesNotTakeALengthForItsSquare) {
+  const ClaimLine line = line_of("norm(omega) = norm2(omega)", ClaimKind::measured);
+  EXPECT_NE(prover().settle(line.equality, Assumption::identity), Verdict::holds);
+}
+
 TEST(Proof, ACounterexampleOfLengthsHasTheirValues) {
   const Judgement wrong = judged("norm(omega + L) = norm(omega - L)", ClaimKind::identity);
   EXPECT_EQ(wrong.verdict, Verdict::fails);
