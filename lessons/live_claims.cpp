@@ -55,9 +55,9 @@ std::array<SizedNumber, 3> sized(const Vec3& x) {
   return {{{x[0], size}, {x[1], size}, {x[2], size}}};
 }
 
-Mat3 mounted_askew(const PrincipalMoments& I) {
-  const Mat3 Q = Eigen::AngleAxisd(kMountedAskew, Vec3::Ones().normalized()).toRotationMatrix();
-  return Q * I.vector().asDiagonal() * Q.transpose();
+Mat3 on_turned_axes(const PrincipalMoments& I) {
+  const Mat3 Q = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
+  return Q.transpose() * I.vector().asDiagonal() * Q;
 }
 
 /// By what the rates of a computed motion differ from those it should have, relative.
@@ -136,7 +136,7 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
   s.m = drift.mass_kg;
   s.N_B = sized(torque_B(model.scene.torque, I, state));
   for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = I.vector()[i];
-  const Mat3 J = mounted_askew(I);
+  const Mat3 J = on_turned_axes(I);
   s.J = {J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2)};
   live.rounding = rounding_at(t_s, rate);
   live.method_error = error_of_method(model, rate);
@@ -206,7 +206,11 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
     if (uses(Q::A) && !scene.show.contains(Overlay::transport)) return false;
     const bool of_tensor = uses_any(Q::Jxx, Q::Jxy, Q::Jxz, Q::Jyy, Q::Jyz, Q::Jzz) ||
                            uses_any(Operation::apply, Operation::trace);
-    if (of_tensor && claim.kind != ClaimKind::is_false) return false;
+    // J has its components on other axes than these.
+    const bool on_principal_axes = uses_any(Q::T, Q::omega, Q::L, Q::N, Q::w1, Q::w2, Q::w3, Q::dw1, Q::dw2,
+                                            Q::dw3, Q::N1, Q::N2, Q::N3) ||
+                                   uses(Operation::inertia);
+    if (of_tensor && (claim.kind != ClaimKind::is_false || on_principal_axes)) return false;
     return !(slips && has_rates(line.equality));
   });
 }

@@ -15,7 +15,7 @@
 namespace polhode {
 
 /// A motion at one time, as claims see it. A is the scene's arrow, v, p, F, m are of the centre of mass, and
-/// J is the body's tensor as it would be with its principal axes turned against the body's by kMountedAskew.
+/// J is the body's tensor, its components on axes that are turned against the principal ones by kTurnOfAxes.
 struct LiveState {
   ClaimState<SizedNumber> state;
   /// What rounding and the differences allow of a residual; and where rates are compared, the method's error
@@ -24,7 +24,7 @@ struct LiveState {
 };
 
 /// About the axis (1, 1, 1), rad.
-inline constexpr double kMountedAskew = 0.5;
+inline constexpr double kTurnOfAxes = 0.5;
 
 /// Nothing where the motion cannot be computed. Seven states of the motion, some 10 µs for a closed form.
 std::optional<LiveState> live_state(const SceneModel& model, double t_s);
@@ -38,8 +38,8 @@ struct LiveValue {
 };
 /// Whether the scene has what the claim speaks of. Not the scene of a non-sequitur, which is about another
 /// motion; of p, v, F, m only where the centre of mass drifts; of A where that arrow is shown; of J, which no
-/// scene has, only where that refutes something; and of rates nothing where a sink lets the body slip. What
-/// is measured is always shown.
+/// scene has, only where that refutes something said of J alone; and of rates nothing where a sink lets the
+/// body slip. What is measured is always shown.
 bool can_be_shown(const Claim& claim, const Scene& scene);
 /// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);

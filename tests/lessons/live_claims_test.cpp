@@ -100,6 +100,16 @@ TEST(LiveClaims, WhatIsFalseIsFarApart) {
   }
 }
 
+// Seen from axes that are turned one way, a body is turned the other way.
+TEST(LiveClaims, JIsTheTensorOnAxesThatAreTurned) {
+  const Scene scene = tumbling();
+  const Vec3 I = scene.body.moments.vector();
+  const Eigen::AngleAxisd turn(kTurnOfAxes, Vec3(1, 1, 1).normalized());
+  const Vec3 x = turn * Vec3::UnitX(), y = turn * Vec3::UnitY();
+  const LiveValue value = value_of("dot(e1, apply(J, e2)) = 0", scene, 1.7);
+  EXPECT_NEAR(value.left[0], x.dot(I.cwiseProduct(y)), 8 * 2.3e-16 * I.maxCoeff());
+}
+
 TEST(LiveClaims, SidesComeInTheFrameOfTheView) {
   const Scene scene = tumbling();
   const LiveValue body = value_of("omega = omega", scene, 0.0, View::body);
@@ -160,6 +170,9 @@ TEST(LiveClaims, SpeakOfWhatTheSceneHas) {
   EXPECT_FALSE(shown("p = m*v"));
   EXPECT_FALSE(shown("star(apply(J, L)) = apply(J, star(L))"));
   EXPECT_TRUE(shown("ddt(trace(J)) = 0", ClaimKind::measured));
+  EXPECT_TRUE(shown("dot(e1, apply(J, e2)) = 0", ClaimKind::is_false));
+  EXPECT_FALSE(shown("dot(omega, apply(J, omega)) = 2*T", ClaimKind::is_false))
+      << "J has its components on other axes than omega";
   scene.show.insert(Overlay::transport);
   scene.v0_S = Vec3(1, 0, 0);
   EXPECT_TRUE(shown("ddt(A) = star(A) + cross(omega, A)"));

@@ -71,10 +71,13 @@ class Now {
     return rate([](const Now& now) { return now.A(); });
   }
 
-  /// The tensor on axes turned by 29° about (1, 1, 1).
+  /// The tensor on axes turned by 29° about (1, 1, 1), the columns of Q: J_ij = e'_i·I·e'_j.
   Mat3 J() const {
     const Mat3 Q = Eigen::AngleAxisd(0.5, Vec3(1, 1, 1).normalized()).toRotationMatrix();
-    return Q * I().asDiagonal() * Q.transpose();
+    Mat3 made;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) made(i, j) = Q.col(i).dot(I().cwiseProduct(Q.col(j)));
+    return made;
   }
   Vec3 times_I(const Vec3& x) const { return I().cwiseProduct(x); }
   Vec3 to_body(const Vec3& x_S) const { return R().transpose() * x_S; }
@@ -186,8 +189,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/determinant-cofactors", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-factored", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-flipped", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
-    {"euler-equations/determinant-tempting", [](const Now& s) {
-       return Sides2(s.w().cross(s.J() * s.w())[0], s.w()[1] * s.w()[2] * (s.J()(2, 2) - s.J()(1, 1))); }},
     {"euler-equations/components-along-i", [](const Now& s) { return Sides2(euler_left(s, 0) * s.e(1), s.N()[0] * s.e(1)); }},
     {"euler-equations/eq7", [](const Now& s) { return Sides2(euler_left(s, 0), s.N()[0]); }},
     {"euler-equations/eq8", [](const Now& s) { return Sides2(euler_left(s, 1), s.N()[1]); }},
