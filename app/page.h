@@ -16,6 +16,7 @@ namespace polhode {
 inline constexpr Size kSmallestPage{320, 240};
 
 struct FittedText;
+class StillNumbers;
 
 struct PageRequest {
   const Lesson& lesson;
@@ -41,6 +42,8 @@ struct PageRequest {
   std::optional<double> travel{};
   const FittedText* from =
       nullptr;  ///< of the page before, of the same lesson; null: all that is new fades in
+  /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
+  StillNumbers* still_numbers = nullptr;
 };
 
 struct Page {

@@ -3,6 +3,7 @@
 
 #include "app/exit_codes.h"
 #include "app/page.h"
+#include "app/still_numbers.h"
 #include "lessons/lint_budget.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,12 @@ class PageLint {
  public:
   PageLint(const Lesson& lesson, const Fonts& fonts, std::string_view file_name, std::span<const Size> sizes,
            const Effort& effort)
-      : lesson_(lesson), fonts_(fonts), file_(file_name), sizes_(sizes), effort_(effort) {}
+      : lesson_(lesson),
+        fonts_(fonts),
+        file_(file_name),
+        sizes_(sizes),
+        effort_(effort),
+        still_numbers_(effort) {}
 
   std::vector<Diagnostic> all() {
     try {
@@ -64,7 +70,8 @@ class PageLint {
                   .model = step.scene ? &model : nullptr,
                   .t_s = step.scene ? still_time_s(*step.scene) : 0.0,
                   .size = size,
-                  .theme = Theme::paper}))
+                  .theme = Theme::paper,
+                  .still_numbers = &still_numbers_}))
         break;
     }
   }
@@ -102,6 +109,7 @@ class PageLint {
   std::string file_;
   std::span<const Size> sizes_;
   const Effort& effort_;
+  StillNumbers still_numbers_;
   SourcePlace place_;  ///< of the step that is checked
   std::vector<Diagnostic> found_;
 };

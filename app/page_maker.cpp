@@ -6,6 +6,7 @@
 #include "app/page_text.h"
 #include "app/picture_maker.h"
 #include "app/speaker.h"
+#include "app/still_numbers.h"
 
 #include <algorithm>
 
@@ -91,7 +92,7 @@ class PageMaker : public PictureMaker {
     return u * u * (3.0 - 2.0 * u);
   }
 
-  PageRequest request_of(const PlannedPicture& picture, const Shown& shown) const {
+  PageRequest request_of(const PlannedPicture& picture, const Shown& shown) {
     return {.lesson = context_.lesson,
             .stage = *picture.stage,
             .number = picture.number,
@@ -102,7 +103,8 @@ class PageMaker : public PictureMaker {
             .theme = context_.options.theme,
             .quality = context_.options.quality,
             .news = news_in(picture),
-            .text_scale = context_.options.text_scale};
+            .text_scale = context_.options.text_scale,
+            .still_numbers = &still_numbers_};
   }
 
   const Fonts& fonts() const { return context_.renderer.fonts(); }
@@ -110,6 +112,7 @@ class PageMaker : public PictureMaker {
   MakerContext context_;
   Speaker speaker_;
   ModelOfScene models_{Product::page, context_.effort};
+  StillNumbers still_numbers_{context_.effort};
   StepText text_;  ///< of the picture seen last
 };
 

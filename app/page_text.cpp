@@ -2,6 +2,8 @@
 #include "app/page_text.h"
 
 #include "app/exit_codes.h"
+#include "app/still_numbers.h"
+#include "physics/method.h"
 
 #include <fmt/format.h>
 
@@ -77,36 +79,28 @@ Verdicts verdicts_of(const PageRequest& request) {
 /// Whether two scenes show one motion.
 bool same_motion(const Scene& a, const Scene& b) {
   const Problem of_a = problem_of(a), of_b = problem_of(b);
+  const auto method = [](const Scene& scene, const Problem& problem) {
+    return scene.motion.method.value_or(default_method(problem));
+  };
   return of_a.I.vector() == of_b.I.vector() && of_a.start.w_B == of_b.start.w_B &&
          of_a.start.q_SB.coeffs() == of_b.start.q_SB.coeffs() && of_a.torque == of_b.torque &&
-         a.motion.method == b.motion.method && a.motion.step_s == b.motion.step_s &&
+         method(a, of_a) == method(b, of_b) && a.motion.step_s == b.motion.step_s &&
          a.motion.tolerance == b.motion.tolerance && a.body.mass_kg == b.body.mass_kg && a.v0_S == b.v0_S &&
          a.F_S == b.F_S && a.arrow == b.arrow;
 }
 
 /// The live numbers of earlier steps whose motion the page's step has replaced by another, as they are on the
 /// stills of their own: what the formula says of one motion does not turn into a number of the other.
-using KeptNumbers = std::map<const Expression*, double>;
-
-void keep_numbers(const Step& step, KeptNumbers& kept) {
-  std::optional<LiveState> live;
-  for (const Block& block : step.blocks) {
-    const auto* equation = std::get_if<Equation>(&block);
-    if (!equation || equation->live.empty()) continue;
-    if (!live) live = live_state(make_model(*step.scene), still_time_s(*step.scene));
-    for (const Expression& number : equation->live)
-      if (const auto value = live ? live_number(number, *live) : std::nullopt) kept.emplace(&number, *value);
-  }
-}
-
-KeptNumbers kept_numbers(const PageRequest& request) {
-  KeptNumbers kept;
+StillNumbers::Values kept_numbers(const PageRequest& request) {
+  StillNumbers own;
+  StillNumbers& numbers = request.still_numbers ? *request.still_numbers : own;
+  StillNumbers::Values kept;
   const std::vector<Step>& steps = request.stage.steps;
   const Step& present = steps[static_cast<std::size_t>(request.step - 1)];
   for (int i = 0; i + 1 < request.step; ++i)
     if (const Step& step = steps[static_cast<std::size_t>(i)];
         step.scene && present.scene && !same_motion(*step.scene, *present.scene))
-      keep_numbers(step, kept);
+      kept.insert(numbers.of(step).begin(), numbers.of(step).end());
   return kept;
 }
 
@@ -121,7 +115,7 @@ struct Selection {
 class ScaledText {
  public:
   ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, const Verdicts& verdicts,
-             const KeptNumbers& kept, double width, double em, double scale, const Fonts& fonts)
+             const StillNumbers::Values& kept, double width, double em, double scale, const Fonts& fonts)
       : request_(request),
         verdicts_(verdicts),
         kept_(kept),
@@ -307,7 +301,7 @@ class ScaledText {
 
   const PageRequest& request_;
   const Verdicts& verdicts_;
-  const KeptNumbers& kept_;
+  const StillNumbers::Values& kept_;
   const Fonts& fonts_;
   double width_, em_, scale_;
   TextColumn column_;
@@ -321,7 +315,7 @@ class ScaledText {
 FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts) {
   const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
   const Verdicts verdicts = verdicts_of(request);
-  const KeptNumbers kept = kept_numbers(request);
+  const StillNumbers::Values kept = kept_numbers(request);
   const auto text_at = [&](double scale) {
     return ScaledText(request, symbols, verdicts, kept, width, em, scale, fonts);
   };

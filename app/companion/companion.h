@@ -57,6 +57,7 @@ class Companion {
   /// comes out of whatever asks for one.
   explicit Companion(std::shared_ptr<const LoadedLesson> loaded, Effort effort = {});
   ~Companion();
+  const Effort& effort() const { return effort_; }
 
   // The lesson, and where we are in it.
   const LoadedLesson& loaded() const { return *loaded_; }

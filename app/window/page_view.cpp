@@ -41,6 +41,8 @@ void PageView::compose(const Companion& companion, const PageKey& key) {
   const bool may_keep = text_ && key.look.keep_text && text_key_->place == key.text.place &&
                         text_key_->loaded == key.text.loaded && text_key_->size == key.text.size;
   if (!may_keep && !(text_ && text_key_ == key.text)) {
+    if (!text_key_ || text_key_->loaded != key.text.loaded) still_numbers_ = StillNumbers(companion.effort());
+    request.still_numbers = &still_numbers_;
     FittedText text = text_of_page(request, fonts);  // may throw: what there is stays whole
     from_ = text_ && is_step_before(*text_key_, key.text) ? std::move(text_) : std::nullopt;
     text_ = std::move(text);

@@ -7,6 +7,7 @@
 #include "app/companion/page_symbols.h"
 #include "app/page.h"
 #include "app/page_text.h"
+#include "app/still_numbers.h"
 #include "render/gl/framebuffer.h"
 
 namespace polhode {
@@ -63,6 +64,7 @@ class PageView {
   std::optional<PageKey> shown_;
   std::optional<TextKey> text_key_;
   std::optional<FittedText> text_, from_;  ///< of this step, and of the one it was reached from
+  StillNumbers still_numbers_;             ///< of the lesson that text_key_ names
   Page page_;
   std::vector<PageSymbol> symbols_;
   std::optional<Framebuffer> picture_;

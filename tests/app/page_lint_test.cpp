@@ -44,5 +44,30 @@ TEST(PageLint, AStepThatNoPageHoldsIsAnError) {
   EXPECT_EQ(found[0].place.line, 11);
 }
 
+/// What checking costs of a lesson of five steps, each with a motion of its own, 2000 steps of explicit Euler
+/// long, and an equation that ends in `number`.
+std::int64_t evaluations_with(const std::string& number) {
+  std::string text = "+++\nformat = 1\nid = \"five\"\ntitle = \"Five\"\n+++\n# A stage {one}\n";
+  for (int i = 1; i <= 5; ++i) {
+    const std::string n = std::to_string(i);
+    text += (i > 1 ? "\n---\n\n```math e" : "\n```math e") + n + "\nT = " + number +
+            "\n```\n```scene\nbody = \"book\"\nomega = [0.1, 2, 0." + n +
+            "]\nmotion = { method = \"explicit-euler\", step = 0.001 }\nat = 2\nshow = [\"omega\"]\n```\n";
+  }
+  const LessonReading reading = read_lesson(text, "five.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  static const Fonts kFonts = Fonts::open().value();
+  std::int64_t made = 0;
+  EXPECT_TRUE(
+      page_diagnostics(*reading.lesson, kFonts, "five.md", [&](std::int64_t n) { made += n; }).empty());
+  return made;
+}
+
+TEST(PageLint, TheNumbersOfEarlierStepsCostOneMotionForEachStep) {
+  const std::int64_t more = evaluations_with("\\live{T}") - evaluations_with("2");
+  EXPECT_GE(more, 4 * 2000) << "of four steps numbers stay; what they cost is not told";
+  EXPECT_LE(more, 4 * 2200) << "computed for each later page and each of its sizes";
+}
+
 }  // namespace
 }  // namespace polhode
