@@ -201,7 +201,7 @@ void add_measure(CLI::App& app, Action& action) {
       "{}\n"
       "Errors: at the end, of omega relative to its length, of attitude as an angle in rad, against the\n"
       "closed form; under a torque against a tight Dormand-Prince 8. Never said to be below what that\n"
-      "itself is good to: the closed form 2^-53 (4 + |omega t| + condition * periods), see trace.\n"
+      "itself is good to: the closed form 2^-53 (4 + 5 (|omega| + |L|/I2) t + condition * periods), see trace.\n"
       "Drifts: the largest on the way, relative, of T and |L|; of the direction of L in space in rad; - or\n"
       "null where the torque does not keep them. What could not be computed is - or null too.\n"
       "Steps are halved from a tenth of a period, tolerances divided by ten from 1e-3, until rounding ends\n"

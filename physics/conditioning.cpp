@@ -6,6 +6,7 @@
 #include "physics/symmetric_motion.h"
 #include "physics/uniform_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,10 @@ namespace {
 // ∂/∂ln of I_a, I_b, I_c, ω_a, ω_b, ω_c
 using LogGradient = Eigen::Matrix<Extended, 6, 1>;
 enum Input { I_a, I_b, I_c, w_a, w_b, w_c };
+
+double middle_of(const Vec3& x) {
+  return std::max(std::min(x[0], x[1]), std::min(std::max(x[0], x[1]), x[2]));
+}
 
 LogGradient of(Input x) { return LogGradient::Unit(x); }
 
@@ -73,7 +78,9 @@ double closed_form_error(const PrincipalMoments& I, const Vec3& w_B, double t_s)
   const auto period_s = polhode_period(I, w_B);
   const double periods = period_s ? std::abs(t_s) / *period_s : 0;
   const double phase = number ? number->phase_per_period * periods : 0;
-  return 0x1p-53 * (4 + w_B.stableNorm() * std::abs(t_s) + phase);
+  const Vec3 relative = I.vector() / middle_of(I.vector());  // 2 at most
+  const double rate = w_B.stableNorm() + relative.cwiseProduct(w_B).stableNorm();
+  return 0x1p-53 * (4 + 5 * rate * std::abs(t_s) + phase);
 }
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/conditioning.h"
 
+#include "physics/method.h"
 #include "physics/poinsot.h"
 #include "tests/physics/support.h"
 
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace polhode {
 namespace {
@@ -70,6 +72,46 @@ TEST(Conditioning, HasNoPeriodToSpeakOfOnTheSeparatrix) {
 TEST(Conditioning, TellsHowFarAheadPredictionReaches) {
   const auto c = *conditioning(PrincipalMoments(2, 2, 3), {1, 0, 1});
   EXPECT_DOUBLE_EQ(c.horizon_periods(1e-3) * c.phase_per_period * kEps, 1e-3);
+}
+
+using LongQuat = Eigen::Quaternion<long double>;
+using LongVec3 = Eigen::Matrix<long double, 3, 1>;
+
+LongQuat long_rotation_by(const LongVec3& w, long double t_s) {
+  const long double rate = w.norm();
+  return LongQuat(Eigen::AngleAxis<long double>(rate * t_s, w / rate));
+}
+
+/// The attitude of a body with two equal moments, I[0] = I[1], that starts at the identity: the formula of
+/// symmetric_motion.h in numbers with 11 bits more.
+LongQuat long_attitude(const PrincipalMoments& I, const Vec3& w_B, double t_s) {
+  const long double ratio = static_cast<long double>(I[2]) / I[0];
+  const LongVec3 w = w_B.cast<long double>();
+  return long_rotation_by({w[0], w[1], w[2] * ratio}, t_s) *
+         long_rotation_by({0, 0, -w[2] * (ratio - 1)}, t_s);
+}
+
+// Bodies without a polhode to speak of: no condition number covers what rounds there.
+TEST(ClosedFormError, IsNeverBelowTheTruthOfSymmetricBodies) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0, 1), axis(-1, 1);
+  double largest = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const bool is_sphere = i % 4 == 0;
+    const double I_a = 0.5 + unit(random), I_c = is_sphere ? I_a : I_a * 2 * unit(random);
+    const PrincipalMoments I(I_a, I_a, I_c);
+    const Vec3 w_B(axis(random), axis(random), axis(random));
+    const double t_s = std::pow(10.0, 7 * unit(random));
+    const Problem problem{I, {Quat::Identity(), w_B}, {}};
+    const LongQuat found = make_motion(problem, {Method::exact})->at(t_s).q_SB.cast<long double>();
+    const LongQuat truth =
+        is_sphere ? long_rotation_by(w_B.cast<long double>(), t_s) : long_attitude(I, w_B, t_s);
+    const auto angle_rad = static_cast<double>(2 * (truth.conjugate() * found.normalized()).vec().norm());
+    const double bound = closed_form_error(I, w_B, t_s);
+    EXPECT_LE(angle_rad, bound) << I.vector().transpose() << ", " << w_B.transpose() << ", " << t_s;
+    largest = std::max(largest, angle_rad / bound);
+  }
+  EXPECT_GE(largest, 0.1) << "a bound that is never come near says nothing";
 }
 
 }  // namespace
