@@ -147,7 +147,7 @@ std::string live_text(const Claim& claim, const LiveState& live, View view) {
       fmt::format("{} {} {} {}", claim.kind == ClaimKind::identity ? "rounding" : "apart",
                   power_of_ten(value->residual), apart ? ">" : "≤", power_of_ten(value->tolerance));
   const bool refutes = claim.kind == ClaimKind::is_false;
-  if (value->tolerance > kDecisive && !refutes) return "the step is too long to tell";
+  if (value->tolerance > kDecisive) return refutes ? "" : "the step is too long to tell";
   if (!has_sides(claim)) return refutes ? "" : distance;
   const SideText side(*value);
   const std::string frame = !value->is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";

@@ -107,6 +107,8 @@ TEST(LiveText, ShowsNoNumbersOfAStepThatDecidesNothing) {
   scene.motion.step_s = 0.4;
   EXPECT_EQ(live_text_of("star(L) = cross(L, omega)", ClaimKind::free, scene, 1.0),
             "the step is too long to tell");
+  EXPECT_EQ(live_text_of("star(L) = 0", ClaimKind::is_false, scene, 1.0), "")
+      << "its numbers may differ by the step alone, and may agree by it";
 }
 
 }  // namespace
