@@ -28,26 +28,33 @@ struct Reference {
   StateError own;  // estimated
 };
 
-Reference reference_of(const Problem& problem, double end_s) {
+/// So many steps fit into the time there is, and at least.
+std::int64_t most_steps(const WorkPrecisionPlan& plan) {
+  return static_cast<std::int64_t>(std::max(kFirstStepsAtLeast, kFirstStepsPerSecond * plan.cpu_seconds));
+}
+
+Reference reference_of(const Problem& problem, double end_s, std::int64_t most) {
   if (problem.torque.empty()) {
     const double own = closed_form_error(problem.I, problem.start.w_B, end_s);
     return {make_motion(problem, {Method::exact})->at(end_s), {own, own}};
   }
   const auto end_with = [&](double tolerance) {
-    return make_motion(problem, {Method::dormand_prince_8, {}, tolerance})->at(end_s);
+    return make_motion(problem, {Method::dormand_prince_8, {}, tolerance, most})->at(end_s);
   };
   const RigidBodyState end = end_with(kReferenceTolerance);
-  if (!is_finite(end)) return {end, {}};  // hopeless, and expensive: see DormandPrinceMotion::kMaxSteps
+  if (!is_finite(end)) return {end, {}};
   return {end, error_of(end_with(10 * kReferenceTolerance), end)};
 }
 
-Reference checked_reference(const Problem& problem, double end_s) {
+/// One that is itself no answer tells nothing of others.
+Reference checked_reference(const Problem& problem, double end_s, std::int64_t most) {
   const bool has_end = std::isfinite(end_s);
-  Reference reference = has_end ? reference_of(problem, end_s) : Reference{};
-  if (!has_end || !is_finite(reference.end))
+  Reference reference = has_end ? reference_of(problem, end_s, most) : Reference{};
+  const bool is_answer = reference.own.omega < kNoAnswer && reference.own.attitude_rad < kNoAnswer;
+  if (!has_end || !is_finite(reference.end) || !is_answer)
     throw CommandError(ExitCode::failed,
                        fmt::format("the motion cannot be computed to its end at {:.6g} s: torque or time is "
-                                   "too large; give fewer --periods",
+                                   "too large; give fewer --periods, or more --seconds",
                                    end_s));
   return reference;
 }
@@ -64,7 +71,8 @@ std::vector<double> sample_times_s(double end_s) {
 /// Settings of one method, from the fastest to the most accurate.
 class Settings {
  public:
-  Settings(Method method, double first_step_s) : method_(method), first_step_s_(first_step_s) {}
+  Settings(Method method, double first_step_s, std::int64_t most_steps)
+      : method_(method), first_step_s_(first_step_s), most_steps_(most_steps) {}
 
   /// Nothing past the last.
   std::optional<MethodChoice> operator[](int i) const {
@@ -78,7 +86,7 @@ class Settings {
     }
     const double tolerance = kLoosestTolerance / std::pow(10.0, i);
     if (tolerance < 0.5 * kTightestTolerance) return std::nullopt;
-    return MethodChoice{method_, {}, tolerance};
+    return MethodChoice{method_, {}, tolerance, most_steps_};
   }
 
   /// What one setting costs in terms of the one before.
@@ -90,6 +98,7 @@ class Settings {
  private:
   Method method_;
   double first_step_s_;
+  std::int64_t most_steps_;  ///< of adaptive methods
 };
 
 /// Sees when rounding has put an end to the fall of the errors.
@@ -120,13 +129,13 @@ class Measurement {
         plan_(plan),
         end_s_(plan.period_s * plan.periods),
         times_s_(sample_times_s(end_s_)),
-        reference_(checked_reference(problem, end_s_)) {}
+        reference_(checked_reference(problem, end_s_, most_steps(plan))) {}
 
   double reference_error() const { return std::max(reference_.own.omega, reference_.own.attitude_rad); }
 
   std::vector<WorkPrecisionRow> rows_of(Method method, double cpu_seconds) const {
     if (is_too_far(method)) return {};
-    const Settings settings(method, first_step_s());
+    const Settings settings(method, first_step_s(), most_steps(plan_));
     const double start_s = cpu_time_s();
     std::vector<WorkPrecisionRow> rows;
     Fall fall;
@@ -155,8 +164,7 @@ class Measurement {
     const StepControl control = facts_of(method).control;
     if (control == StepControl::none) return false;
     const double dearer = control == StepControl::adaptive ? 5 : 1;  // several stages, several steps a turn
-    const double most = std::max(kFirstStepsAtLeast, kFirstStepsPerSecond * plan_.cpu_seconds);
-    return dearer * end_s_ / first_step_s() > most;
+    return dearer * end_s_ / first_step_s() > static_cast<double>(most_steps(plan_));
   }
 
   WorkPrecisionRow row_of(const MethodChoice& choice) const {

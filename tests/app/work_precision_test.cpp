@@ -2,6 +2,7 @@
 #include "app/work_precision.h"
 
 #include "app/exit_codes.h"
+#include "app/stopwatch.h"
 #include "physics/conditioning.h"
 #include "physics/poinsot.h"
 
@@ -140,6 +141,18 @@ TEST(WorkPrecision, EndsWithTheTimeAndWithTheReach) {
   const auto found = measured(kFree, plan);
   EXPECT_EQ(found.rows.size(), 1u);
   EXPECT_THAT(found.out_of_reach, ElementsAre(Method::rk4, Method::dormand_prince_8));
+}
+
+// Steps as short as the torque wants them would take a hundred times the seconds there are, and the reference
+// would be no answer at their end.
+TEST(WorkPrecision, EndsWithTheTimeUnderAStiffTorque) {
+  const Problem stiff{
+      PrincipalMoments(1, 1.75, 2.5), {Quat::Identity(), Vec3(0.9, 0.4, 1.0)}, {LinearDamping{1e6}}};
+  WorkPrecisionPlan plan = plan_with({Method::dormand_prince_8}, 3, 40);
+  plan.cpu_seconds = 0.3;
+  const double start_s = cpu_time_s();
+  EXPECT_THROW(measured(stiff, plan), CommandError);
+  EXPECT_LT(cpu_time_s() - start_s, 20 * plan.cpu_seconds) << "sanitizers take ten times as long";
 }
 
 TEST(WorkPrecision, StepsAreNoLongerThanTheMotion) {
