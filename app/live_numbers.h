@@ -22,8 +22,8 @@ struct LiveRoom {
 /// Takes what holds their room out of the list.
 std::vector<LiveRoom> take_live_rooms(DisplayList& list);
 
-/// Three digits, of whole numbers up to five: "2.47", "0.0123", "22500"; others with a power of ten, as
-/// set_line sets it.
+/// Three digits, or all before the point up to 99,999: "2.47", "0.0123", "22500"; others with a power of ten,
+/// as set_line sets it.
 std::string live_number_text(double value);
 
 /// The number in its room, smaller where it is too wide; dots where there is none.
