@@ -2,6 +2,7 @@
 #include "app/lesson_lookup.h"
 
 #include "app/exit_codes.h"
+#include "app/interrupt.h"
 #include "app/page_lint.h"
 #include "app/sha256.h"
 #include "app/suggest.h"
@@ -84,6 +85,14 @@ CommandError unknown_lesson(std::string_view name, const std::vector<fs::path>& 
                                        did_you_mean(name, known), name, fmt::join(places, ", "))};
 }
 
+/// Ends by the budget, and by an interruption while somebody watches for one.
+Effort limited_by(Budget& budget) {
+  return [&budget, stop = until_interrupted()](std::int64_t evaluations) {
+    stop(evaluations);
+    budget.spend(evaluations);
+  };
+}
+
 }  // namespace
 
 std::vector<fs::path> lesson_folders() {
@@ -159,7 +168,7 @@ LoadedLesson load_lesson(std::string_view name) {
   const fs::path path = find_lesson(name, lesson_folders());
   const std::string text = read_lesson_text(path);
   Budget budget(kLintBudget);
-  LessonReading reading = check_lesson(text, path.string(), budget.effort());
+  LessonReading reading = check_lesson(text, path.string(), limited_by(budget));
   if (!reading.lesson) throw has_errors(path, reading.diagnostics);
   return {std::move(*reading.lesson), path, sha256_hex(text)};
 }
@@ -170,7 +179,9 @@ void check_type_of(const LoadedLesson& loaded, const Fonts& fonts) {
 }
 
 void check_pages_of(const LoadedLesson& loaded, const Fonts& fonts) {
-  const std::vector<Diagnostic> found = page_errors(loaded.lesson, fonts, loaded.path.string());
+  Budget budget(kLintBudget);
+  const std::vector<Diagnostic> found =
+      page_errors(loaded.lesson, fonts, loaded.path.string(), limited_by(budget));
   if (!found.empty()) throw has_errors(loaded.path, found);
 }
 

@@ -53,7 +53,8 @@ void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all);
 /// @throws CommandError invalid if the fonts lack something of what the lesson says, with all diagnostics.
 void check_type_of(const LoadedLesson& loaded, const Fonts& fonts);
 
-/// @throws CommandError invalid if a step has more than a page holds, with all diagnostics. 1 to 2 ms a step.
+/// @throws CommandError invalid if a step has more than a page holds, or checking that takes more than
+/// kLintBudget, with all diagnostics. 1 to 2 ms a step.
 void check_pages_of(const LoadedLesson& loaded, const Fonts& fonts);
 
 /// The stage of that id. @throws CommandError usage with "did you mean"

@@ -71,7 +71,8 @@ class PageLint {
                   .t_s = step.scene ? still_time_s(*step.scene) : 0.0,
                   .size = size,
                   .theme = Theme::paper,
-                  .still_numbers = &still_numbers_}))
+                  .still_numbers = &still_numbers_,
+                  .effort = effort_}))
         break;
     }
   }
@@ -121,8 +122,10 @@ std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& font
   return PageLint(lesson, fonts, file_name, kPages, effort).all();
 }
 
-std::vector<Diagnostic> page_errors(const Lesson& lesson, const Fonts& fonts, std::string_view file_name) {
-  std::vector<Diagnostic> found = PageLint(lesson, fonts, file_name, std::span(kPages).first(1), {}).all();
+std::vector<Diagnostic> page_errors(const Lesson& lesson, const Fonts& fonts, std::string_view file_name,
+                                    const Effort& effort) {
+  std::vector<Diagnostic> found =
+      PageLint(lesson, fonts, file_name, std::span(kPages).first(1), effort).all();
   std::erase_if(found, [](const Diagnostic& d) { return d.severity != Severity::error; });
   return found;
 }

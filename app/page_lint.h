@@ -19,6 +19,7 @@ std::vector<Diagnostic> page_diagnostics(const Lesson& lesson, const Fonts& font
                                          const Effort& effort = {});
 
 /// The errors alone, of the wide page alone: a step that no page can hold.
-std::vector<Diagnostic> page_errors(const Lesson& lesson, const Fonts& fonts, std::string_view file_name);
+std::vector<Diagnostic> page_errors(const Lesson& lesson, const Fonts& fonts, std::string_view file_name,
+                                    const Effort& effort = {});
 
 }  // namespace polhode

@@ -104,7 +104,8 @@ class PageMaker : public PictureMaker {
             .quality = context_.options.quality,
             .news = news_in(picture),
             .text_scale = context_.options.text_scale,
-            .still_numbers = &still_numbers_};
+            .still_numbers = &still_numbers_,
+            .effort = context_.effort};
   }
 
   const Fonts& fonts() const { return context_.renderer.fonts(); }

@@ -3,6 +3,7 @@
 
 #include "app/exit_codes.h"
 #include "app/still_numbers.h"
+#include "lessons/lint_budget.h"
 #include "physics/method.h"
 
 #include <fmt/format.h>
@@ -239,6 +240,7 @@ class ScaledText {
     Pieces pieces;
     const auto take = [&](ColumnPiece piece, const Block& block) {
       piece.of = &block;
+      tell_cost_of(piece);
       keep_numbers_of(piece);
       piece.is_main = first && std::get_if<Equation>(&block) == first;
       pieces.push_back(std::move(piece));
@@ -278,6 +280,12 @@ class ScaledText {
                            is_present && request_.model && can_be_shown(claim, request_.model->scene));
   }
 
+  void tell_cost_of(const ColumnPiece& piece) const {
+    std::size_t glyphs = 0;
+    for (const PlacedType& text : piece.sheet.texts) glyphs += text.list.glyphs.size();
+    spend(request_.effort, kGlyphEvaluations * static_cast<std::int64_t>(glyphs));
+  }
+
   void keep_numbers_of(ColumnPiece& piece) const {
     for (LiveNumberSlot& slot : piece.numbers)
       if (const auto kept = kept_.find(slot.number); kept != kept_.end()) slot.kept = kept->second;
@@ -292,6 +300,7 @@ class ScaledText {
           equation && !is_refuted(request_.stage, *equation)) {
         pieces.push_back(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i])));
         pieces.back().of = &block;
+        tell_cost_of(pieces.back());
         keep_numbers_of(pieces.back());
         pieces.back().is_main = equation == focus_of(request_.stage, request_.stage.steps[i]);
       }

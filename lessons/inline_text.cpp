@@ -428,17 +428,20 @@ std::optional<Math> TextReader::parse_inline(const LocatedText& text, std::size_
 
 std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin, std::size_t end,
                                       const MathMacros& macros) {
-  const bool was_full = math_bytes_ > kMaxLessonMathBytes;
-  if (end - begin <= kMaxMathBytes) math_bytes_ += end - begin;  // a longer one is refused for itself
-  if (math_bytes_ > kMaxLessonMathBytes) {
-    if (!was_full)
-      report_.error(
-          source().place_of(text.offset_of(begin)),
-          "the formulas of a lesson have at most " + std::to_string(kMaxLessonMathBytes) + " bytes in all");
-    return std::nullopt;
-  }
+  // Whether there is still room when so many are added; that there is not is said once.
+  const auto has_room_for = [&](std::size_t bytes) {
+    const bool was_full = math_bytes_ > kMaxLessonMathBytes;
+    math_bytes_ += bytes;
+    if (!was_full && math_bytes_ > kMaxLessonMathBytes)
+      report_.error(source().place_of(text.offset_of(begin)),
+                    "the formulas of a lesson have at most " + std::to_string(kMaxLessonMathBytes) +
+                        " bytes in all, with the signs that macros stand for");
+    return math_bytes_ <= kMaxLessonMathBytes;
+  };
+  if (!has_room_for(end - begin <= kMaxMathBytes ? end - begin : 0))
+    return std::nullopt;  // refused for itself
   auto math = parse_math(std::string_view(text.text()).substr(begin, end - begin), macros);
-  if (math) return std::move(*math);
+  if (math) return has_room_for(math->made) ? std::optional(std::move(*math)) : std::nullopt;
   for (const TypeError& error : math.error())
     report_.error(source().place_of(text.offset_of(begin + error.offset)), error.message, error.hint);
   return std::nullopt;

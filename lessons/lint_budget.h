@@ -18,6 +18,7 @@ inline constexpr std::int64_t kLintBudget = 100'000'000;
 
 // What else is done, as if it were evaluations.
 inline constexpr std::int64_t kPageEvaluations = 20'000;  ///< a page laid out
+inline constexpr std::int64_t kGlyphEvaluations = 10;     ///< and each glyph of its text, at each size tried
 /// A line of a claim, each node of its expressions, and the search for a counterexample that there is not.
 inline constexpr std::int64_t kClaimLineEvaluations = 5'000, kClaimNodeEvaluations = 100,
                               kVainSearchEvaluations = 1'000'000;

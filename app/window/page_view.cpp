@@ -43,6 +43,7 @@ void PageView::compose(const Companion& companion, const PageKey& key) {
   if (!may_keep && !(text_ && text_key_ == key.text)) {
     if (!text_key_ || text_key_->loaded != key.text.loaded) still_numbers_ = StillNumbers(companion.effort());
     request.still_numbers = &still_numbers_;
+    request.effort = companion.effort();
     FittedText text = text_of_page(request, fonts);  // may throw: what there is stays whole
     from_ = text_ && is_step_before(*text_key_, key.text) ? std::move(text_) : std::nullopt;
     text_ = std::move(text);

@@ -44,7 +44,8 @@ struct Math {
   std::vector<std::string> terms;  ///< ids of \term{id}{…}, in their order
   std::vector<LiveNumber> live;    ///< in their order
   std::vector<std::size_t> tag_offsets,
-      term_offsets;  ///< bytes where each name begins; several tags are joined
+      term_offsets;      ///< bytes where each name begins; several tags are joined
+  std::size_t made = 0;  ///< so many signs the author's macros stand for, with all of theirs
 };
 
 /// All that is wrong is reported, up to 16 errors, in the order of their offsets. Linear in the formula's

@@ -55,6 +55,8 @@ class MathTokens {
   void error(const MathToken& at, std::string message, std::string hint = {});
 
   std::string_view source() const { return tex_; }
+  /// So many tokens macros stood for up to now.
+  std::size_t made() const { return made_; }
   /// Names of the author's macros.
   const MathMacros& macros() const { return macros_; }
 

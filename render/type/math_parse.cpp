@@ -16,6 +16,7 @@ Math MathParser::run() {
   math.live = std::move(live_);
   math.tag_offsets = std::move(tag_offsets_);
   math.term_offsets = std::move(term_offsets_);
+  math.made = tokens_.made();
   return math;
 }
 

@@ -157,6 +157,20 @@ TEST(LintBudget, HoldsForManySteps) {
   EXPECT_LT(found.cpu_s, kMostCpu_s);
 }
 
+// Each formula is some ten bytes, stands for `length` letters, and is set again on the pages of later steps.
+TEST(LintBudget, HoldsForFormulasThatMacrosMakeLong) {
+  for (const auto& [length, steps] : {std::pair(16384, 20), std::pair(16384, 5), std::pair(1024, 80)}) {
+    const std::string macros = "[macros]\na = '" + std::string(static_cast<std::size_t>(length / 8), 'x') +
+                               "'\nd = '\\a\\a\\a\\a\\a\\a\\a\\a'\n";
+    std::string body = "# One {one}\nWord $\\d$ word.\n";
+    for (int step = 1; step < steps; ++step) body += "\n---\n\nWord $\\d$ word.\n";
+    const Linted found = linted(lesson_with(macros, body));
+    testing::Test::RecordProperty("cpu_s_" + std::to_string(length) + "_" + std::to_string(steps),
+                                  std::to_string(found.cpu_s));
+    EXPECT_LT(found.cpu_s, kMostCpu_s / 3) << length << ", " << steps << found.messages();
+  }
+}
+
 TEST(Lint, OfAFileThatIsNotThereTheJsonIsJsonToo) {
   EXPECT_TRUE(Json::parse(polhode({"lint", "--json", "no-such-lesson"}).out).is_array());
   EXPECT_TRUE(Json::parse(polhode({"lint", "--json", "./no/such.md"}).out).is_array());

@@ -163,6 +163,17 @@ TEST(InlineText, FormulasOfALessonHaveALimit) {
   EXPECT_THAT(at.lines(), SizeIs(1)) << "said once";
 }
 
+TEST(InlineText, FormulasAreAsLongAsWhatTheirMacrosStandFor) {
+  TextReport at("\\many");
+  const LocatedText tex(at.source, at.source.line(1));
+  at.texts.macros() = {{"many", {0, std::string(kMaxMathBytes, 'x')}}};
+  std::size_t read = 0;
+  while (read < 100 && at.texts.formula(tex)) ++read;
+  EXPECT_EQ(read, kMaxLessonMathBytes / (kMaxMathBytes + 1 + std::string_view("\\many").size()));
+  ASSERT_THAT(at.lines(), SizeIs(1));
+  EXPECT_THAT(at.lines().front(), HasSubstr("with the signs that macros stand for"));
+}
+
 TEST(InlineText, AFormulaThatIsTooLongIsSaidToBe) {
   TextReport at(std::string(kMaxLessonMathBytes, 'x'));
   EXPECT_FALSE(at.texts.formula(LocatedText(at.source, at.source.text())));
