@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/batch.h"
 
+#include "physics/effort.h"
 #include "physics/method.h"
 #include "tests/physics/support.h"
 
@@ -40,6 +41,21 @@ TEST(Batch, GivesTheBitsOfOneByOne) {
     for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 1000u})
       for (const unsigned threads : {1u, 2u, 3u, 7u}) expect_same_as_one_by_one(*motion, count, threads);
   }
+}
+
+// Times far from the start are in the pieces of the other threads, whichever end they lie at.
+TEST(Batch, WhatAnEffortThrowsComesOutOfTheCallWhateverThreadItIsIn) {
+  const Problem heavy{
+      PrincipalMoments(1, 1.75, 2.5), {Quat::Identity(), {0.3, 0.2, 2}}, {HeavyTop{1.5, Vec3::UnitZ()}}};
+  const auto motion = make_motion(heavy, {Method::rk4, 1e-3, {}}, [](std::int64_t) { throw BudgetSpent(); });
+  std::vector<double> t_s(8, 0.0);  // at 0 there is nothing to compute
+  std::vector<RigidBodyState> states(t_s.size());
+  EXPECT_NO_THROW(states_at(*motion, t_s, states, 4));
+  t_s.back() = 100;
+  for (const unsigned threads : {1u, 2u, 4u})
+    EXPECT_THROW(states_at(*motion, t_s, states, threads), BudgetSpent) << threads;
+  t_s.assign(t_s.size(), 100.0);
+  EXPECT_THROW(states_at(*motion, t_s, states, 4), BudgetSpent) << "in all threads at once";
 }
 
 }  // namespace
