@@ -10,8 +10,9 @@
 namespace polhode {
 
 /// Told how many evaluations of the right-hand side were made since it was last told, every few milliseconds
-/// at least and from whatever thread makes them. What it throws comes out of the call that wanted them; of
-/// that nothing is kept, so that to ask again is to ask for the first time. Empty: nobody wants to know.
+/// at least and from whatever thread makes them. What it throws comes out of the call that wanted them.
+/// The answers are the same as if it had not been stopped; ground that was gained is kept, so that to ask
+/// again is to go on. Empty: nobody wants to know.
 using Effort = std::function<void(std::int64_t evaluations)>;
 
 inline void spend(const Effort& effort, std::int64_t evaluations) {

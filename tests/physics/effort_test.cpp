@@ -98,6 +98,25 @@ TEST(Effort, ThatStopsAMotionLeavesItAsItWas) {
   }
 }
 
+// What it had reached is reached: only the rest of the way is to be gone.
+TEST(Effort, ThatStopsAMotionHalfWayKeepsTheGroundThatWasGained) {
+  const double t_s = 500;
+  for (const auto& [problem, choice] : kStepping) {
+    const auto fresh = make_motion(problem, choice);
+    const std::int64_t whole = fresh->evaluations_to(t_s);
+    std::int64_t left = whole / 2, told = 0;
+    const auto stopped = make_motion(problem, choice, [&](std::int64_t n) {
+      told += n;
+      if (told > left) throw BudgetSpent();
+    });
+    EXPECT_THROW(static_cast<void>(stopped->at(t_s)), BudgetSpent) << name_of(choice.method);
+    told = 0, left = std::numeric_limits<std::int64_t>::max();
+    EXPECT_TRUE(same(stopped->at(t_s), fresh->at(t_s))) << name_of(choice.method);
+    EXPECT_GT(told, 0) << name_of(choice.method);
+    EXPECT_LT(told, 0.6 * double(whole)) << name_of(choice.method) << ": a half, and one checkpoint's way";
+  }
+}
+
 TEST(TooFar, IsWhatTakesMoreStepsThanAreMade) {
   const DormandPrinceMotion motion(DormandPrincePair::eight_five_three, kHeavy, 1e-10, 100);
   EXPECT_TRUE(motion.at(1).w_B.allFinite());
