@@ -168,7 +168,7 @@ Vec3 energy_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B) {
 
 Vec3 momentum_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B) {
   const InUnits body = in_units(I, w_B);
-  return times_two_to(body.ew, times_two_to(body.eI, momentum_ellipsoid_semi_axes(body.I, body.two_T)));
+  return times_two_to(body.ew + body.eI, momentum_ellipsoid_semi_axes(body.I, body.two_T));
 }
 
 double invariable_plane_distance(const PrincipalMoments& I, const Vec3& w_B) {

@@ -243,6 +243,14 @@ TEST(Poinsot, OfMomentsAtTheEndOfTheRangeHasItsSemiAxes) {
   EXPECT_LE((axes - same).norm(), 8 * kEps * same.norm());
 }
 
+// √(2T) √I = I |ω| of a sphere: 5.6e303, though the moments themselves are all but the largest number.
+TEST(Poinsot, OfMomentsAtTheEndOfTheRangeHasItsMomentumEllipsoid) {
+  const double I = 1.7e308, rate = 1.9e-5;
+  const Vec3 axes = momentum_ellipsoid_semi_axes(PrincipalMoments(I, I, I), Vec3(rate, rate, rate));
+  const double expected = I * (std::sqrt(3.0) * rate);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(axes[i], expected, 8 * kEps * expected);
+}
+
 TEST(PolhodeFamily, HasTheAskedMomentumAndTheCommonEnergy) {
   for (const PrincipalMoments& I : {kI, PrincipalMoments(2.5, 1, 1.75), PrincipalMoments(1, 1, 1.5),
                                     PrincipalMoments(1, 1, 1e-6), PrincipalMoments(1, 1 + 1e-9, 1 + 2e-9)}) {
