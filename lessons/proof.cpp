@@ -4,6 +4,9 @@
 #include "lessons/small_states.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <random>
 
 namespace polhode {
@@ -68,11 +71,24 @@ StateNumbers<FieldElement> random_numbers(std::mt19937_64& random) {
   return numbers;
 }
 
+/// "3" of "9", "0.5" of "0.25", but "√2" of "2": a number whose square, as a text, is written in full.
+std::string root_text(const std::string& square) {
+  constexpr int kDigits = 3;  // the square of so many has at most the 6 that number_text writes
+  double value = 0;
+  std::from_chars(square.data(), square.data() + square.size(), value);
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::sqrt(value),
+                                 std::chars_format::general, kDigits)
+                       .ptr;
+  double root = 0;
+  std::from_chars(text.data(), end, root);
+  return number_text(root * root) == square ? number_text(root) : "√" + square;
+}
+
 /// The values of lengths, of whose squares those in `found` are.
 std::optional<Counterexample> with_roots(std::optional<Counterexample> found, const Equality& equality) {
   const auto root = [](std::string& square, const Expression& side) {
-    if (side.nodes.back().operation == Operation::norm && square != "0" && square != "1")
-      square = "√" + square;
+    if (side.nodes.back().operation == Operation::norm) square = root_text(square);
   };
   if (found) root(found->left, equality.left), root(found->right, equality.right);
   return found;
@@ -92,7 +108,8 @@ Judgement undecided() {
 }
 
 /// What else could have been meant by an equality that fails under an assumption.
-std::string weaker_kind(const Equality& equality, Assumption failed, const Prover& prover) {
+std::string weaker_kind(const Equality& given, Assumption failed, const Prover& prover) {
+  const Equality equality = with_lengths_squared(given);  // as a whole: below each side is looked at alone
   if (failed == Assumption::identity && prover.settle(equality, Assumption::motion) == Verdict::holds)
     return "it follows from the equations of motion: its kind is motion";
   const bool both_vanish =

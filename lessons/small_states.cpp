@@ -181,14 +181,6 @@ Dependence dependence_of(const Equality& equality, Assumption assumption) {
   return d;
 }
 
-std::string number_text(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value == 0 ? 0.0 : value,  // no −0
-                                 std::chars_format::general, 6);
-  return text.front() == '-' ? "−" + std::string(text.data() + 1, end.ptr)
-                             : std::string(text.data(), end.ptr);
-}
-
 template <class Numbers>
 std::string list_text(const Numbers& numbers) {
   std::string text;
@@ -259,6 +251,14 @@ std::size_t size_of(const Equality& equality) {
 }
 
 }  // namespace
+
+std::string number_text(double value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value == 0 ? 0.0 : value,  // no −0
+                                 std::chars_format::general, 6);
+  return text.front() == '-' ? "−" + std::string(text.data() + 1, end.ptr)
+                             : std::string(text.data(), end.ptr);
+}
 
 std::optional<Counterexample> first_small_state(const Equality& equality, const Equality* premise,
                                                 Assumption assumption) {

@@ -7,6 +7,9 @@
 
 namespace polhode {
 
+/// Of at most six digits; "−" is its minus.
+std::string number_text(double value);
+
 /// The first state in which the equality fails, and the premise, if there is one, holds. In words; what
 /// neither depends on under the assumption is left out.
 std::optional<Counterexample> first_small_state(const Equality& equality, const Equality* premise,

@@ -11,6 +11,7 @@ namespace polhode {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using testing::TextReport;
 
 const Prover& prover() {
@@ -139,8 +140,27 @@ TEST(Proof, ACounterexampleOfLengthsHasTheirValues) {
   EXPECT_EQ(wrong.verdict, Verdict::fails);
   ASSERT_TRUE(wrong.counterexample);
   EXPECT_EQ(wrong.counterexample->state, "I = (2, 3, 4), ω = (1, 0, 0)");
-  EXPECT_EQ(wrong.counterexample->left, "√9");
+  EXPECT_EQ(wrong.counterexample->left, "3");
   EXPECT_EQ(wrong.counterexample->right, "1");
+}
+
+TEST(Proof, ALengthIsANumberWhereItsDigitsEnd) {
+  const auto lengths = [](const char* line) {
+    const Judgement wrong = judged(line, ClaimKind::identity);
+    return wrong.counterexample ? wrong.counterexample->left + " and " + wrong.counterexample->right : "";
+  };
+  EXPECT_EQ(lengths("norm(0.5*omega) = norm(2*omega)"), "0.5 and 2");
+  EXPECT_EQ(lengths("norm(omega/3) = norm(1000*omega)"), "√0.111111 and 1000");
+  EXPECT_EQ(lengths("norm(omega + e2) = norm(0*omega)"), "√2 and 0");
+  EXPECT_EQ(lengths("norm(1.5*omega) = norm(1234*omega)"), "1.5 and √1.52276e+06") << "six digits of it";
+}
+
+TEST(Proof, NoKindIsSuggestedOfLengthsThatVanishWithTheTorque) {
+  EXPECT_THAT(judged("norm2(N) = norm2(2*N)", ClaimKind::motion).hint, IsEmpty());
+  EXPECT_THAT(judged("norm(N) = norm(2*N)", ClaimKind::motion).hint, IsEmpty());
+  EXPECT_THAT(judged("norm(ddt(L)) = norm(2*N)", ClaimKind::motion).hint, IsEmpty());
+  EXPECT_EQ(judged("norm(ddt(L)) = norm(N)", ClaimKind::identity).hint,
+            "it follows from the equations of motion: its kind is motion");
 }
 
 }  // namespace
