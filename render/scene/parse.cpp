@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "physics/powers_of_two.h"
 #include "render/scene/scene.h"
 
 #include <array>
@@ -9,8 +10,6 @@
 
 namespace polhode {
 namespace {
-
-constexpr double kMinAxisLength = 1e-150;  // its square is still a normal number
 
 bool starts_with_hex_prefix(std::string_view text) {
   return text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X') &&
@@ -45,11 +44,10 @@ constexpr std::array<TermKind, 5> kTermKinds = {{{"space", 3, "space:x,y,z"},
                                                  {"sink", 1, "sink:C"}}};
 
 std::variant<TorqueTerm, std::string> heavy_top(const std::vector<double>& v) {
-  const double length = std::hypot(v[1], v[2], v[3]);
-  if (!(length > kMinAxisLength) || !std::isfinite(length)) {
-    return "the axis of a heavy top must not be zero: heavy:MGR,ax,ay,az";
-  }
-  return HeavyTop{v[0], Vec3(v[1], v[2], v[3]) / length};
+  const Vec3 axis(v[1], v[2], v[3]);
+  if (axis.isZero(0.0)) return "the axis of a heavy top must not be zero: heavy:MGR,ax,ay,az";
+  const Vec3 direction = times_two_to(-exponent_of(axis), axis);  // its length is in the range of numbers
+  return HeavyTop{v[0], direction / std::hypot(direction[0], direction[1], direction[2])};
 }
 
 std::variant<TorqueTerm, std::string> make_term(const TermKind& kind, const std::vector<double>& v) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/scene.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace polhode {
 namespace {
+
+using ::testing::HasSubstr;
 
 TEST(ParseNumber, ReadsDecimalAndHexadecimalExactly) {
   EXPECT_EQ(parse_number("0.1"), 0.1);
@@ -42,6 +46,18 @@ TEST(ParseTorque, ReadsEveryKind) {
   ASSERT_NE(term<LinearDamping>(damping), nullptr);
   EXPECT_EQ(term<LinearDamping>(damping)->c, 0.1);
   EXPECT_NE(term<EnergySink>(parse_torque_term("sink:0.2")), nullptr);
+}
+
+TEST(ParseTorque, TakesAnAxisOfAnyLength) {
+  for (const char* text : {"heavy:1,0,0.6e-150,0.8e-150", "heavy:1,0,3e-320,4e-320", "heavy:1,0,3e307,4e307",
+                           "heavy:1,0,6e307,8e307"}) {
+    const auto parsed = parse_torque_term(text);
+    ASSERT_NE(term<HeavyTop>(parsed), nullptr) << text << ": " << std::get<std::string>(parsed);
+    // Below the normal numbers the components have but 13 bits: 3e-320 is 6072 times the smallest number.
+    EXPECT_LT((term<HeavyTop>(parsed)->axis_B - Vec3(0, 0.6, 0.8)).norm(), 0x1p-12) << text;
+    EXPECT_NEAR(term<HeavyTop>(parsed)->axis_B.norm(), 1, 4 * std::numeric_limits<double>::epsilon());
+  }
+  EXPECT_THAT(std::get<std::string>(parse_torque_term("heavy:1,0,-0,0")), HasSubstr("must not be zero"));
 }
 
 TEST(ParseTorque, SaysWhatIsWrong) {
