@@ -128,8 +128,7 @@ class SceneKeys {
     if (named == nullptr) return;
     if (const auto body = body_of(scene_, bodies_); !body)
       report_.error(
-          named->value.place,
-          "the moments of " + in_quotes(scene_.body.name) + " about the pivot: " + body.error(),
+          named->value.place, body.error(),
           "let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by moments about the pivot");
   }
 

@@ -18,7 +18,7 @@ struct Rotor {
 /// Steiner's theorem for a body known by its shape and mass, whose moments are about the centre of mass: with
 /// HeavyTops in `torque` its moments about the pivot, at l = Σ mgr a/(m g) from there; without them as it is.
 /// It fails where l lies on no principal axis, since 1, 2, 3 are then not principal at the pivot, and where
-/// the moments overflow.
+/// the moments overflow; the message names the body.
 Result<Body> on_its_pivot(Body body, const Torque& torque);
 
 /// The one torque of the scene, if it is a HeavyTop that weighs something; null otherwise.

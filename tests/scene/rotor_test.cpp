@@ -76,7 +76,16 @@ TEST(Rotor, WhatHangsNowhereKeepsItsMoments) {
   EXPECT_EQ(*on_its_pivot(disc, {SpaceTorque{Vec3(1, 2, 3)}, LinearDamping{0.1}}), disc);
   const Body textbook = find_body("textbook").value();
   EXPECT_EQ(*on_its_pivot(textbook, {HeavyTop{1.0, Vec3::UnitZ()}}), textbook) << "about the pivot as given";
-  EXPECT_FALSE(on_its_pivot(disc, {HeavyTop{1.0, Vec3(0.6, 0.8, 0)}}));
+  const auto askew = on_its_pivot(disc, {HeavyTop{1.0, Vec3(0.6, 0.8, 0)}});
+  ASSERT_FALSE(askew);
+  EXPECT_EQ(askew.error(),
+            "the moments of \"disc\" about the pivot: its weight hangs on no principal axis, so that 1, 2, 3 "
+            "are not principal at the pivot");
+  const auto far = on_its_pivot(disc, {HeavyTop{1e300, Vec3::UnitX()}});
+  ASSERT_FALSE(far);
+  EXPECT_EQ(
+      far.error(),
+      "the moments of \"disc\" about the pivot: I2 = inf is not finite: no rigid body has these moments");
 }
 
 }  // namespace
