@@ -7,8 +7,9 @@
 #include <pwd.h>
 #include <unistd.h>
 
-#include <cctype>
+#include <algorithm>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 
 namespace polhode {
@@ -31,14 +32,27 @@ std::string home_of(const std::string& name) {
   return user ? user->pw_dir : throw refusal(fmt::format("there is no user called {}", name), '~' + name);
 }
 
-/// "HOME" of "$HOME" and "${HOME}"; empty: no name of a variable.
-std::string variable_in(std::string_view beginning) {
-  beginning.remove_prefix(1);
-  if (beginning.starts_with('{') && beginning.ends_with('}'))
-    beginning = beginning.substr(1, beginning.size() - 2);
-  for (const char c : beginning)
-    if (c != '_' && !std::isalnum(static_cast<unsigned char>(c))) return {};
-  return std::string(beginning);
+/// How many characters of a text are the name of a variable, as a shell takes it: the longest beginning of
+/// letters, digits and underscores that does not begin with a digit.
+std::size_t name_length(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kNames = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  if (text.empty() || kDigits.find(text.front()) != text.npos) return 0;
+  return std::min(text.find_first_not_of(kNames), text.size());
+}
+
+/// "HOME" and ".d" of "$HOME.d" and "${HOME}.d".
+struct Variable {
+  std::string name, rest;
+};
+std::optional<Variable> variable_in(std::string_view beginning) {
+  if (!beginning.starts_with('$')) return std::nullopt;
+  const bool is_braced = beginning.starts_with("${");
+  beginning.remove_prefix(is_braced ? 2 : 1);
+  const std::size_t length = name_length(beginning);
+  if (length == 0 || (is_braced && !beginning.substr(length).starts_with('}'))) return std::nullopt;
+  return Variable{std::string(beginning.substr(0, length)),
+                  std::string(beginning.substr(is_braced ? length + 1 : length))};
 }
 
 }  // namespace
@@ -49,11 +63,11 @@ std::filesystem::path typed_folder(const std::string& typed) {
   const std::string rest = typed.substr(beginning.size());
   if (beginning == "~") return home() + rest;
   if (beginning.starts_with('~')) return home_of(beginning.substr(1)) + rest;
-  const std::string variable = beginning.starts_with('$') ? variable_in(beginning) : "";
-  if (variable.empty()) return typed;
-  const char* value = std::getenv(variable.c_str());
-  if (!value || !*value) throw refusal(fmt::format("{} is not set", variable), beginning);
-  return value + rest;
+  const std::optional<Variable> variable = variable_in(beginning);
+  if (!variable) return typed;
+  const char* value = std::getenv(variable->name.c_str());
+  if (!value || !*value) throw refusal(fmt::format("{} is not set", variable->name), beginning);
+  return value + variable->rest + rest;
 }
 
 }  // namespace polhode

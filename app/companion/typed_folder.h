@@ -8,8 +8,9 @@
 namespace polhode {
 
 /// At its beginning, up to the first slash: ~ is the home, ~NAME that of another user, $NAME or ${NAME} what
-/// the environment has under this name. Everything else is meant as it is written: ./~ is a folder called ~.
-/// Empty: the present folder. The home is $HOME, or what the system has of the user where that is not set.
+/// the environment has under this name, which ends where it does in a shell: $HOME.d is beside $HOME.
+/// Everything else is meant as it is written: ./~ is a folder called ~. Empty: the present folder. The home
+/// is $HOME, or what the system has of the user where that is not set.
 /// @throws CommandError usage if there is no such user or the environment has nothing under this name
 std::filesystem::path typed_folder(const std::string& typed);
 

@@ -50,6 +50,15 @@ TEST(TypedFolder, TakesWhatTheEnvironmentHas) {
   EXPECT_EQ(typed_folder("${POLHODE_TALKS}"), "/srv/talks");
 }
 
+TEST(TypedFolder, ANameEndsWhereItEndsInAShell) {
+  const Setting talks("POLHODE_TALKS", "/srv/talks");
+  EXPECT_EQ(typed_folder("$POLHODE_TALKS.d/x"), "/srv/talks.d/x");
+  EXPECT_EQ(typed_folder("$POLHODE_TALKS-2025"), "/srv/talks-2025");
+  EXPECT_EQ(typed_folder("${POLHODE_TALKS}2/x"), "/srv/talks2/x");
+  for (const char* typed : {"$7/a", "${7}/a", "${POLHODE_TALKS/a", "${POLHODE-TALKS}/a", "$\xc3\xa9/a"})
+    EXPECT_EQ(typed_folder(typed), typed) << "no name of a variable";
+}
+
 TEST(TypedFolder, KnowsTheHomesOfUsers) {
   const passwd* user = getpwuid(getuid());
   if (!user) GTEST_SKIP() << "the system does not know who runs this";
@@ -73,6 +82,7 @@ TEST(TypedFolder, RefusesWhatNobodyKnows) {
   for (const auto& [typed, what, instead] :
        {std::tuple("~nobody-of-this-name/a", "no user called nobody-of-this-name", "./~nobody-of-this-name"),
         std::tuple("$POLHODE_NOTHING/a", "POLHODE_NOTHING is not set", "./$POLHODE_NOTHING"),
+        std::tuple("$POLHODE_NOTHING.d/a", "POLHODE_NOTHING is not set", "./$POLHODE_NOTHING.d"),
         std::tuple("${POLHODE_EMPTY}/a", "POLHODE_EMPTY is not set", "./${POLHODE_EMPTY}")}) {
     try {
       typed_folder(typed);
