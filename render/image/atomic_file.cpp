@@ -124,9 +124,18 @@ Status replace(FileOps& files, const fs::path& path, const FillFile& fill, Durab
   return success();
 }
 
-Status write_in_place(FileOps& files, const fs::path& path, const FillFile& fill) {
-  const int file = retry([&] { return files.open(path.c_str(), O_WRONLY | O_CLOEXEC, 0); });
+// Opening a pipe that nobody reads would wait for ever, even after a signal; writing waits for the reader.
+Status write_in_place(FileOps& files, const fs::path& path, bool is_pipe, const FillFile& fill) {
+  const int flags = O_WRONLY | O_CLOEXEC | (is_pipe ? O_NONBLOCK : 0);
+  const int file = retry([&] { return files.open(path.c_str(), flags, 0); });
+  if (file < 0 && is_pipe && errno == ENXIO)
+    return cannot_write(path, "nobody reads from this pipe; start its reader first");
   if (file < 0) return cannot_write(path, reason_of(errno));
+  if (is_pipe && ::fcntl(file, F_SETFL, O_WRONLY) != 0) {
+    const int error = errno;
+    close_file(files, file);
+    return cannot_write(path, reason_of(error));
+  }
   const Status filled = fill_and_close(files, file, fill, false);
   if (!filled) return cannot_write(path, filled.error());
   return success();
@@ -188,7 +197,8 @@ Status write_file_in_pieces(FileOps& files, const fs::path& path, const FillFile
   std::error_code error;
   const fs::file_status found = fs::status(path, error);
   if (fs::is_directory(found)) return cannot_write(path, reason_of(EISDIR));
-  if (fs::exists(found) && !fs::is_regular_file(found)) return write_in_place(files, path, fill);
+  if (fs::exists(found) && !fs::is_regular_file(found))
+    return write_in_place(files, path, fs::is_fifo(found), fill);
   // /dev/stdout may lead to a file: replace what a link points to, never the link.
   const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
   if (error && target.empty()) return cannot_write(path, error.message());

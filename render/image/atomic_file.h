@@ -54,7 +54,7 @@ class PosixFileOps final : public FileOps {
 /// is gone, `path` is as it was, and the error names path and reason. (One exception: Durability::sync
 /// reports a folder that cannot be flushed although the file, whole, has its name by then.) Survives EINTR
 /// and short writes. A symbolic link stays, what it points to is replaced; a device or pipe (/dev/null,
-/// /dev/stdout) is written in place.
+/// /dev/stdout) is written in place; a pipe that nobody reads is an error.
 Status write_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                              Durability durability = Durability::rename_only);
 Status write_file_atomically(FileOps& files, const std::filesystem::path& path,

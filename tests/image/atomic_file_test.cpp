@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -334,6 +335,39 @@ TEST(AtomicFile, AFullDeviceIsReported) {
 TEST(AtomicFile, ADeviceIsWrittenInPlace) {
   EXPECT_TRUE(write_file_atomically("/dev/null", kNew).ok());
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, APipeThatNobodyReadsIsReported) {
+  const Folder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  alarm(60);  // it once waited for ever
+  const Status written = write_file_atomically(folder / "pipe", kNew);
+  alarm(0);
+  ASSERT_FALSE(written.ok());
+  EXPECT_THAT(written.error(), HasSubstr("pipe: nobody reads from this pipe"));
+}
+
+TEST(AtomicFile, APipeWaitsForItsReader) {
+  const Folder folder;
+  const Bytes many = numbered(1'000'000);  // more than a pipe holds
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  const int end = open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(end, 0);
+  Bytes found;
+  std::thread reader([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    Bytes some(4096);
+    for (pollfd ready{end, POLLIN, 0}; poll(&ready, 1, 60'000) == 1;) {
+      const ssize_t count = read(end, some.data(), some.size());
+      if (count <= 0) break;
+      found.insert(found.end(), some.begin(), some.begin() + count);
+    }
+  });
+  const Status written = write_file_atomically(folder / "pipe", many);
+  reader.join();
+  close(end);
+  EXPECT_TRUE(written.ok()) << written.error();
+  EXPECT_EQ(found, many);
 }
 
 TEST(AtomicFile, ALinkStaysAndItsTargetIsReplaced) {
