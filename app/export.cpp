@@ -12,6 +12,8 @@
 #include "app/sha256.h"
 #include "app/transcript.h"
 #include "app/usage.h"
+#include "render/image/temporary_file.h"
+#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -70,11 +72,12 @@ void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
   if (!e.out.deck.empty()) make_deck(e, watch);
 }
 
-/// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed.
+/// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed; the
+/// manifest last, by which the folder is still known as ours if we are killed here.
 void remove_parts(const PictureExport& e) {
   std::error_code ignored;
-  fs::remove(e.out.folder / kManifestName, ignored);
   for (const PlannedPicture& picture : e.plan.pictures) fs::remove(e.out.folder / picture.file, ignored);
+  fs::remove(e.out.folder / kManifestName, ignored);
   fs::remove(e.out.folder, ignored);
 }
 
@@ -127,9 +130,16 @@ PicturesMade make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
   return made;
 }
 
+/// The end of a sentence. A command that a terminal does not show as it is could not be copied from there.
+std::string go_on_with(const std::vector<std::string>& words) {
+  if (!std::all_of(words.begin(), words.end(), shows_as_it_is))
+    return "go on with the same command and --skip-existing";
+  return "go on with\n  " + shell_line(words);
+}
+
 void report_interruption(const PictureExport& e, const PicturesMade& made) {
-  say("polhode: interrupted after {} of {} pictures in {}; go on with\n  {}\n", made.count,
-      e.out.shard.size(e.plan.pictures.size()), e.out.folder.string(), shell_line(e.out.resume));
+  say("polhode: interrupted after {} of {} pictures in {}; {}\n", made.count,
+      e.out.shard.size(e.plan.pictures.size()), e.out.folder.string(), go_on_with(e.out.resume));
 }
 
 void report_pictures(const PictureExport& e, const PicturesMade& made) {
@@ -150,8 +160,8 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
 [[noreturn]] void fail_with_advice(const PictureExport& e, const CommandError& error) {
   const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
   if (error.code != ExitCode::failed || !folder || !folder->ours) throw error;
-  throw CommandError(error.code, fmt::format("{}\nWhat is whole is kept; go on with\n  {}", error.what(),
-                                             shell_line(e.out.resume)));
+  throw CommandError(error.code,
+                     fmt::format("{}\nWhat is whole is kept; {}", error.what(), go_on_with(e.out.resume)));
 }
 
 /// Before all is drawn for nothing.
@@ -163,11 +173,27 @@ void refuse_folders(const ExportOutput& out) {
                          fmt::format("{}: {} is a folder; give it a name of its own", option, *file));
 }
 
+/// What lies in the folder of the pictures. FILE.parts is a name that others can guess, and what is in it
+/// goes in the end: there no link is followed, and nothing but what an export of ours left is taken over.
+void look_into_folder(const ExportIdentity& mine, const ExportOutput& out) {
+  constexpr const char* kAdvice = "move it away, or say where the pictures go with --output DIR";
+  std::error_code error;
+  const std::string folder = out.folder.string();
+  if (!out.keep_folder && fs::is_symlink(out.folder, error))
+    throw CommandError(ExitCode::failed, fmt::format("{} is a link; {}", folder, kAdvice));
+  const FolderState state = or_fail(look_into(out.folder, mine));
+  if (out.keep_folder || state.ours) return;
+  for (fs::directory_iterator entry(out.folder, error), end; !error && entry != end; entry.increment(error))
+    if (!is_temporary_name(entry->path().filename().string()))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("{} holds files of something else; {}", folder, kAdvice));
+}
+
 ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
   const ExportPlan plan = plan_export(loaded.lesson, options);
   note_left_out(plan, options.what);
   refuse_folders(out);
-  or_fail(look_into(out.folder, identity_of(loaded, options)));
+  look_into_folder(identity_of(loaded, options), out);
   const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
   try {
@@ -183,8 +209,7 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
     else
       remove_parts(e);
   } catch (const Interrupted&) {
-    say("polhode: interrupted; the pictures are in {}; go on with\n  {}\n", out.folder.string(),
-        shell_line(out.resume));
+    say("polhode: interrupted; the pictures are in {}; {}\n", out.folder.string(), go_on_with(out.resume));
     return ExitCode::interrupted;
   } catch (const CommandError& error) {
     fail_with_advice(e, error);

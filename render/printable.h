@@ -77,4 +77,7 @@ inline std::string printable(std::string_view text) { return printable_detail::p
 /// A name, or another text that is to be one line: line feeds are written out too.
 inline std::string printable_line(std::string_view text) { return printable_detail::printable(text, ""); }
 
+/// A name that is the same after printable_line: it can be copied from where it is shown.
+inline bool shows_as_it_is(const std::string& text) { return printable_line(text) == text; }
+
 }  // namespace polhode

@@ -13,7 +13,6 @@
 #include <cstdio>
 #include <fstream>
 #include <optional>
-#include <string_view>
 
 namespace polhode {
 namespace {
@@ -74,12 +73,16 @@ std::string temporary_name(int i) {
          std::string(kSuffix);
 }
 
+bool is_temporary_name(std::string_view name) {
+  return name.starts_with(kTemporaryPrefix) && name.ends_with(kSuffix);
+}
+
 std::vector<fs::path> left_behind_in(const fs::path& folder) {
   std::vector<fs::path> found;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
-    if (!name.starts_with(kTemporaryPrefix) || !name.ends_with(kSuffix)) continue;
+    if (!is_temporary_name(name)) continue;
     const auto process = process_here(name);
     if (process ? is_gone(*process) : is_old(entry->path())) found.push_back(entry->path());
   }

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -15,6 +16,7 @@ inline constexpr const char* kTemporaryPrefix = ".polhode-";
 /// ".polhode-5f3a90c1-4711-0.part": where this process runs (the boot of the machine, and the set of
 /// processes that can see each other), its number, and `i`, for a process with several at once.
 std::string temporary_name(int i);
+bool is_temporary_name(std::string_view name);
 
 /// Temporary files that nobody will finish: of processes that ran here and are gone; of others, whose end
 /// cannot be seen from here, what was last written more than an hour ago. Sorted. A folder that cannot be

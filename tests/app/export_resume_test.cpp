@@ -21,6 +21,7 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using Words = std::vector<std::string>;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
@@ -372,3 +373,25 @@ TEST(Failed, ExportIntoAFolderThatTakesNothingLeavesNothing) {
 
 }  // namespace
 }  // namespace polhode
+// What a terminal does not show as it is cannot be copied from it.
+TEST(Failed, ExportOffersNoCommandThatIsNotTheCommand) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch / "a\x1b[31mb";
+  fs::create_directories(folder / "03-rolling-frame06.png");
+  const ProgramRun run = polhode(small_export(folder));
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, AllOf(HasSubstr("go on with the same command and --skip-existing\n"),
+                             Not(HasSubstr(" export "))));
+}
+
+TEST(Interrupted, OffersNoCommandThatIsNotTheCommand) {
+  const ScratchFolder scratch;
+  const fs::path folder = scratch / "a\x1b[31mb";
+  const ProgramRun run =
+      polhode({"export", test_lesson("tiny.md"), "-o", folder, "--film", folder / "f.mp4", "--fps", "200"},
+              struck_while_drawing(folder, SIGINT));
+  EXPECT_EQ(run.code, 130) << run.err;
+  EXPECT_THAT(run.err, AllOf(HasSubstr("go on with the same command and --skip-existing\n"),
+                             Not(HasSubstr(" export "))));
+}
+

@@ -8,14 +8,19 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
+#include <fstream>
+#include <functional>
+#include <thread>
 
 namespace polhode {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+namespace fs = std::filesystem;
 
 constexpr const char* kLesson = R"(+++
 format = 1
@@ -152,6 +157,88 @@ TEST(ExportDeck, IsTheSameWithAndWithoutAFolderForThePictures) {
   }
   EXPECT_THAT(names_in(folder / "kept"),
               ElementsAre("01-steady.png", "02-words.png", "03-rolling.png", "manifest.json"));
+}
+
+// Whoever may write beside the deck can guess the name of the folder that its pictures pass through.
+TEST(ExportDeck, FollowsNoLinkForItsPictures) {
+  const ScratchFolder folder, elsewhere;
+  for (const bool dangling : {false, true}) {
+    const fs::path target = elsewhere / (dangling ? "none" : "there");
+    if (!dangling) {
+      fs::create_directory(target);
+      write_text(target / "01-steady.png", "precious");
+    }
+    fs::create_symlink(target, folder / "deck.html.parts");
+    const ProgramRun run = export_deck(folder / "deck.html");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_THAT(run.err, testing::AllOf(HasSubstr("deck.html.parts is a link"), HasSubstr("--output DIR")));
+    EXPECT_THAT(names_in(folder.path()), ElementsAre("deck.html.parts"));
+    fs::remove(folder / "deck.html.parts");
+  }
+  EXPECT_THAT(names_in(elsewhere.path()), ElementsAre("there"));
+  EXPECT_EQ(text_of(elsewhere / "there/01-steady.png"), "precious");
+}
+
+TEST(ExportDeck, TakesNoFolderOfOthersForItsPictures) {
+  const ScratchFolder folder;
+  const fs::path parts = folder / "deck.html.parts";
+  fs::create_directory(parts);
+  write_text(parts / "01-steady.png", "precious");
+  const ProgramRun run = export_deck(folder / "deck.html");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, testing::AllOf(HasSubstr("deck.html.parts holds files of something else"),
+                                      HasSubstr("--output DIR")));
+  EXPECT_THAT(names_in(folder.path()), ElementsAre("deck.html.parts"));
+  EXPECT_THAT(names_in(parts), ElementsAre("01-steady.png"));
+  EXPECT_EQ(text_of(parts / "01-steady.png"), "precious");
+}
+
+TEST(ExportDeck, TakesTheFolderThatAKilledExportLeft) {
+  const ScratchFolder folder;
+  const fs::path parts = folder / "deck.html.parts";
+  // Killed before its marker had its name, while it drew, and while it cleaned up.
+  const auto begun = [&] { write_text(parts / ".polhode-12345678-1-0.part", "{"); };
+  const auto drawing = [&] {
+    ASSERT_EQ(export_deck(folder / "other.html", {"-o", parts.string()}).code, 0);
+    fs::rename(parts / "manifest.json", parts / ".polhode-unfinished.json");
+    fs::remove(parts / "03-rolling.png");
+  };
+  const auto cleaning_up = [&] {
+    ASSERT_EQ(export_deck(folder / "other.html", {"-o", parts.string()}).code, 0);
+    fs::remove(parts / "01-steady.png");
+  };
+  for (const std::function<void()>& killed :
+       std::vector<std::function<void()>>{[] {}, begun, drawing, cleaning_up}) {
+    fs::create_directory(parts);
+    killed();
+    const ProgramRun run = export_deck(folder / "deck.html");
+    EXPECT_EQ(run.code, 0) << run.err;
+    fs::remove(parts / ".polhode-12345678-1-0.part");  // it may be of another machine, and stays for an hour
+    fs::remove(parts);
+    EXPECT_FALSE(fs::exists(parts));
+  }
+}
+
+TEST(ExportDeck, IntoAPipeThatNobodyReadsIsCode1) {
+  const ScratchFolder folder;
+  ASSERT_EQ(mkfifo((folder / "deck.html").c_str(), 0600), 0);
+  const ProgramRun run = export_deck(folder / "deck.html");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("nobody reads from this pipe"));
+}
+
+TEST(ExportDeck, GoesThroughAPipe) {
+  const ScratchFolder folder;
+  ASSERT_EQ(export_deck(folder / "want.html").code, 0);
+  const fs::path pipe = folder / "deck.html";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::string found;
+  std::thread reader([&] { found = text_of(pipe); });
+  const ProgramRun run = export_deck(pipe);
+  EXPECT_EQ(run.code, 0) << run.err;
+  if (run.code != 0) std::ofstream(pipe) << "";  // or the reader waited for ever
+  reader.join();
+  EXPECT_TRUE(found == text_of(folder / "want.html"));
 }
 
 TEST(ExportDeck, SaysWhatCannotBe) {

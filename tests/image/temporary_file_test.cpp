@@ -45,6 +45,8 @@ TEST(TemporaryFile, HasANameOfItsProcess) {
   EXPECT_NE(temporary_name(0), temporary_name(1));
   EXPECT_NE(temporary_name(0), name_of_the_dead(0));
   EXPECT_THAT(temporary_name(7), testing::MatchesRegex("\\.polhode-[0-9a-f]{8}-[0-9]+-7\\.part"));
+  EXPECT_TRUE(is_temporary_name(temporary_name(7)));
+  EXPECT_FALSE(is_temporary_name(".polhode-unfinished.json") || is_temporary_name("a.part"));
 }
 
 TEST(TemporaryFile, OfADeadProcessIsLeftBehind) {

@@ -42,5 +42,11 @@ TEST(Printable, OfALineHasNoSecond) {
   EXPECT_EQ(printable_line("ω"), "ω");
 }
 
+TEST(Printable, IsTheTextItselfWhereItCanBeCopied) {
+  for (const char* text : {"", "a b", "ω", "\\u001b"}) EXPECT_TRUE(shows_as_it_is(text)) << text;
+  for (const char* text : {"a\nb", "\x1b[31m", "\xff", "\u202e"})
+    EXPECT_FALSE(shows_as_it_is(text)) << printable(text);
+}
+
 }  // namespace
 }  // namespace polhode
