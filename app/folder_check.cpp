@@ -65,9 +65,12 @@ class Check {
     if (has_manifest && manifest.is_null()) damaged(kManifestName, "it is not a manifest of polhode");
     if (marked && marker.is_null()) damaged(kMarkerName, "it is not of polhode");
     const Json& record = marker.is_null() ? manifest : marker;
+    record_name_ = marker.is_null() ? kManifestName : kMarkerName;
     if (!record.is_null()) {
       found_.lesson_id = text_in(record["lesson"], "id");
       found_.expected = record["files"].size();
+      has_checksums_ = std::any_of(record["files"].begin(), record["files"].end(),
+                                   [](const Json& file) { return file.contains("sha256"); });
       for (const Json& file : record["files"]) check_file(file, record);
     }
     sort_others();
@@ -85,9 +88,9 @@ class Check {
                          fmt::format("cannot read folder {}: {}", folder_.string(), error.message()));
   }
 
+  /// Of several reasons the first is told.
   void damaged(const std::string& name, const std::string& reason) {
-    found_.damaged.push_back(name);
-    found_.reasons[name] = reason;
+    if (found_.reasons.emplace(name, reason).second) found_.damaged.push_back(name);
   }
 
   void foreign(const std::string& name, const std::string& reason) {
@@ -99,14 +102,15 @@ class Check {
   void check_file(const Json& file, const Json& record) {
     const std::string name = file.is_string() ? file.get<std::string>() : text_in(file, "file");
     if (!expected_.insert(name).second) {
-      damaged(kManifestName, fmt::format("it lists {} twice", name));
+      damaged(record_name_, fmt::format("it lists {} twice", name));
       return;
     }
+    const std::string sha256 = text_in(file, "sha256");
+    if (has_checksums_ && sha256.empty()) damaged(record_name_, fmt::format("it has no sha256 of {}", name));
     if (names_.count(name) == 0) {
       found_.missing.push_back(name);
       return;
     }
-    const std::string sha256 = text_in(file, "sha256");
     if (!name.ends_with(".png"))
       check_text(name, sha256);
     else
@@ -171,10 +175,9 @@ class Check {
     const std::vector<fs::path> left = left_behind_in(folder_);
     for (const std::string& name : names_) {
       if (expected_.count(name) > 0 || name == kManifestName || name == kMarkerName) continue;
-      const bool temporary = name.starts_with(kTemporaryPrefix) && name.ends_with(".part");
       if (is_shard_manifest_name(name))
         found_.finished ? found_.left_over.push_back(name) : add_shard(name);
-      else if (!temporary && !is_made_of_pictures(name))
+      else if (!is_temporary_name(name) && !is_made_of_pictures(name))
         found_.foreign.push_back(name);
       else if (std::find(left.begin(), left.end(), folder_ / name) != left.end())
         found_.left_over.push_back(name);
@@ -186,30 +189,13 @@ class Check {
     found_.shards_finished.push_back(name.substr(kStart.size(), name.size() - kStart.size() - kEnd.size()));
   }
 
-  /// The words that the marker has, or words made of the options. Whoever may write into the folder may have
-  /// written either: nothing is offered for copying but an export by this program, of words that show as they
-  /// are.
+  /// The export of the same pictures: a film or deck made of them is not what was judged here. Whoever may
+  /// write into the folder may have written all of the record: nothing is offered for copying but an export
+  /// by this program into this folder, of words that show as they are.
   std::vector<std::string> resume(const Json& record) const {
-    std::vector<std::string> words = words_in(record);
-    if (!is_export(words)) words = words_of_options(record["options"]);
-    if (!is_export(words)) return {};
-    words.front() = program_invocation_name;
-    return words;
-  }
-
-  std::vector<std::string> words_in(const Json& record) const {
-    std::vector<std::string> words;
-    if (!record.contains("resume") || !record["resume"].is_array()) return words;
-    for (const Json& word : record["resume"])
-      if (word.is_string()) words.push_back(word.get<std::string>());
-    const auto output = std::find(words.begin(), words.end(), "--output");
-    if (output != words.end() && output + 1 != words.end()) output[1] = folder_.string();
-    return words;
-  }
-
-  std::vector<std::string> words_of_options(const Json& options) const {
-    std::vector<std::string> words = {"polhode", "export", found_.lesson_id, "--output", folder_.string()};
-    for (const auto& [name, value] : options.items())
+    std::vector<std::string> words = {program_invocation_name, "export", lesson_in(record), "--output",
+                                      folder_.string()};
+    for (const auto& [name, value] : record["options"].items())
       for (const Json& one : value.is_array() ? value : Json::array({value}))
         if (!one.is_null()) {
           std::string option = "--" + name;
@@ -218,27 +204,39 @@ class Check {
           words.push_back(one.is_string() ? one.get<std::string>() : one.dump());
         }
     words.emplace_back("--skip-existing");
-    return words;
+    return may_be_offered(words) ? words : std::vector<std::string>();
   }
 
-  /// polhode export LESSON [--option VALUE]… --skip-existing, as words_of in export.cpp writes it; of the
-  /// program the name alone is looked at.
-  static bool is_export(const std::vector<std::string>& words) {
+  /// As the command in the marker names it, by a file perhaps; otherwise its id.
+  std::string lesson_in(const Json& record) const {
+    const auto word = [&](std::size_t i) {
+      const bool is_there =
+          record.contains("resume") && record["resume"].is_array() && i < record["resume"].size();
+      return is_there && record["resume"][i].is_string() ? record["resume"][i].get<std::string>() : "";
+    };
+    constexpr std::size_t kCommand = 1, kLesson = 2;
+    return word(kCommand) == "export" && is_argument(word(kLesson)) ? word(kLesson) : found_.lesson_id;
+  }
+
+  static bool is_argument(const std::string& word) {
+    return !word.empty() && word.front() != '-' && shows_as_it_is(word);
+  }
+
+  /// @param words PROGRAM export LESSON [--option VALUE]… --skip-existing
+  static bool may_be_offered(const std::vector<std::string>& words) {
     static const std::set<std::string> kOptions = {
-        "--output", "--stage", "--what",    "--each", "--size",    "--theme",   "--background",
-        "--dpi",    "--fps",   "--seconds", "--at",   "--frames",  "--quality", "--text-size",
-        "--png",    "--film",  "--deck",    "--sync", "--context", "--shard",   "--jobs"};
-    const auto shows_as_it_is = [](const std::string& word) { return printable_line(word) == word; };
-    if (words.size() < 4 || !std::all_of(words.begin(), words.end(), shows_as_it_is)) return false;
-    if (fs::path(words[0]).filename() != "polhode" || words[1] != "export") return false;
-    if (words[2].empty() || words[2].front() == '-' || words.back() != "--skip-existing") return false;
+        "--output", "--stage",      "--what", "--each", "--size",    "--fps",       "--seconds", "--at",
+        "--theme",  "--background", "--dpi",  "--png",  "--quality", "--text-size", "--frames"};
+    if (!std::all_of(words.begin(), words.end(), shows_as_it_is) || !is_argument(words[2])) return false;
     for (std::size_t i = 3; i + 1 < words.size(); i += 2)
-      if (!kOptions.contains(words[i]) || i + 2 >= words.size()) return false;
+      if (!kOptions.contains(words[i]) || words[i + 1].starts_with("--")) return false;
     return true;
   }
 
   fs::path folder_;
   std::set<std::string> names_, expected_;
+  const char* record_name_ = kManifestName;  ///< of what says which files are expected
+  bool has_checksums_ = false;               ///< it has: a manifest of before 0.1.0, or a marker, has none
   FolderCheck found_;
 };
 

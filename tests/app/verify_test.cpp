@@ -150,6 +150,48 @@ TEST_F(Verify, OffersNothingForCopyingButAnExportByThisProgram) {
   EXPECT_TRUE(json(4)["resume"].is_null());
 }
 
+// A film or deck of that name would be written over.
+TEST_F(Verify, OffersToMakeThePicturesAlone) {
+  const Json genuine = Json::parse(text_of(file(kManifestName)));
+  fs::remove(file(kFirst));
+  const std::string precious = scratch / "precious.html";
+  const std::vector<Json> planted = {
+      {"polhode", "export", "tiny", "--output", "x", "--deck", precious, "--skip-existing"},
+      {"polhode", "export", "tiny", "--deck=" + precious, "--output", "x", "--skip-existing"},
+      {"polhode", "export", "tiny", "--film", precious, "--film=" + precious, "--skip-existing"}};
+  for (const Json& resume : planted) {
+    Json manifest = genuine;
+    manifest["resume"] = resume;
+    write_text(file(kManifestName), manifest.dump());
+    EXPECT_THAT(json(4)["resume"].get<std::string>(),
+                testing::AllOf(HasSubstr(" export tiny --output " + folder().string()),
+                               testing::EndsWith(" --skip-existing"), Not(HasSubstr("precious"))));
+  }
+  for (const char* option : {"deck", "film"}) {
+    Json manifest = genuine;
+    manifest["options"][option] = precious;
+    write_text(file(kManifestName), manifest.dump());
+    EXPECT_TRUE(json(4)["resume"].is_null());
+  }
+}
+
+TEST_F(Verify, SaysHowToFinishThePicturesOfAFilm) {
+  for (const auto& [each, picture] :
+       {std::pair{"frame", "03-rolling-frame3.png"}, std::pair{"step", "03-rolling-step1.png"}}) {
+    fs::remove_all(folder());
+    fs::create_directories(file(picture));  // the export stops there
+    const ProgramRun run =
+        polhode({"export", test_lesson("tiny.md"), "--film", scratch / "f.mp4", "-o", folder(), "--what",
+                 "figure", "--size", "48x27", "--fps", "3", "--seconds", "1", "--each", each});
+    ASSERT_EQ(run.code, 1) << run.err;
+    fs::remove(file(picture));
+    const std::string command = json(4)["resume"];
+    EXPECT_THAT(command, Not(HasSubstr("f.mp4")));
+    EXPECT_EQ(std::system((command + " 2>/dev/null").c_str()), 0) << command;
+    json(0);
+  }
+}
+
 TEST_F(Verify, WritesOutWhatSteersATerminal) {
   write_text(file("\x1b[31mred.png"), "?");
   const ProgramRun run = polhode({"verify", folder()});
@@ -201,6 +243,34 @@ TEST_F(Verify, FindsAManifestThatListsAFileTwiceOrAnImpossibleSize) {
   manifest["files"][0]["width"] = manifest["files"][0]["width"].get<std::int64_t>() + (std::int64_t{1} << 32);
   write_text(file(kManifestName), manifest.dump());
   EXPECT_THAT(json(4)["foreign"], ElementsAre(kFirst));
+}
+
+TEST_F(Verify, FindsAManifestWithoutTheChecksumOfAFile) {
+  const Json whole = Json::parse(text_of(file(kManifestName)));
+  for (const bool erased : {true, false}) {
+    Json manifest = whole;
+    if (erased)
+      manifest["files"][1].erase("sha256");
+    else
+      manifest["files"][1]["sha256"] = nullptr;
+    write_text(file(kManifestName), manifest.dump());
+    const Json found = json(4);
+    EXPECT_THAT(found["damaged"], ElementsAre(kManifestName));
+    EXPECT_EQ(found["reasons"][kManifestName], std::string("it has no sha256 of ") + kSecond);
+  }
+  Json manifest = whole;
+  for (Json& one : manifest["files"]) one["sha256"] = nullptr;
+  write_text(file(kManifestName), manifest.dump());
+  EXPECT_THAT(json(4)["damaged"], ElementsAre(kManifestName));
+}
+
+TEST_F(Verify, FindsAMarkerThatListsAFileTwice) {
+  fs::remove_all(folder());
+  make({"--shard", "2/3"});
+  Json marker = Json::parse(text_of(file(kMarkerName)));
+  marker["files"].push_back(marker["files"][0]);
+  write_text(file(kMarkerName), marker.dump());
+  EXPECT_THAT(json(4)["damaged"], ElementsAre(kMarkerName));
 }
 
 TEST_F(Verify, TakesManifestsOfBeforeThereWereChecksums) {
