@@ -4,7 +4,13 @@
 #include "app/timeline.h"
 #include "render/image/file_link.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
 
 namespace polhode {
 
@@ -80,6 +86,18 @@ std::span<const std::uint8_t> bytes_of(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
+bool same_export(const ExportIdentity& a, const ExportIdentity& b) {
+  return a.options == b.options && a.lesson_sha256 == b.lesson_sha256;
+}
+
+std::vector<fs::path> shard_manifests_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (is_shard_manifest_name(entry->path().filename().string())) found.push_back(entry->path());
+  return found;
+}
+
 }  // namespace
 
 Result<FolderState> look_into(const fs::path& folder, const ExportIdentity& mine) {
@@ -118,6 +136,28 @@ Result<FolderState> begin_in(const fs::path& folder, const Marker& mine) {
   return state;
 }
 
+Result<Checksums> recorded_checksums(const fs::path& folder, const ExportIdentity& mine) {
+  Checksums all;
+  const auto add = [&](const Checksums& more) {
+    const bool older =
+        std::all_of(more.begin(), more.end(), [](const auto& file) { return file.second.empty(); });
+    if (!older)
+      for (const auto& [file, sha256] : more) all[file] = sha256;
+  };
+  // That of all comes last: the last shard to finish writes it, and only then removes those of shards.
+  for (const fs::path& path : shard_manifests_in(folder)) {
+    const auto there = summarize_manifest(path);
+    if (!there || !*there || !same_export((*there)->of, mine)) continue;  // told by summarize_shards
+    if (const auto of_shard = checksums_in_manifest(path)) add(*of_shard);
+  }
+  std::error_code error;
+  if (!fs::exists(folder / kManifestName, error)) return all;
+  const auto of_all = checksums_in_manifest(folder / kManifestName);
+  if (!of_all) return failure(of_all.error());
+  add(*of_all);
+  return all;
+}
+
 Result<std::optional<ShardsSummary>> summarize_shards(const fs::path& folder, const ExportIdentity& mine,
                                                       std::int64_t shards, std::size_t pictures) {
   ShardsSummary all;
@@ -128,8 +168,7 @@ Result<std::optional<ShardsSummary>> summarize_shards(const fs::path& folder, co
     if (!there) return failure(there.error() + "; remove it and export that shard again");
     if (!*there) return std::optional<ShardsSummary>();
     const ManifestSummary& found = **there;
-    if (found.of.options != mine.options || found.of.lesson_sha256 != mine.lesson_sha256 ||
-        found.files != shard.size(pictures))
+    if (!same_export(found.of, mine) || found.files != shard.size(pictures))
       return failure(
           fmt::format("{} is of another export; remove it and export that shard again", path.string()));
     renderers.push_back(found.renderer);
@@ -141,12 +180,20 @@ Result<std::optional<ShardsSummary>> summarize_shards(const fs::path& folder, co
   return std::optional(std::move(all));
 }
 
+FolderLock::FolderLock(const fs::path& folder)
+    : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (folder_ < 0) return;
+  while (::flock(folder_, LOCK_EX) != 0 && errno == EINTR) {
+  }
+}
+
+FolderLock::~FolderLock() {
+  if (folder_ >= 0) ::close(folder_);
+}
+
 void remove_traces(const fs::path& folder) {
-  std::error_code error, ignored;
-  std::vector<fs::path> traces;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (is_shard_manifest_name(entry->path().filename().string())) traces.push_back(entry->path());
-  for (const fs::path& trace : traces) fs::remove(trace, ignored);
+  std::error_code ignored;
+  for (const fs::path& trace : shard_manifests_in(folder)) fs::remove(trace, ignored);
   fs::remove(folder / kMarkerName, ignored);
 }
 

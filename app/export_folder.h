@@ -46,6 +46,11 @@ struct Marker {
 /// exporter that came in between is noticed here, with the same errors.
 Result<FolderState> begin_in(const std::filesystem::path& folder, const Marker& mine);
 
+/// What the files are, as far as manifest.json and manifests of shards in the folder say; of files that none
+/// of them lists, and of manifests of before there were checksums, nothing. An empty one is confirmed by no
+/// file. Call where look_into takes the folder for ours, before anything is made there.
+Result<Checksums> recorded_checksums(const std::filesystem::path& folder, const ExportIdentity& mine);
+
 /// What the manifests of all shards say together.
 struct ShardsSummary {
   std::string renderer;  ///< join_renderers
@@ -58,6 +63,20 @@ struct ShardsSummary {
 Result<std::optional<ShardsSummary>> summarize_shards(const std::filesystem::path& folder,
                                                       const ExportIdentity& mine, std::int64_t shards,
                                                       std::size_t pictures);
+
+/// Held by one process at a time while it reads manifest.json, changes what it read and writes it again: an
+/// advisory lock (flock) on the folder itself, which leaves no file and ends with its process. Where a file
+/// system has no such locks, nothing is held: of two that do this in the same instant one is then forgotten.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int folder_ = -1;
+};
 
 /// When manifest.json is there: marker and manifests of shards go. What cannot be removed stays.
 void remove_traces(const std::filesystem::path& folder);

@@ -165,7 +165,7 @@ Result<Checksums> checksums_in_manifest(const std::filesystem::path& path) {
     const auto text = [&](const char* name) {
       return parsed.contains(name) && parsed[name].is_string() ? parsed[name].get<std::string>() : "";
     };
-    if (const std::string sha256 = text("sha256"); !sha256.empty()) checksums[text("file")] = sha256;
+    checksums[text("file")] = text("sha256");
     return false;
   };
   if (Json::parse(file, take, false).is_discarded())

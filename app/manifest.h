@@ -57,8 +57,8 @@ Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem:
 
 /// SHA-256 of files by their names, in hexadecimal digits.
 using Checksums = std::map<std::string, std::string>;
-/// Those that a manifest lists; of files for which it has none (an older one), nothing. An error if there is
-/// no such manifest.
+/// Of all files that a manifest lists; empty where it has none (an older one). An error if there is no such
+/// manifest.
 Result<Checksums> checksums_in_manifest(const std::filesystem::path& path);
 
 /// "size is 640x360 there and 1280x720 here", of the first option that differs.

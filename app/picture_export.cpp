@@ -6,8 +6,6 @@
 #include "app/picture_maker.h"
 #include "app/picture_metadata.h"
 #include "app/picture_writer.h"
-#include "app/sha256.h"
-#include "render/image/file_bytes.h"
 
 #include <fmt/format.h>
 
@@ -61,9 +59,28 @@ FolderState begin(const PictureExport& e, const std::string& renderer) {
   return or_fail(begin_in(e.out.folder, marker));
 }
 
+/// Pictures that are there already.
+struct Keepable {
+  bool any = false;
+  Checksums recorded;  ///< recorded_checksums
+
+  /// What nobody recorded is what an export left that was interrupted before its manifest.
+  bool takes(const std::string& file, const PictureCheck& there) const {
+    const auto written = recorded.find(file);
+    return there.state == PictureCheck::State::whole &&
+           (written == recorded.end() || written->second == there.sha256);
+  }
+};
+
+Keepable keepable(const PictureExport& e, const FolderState& before) {
+  if (!e.out.skip_existing || !before.ours) return {};
+  return {true, or_fail(recorded_checksums(e.out.folder, identity_of(e.loaded, e.options)))};
+}
+
 /// Draws and puts. @throws Interrupted
-void put_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep, const TellProgress& tell,
-                  const InterruptWatch& watch, PictureWriter& writer, PicturesMade& made) {
+void put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& keepable,
+                  const TellProgress& tell, const InterruptWatch& watch, PictureWriter& writer,
+                  PicturesMade& made) {
   const PlannedPicture* before = nullptr;  // the one put last
   for (std::size_t place = 0; place < e.plan.pictures.size() && !watch.interrupted(); ++place) {
     if (!e.out.shard.takes(place)) continue;
@@ -72,9 +89,9 @@ void put_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep, co
     const PictureDescription description = maker.describe(picture);
     PngMetadata metadata =
         picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s, e.options.dpi);
-    if (may_keep) {
+    if (keepable.any) {
       PictureCheck there = check_picture(e.out.folder / picture.file, description.size, metadata);
-      if (there.state == PictureCheck::State::whole) {
+      if (keepable.takes(picture.file, there)) {
         made.checksums[picture.file] = std::move(there.sha256);
         ++made.count;
         ++made.kept;
@@ -90,12 +107,12 @@ void put_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep, co
 }
 
 /// Draws and writes until all are there or someone interrupts.
-PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, bool may_keep,
+PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& keepable,
                             const TellProgress& tell, const InterruptWatch& watch) {
   PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
   PicturesMade made;
   try {
-    put_pictures(e, maker, may_keep, tell, watch, writer, made);
+    put_pictures(e, maker, keepable, tell, watch, writer, made);
   } catch (const Interrupted&) {  // what was put is written
   }
   or_fail(writer.finish());
@@ -188,19 +205,22 @@ void finish_shard(const PictureExport& e, PictureMaker& maker, PicturesMade& mad
   write_manifest(e, maker, Shard{}, made.renderer, of_all->checksums, kManifestName);
 }
 
-/// After a shard was made again in a folder that was finished. Other bytes come from another driver; then all
-/// files are read, so that of several that do this at once the last to end is right.
-void refresh_manifest(const PictureExport& e, PictureMaker& maker, const FolderState& before,
-                      const PicturesMade& made) {
-  Checksums of_all = or_fail(checksums_in_manifest(e.out.folder / kManifestName));
+/// After a shard was made again in a folder that was finished. Other bytes come from another driver. It
+/// vouches for its own pictures alone: what the manifest says of the others stays, even where they are
+/// damaged.
+void refresh_manifest(const PictureExport& e, PictureMaker& maker, const PicturesMade& made) {
+  const FolderLock lock(e.out.folder);
+  const fs::path path = e.out.folder / kManifestName;
+  const auto there = or_fail(summarize_manifest(path));
+  Checksums of_all = or_fail(checksums_in_manifest(path));
   const auto is_listed = [&](const auto& file) {
     const auto listed = of_all.find(file.first);
     return listed != of_all.end() && listed->second == file.second;
   };
   if (std::all_of(made.checksums.begin(), made.checksums.end(), is_listed)) return;
-  for (const PlannedPicture& picture : e.plan.pictures)
-    of_all[picture.file] = sha256_hex(or_fail(read_file_bytes(e.out.folder / picture.file)));
-  write_manifest(e, maker, Shard{}, join_renderers({before.renderer, made.renderer}), of_all, kManifestName);
+  for (const auto& [file, sha256] : made.checksums) of_all[file] = sha256;
+  write_manifest(e, maker, Shard{}, join_renderers({there ? there->renderer : "", made.renderer}), of_all,
+                 kManifestName);
 }
 
 void finish(const PictureExport& e, PictureMaker& maker, const FolderState& before, PicturesMade& made) {
@@ -212,7 +232,7 @@ void finish(const PictureExport& e, PictureMaker& maker, const FolderState& befo
   if (e.out.shard.whole())
     write_manifest(e, maker, Shard{}, made.renderer, made.checksums, kManifestName);
   else if (before.finished)
-    refresh_manifest(e, maker, before, made);
+    refresh_manifest(e, maker, made);
   else
     finish_shard(e, maker, made);
   if (made.finished) remove_traces(e.out.folder);
@@ -226,7 +246,7 @@ void make_pictures(const PictureExport& e, const TellProgress& tell, const Inter
   check_pictures(e.plan, *maker);
   const std::string mine = studio.renderer->driver();
   const FolderState before = begin(e, mine);
-  made = write_pictures(e, *maker, e.out.skip_existing && before.ours, tell, watch);
+  made = write_pictures(e, *maker, keepable(e, before), tell, watch);
   if (made.interrupted) return;
   const bool kept_all = made.kept == made.count, kept_none = made.kept == 0;
   made.renderer = made.count == 0 ? ""

@@ -269,6 +269,39 @@ TEST(Export, ReplacesPlantedLinksAndLeavesTheirTargetsAlone) {
   EXPECT_FALSE(fs::exists(elsewhere / "dangling"));
 }
 
+/// Another picture that looks like this one from outside: its size and all it says of itself.
+void paint_over(const fs::path& file) {
+  auto png = read_png(file);
+  ASSERT_TRUE(png.ok()) << png.error();
+  for (std::size_t i = 0; i < png->image.rgba.size(); ++i) png->image.rgba[i] = i % 4 == 3 ? 255 : 0;
+  fs::remove(file);
+  ASSERT_TRUE(write_png(file, png->image, png->metadata).ok());
+}
+
+TEST(ExportShards, MadeAgainDoNotVouchForThePicturesOfOthers) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(polhode(small_export(scratch.path())).code, 0);
+  // As if another driver had drawn the first picture, which is of shard 1; of shard 2 one is damaged.
+  auto manifest = nlohmann::ordered_json::parse(text_of(scratch / kManifestName));
+  manifest["files"][0]["sha256"] = std::string(64, '0');
+  write_text(scratch / kManifestName, manifest.dump());
+  paint_over(scratch / "01-steady-frame01.png");
+  ASSERT_EQ(polhode(small_export(scratch.path(), {"--shard", "1/2", "--skip-existing"})).code, 0);
+  EXPECT_EQ(polhode({"verify", scratch.path()}).code, 4);
+  ASSERT_EQ(polhode(small_export(scratch.path(), {"--shard", "2/2", "--skip-existing"})).code, 0);
+  EXPECT_EQ(contents(scratch.path()), whole_export());
+}
+
+TEST(ExportShards, MadeAgainAtTheSameTimeAreAllInTheManifest) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(polhode(small_export(scratch.path())).code, 0);
+  auto manifest = nlohmann::ordered_json::parse(text_of(scratch / kManifestName));
+  for (auto& file : manifest["files"]) file["sha256"] = std::string(64, '0');
+  write_text(scratch / kManifestName, manifest.dump());
+  ASSERT_EQ(polhode(small_export(scratch.path(), {"--jobs", "6"})).code, 0);
+  EXPECT_EQ(contents(scratch.path()), whole_export());
+}
+
 TEST(ExportShards, MadeAgainByAnotherDriverAreInTheManifest) {
   if (Json::parse(whole_export().at(kManifestName))["renderer"].get<std::string>().find("128 bits") !=
       std::string::npos)
@@ -306,6 +339,55 @@ TEST(SkipExisting, KeepsWhatIsWholeAndMakesTheRestAgain) {
   EXPECT_EQ(inode(kept), kept_inode);
   ASSERT_EQ(polhode(small_export(scratch.path())).code, 0);
   EXPECT_NE(inode(kept), kept_inode) << "made again without --skip-existing";
+}
+
+TEST(SkipExisting, MakesAgainWhatIsNotWhatTheManifestSays) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(polhode(small_export(scratch.path())).code, 0);
+  for (const Words& more : std::vector<Words>{{}, {"--jobs", "2"}, {"--shard", "2/3"}}) {
+    paint_over(scratch / "01-steady-frame01.png");  // the second of the plan
+    EXPECT_EQ(polhode({"verify", scratch.path()}).code, 4);
+    Words words = more;
+    words.emplace_back("--skip-existing");
+    const ProgramRun run = polhode(small_export(scratch.path(), words));
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(contents(scratch.path()), whole_export());
+  }
+}
+
+TEST(SkipExisting, MakesAgainWhatIsNotWhatTheManifestOfItsShardSays) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(polhode(small_export(scratch.path(), {"--shard", "2/3"})).code, 0);
+  paint_over(scratch / "01-steady-frame01.png");
+  const ProgramRun again = polhode(small_export(scratch.path(), {"--shard", "2/3", "--skip-existing"}));
+  EXPECT_THAT(again.err, HasSubstr("(3 of them kept)"));
+  paint_over(scratch / "01-steady-frame01.png");
+  const ProgramRun all = polhode(small_export(scratch.path(), {"--skip-existing"}));
+  EXPECT_THAT(all.err, HasSubstr("(3 of them kept)"));
+  EXPECT_EQ(contents(scratch.path()), whole_export());
+}
+
+TEST(SkipExisting, MakesAgainWhatTheManifestHasNoChecksumOf) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(polhode(small_export(scratch.path())).code, 0);
+  auto manifest = nlohmann::ordered_json::parse(text_of(scratch / kManifestName));
+  manifest["files"][1]["sha256"] = nullptr;
+  write_text(scratch / kManifestName, manifest.dump());
+  paint_over(scratch / "01-steady-frame01.png");
+  EXPECT_EQ(polhode(small_export(scratch.path(), {"--skip-existing"})).code, 0);
+  EXPECT_EQ(contents(scratch.path()), whole_export());
+}
+
+// There a manifest cannot tell: these are of before there were checksums.
+TEST(SkipExisting, KeepsWhatIsWholeWhereAManifestHasNoChecksums) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(polhode(small_export(scratch.path())).code, 0);
+  auto manifest = nlohmann::ordered_json::parse(text_of(scratch / kManifestName));
+  for (auto& file : manifest["files"]) file.erase("sha256");
+  write_text(scratch / kManifestName, manifest.dump());
+  const ProgramRun run = polhode(small_export(scratch.path(), {"--skip-existing"}));
+  EXPECT_THAT(run.err, HasSubstr("12 of them kept"));
+  EXPECT_EQ(contents(scratch.path()), whole_export());
 }
 
 // Nothing says of which options these files are.
@@ -353,26 +435,6 @@ TEST(Failed, ExportSaysWhatToDo) {
   EXPECT_EQ(contents(scratch.path()), whole_export());
 }
 
-TEST(Failed, ExportIntoAFolderThatTakesNothingLeavesNothing) {
-  const ScratchFolder scratch;
-  const fs::path disk = scratch / "disk";
-  fs::create_directory(disk);
-  const std::string mount = "mount -t tmpfs -o ro none " + disk.string();
-  if (std::system(("unshare -m sh -c '" + mount + "' 2>/dev/null").c_str()) != 0)
-    GTEST_SKIP() << "nothing can be mounted here";
-  RunOptions options;
-  options.wrapper = {"unshare", "-m", "sh", "-c", mount + " && exec \"$@\"", "sh"};
-  const ProgramRun run = polhode(small_export(disk), options);
-  EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.err, HasSubstr("Read-only file system"));
-  const ProgramRun long_name = polhode(small_export(scratch / std::string(300, 'x')));
-  EXPECT_EQ(long_name.code, 1);
-  EXPECT_THAT(long_name.err, HasSubstr("File name too long"));
-  EXPECT_THAT(names_in(scratch.path()), ElementsAre("disk"));
-}
-
-}  // namespace
-}  // namespace polhode
 // What a terminal does not show as it is cannot be copied from it.
 TEST(Failed, ExportOffersNoCommandThatIsNotTheCommand) {
   const ScratchFolder scratch;
@@ -395,3 +457,23 @@ TEST(Interrupted, OffersNoCommandThatIsNotTheCommand) {
                              Not(HasSubstr(" export "))));
 }
 
+TEST(Failed, ExportIntoAFolderThatTakesNothingLeavesNothing) {
+  const ScratchFolder scratch;
+  const fs::path disk = scratch / "disk";
+  fs::create_directory(disk);
+  const std::string mount = "mount -t tmpfs -o ro none " + disk.string();
+  if (std::system(("unshare -m sh -c '" + mount + "' 2>/dev/null").c_str()) != 0)
+    GTEST_SKIP() << "nothing can be mounted here";
+  RunOptions options;
+  options.wrapper = {"unshare", "-m", "sh", "-c", mount + " && exec \"$@\"", "sh"};
+  const ProgramRun run = polhode(small_export(disk), options);
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("Read-only file system"));
+  const ProgramRun long_name = polhode(small_export(scratch / std::string(300, 'x')));
+  EXPECT_EQ(long_name.code, 1);
+  EXPECT_THAT(long_name.err, HasSubstr("File name too long"));
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre("disk"));
+}
+
+}  // namespace
+}  // namespace polhode

@@ -83,7 +83,8 @@ TEST(Manifest, TellsTheChecksumsOfItsFiles) {
   write_text(scratch / kManifestName, text_of_manifest(files));
   const auto found = checksums_in_manifest(scratch / kManifestName);
   ASSERT_TRUE(found.ok()) << found.error();
-  EXPECT_EQ(*found, (Checksums{{"01-a.png", "ab01"}, {"01-a-frame7.png", "cd02"}}));
+  EXPECT_EQ(*found,
+            (Checksums{{"01-a.png", "ab01"}, {"01-a-frame7.png", "cd02"}, {"of-an-older-version.png", ""}}));
   EXPECT_FALSE(checksums_in_manifest(scratch / "none").ok());
   write_text(scratch / kManifestName, "{");
   EXPECT_FALSE(checksums_in_manifest(scratch / kManifestName).ok());
