@@ -92,9 +92,8 @@ void add_verify(CLI::App& app, Action& action) {
   command->footer(
       "Every file is read: its bytes have to be those that were written (sha256 in manifest.json), or in an\n"
       "unfinished export those of a whole picture of the plan. manifest.json itself is taken as it is. Then\n"
-      "the command that makes the pictures whole is told.\n"
-      "Films and decks beside the pictures are passed over; nothing is drawn again to compare it. Left over\n"
-      "is what killed processes left.\n"
+      "the command that makes the pictures whole is told. Films and decks beside them are passed over;\n"
+      "nothing is drawn again to compare it. Left over is what killed processes left.\n"
       "Exit code 0 if all is there and whole and nothing else, 4 if not, 1 if DIR cannot be read.");
   command->callback([options, &action] { action = [options] { return verify(*options); }; });
 }
