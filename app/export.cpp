@@ -10,6 +10,7 @@
 #include "app/picture_export.h"
 #include "app/progress.h"
 #include "app/sha256.h"
+#include "app/shell_line.h"
 #include "app/transcript.h"
 #include "app/usage.h"
 #include "render/image/temporary_file.h"

@@ -214,20 +214,6 @@ ExportOutput export_output(const TypedExport& typed) {
   return out;
 }
 
-std::string shell_line(const std::vector<std::string>& words) {
-  const auto quoted = [](const std::string& word) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
-    if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-    return text + "'";
-  };
-  std::string line;
-  for (const std::string& word : words) line += (line.empty() ? "" : " ") + quoted(word);
-  return line;
-}
-
 Background background_of(const ExportOptions& options) {
   if (options.what != What::figure && options.background == "paper")
     return {Background::Kind::color, colors_of(options.theme).paper};

@@ -48,9 +48,6 @@ struct ExportOutput {
 /// @throws CommandError usage
 ExportOutput export_output(const TypedExport& typed);
 
-/// As a shell would read it: words with anything but letters, digits and a few signs are in quotes.
-std::string shell_line(const std::vector<std::string>& words);
-
 /// Behind the pictures of an export.
 Background background_of(const ExportOptions& options);
 

@@ -6,6 +6,7 @@
 #include "app/numbers.h"
 #include "app/picture_check.h"
 #include "app/sha256.h"
+#include "app/shell_line.h"
 #include "render/image/file_bytes.h"
 #include "render/image/png_summary.h"
 #include "render/image/temporary_file.h"

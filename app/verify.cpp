@@ -2,8 +2,8 @@
 // polhode verify: is an export whole, and what is missing, damaged or foreign?
 #include "app/commands.h"
 #include "app/export_folder.h"
-#include "app/export_options.h"
 #include "app/folder_check.h"
+#include "app/shell_line.h"
 #include "app/usage.h"
 #include "render/printable.h"
 
