@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
 #include "app/message.h"
+#include "app/shell_line.h"
 #include "app/speaker.h"
 #include "app/state_file.h"
 #include "lessons/answers.h"
@@ -14,6 +15,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <cstdio>
 
 namespace polhode {
 
@@ -86,16 +89,20 @@ class KeptAnswers {
     if (const auto folder = state_folder()) path_ = answer_log_path(*folder, lesson_id);
   }
 
-  /// A verdict, or a hint, is given also where it cannot be kept; that is said.
-  void change(const std::function<void(AnswerLog&, const std::string& name)>& change) const try {
-    if (!path_) {
-      say("polhode: neither XDG_STATE_HOME nor HOME is set: the answer is not kept\n");
-      return;
-    }
+  using Change = std::function<void(AnswerLog&, const std::string& name)>;
+
+  /// @throws CommandError failed if it cannot be kept
+  void change(const Change& change) const {
+    if (!path_) throw CommandError(ExitCode::failed, "neither XDG_STATE_HOME nor HOME is set");
     const std::string warning = change_answer_log(*path_, [&](AnswerLog& log) { change(log, name_); });
     if (!warning.empty()) say("polhode: {}\n", warning);
+  }
+
+  /// A verdict, or a hint, is given also where it cannot be kept; `what_if_not` is said then.
+  void change_if_possible(const Change& wanted, const char* what_if_not) const try {
+    change(wanted);
   } catch (const CommandError& error) {
-    say("polhode: {}: the answer is not kept\n", error.what());
+    say("polhode: {}: {}\n", error.what(), what_if_not);
   }
 
  private:
@@ -107,13 +114,21 @@ ExitCode show_hint(const Ask& ask, const Speaker& speaker, const KeptAnswers& ke
   AnswerRecord unseen;
   std::optional<std::size_t> next = note_hint(unseen, ask.hints.size());  // where no log can be read
   if (!ask.hints.empty())
-    kept.change(
-        [&](AnswerLog& log, const std::string& name) { next = note_hint(log[name], ask.hints.size()); });
+    kept.change_if_possible(
+        [&](AnswerLog& log, const std::string& name) { next = note_hint(log[name], ask.hints.size()); },
+        "the hint is not noted");
   if (next)
     fmt::print("Hint {} of {}: {}\n", *next + 1, ask.hints.size(), speaker.words(ask.hint_texts[*next]));
   else
     fmt::print("{}\n", ask.hints.empty() ? "There is no hint." : "There are no more hints.");
   return ExitCode::done;
+}
+
+/// Unless the command, in which the lesson's path is one word, would show as another than it is.
+void offer_hint(const Options& options) {
+  const std::vector<std::string> command = {"polhode",     "answer",    options.lesson,
+                                            options.stage, options.ask, "--hint"};
+  if (shows_as_it_is(command)) fmt::print("A hint: {}\n", shell_line(command));
 }
 
 ExitCode judge_and_keep(const Ask& ask, const Options& options, const KeptAnswers& kept) {
@@ -126,11 +141,13 @@ ExitCode judge_and_keep(const Ask& ask, const Options& options, const KeptAnswer
                                             : fmt::format("{} ({})", judgement.reason, judgement.hint));
   }
   if (judgement.outcome != Outcome::unreadable) {
-    kept.change([&](AnswerLog& log, const std::string& name) {
-      note_try(log[name], judgement.outcome == Outcome::right, options.answer);
-    });
-    if (!options.json && judgement.outcome == Outcome::wrong && !ask.hints.empty())
-      fmt::print("A hint: polhode answer {} {} {} --hint\n", options.lesson, options.stage, options.ask);
+    if (!options.json && judgement.outcome == Outcome::wrong && !ask.hints.empty()) offer_hint(options);
+    std::fflush(stdout);  // the verdict need not wait for another process that keeps an answer just now
+    kept.change_if_possible(
+        [&](AnswerLog& log, const std::string& name) {
+          note_try(log[name], judgement.outcome == Outcome::right, options.answer);
+        },
+        "the answer is not kept");
   }
   return code_of(judgement.outcome);
 }

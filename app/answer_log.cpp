@@ -20,6 +20,13 @@ int count_from(const Json& json) {
   return static_cast<int>(std::clamp(json.get<double>(), 0.0, kMost));
 }
 
+void merge_record(AnswerRecord& record, const AnswerRecord& before, const AnswerRecord& now) {
+  record.right += std::max(0, now.right - before.right);
+  record.tries += std::max(0, now.tries - before.tries);
+  if (now.tries > before.tries) record.last = now.last;
+  if (now.hints > before.hints) record.hints = std::max(record.hints, now.hints);
+}
+
 }  // namespace
 
 std::string answer_name(std::string_view stage_id, std::string_view ask_id) {
@@ -27,7 +34,7 @@ std::string answer_name(std::string_view stage_id, std::string_view ask_id) {
 }
 
 void note_try(AnswerRecord& record, bool is_right, std::string_view answer) {
-  record.right = record.right || is_right;
+  if (is_right) ++record.right;
   record.last = answer;
   ++record.tries;
 }
@@ -39,11 +46,14 @@ std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints) {
   return shown;
 }
 
-void merge_record(AnswerRecord& record, const AnswerRecord& before, const AnswerRecord& now) {
-  record.right = record.right || now.right;
-  record.tries += std::max(0, now.tries - before.tries);
-  record.hints = std::max(record.hints, now.hints);
-  if (now.tries > before.tries) record.last = now.last;
+void merge_answers(AnswerLog& log, const AnswerLog& before, const AnswerLog& now) {
+  for (const auto& [name, record] : before)
+    if (!now.contains(name)) log.erase(name);
+  for (const auto& [name, record] : now) {
+    const auto found = before.find(name);
+    const AnswerRecord old = found == before.end() ? AnswerRecord() : found->second;
+    if (record != old) merge_record(log[name], old, record);
+  }
 }
 
 fs::path answer_log_path(const fs::path& folder, const std::string& lesson_id) {
@@ -54,21 +64,22 @@ AnswerLogReading read_answer_log(const fs::path& path) {
   AnswerLog log;
   std::string warning = read_state_file(path, "the log of answers", [&](const Json& json) {
     for (const auto& [name, entry] : json.at("answers").items())
-      log[name] = {entry.at("right").get<bool>(), count_from(entry.at("tries")),
+      log[name] = {entry.at("right").get<bool>() ? 1 : 0, count_from(entry.at("tries")),
                    count_from(entry.at("hints")), entry.at("last").get<std::string>()};
   });
   if (!warning.empty()) return {{}, std::move(warning)};
   return {std::move(log), {}};
 }
 
-std::string change_answer_log(const fs::path& path, const std::function<void(AnswerLog&)>& change) {
-  const StateLock lock(path);
+std::string change_answer_log(const fs::path& path, const std::function<void(AnswerLog&)>& change,
+                              std::chrono::milliseconds patience) {
+  const StateLock lock(path, patience);
   AnswerLogReading reading = read_answer_log(path);
   change(reading.log);
   Json answers = Json::object();
   for (const auto& [name, record] : reading.log)
     answers[name] = {
-        {"right", record.right}, {"tries", record.tries}, {"hints", record.hints}, {"last", record.last}};
+        {"right", record.right > 0}, {"tries", record.tries}, {"hints", record.hints}, {"last", record.last}};
   write_state_file(path, {{"answers", answers}});
   return std::move(reading.warning);
 }

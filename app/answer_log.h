@@ -3,6 +3,7 @@
 // folder (state_file.h).
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -13,10 +14,10 @@
 namespace polhode {
 
 struct AnswerRecord {
-  bool right = false;  ///< was right once
-  int tries = 0;       ///< that could be read
-  int hints = 0;       ///< that were shown
-  std::string last;    ///< answer
+  int right = 0;     ///< tries that were; the log says only whether there was one
+  int tries = 0;     ///< that could be read
+  int hints = 0;     ///< that were shown
+  std::string last;  ///< answer
   bool operator==(const AnswerRecord&) const = default;
 };
 
@@ -28,8 +29,9 @@ void note_try(AnswerRecord& record, bool is_right, std::string_view answer);
 /// Which of so many hints comes next, from 0, noted as shown; nothing if all were.
 std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints);
 
-/// Adds to a record what came between `before` and `now`, two moments of a copy of it: tries of both count.
-void merge_record(AnswerRecord& record, const AnswerRecord& before, const AnswerRecord& now);
+/// Does to a log what was done between `before` and `now`, two moments of a copy of it, and nothing else:
+/// what another process has added or forgotten since stays so.
+void merge_answers(AnswerLog& log, const AnswerLog& before, const AnswerLog& now);
 
 std::filesystem::path answer_log_path(const std::filesystem::path& folder, const std::string& lesson_id);
 
@@ -39,11 +41,14 @@ struct AnswerLogReading {
 };
 /// An absent file is an empty log. @throws CommandError as read_state_file
 AnswerLogReading read_answer_log(const std::filesystem::path& path);
+/// How long one process waits for another to be done with a log.
+inline constexpr std::chrono::seconds kAnswerPatience{10};
 /// Reads the log, lets `change` change it, and writes it, whole or not at all, with the folder it lies in.
 /// Nothing that another process notes meanwhile is lost: one at a time does this.
 /// @returns the warning of the reading
-/// @throws CommandError as read_state_file; failed if it cannot be written
+/// @throws CommandError as read_state_file and StateLock; failed if it cannot be written
 std::string change_answer_log(const std::filesystem::path& path,
-                              const std::function<void(AnswerLog&)>& change);
+                              const std::function<void(AnswerLog&)>& change,
+                              std::chrono::milliseconds patience = kAnswerPatience);
 
 }  // namespace polhode

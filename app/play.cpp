@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode play: a lesson in a window.
-#include "app/answer_log.h"
 #include "app/commands.h"
-#include "app/companion/bookmark.h"
+#include "app/companion/memory.h"
 #include "app/interrupt.h"
 #include "app/message.h"
 #include "app/or_fail.h"
@@ -30,74 +29,6 @@ std::shared_ptr<const LoadedLesson> load(const std::string& name) {
   check_pages_of(*loaded, fonts);
   return loaded;
 }
-
-/// Where, with what answers and how a student left off; written when something of it changes. What cannot be
-/// kept does not stop a lesson: it is said once.
-class Memory {
- public:
-  Memory(Companion& companion, std::string& news) : folder_(state_folder()) {
-    if (!folder_) {
-      news = "Neither XDG_STATE_HOME nor HOME is set: place and answers are not kept.";
-      return;
-    }
-    const std::string& id = companion.lesson().id;
-    const auto note = [&](const std::string& warning) {
-      if (!warning.empty()) news += (news.empty() ? "" : "\n") + warning;
-    };
-    try {
-      const PreferencesReading preferences = read_preferences(*folder_);
-      note(preferences.warning);
-      companion.preferences = preferences.preferences;
-      AnswerLogReading answers = read_answer_log(answer_log_path(*folder_, id));
-      note(answers.warning);
-      companion.set_answers(std::move(answers.log));
-      const BookmarkReading bookmark = read_bookmark(*folder_, id);
-      note(bookmark.warning);
-      restore(companion, bookmark.bookmark);
-    } catch (const CommandError& error) {
-      note(std::string(error.what()) + ": place and answers are not kept");
-      folder_.reset();  // what cannot be read is not written over
-    }
-    preferences_ = companion.preferences;
-    answers_ = companion.answers();
-    bookmark_ = bookmark_of(companion);
-  }
-
-  /// What is to be told; empty: nothing.
-  std::string keep(const Companion& companion) {
-    if (!folder_) return {};
-    try {
-      if (const Bookmark now = bookmark_of(companion); now != bookmark_)
-        write_bookmark(*folder_, companion.lesson().id, bookmark_ = now);
-      if (companion.answers() != answers_) keep_answers(companion);
-      if (companion.preferences != preferences_)
-        write_preferences(*folder_, preferences_ = companion.preferences);
-      return {};
-    } catch (const CommandError& error) {
-      folder_.reset();
-      return std::string(error.what()) + ": place and answers are not kept";
-    }
-  }
-
- private:
-  /// Into what is there by now: another window, or `polhode answer`, may have been at it.
-  void keep_answers(const Companion& companion) {
-    change_answer_log(answer_log_path(*folder_, companion.lesson().id), [&](AnswerLog& log) {
-      for (const auto& [name, record] : answers_)
-        if (!companion.answers().contains(name)) log.erase(name);
-      for (const auto& [name, record] : companion.answers()) {
-        const auto before = answers_.find(name);
-        merge_record(log[name], before == answers_.end() ? AnswerRecord() : before->second, record);
-      }
-    });
-    answers_ = companion.answers();
-  }
-
-  std::optional<fs::path> folder_;
-  Bookmark bookmark_;
-  AnswerLog answers_;
-  Preferences preferences_;
-};
 
 /// Looks at the file's time, and reads it when that has changed.
 class LessonWatch {
@@ -138,7 +69,8 @@ ExitCode play(const Options& options) {
   if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
   Companion companion(loaded, until_interrupted());
   WindowOptions window;
-  Memory memory(companion, window.news);
+  Memory memory(companion, state_folder());
+  window.news = memory.news();
   if (!window.news.empty()) say("polhode: {}\n", window.news);
   if (!options.stage.empty()) {
     const Stage& stage = stage_of(loaded->lesson, options.stage);
@@ -148,7 +80,9 @@ ExitCode play(const Options& options) {
   LessonWatch watch(*loaded);
   if (options.watch)
     window.look_for_changes = [&](Companion& now, std::string& errors) { watch.look(now, errors); };
-  return run_window(companion, window);
+  const ExitCode code = run_window(companion, window);
+  if (const std::string news = memory.keep_at_last(companion); !news.empty()) say("polhode: {}\n", news);
+  return code;
 }
 
 }  // namespace

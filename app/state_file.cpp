@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/state_file.h"
 
-#include "app/exit_codes.h"
 #include "app/or_fail.h"
 #include "render/image/atomic_file.h"
 
@@ -57,27 +56,34 @@ void make_folder_of(const fs::path& path) {
                        fmt::format("cannot make {}: {}", path.parent_path().string(), error.message()));
 }
 
+/// What flock says on network and user-space file systems that have no such thing.
+bool means_no_locks(int error) { return error == ENOSYS || error == ENOLCK || error == EOPNOTSUPP; }
+
 }  // namespace
 
-StateLock::StateLock(const fs::path& state_file) {
+StateLock::StateLock(const fs::path& state_file, std::chrono::milliseconds patience,
+                     int (*lock_file)(int file, int operation)) {
   make_folder_of(state_file);
   const std::string name = state_file.string() + ".lock";
-  const auto cannot = [&](int error) {
-    return CommandError(ExitCode::failed,
-                        fmt::format("cannot lock {}: {}", name, std::generic_category().message(error)));
-  };
+  const auto reason = [](int error) { return std::generic_category().message(error); };
+  const auto cannot = [&](const std::string& why) { return fmt::format("cannot lock {}: {}", name, why); };
   file_ = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (file_ < 0) throw cannot(errno);
+  if (file_ < 0) throw CommandError(ExitCode::failed, cannot(reason(errno)));
   using namespace std::chrono_literals;
-  const auto until = std::chrono::steady_clock::now() + 10s;
-  while (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+  const auto until = std::chrono::steady_clock::now() + patience;
+  while (lock_file(file_, LOCK_EX | LOCK_NB) != 0) {
     const int error = errno;
-    if ((error == EWOULDBLOCK || error == EINTR) && std::chrono::steady_clock::now() < until) {
+    if (means_no_locks(error)) return;
+    const bool is_held = error == EWOULDBLOCK || error == EINTR;
+    if (is_held && std::chrono::steady_clock::now() < until) {
       std::this_thread::sleep_for(5ms);
       continue;
     }
     ::close(file_);
-    throw cannot(error);
+    if (!is_held) throw CommandError(ExitCode::failed, cannot(reason(error)));
+    const double seconds = std::chrono::duration<double>(patience).count();
+    throw StateIsHeld(ExitCode::failed,
+                      cannot(fmt::format("another polhode has held it for {:g} s", seconds)));
   }
 }
 

@@ -3,8 +3,12 @@
 // Specification 0.8): what is kept from one run to the next.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "app/exit_codes.h"
 
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -15,14 +19,21 @@ namespace polhode {
 /// Nothing where neither XDG_STATE_HOME (absolute) nor HOME says where.
 std::optional<std::filesystem::path> state_folder();
 
+/// Another process has a StateLock, and keeps it.
+struct StateIsHeld : CommandError {
+  using CommandError::CommandError;
+};
+
 /// Held by one process at a time while it reads a state file, changes what it read and writes it again. It is
 /// an advisory lock (flock) on a file beside it, NAME.lock, which stays there; a process that dies gives it
-/// back.
+/// back. On a file system that has no locks nothing is locked: a state file is written whole all the same.
 class StateLock {
  public:
-  /// Makes the folder, and waits for others, but not for more than 10 s.
-  /// @throws CommandError failed if the lock cannot be had
-  explicit StateLock(const std::filesystem::path& state_file);
+  /// Makes the folder, and waits for others, but not for longer than `patience`; 0: looks once.
+  /// @param lock_file stands in for flock
+  /// @throws StateIsHeld; CommandError failed if the lock cannot be had for another reason
+  StateLock(const std::filesystem::path& state_file, std::chrono::milliseconds patience,
+            int (*lock_file)(int file, int operation) = ::flock);
   ~StateLock();
   StateLock(const StateLock&) = delete;
   StateLock& operator=(const StateLock&) = delete;

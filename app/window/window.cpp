@@ -58,7 +58,6 @@ class Loop {
       }
     } catch (const Interrupted&) {  // while a motion was computed
     }
-    keep();
     return watch.interrupted() ? ExitCode::interrupted : ExitCode::done;
   }
 

@@ -15,7 +15,8 @@ struct WindowOptions {
   /// A new reading of the lesson if its file has changed, or what is wrong with it; called a few times a
   /// second. Empty: the lesson is not watched.
   std::function<void(Companion&, std::string& errors)> look_for_changes{};
-  /// Called when place, answers or preferences may have changed, and at the end; the answer is to be told.
+  /// Called after each frame: place, answers or preferences may have changed. It must not wait. The answer is
+  /// to be told. What changed after the last frame is for the caller of run_window to keep.
   std::function<std::string(const Companion&)> keep{};
   std::string news{};  ///< to be told at the beginning
 };

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/answer_log.h"
+#include "app/state_file.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
+#include <optional>
 #include <thread>
 
 namespace polhode {
@@ -17,11 +20,10 @@ using Json = nlohmann::json;
 
 class Answer : public ::testing::Test {
  protected:
-  ProgramRun answer(const std::string& ask, std::vector<std::string> rest) {
-    std::vector<std::string> arguments = {"answer", (folder_ / "quiz.md").string(), "quiz", ask};
+  ProgramRun answer(const std::string& ask, std::vector<std::string> rest, RunOptions options = {}) {
+    std::vector<std::string> arguments = {"answer", lesson_.string(), "quiz", ask};
     arguments.insert(arguments.end(), rest.begin(), rest.end());
-    RunOptions options;
-    options.environment = {{"XDG_STATE_HOME", (folder_ / "state").string()}};
+    options.environment.emplace("XDG_STATE_HOME", (folder_ / "state").string());
     return polhode(arguments, options);
   }
   std::filesystem::path log() const { return folder_ / "state" / "polhode" / "quiz.answers.json"; }
@@ -29,13 +31,14 @@ class Answer : public ::testing::Test {
 
   void SetUp() override {
     write_text(
-        folder_ / "quiz.md",
+        lesson_,
         "+++\nformat = 1\nid = \"quiz\"\ntitle = \"Quiz\"\n+++\n# Quiz {quiz}\nAsk.\n\n"
         "```ask sign\ntype = \"expression\"\nprompt = 'The y component?'\n"
         "answer = \"w3*w1*(I1 - I3)\"\nhints = ['Use $I_1$.', 'Mind the sign.']\n```\n"
         "```ask which\ntype = \"choice\"\nprompt = 'Which?'\nchoices = ['one', 'two']\nanswer = 2\n```\n");
   }
   ScratchFolder folder_;
+  std::filesystem::path lesson_ = folder_ / "quiz.md";
 };
 
 TEST_F(Answer, RightIsZeroAndWrongIsFourWithTheReason) {
@@ -117,13 +120,96 @@ TEST_F(Answer, ALogThatCannotBeReadTakesNoVerdictAway) {
   EXPECT_EQ(text_of(log()), "{\"format\":2}");
 }
 
-TEST(AnswerRecords, OfTwoProcessesAddUp) {
-  const AnswerRecord before{false, 2, 1, "a"};
-  AnswerRecord there{true, 5, 2, "b"};  // three tries and a hint of another process
-  merge_record(there, before, before);
-  EXPECT_EQ(there, (AnswerRecord{true, 5, 2, "b"}));
-  merge_record(there, before, {false, 3, 3, "c"});
-  EXPECT_EQ(there, (AnswerRecord{true, 6, 3, "c"}));
+// A reset has no verdict to protect: what it was to do is not done.
+TEST_F(Answer, AResetThatCannotBeDoneIsAnError) {
+  write_text(folder_ / "state", "a file");
+  const ProgramRun run = answer("sign", {"--reset"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("cannot make"));
+  EXPECT_THAT(run.err, ::testing::Not(HasSubstr("not kept")));
+  RunOptions homeless;
+  homeless.environment = {{"XDG_STATE_HOME", ""}, {"HOME", ""}};
+  const ProgramRun nowhere = answer("sign", {"--reset"}, homeless);
+  EXPECT_EQ(nowhere.code, 1);
+  EXPECT_THAT(nowhere.err, HasSubstr("neither XDG_STATE_HOME nor HOME is set"));
+}
+
+TEST_F(Answer, AHintThatCannotBeNotedIsGivenAllTheSame) {
+  write_text(folder_ / "state", "a file");
+  const ProgramRun run = answer("sign", {"--hint"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.out, "Hint 1 of 2: Use I sub 1.\n");
+  EXPECT_THAT(run.err, HasSubstr(": the hint is not noted\n"));
+}
+
+TEST_F(Answer, NobodyWaitsForTheVerdictWhileAnotherHoldsTheLog) {
+  using namespace std::chrono_literals;
+  std::filesystem::create_directories(log().parent_path());
+  std::optional<StateLock> held(std::in_place, log(), 0ms);
+  RunOptions options;
+  options.stdout_to = (folder_ / "out").string();
+  options.while_running = [&](pid_t) {
+    const auto patience = std::chrono::steady_clock::now() + kAnswerPatience / 2;
+    while (text_of(options.stdout_to).empty() && std::chrono::steady_clock::now() < patience)
+      std::this_thread::sleep_for(10ms);
+    EXPECT_EQ(text_of(options.stdout_to).substr(0, 7), "wrong: ") << "before the lock was given back";
+    held.reset();
+  };
+  const ProgramRun run = answer("which", {"A"}, options);
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, IsEmpty());
+  EXPECT_EQ(logged()["quiz/which"]["tries"], 1);
+}
+
+TEST_F(Answer, TheLineThatAsksForAHintCanBeCopied) {
+  EXPECT_THAT(answer("sign", {"I1"}).out,
+              HasSubstr("A hint: polhode answer " + lesson_.string() + " quiz sign --hint\n"));
+  const auto plain = lesson_;
+  lesson_ = folder_ / "it's a quiz; $HOME.md";
+  std::filesystem::copy(plain, lesson_);
+  EXPECT_THAT(answer("sign", {"I1"}).out,
+              HasSubstr("A hint: polhode answer '" + (folder_ / "it'\\''s a quiz; $HOME.md").string() +
+                        "' quiz sign --hint\n"));
+  for (const char* name : {"\x1b[31mquiz.md",
+                           "quiz\x9b"
+                           "31m.md"}) {
+    lesson_ = folder_ / name;
+    std::filesystem::copy(plain, lesson_);
+    const ProgramRun run = answer("sign", {"I1"});
+    EXPECT_EQ(run.code, 4);
+    EXPECT_THAT(run.out, ::testing::Not(HasSubstr("A hint"))) << "what does not show as it is is not offered";
+    EXPECT_EQ((run.out + run.err).find_first_of("\x1b\x9b"), std::string::npos) << run.out << run.err;
+  }
+}
+
+/// Two moments of a window's copy, and what lies in the file by then.
+AnswerLog merged(AnswerLog there, const AnswerLog& before, const AnswerLog& now) {
+  merge_answers(there, before, now);
+  return there;
+}
+
+TEST(AnswerLogs, OfTwoProcessesAddUp) {
+  const AnswerRecord before{0, 2, 1, "a"}, there{1, 5, 2, "b"};  // three tries and a hint of another process
+  EXPECT_EQ(merged({{"q", there}}, {{"q", before}}, {{"q", before}}), (AnswerLog{{"q", there}}));
+  EXPECT_EQ(merged({{"q", there}}, {{"q", before}}, {{"q", {0, 3, 3, "c"}}}),
+            (AnswerLog{{"q", {1, 6, 3, "c"}}}));
+  EXPECT_EQ(merged({{"q", there}}, {{"q", before}}, {{"q", {0, 3, 1, "c"}}}),
+            (AnswerLog{{"q", {1, 6, 2, "c"}}}));
+}
+
+// A was right, `polhode answer L S A --reset` forgot it, and then the window was given an answer to B.
+TEST(AnswerLogs, WhatAnotherProcessForgotStaysForgotten) {
+  const AnswerRecord a{1, 2, 2, "w1"}, b{0, 1, 0, "w2"};
+  EXPECT_EQ(merged({}, {{"A", a}}, {{"A", a}, {"B", b}}), (AnswerLog{{"B", b}}));
+  EXPECT_EQ(merged({}, {{"A", a}}, {{"A", {1, 3, 2, "w3"}}}), (AnswerLog{{"A", {0, 1, 0, "w3"}}}))
+      << "only what was answered since, which was wrong";
+  EXPECT_EQ(merged({}, {{"A", a}}, {{"A", {2, 3, 2, "w1"}}}), (AnswerLog{{"A", {1, 1, 0, "w1"}}}))
+      << "or right";
+}
+
+TEST(AnswerLogs, WhatThisProcessForgotIsForgotten) {
+  const AnswerRecord a{1, 2, 2, "w1"};
+  EXPECT_EQ(merged({{"A", a}, {"B", a}}, {{"A", a}}, {}), (AnswerLog{{"B", a}}));
 }
 
 TEST_F(Answer, IsJsonIfAskedFor) {
