@@ -133,8 +133,7 @@ PicturesMade make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
 
 /// The end of a sentence. A command that a terminal does not show as it is could not be copied from there.
 std::string go_on_with(const std::vector<std::string>& words) {
-  if (!std::all_of(words.begin(), words.end(), shows_as_it_is))
-    return "go on with the same command and --skip-existing";
+  if (!shows_as_it_is(words)) return "go on with the same command and --skip-existing";
   return "go on with\n  " + shell_line(words);
 }
 

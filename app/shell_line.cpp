@@ -24,7 +24,7 @@ std::string shell_line(const std::vector<std::string>& words) {
 
 bool shows_as_it_is(const std::vector<std::string>& words) {
   return std::all_of(words.begin(), words.end(),
-                     [](const std::string& word) { return printable_line(word) == word; });
+                     [](const std::string& word) { return shows_as_it_is(word); });
 }
 
 }  // namespace polhode
