@@ -186,7 +186,7 @@ void add_answer(CLI::App& app, Action& action) {
   command->add_option("ASK", options->ask, "Id of the question")->required();
   CLI::Option* given = command->add_option(
       "ANSWER", options->answer,
-      fmt::format("An expression such as \"{}\"; a choice, B or 2; an order such as \"{}\"",
+      fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"",
                   form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order)));
   command->add_flag("--hint", options->hint, "Show the next hint instead");
   command->add_flag("--reset", options->reset, "Forget what was answered to the question, and its hints");

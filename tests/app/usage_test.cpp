@@ -35,7 +35,7 @@ TEST(Help, NamesEveryCommand) {
 TEST(Help, FitsAHundredColumns) {
   Words lines;
   for (std::string command :
-       {"", "list", "export", "verify", "lint", "info", "trace", "measure", "compare"}) {
+       {"", "play", "list", "export", "verify", "lint", "info", "answer", "trace", "measure", "compare"}) {
     const ProgramRun run = command.empty() ? polhode({"--help"}) : polhode({command, "--help"});
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_THAT(run.err, IsEmpty());
