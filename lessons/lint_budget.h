@@ -12,13 +12,14 @@
 
 namespace polhode {
 
-/// Of one lesson, all its checks together: some 5 to 10 seconds of one core. The lecture takes 10 million of
+/// Of one lesson, all its checks together: some 5 to 10 seconds of one core. The lecture takes 20 million of
 /// it.
 inline constexpr std::int64_t kLintBudget = 100'000'000;
 
 // What else is done, as if it were evaluations.
-inline constexpr std::int64_t kPageEvaluations = 20'000;  ///< a page laid out
-inline constexpr std::int64_t kGlyphEvaluations = 10;     ///< and each glyph of its text, at each size tried
+inline constexpr std::int64_t kPageEvaluations = 5'000;  ///< a page laid out
+/// And each glyph of its text, at each size tried: 10 in plain text, 40 in a formula of 16,000.
+inline constexpr std::int64_t kGlyphEvaluations = 30;
 /// A line of a claim, each node of its expressions, and the search for a counterexample that there is not.
 inline constexpr std::int64_t kClaimLineEvaluations = 5'000, kClaimNodeEvaluations = 100,
                               kVainSearchEvaluations = 1'000'000;
