@@ -179,20 +179,13 @@ class Film {
     return {"-frames:v", "1", "-c:v", "png", "-f", "image2pipe", palette_.url()};
   }
 
+  /// The frames themselves say what their colours are: from ffmpeg 7 on nothing else is heard.
   Words yuv(const char* format) const {
-    return {
-        "-vf",
-        fmt::format("scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int,"
-                    "format={},fps={}",
-                    format, rate()),
-        "-colorspace",
-        "bt709",
-        "-color_primaries",
-        "bt709",
-        "-color_trc",
-        "bt709",
-        "-color_range",
-        "tv"};
+    return {"-vf", fmt::format(
+                       "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int,"
+                       "format={},setparams=colorspace=bt709:color_primaries=bt709:color_trc=bt709:range=tv,"
+                       "fps={}",
+                       format, rate())};
   }
 
   Words title() const { return {"-metadata", "title=" + request_.title}; }
