@@ -80,7 +80,8 @@ void expand_to_rgba8(png_structp png, png_infop info) {
 bool read_header(const Handles& handles) {
   if (setjmp(png_jmpbuf(handles.png))) return false;
   png_set_user_limits(handles.png, kMaxPngSide, kMaxPngSide);
-  png_set_chunk_malloc_max(handles.png, kMaxPngTextBytes);
+  // One more for the 0 that libpng puts behind a text: from 1.6.47 on it counts.
+  png_set_chunk_malloc_max(handles.png, kMaxPngTextBytes + 1);
   png_set_chunk_cache_max(handles.png, kMaxAncillaryChunks);
   png_read_info(handles.png, handles.info);
   return true;
