@@ -80,7 +80,8 @@ void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
     config.OversampleV = 1;
     config.GlyphOffset.y = -std::round(0.06F * sizes.em);  // what is above the capitals is empty
     config.MergeMode = merged;
-    return *atlas.AddFontFromFileTTF(fonts.path(face).c_str(), size * sizes.em, &config, ranges);
+    // Dear ImGui takes whole sizes from 1.90 on, and cuts off the rest of others.
+    return *atlas.AddFontFromFileTTF(fonts.path(face).c_str(), std::round(size * sizes.em), &config, ranges);
   };
   ImFont& regular = add(Face::sans, 1, kLatin.data());
   add(Face::math, 0.94F, kRest.data(), true);
