@@ -182,7 +182,7 @@ void show_trade(Desk& desk, const SceneModel& model) {
 void choose_quality(Desk& desk, const SceneModel& model) {
   for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine}) {
     if (level != QualityLevel::draft) ImGui::SameLine();
-    if (!ImGui::RadioButton(name_of(level), model.scene.quality == level)) continue;
+    if (!radio_button(name_of(level), model.scene.quality == level)) continue;
     SceneEdits edits = desk.companion.edits();
     edits.quality = level;
     ask_for_edits(desk, edits);

@@ -20,9 +20,9 @@ void draw_settings(Desk& desk) {
   ImGui::TextUnformatted(fmt::format("{:.0f} %", 100 * companion.preferences.text_scale).c_str());
   heading("Theme");
   Theme& theme = companion.preferences.theme;
-  if (ImGui::RadioButton("paper", theme == Theme::paper)) theme = Theme::paper;
+  if (radio_button("paper", theme == Theme::paper)) theme = Theme::paper;
   ImGui::SameLine();
-  if (ImGui::RadioButton("dark", theme == Theme::dark)) theme = Theme::dark;
+  if (radio_button("dark", theme == Theme::dark)) theme = Theme::dark;
   heading("Motion on the page");
   ImGui::Checkbox("reduced: nothing fades or travels", &companion.preferences.reduced_motion);
   heading("For an audience");

@@ -21,7 +21,7 @@ std::string words_of(Overlay overlay) {
 void choose_views(Companion& companion, Desk& desk) {
   const std::vector<View>& views = companion.model()->scene.views;
   const auto offer = [&](const char* words, const std::vector<View>& offered) {
-    if (!ImGui::RadioButton(words, views == offered)) return;
+    if (!radio_button(words, views == offered)) return;
     SceneEdits edits = companion.edits();
     edits.views = offered;
     ask_for_edits(desk, edits);

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -101,6 +102,28 @@ bool toggle_button(const char* words, bool is_on, const std::string& tooltip) {
   const bool pressed = ImGui::Button(words);
   if (is_on) ImGui::PopStyleColor();
   tooltip_of_last(tooltip);
+  return pressed;
+}
+
+bool radio_button(const char* words, bool is_on) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  constexpr std::array kOfCircles = {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                                     ImGuiCol_Border};
+  std::array<ImU32, kOfCircles.size()> colors{};
+  for (std::size_t i = 0; i < kOfCircles.size(); ++i) {
+    colors[i] = ImGui::GetColorU32(kOfCircles[i]);
+    ImGui::PushStyleColor(kOfCircles[i], IM_COL32_BLACK_TRANS);
+  }
+  const bool pressed = ImGui::RadioButton(words, false);
+  ImGui::PopStyleColor(static_cast<int>(kOfCircles.size()));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 center{std::round(low.x + 0.5F * height), std::round(low.y + 0.5F * height)};
+  constexpr int kPieces = 48;
+  const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  list.AddCircleFilled(center, 0.5F * height - 1, colors[held && hovered ? 2 : hovered ? 1 : 0], kPieces);
+  if (is_on) list.AddCircleFilled(center, 0.3F * height, ImGui::GetColorU32(ImGuiCol_CheckMark), kPieces);
+  list.AddCircle(center, 0.5F * height - 1, colors[3], kPieces);
   return pressed;
 }
 

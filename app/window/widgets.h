@@ -20,6 +20,9 @@ bool icon_button(const char* id, Icon icon, const char* words, const std::string
 /// A button that stays down while what it stands for is on.
 bool toggle_button(const char* words, bool is_on, const std::string& tooltip);
 
+/// One of several. Its circle is ours: that of Dear ImGui has other corners in every version.
+bool radio_button(const char* words, bool is_on);
+
 /// Shown when the pointer rests on the last item.
 void tooltip_of_last(const std::string& text);
 
