@@ -4,13 +4,13 @@
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
 #include "app/message.h"
-#include "app/shell_line.h"
 #include "app/speaker.h"
 #include "app/state_file.h"
+#include "base/printable.h"
+#include "base/shell_line.h"
+#include "base/suggest.h"
 #include "lessons/answers.h"
 #include "lessons/source_text.h"
-#include "lessons/suggest.h"
-#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "app/page_theme.h"
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
 #include "render/image/image.h"
 
 #include <filesystem>

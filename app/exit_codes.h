@@ -2,7 +2,7 @@
 // How the program ends; scripts rely on these numbers.
 #pragma once
 
-#include "render/printable.h"
+#include "base/printable.h"
 
 #include <stdexcept>
 #include <string>

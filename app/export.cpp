@@ -9,12 +9,12 @@
 #include "app/or_fail.h"
 #include "app/picture_export.h"
 #include "app/progress.h"
-#include "app/sha256.h"
-#include "app/shell_line.h"
 #include "app/transcript.h"
 #include "app/usage.h"
-#include "render/image/temporary_file.h"
-#include "render/printable.h"
+#include "base/files/temporary_file.h"
+#include "base/printable.h"
+#include "base/sha256.h"
+#include "base/shell_line.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "app/export_folder.h"
 
 #include "app/timeline.h"
-#include "render/image/file_link.h"
+#include "base/files/file_link.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

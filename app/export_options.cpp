@@ -7,7 +7,7 @@
 #include "app/named_sizes.h"
 #include "app/numbers.h"
 #include "app/page.h"
-#include "app/suggest.h"
+#include "base/suggest_ending.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,8 +4,8 @@
 
 #include "app/export_plan.h"
 #include "app/shard.h"
+#include "base/files/atomic_file.h"
 #include "render/gl/renderer.h"
-#include "render/image/atomic_file.h"
 
 #include <filesystem>
 #include <string>

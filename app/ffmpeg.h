@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/interrupt.h"
-#include "render/result.h"
+#include "base/result.h"
 
 #include <sys/types.h>
 

@@ -4,9 +4,9 @@
 #include "app/ffmpeg.h"
 #include "app/or_fail.h"
 #include "app/progress.h"
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
+#include "base/files/temporary_file.h"
 #include "render/image/png.h"
-#include "render/image/temporary_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

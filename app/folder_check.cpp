@@ -5,12 +5,12 @@
 #include "app/export_folder.h"
 #include "app/numbers.h"
 #include "app/picture_check.h"
-#include "app/sha256.h"
-#include "app/shell_line.h"
-#include "render/image/file_bytes.h"
+#include "base/files/file_bytes.h"
+#include "base/files/temporary_file.h"
+#include "base/printable.h"
+#include "base/sha256.h"
+#include "base/shell_line.h"
 #include "render/image/png_summary.h"
-#include "render/image/temporary_file.h"
-#include "render/printable.h"
 
 #include <fmt/format.h>
 

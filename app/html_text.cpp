@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/html_text.h"
 
-#include "app/sha256.h"
+#include "base/sha256.h"
 
 #include <algorithm>
 #include <vector>

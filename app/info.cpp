@@ -3,8 +3,8 @@
 #include "app/commands.h"
 #include "app/horizon.h"
 #include "app/lesson_lookup.h"
-#include "app/stopwatch.h"
-#include "render/printable.h"
+#include "base/printable.h"
+#include "base/stopwatch.h"
 #include "render/scene/model.h"
 
 #include <CLI/CLI.hpp>

@@ -5,10 +5,10 @@
 #include "app/message.h"
 #include "app/or_fail.h"
 #include "app/page_lint.h"
+#include "base/printable.h"
 #include "lessons/claim_check.h"
 #include "lessons/lint_budget.h"
 #include "lessons/type_check.h"
-#include "render/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "app/lesson_lookup.h"
 #include "app/message.h"
-#include "render/printable.h"
+#include "base/printable.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

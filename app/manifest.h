@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/export_plan.h"
-#include "render/result.h"
+#include "base/result.h"
 
 #include <nlohmann/json.hpp>
 

@@ -8,12 +8,12 @@
 #include "app/numbers.h"
 #include "app/plot_file.h"
 #include "app/progress.h"
-#include "app/suggest.h"
 #include "app/trace_motion.h"
 #include "app/typed_problem.h"
 #include "app/usage.h"
 #include "app/work_precision_plot.h"
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
+#include "base/suggest_ending.h"
 #include "render/scene/model.h"
 
 #include <CLI/CLI.hpp>

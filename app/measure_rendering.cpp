@@ -4,7 +4,7 @@
 #include "app/numbers.h"
 #include "app/plot_file.h"
 #include "app/progress.h"
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
 #include "render/scene/figure.h"
 
 #include <fmt/format.h>

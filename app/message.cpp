@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/message.h"
 
-#include "render/printable.h"
+#include "base/printable.h"
 
 #include <fcntl.h>
 #include <signal.h>

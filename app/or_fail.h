@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/exit_codes.h"
-#include "render/result.h"
+#include "base/result.h"
 
 #include <utility>
 

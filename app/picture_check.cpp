@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture_check.h"
 
-#include "app/sha256.h"
-#include "render/image/file_bytes.h"
+#include "base/files/file_bytes.h"
+#include "base/sha256.h"
 #include "render/image/png_pixels.h"
 #include "render/image/png_summary.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture_writer.h"
 
-#include "app/sha256.h"
-#include "render/image/file_link.h"
+#include "base/files/file_link.h"
+#include "base/sha256.h"
 
 #include <cassert>
 #include <exception>

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/manifest.h"
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
+#include "base/result.h"
 #include "render/image/png.h"
-#include "render/result.h"
 
 #include <condition_variable>
 #include <deque>

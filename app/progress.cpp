@@ -2,7 +2,7 @@
 #include "app/progress.h"
 
 #include "app/message.h"
-#include "render/printable.h"
+#include "base/printable.h"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>

@@ -2,7 +2,7 @@
 #include "app/state_file.h"
 
 #include "app/or_fail.h"
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

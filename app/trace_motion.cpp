@@ -3,7 +3,7 @@
 
 #include "app/exit_codes.h"
 #include "app/numbers.h"
-#include "app/suggest.h"
+#include "base/suggest_ending.h"
 #include "physics/poinsot.h"
 
 #include <fmt/format.h>

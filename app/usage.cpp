@@ -3,7 +3,7 @@
 
 #include "app/message.h"
 #include "app/picture_metadata.h"
-#include "app/suggest.h"
+#include "base/suggest_ending.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -3,9 +3,9 @@
 #include "app/commands.h"
 #include "app/export_folder.h"
 #include "app/folder_check.h"
-#include "app/shell_line.h"
 #include "app/usage.h"
-#include "render/printable.h"
+#include "base/printable.h"
+#include "base/shell_line.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "app/work_precision.h"
 
 #include "app/exit_codes.h"
-#include "app/stopwatch.h"
+#include "base/stopwatch.h"
 #include "physics/conditioning.h"
 #include "physics/motion_errors.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/ask_block.h"
 
+#include "base/suggest.h"
 #include "lessons/keys.h"
-#include "lessons/suggest.h"
 
 #include <algorithm>
 #include <array>

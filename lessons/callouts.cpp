@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/callouts.h"
 
+#include "base/suggest.h"
 #include "lessons/heading.h"
-#include "lessons/suggest.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/diagnostic.h"
 
-#include "render/printable.h"
+#include "base/printable.h"
 
 namespace polhode {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/expression.h"
 
+#include "base/suggest.h"
 #include "lessons/expression_builder.h"
-#include "lessons/suggest.h"
 
 #include <algorithm>
 #include <charconv>

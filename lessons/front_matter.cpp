@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/front_matter.h"
 
-#include "lessons/suggest.h"
+#include "base/suggest.h"
 #include "physics/bodies.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/keys.h"
 
-#include "lessons/suggest.h"
+#include "base/suggest.h"
 
 #include <algorithm>
 #include <cmath>

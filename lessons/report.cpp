@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/report.h"
 
-#include "render/printable.h"
+#include "base/printable.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/scene_keys.h"
 
+#include "base/suggest.h"
 #include "lessons/reader.h"
 #include "lessons/source_text.h"
-#include "lessons/suggest.h"
 #include "physics/method.h"
 #include "render/scene/rotor.h"
 

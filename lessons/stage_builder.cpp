@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/stage_builder.h"
 
+#include "base/suggest.h"
 #include "lessons/ask_block.h"
 #include "lessons/callouts.h"
 #include "lessons/claim_lines.h"
 #include "lessons/heading.h"
 #include "lessons/reader.h"
-#include "lessons/suggest.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 // is, and one key gives it back.
 #pragma once
 
-#include "render/result.h"
+#include "base/result.h"
 #include "render/scene/scene.h"
 
 #include <optional>

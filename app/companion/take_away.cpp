@@ -6,7 +6,7 @@
 #include "app/picture_export.h"
 #include "app/picture_maker.h"
 #include "app/picture_metadata.h"
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
 #include "render/image/png.h"
 
 #include <fmt/format.h>

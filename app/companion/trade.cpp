@@ -3,8 +3,8 @@
 
 #include "app/companion/companion.h"
 #include "app/exit_codes.h"
-#include "app/stopwatch.h"
 #include "app/trace_motion.h"
+#include "base/stopwatch.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // Pictures in an X11 window without OpenGL: for machines whose display has none.
 #pragma once
 
+#include "base/result.h"
 #include "render/image/image.h"
-#include "render/result.h"
 
 #include <memory>
 

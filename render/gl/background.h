@@ -2,7 +2,7 @@
 // What is behind a picture.
 #pragma once
 
-#include "render/color.h"
+#include "base/color.h"
 
 #include <optional>
 #include <string_view>

@@ -2,7 +2,7 @@
 // Who makes an OpenGL context; all drawing goes to our own framebuffer, so nothing else differs.
 #pragma once
 
-#include "render/result.h"
+#include "base/result.h"
 
 #include <memory>
 #include <string>

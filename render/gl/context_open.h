@@ -2,8 +2,8 @@
 // Internal to render/gl: the two ways to open a context, with the library's name open to tests.
 #pragma once
 
+#include "base/result.h"
 #include "render/gl/context.h"
-#include "render/result.h"
 
 #include <memory>
 #include <string>

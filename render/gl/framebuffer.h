@@ -4,9 +4,9 @@
 // driver.
 #pragma once
 
+#include "base/result.h"
 #include "render/gl/functions.h"
 #include "render/image/image.h"
-#include "render/result.h"
 
 namespace polhode {
 

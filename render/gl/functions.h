@@ -2,8 +2,8 @@
 // The OpenGL functions we call, fetched from the context at run time; no GL library is on the link line.
 #pragma once
 
+#include "base/result.h"
 #include "render/gl/context.h"
-#include "render/result.h"
 
 #include <GL/glcorearb.h>
 

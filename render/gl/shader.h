@@ -2,8 +2,8 @@
 // Shader programs, and their uniforms by name.
 #pragma once
 
+#include "base/result.h"
 #include "render/gl/functions.h"
-#include "render/result.h"
 
 #include <array>
 #include <span>

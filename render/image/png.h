@@ -3,9 +3,9 @@
 // what is read.
 #pragma once
 
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
+#include "base/result.h"
 #include "render/image/image.h"
-#include "render/result.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -2,8 +2,8 @@
 // The chunks of a PNG as they are stored, for those who pass a file on without decoding it.
 #pragma once
 
+#include "base/result.h"
 #include "render/image/image.h"
-#include "render/result.h"
 
 #include <cstdint>
 #include <span>

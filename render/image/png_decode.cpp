@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/image/file_bytes.h"
+#include "base/files/file_bytes.h"
 #include "render/image/png.h"
 #include "render/image/png_text.h"
 

@@ -3,8 +3,8 @@
 // forgotten.
 #pragma once
 
+#include "base/result.h"
 #include "render/image/png_chunks.h"
-#include "render/result.h"
 
 namespace polhode {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/image/png_summary.h"
 
-#include "render/image/file_bytes.h"
+#include "base/files/file_bytes.h"
 #include "render/image/png_text.h"
 
 #include <cmath>

@@ -2,8 +2,8 @@
 // WebP without loss: about 0.6 of the size of our PNG files, for pages that browsers show.
 #pragma once
 
+#include "base/result.h"
 #include "render/image/image.h"
-#include "render/result.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,8 +3,8 @@
 // Lengths and positions in scene units of the pane's frame (space or body); colours are sRGB, straight alpha.
 #pragma once
 
+#include "base/color.h"
 #include "physics/types.h"
-#include "render/color.h"
 
 #include <string>
 #include <vector>

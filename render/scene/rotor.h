@@ -3,7 +3,7 @@
 // mass is.
 #pragma once
 
-#include "render/result.h"
+#include "base/result.h"
 #include "render/scene/scene.h"
 
 namespace polhode {

@@ -4,7 +4,7 @@
 // text. Pixels, x to the right, y down, from the left end of the first baseline.
 #pragma once
 
-#include "render/color.h"
+#include "base/color.h"
 
 #include <cstddef>
 #include <cstdint>

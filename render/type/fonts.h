@@ -3,7 +3,7 @@
 // measures scale with the size and the same text gives the same numbers and pixels everywhere.
 #pragma once
 
-#include "render/result.h"
+#include "base/result.h"
 #include "render/type/display_list.h"
 
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Atoms, arguments and scripts.
+#include "base/near_name.h"
 #include "render/type/characters.h"
 #include "render/type/math_parser.h"
-#include "render/type/near_name.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 // A formula as a tree: what the reader of TeX makes, and what is set and spoken.
 #pragma once
 
-#include "render/color.h"
+#include "base/color.h"
 #include "render/type/display_list.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/export_folder.h"
 
-#include "render/image/temporary_file.h"
+#include "base/files/temporary_file.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode export, from the files it leaves. Small pictures of tests/data/app/tiny.md.
 #include "app/export_folder.h"
-#include "app/sha256.h"
+#include "base/sha256.h"
 #include "render/image/png.h"
 #include "tests/app/small_export.h"
 

@@ -2,7 +2,7 @@
 #include "app/lesson_lookup.h"
 
 #include "app/exit_codes.h"
-#include "app/sha256.h"
+#include "base/sha256.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture_writer.h"
 
-#include "app/sha256.h"
+#include "base/sha256.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

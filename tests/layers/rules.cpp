@@ -31,7 +31,7 @@ Names operator+(Names a, const Names& b) {
 }
 
 /// Small headers that every layer of render/ and above it shares.
-const Names kShared = {"render/result.h", "render/color.h", "render/printable.h"};
+const Names kShared = {"base/result.h", "base/color.h", "base/printable.h"};
 
 const std::vector<Layer>& layers() {
   static const Names kProgram = {"app/", "lessons/", "render/", "physics/"};
@@ -39,16 +39,16 @@ const std::vector<Layer>& layers() {
       Names{"CLI/", "fmt/", "nlohmann/", "sha256.h", "qpdf/", "Eigen/"} + kPosix;
   static const std::vector<Layer> kLayers = {
       {"physics/", {"physics/"}, {"Eigen/"}, kConsoleAndFiles},
-      {"render/result.h", {}, {}, kConsoleAndFiles},
-      {"render/color.h", {}, {}, kConsoleAndFiles},
-      {"render/printable.h", {}, {}, kConsoleAndFiles},
+      {"base/result.h", {}, {}, kConsoleAndFiles},
+      {"base/color.h", {}, {}, kConsoleAndFiles},
+      {"base/printable.h", {}, {}, kConsoleAndFiles},
       {"render/scene/",
        Names{"physics/", "render/scene/", "render/type/"} + kShared,
        {"Eigen/"},
        kConsoleAndFiles},
       {"render/type/", Names{"render/type/"} + kShared, {"ft2build.h", "freetype/", "FT_", "hb"}, kConsole},
       {"render/image/",
-       {"render/image/", "render/result.h"},
+       {"render/image/", "base/result.h"},
        Names{"png.h", "zlib.h", "libdeflate.h", "isa-l/", "webp/"} + kPosix,
        kConsole},
       {"render/gl/",

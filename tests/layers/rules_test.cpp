@@ -58,11 +58,10 @@ TEST_P(ForbiddenInclude, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     Arrows, ForbiddenInclude,
     testing::Values(
-        Forbidden{"physics/a.cpp", "render/scene/scene.h"}, Forbidden{"physics/a.cpp", "render/result.h"},
+        Forbidden{"physics/a.cpp", "render/scene/scene.h"}, Forbidden{"physics/a.cpp", "base/result.h"},
         Forbidden{"physics/a.cpp", "lessons/lesson.h"}, Forbidden{"physics/a.cpp", "fmt/format.h"},
         Forbidden{"physics/a.cpp", "unistd.h"}, Forbidden{"physics/a.cpp", "fstream"},
-        Forbidden{"render/result.h", "physics/types.h"},
-        Forbidden{"render/scene/a.cpp", "render/gl/context.h"},
+        Forbidden{"base/result.h", "physics/types.h"}, Forbidden{"render/scene/a.cpp", "render/gl/context.h"},
         Forbidden{"render/type/a.cpp", "render/gl/context.h"},
         Forbidden{"render/scene/a.cpp", "lessons/lesson.h"},
         Forbidden{"render/scene/a.cpp", "GL/glcorearb.h"},
@@ -88,7 +87,7 @@ TEST(AllowedInclude, PassesInEachLayer) {
   EXPECT_THAT(
       messages("physics/a.cpp", "#include \"physics/types.h\"\n#include <Eigen/Core>\n#include <vector>\n"),
       IsEmpty());
-  EXPECT_THAT(messages("render/scene/a.cpp", "#include \"physics/types.h\"\n#include \"render/result.h\"\n"),
+  EXPECT_THAT(messages("render/scene/a.cpp", "#include \"physics/types.h\"\n#include \"base/result.h\"\n"),
               IsEmpty());
   EXPECT_THAT(messages("render/type/a.cpp", "#include <ft2build.h>\n#include FT_FREETYPE_H\n"), IsEmpty());
   EXPECT_THAT(messages("render/image/a.cpp", "#include <png.h>\n#include <fcntl.h>\n"), IsEmpty());

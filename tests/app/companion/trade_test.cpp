@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/companion/trade.h"
 
-#include "app/stopwatch.h"
+#include "base/stopwatch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "app/shell_line.h"
+#include "base/shell_line.h"
 
-#include "render/printable.h"
+#include "base/printable.h"
 
 #include <algorithm>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/suggest.h"
+#include "base/suggest.h"
 
-#include "render/type/near_name.h"
+#include "base/near_name.h"
 
 #include <algorithm>
 

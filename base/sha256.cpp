@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/sha256.h"
+#include "base/sha256.h"
 
 #include <sha256.h>
 #include <sys/types.h>

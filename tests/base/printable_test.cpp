@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/printable.h"
+#include "base/printable.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/type/near_name.h"
+#include "base/near_name.h"
 
 #include <algorithm>
 #include <bit>

@@ -2,8 +2,8 @@
 // Files that appear whole under their final name, or not at all.
 #pragma once
 
-#include "render/image/temporary_file.h"
-#include "render/result.h"
+#include "base/files/temporary_file.h"
+#include "base/result.h"
 
 #include <sys/types.h>
 

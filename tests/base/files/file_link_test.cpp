@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/image/file_link.h"
+#include "base/files/file_link.h"
 
 #include "tests/image/pictures.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/suggest.h"
+#include "base/suggest.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/image/temporary_file.h"
+#include "base/files/temporary_file.h"
 
 #include <signal.h>
 #include <unistd.h>

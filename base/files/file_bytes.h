@@ -2,7 +2,7 @@
 // A file, whole, in memory.
 #pragma once
 
-#include "render/result.h"
+#include "base/result.h"
 
 #include <cstdint>
 #include <filesystem>

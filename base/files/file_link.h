@@ -2,7 +2,7 @@
 // Files that appear whole under a name by a second name for bytes that are there already.
 #pragma once
 
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
 
 namespace polhode {
 

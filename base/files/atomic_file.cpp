@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/image/atomic_file.h"
+#include "base/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>

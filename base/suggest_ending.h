@@ -2,7 +2,7 @@
 // "Did you mean" as the end of a sentence.
 #pragma once
 
-#include "lessons/suggest.h"
+#include "base/suggest.h"
 
 #include <string>
 #include <string_view>

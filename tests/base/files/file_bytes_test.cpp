@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/image/file_bytes.h"
+#include "base/files/file_bytes.h"
 
 #include "tests/image/pictures.h"
 

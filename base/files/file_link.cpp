@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/image/file_link.h"
+#include "base/files/file_link.h"
 
-#include "render/image/temporary_file.h"
+#include "base/files/temporary_file.h"
 
 #include <cerrno>
 #include <system_error>
