@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/alt_text.h"
 
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/boards/boards.h"
 #include "render/scene/model.h"
 

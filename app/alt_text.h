@@ -2,7 +2,7 @@
 // What a figure shows, in words, for readers who cannot see it.
 #pragma once
 
-#include "physics/state.h"
+#include "physics/body/state.h"
 #include "render/scene/scene.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "app/horizon.h"
 
 #include "app/numbers.h"
-#include "physics/conditioning.h"
+#include "physics/analysis/conditioning.h"
 
 #include <fmt/format.h>
 

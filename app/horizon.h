@@ -2,7 +2,7 @@
 // How far ahead a motion can be told: what `trace` and `info` say of it.
 #pragma once
 
-#include "physics/problem.h"
+#include "physics/body/problem.h"
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 namespace polhode {
 
 /// Nothing where there is no period: at rest, on a separatrix, under a torque. In steady rotation a turn
-/// takes its place (physics/conditioning.h).
+/// takes its place (physics/analysis/conditioning.h).
 struct Horizon {
   std::optional<double> condition;  ///< phase, rad, moved in a period by a relative change 1 of the inputs
   std::optional<double>

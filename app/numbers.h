@@ -6,7 +6,7 @@
 // ExitCode::invalid.
 #pragma once
 
-#include "physics/types.h"
+#include "physics/body/types.h"
 #include "render/image/image.h"
 
 #include <string>

@@ -4,7 +4,7 @@
 #include "app/exit_codes.h"
 #include "app/numbers.h"
 #include "base/suggest_ending.h"
-#include "physics/poinsot.h"
+#include "physics/geometry/poinsot.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/trace_rows.h"
 
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,8 +2,8 @@
 // The numbers of a motion at one time, as `polhode trace` gives them.
 #pragma once
 
+#include "physics/body/problem.h"
 #include "physics/motion.h"
-#include "physics/problem.h"
 
 #include <array>
 #include <string>

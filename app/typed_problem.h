@@ -2,7 +2,7 @@
 // A body, its state and the torque on it, from the command line: what `trace` and `measure` share.
 #pragma once
 
-#include "physics/problem.h"
+#include "physics/body/problem.h"
 
 #include <string>
 #include <vector>

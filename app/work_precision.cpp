@@ -3,8 +3,8 @@
 
 #include "app/exit_codes.h"
 #include "base/stopwatch.h"
-#include "physics/conditioning.h"
-#include "physics/motion_errors.h"
+#include "physics/analysis/conditioning.h"
+#include "physics/analysis/motion_errors.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "lessons/front_matter.h"
 
 #include "base/suggest.h"
-#include "physics/bodies.h"
+#include "physics/body/bodies.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -4,7 +4,7 @@
 
 #include "lessons/report.h"
 #include "lessons/toml_tree.h"
-#include "physics/types.h"
+#include "physics/body/types.h"
 
 #include <functional>
 #include <optional>

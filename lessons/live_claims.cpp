@@ -3,9 +3,9 @@
 
 #include "lessons/expression_names.h"
 #include "lessons/expression_variants.h"
-#include "physics/euler.h"
+#include "physics/body/euler.h"
+#include "physics/exact/powers_of_two.h"
 #include "physics/method.h"
-#include "physics/powers_of_two.h"
 #include "render/scene/arrow.h"
 #include "render/scene/difference.h"
 #include "render/scene/drift.h"

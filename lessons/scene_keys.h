@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxHighlights = 4;
 /// The unit quaternion of the four numbers w, x, y, z of the key `attitude`, which are not all zero.
 Quat attitude_from(const std::vector<double>& wxyz);
 
-/// The lesson's own bodies; other names are those of physics/bodies.h.
+/// The lesson's own bodies; other names are those of physics/body/bodies.h.
 struct LessonBodies {
   std::map<std::string, Body> named;
   std::set<std::string> drawn_as_box;  ///< of these: known by their moments, though they have a shape

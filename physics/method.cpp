@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "physics/method.h"
 
-#include "physics/asymmetric_motion.h"
-#include "physics/dormand_prince.h"
-#include "physics/explicit_runge_kutta.h"
-#include "physics/implicit_midpoint.h"
-#include "physics/lie_poisson_splitting.h"
-#include "physics/moser_veselov.h"
-#include "physics/symmetric_motion.h"
-#include "physics/uniform_motion.h"
+#include "physics/exact/asymmetric_motion.h"
+#include "physics/exact/symmetric_motion.h"
+#include "physics/exact/uniform_motion.h"
+#include "physics/integrators/dormand_prince.h"
+#include "physics/integrators/explicit_runge_kutta.h"
+#include "physics/integrators/implicit_midpoint.h"
+#include "physics/integrators/lie_poisson_splitting.h"
+#include "physics/integrators/moser_veselov.h"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 // each method.
 #pragma once
 
+#include "physics/body/problem.h"
 #include "physics/effort.h"
 #include "physics/motion.h"
-#include "physics/problem.h"
 
 #include <memory>
 #include <optional>

@@ -5,7 +5,7 @@
 // asymmetric_motion.h. Step by step: the integrators of method.h, which makes a motion by its name.
 #pragma once
 
-#include "physics/state.h"
+#include "physics/body/state.h"
 
 #include <cmath>
 #include <cstdint>

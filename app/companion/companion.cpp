@@ -2,8 +2,8 @@
 #include "app/companion/companion.h"
 
 #include "app/picture_maker.h"
-#include "physics/euler.h"
-#include "physics/flips.h"
+#include "physics/body/euler.h"
+#include "physics/geometry/flips.h"
 
 #include <algorithm>
 #include <cassert>

@@ -108,7 +108,8 @@ class Companion {
     double from_s = 0, to_s = 1;
   };
   Interval time_line() const;
-  /// Times of flips (physics/flips.h) in the interval of the time line; none where the scene needs no ω.
+  /// Times of flips (physics/geometry/flips.h) in the interval of the time line; none where the scene needs
+  /// no ω.
   const std::vector<double>& flips() const;
 
   // The scene of the step with what was changed.

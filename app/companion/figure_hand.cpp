@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/companion/figure_hand.h"
 
-#include "physics/euler.h"
-#include "physics/poinsot.h"
+#include "physics/body/euler.h"
+#include "physics/geometry/poinsot.h"
 #include "render/scene/omega_tip.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/work_precision.h"
-#include "physics/motion_errors.h"
+#include "physics/analysis/motion_errors.h"
 #include "render/scene/model.h"
 
 #include <atomic>

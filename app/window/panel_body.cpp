@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels.h"
 #include "app/window/widgets.h"
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

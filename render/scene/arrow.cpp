@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/arrow.h"
 
-#include "physics/powers_of_two.h"
+#include "physics/exact/powers_of_two.h"
 #include "render/scene/difference.h"
 
 #include <algorithm>

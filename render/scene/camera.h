@@ -2,7 +2,7 @@
 // The camera: a view matrix and a perspective, the same for CPU and GPU.
 #pragma once
 
-#include "physics/types.h"
+#include "physics/body/types.h"
 #include "render/scene/scene.h"
 
 #include <optional>

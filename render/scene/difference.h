@@ -3,7 +3,7 @@
 // motion that it shows, never put in from the equations that it is to confirm.
 #pragma once
 
-#include "physics/types.h"
+#include "physics/body/types.h"
 
 namespace polhode {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/figure.h"
 
-#include "physics/euler.h"
-#include "physics/powers_of_two.h"
+#include "physics/body/euler.h"
+#include "physics/exact/powers_of_two.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/drift.h"
 #include "render/scene/omega_tip.h"

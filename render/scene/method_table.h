@@ -3,8 +3,8 @@
 // costs.
 #pragma once
 
+#include "physics/analysis/motion_errors.h"
 #include "physics/method.h"
-#include "physics/motion_errors.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model.h"
 
-#include "physics/euler.h"
+#include "physics/analysis/motion_errors.h"
+#include "physics/body/euler.h"
+#include "physics/exact/powers_of_two.h"
 #include "physics/method.h"
-#include "physics/motion_errors.h"
-#include "physics/powers_of_two.h"
 #include "render/scene/drift.h"
 #include "render/scene/rotor.h"
 #include "render/scene/terms.h"

@@ -3,10 +3,10 @@
 // alone.
 #pragma once
 
+#include "physics/body/problem.h"
 #include "physics/effort.h"
+#include "physics/geometry/poinsot.h"
 #include "physics/motion.h"
-#include "physics/poinsot.h"
-#include "physics/problem.h"
 #include "render/scene/method_table.h"
 #include "render/scene/scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/powers_of_two.h"
+#include "physics/exact/powers_of_two.h"
 #include "render/scene/scene.h"
 
 #include <array>

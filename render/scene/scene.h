@@ -3,9 +3,9 @@
 // needed.
 #pragma once
 
-#include "physics/bodies.h"
+#include "physics/body/bodies.h"
+#include "physics/body/torque.h"
 #include "physics/method.h"
-#include "physics/torque.h"
 #include "render/scene/meter.h"
 #include "render/scene/overlay.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/terms.h"
 
-#include "physics/euler.h"
-#include "physics/powers_of_two.h"
+#include "physics/body/euler.h"
+#include "physics/exact/powers_of_two.h"
 #include "render/scene/difference.h"
 
 #include <algorithm>

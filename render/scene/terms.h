@@ -2,9 +2,9 @@
 // The terms of equation (6), I·ω̇ + ω×(I·ω) = N, on a motion.
 #pragma once
 
+#include "physics/body/principal_moments.h"
+#include "physics/body/torque.h"
 #include "physics/motion.h"
-#include "physics/principal_moments.h"
-#include "physics/torque.h"
 
 namespace polhode {
 

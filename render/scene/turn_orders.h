@@ -2,7 +2,7 @@
 // Two quarter turns about axes fixed in space, in both orders: finite rotations do not commute.
 #pragma once
 
-#include "physics/types.h"
+#include "physics/body/types.h"
 
 #include <array>
 

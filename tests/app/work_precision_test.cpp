@@ -3,8 +3,8 @@
 
 #include "app/exit_codes.h"
 #include "base/stopwatch.h"
-#include "physics/conditioning.h"
-#include "physics/poinsot.h"
+#include "physics/analysis/conditioning.h"
+#include "physics/geometry/poinsot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 // peers/ours      CPU time of the fastest of Boost.Odeint, GSL and SUNDIALS against ours, each at the
 // cheapest
 //                 setting (work_precision.h) that reaches the error named, at the end of 1000 periods
-#include "physics/batch.h"
+#include "physics/analysis/batch.h"
 #include "physics/method.h"
 #include "tests/bench/table.h"
 #include "tests/bench/timing.h"

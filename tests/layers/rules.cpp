@@ -52,7 +52,8 @@ const std::vector<Layer>& layers() {
        Names{"png.h", "zlib.h", "libdeflate.h", "isa-l/", "webp/"} + kPosix,
        kConsole},
       {"render/gl/",
-       Names{"render/gl/", "render/scene/", "render/type/", "render/image/", "physics/types.h"} + kShared,
+       Names{"render/gl/", "render/scene/", "render/type/", "render/image/", "physics/body/types.h"} +
+           kShared,
        Names{"Eigen/", "GL/", "EGL/", "KHR/"} + kPosix, kConsole},
       {"lessons/",
        Names{"lessons/", "physics/", "render/scene/", "render/type/"} + kShared,

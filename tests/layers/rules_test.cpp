@@ -21,8 +21,9 @@ std::vector<std::string> messages(const std::string& path, std::string_view text
 
 TEST(Includes, AreReadWithTheirLines) {
   EXPECT_THAT(
-      includes_of("// one\n#include \"physics/state.h\"\n\n  #  include <vector>\n#include FT_FREETYPE_H\n"),
-      ElementsAre(Include{"physics/state.h", 2}, Include{"vector", 4}, Include{"FT_FREETYPE_H", 5}));
+      includes_of(
+          "// one\n#include \"physics/body/state.h\"\n\n  #  include <vector>\n#include FT_FREETYPE_H\n"),
+      ElementsAre(Include{"physics/body/state.h", 2}, Include{"vector", 4}, Include{"FT_FREETYPE_H", 5}));
 }
 
 TEST(Includes, InCommentsAndTextAreNone) {
@@ -61,12 +62,13 @@ INSTANTIATE_TEST_SUITE_P(
         Forbidden{"physics/a.cpp", "render/scene/scene.h"}, Forbidden{"physics/a.cpp", "base/result.h"},
         Forbidden{"physics/a.cpp", "lessons/lesson.h"}, Forbidden{"physics/a.cpp", "fmt/format.h"},
         Forbidden{"physics/a.cpp", "unistd.h"}, Forbidden{"physics/a.cpp", "fstream"},
-        Forbidden{"base/result.h", "physics/types.h"}, Forbidden{"render/scene/a.cpp", "render/gl/context.h"},
+        Forbidden{"base/result.h", "physics/body/types.h"},
+        Forbidden{"render/scene/a.cpp", "render/gl/context.h"},
         Forbidden{"render/type/a.cpp", "render/gl/context.h"},
         Forbidden{"render/scene/a.cpp", "lessons/lesson.h"},
         Forbidden{"render/scene/a.cpp", "GL/glcorearb.h"},
         Forbidden{"render/type/a.cpp", "render/scene/scene.h"},
-        Forbidden{"render/type/a.cpp", "physics/types.h"},
+        Forbidden{"render/type/a.cpp", "physics/body/types.h"},
         Forbidden{"render/image/a.cpp", "render/gl/context.h"},
         Forbidden{"render/image/a.cpp", "render/scene/scene.h"},
         Forbidden{"render/image/a.cpp", "Eigen/Core"}, Forbidden{"render/gl/a.cpp", "lessons/lesson.h"},
@@ -84,11 +86,12 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST(AllowedInclude, PassesInEachLayer) {
-  EXPECT_THAT(
-      messages("physics/a.cpp", "#include \"physics/types.h\"\n#include <Eigen/Core>\n#include <vector>\n"),
-      IsEmpty());
-  EXPECT_THAT(messages("render/scene/a.cpp", "#include \"physics/types.h\"\n#include \"base/result.h\"\n"),
+  EXPECT_THAT(messages("physics/a.cpp",
+                       "#include \"physics/body/types.h\"\n#include <Eigen/Core>\n#include <vector>\n"),
               IsEmpty());
+  EXPECT_THAT(
+      messages("render/scene/a.cpp", "#include \"physics/body/types.h\"\n#include \"base/result.h\"\n"),
+      IsEmpty());
   EXPECT_THAT(messages("render/type/a.cpp", "#include <ft2build.h>\n#include FT_FREETYPE_H\n"), IsEmpty());
   EXPECT_THAT(messages("render/image/a.cpp", "#include <png.h>\n#include <fcntl.h>\n"), IsEmpty());
   EXPECT_THAT(messages("render/gl/a.cpp", "#include \"render/scene/scene.h\"\n#include <EGL/egl.h>\n"),

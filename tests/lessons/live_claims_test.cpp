@@ -2,7 +2,7 @@
 #include "lessons/live_claims.h"
 
 #include "lessons/claim_lines.h"
-#include "physics/bodies.h"
+#include "physics/body/bodies.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>

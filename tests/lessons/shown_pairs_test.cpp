@@ -2,7 +2,7 @@
 // The two numbers that a page shows below an equation are those of its two sides: of all equations of all
 // lessons, against values that are computed here from the equation as it is printed, not from its claim.
 #include "lessons/live_claims.h"
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/arrow.h"
 #include "render/scene/drift.h"
 #include "tests/lessons/support.h"

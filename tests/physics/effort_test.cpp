@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/effort.h"
 
-#include "physics/dormand_prince.h"
+#include "physics/integrators/dormand_prince.h"
+#include "physics/integrators/subnormal.h"
 #include "physics/method.h"
-#include "physics/subnormal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Random bodies and rates over the whole range of double, and beside every special case: no NaN, no
 // exception, no motion that loses T or L. Seeds are fixed.
-#include "physics/conditioning.h"
-#include "physics/poinsot.h"
+#include "physics/analysis/conditioning.h"
+#include "physics/geometry/poinsot.h"
 #include "tests/physics/support.h"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 // The exact motion at the ends of the range of double and beside its special cases: every possible body at
 // every time gives a finite state of the right T and L. Accuracy on the reference bodies:
 // unseen_bodies_test.cpp.
-#include "physics/asymmetric_motion.h"
-#include "physics/conditioning.h"
+#include "physics/analysis/conditioning.h"
+#include "physics/exact/asymmetric_motion.h"
+#include "physics/geometry/poinsot.h"
 #include "physics/method.h"
-#include "physics/poinsot.h"
 #include "tests/physics/support.h"
 
 #include <gmock/gmock.h>

@@ -2,8 +2,8 @@
 // What the physics tests share: reference cases, random bodies, measures of error.
 #pragma once
 
+#include "physics/body/principal_moments.h"
 #include "physics/motion.h"
-#include "physics/principal_moments.h"
 
 #include <cmath>
 #include <limits>

@@ -2,7 +2,7 @@
 // The accuracy bar of the exact motion, |Δω|/|ω| and |Δq| ≤ 4ε(1 + cond): on every body of the reference, one
 // test each, and on a second set that nobody looked at while the formulas were made
 // (tests/reference/unseen.py).
-#include "physics/conditioning.h"
+#include "physics/analysis/conditioning.h"
 #include "tests/physics/support.h"
 
 #include <gtest/gtest.h>

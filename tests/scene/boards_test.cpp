@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/boards/boards.h"
 
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/boards/board_paper.h"
 #include "tests/scene/sheet_texts.h"
 

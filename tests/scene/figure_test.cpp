@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/figure.h"
 
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/palette.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/meter_plots.h"
 
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 
 #include <gtest/gtest.h>
 

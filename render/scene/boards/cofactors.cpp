@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // ω×(I·ω) on principal axes as a determinant, expanded along its first row.
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/boards/board_paper.h"
 
 namespace polhode::boards {

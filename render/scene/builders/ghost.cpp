@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The exact motion beside the computed one: a translucent body, dashed arrows.
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Names of what is shown, anchored to it, and the computed values in the corner.
-#include "physics/euler.h"
-#include "physics/powers_of_two.h"
+#include "physics/body/euler.h"
+#include "physics/exact/powers_of_two.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The body itself as lit meshes: box, ellipsoid, cylinder, T-handle.
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 #include "render/scene/rotor.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arrows that add up: the triangle of the transport theorem, the terms of equation (6).
-#include "physics/powers_of_two.h"
+#include "physics/exact/powers_of_two.h"
 #include "render/scene/arrow.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"

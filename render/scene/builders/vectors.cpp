@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arrows of ω, L and N, the triads of both frames, the trails of the tips.
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/builders/builders.h"
 #include "render/scene/palette.h"
 

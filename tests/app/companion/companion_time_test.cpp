@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Time: played, scrubbed, stepped.
 #include "app/companion/companion.h"
-#include "physics/flips.h"
+#include "physics/geometry/flips.h"
 #include "tests/app/companion/example_lesson.h"
 
 #include <gmock/gmock.h>

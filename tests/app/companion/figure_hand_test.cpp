@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/companion/figure_hand.h"
 
-#include "physics/euler.h"
+#include "physics/body/euler.h"
 #include "render/scene/figure.h"
 
 #include <fmt/format.h>

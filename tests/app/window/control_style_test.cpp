@@ -2,7 +2,7 @@
 #include "app/window/control_style.h"
 
 #include "app/companion/symbol_note.h"
-#include "physics/bodies.h"
+#include "physics/body/bodies.h"
 #include "physics/method.h"
 #include "tests/app/companion/example_lesson.h"
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// State of a rigid body that turns about its centre of mass or about a fixed point.
+#pragma once
+
+#include "physics/body/types.h"
+
+namespace polhode {
+
+struct RigidBodyState {
+  Quat q_SB = Quat::Identity();  ///< attitude, unit; takes body components to space components
+  Vec3 w_B = Vec3::Zero();       ///< angular velocity, rad/s, body components
+};
+
+/// The state with q_SB scaled to unit length.
+/// @throws std::domain_error if ω or q is not finite, or q is zero.
+RigidBodyState checked(const RigidBodyState& state);
+
+}  // namespace polhode

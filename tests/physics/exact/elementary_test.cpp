@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "physics/exact/elementary.h"
+
+#include "tests/physics/support.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace polhode {
+namespace {
+
+using test::kEps;
+constexpr double kUlp = 2 * kEps;
+
+// Truth: long double of the part beyond the nearest quarter, which is exact.
+TEST(SincosQuarterTurns, IsWithinItsError) {
+  test::Random random(1);
+  double worst = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const double y = random.uniform(-9, 9);
+    const double quarters = std::round(y);
+    const long double x = (y - quarters) * (std::numbers::pi_v<long double> / 2);
+    const long double s = std::sin(x), c = std::cos(x);
+    const long double sines[] = {s, c, -s, -c};
+    const auto quadrant = static_cast<std::size_t>(std::lround(quarters) & 3);
+    const long double sine = sines[quadrant], cosine = sines[(quadrant + 1) % 4];
+    const SinCos result = sincos_quarter_turns(y);
+    worst = std::max(worst, std::abs(static_cast<double>((result.sin - sine) / sine)));
+    worst = std::max(worst, std::abs(static_cast<double>((result.cos - cosine) / cosine)));
+  }
+  EXPECT_LE(worst, 1.5 * kUlp);
+}
+
+TEST(SincosQuarterTurns, IsExactAtTheQuartersHoweverFar) {
+  for (const double y : {0.0, 4.0, 1e12 * 4, -8.0, 0x1p50}) {
+    EXPECT_EQ(sincos_quarter_turns(y).sin, 0) << y;
+    EXPECT_EQ(sincos_quarter_turns(y).cos, 1) << y;
+    EXPECT_EQ(sincos_quarter_turns(y + 1).sin, 1) << y;
+    EXPECT_EQ(sincos_quarter_turns(y + 2).cos, -1) << y;
+    EXPECT_EQ(sincos_quarter_turns(y - 1).sin, -1) << y;
+  }
+}
+
+TEST(Decay, IsWithinItsError) {
+  test::Random random(2);
+  for (int i = 0; i < 100'000; ++i) {
+    const double x = std::exp(random.uniform(-40, std::log(kLastDecay)));
+    const Decay d = decay(x);
+    const long double e = std::exp(-static_cast<long double>(x));
+    EXPECT_NEAR(static_cast<double>(d.exp / e), 1, 2 * kUlp) << x;
+    EXPECT_NEAR(static_cast<double>(d.inverse * e), 1, 2 * kUlp) << x;
+    EXPECT_NEAR(static_cast<double>(d.one_minus_exp / -std::expm1(-static_cast<long double>(x))), 1, 2 * kUlp)
+        << x;
+  }
+}
+
+TEST(Decay, IsExactAtZeroAndInRangeAtItsEnd) {
+  EXPECT_EQ(decay(0).exp, 1);
+  EXPECT_EQ(decay(0).one_minus_exp, 0);
+  EXPECT_GT(decay(kLastDecay).exp, std::numeric_limits<double>::min());
+  EXPECT_LT(decay(kLastDecay).inverse, std::numeric_limits<double>::max());
+}
+
+}  // namespace
+}  // namespace polhode
