@@ -2,8 +2,8 @@
 #include "app/alt_text.h"
 
 #include "physics/body/euler.h"
-#include "render/scene/boards/boards.h"
-#include "render/scene/model.h"
+#include "render/drawing/diagrams/diagrams.h"
+#include "render/scene/model/model.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

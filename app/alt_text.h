@@ -3,7 +3,7 @@
 #pragma once
 
 #include "physics/body/state.h"
-#include "render/scene/scene.h"
+#include "render/scene/description/scene.h"
 
 #include <string>
 

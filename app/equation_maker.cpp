@@ -4,7 +4,7 @@
 #include "app/or_fail.h"
 #include "app/picture_maker.h"
 #include "app/speaker.h"
-#include "render/type/morph.h"
+#include "render/typeset/morph.h"
 
 #include <fmt/format.h>
 

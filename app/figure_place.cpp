@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/figure_place.h"
 
-#include "render/type/paragraph.h"
+#include "render/typeset/paragraph.h"
 
 #include <algorithm>
 #include <array>

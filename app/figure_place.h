@@ -4,8 +4,8 @@
 #pragma once
 
 #include "app/page_theme.h"
+#include "render/drawing/diagrams/diagrams.h"
 #include "render/gl/renderer.h"
-#include "render/scene/boards/boards.h"
 
 namespace polhode {
 

@@ -5,7 +5,7 @@
 #include "app/lesson_lookup.h"
 #include "base/printable.h"
 #include "base/stopwatch.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

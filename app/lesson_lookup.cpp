@@ -8,7 +8,7 @@
 #include "base/suggest_ending.h"
 #include "lessons/lint_budget.h"
 #include "lessons/type_check.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,7 +4,7 @@
 
 #include "lessons/reader.h"
 #include "physics/effort.h"
-#include "render/type/fonts.h"
+#include "render/typeset/fonts.h"
 
 #include <filesystem>
 #include <string>

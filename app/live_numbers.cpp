@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/live_numbers.h"
 
-#include "render/type/paragraph.h"
+#include "render/typeset/paragraph.h"
 
 #include <fmt/format.h>
 

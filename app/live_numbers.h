@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lessons/live_claims.h"
-#include "render/scene/sheet.h"
+#include "render/drawing/sheet.h"
 
 #include <optional>
 #include <string>

@@ -14,7 +14,7 @@
 #include "app/work_precision_plot.h"
 #include "base/files/atomic_file.h"
 #include "base/suggest_ending.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

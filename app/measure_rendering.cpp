@@ -5,7 +5,7 @@
 #include "app/plot_file.h"
 #include "app/progress.h"
 #include "base/files/atomic_file.h"
-#include "render/scene/figure.h"
+#include "render/figure/figure.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "app/numbers.h"
 
 #include "app/exit_codes.h"
-#include "render/scene/scene.h"
+#include "render/scene/description/scene.h"
 
 #include <fmt/format.h>
 

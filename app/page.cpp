@@ -4,9 +4,9 @@
 #include "app/figure_place.h"
 #include "app/page_text.h"
 #include "app/page_travel.h"
-#include "render/scene/fade.h"
-#include "render/scene/meter_plots.h"
-#include "render/type/paragraph.h"
+#include "render/drawing/fade.h"
+#include "render/drawing/plots/meter_plots.h"
+#include "render/typeset/paragraph.h"
 
 #include <fmt/format.h>
 

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "app/page_theme.h"
+#include "render/drawing/label_layout.h"
 #include "render/gl/renderer.h"
-#include "render/scene/label_layout.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <optional>
 #include <vector>
@@ -37,8 +37,8 @@ struct PageRequest {
   double text_scale = 1;
   /// On the way from the page before to this one, 0…1 in proportion to time (page_travel.h): what stands on
   /// both goes from place to place; the equation in focus, with panel and bar, comes out of the one in focus
-  /// before (render/type/morph.h); what else is new appears, what is gone vanishes. At 1, or absent: arrived.
-  /// Figure and plots are those of this page. Not together with `news`.
+  /// before (render/typeset/morph.h); what else is new appears, what is gone vanishes. At 1, or absent:
+  /// arrived. Figure and plots are those of this page. Not together with `news`.
   std::optional<double> travel{};
   const FittedText* from =
       nullptr;  ///< of the page before, of the same lesson; null: all that is new fades in

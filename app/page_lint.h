@@ -4,7 +4,7 @@
 
 #include "lessons/lesson.h"
 #include "physics/effort.h"
-#include "render/type/fonts.h"
+#include "render/typeset/fonts.h"
 
 #include <string_view>
 #include <vector>

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "lessons/lesson.h"
-#include "render/scene/palette.h"
-#include "render/type/math.h"
+#include "render/palette.h"
+#include "render/typeset/math/math.h"
 
 #include <string_view>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/page_travel.h"
 
-#include "render/scene/fade.h"
-#include "render/type/morph.h"
+#include "render/drawing/fade.h"
+#include "render/typeset/morph.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include "app/export_options.h"
 #include "app/lesson_lookup.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <memory>
 

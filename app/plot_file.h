@@ -2,8 +2,8 @@
 // Plots as PNG files.
 #pragma once
 
+#include "render/drawing/plots/plot.h"
 #include "render/image/image.h"
-#include "render/scene/plot.h"
 
 #include <filesystem>
 

@@ -6,8 +6,8 @@
 #include "app/page_theme.h"
 #include "app/verdict_row.h"
 #include "lessons/lesson.h"
-#include "render/scene/sheet.h"
-#include "render/type/paragraph.h"
+#include "render/drawing/sheet.h"
+#include "render/typeset/paragraph.h"
 
 #include <string>
 #include <vector>

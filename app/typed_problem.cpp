@@ -4,7 +4,7 @@
 #include "app/exit_codes.h"
 #include "app/numbers.h"
 #include "app/usage.h"
-#include "render/scene/scene.h"
+#include "render/scene/description/scene.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

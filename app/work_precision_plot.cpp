@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/work_precision_plot.h"
 
-#include "render/scene/method_look.h"
+#include "render/drawing/plots/method_look.h"
 
 #include <fmt/format.h>
 

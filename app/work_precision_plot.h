@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/measure_report.h"
-#include "render/scene/plot.h"
+#include "render/drawing/plots/plot.h"
 
 namespace polhode {
 

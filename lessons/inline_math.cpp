@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/inline_math.h"
 
-#include "render/type/characters.h"
+#include "render/typeset/characters.h"
 
 #include <algorithm>
 

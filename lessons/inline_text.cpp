@@ -2,9 +2,9 @@
 #include "lessons/inline_text.h"
 
 #include "lessons/inline_math.h"
-#include "render/type/characters.h"
-#include "render/type/line_formulas.h"
-#include "render/type/math_tree.h"
+#include "render/typeset/characters.h"
+#include "render/typeset/line_formulas.h"
+#include "render/typeset/math/tree.h"
 
 #include <md4c.h>
 

@@ -4,7 +4,7 @@
 
 #include "lessons/located_text.h"
 #include "lessons/report.h"
-#include "render/type/rich_text.h"
+#include "render/typeset/rich_text.h"
 
 #include <cstddef>
 #include <optional>

@@ -6,8 +6,8 @@
 
 #include "lessons/diagnostic.h"
 #include "lessons/expression.h"
-#include "render/scene/scene.h"
-#include "render/type/rich_text.h"
+#include "render/scene/description/scene.h"
+#include "render/typeset/rich_text.h"
 
 #include <map>
 #include <memory>

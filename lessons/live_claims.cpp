@@ -6,9 +6,9 @@
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "physics/method.h"
-#include "render/scene/arrow.h"
-#include "render/scene/difference.h"
-#include "render/scene/drift.h"
+#include "render/scene/model/arrow.h"
+#include "render/scene/model/difference.h"
+#include "render/scene/model/translation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lessons/source_text.h"
-#include "render/type/display_list.h"
+#include "render/typeset/display_list.h"
 
 #include <cstddef>
 #include <string>

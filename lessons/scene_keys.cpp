@@ -5,7 +5,7 @@
 #include "lessons/reader.h"
 #include "lessons/source_text.h"
 #include "physics/method.h"
-#include "render/scene/rotor.h"
+#include "render/scene/model/rotor.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "lessons/inline_text.h"
 #include "lessons/keys.h"
-#include "render/scene/scene.h"
+#include "render/scene/description/scene.h"
 
 #include <map>
 #include <memory>
@@ -36,8 +36,8 @@ struct LessonScene {
 };
 
 /// The scene as it is to be modelled: a body known by its shape that hangs on a pivot under `heavy` has its
-/// moments about that (render/scene/rotor.h). The scene that later keys change keeps those about the centre
-/// of mass. Where they cannot be had, the reading has said so.
+/// moments about that (render/scene/model/rotor.h). The scene that later keys change keeps those about the
+/// centre of mass. Where they cannot be had, the reading has said so.
 Scene finished(const Scene& scene, const LessonBodies& bodies);
 
 /// Changes `scene` by the keys of a table; a key replaces its whole value.

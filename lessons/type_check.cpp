@@ -2,7 +2,7 @@
 #include "lessons/type_check.h"
 
 #include "lessons/report.h"
-#include "render/type/paragraph.h"
+#include "render/typeset/paragraph.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lessons/lesson.h"
-#include "render/type/fonts.h"
+#include "render/typeset/fonts.h"
 
 #include <string_view>
 #include <vector>

@@ -9,7 +9,7 @@
 #include "app/lesson_lookup.h"
 #include "app/page_theme.h"
 #include "lessons/answers.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <map>
 #include <memory>

@@ -3,7 +3,7 @@
 
 #include "physics/body/euler.h"
 #include "physics/geometry/poinsot.h"
-#include "render/scene/omega_tip.h"
+#include "render/figure/omega_tip.h"
 
 #include <algorithm>
 #include <array>

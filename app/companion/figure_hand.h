@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/gl/renderer.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <optional>
 #include <string>

@@ -3,8 +3,8 @@
 // Tab goes through them.
 #pragma once
 
-#include "render/scene/sheet.h"
-#include "render/type/fonts.h"
+#include "render/drawing/sheet.h"
+#include "render/typeset/fonts.h"
 
 #include <optional>
 #include <string>

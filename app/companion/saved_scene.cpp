@@ -4,7 +4,7 @@
 #include "app/trace_rows.h"
 #include "lessons/front_matter.h"
 #include "lessons/markdown.h"
-#include "render/scene/rotor.h"
+#include "render/scene/model/rotor.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

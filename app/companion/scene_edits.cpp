@@ -2,7 +2,7 @@
 #include "app/companion/scene_edits.h"
 
 #include "lessons/scene_keys.h"
-#include "render/scene/rotor.h"
+#include "render/scene/model/rotor.h"
 
 #include <algorithm>
 #include <cmath>

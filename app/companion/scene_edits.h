@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "render/scene/scene.h"
+#include "render/scene/description/scene.h"
 
 #include <optional>
 #include <vector>
@@ -28,8 +28,8 @@ struct SceneEdits {
 
 /// The scene with the edits in it. ω and the attitude of the lesson stay with another body; L keeps pointing
 /// down where the plane, which had it so, is hidden. A body of a shape hangs on the pivot of the lesson's
-/// heavy torque, if there is one (render/scene/rotor.h). A method that cannot serve the body or torque is
-/// left to make_model to refuse.
+/// heavy torque, if there is one (render/scene/model/rotor.h). A method that cannot serve the body or torque
+/// is left to make_model to refuse.
 /// @throws std::domain_error if the body cannot hang there
 Scene edited(Scene scene, const SceneEdits& edits);
 

@@ -3,8 +3,8 @@
 
 #include "app/speaker.h"
 #include "lessons/live_claims.h"
-#include "render/scene/drift.h"
-#include "render/type/math_tree.h"
+#include "render/scene/model/translation.h"
+#include "render/typeset/math/tree.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lessons/lesson.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <string>
 

@@ -5,7 +5,7 @@
 
 #include "app/work_precision.h"
 #include "physics/analysis/motion_errors.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <atomic>
 #include <future>

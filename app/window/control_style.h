@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/page_theme.h"
-#include "render/type/fonts.h"
+#include "render/typeset/fonts.h"
 
 struct ImFont;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels.h"
 #include "app/window/widgets.h"
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

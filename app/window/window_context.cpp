@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/window_context.h"
 
-#include "render/gl/context_open.h"
+#include "render/gl/context/context_open.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -2,7 +2,7 @@
 // The OpenGL context of a GLFW window.
 #pragma once
 
-#include "render/gl/context.h"
+#include "render/gl/context/context.h"
 
 struct GLFWwindow;
 

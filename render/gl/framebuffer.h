@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "render/gl/functions.h"
+#include "render/gl/context/functions.h"
 #include "render/image/image.h"
 
 namespace polhode {

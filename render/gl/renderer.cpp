@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/renderer.h"
 
-#include "render/gl/figure_pass.h"
-#include "render/gl/flat_pass.h"
 #include "render/gl/framebuffer.h"
+#include "render/gl/passes/figure_pass.h"
+#include "render/gl/passes/flat_pass.h"
+#include "render/gl/passes/sheet_pass.h"
 #include "render/gl/shader.h"
 #include "render/gl/shader_sources.h"
-#include "render/gl/sheet_pass.h"
 #include "render/gl/stream.h"
 
 #include <algorithm>

@@ -2,12 +2,12 @@
 // Draws figures and sheets off-screen: RGBA8, no driver-side sRGB conversion, so that bytes repeat.
 #pragma once
 
-#include "render/gl/background.h"
-#include "render/gl/context.h"
+#include "render/drawing/sheet.h"
+#include "render/figure/figure.h"
+#include "render/gl/context/context.h"
+#include "render/gl/passes/background.h"
 #include "render/image/image.h"
-#include "render/scene/figure.h"
-#include "render/scene/sheet.h"
-#include "render/type/fonts.h"
+#include "render/typeset/fonts.h"
 
 #include <memory>
 #include <optional>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "render/gl/functions.h"
+#include "render/gl/context/functions.h"
 
 #include <array>
 #include <span>

@@ -2,8 +2,8 @@
 // Vertices that are new in every frame: one vertex array with its buffers. Internal to render/gl.
 #pragma once
 
-#include "render/gl/functions.h"
-#include "render/gl/geometry.h"
+#include "render/gl/context/functions.h"
+#include "render/gl/passes/geometry.h"
 
 #include <initializer_list>
 

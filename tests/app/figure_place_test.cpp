@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/figure_place.h"
 
-#include "tests/scene/sheet_texts.h"
+#include "tests/render/drawing/sheet_texts.h"
 
 #include <gtest/gtest.h>
 

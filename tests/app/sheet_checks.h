@@ -2,9 +2,9 @@
 // What tests of pages ask of a sheet.
 #pragma once
 
-#include "render/scene/label_layout.h"
-#include "render/scene/sheet.h"
-#include "render/type/fonts.h"
+#include "render/drawing/label_layout.h"
+#include "render/drawing/sheet.h"
+#include "render/typeset/fonts.h"
 
 #include <algorithm>
 #include <string>

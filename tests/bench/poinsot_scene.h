@@ -2,7 +2,7 @@
 // The scene that frames are measured with, by us and by the peers: everything Poinsot's construction has.
 #pragma once
 
-#include "render/scene/scene.h"
+#include "render/scene/description/scene.h"
 
 namespace polhode::bench {
 

@@ -6,7 +6,7 @@
 #include "render/gl/framebuffer.h"
 #include "render/gl/renderer.h"
 #include "render/image/png.h"
-#include "render/type/paragraph.h"
+#include "render/typeset/paragraph.h"
 #include "tests/bench/poinsot_scene.h"
 
 #include <benchmark/benchmark.h>

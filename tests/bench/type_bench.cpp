@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What formulas cost: one core, nothing kept from one run to the next but the open fonts.
-#include "render/type/math.h"
+#include "render/typeset/math/math.h"
 #include "tests/bench/page_cost.h"
 #include "tests/bench/table.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/math_inputs.h"
 
-#include "render/type/math_commands.h"
+#include "render/typeset/math/commands.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Formulas that are nearly right, and what must hold of any of them.
 #pragma once
 
-#include "render/type/math.h"
+#include "render/typeset/math/math.h"
 #include "tests/fuzz/mutate.h"
 
 #include <string>

@@ -2,7 +2,7 @@
 #include "tests/fuzz/text_inputs.h"
 
 #include "lessons/inline_text.h"
-#include "render/type/paragraph.h"
+#include "render/typeset/paragraph.h"
 
 #include <algorithm>
 #include <cmath>

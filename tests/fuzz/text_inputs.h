@@ -2,7 +2,7 @@
 // Markdown with formulas that is nearly right, and what must hold of any of it.
 #pragma once
 
-#include "render/type/fonts.h"
+#include "render/typeset/fonts.h"
 #include "tests/fuzz/mutate.h"
 
 #include <string>

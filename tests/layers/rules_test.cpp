@@ -59,26 +59,27 @@ TEST_P(ForbiddenInclude, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     Arrows, ForbiddenInclude,
     testing::Values(
-        Forbidden{"physics/a.cpp", "render/scene/scene.h"}, Forbidden{"physics/a.cpp", "base/result.h"},
-        Forbidden{"physics/a.cpp", "lessons/lesson.h"}, Forbidden{"physics/a.cpp", "fmt/format.h"},
-        Forbidden{"physics/a.cpp", "unistd.h"}, Forbidden{"physics/a.cpp", "fstream"},
-        Forbidden{"base/result.h", "physics/body/types.h"},
-        Forbidden{"render/scene/a.cpp", "render/gl/context.h"},
-        Forbidden{"render/type/a.cpp", "render/gl/context.h"},
+        Forbidden{"physics/a.cpp", "render/scene/description/scene.h"},
+        Forbidden{"physics/a.cpp", "base/result.h"}, Forbidden{"physics/a.cpp", "lessons/lesson.h"},
+        Forbidden{"physics/a.cpp", "fmt/format.h"}, Forbidden{"physics/a.cpp", "unistd.h"},
+        Forbidden{"physics/a.cpp", "fstream"}, Forbidden{"base/result.h", "physics/body/types.h"},
+        Forbidden{"render/scene/a.cpp", "render/gl/context/context.h"},
+        Forbidden{"render/type/a.cpp", "render/gl/context/context.h"},
         Forbidden{"render/scene/a.cpp", "lessons/lesson.h"},
         Forbidden{"render/scene/a.cpp", "GL/glcorearb.h"},
-        Forbidden{"render/type/a.cpp", "render/scene/scene.h"},
+        Forbidden{"render/type/a.cpp", "render/scene/description/scene.h"},
         Forbidden{"render/type/a.cpp", "physics/body/types.h"},
-        Forbidden{"render/image/a.cpp", "render/gl/context.h"},
-        Forbidden{"render/image/a.cpp", "render/scene/scene.h"},
+        Forbidden{"render/image/a.cpp", "render/gl/context/context.h"},
+        Forbidden{"render/image/a.cpp", "render/scene/description/scene.h"},
         Forbidden{"render/image/a.cpp", "Eigen/Core"}, Forbidden{"render/gl/a.cpp", "lessons/lesson.h"},
         Forbidden{"render/gl/a.cpp", "physics/motion.h"}, Forbidden{"render/gl/a.cpp", "app/commands.h"},
         Forbidden{"render/gl/a.cpp", "iostream"}, Forbidden{"render/gl/a.cpp", "GLFW/glfw3.h"},
-        Forbidden{"lessons/a.cpp", "render/gl/context.h"}, Forbidden{"lessons/a.cpp", "render/image/image.h"},
-        Forbidden{"lessons/a.cpp", "filesystem"}, Forbidden{"lessons/a.cpp", "nlohmann/json.hpp"},
-        Forbidden{"lessons/a.cpp", "CLI/CLI.hpp"}, Forbidden{"app/export.cpp", "GLFW/glfw3.h"},
-        Forbidden{"app/export.cpp", "imgui.h"}, Forbidden{"app/export.cpp", "GL/glcorearb.h"},
-        Forbidden{"app/export.cpp", "tests/layers/rules.h"}, Forbidden{"tests/app/a.cpp", "GLFW/glfw3.h"}),
+        Forbidden{"lessons/a.cpp", "render/gl/context/context.h"},
+        Forbidden{"lessons/a.cpp", "render/image/image.h"}, Forbidden{"lessons/a.cpp", "filesystem"},
+        Forbidden{"lessons/a.cpp", "nlohmann/json.hpp"}, Forbidden{"lessons/a.cpp", "CLI/CLI.hpp"},
+        Forbidden{"app/export.cpp", "GLFW/glfw3.h"}, Forbidden{"app/export.cpp", "imgui.h"},
+        Forbidden{"app/export.cpp", "GL/glcorearb.h"}, Forbidden{"app/export.cpp", "tests/layers/rules.h"},
+        Forbidden{"tests/app/a.cpp", "GLFW/glfw3.h"}),
     [](const auto& tested) {
       std::string name = std::string(tested.param.path) + "_" + tested.param.include;
       for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
@@ -94,12 +95,15 @@ TEST(AllowedInclude, PassesInEachLayer) {
       IsEmpty());
   EXPECT_THAT(messages("render/type/a.cpp", "#include <ft2build.h>\n#include FT_FREETYPE_H\n"), IsEmpty());
   EXPECT_THAT(messages("render/image/a.cpp", "#include <png.h>\n#include <fcntl.h>\n"), IsEmpty());
-  EXPECT_THAT(messages("render/gl/a.cpp", "#include \"render/scene/scene.h\"\n#include <EGL/egl.h>\n"),
-              IsEmpty());
-  EXPECT_THAT(messages("lessons/a.cpp", "#include \"render/scene/scene.h\"\n#include <toml++/toml.h>\n"),
-              IsEmpty());
+  EXPECT_THAT(
+      messages("render/gl/a.cpp", "#include \"render/scene/description/scene.h\"\n#include <EGL/egl.h>\n"),
+      IsEmpty());
+  EXPECT_THAT(
+      messages("lessons/a.cpp", "#include \"render/scene/description/scene.h\"\n#include <toml++/toml.h>\n"),
+      IsEmpty());
   EXPECT_THAT(messages("app/window_context.cpp", "#include <GLFW/glfw3.h>\n#include <imgui.h>\n"), IsEmpty());
-  EXPECT_THAT(messages("app/a.cpp", "#include \"render/gl/context.h\"\n#include <iostream>\n"), IsEmpty());
+  EXPECT_THAT(messages("app/a.cpp", "#include \"render/gl/context/context.h\"\n#include <iostream>\n"),
+              IsEmpty());
 }
 
 TEST(Library, NeitherPrintsNorExits) {

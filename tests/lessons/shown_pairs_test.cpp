@@ -3,8 +3,8 @@
 // lessons, against values that are computed here from the equation as it is printed, not from its claim.
 #include "lessons/live_claims.h"
 #include "physics/body/euler.h"
-#include "render/scene/arrow.h"
-#include "render/scene/drift.h"
+#include "render/scene/model/arrow.h"
+#include "render/scene/model/translation.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>

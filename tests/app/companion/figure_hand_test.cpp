@@ -2,7 +2,7 @@
 #include "app/companion/figure_hand.h"
 
 #include "physics/body/euler.h"
-#include "render/scene/figure.h"
+#include "render/figure/figure.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "app/lesson_lookup.h"
 #include "app/page.h"
-#include "render/type/paragraph.h"
+#include "render/typeset/paragraph.h"
 #include "tests/app/sheet_checks.h"
 
 #include <gmock/gmock.h>

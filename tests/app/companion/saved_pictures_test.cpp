@@ -5,7 +5,7 @@
 #include "app/page.h"
 #include "tests/app/companion/example_lesson.h"
 #include "tests/app/run_program.h"
-#include "tests/gl/drawn.h"
+#include "tests/render/gl/drawn.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/companion/scene_edits.h"
 
-#include "render/scene/model.h"
+#include "render/scene/model/model.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/atomic_file.h"
 
-#include "tests/image/pictures.h"
+#include "tests/render/image/pictures.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// What boards are drawn on, and what they have in common. Inside of render/drawing/diagrams/. Lengths are in
+// sizes of type, from the board's upper left corner, y down.
+#pragma once
+
+#include "render/drawing/diagrams/diagrams.h"
+#include "render/drawing/plots/plot.h"
+#include "render/typeset/math/math.h"
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace polhode::boards {
+
+/// Paints of what belongs to the axes 1, 2, 3: of no quantity's role, and told apart by lightness too.
+inline constexpr std::array<Color, 3> kIndexPaint = {color_from_hex(0xE69F00), color_from_hex(0x56B4E9),
+                                                     color_from_hex(0x6F5B9E)};
+
+/// A board's numbers of one kind: multiples of one power of ten, with the same decimals.
+class NumberForm {
+ public:
+  /// So many digits of the largest, ≥ 0.
+  explicit NumberForm(double largest, int digits = 3);
+  /// "−0.25"; a dash for what is not finite.
+  std::string text(double value) const;
+  /// Two digits of a value that may be far smaller: "−3 × 10⁻¹⁷", "0".
+  std::string residual(double value) const;
+  /// "N m"; "10⁻⁶ N m"
+  std::string unit(const std::string& unit) const;
+  /// What stands behind a number: " N m"; " × 10⁻⁶ N m"
+  std::string times_unit(const std::string& unit) const;
+
+ private:
+  int exponent_ = 0, decimals_ = 2;
+};
+
+/// Two digits and a sign: "−3 × 10⁻¹⁷", "0"; a dash for what is not finite.
+std::string signed_short(double value);
+
+/// The same with both digits always: "0.30", "−3.0 × 10⁻¹⁷".
+std::string two_digits(double value);
+
+/// As few digits as tell it from other doubles: "4.56", "0.001".
+std::string plain_number(double value);
+
+/// Which third of the model's span t lies in, 0, 1 or 2; the span repeats.
+int third_at(const SceneModel& model, double t_s);
+
+/// The largest absolute value of a component of `quantity` over the model's span and at t: what a board's
+/// scale and decimals go by, so that they stand still in a film. 97 evaluations of ω.
+double largest_over_span(const SceneModel& model, double t_s,
+                         const std::function<Vec3(const Vec3& w_B)>& quantity);
+
+/// (x, y, z) → (y z, z x, x y)
+inline Vec3 cyclic_products(const Vec3& a) { return {a[1] * a[2], a[2] * a[0], a[0] * a[1]}; }
+/// (I3 − I2, I1 − I3, I2 − I1)
+inline Vec3 cyclic_differences(const Vec3& a) { return {a[2] - a[1], a[0] - a[2], a[1] - a[0]}; }
+
+class BoardPaper {
+ public:
+  BoardPaper(const Vec2& extent, const PixelBox& box, const BoardStyle& style, const Fonts& fonts);
+
+  const BoardStyle& style() const { return style_; }
+  Color ink_of(const Role& role) const { return on_its_paper(role.ink); }
+  Color paint_of(const Role& role) const { return on_its_paper(role.paint); }
+  /// Of what belongs to axis i = 0, 1, 2.
+  Color paint_of_axis(int i) const { return on_its_paper(kIndexPaint[static_cast<std::size_t>(i)]); }
+
+  struct Type {
+    double align = 0;  ///< 0: `at` is the left end of the baseline, 0.5: its middle, 1: its right end
+    double size = 1;
+    bool quiet = false;
+    bool bold = false;
+  };
+  /// A formula in display style; ω, L, N have the colours of their roles.
+  void math(const std::string& tex, const Vec2& at, const Type& type);
+  void math(const std::string& tex, const Vec2& at) { math(tex, at, Type()); }
+  /// A line of sans text, formulas between `$`.
+  void text(const std::string& text, const Vec2& at, const Type& type);
+  void text(const std::string& line, const Vec2& at) { text(line, at, Type()); }
+  double width_of_math(const std::string& tex, double size = 1) const;
+
+  void line(const Vec2& from, const Vec2& to, double width, const Color& color, double dash = 0);
+  void path(std::vector<Vec2> points, double width, const Color& color);
+  /// A filled rectangle between any two opposite corners.
+  void bar(const Vec2& corner, const Vec2& opposite, const Color& color);
+  void area(std::vector<Vec2> points, const Color& color);
+  /// Round corners.
+  void panel(const Vec2& corner, const Vec2& opposite, const Color& color);
+  void disc(const Vec2& middle, double radius, const Color& color);
+  /// A plot on paper of its own, between any two corners.
+  void plot(const WorkPrecisionPlot& plot, const Vec2& corner, const Vec2& opposite);
+
+  Sheet take() { return std::move(sheet_); }
+
+ private:
+  Color on_its_paper(const Color& color) const { return is_dark(style_.paper) ? on_dark(color) : color; }
+  Vec2 px(const Vec2& at) const { return corner_ + unit_ * at; }
+  void place(DisplayList list, const Vec2& at, double align, const std::string& text);
+  DisplayList set(const std::string& tex, double size, bool quiet) const;
+
+  BoardStyle style_;
+  const Fonts& fonts_;
+  double unit_;
+  Vec2 corner_;
+  std::vector<MathSymbol> symbols_;
+  Sheet sheet_;
+};
+
+enum class Arrangement { wide, tall };
+
+/// What a board draws, and the room it needs for that.
+struct BoardKind {
+  Vec2 wide, tall;  ///< equal where there is one arrangement alone
+  void (*draw)(const SceneModel& model, double t_s, Arrangement arrangement, BoardPaper& paper);
+};
+extern const BoardKind kTensorBars, kCofactors, kCyclicWheel, kEnergyRows, kMomentumRows, kCards,
+    kMethodTable, kOrderPlot;
+
+}  // namespace polhode::boards

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Error against steps, each method a curve; the steeper, the higher its order.
+#include "render/drawing/diagrams/diagram_paper.h"
+#include "render/drawing/plots/method_look.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode::boards {
+namespace {
+
+constexpr double kWidth = 42, kHeight = 30;
+constexpr double kLargestError = 10;  // beyond, a method has not followed the motion at all
+
+struct Sample {
+  double step_s, error;
+};
+
+/// Of one method, from the longest step to the shortest.
+std::vector<Sample> samples_of(Method method, const std::vector<MethodTable>& tables) {
+  std::vector<Sample> samples;
+  for (const MethodTable& table : tables)
+    for (const MethodRow& row : table.rows)
+      if (row.method == method && row.error.omega <= kLargestError)
+        samples.push_back({table.step_s, row.error.omega});
+  return samples;
+}
+
+/// log₂ of what the last halving of the step did to the error, where the error is small, and far above
+/// rounding, which grows with the number of steps.
+std::optional<double> measured_order(const std::vector<Sample>& samples) {
+  constexpr double kSmall = 0.05, kAboveRounding = 3e-12;
+  std::optional<double> order;
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    if (samples[i - 1].error < kSmall && samples[i].error > kAboveRounding)
+      order = std::log2(samples[i - 1].error / samples[i].error);
+  return order;
+}
+
+std::string label_of(Method method, const std::optional<double>& order) {
+  const std::string name(name_of(method));
+  if (!order) return name;
+  NumberForm one_decimal(*order, *order < 10 ? 2 : 3);
+  return name + ": " + one_decimal.text(*order);
+}
+
+std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double t_s) {
+  std::vector<PlotSeries> all;
+  for (const MethodRow& row : tables.front().rows) {
+    if (facts_of(row.method).control != StepControl::fixed) continue;
+    const std::vector<Sample> samples = samples_of(row.method, tables);
+    PlotSeries series{.label = label_of(row.method, measured_order(samples)),
+                      .points = {},
+                      .emphasized = true,
+                      .look = look_of(row.method)};
+    for (const Sample& sample : samples)
+      series.points.emplace_back(std::abs(t_s) / sample.step_s, sample.error);
+    if (!series.points.empty()) all.push_back(std::move(series));
+  }
+  return all;
+}
+
+void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, BoardPaper& paper) {
+  if (model.orders.empty()) return;
+  const double t_s = model.orders.front().t_s;
+  paper.plot({.title = "Error against steps, and the order measured",
+              .x_label = "steps in " + plain_number(t_s) + " s",
+              .y_label = "error of $\\vec\\omega$, relative",
+              .series = series_of(model.orders, t_s),
+              .tolerance = {},
+              .recommended = {},
+              .recommended_label = {},
+              .note = "behind each name: log₂ of what halving the step does to the error",
+              .scale = 1.45},
+             {0, 0}, {kWidth, kHeight});
+}
+
+}  // namespace
+
+const BoardKind kOrderPlot{{kWidth, kHeight}, {kWidth, kHeight}, draw};
+
+}  // namespace polhode::boards

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: MIT
+#include "render/drawing/plots/time_plot.h"
+
+#include "render/drawing/linear_axis.h"
+#include "render/drawing/log_axis.h"
+#include "render/drawing/polyline.h"
+#include "render/typeset/paragraph.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+// Lengths in sizes of type.
+constexpr double kTitleRoom = 2.1, kTimeRoom = 1.7;       // above and below the axes
+constexpr double kLeastWidth = 18.0, kLeastHeight = 7.5;  // of a plot
+constexpr double kTitleGap = 0.6;                         // between title and unit
+constexpr double kMarkGap = 0.45, kNameGap = 0.55, kTick = 0.22, kUnitGap = 0.35;
+constexpr double kLeastMarkRoom = 2.3;  // so that plots above each other mostly
+constexpr double kLeastNameRoom = 2.0;  // begin and end at the same places
+constexpr double kCapHeight = 0.72;
+constexpr double kNameSpacing = 1.35;
+constexpr double kMarkSpacing = 1.9, kTimeMarkSpacing = 3.2;
+constexpr double kHairline = 0.06, kAxisLine = 0.075, kCurve = 0.12, kLeader = 0.07;
+constexpr double kDot = 0.24, kDotRim = 0.1;
+constexpr double kLeaderFrom = 0.3;  // of displacement of a name
+constexpr int kMostIntervals = 4;
+constexpr int kLeastDecades = 2;
+constexpr double kSimplification = 0.1;  // px
+
+Color mixed(const Color& a, const Color& b, float f) {
+  return {std::lerp(a.r, b.r, f), std::lerp(a.g, b.g, f), std::lerp(a.b, b.b, f), 1.0F};
+}
+
+struct Tick {
+  double px;
+  std::string text;
+};
+
+/// Where a value lies from bottom to top, on either kind of axis, with its marks.
+class ValueAxis {
+ public:
+  ValueAxis(const TimePlot& plot, double bottom, double top, int intervals) : floor_(plot.log_floor) {
+    std::vector<double> values;
+    for (const TimeSeries& series : plot.series)
+      values.insert(values.end(), series.y.begin(), series.y.end());
+    if (floor_)
+      make_log(values, bottom, top, intervals);
+    else
+      make_linear(values, bottom, top, intervals);
+  }
+
+  bool shows(double value) const { return std::isfinite(value) && (!floor_ || value >= 0.0); }
+  double px(double value) const { return floor_ ? log_.px(std::max(value, *floor_)) : linear_.px(value); }
+  const std::vector<Tick>& ticks() const { return ticks_; }
+  std::string unit_of(const std::string& unit) const { return floor_ ? unit : linear_.unit_of(unit); }
+  /// Of the heavier line.
+  double base_px() const { return px(floor_.value_or(0.0)); }
+
+ private:
+  void make_log(const std::vector<double>& values, double bottom, double top, int intervals) {
+    double largest = *floor_;
+    for (double value : values)
+      if (std::isfinite(value)) largest = std::max(largest, value);
+    const int low = static_cast<int>(std::floor(std::log10(*floor_)));
+    const int decades = std::max(kLeastDecades, static_cast<int>(std::ceil(std::log10(largest))) - low);
+    const int step = (decades + intervals - 1) / intervals;
+    const int parts = (decades + step - 1) / step;
+    log_.low = low;
+    log_.high = low + parts * step;
+    log_.start_px = bottom;
+    log_.end_px = top;
+    for (int i = 0; i <= parts; ++i)
+      ticks_.push_back({log_.px_of_log(low + i * step), power_of_ten(low + i * step)});
+  }
+
+  void make_linear(const std::vector<double>& values, double bottom, double top, int intervals) {
+    linear_ = LinearAxis::covering(values);
+    linear_.round_out(intervals);
+    linear_.start_px = bottom;
+    linear_.end_px = top;
+    for (LinearAxis::Mark& mark : linear_.marks()) ticks_.push_back({mark.px, std::move(mark.text)});
+  }
+
+  std::optional<double> floor_;
+  LogAxis log_;
+  LinearAxis linear_;
+  std::vector<Tick> ticks_;
+};
+
+/// With type small enough for the box.
+TimePlotStyle fitting(const TimePlotStyle& style, const PixelBox& box) {
+  TimePlotStyle fitted = style;
+  fitted.type_size = std::min({style.type_size, box.width() / kLeastWidth, box.height() / kLeastHeight});
+  return fitted;
+}
+
+/// A stretch of a curve without gaps.
+using Stretch = std::vector<Vec2>;
+
+/// Makes the sheet of one plot, part after part.
+class TimePlotLayout {
+ public:
+  TimePlotLayout(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts)
+      : plot_(plot),
+        box_(box),
+        style_(fitting(style, box)),
+        fonts_(fonts),
+        axis_(plot, box.y1 - px(kTimeRoom), box.y0 + px(kTitleRoom), intervals()) {
+    place_axes();
+  }
+
+  Sheet make() {
+    add_title();
+    add_value_axis();
+    add_time_axis();
+    for (const TimeSeries& series : plot_.series) add_curve(series);
+    add_names();
+    add_now();
+    return std::move(sheet_);
+  }
+
+ private:
+  double px(double sizes) const { return sizes * style_.type_size; }
+  DisplayList line_of(const std::string& text, const Color& color) const {
+    TextStyle style;
+    style.size = style_.type_size;
+    style.color = color;
+    style.sans = true;
+    return set_line(text, style, fonts_);
+  }
+  double width_of(const std::string& text) const { return line_of(text, style_.ink).width; }
+
+  int intervals() const {
+    const double height = box_.height() - px(kTitleRoom + kTimeRoom);
+    return std::clamp(static_cast<int>(height / px(kMarkSpacing)), 2, kMostIntervals);
+  }
+
+  /// Text decides where the axes end on the left and on the right.
+  void place_axes() {
+    double marks = px(kLeastMarkRoom), names = px(kLeastNameRoom);
+    for (const Tick& tick : axis_.ticks()) marks = std::max(marks, width_of(tick.text));
+    for (const TimeSeries& series : plot_.series) names = std::max(names, width_of(name_of(series)));
+    const double begin = plot_.t.empty() ? 0.0 : plot_.t.front();
+    const double end = plot_.t.empty() ? 1.0 : plot_.t.back();
+    time_ = LinearAxis::between(begin, end);
+    names = std::max(names, width_of(time_unit()) + px(0.5));
+    frame_ = {box_.x0 + marks + px(kMarkGap), box_.y0 + px(kTitleRoom), box_.x1 - names - px(kNameGap),
+              box_.y1 - px(kTimeRoom)};
+    time_.start_px = frame_.x0;
+    time_.end_px = frame_.x1;
+  }
+
+  std::string time_unit() const { return time_.unit_of("s"); }
+
+  /// A curve that lies on the floor of a logarithmic axis may be anything there: its name tells that it is 0
+  /// ("T = 0" would speak of the quantity that drifts).
+  std::string name_of(const TimeSeries& series) const {
+    const bool zero = plot_.log_floor && !series.y.empty() &&
+                      std::all_of(series.y.begin(), series.y.end(), [](double y) { return y == 0.0; });
+    return zero ? series.label + ": 0" : series.label;
+  }
+
+  Color on_its_paper(const Color& color) const { return is_dark(style_.paper) ? on_dark(color) : color; }
+  Color line_color(const TimeSeries& series) const { return on_its_paper(series.role.paint); }
+  Color name_color(const TimeSeries& series) const { return on_its_paper(series.role.ink); }
+
+  void add_line(std::vector<Vec2> points, double width, const Color& color, double dash = 0.0) {
+    sheet_.shapes.push_back(Stroke{std::move(points), width, color, dash});
+  }
+
+  void add_text(std::string text, const Vec2& at, double align, const Color& color) {
+    DisplayList line = line_of(text, color);
+    const double left = at.x() - align * line.width;
+    sheet_.texts.push_back({.list = std::move(line), .at = {left, at.y()}, .text = std::move(text)});
+  }
+
+  void add_title() {
+    const double baseline = std::round(box_.y0 + px(0.9));
+    add_text(plot_.title, {box_.x0, baseline}, 0.0, style_.ink);
+    const std::string unit = axis_.unit_of(plot_.unit);
+    if (!unit.empty())
+      add_text(unit, {box_.x0 + width_of(plot_.title) + px(kTitleGap), baseline}, 0.0, style_.muted);
+  }
+
+  /// To the middle of a pixel, so that even lines are crisp.
+  static double crisp(double at) { return std::floor(at) + 0.5; }
+
+  void add_value_axis() {
+    for (const Tick& tick : axis_.ticks()) {
+      const double y = crisp(tick.px);
+      const bool base = std::abs(tick.px - axis_.base_px()) < 0.5;
+      add_line({{frame_.x0, y}, {frame_.x1, y}}, px(base ? kAxisLine : kHairline),
+               base ? mixed(style_.muted, style_.paper, 0.35F) : style_.grid);
+      add_text(tick.text, {frame_.x0 - px(kMarkGap), std::round(y + px(0.5 * kCapHeight))}, 1.0,
+               style_.muted);
+    }
+  }
+
+  /// Texts too long for where they stand are left out.
+  void add_time_axis() {
+    const std::vector<LinearAxis::Mark> marks = time_marks();
+    const double baseline = std::round(box_.y1 - px(0.35));
+    const double last_end = marks.empty() ? frame_.x1 : marks.back().px + 0.5 * width_of(marks.back().text);
+    const double unit_x =
+        std::min(std::max(frame_.x1, last_end) + px(kUnitGap), box_.x1 - width_of(time_unit()));
+    add_text(time_unit(), {unit_x, baseline}, 0.0, style_.muted);
+    for (const LinearAxis::Mark& mark : marks) {
+      const double x = crisp(mark.px), half = 0.5 * width_of(mark.text);
+      add_line({{x, frame_.y1}, {x, frame_.y1 + px(kTick)}}, px(kHairline), style_.muted);
+      if (x - half >= box_.x0 && x + half <= unit_x - 0.5 * px(kUnitGap))
+        add_text(mark.text, {x, baseline}, 0.5, style_.muted);
+    }
+  }
+
+  /// As close as the width of their texts allows.
+  std::vector<LinearAxis::Mark> time_marks() const {
+    double spacing = px(kTimeMarkSpacing);
+    for (;; spacing *= 1.5) {
+      std::vector<LinearAxis::Mark> marks = time_.marks(spacing);
+      double widest = 0.0;
+      for (const LinearAxis::Mark& mark : marks) widest = std::max(widest, width_of(mark.text));
+      if (widest + px(0.6) <= spacing || marks.size() < 2) return marks;
+    }
+  }
+
+  Vec2 at(double t, double y) const { return {time_.px(t), axis_.px(y)}; }
+
+  std::vector<Stretch> stretches_of(const TimeSeries& series) const {
+    std::vector<Stretch> stretches(1);
+    for (std::size_t i = 0; i < std::min(plot_.t.size(), series.y.size()); ++i) {
+      if (axis_.shows(series.y[i]))
+        stretches.back().push_back(at(plot_.t[i], series.y[i]));
+      else if (!stretches.back().empty())
+        stretches.emplace_back();
+    }
+    if (stretches.back().empty()) stretches.pop_back();
+    return stretches;
+  }
+
+  void add_curve(const TimeSeries& series) {
+    for (const Stretch& stretch : stretches_of(series)) {
+      if (stretch.size() == 1)
+        add_disc(stretch.front(), px(0.5 * kCurve), line_color(series));
+      else
+        add_line(simplified(stretch, kSimplification), px(kCurve), line_color(series), px(series.dash));
+    }
+  }
+
+  void add_disc(const Vec2& middle, double radius, const Color& color) {
+    sheet_.shapes.push_back(Stroke{{middle, middle}, 2.0 * radius, color, 0.0});
+  }
+
+  void add_names() {
+    std::vector<const TimeSeries*> named;
+    std::vector<Vec2> ends;
+    std::vector<double> wanted;
+    for (const TimeSeries& series : plot_.series) {
+      const std::vector<Stretch> stretches = stretches_of(series);
+      if (stretches.empty()) continue;
+      named.push_back(&series);
+      ends.push_back(stretches.back().back());
+      wanted.push_back(ends.back().y());
+    }
+    const std::vector<double> placed =
+        spread_apart(wanted, px(kNameSpacing), frame_.y0 - px(0.3), frame_.y1 - px(0.2));
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      const Vec2 name(frame_.x1 + px(kNameGap), placed[i]);
+      if (std::abs(placed[i] - wanted[i]) > px(kLeaderFrom) || ends[i].x() < frame_.x1 - px(0.5))
+        add_line({ends[i], {name.x() - px(0.12), name.y()}}, px(kLeader), name_color(*named[i]));
+      add_text(name_of(*named[i]), {name.x(), std::round(name.y() + px(0.5 * kCapHeight))}, 0.0,
+               name_color(*named[i]));
+    }
+  }
+
+  void add_now() {
+    if (!plot_.now || !std::isfinite(*plot_.now) || plot_.t.empty()) return;
+    if (*plot_.now < plot_.t.front() || *plot_.now > plot_.t.back()) return;
+    const double x = crisp(time_.px(*plot_.now));
+    add_line({{x, frame_.y0}, {x, frame_.y1}}, px(kAxisLine), mixed(style_.muted, style_.paper, 0.2F));
+    for (const TimeSeries& series : plot_.series)
+      if (const std::optional<double> y = px_now(series)) {
+        add_disc({x, *y}, px(kDot + kDotRim), style_.paper);
+        add_disc({x, *y}, px(kDot), line_color(series));
+      }
+  }
+
+  /// On the drawn line.
+  std::optional<double> px_now(const TimeSeries& series) const {
+    const auto after = std::lower_bound(plot_.t.begin(), plot_.t.end(), *plot_.now);
+    const auto i = static_cast<std::size_t>(after - plot_.t.begin());
+    const std::size_t before = *after == *plot_.now || i == 0 ? i : i - 1;
+    if (i >= series.y.size() || !axis_.shows(series.y[i]) || !axis_.shows(series.y[before]))
+      return std::nullopt;
+    const double part = before == i ? 0.0 : (*plot_.now - plot_.t[before]) / (plot_.t[i] - plot_.t[before]);
+    return std::lerp(axis_.px(series.y[before]), axis_.px(series.y[i]), part);
+  }
+
+  const TimePlot& plot_;
+  PixelBox box_;
+  TimePlotStyle style_;
+  const Fonts& fonts_;
+  ValueAxis axis_;
+  LinearAxis time_;
+  PixelBox frame_;  ///< the axes' rectangle
+  Sheet sheet_;
+};
+
+}  // namespace
+
+Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts) {
+  return TimePlotLayout(plot, box, style, fonts).make();
+}
+
+}  // namespace polhode

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Small plots of quantities against time, named where their curves end. Layout only: the result is a sheet of
+// lines and text.
+#pragma once
+
+#include "render/drawing/label_layout.h"
+#include "render/palette.h"
+#include "render/typeset/fonts.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+struct TimeSeries {
+  std::string label;  ///< as all texts a line that set_line() of render/typeset/paragraph.h sets
+  Role role{};
+  std::vector<double> y{};  ///< at the plot's times
+  double dash = 0;          ///< length of a dash and of a gap, in sizes of type; 0: solid
+};
+
+struct TimePlot {
+  std::string title{};
+  std::string unit{};       ///< of y; of time it is s
+  std::vector<double> t{};  ///< s, in ascending order
+  std::vector<TimeSeries> series{};
+  std::optional<double> now{};  ///< s: marked
+  /// Of a plot of y ≥ 0 on a logarithmic axis: where it begins; what is less is drawn there, and the label of
+  /// a curve of zeros alone says so. Absent: y is linear and its axis shows 0.
+  std::optional<double> log_floor{};
+};
+
+/// Sizes in px.
+struct TimePlotStyle {
+  double type_size = 16;  ///< of labels
+  Color ink = kInk, muted = kAxesRole.ink, grid = color_from_hex(0xE3DED2), paper = color_from_hex(0xFBFAF6);
+};
+
+/// In `box`; where that is smaller than 18 sizes of type by 7.5, the type is smaller. Values that are not
+/// finite leave gaps. Pure.
+Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts);
+
+}  // namespace polhode

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Names of what is shown, anchored to it, and the computed values in the corner.
+#include "physics/body/euler.h"
+#include "physics/exact/powers_of_two.h"
+#include "render/figure/builders/builders.h"
+#include "render/palette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace polhode::builders {
+namespace {
+
+constexpr double kSymbolSize = 1.2;
+constexpr double kTextSize = 0.8;
+
+void add_symbol(DrawList& list, const char* text, const Vec3& anchor, const Color& color) {
+  list.labels.push_back(
+      {.text = text, .anchor = anchor, .color = color, .size = kSymbolSize, .leader = false});
+}
+
+void add_text(DrawList& list, const char* text, const Vec3& anchor, const Color& color) {
+  list.labels.push_back({.text = text, .anchor = anchor, .color = color, .size = kTextSize});
+}
+
+/// The point of a curve that lies furthest in a screen direction, if possible on the side of the viewer.
+Vec3 furthest(const std::vector<Vec3>& points, const Camera& camera, const Vec3& direction) {
+  const Vec3 to_eye = (camera.eye - camera.target).normalized();
+  const auto score = [&](const Vec3& p) { return p.dot(direction) + 0.6 * std::min(0.0, p.dot(to_eye)); };
+  return *std::max_element(points.begin(), points.end(),
+                           [&](const Vec3& a, const Vec3& b) { return score(a) < score(b); });
+}
+
+void label_triads(const Moment& m, DrawList& list) {
+  constexpr std::array<const char*, 3> kSpace = {"$x$", "$y$", "$z$"};
+  constexpr std::array<const char*, 3> kBody = {"1", "2", "3"};
+  constexpr double kBeyond = kTriadLength + 0.06;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (m.shows(Overlay::axes_space))
+      list.labels.push_back({.text = kSpace[k],
+                             .anchor = m.q_VS * (kBeyond * Vec3::Unit(i)) - m.center_V,
+                             .color = kAxesRole.ink,
+                             .size = 1.0,
+                             .leader = false});
+    if (m.shows(Overlay::axes_body))
+      list.labels.push_back({.text = kBody[k],
+                             .anchor = m.q_VB * (kBeyond * Vec3::Unit(i)),
+                             .color = kAxesRole.ink,
+                             .size = 0.9,
+                             .leader = false});
+  }
+}
+
+void label_vectors(const Moment& m, DrawList& list) {
+  if (m.state.w_B.isZero(0.0)) return;
+  constexpr double kBeyond = 0.06;
+  const auto beyond = [](const Vec3& tip) -> Vec3 {
+    return tip * (1.0 + kBeyond / std::max(tip.norm(), 0.1));
+  };
+  if (m.shows(Overlay::omega)) add_symbol(list, "$\\vec\\omega$", beyond(m.omega_tip_V()), kOmegaRole.ink);
+  if (m.shows(Overlay::L)) add_symbol(list, "$\\vec L$", beyond(m.L_tip_V()), kLRole.ink);
+  if (m.shows(Overlay::N) && !m.shows(Overlay::terms) && !m.N_B.isZero(0.0))
+    add_symbol(list, "$\\vec N$", torque_ends(m).tip, kNRole.ink);
+}
+
+/// The tubes of a draw list by role, because a curve is labelled where it was drawn.
+const Tube* find_tube(const DrawList& list, const Color& color) {
+  for (const Tube& tube : list.tubes)
+    if (tube.color == color && tube.points.size() > 2) return &tube;
+  return nullptr;
+}
+
+void label_curves(const Moment& m, const Camera& camera, DrawList& list) {
+  const Vec3 right = screen_direction(camera, 1.0, 0.25);
+  const Vec3 left = screen_direction(camera, -1.0, 0.15);
+  const Vec3 low_right = screen_direction(camera, 1.0, -0.6);
+  if (m.shows(Overlay::polhode))
+    if (const Tube* tube = find_tube(list, kPolhodeRole.paint))
+      add_text(list, m.L_scale > 0.0 ? "path of $\\vec L$" : "polhode", furthest(tube->points, camera, right),
+               kPolhodeRole.ink);
+  if (m.shows(Overlay::herpolhode))
+    if (const Tube* tube = find_tube(list, kHerpolhodeRole.paint))
+      add_text(list, "herpolhode", furthest(tube->points, camera, low_right), kHerpolhodeRole.ink);
+  if (m.shows(Overlay::separatrix) && !m.model.separatrices_B.empty())
+    if (const Tube* tube = find_tube(list, kSeparatrixPaint))
+      add_text(list, "separatrix", furthest(tube->points, camera, left), kAxesRole.ink);
+}
+
+void label_surfaces(const Moment& m, const Camera& camera, DrawList& list) {
+  const auto on_silhouette = [&](const GlassEllipsoid& e, const Vec3& direction) -> Vec3 {
+    const Vec3 d = e.rotation.conjugate() * direction;  // support point of the ellipsoid
+    const Vec3 scaled = e.semi_axes.cwiseProduct(d);
+    return e.center + e.rotation * Vec3(e.semi_axes.cwiseProduct(scaled.normalized()));
+  };
+  if (m.shows(Overlay::plane) && !list.floors.empty()) {
+    const Vec3 aside = screen_direction(camera, 1.0, 0.0);
+    const Vec3 away = -(camera.eye - camera.target).normalized();
+    const Vec3 level(1.75 * aside.x() + 0.5 * away.x(), 1.75 * aside.y() + 0.5 * away.y(), list.floors[0].z);
+    list.labels.push_back({.text = "invariable plane",
+                           .anchor = level,
+                           .color = kAxesRole.ink,
+                           .size = kTextSize,
+                           .leader = false});
+  }
+  if (m.shows(Overlay::momentum_sphere) && list.ellipsoids.size() > 1) {
+    add_text(list, "$2T$ = const.",
+             on_silhouette(list.ellipsoids.front(), screen_direction(camera, -0.8, 0.6)),
+             color_from_hex(0x2F6178));
+    add_text(list, "$|\\vec L|$ = const.",
+             on_silhouette(list.ellipsoids.back(), screen_direction(camera, 0.8, 0.6)),
+             color_from_hex(0x6B5B2E));
+  }
+}
+
+void label_cones(const Moment& m, const Camera& camera, DrawList& list) {
+  if (!m.shows(Overlay::cones)) return;
+  const Vec3 side = screen_direction(camera, -1.0, 0.4);
+  const auto name = [&](const Color& rim, const char* text, const Color& ink) {
+    if (const Tube* tube = find_tube(list, rim))
+      add_text(list, text, furthest(tube->points, camera, side), ink);
+  };
+  name(kPolhodeRole.paint, "body cone", kPolhodeRole.ink);
+  if (m.view == View::space) name(kHerpolhodeRole.paint, "space cone", kHerpolhodeRole.ink);
+}
+
+std::string number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%#.4g", value);
+  return text.data();
+}
+
+}  // namespace
+
+Vec3 screen_direction(const Camera& camera, double x, double y) {
+  const Eigen::Matrix4d v = camera.view();
+  return x * Vec3(v(0, 0), v(0, 1), v(0, 2)) + y * Vec3(v(1, 0), v(1, 1), v(1, 2));
+}
+
+void add_labels(const Moment& m, const Camera& camera, DrawList& list) {
+  label_vectors(m, list);
+  label_triads(m, list);
+  label_curves(m, camera, list);
+  label_surfaces(m, camera, list);
+  label_cones(m, camera, list);
+}
+
+void add_values(const Moment& m, DrawList& list) {
+  const double L = norm_of(m.L_B);
+  // L²/2T, whose square may leave the range of double: |L| by the distance 2T/|L| of the plane.
+  const double J = m.state.w_B.isZero(0.0) ? 0.0 : L / invariable_plane_distance(m.I(), m.state.w_B);
+  Readout readout;
+  const std::string gap = "\u2003";  // an em
+  readout.lines.push_back("$I_1$ = " + number(m.I()[0]) + gap + "$I_2$ = " + number(m.I()[1]) + gap +
+                          "$I_3$ = " + number(m.I()[2]) + " kg m²");
+  readout.lines.push_back("$2T$ = $\\vec\\omega\\cdot\\vec L$ = " + number(m.two_T) + " J" + gap +
+                          "$|\\vec L|$ = " + number(L) + " kg m²/s");
+  if (J > 0.0) readout.lines.push_back("$L^2/2T$ = " + number(J) + " kg m²");
+  Vec3 sorted = m.I().vector();
+  std::sort(sorted.begin(), sorted.end());
+  readout.color_bar = m.shows(Overlay::polhode_family) && J > 0.0 && sorted[2] > sorted[0];
+  if (readout.color_bar) readout.marker = scale_place(m.I(), J);
+  list.readouts.push_back(std::move(readout));
+}
+
+}  // namespace polhode::builders

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// The body itself as lit meshes: box, ellipsoid, cylinder, T-handle.
+#include "physics/body/euler.h"
+#include "render/figure/builders/builders.h"
+#include "render/palette.h"
+#include "render/scene/model/rotor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace polhode::builders {
+namespace {
+
+constexpr int kSegments = 64;
+constexpr double kAloneRadius = 0.95;  // of the sphere round a body that stands alone
+constexpr double kInsideGlass = 0.84;  // of the energy ellipsoid, for a body drawn in it
+constexpr Color kEdge = color_from_hex(0x6A6152);
+
+/// A part of a body in its own axes, to be placed in the view.
+struct Part {
+  Mesh mesh;
+  std::vector<Tube> edges;
+};
+
+void add_quad(Mesh& mesh, const std::array<Vec3, 4>& corners, const Vec3& normal) {
+  const auto first = static_cast<unsigned>(mesh.positions.size());
+  for (const Vec3& corner : corners) {
+    mesh.positions.push_back(corner);
+    mesh.normals.push_back(normal);
+  }
+  for (unsigned k : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.triangles.push_back(first + k);
+}
+
+Part box(const Vec3& half) {
+  Part part;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side : {-1, 1}) {
+      const Vec3 n = side * Vec3::Unit(axis);
+      const Vec3 u = half[(axis + 1) % 3] * Vec3::Unit((axis + 1) % 3);
+      const Vec3 v = side * half[(axis + 2) % 3] * Vec3::Unit((axis + 2) % 3);
+      const Vec3 c = half[axis] * n;
+      add_quad(part.mesh, {c - u - v, c + u - v, c + u + v, c - u + v}, n);
+      part.edges.push_back({.points = {c - u - v, c + u - v, c + u + v, c - u + v},
+                            .closed = true,
+                            .radius = 0.006,
+                            .color = kEdge});
+    }
+  return part;
+}
+
+Vec3 on_circle(double turn, double rx, double ry, double z) {
+  const double a = 2.0 * std::numbers::pi * turn;
+  return {rx * std::cos(a), ry * std::sin(a), z};
+}
+
+/// Elliptic cylinder about its axis 3.
+Part cylinder(const Vec3& half) {
+  Part part;
+  std::array<Tube, 2> rims;
+  for (int i = 0; i < kSegments; ++i) {
+    const double t0 = static_cast<double>(i) / kSegments, t1 = static_cast<double>(i + 1) / kSegments;
+    const Vec3 a = on_circle(t0, half.x(), half.y(), -half.z()),
+               b = on_circle(t1, half.x(), half.y(), -half.z());
+    const Vec3 up(0, 0, 2.0 * half.z());
+    add_quad(part.mesh, {a, b, b + up, a + up}, Vec3::Zero());
+    const Vec3 na = on_circle(t0, half.y(), half.x(), 0).normalized();
+    const Vec3 nb = on_circle(t1, half.y(), half.x(), 0).normalized();
+    const std::size_t last = part.mesh.normals.size();
+    part.mesh.normals[last - 4] = part.mesh.normals[last - 1] = na;
+    part.mesh.normals[last - 3] = part.mesh.normals[last - 2] = nb;
+    for (int side : {-1, 1}) {
+      const double z = side * half.z();
+      const Vec3 c(0, 0, z), p(a.x(), a.y(), z), q(b.x(), b.y(), z);
+      add_quad(part.mesh, {c, p, q, c}, side * Vec3::UnitZ());
+      rims[side > 0].points.push_back(p);
+    }
+  }
+  for (Tube& rim : rims) {
+    rim.closed = true;
+    rim.radius = 0.006;
+    rim.color = kEdge;
+    part.edges.push_back(rim);
+  }
+  return part;
+}
+
+Part ellipsoid(const Vec3& half) {
+  Part part;
+  const int rows = kSegments / 2;
+  for (int j = 0; j <= rows; ++j)
+    for (int i = 0; i <= kSegments; ++i) {
+      const double polar = std::numbers::pi * j / rows;
+      Vec3 n =
+          on_circle(static_cast<double>(i) / kSegments, std::sin(polar), std::sin(polar), std::cos(polar));
+      part.mesh.positions.push_back(half.cwiseProduct(n));
+      part.mesh.normals.push_back(n.cwiseQuotient(half).normalized());
+    }
+  const auto row = static_cast<unsigned>(kSegments + 1);
+  for (unsigned j = 0; j < static_cast<unsigned>(rows); ++j)
+    for (unsigned i = 0; i < static_cast<unsigned>(kSegments); ++i)
+      for (unsigned k : {j * row + i, (j + 1) * row + i, (j + 1) * row + i + 1, j * row + i,
+                         (j + 1) * row + i + 1, j * row + i + 1})
+        part.mesh.triangles.push_back(k);
+  for (int axis = 0; axis < 3; ++axis) {  // three great ellipses make the turning visible
+    Tube ring{.points = {}, .closed = true, .radius = 0.006, .color = kEdge};
+    for (int i = 0; i < kSegments; ++i) {
+      const Vec3 c = on_circle(static_cast<double>(i) / kSegments, 1.0, 1.0, 0.0);
+      const Vec3 turned(c[axis % 3], c[(axis + 1) % 3], c[(axis + 2) % 3]);
+      ring.points.push_back(half.cwiseProduct(turned) * 1.001);
+    }
+    part.edges.push_back(std::move(ring));
+  }
+  return part;
+}
+
+/// Two diameters on each face of a cylinder: its turning can be seen.
+void add_diameters(Part& part, const Vec3& half) {
+  constexpr double kProud = 1.01;
+  for (double z : {-half.z(), half.z()})
+    for (int axis : {0, 1}) {
+      const Vec3 end = half[axis] * Vec3::Unit(axis), up = kProud * z * Vec3::UnitZ();
+      part.edges.push_back(
+          {.points = {up - end, up + end}, .closed = false, .radius = 0.006, .color = kEdge});
+    }
+}
+
+void turn_and_move(Part& part, const Quat& q, const Vec3& by) {
+  for (Vec3& p : part.mesh.positions) p = q * p + by;
+  for (Vec3& n : part.mesh.normals) n = q * n;
+  for (Tube& edge : part.edges)
+    for (Vec3& p : edge.points) p = q * p + by;
+}
+
+/// A bar of a T-handle: a cylinder turned from axis 3 to lie along `axis`.
+Part bar(double diameter, double length, const Vec3& axis, const Vec3& center) {
+  Part part = cylinder(0.5 * Vec3(diameter, diameter, length));
+  turn_and_move(part, Quat::FromTwoVectors(Vec3::UnitZ(), axis), center);
+  return part;
+}
+
+std::vector<Part> t_handle(const Vec3& size_m) {
+  const THandleGeometry g = t_handle_geometry(size_m);
+  return {bar(g.diameter_m, g.crossbar_length_m, Vec3::UnitX(), Vec3(0.0, g.crossbar_at_m, 0.0)),
+          bar(g.diameter_m, g.stem_length_m, Vec3::UnitY(), Vec3(0.0, g.stem_at_m, 0.0))};
+}
+
+std::vector<Part> parts_of(const Shape& shape) {
+  const Vec3 half = 0.5 * shape.size_m;
+  switch (shape.kind) {
+    case ShapeKind::box:
+      return {box(half)};
+    case ShapeKind::ellipsoid:
+      return {ellipsoid(half)};
+    case ShapeKind::cylinder:
+      return {cylinder(half)};
+    case ShapeKind::t_handle:
+      return t_handle(shape.size_m);
+  }
+  return {box(half)};
+}
+
+/// Largest factor by which the parts may grow and still lie within the ellipsoid of these semi-axes.
+double fit(const std::vector<Part>& parts, const Vec3& semi_axes) {
+  double reach = 0.0;
+  for (const Part& part : parts)
+    for (const Vec3& p : part.mesh.positions) reach = std::max(reach, p.cwiseQuotient(semi_axes).norm());
+  return reach > 0.0 ? 1.0 / reach : 1.0;
+}
+
+void add_patch(const Quat& q_VB, const Vec3& center_B, double half_1, double half_2, const Color& color,
+               DrawList& list) {
+  Mesh patch;
+  patch.color = color;
+  const Vec3 u = half_1 * Vec3::UnitX(), v = half_2 * Vec3::UnitY();
+  add_quad(patch,
+           {q_VB * (center_B - u - v), q_VB * (center_B + u - v), q_VB * (center_B + u + v),
+            q_VB * (center_B - u + v)},
+           q_VB * Vec3::UnitZ());
+  list.meshes.push_back(std::move(patch));
+}
+
+/// A cover with a title on the face +3, its head towards +1: a box alone looks the same in four attitudes.
+void add_cover(const Quat& q_VB, const Vec3& half, DrawList& list) {
+  constexpr double kProud = 0.004;
+  const Vec3 face(0.0, 0.0, half.z() + kProud);
+  add_patch(q_VB, face, 0.9 * half.x(), 0.88 * half.y(), color_from_hex(0x7C93AB), list);
+  add_patch(q_VB, face + Vec3(0.5 * half.x(), 0.0, kProud), 0.09 * half.x(), 0.58 * half.y(),
+            color_from_hex(0xF2EFE8), list);
+  add_patch(q_VB, face + Vec3(0.22 * half.x(), 0.0, kProud), 0.05 * half.x(), 0.36 * half.y(),
+            color_from_hex(0xF2EFE8), list);
+}
+
+Vec3 room_for(const Moment& m, const Vec3& w_B) {
+  if (m.shows(Overlay::energy_ellipsoid) && !w_B.isZero(0.0))
+    return kInsideGlass * m.omega_scale * energy_ellipsoid_semi_axes(m.I(), w_B);
+  return Vec3::Constant(kAloneRadius);
+}
+
+/// In m, about the pivot where the scene shows one.
+std::vector<Part> parts_of(const Scene& scene, bool on_pivot) {
+  if (!on_pivot) return parts_of(scene.body.shape.value_or(equivalent_box(scene.body.moments)));
+  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
+  std::vector<Part> parts = parts_of(rotor.shape);
+  if (rotor.shape.kind == ShapeKind::cylinder) add_diameters(parts.front(), 0.5 * rotor.shape.size_m);
+  for (Part& part : parts) turn_and_move(part, Quat::Identity(), rotor.center_B);
+  return parts;
+}
+
+void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const Color& color, float edges,
+               DrawList& list) {
+  for (Part& part : parts) {
+    for (Vec3& p : part.mesh.positions) p = q_VB * (scale * p);
+    for (Vec3& n : part.mesh.normals) n = q_VB * n;
+    for (Tube& edge : part.edges) {
+      for (Vec3& p : edge.points) p = q_VB * (scale * p);
+      edge.color.a = edges;
+      list.tubes.push_back(std::move(edge));
+    }
+    part.mesh.color = color;
+    list.meshes.push_back(std::move(part.mesh));
+  }
+}
+
+}  // namespace
+
+double scene_units_per_m(const Moment& m) {
+  return fit(parts_of(m.model.scene, m.shows(Overlay::pivot)), room_for(m, m.model.scene.w0_B));
+}
+
+void add_solid(const Moment& m, DrawList& list) {
+  if (!m.model.needs.solid) return;
+  std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
+  const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
+  add_parts(std::move(parts), m.q_VB, scale, kSolid, 1.0F, list);
+  if (m.turn && m.model.solid.kind == ShapeKind::box)
+    add_cover(m.q_VB, 0.5 * scale * m.model.solid.size_m, list);
+}
+
+void add_ghost_of_solid(const Moment& m, const Quat& q_SB, DrawList& list) {
+  if (!m.model.needs.solid || m.view == View::body) return;  // B is the body's own: there both would coincide
+  constexpr float kAlpha = 0.38F, kEdges = 0.6F;
+  constexpr double kLarger =
+      1.004;  // where both coincide, their faces would show through each other in specks
+  std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
+  const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
+  add_parts(std::move(parts), q_SB, kLarger * scale, {kGlassTint.r, kGlassTint.g, kGlassTint.b, kAlpha},
+            kEdges, list);
+}
+
+}  // namespace polhode::builders

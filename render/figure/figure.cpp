@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include "render/figure/figure.h"
+
+#include "physics/body/euler.h"
+#include "physics/exact/powers_of_two.h"
+#include "render/figure/builders/builders.h"
+#include "render/figure/omega_tip.h"
+#include "render/scene/model/translation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+namespace builders {
+namespace {
+
+/// |L| = const beside the energy ellipsoid is drawn in ω-space, where it is an ellipsoid too.
+bool shows_momentum_space(const OverlaySet& show) {
+  return show.contains(Overlay::momentum_ellipsoid) ||
+         (show.contains(Overlay::momentum_sphere) && !show.contains(Overlay::energy_ellipsoid));
+}
+
+/// ω-space is drawn with the energy ellipsoid's longest semi-axis at 1. Around a solid body alone ω is drawn
+/// a little longer than the body, so that its tip can be seen.
+double omega_scale_of(const Scene& scene) {
+  constexpr double kBesideSolid = 1.15;
+  const double speed = norm_of(scene.w0_B);
+  if (speed == 0.0) return 1.0;
+  if (scene.show.contains(Overlay::shape) && !scene.show.contains(Overlay::energy_ellipsoid))
+    return kBesideSolid / speed;
+  return 1.0 / energy_ellipsoid_semi_axes(scene.body.moments, scene.w0_B).maxCoeff();
+}
+
+double L_scale_of(const Scene& scene) {
+  if (!shows_momentum_space(scene.show) || scene.w0_B.isZero(0.0)) return 0.0;
+  const double L = norm_of(angular_momentum_B(scene.body.moments, scene.w0_B));
+  return 1.0 / std::max(L, momentum_ellipsoid_semi_axes(scene.body.moments, scene.w0_B).maxCoeff());
+}
+
+/// A fixed length along the direction of L: past the plane where there is one, so that one sees it stand
+/// upright.
+double L_length_of(const Scene& scene, double omega_scale, double L_scale) {
+  constexpr double kLength = 1.3;
+  constexpr double kPastThePlane = 0.42;
+  const PrincipalMoments& I = scene.body.moments;
+  if (scene.w0_B.isZero(0.0)) return kLength;
+  if (L_scale > 0.0) return L_scale * norm_of(angular_momentum_B(I, scene.w0_B));
+  if (!scene.show.contains(Overlay::plane)) return kLength;
+  return invariable_plane_distance(I, scene.w0_B) * omega_scale + kPastThePlane;
+}
+
+}  // namespace
+
+Vec3 Moment::L_drawn_B(const Vec3& any_L_B) const {
+  if (model.L_reference == 0.0) return Vec3::Zero();
+  return any_L_B * (L_length / model.L_reference);
+}
+
+double Moment::emphasis(Overlay o) const {
+  const std::vector<std::string>& stressed = model.scene.highlight;
+  return std::find(stressed.begin(), stressed.end(), name_of(o)) == stressed.end() ? 1.0 : 1.5;
+}
+
+namespace {
+
+Moment moment_in(const SceneModel& model, double t_s, View view, const RigidBodyState& state) {
+  const Scene& scene = model.scene;
+  const bool space = view == View::space;
+  const double omega_scale = omega_scale_of(scene);
+  const double L_scale = L_scale_of(scene);
+  Moment m{.model = model,
+           .t_s = t_s,
+           .view = view,
+           .state = state,
+           .q_VB = space ? state.q_SB : Quat::Identity(),
+           .q_VS = space ? Quat::Identity() : state.q_SB.conjugate(),
+           .L_B = angular_momentum_B(scene.body.moments, state.w_B),
+           .two_T = 2.0 * kinetic_energy(scene.body.moments, state.w_B),
+           .N_B = torque_B(scene.torque, scene.body.moments, state),
+           .omega_scale = omega_scale,
+           .L_scale = L_scale,
+           .L_length = L_length_of(scene, omega_scale, L_scale),
+           .thickness = scene.views.size() > 1 ? 1.15 : 1.0};
+  m.center_V = center_of_mass_V(m);
+  return m;
+}
+
+}  // namespace
+
+Moment moment_at(const SceneModel& model, double t_s, View view) {
+  RigidBodyState state{Quat::Identity(), model.scene.w0_B};
+  if (model.needs.attitude)
+    state = model.motion->at(t_s);
+  else if (model.needs.omega)
+    state.w_B = model.motion->w_B_at(t_s);
+  return moment_in(model, t_s, view, state);
+}
+
+}  // namespace builders
+
+namespace {
+
+/// How far from the centre there is something to see, with its label.
+double reach_of(const builders::Moment& m) {
+  constexpr double kLabel = 0.1;
+  double reach = 1.0;
+  if (m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body)) reach = builders::kTriadLength + kLabel;
+  if (m.shows(Overlay::omega) || m.shows(Overlay::trail_omega))
+    reach = std::max(reach, norm_of(m.model.scene.w0_B) * m.omega_scale + kLabel);
+  if (m.shows(Overlay::L)) reach = std::max(reach, m.L_length + kLabel);
+  if (m.shows(Overlay::N) && !m.model.scene.torque.empty()) reach = std::max(reach, m.L_length + 0.3);
+  constexpr double kTriangle = 0.5;  // of what stands on the tip of an arrow
+  if (m.shows(Overlay::transport)) reach = std::max(reach, 1.0 + kTriangle);
+  if (m.shows(Overlay::terms)) reach = std::max(reach, (m.shows(Overlay::L) ? m.L_length : 0.5) + kTriangle);
+  return reach;
+}
+
+constexpr double kFilled = 1.16;  // radius that fills the height of a picture at the default distance
+
+/// A place to be held in the picture, with room round it.
+struct Held {
+  Vec3 at_V;
+  double reach;
+};
+
+/// Holds all places; the least radius of a scene that does, its middle in the middle of the picture.
+Camera camera_holding(const std::vector<Held>& places, const CameraSpec& spec, double aspect) {
+  const Camera at_origin = orbit(spec, Vec3::Zero(), 1.0);
+  const Mat3 axes = at_origin.view().topLeftCorner<3, 3>();  // right, up, towards the eye
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Held& place : places) {
+    const Vec3 on_screen = axes * place.at_V;
+    low = low.cwiseMin(on_screen - Vec3::Constant(place.reach));
+    high = high.cwiseMax(on_screen + Vec3::Constant(place.reach));
+  }
+  const Vec3 middle = 0.5 * (low + high);
+  double radius = 0.0;
+  for (const Held& place : places) {
+    const Vec3 off = axes * place.at_V - middle;
+    const double aside = (std::abs(off.x()) + place.reach) / aspect;
+    const double wanted = std::max(aside, std::abs(off.y()) + place.reach) / kFilled;
+    radius = std::max(radius, wanted + off.z() / CameraSpec{}.distance);  // what is nearer looks larger
+  }
+  return orbit(spec, axes.transpose() * middle, radius);
+}
+
+/// The way of the centre of mass with the body round it, the arrows on it, and the origin of S; or the body
+/// and the way of the puck. Space axes.
+std::vector<Held> places_of_translation(const builders::Moment& m, double reach) {
+  constexpr double kLabel = 0.14, kRoundPuck = 0.42;
+  const bool puck = m.shows(Overlay::puck);
+  std::vector<Held> places;
+  for (const Vec3& at_V : builders::path_of_center_V(m)) places.push_back({at_V, puck ? kRoundPuck : 0.95});
+  for (const Vec3& at_V : builders::tips_of_center_V(m)) places.push_back({at_V, kLabel});
+  if (puck && !builders::puck_alone(m)) places.push_back({Vec3::Zero(), reach});
+  if (!puck && m.shows(Overlay::axes_space))
+    for (int i = 0; i < 3; ++i) places.push_back({builders::kTriadLength * Vec3::Unit(i), kLabel});
+  return places;
+}
+
+bool translates(const builders::Moment& m) {
+  return m.view == View::space && (m.shows(Overlay::puck) || drifts(m.model.scene));
+}
+
+/// All is drawn about the centre of mass. Where that drifts, the camera goes the other way.
+Camera seen_from_center(Camera camera, const Vec3& center_V) {
+  camera.eye -= center_V;
+  camera.target -= center_V;
+  return camera;
+}
+
+/// Enough room for what is shown, and the floor below. Nothing here depends on t, so that the camera stands
+/// still.
+Camera camera_for(const builders::Moment& m, double aspect) {
+  constexpr double kNarrowest = 1.15;  // a pane narrower than this needs more distance to hold the figure
+  const Scene& scene = m.model.scene;
+  const bool floor = m.view == View::space && m.shows(Overlay::plane);
+  // Arrows and axes point up: the middle of it all lies above the centre.
+  const double lift = m.shows(Overlay::terms) && m.shows(Overlay::L) ? 0.32 : 0.2;
+  const bool upward = !m.shows(Overlay::pivot) && !m.model.needs.ghost &&  // a wrong L may point down
+                      (m.shows(Overlay::L) || m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body));
+  const double reach = reach_of(m);
+  if (translates(m))
+    return seen_from_center(camera_holding(places_of_translation(m, reach), scene.camera, aspect),
+                            m.center_V);
+  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : upward ? lift * reach : 0.0);
+  CameraSpec spec = scene.camera;
+  spec.distance *= std::max(1.0, kNarrowest / aspect);
+  // With a floor L points down, so that only the space axes stand out above.
+  const double above = m.shows(Overlay::axes_space) ? reach - target.z() - 0.15 : 1.0;
+  return orbit(spec, target, std::max(1.0, (floor ? above : reach) / kFilled));
+}
+
+Pane make_pane(const builders::Moment& m, double aspect) {
+  Pane pane;
+  pane.camera = camera_for(m, aspect);
+  builders::add_surfaces(m, pane.list);
+  builders::add_solid(m, pane.list);
+  builders::add_curves(m, pane.list);
+  builders::add_trails(m, pane.list);
+  builders::add_cones(m, pane.list);
+  builders::add_axes(m, pane.list);
+  builders::add_vectors(m, pane.list);
+  builders::add_translation(m, pane.list);
+  builders::add_turn(m, pane.list);
+  builders::add_transport(m, pane.camera, pane.list);
+  builders::add_terms(m, pane.camera, pane.list);
+  builders::add_pivot(m, pane.list);
+  builders::add_ghost(m, pane.camera, pane.list);
+  if (m.shows(Overlay::labels)) builders::add_labels(m, pane.camera, pane.list);
+  return pane;
+}
+
+std::string title_of(View view) { return view == View::space ? "space frame $S$" : "body frame $S^*$"; }
+
+/// The body in its first attitude, turned by two quarters in this order over the scene's span.
+builders::Moment turned_moment(const SceneModel& model, double t_s, TurnOrder order) {
+  builders::Moment m = builders::moment_at(model, t_s, View::space);
+  const TurnedBody body = turned(order, model.q0_SB, t_s / model.span_s);
+  m.state.q_SB = m.q_VB = body.q_SB;
+  m.turn = body.present;
+  m.thickness = 1.15;
+  return m;
+}
+
+/// Side by side, or in an upright picture one above the other.
+std::vector<Pane> make_panes_of_orders(const SceneModel& model, double t_s, double aspect) {
+  constexpr double kCount = kTurnOrders.size();
+  const bool stacked = aspect < 1.0;
+  std::vector<Pane> panes;
+  for (TurnOrder order : kTurnOrders) {
+    const double place = static_cast<double>(panes.size()) / kCount;
+    Pane pane = make_pane(turned_moment(model, t_s, order), stacked ? aspect * kCount : aspect / kCount);
+    pane.title = title_of(order);
+    (stacked ? pane.y : pane.x) = place;
+    (stacked ? pane.height : pane.width) = 1.0 / kCount;
+    panes.push_back(std::move(pane));
+  }
+  return panes;
+}
+
+std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, double aspect) {
+  std::vector<Pane> panes;
+  const std::vector<View>& views = model.scene.views;
+  for (View view : views) {
+    panes.push_back(
+        make_pane(builders::moment_at(model, t_s, view), aspect / static_cast<double>(views.size())));
+    panes.back().x = static_cast<double>(panes.size() - 1) / static_cast<double>(views.size());
+    panes.back().width = 1.0 / static_cast<double>(views.size());
+    if (views.size() > 1) panes.back().title = title_of(view);
+  }
+  return panes;
+}
+
+}  // namespace
+
+Figure make_figure(const SceneModel& model, double t_s, double aspect) {
+  Figure figure;
+  figure.caption = model.scene.caption;
+  figure.panes = model.drawn.contains(Overlay::turn_orders) ? make_panes_of_orders(model, t_s, aspect)
+                                                            : make_panes_of_views(model, t_s, aspect);
+  if (!figure.panes.empty() && model.drawn.contains(Overlay::values))
+    builders::add_values(builders::moment_at(model, t_s, model.scene.views.front()),
+                         figure.panes.front().list);
+  return figure;
+}
+
+std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect) {
+  const std::vector<View>& views = model.scene.views;
+  if (!model.drawn.contains(Overlay::omega) || pane >= views.size()) return std::nullopt;
+  const builders::Moment m = builders::moment_at(model, t_s, views[pane]);
+  if (m.state.w_B.isZero(0.0)) return std::nullopt;
+  return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect / static_cast<double>(views.size()))};
+}
+
+TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
+                       const std::optional<AttitudeSpec>& attitude)
+    : pane_(pane), aspect_(aspect) {
+  trial_.scene = model.scene;
+  trial_.scene.at_s = 0.0;
+  if (attitude) trial_.scene.attitude = attitude;
+  trial_.drawn = drawn_overlays(trial_.scene);
+  trial_.needs = requirements(trial_.scene);
+  is_remade_ = drifts(trial_.scene) || trial_.drawn.contains(Overlay::puck);
+}
+
+std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
+  trial_.scene.w0_B = w0_B;
+  if (is_remade_) return drawn_omega(make_model(trial_.scene), 0.0, pane_, aspect_);
+  const std::vector<View>& views = trial_.scene.views;
+  if (!trial_.drawn.contains(Overlay::omega) || pane_ >= views.size() || w0_B.isZero(0.0))
+    return std::nullopt;
+  RigidBodyState start{Quat::Identity(), w0_B};
+  if (trial_.needs.attitude) start.q_SB = problem_of(trial_.scene).start.q_SB;
+  const builders::Moment m = builders::moment_in(trial_, 0.0, views[pane_], start);
+  return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect_ / static_cast<double>(views.size()))};
+}
+
+}  // namespace polhode

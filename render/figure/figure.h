@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A scene at one time as lists to draw: one pane for each view.
+#pragma once
+
+#include "render/figure/camera.h"
+#include "render/figure/draw_list.h"
+#include "render/scene/model/model.h"
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// A pane covers a part of the picture; x, y, width, height are fractions of it, y from the top.
+struct Pane {
+  double x = 0, y = 0, width = 1, height = 1;
+  std::string title;  ///< names the frame where there are two panes
+  Camera camera;
+  DrawList list;
+};
+
+struct Figure {
+  std::vector<Pane> panes;
+  std::string caption;
+  double caption_px = 0;  ///< em of the caption; all other type goes with it. 0: from the size of the picture
+};
+
+/// Pure: depends on its arguments alone. `aspect` = width / height of the picture.
+Figure make_figure(const SceneModel& model, double t_s, double aspect);
+
+}  // namespace polhode

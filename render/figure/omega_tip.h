@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Where the tip of ω is drawn, for a hand that takes it: now, and as it would be if the scene began with
+// another ω.
+#pragma once
+
+#include "render/figure/camera.h"
+#include "render/scene/model/model.h"
+
+#include <optional>
+
+namespace polhode {
+
+/// The tip in axes of the pane's view, scene units, and the pane's camera.
+struct DrawnOmega {
+  Vec3 tip_V{0, 0, 0};
+  Camera camera;
+};
+
+/// In a pane (one for each view) of the figure of this width / height; as make_figure draws it. Nothing where
+/// no ω is drawn.
+std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect);
+
+/// Tries ω after ω without making models: what drawn_omega gives for the scene's model at t = 0 with this ω
+/// and, if it is given, this attitude. About 1 µs; some 20 µs where the centre of mass drifts.
+class TrialOmega {
+ public:
+  TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
+             const std::optional<AttitudeSpec>& attitude = std::nullopt);
+  std::optional<DrawnOmega> at(const Vec3& w0_B);
+
+ private:
+  SceneModel trial_;  ///< no motion, no curves
+  std::size_t pane_;
+  double aspect_;
+  bool is_remade_ = false;  ///< a model is needed: its camera holds a way
+};
+
+}  // namespace polhode

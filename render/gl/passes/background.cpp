@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/passes/background.h"
+
+#include <charconv>
+
+namespace polhode {
+namespace {
+
+int hex_pair(std::string_view text) {
+  int value = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  return error == std::errc() && end == text.data() + text.size() ? value : -1;
+}
+
+}  // namespace
+
+std::optional<Background> background_from(std::string_view text) {
+  using Kind = Background::Kind;
+  if (text == "studio") return Background{Kind::studio, {}};
+  if (text == "paper") return Background{Kind::paper, {}};
+  if (text == "white") return Background{Kind::white, {}};
+  if (text == "transparent") return Background{Kind::transparent, {}};
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  const int r = hex_pair(text.substr(1, 2)), g = hex_pair(text.substr(3, 2)), b = hex_pair(text.substr(5, 2));
+  if (r < 0 || g < 0 || b < 0) return std::nullopt;
+  return Background{Kind::color, color_from_hex(static_cast<unsigned>(r << 16 | g << 8 | b))};
+}
+
+Color sky_of(const Background& background) {
+  switch (background.kind) {
+    case Background::Kind::paper:
+      return color_from_hex(0xFBFAF6);
+    case Background::Kind::color:
+      return {background.color.r, background.color.g, background.color.b, 1.0F};
+    case Background::Kind::transparent:
+      return {0, 0, 0, 0};
+    case Background::Kind::studio:
+    case Background::Kind::white:
+      break;
+  }
+  return {1, 1, 1, 1};
+}
+
+Color halo_of(const Background& background) {
+  if (background.kind == Background::Kind::studio) return color_from_hex(0xF4F5F7, 0.88F);
+  const Color sky = sky_of(background);
+  return sky.a > 0.0F ? Color{sky.r, sky.g, sky.b, 0.9F} : color_from_hex(0xFFFFFF, 0.85F);
+}
+
+}  // namespace polhode

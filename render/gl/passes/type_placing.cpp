@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "render/gl/passes/type_placing.h"
+
+#include <algorithm>
+#include <bit>
+#include <climits>
+#include <cmath>
+#include <tuple>
+
+namespace polhode {
+namespace {
+
+constexpr double kHalo = 0.11;  // em
+
+int whole(double value) { return static_cast<int>(std::floor(value + 0.5)); }
+
+/// Type stands still on whole rows; rows of a line are then the same distance apart wherever it stands.
+double row_of(double y, const PlacedType& type) {
+  return type.moving ? type.at.y() + y : whole(type.at.y()) + whole(y);
+}
+
+/// Middle and half of the thickness of a rule that covers whole pixels.
+std::pair<double, double> snapped(double middle, double thickness) {
+  const int pixels = std::max(1, whole(thickness));
+  return {whole(middle - 0.5 * pixels) + 0.5 * pixels, 0.5 * pixels};
+}
+
+}  // namespace
+
+GridGlyph on_grid(const Glyph& glyph, const PlacedType& type) {
+  const int across = whole(4.0 * (type.at.x() + glyph.x)), down = whole(4.0 * row_of(glyph.y, type));
+  return {across >> 2, down >> 2, across & 3, down & 3, whole(64.0 * glyph.size), glyph.face, glyph.id};
+}
+
+double RuleBox::coverage(const Vec2& p) const {
+  const Vec2 d = p - middle;
+  const Vec2 local(d.dot(along), along.x() * d.y() - along.y() * d.x());
+  const auto overlap = [](double at, double half_width) {
+    return std::clamp(std::min(at + 0.5, half_width) - std::max(at - 0.5, -half_width), 0.0, 1.0);
+  };
+  return overlap(local.x(), half.x()) * overlap(local.y(), half.y());
+}
+
+RuleBox on_grid(const Rule& rule, const PlacedType& type) {
+  const Vec2 from(type.at.x() + rule.x0, row_of(0.0, type) + rule.y0),
+      to(type.at.x() + rule.x1, row_of(0.0, type) + rule.y1);
+  const double length = (to - from).norm();
+  RuleBox box{0.5 * (from + to),
+              length > 0.0 ? Vec2((to - from) / length) : Vec2(1, 0),
+              {0.5 * length, 0.5 * rule.thickness}};
+  if (type.moving || (rule.x0 != rule.x1 && rule.y0 != rule.y1)) return box;
+  const int across = rule.y0 == rule.y1 ? 1 : 0;  // the axis along which it is thin
+  std::tie(box.middle[across], box.half.y()) = snapped(box.middle[across], rule.thickness);
+  const int lengthwise = 1 - across;
+  const double begin = std::floor(std::min(from[lengthwise], to[lengthwise])),
+               end = std::ceil(std::max(from[lengthwise], to[lengthwise]));
+  box.middle[lengthwise] = 0.5 * (begin + end);
+  box.half.x() = 0.5 * (end - begin);
+  return box;
+}
+
+Halo halo_of(const PlacedType& type) {
+  Halo halo;
+  halo.x = static_cast<int>(std::floor(type.at.x()));
+  halo.y = static_cast<int>(std::floor(row_of(0.0, type)));
+  double em = 0.0;
+  for (const Glyph& glyph : type.list.glyphs) {
+    em = std::max(em, glyph.size);
+    GridGlyph placed = on_grid(glyph, type);
+    placed.x -= halo.x;
+    placed.y -= halo.y;
+    halo.glyphs.push_back(placed);
+  }
+  for (const Rule& rule : type.list.rules) {
+    RuleBox box = on_grid(rule, type);
+    box.middle -= Vec2(halo.x, halo.y);
+    halo.rules.push_back(box);
+  }
+  halo.radius = kHalo * em;
+  return halo;
+}
+
+std::vector<std::uint64_t> Halo::name() const {
+  std::vector<std::uint64_t> name = {std::bit_cast<std::uint64_t>(radius)};
+  for (const GridGlyph& g : glyphs) {
+    name.push_back(g.mask_name());
+    name.push_back(static_cast<std::uint64_t>(static_cast<std::uint32_t>(g.x)) << 32 |
+                   static_cast<std::uint32_t>(g.y));
+  }
+  for (const RuleBox& r : rules)
+    for (double v : {r.middle.x(), r.middle.y(), r.along.x(), r.along.y(), r.half.x(), r.half.y()})
+      name.push_back(std::bit_cast<std::uint64_t>(v));
+  return name;
+}
+
+namespace {
+
+/// A mask to draw into, by pixels from that of its origin.
+struct Canvas {
+  GlyphMask mask;
+
+  std::uint8_t& at(int x, int y) {
+    return mask.ink[static_cast<std::size_t>(y + mask.top) * static_cast<std::size_t>(mask.width) +
+                    static_cast<std::size_t>(x - mask.left)];
+  }
+};
+
+struct Bounds {
+  int x0 = INT_MAX, y0 = INT_MAX, x1 = INT_MIN, y1 = INT_MIN;
+  bool empty() const { return x0 >= x1; }
+  void take(int left, int top, int right, int bottom) {
+    x0 = std::min(x0, left), y0 = std::min(y0, top);
+    x1 = std::max(x1, right), y1 = std::max(y1, bottom);
+  }
+  Canvas canvas(int margin) const {
+    GlyphMask mask{x1 - x0 + 2 * margin, y1 - y0 + 2 * margin, x0 - margin, margin - y0, {}};
+    mask.ink.assign(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height), 0);
+    return {std::move(mask)};
+  }
+};
+
+void add_ink(const GlyphMask& glyph, int x, int y, Canvas& canvas) {
+  for (int row = 0; row < glyph.height; ++row)
+    for (int column = 0; column < glyph.width; ++column) {
+      std::uint8_t& ink = canvas.at(x + glyph.left + column, y - glyph.top + row);
+      ink = std::max(ink, glyph.ink[static_cast<std::size_t>(row) * static_cast<std::size_t>(glyph.width) +
+                                    static_cast<std::size_t>(column)]);
+    }
+}
+
+Bounds bounds_of(const RuleBox& rule) {
+  const Vec2 reach = rule.half.x() * rule.along.cwiseAbs() +
+                     rule.half.y() * Vec2(rule.along.y(), rule.along.x()).cwiseAbs() + Vec2(1, 1);
+  const Vec2 low = (rule.middle - reach).array().floor(), high = (rule.middle + reach).array().ceil();
+  return {static_cast<int>(low.x()), static_cast<int>(low.y()), static_cast<int>(high.x()),
+          static_cast<int>(high.y())};
+}
+
+void add_ink(const RuleBox& rule, Canvas& canvas) {
+  const Bounds around = bounds_of(rule);
+  for (int y = around.y0; y < around.y1; ++y)
+    for (int x = around.x0; x < around.x1; ++x) {
+      std::uint8_t& ink = canvas.at(x, y);
+      ink = std::max(ink, static_cast<std::uint8_t>(std::lround(255.0 * rule.coverage({x + 0.5, y + 0.5}))));
+    }
+}
+
+/// A disc of weights in 1/256, 1 inside the radius and fading over the next pixel.
+struct Brush {
+  int reach;
+  std::vector<int> weights;
+
+  explicit Brush(double radius) : reach(static_cast<int>(std::ceil(radius))) {
+    for (int y = -reach; y <= reach; ++y)
+      for (int x = -reach; x <= reach; ++x)
+        weights.push_back(whole(256.0 * std::clamp(radius + 1.0 - std::hypot(x, y), 0.0, 1.0)));
+  }
+};
+
+/// Each pixel takes the strongest ink under the brush. Ink amid full ink adds nothing to that around it.
+GlyphMask grown(const Canvas& ink, const Brush& brush) {
+  Canvas halo = ink;
+  const int width = ink.mask.width, side = 2 * brush.reach + 1;
+  const std::uint8_t* from = ink.mask.ink.data();
+  for (int y = brush.reach; y < ink.mask.height - brush.reach; ++y)
+    for (int x = brush.reach; x < width - brush.reach; ++x) {
+      const std::uint8_t* p = from + static_cast<std::ptrdiff_t>(y) * width + x;
+      if (*p == 0 || (*p & p[-1] & p[1] & p[-width] & p[width]) == 255) continue;
+      for (int dy = -brush.reach; dy <= brush.reach; ++dy) {
+        std::uint8_t* to =
+            halo.mask.ink.data() + static_cast<std::ptrdiff_t>(y + dy) * width + x - brush.reach;
+        const int* weight = &brush.weights[static_cast<std::size_t>((dy + brush.reach) * side)];
+        for (int k = 0; k < side; ++k)
+          to[k] = std::max(to[k], static_cast<std::uint8_t>((*p * weight[k]) >> 8));
+      }
+    }
+  return std::move(halo.mask);
+}
+
+}  // namespace
+
+GlyphMask Halo::mask(const Fonts& fonts) const {
+  std::vector<GlyphMask> masks;
+  Bounds all;
+  for (const GridGlyph& g : glyphs) {
+    const GlyphMask& m = masks.emplace_back(mask_of(g, fonts));
+    if (m.width > 0) all.take(g.x + m.left, g.y - m.top, g.x + m.left + m.width, g.y - m.top + m.height);
+  }
+  for (const RuleBox& rule : rules) {
+    const Bounds b = bounds_of(rule);
+    all.take(b.x0, b.y0, b.x1, b.y1);
+  }
+  if (all.empty()) return {};
+  const Brush brush(radius);
+  Canvas canvas = all.canvas(brush.reach + 1);
+  for (std::size_t i = 0; i < glyphs.size(); ++i) add_ink(masks[i], glyphs[i].x, glyphs[i].y, canvas);
+  for (const RuleBox& rule : rules) add_ink(rule, canvas);
+  return grown(canvas, brush);
+}
+
+GlyphMask mask_of(const GridGlyph& g, const Fonts& fonts) {
+  return fonts.mask(g.face, g.id, g.size_64 / 64.0, g.quarter_x / 4.0, g.quarter_y / 4.0);
+}
+
+}  // namespace polhode

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Colours by role: a quantity has the same colour in text, formula, scene and plot.
+// `ink` is for text and labels (at least 5.2:1 on paper); `paint` is its brighter relative for thick things,
+// after Okabe & Ito, "Color Universal Design" (2008), told apart by colour-blind readers.
+#pragma once
+
+#include "render/figure/draw_list.h"
+
+#include <optional>
+#include <string_view>
+
+namespace polhode {
+
+struct Role {
+  Color ink;
+  Color paint;
+};
+
+inline constexpr Role kOmegaRole{color_from_hex(0xB04A00), color_from_hex(0xD55E00)};
+inline constexpr Role kLRole{color_from_hex(0x005F99), color_from_hex(0x0072B2)};
+inline constexpr Role kNRole{color_from_hex(0x9C4A7C), color_from_hex(0xC0609C)};
+inline constexpr Role kPolhodeRole{color_from_hex(0x00734F), color_from_hex(0x009E73)};
+inline constexpr Role kHerpolhodeRole{color_from_hex(0x6B5B00), color_from_hex(0xB39700)};
+inline constexpr Role kTRole{color_from_hex(0x23262B),
+                             color_from_hex(0x4A4F57)};  ///< scalars: the ink of text
+inline constexpr Role kAxesRole{color_from_hex(0x4A4F57), color_from_hex(0x8A9099)};
+/// omega | L | N | polhode | herpolhode | axes, as lessons name them; nothing otherwise.
+std::optional<Role> role_from(std::string_view name);
+
+inline constexpr Color kSeparatrixPaint = color_from_hex(0x59616C);
+inline constexpr Color kInk = color_from_hex(0x23262B);
+inline constexpr Color kGlassTint = color_from_hex(0x8FC3DA);
+inline constexpr Color kSphereTint = color_from_hex(0xC9B98A);
+inline constexpr Color kSolid = color_from_hex(0xD9CDB8);
+
+/// Whether inks made for paper cannot be read on it.
+bool is_dark(const Color& paper);
+/// The relative of an ink or paint that is readable on dark paper: light, and of the same hue.
+Color on_dark(const Color& color);
+
+/// Colour of a polhode by L²/2T, placed at s = 0 (I_min), ½ (I_mid, the separatrix), 1 (I_max): a diverging
+/// scale, because the two sides go round different axes.
+Color family_color(double s);
+
+}  // namespace polhode

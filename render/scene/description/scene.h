@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// A scene as an author states it: plain data, no motion computed, no graphics. model.h turns it into what is
+// needed.
+#pragma once
+
+#include "physics/body/bodies.h"
+#include "physics/body/torque.h"
+#include "physics/method.h"
+#include "render/scene/description/meter.h"
+#include "render/scene/description/overlay.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace polhode {
+
+enum class View { space, body };  ///< seen from S, or from B (the body stands still)
+
+/// L along −z of space (the invariable plane lies below), along +z, or the attitude given.
+enum class LPoints { down, up };
+using AttitudeSpec = std::variant<LPoints, Quat>;
+
+/// Where the arrow A of the overlay `transport` is held fixed; free: it moves in both frames (arrow.h).
+enum class ArrowHeld { in_space, in_body, free };
+
+/// physics/method.h says what the methods are.
+struct MotionSpec {
+  std::optional<Method> method = {};     ///< absent: the default_method of body and torque
+  std::optional<double> step_s = {};     ///< of fixed-step methods
+  std::optional<double> tolerance = {};  ///< of adaptive methods; absent: kDefaultTolerance
+  bool ghost = false;                    ///< asks for the exact body beside it
+  bool operator==(const MotionSpec&) const = default;
+};
+
+/// Orbit camera about the scene's centre. Angles in radians (degrees exist in lessons only). Elevation is
+/// measured from the horizontal plane of the view; distance is in units of the scene's radius; zoom narrows
+/// the field.
+struct CameraSpec {
+  double azimuth_rad = 0.6;
+  double elevation_rad = 0.35;
+  double distance = 4.2;
+  double zoom = 1.0;
+  bool operator==(const CameraSpec&) const = default;
+};
+
+/// How finely pictures of a scene are drawn, by name; the renderer says what that is.
+enum class QualityLevel { draft, normal, fine };
+/// draft | normal | fine; nothing otherwise.
+std::optional<QualityLevel> quality_level_from(std::string_view name);
+const char* name_of(QualityLevel level);
+
+struct Scene {
+  Body body{"textbook", PrincipalMoments(1.0, 1.75, 2.5), std::nullopt};
+  Vec3 w0_B{0.2, 0.1, 3.0};              ///< rad/s at t = 0
+  std::optional<AttitudeSpec> attitude;  ///< at t = 0; absent: L down if the plane is shown, else L up
+  Torque torque;                         ///< empty: torque-free
+  Vec3 v0_S{0, 0, 0};                    ///< m/s at t = 0, of the centre of mass (drift.h)
+  Vec3 F_S{0, 0, 0};                     ///< N, constant in space
+  ArrowHeld arrow = ArrowHeld::in_space;
+  MotionSpec motion;
+  std::vector<View> views{View::space};  ///< one, or two side by side
+  OverlaySet show;
+  CameraSpec camera;
+  double at_s = 0.0;  ///< the t of a still, and what lengths and tables that hang on a time are made for
+  std::optional<double> still_s;       ///< the t of a still, where that is another
+  std::optional<double> duration_s;    ///< what curves over time cover; absent: one polhode period (the
+                                       ///< herpolhode: three), else a turn
+  std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
+  std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
+  QualityLevel quality = QualityLevel::normal;
+  std::string caption;                       ///< one line in the picture
+  std::optional<std::vector<Meter>> meters;  ///< of a page; absent: by whether there is torque
+  bool operator==(const Scene&) const = default;
+};
+
+/// The t of a still.
+inline double still_time_s(const Scene& scene) { return scene.still_s.value_or(scene.at_s); }
+
+/// One term from its text: `space:x,y,z` | `body:x,y,z` | `heavy:MGR,ax,ay,az` | `damping:C` | `sink:C`.
+/// The error says what is wrong with the text. Used by `--torque` and by the scene key `torque`.
+std::variant<TorqueTerm, std::string> parse_torque_term(std::string_view text);
+
+/// A decimal or hexadecimal (0x1.8p+1) floating-point number filling the whole text, correctly rounded,
+/// independent of the locale; infinities and NaN are read as such. Nothing if the text is not a number or its
+/// value is out of the range of double (1e400).
+std::optional<double> parse_number(std::string_view text);
+
+}  // namespace polhode

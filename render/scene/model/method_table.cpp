@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene/model/method_table.h"
+
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+namespace {
+
+constexpr double kReferenceTolerance = 1e-13;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+MethodRow row_of(const Motion& motion, Method method, const Problem& problem, double t_s) {
+  const RigidBodyState state = motion.at(t_s);
+  const double evaluations = static_cast<double>(motion.evaluations_to(t_s));
+  const bool per_time = facts_of(method).control == StepControl::none;
+  return {method,
+          {kNaN, kNaN},
+          drift_along(problem, {&state, 1}),
+          per_time || t_s == 0.0 ? evaluations : evaluations / std::abs(t_s)};
+}
+
+bool stands_in_table(const MethodFacts& facts, const Problem& problem) {
+  return (facts.control == StepControl::fixed || facts.method == Method::dormand_prince_8) &&
+         !why_not(facts.method, problem);
+}
+
+}  // namespace
+
+MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort) {
+  const bool is_free = problem.torque.empty();
+  const auto reference = make_motion(
+      problem,
+      is_free ? MethodChoice{} : MethodChoice{Method::dormand_prince_8, {}, kReferenceTolerance, kMostSteps},
+      effort);
+  const RigidBodyState end = reference->at(t_s);
+  MethodTable table{t_s, step_s, {}};
+  if (is_free) table.rows.push_back(row_of(*reference, Method::exact, problem, t_s));
+  for (const MethodFacts& facts : all_methods()) {
+    if (!stands_in_table(facts, problem)) continue;
+    const bool steps = facts.control == StepControl::fixed;
+    const auto motion = make_motion(
+        problem, {facts.method, steps ? std::optional(step_s) : std::nullopt, {}, kMostSteps}, effort);
+    MethodRow row = row_of(*motion, facts.method, problem, t_s);
+    row.error = error_of(motion->at(t_s), end);
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+}  // namespace polhode

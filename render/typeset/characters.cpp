@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "render/typeset/characters.h"
+
+#include <algorithm>
+#include <array>
+
+namespace polhode {
+namespace {
+
+struct Range {
+  char32_t first, last;
+};
+
+template <std::size_t N>
+bool in_any(char32_t c, const std::array<Range, N>& ranges) {
+  return std::any_of(ranges.begin(), ranges.end(),
+                     [c](const Range& r) { return r.first <= c && c <= r.last; });
+}
+
+}  // namespace
+
+char32_t next_character(std::string_view text, std::size_t& at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned first = byte(at);
+  const std::size_t begin = at++;
+  if (first < 0x80) return first;
+  const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : 1;
+  if (first < 0xC2 || first > 0xF4) return kMalformed;
+  if (begin + static_cast<std::size_t>(more) >= text.size()) return kMalformed;
+  char32_t c = first & (0x3FU >> more);
+  for (int i = 1; i <= more; ++i) {
+    const unsigned next = byte(begin + static_cast<std::size_t>(i));
+    if ((next & 0xC0U) != 0x80U) return kMalformed;
+    c = (c << 6) | (next & 0x3FU);
+  }
+  constexpr std::array<char32_t, 4> kSmallest = {0, 0x80, 0x800, 0x10000};
+  const bool surrogate = 0xD800 <= c && c <= 0xDFFF;
+  if (c < kSmallest[static_cast<std::size_t>(more)] || c > 0x10FFFF || surrogate) return kMalformed;
+  at = begin + 1 + static_cast<std::size_t>(more);
+  return c;
+}
+
+void append_utf8(std::string& text, char32_t c) {
+  const auto put = [&text](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  if (c < 0x80) return put(c);
+  if (c < 0x800) {
+    put(0xC0 | (c >> 6));
+  } else {
+    if (c < 0x10000) {
+      put(0xE0 | (c >> 12));
+    } else {
+      put(0xF0 | (c >> 18));
+      put(0x80 | ((c >> 12) & 0x3F));
+    }
+    put(0x80 | ((c >> 6) & 0x3F));
+  }
+  put(0x80 | (c & 0x3F));
+}
+
+bool is_right_to_left(char32_t c) {
+  static constexpr std::array<Range, 9> kRanges = {{{0x0590, 0x08FF},
+                                                    {0x200F, 0x200F},
+                                                    {0x202B, 0x202B},
+                                                    {0x202E, 0x202E},
+                                                    {0x2067, 0x2067},
+                                                    {0xFB1D, 0xFDFF},
+                                                    {0xFE70, 0xFEFE},
+                                                    {0x10800, 0x10FFF},
+                                                    {0x1E800, 0x1EFFF}}};
+  return in_any(c, kRanges);
+}
+
+bool is_invisible(char32_t c) {
+  static constexpr std::array<Range, 8> kRanges = {{{0x00, 0x08},
+                                                    {0x0B, 0x0C},
+                                                    {0x0E, 0x1F},
+                                                    {0x7F, 0x9F},
+                                                    {0xAD, 0xAD},
+                                                    {0x200B, 0x200E},
+                                                    {0x2028, 0x206F},
+                                                    {0xFEFF, 0xFEFF}}};
+  return in_any(c, kRanges) && c != 0x202F && c != 0x205F && !is_right_to_left(c);
+}
+
+Script script_of(char32_t c) {
+  if (0x2080 <= c && c <= 0x2089) return {U'0' + (c - 0x2080), false};
+  if (c == 0x2070 || (0x2074 <= c && c <= 0x2079)) return {U'0' + (c - 0x2070), true};
+  if (c == 0x00B2 || c == 0x00B3) return {U'2' + (c - 0x00B2), true};
+  if (c == 0x00B9) return {U'1', true};
+  if (c == 0x207A || c == 0x208A) return {U'+', c == 0x207A};
+  if (c == 0x207B || c == 0x208B) return {0x2212, c == 0x207B};
+  return {};
+}
+
+std::string code_point_name(char32_t c) {
+  std::string digits;
+  for (; c > 0 || digits.size() < 4; c >>= 4) digits.insert(digits.begin(), "0123456789ABCDEF"[c & 0xF]);
+  return "U+" + digits;
+}
+
+}  // namespace polhode

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Text with its emphasis and inline formulas, ready to be set: no marks of Markdown are left.
+#pragma once
+
+#include "render/typeset/math/math.h"
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// A stretch of text of one kind. If `source` is as long as `text`, each byte of the one comes from that of
+/// the other; else the text is spelt otherwise there (`&amp;`), and all of it comes from all of that.
+struct TextSpan {
+  enum class Kind { text, math } kind = Kind::text;
+  std::string text;  ///< UTF-8; of a formula its TeX
+  Math math;         ///< of Kind::math
+  bool bold = false, italic = false, code = false;
+  std::string link;  ///< where it leads; empty: nowhere
+  bool break_after = false;
+  SourceSpan source;  ///< of a formula without its dollars
+};
+
+/// A paragraph, or an item of a list.
+struct TextBlock {
+  int indent = 0;      ///< depth of the list it belongs to
+  std::string marker;  ///< "•", "2."; empty: none
+  std::vector<TextSpan> spans;
+};
+
+using RichText = std::vector<TextBlock>;
+
+}  // namespace polhode

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "render/drawing/plots/meter_plots.h"
+
+#include "physics/body/euler.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+const std::vector<Meter> kAll = {Meter::omega, Meter::energy, Meter::momentum, Meter::drift};
+
+SceneModel page_of(Scene scene, std::vector<Meter> meters = kAll) {
+  scene.meters = std::move(meters);
+  return make_model(scene, Product::page);
+}
+
+Scene driven_top() {
+  Scene scene;
+  scene.w0_B = {0.2, 0.1, 30};
+  scene.attitude = Quat(0.8, 0.6, 0, 0);
+  scene.torque = {HeavyTop{1.0, Vec3(0, 0, 1)}};
+  return scene;
+}
+
+double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+TEST(MeterPlots, ShowTheNumbersOfTheMotion) {
+  const SceneModel model = page_of(driven_top());
+  const std::vector<TimePlot> plots = meter_plots(model, 0.3);
+  ASSERT_EQ(plots.size(), 4u);
+  const PrincipalMoments& I = model.scene.body.moments;
+  for (std::size_t k = 0; k < plots[0].t.size(); k += 50) {
+    const RigidBodyState state = model.motion->at(plots[0].t[k]);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(plots[0].series[static_cast<std::size_t>(i)].y[k], state.w_B[i]);
+    EXPECT_EQ(plots[1].series[0].y[k], kinetic_energy(I, state.w_B));
+    const Vec3 L_S = angular_momentum_S(I, state);
+    EXPECT_EQ(plots[2].series[0].y[k], angular_momentum_B(I, state.w_B).stableNorm());
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(plots[2].series[static_cast<std::size_t>(i) + 1].y[k], L_S[i]);
+  }
+  for (const TimePlot& plot : plots) EXPECT_EQ(plot.now, 0.3);
+}
+
+TEST(MeterPlots, DriftIsFromTheStart) {
+  const SceneModel model = page_of(driven_top(), {Meter::drift});
+  const TimePlot plot = meter_plots(model, 0).front();
+  const PrincipalMoments& I = model.scene.body.moments;
+  const RigidBodyState start = problem_of(model.scene).start;
+  const Vec3 L0 = angular_momentum_S(I, start);
+  const double T0 = kinetic_energy(I, start.w_B);
+  EXPECT_EQ(plot.t.front(), 0.0);
+  EXPECT_EQ(plot.t.back(), model.span_s);
+  const RigidBodyState end = model.motion->at(model.span_s);
+  const Vec3 L = angular_momentum_S(I, end);
+  // The last point holds the largest of its group: here the last, because all of them grow.
+  constexpr double kRounding = 64 * kEpsilon;  // of quotients and roots near 1
+  EXPECT_GE(plot.series[0].y.back(), std::abs(kinetic_energy(I, end.w_B) / T0 - 1) - kRounding);
+  EXPECT_GE(plot.series[1].y.back(), std::abs(L.norm() / L0.norm() - 1) - kRounding);
+  EXPECT_GE(plot.series[2].y.back(), std::atan2(L0.cross(L).norm(), L0.dot(L)) - kRounding);
+  EXPECT_GT(largest(plot.series[2].y), 1e-3) << "a torque that turns nothing";
+}
+
+TEST(MeterPlots, AFreeMotionInClosedFormDriftsByRoundingAlone) {
+  Scene scene;
+  scene.w0_B = {0.5, 2, 1};
+  const TimePlot plot = meter_plots(page_of(scene, {Meter::drift}), 1).front();
+  ASSERT_EQ(plot.series.size(), 3u);
+  for (const TimeSeries& series : plot.series) EXPECT_LT(largest(series.y), 64 * kEpsilon) << series.label;
+}
+
+TEST(MeterPlots, AnIntegratorDriftsByMore) {
+  Scene scene;
+  scene.w0_B = {0.5, 2, 1};
+  scene.motion = {.method = Method::explicit_euler, .step_s = 0.01};
+  const TimePlot plot = meter_plots(page_of(scene, {Meter::drift}), 1).front();
+  ASSERT_EQ(plot.series.size(), 3u);
+  for (const TimeSeries& series : plot.series) EXPECT_GT(largest(series.y), 1e-4) << series.label;
+}
+
+TEST(MeterPlots, TheWindowHoldsTheMarkedTimeAndStandsStillWithinIt) {
+  const SceneModel model = page_of({}, {Meter::omega});
+  const double span = model.span_s;
+  const auto window = [&](double t) {
+    const TimePlot plot = meter_plots(model, t).front();
+    return std::pair(plot.t.front(), plot.t.back());
+  };
+  EXPECT_EQ(window(0), std::pair(0.0, span));
+  EXPECT_EQ(window(0.3 * span), std::pair(0.0, span));
+  EXPECT_EQ(window(span), std::pair(0.0, span));
+  EXPECT_EQ(window(1.2 * span), std::pair(span, 2 * span));
+  EXPECT_EQ(window(-0.2 * span), std::pair(-span, 0.0));
+  for (double t : {1e6 * span, 1e17 * span, -1e300}) {
+    EXPECT_LE(window(t).first, t);
+    EXPECT_GE(window(t).second, t);
+    EXPECT_LT(window(t).first, window(t).second);
+  }
+}
+
+TEST(MeterPlots, NoTimeIsBeyondWhatTheMotionIsToBeAskedFor) {
+  Scene scene;
+  scene.motion = {.method = Method::rk4, .step_s = 1e-5};
+  scene.duration_s = 1e6;
+  const SceneModel model = page_of(scene, {Meter::omega});
+  const TimePlot plot = meter_plots(model, 1).front();
+  EXPECT_LE(plot.t.back(), model.reach_s);
+  EXPECT_LT(model.reach_s, 1e3);
+  for (double y : plot.series[2].y) EXPECT_TRUE(std::isfinite(y));
+}
+
+TEST(MeterPlots, ExtremeAndRestingBodiesHaveThemToo) {
+  for (double size : {0.0, 1e-150, 1e-20, 1e100, 1e150}) {
+    Scene scene;
+    scene.w0_B = size * Vec3(1, 2, 1);
+    const auto plots = meter_plots(page_of(scene), 0);
+    ASSERT_EQ(plots.size(), 4u);
+    EXPECT_LT(plots[0].t.front(), plots[0].t.back()) << size;
+    for (const TimeSeries& series : plots[0].series)
+      for (double y : series.y) EXPECT_TRUE(std::isfinite(y)) << size;
+    for (const TimeSeries& series : plots[3].series) EXPECT_LT(largest(series.y), 64 * kEpsilon) << size;
+  }
+}
+
+TEST(MeterPlots, AFigureHasNone) {
+  Scene scene;
+  scene.meters = kAll;
+  EXPECT_TRUE(meter_plots(make_model(scene), 0).empty());
+  EXPECT_TRUE(meter_plots(page_of(scene, {}), 0).empty());
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "render/drawing/plots/time_plot.h"
+
+#include "tests/render/drawing/sheet_texts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity(),
+                 kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr PixelBox kBox{100, 50, 460, 210};
+constexpr TimePlotStyle kStyle{.type_size = 15};
+
+Sheet sheet_of(const TimePlot& plot, const PixelBox& box = kBox) {
+  return lay_out(plot, box, kStyle, fonts());
+}
+
+void expect_tidy(const Sheet& sheet, const PixelBox& picture = kBox) {
+  for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
+    const PixelBox box = box_of(sheet.texts[i]);
+    EXPECT_NEAR(box.overlap(picture), box.width() * box.height(), 1e-6)
+        << sheet.texts[i].text << " leaves its box";
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_EQ(box.overlap(box_of(sheet.texts[k])), 0.0)
+          << sheet.texts[i].text << " covers " << sheet.texts[k].text;
+  }
+  for (const FlatShape& shape : sheet.shapes)
+    for (const Vec2& p : std::get<Stroke>(shape).points) {
+      EXPECT_TRUE(p.allFinite());
+      EXPECT_TRUE(picture.grown(1e-6).contains(p)) << p.transpose();
+    }
+}
+
+/// Strokes of that colour.
+std::vector<Stroke> strokes_of(const Sheet& sheet, const Color& color) {
+  std::vector<Stroke> found;
+  for (const FlatShape& shape : sheet.shapes)
+    if (const auto& stroke = std::get<Stroke>(shape); stroke.color == color) found.push_back(stroke);
+  return found;
+}
+
+TimePlot plot_of(std::vector<std::vector<double>> curves) {
+  TimePlot plot{.title = "A title", .unit = "rad/s"};
+  constexpr const char* kLabels[] = {"one", "two", "three", "four"};
+  constexpr Role kRoles[] = {kOmegaRole, kLRole, kPolhodeRole, kNRole};
+  std::size_t n = 1;
+  for (const auto& y : curves) n = std::max(n, y.size());
+  for (std::size_t i = 0; i < n; ++i) plot.t.push_back(static_cast<double>(i));
+  for (std::size_t i = 0; i < curves.size(); ++i) plot.series.push_back({kLabels[i], kRoles[i], curves[i]});
+  return plot;
+}
+
+std::vector<double> ramp(double from, double to, std::size_t count = 11) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i)
+    values.push_back(std::lerp(from, to, static_cast<double>(i) / static_cast<double>(count - 1)));
+  return values;
+}
+
+TEST(TimePlot, NamesAxesAndCurves) {
+  const Sheet sheet = sheet_of(plot_of({ramp(0, 3), ramp(1, -1)}));
+  for (const char* text : {"A title", "rad/s", "s", "one", "two", "8", "10"})
+    EXPECT_EQ(texts_of(sheet, text).size(), 1u) << text;
+  expect_tidy(sheet);
+}
+
+TEST(TimePlot, ANameStandsWhereItsCurveEnds) {
+  const Sheet sheet = sheet_of(plot_of({ramp(0, 3), ramp(1, -1)}));
+  EXPECT_LT(only_text(sheet, "one").at.y(), only_text(sheet, "two").at.y());
+  const Vec2 end = strokes_of(sheet, kOmegaRole.paint)[0].points.back();
+  const PixelBox name = box_of(only_text(sheet, "one"));
+  EXPECT_LE(name.y0, end.y());
+  EXPECT_GE(name.y1, end.y());
+}
+
+TEST(TimePlot, CurvesThatEndInOnePlaceAreNamedApart) {
+  expect_tidy(sheet_of(plot_of({ramp(0, 1), ramp(2, 1), ramp(1, 1), ramp(-1, 1)})));
+  expect_tidy(sheet_of(plot_of({ramp(1, 0), ramp(2, 0), ramp(3, 0), ramp(4, 0)})));
+}
+
+TEST(TimePlot, ValuesThatAreNotNumbersLeaveGaps) {
+  std::vector<double> y = ramp(0, 1);
+  y[4] = kNaN;
+  y[8] = kInf;
+  EXPECT_EQ(strokes_of(sheet_of(plot_of({y})), kOmegaRole.paint).size(), 3u);
+  expect_tidy(sheet_of(plot_of({y})));
+}
+
+TEST(TimePlot, TheTimeOfThePictureIsMarkedOnEveryCurve) {
+  TimePlot plot = plot_of({ramp(0, 10), ramp(10, 0)});
+  plot.now = 2.5;
+  const Sheet sheet = sheet_of(plot);
+  for (const Color& color : {kOmegaRole.paint, kLRole.paint}) {
+    const auto strokes = strokes_of(sheet, color);
+    ASSERT_EQ(strokes.size(), 2u) << "a curve and a dot";
+    const Vec2 dot = strokes[1].points[0], from = strokes[0].points.front(), to = strokes[0].points.back();
+    EXPECT_NEAR(dot.x(), std::lerp(from.x(), to.x(), 0.25), 1.0) << "and a pixel";
+    EXPECT_NEAR(dot.y(), std::lerp(from.y(), to.y(), 0.25), 1e-6);
+  }
+  for (double outside : {-1.0, 11.0, kNaN}) {
+    plot.now = outside;
+    EXPECT_EQ(strokes_of(sheet_of(plot), kOmegaRole.paint).size(), 1u) << outside;
+  }
+  plot.now = 2.5;
+  plot.series[0].y[3] = kNaN;
+  EXPECT_EQ(strokes_of(sheet_of(plot), kOmegaRole.paint).size(), 2u) << "a dot in a gap";
+}
+
+TEST(TimePlot, ALogarithmicAxisBeginsAtItsFloor) {
+  TimePlot plot = plot_of({{1e-9, 1e-8, 1e-7}, {0, 1e-12, 0}, {0, 0, 0}});
+  plot.log_floor = 1e-16;
+  const Sheet sheet = sheet_of(plot);
+  EXPECT_EQ(texts_of(sheet, "10⁻¹⁶").size(), 1u);
+  EXPECT_EQ(texts_of(sheet, "three: 0").size(), 1u);
+  EXPECT_EQ(texts_of(sheet, "two").size(), 1u) << "zero at times only";
+  const auto zero = strokes_of(sheet, kPolhodeRole.paint), partly = strokes_of(sheet, kLRole.paint);
+  ASSERT_EQ(zero.size(), 1u);
+  EXPECT_EQ(zero[0].points.front().y(), zero[0].points.back().y());
+  EXPECT_EQ(partly[0].points.front().y(), zero[0].points.front().y());
+  const auto rising = strokes_of(sheet, kOmegaRole.paint)[0].points;
+  ASSERT_EQ(rising.size(), 2u) << "equal ratios make a straight line";
+  expect_tidy(sheet);
+}
+
+TEST(TimePlot, DrawsTheExtremes) {
+  const std::vector<std::vector<double>> cases[] = {
+      {},
+      {{}},
+      {{0, 0, 0}},
+      {{7, 7, 7}, {7, 7, 7}},
+      {{3}},
+      {{kNaN, kNaN}, {kInf, -kInf}},
+      {{5e-324, 0, 5e-324}},
+      {{-1.7e308, 1.7e308}},
+      {{1e-300, 2e-300}, {1e300, 0}},
+      {ramp(1e5, 1e5 + 1e-9)},
+  };
+  for (const auto& curves : cases)
+    for (const double begin : {0.0, -1e-100, 1e6, 1e300})
+      for (const std::optional<double>& floor : {std::optional<double>(), std::optional(1e-16)}) {
+        TimePlot plot = plot_of(curves);
+        for (double& t : plot.t) t = begin + t * std::max(1e-100, 1e-9 * std::abs(begin));
+        plot.log_floor = floor;
+        plot.now = plot.t.front();
+        SCOPED_TRACE(plot.series.empty() ? "none" : std::to_string(begin));
+        expect_tidy(sheet_of(plot));
+      }
+}
+
+TEST(TimePlot, KeepsTidyWhenSmallAndWhenLarge) {
+  TimePlot plot = plot_of({ramp(0, 3), ramp(1, -1), ramp(1, -1)});
+  for (const auto& [width, height] :
+       {std::pair{120.0, 30.0}, {60.0, 200.0}, {240.0, 120.0}, {900.0, 600.0}}) {
+    const PixelBox box{10, 20, 10 + width, 20 + height};
+    expect_tidy(sheet_of(plot, box), box);
+  }
+}
+
+}  // namespace
+}  // namespace polhode

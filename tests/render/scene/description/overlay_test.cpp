@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene/description/overlay.h"
+
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+TEST(Overlay, NamesAndValuesMapBothWays) {
+  ASSERT_EQ(overlay_names().size(), static_cast<std::size_t>(kOverlayCount));
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const auto overlay = static_cast<Overlay>(i);
+    EXPECT_EQ(overlay_from(name_of(overlay)), overlay);
+    EXPECT_EQ(overlay_names()[static_cast<std::size_t>(i)], name_of(overlay));
+  }
+}
+
+TEST(Overlay, UnknownNamesAreNone) {
+  for (const char* name : {"", "Omega", "ellipsoid", "energy_ellipsoid", "omega "})
+    EXPECT_FALSE(overlay_from(name));
+}
+
+TEST(OverlaySet, HoldsWhatWasInsertedAndNotWhatWasErased) {
+  OverlaySet set{Overlay::omega, Overlay::L};
+  set.erase(Overlay::L);
+  EXPECT_TRUE(set.contains(Overlay::omega));
+  EXPECT_FALSE(set.contains(Overlay::L));
+  EXPECT_FALSE(set.empty());
+  EXPECT_EQ(set, OverlaySet{Overlay::omega});
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene/model/rotor.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace polhode {
+namespace {
+
+constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
+
+/// A disc of 1 kg on an axle: moments about the pivot by Steiner's theorem.
+Scene top_of(const Vec3& size_m, double l_m) {
+  const Vec3 I = cylinder_moments(size_m, 1.0).vector() + Vec3(l_m * l_m, l_m * l_m, 0.0);
+  Scene scene;
+  scene.body = {"top", PrincipalMoments(I[0], I[1], I[2]), std::nullopt};
+  scene.torque = {HeavyTop{kStandardGravity * l_m, Vec3::UnitZ()}};
+  return scene;
+}
+
+TEST(Rotor, IsTheDiscThatHasTheseMomentsAboutThePivot) {
+  for (const Vec3& size_m : {Vec3(0.2, 0.2, 0.02), Vec3(0.3, 0.3, 0.1)})
+    for (double l_m : {0.05, 0.12}) {
+      const Scene scene = top_of(size_m, l_m);
+      const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
+      EXPECT_EQ(rotor.shape.kind, ShapeKind::cylinder);
+      // The height is a difference of moments: l² and d² are up to 400 h² here.
+      EXPECT_LT((rotor.shape.size_m - size_m).norm(), 400 * kRounding * size_m.norm());
+      EXPECT_LT((rotor.center_B - l_m * Vec3::UnitZ()).norm(), kRounding);
+    }
+}
+
+TEST(Rotor, WhereNoHeightIsLeftIsThin) {
+  Scene scene = top_of(Vec3(0.2, 0.2, 0.02), 0.1);
+  scene.torque = {HeavyTop{1.5 * kStandardGravity * 0.1, Vec3::UnitZ()}};
+  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
+  EXPECT_NEAR(rotor.shape.size_m.z(), 0.2 / 20, kRounding);
+}
+
+TEST(Rotor, AShapeStays) {
+  Scene scene;
+  scene.body = find_body("book").value();
+  scene.torque = {HeavyTop{0.5, Vec3(0, 2, 0)}};
+  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
+  EXPECT_EQ(rotor.shape.size_m, scene.body.shape->size_m);
+  const Vec3 center_B(0.0, 0.5 / (0.8 * kStandardGravity), 0.0);  // l = mgr/(m g), the book has 0.8 kg
+  EXPECT_LT((rotor.center_B - center_B).norm(), kRounding);
+}
+
+TEST(Rotor, NeedsOneHeavyTopThatWeighsSomething) {
+  Scene scene;
+  EXPECT_EQ(heavy_top_of(scene), nullptr);
+  scene.torque = {HeavyTop{0.0, Vec3::UnitZ()}};
+  EXPECT_EQ(heavy_top_of(scene), nullptr);
+  scene.torque = {HeavyTop{0.5, Vec3::UnitZ()}, LinearDamping{0.1}};
+  EXPECT_EQ(heavy_top_of(scene), nullptr);
+  scene.torque.pop_back();
+  EXPECT_NE(heavy_top_of(scene), nullptr);
+}
+
+TEST(Rotor, AShapeHangsByItsMomentsAboutThePivot) {
+  const Body disc = make_body("disc", ShapeKind::cylinder, Vec3(0.2, 0.2, 0.02), 2.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto hung = on_its_pivot(disc, {HeavyTop{2.0 * kStandardGravity * 0.1, Vec3::Unit(axis)}});
+    ASSERT_TRUE(hung);
+    const Vec3 steiner = 2.0 * 0.01 * (Vec3::Ones() - Vec3::Unit(axis));  // m l², but not along l
+    EXPECT_LT((hung->moments.vector() - disc.moments.vector() - steiner).norm(), kRounding);
+    EXPECT_EQ(hung->shape, disc.shape);
+  }
+}
+
+TEST(Rotor, WhatHangsNowhereKeepsItsMoments) {
+  const Body disc = make_body("disc", ShapeKind::cylinder, Vec3(0.2, 0.2, 0.02), 2.0);
+  EXPECT_EQ(*on_its_pivot(disc, {}), disc);
+  EXPECT_EQ(*on_its_pivot(disc, {SpaceTorque{Vec3(1, 2, 3)}, LinearDamping{0.1}}), disc);
+  const Body textbook = find_body("textbook").value();
+  EXPECT_EQ(*on_its_pivot(textbook, {HeavyTop{1.0, Vec3::UnitZ()}}), textbook) << "about the pivot as given";
+  const auto askew = on_its_pivot(disc, {HeavyTop{1.0, Vec3(0.6, 0.8, 0)}});
+  ASSERT_FALSE(askew);
+  EXPECT_EQ(askew.error(),
+            "the moments of \"disc\" about the pivot: its weight hangs on no principal axis, so that 1, 2, 3 "
+            "are not principal at the pivot");
+  const auto far = on_its_pivot(disc, {HeavyTop{1e300, Vec3::UnitX()}});
+  ASSERT_FALSE(far);
+  EXPECT_EQ(
+      far.error(),
+      "the moments of \"disc\" about the pivot: I2 = inf is not finite: no rigid body has these moments");
+}
+
+}  // namespace
+}  // namespace polhode
