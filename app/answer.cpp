@@ -9,8 +9,8 @@
 #include "base/printable.h"
 #include "base/shell_line.h"
 #include "base/suggest.h"
-#include "lessons/answers.h"
-#include "lessons/source_text.h"
+#include "lessons/claims/answers.h"
+#include "lessons/diagnostics/source_text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

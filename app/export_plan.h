@@ -4,7 +4,7 @@
 
 #include "app/page_theme.h"
 #include "app/timeline.h"
-#include "lessons/lesson.h"
+#include "lessons/reader/lesson.h"
 #include "render/image/image.h"
 #include "render/image/png.h"
 

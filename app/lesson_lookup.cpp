@@ -6,8 +6,8 @@
 #include "app/page_lint.h"
 #include "base/sha256.h"
 #include "base/suggest_ending.h"
-#include "lessons/lint_budget.h"
-#include "lessons/type_check.h"
+#include "lessons/reader/lint_budget.h"
+#include "lessons/reader/type_check.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // Finds lessons on disk and reads them.
 #pragma once
 
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 #include "physics/effort.h"
 #include "render/typeset/fonts.h"
 

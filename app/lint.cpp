@@ -6,9 +6,9 @@
 #include "app/or_fail.h"
 #include "app/page_lint.h"
 #include "base/printable.h"
-#include "lessons/claim_check.h"
-#include "lessons/lint_budget.h"
-#include "lessons/type_check.h"
+#include "lessons/reader/claim_check.h"
+#include "lessons/reader/lint_budget.h"
+#include "lessons/reader/type_check.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

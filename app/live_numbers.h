@@ -2,7 +2,7 @@
 // The numbers of \live in a formula that is set: where they stand, and what they are.
 #pragma once
 
-#include "lessons/live_claims.h"
+#include "lessons/claims/live_claims.h"
 #include "render/drawing/sheet.h"
 
 #include <optional>

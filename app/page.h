@@ -44,8 +44,8 @@ struct PageRequest {
       nullptr;  ///< of the page before, of the same lesson; null: all that is new fades in
   /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
   StillNumbers* still_numbers = nullptr;
-  /// Told what laying the text out costs, as if it were evaluations of a motion (lessons/lint_budget.h); what
-  /// it throws ends that.
+  /// Told what laying the text out costs, as if it were evaluations of a motion
+  /// (lessons/reader/lint_budget.h); what it throws ends that.
   Effort effort{};
 };
 

@@ -4,7 +4,7 @@
 #include "app/exit_codes.h"
 #include "app/page.h"
 #include "app/still_numbers.h"
-#include "lessons/lint_budget.h"
+#include "lessons/reader/lint_budget.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Whether what a lesson's steps add fits on a page.
 #pragma once
 
-#include "lessons/lesson.h"
+#include "lessons/reader/lesson.h"
 #include "physics/effort.h"
 #include "render/typeset/fonts.h"
 

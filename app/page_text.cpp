@@ -3,7 +3,7 @@
 
 #include "app/exit_codes.h"
 #include "app/still_numbers.h"
-#include "lessons/lint_budget.h"
+#include "lessons/reader/lint_budget.h"
 #include "physics/method.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,7 @@
 // marks and lines say nothing that text does not say, and are faint.
 #pragma once
 
-#include "lessons/lesson.h"
+#include "lessons/reader/lesson.h"
 #include "render/palette.h"
 #include "render/typeset/math/math.h"
 

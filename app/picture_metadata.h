@@ -2,7 +2,7 @@
 // What a picture's PNG file says of itself.
 #pragma once
 
-#include "lessons/lesson.h"
+#include "lessons/reader/lesson.h"
 #include "render/image/png.h"
 
 #include <optional>

@@ -3,8 +3,8 @@
 // as the lesson's `say` has them.
 #pragma once
 
-#include "lessons/lesson.h"
-#include "lessons/proof.h"
+#include "lessons/claims/proof.h"
+#include "lessons/reader/lesson.h"
 
 #include <string>
 #include <vector>

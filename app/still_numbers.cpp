@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/still_numbers.h"
 
-#include "lessons/live_claims.h"
+#include "lessons/claims/live_claims.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // The live numbers of a lesson as they are on the stills of their own steps.
 #pragma once
 
-#include "lessons/lesson.h"
+#include "lessons/reader/lesson.h"
 #include "physics/effort.h"
 
 #include <map>

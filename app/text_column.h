@@ -5,7 +5,7 @@
 #include "app/live_numbers.h"
 #include "app/page_theme.h"
 #include "app/verdict_row.h"
-#include "lessons/lesson.h"
+#include "lessons/reader/lesson.h"
 #include "render/drawing/sheet.h"
 #include "render/typeset/paragraph.h"
 

@@ -2,7 +2,7 @@
 // A lesson as plain text, for those who read with their ears or fingers.
 #pragma once
 
-#include "lessons/lesson.h"
+#include "lessons/reader/lesson.h"
 
 #include <string>
 #include <string_view>

@@ -3,8 +3,8 @@
 // sides come to on the running motion.
 #pragma once
 
-#include "lessons/live_claims.h"
-#include "lessons/proof.h"
+#include "lessons/claims/live_claims.h"
+#include "lessons/claims/proof.h"
 
 #include <string>
 

@@ -8,7 +8,7 @@
 #include "app/companion/scene_edits.h"
 #include "app/lesson_lookup.h"
 #include "app/page_theme.h"
-#include "lessons/answers.h"
+#include "lessons/claims/answers.h"
 #include "render/scene/model/model.h"
 
 #include <map>

@@ -2,8 +2,8 @@
 #include "app/companion/saved_scene.h"
 
 #include "app/trace_rows.h"
-#include "lessons/front_matter.h"
-#include "lessons/markdown.h"
+#include "lessons/reader/front_matter.h"
+#include "lessons/reader/markdown/markdown.h"
 #include "render/scene/model/rotor.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/companion/scene_edits.h"
 
-#include "lessons/scene_keys.h"
+#include "lessons/reader/scene_keys.h"
 #include "render/scene/model/rotor.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "app/companion/symbol_note.h"
 
 #include "app/speaker.h"
-#include "lessons/live_claims.h"
+#include "lessons/claims/live_claims.h"
 #include "render/scene/model/translation.h"
 #include "render/typeset/math/tree.h"
 

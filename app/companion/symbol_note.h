@@ -2,7 +2,7 @@
 // What is to be said of a symbol or term that is pointed at.
 #pragma once
 
-#include "lessons/lesson.h"
+#include "lessons/reader/lesson.h"
 #include "render/scene/model/model.h"
 
 #include <string>
@@ -17,7 +17,7 @@ struct SymbolNote {
 };
 
 /// `model` may be null. The value is that of the quantity of claims with the symbol's name
-/// (lessons/expression_names.h) at t, in the frame of the scene's first view, with three digits of the
+/// (lessons/claims/expression_names.h) at t, in the frame of the scene's first view, with three digits of the
 /// largest component; of I the principal moments. Nothing of the centre of mass where it does not drift, and
 /// of A where it is not shown. Symbols come before terms. Several terms have one name: that which the reader
 /// has seen last is meant, in the stage of this id up to the step (from 0); without a stage the first of the

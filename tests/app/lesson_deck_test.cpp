@@ -3,7 +3,7 @@
 #include "app/lesson_deck.h"
 
 #include "app/deck_notes.h"
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 #include "tests/app/example_deck.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page_lint.h"
 
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "app/lesson_lookup.h"
 #include "app/page_text.h"
 #include "app/text_column.h"
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 #include "tests/app/sheet_checks.h"
 
 #include <fmt/format.h>

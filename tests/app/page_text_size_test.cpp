@@ -3,7 +3,7 @@
 #include "app/lesson_lookup.h"
 #include "app/page.h"
 #include "app/page_text.h"
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 #include "tests/app/sheet_checks.h"
 
 #include <fmt/format.h>

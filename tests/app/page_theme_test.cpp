@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page_theme.h"
 
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 
 #include <gtest/gtest.h>
 

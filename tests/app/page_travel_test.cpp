@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page_travel.h"
 
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 #include "tests/app/sheet_checks.h"
 
 #include <gtest/gtest.h>

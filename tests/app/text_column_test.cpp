@@ -2,7 +2,7 @@
 #include "app/text_column.h"
 
 #include "app/exit_codes.h"
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 #include "tests/app/sheet_checks.h"
 
 #include <gmock/gmock.h>

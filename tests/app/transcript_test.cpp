@@ -2,7 +2,7 @@
 #include "app/transcript.h"
 
 #include "app/speaker.h"
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/verdict_row.h"
 
-#include "lessons/claim_lines.h"
-#include "lessons/source_text.h"
+#include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/claim_lines.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What proofs of claims cost: one core, the lecture as it is.
-#include "lessons/live_claims.h"
-#include "lessons/proof.h"
-#include "lessons/reader.h"
+#include "lessons/claims/live_claims.h"
+#include "lessons/claims/proof.h"
+#include "lessons/reader/reader.h"
 #include "tests/bench/table.h"
 
 #include <algorithm>

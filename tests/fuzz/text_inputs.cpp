@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/text_inputs.h"
 
-#include "lessons/inline_text.h"
+#include "lessons/reader/markdown/inline_text.h"
 #include "render/typeset/paragraph.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The two numbers that a page shows below an equation are those of its two sides: of all equations of all
 // lessons, against values that are computed here from the equation as it is printed, not from its claim.
-#include "lessons/live_claims.h"
+#include "lessons/claims/live_claims.h"
 #include "physics/body/euler.h"
 #include "render/scene/model/arrow.h"
 #include "render/scene/model/translation.h"

@@ -2,11 +2,11 @@
 // Lessons to test with.
 #pragma once
 
-#include "lessons/expression.h"
-#include "lessons/inline_text.h"
-#include "lessons/reader.h"
-#include "lessons/report.h"
-#include "lessons/toml_tree.h"
+#include "lessons/claims/expression.h"
+#include "lessons/diagnostics/report.h"
+#include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/reader.h"
+#include "lessons/reader/toml_tree.h"
 
 #include <filesystem>
 #include <string>

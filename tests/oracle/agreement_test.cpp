@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// lessons/proof.h and GiNaC say the same of generated equalities, half of them true by construction.
-#include "lessons/proof.h"
+// lessons/claims/proof.h and GiNaC say the same of generated equalities, half of them true by construction.
+#include "lessons/claims/proof.h"
 #include "tests/oracle/mutants.h"
 #include "tests/oracle/oracle.h"
 #include "tests/oracle/rewriting.h"

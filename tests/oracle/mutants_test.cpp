@@ -2,8 +2,8 @@
 // Of every line that a lesson proves, every slip of the pen is refused, unless it says the same.
 #include "tests/oracle/mutants.h"
 
-#include "lessons/proof.h"
-#include "lessons/reader.h"
+#include "lessons/claims/proof.h"
+#include "lessons/reader/reader.h"
 #include "tests/oracle/oracle.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ class MutantCheck {
 
  private:
   void settle(const Equality& mutant, Decision decision, Assumption assumption) {
-    if (!has_provable_lengths(mutant)) return;  // lessons/claim_lines.h refuses to read it
+    if (!has_provable_lengths(mutant)) return;  // lessons/reader/claim_lines.h refuses to read it
     const Verdict verdict = prover_.settle(mutant, assumption);
     const auto text = [&] { return mutant.left.text + " = " + mutant.right.text; };
     ++counts.mutants;

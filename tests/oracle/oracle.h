@@ -8,7 +8,7 @@
 // follow, so that nothing is divided by; without torque ω̇ is what makes that N zero.
 #pragma once
 
-#include "lessons/claim_state.h"
+#include "lessons/claims/claim_state.h"
 
 #include <ginac/ginac.h>
 

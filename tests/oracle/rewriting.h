@@ -2,7 +2,7 @@
 // Equalities that are true by construction: an expression, and what laws of algebra and mechanics make of it.
 #pragma once
 
-#include "lessons/claim_state.h"
+#include "lessons/claims/claim_state.h"
 #include "tests/oracle/term.h"
 
 #include <random>

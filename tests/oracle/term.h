@@ -3,7 +3,7 @@
 // of.
 #pragma once
 
-#include "lessons/expression.h"
+#include "lessons/claims/expression.h"
 
 #include <optional>
 #include <string>

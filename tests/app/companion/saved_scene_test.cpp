@@ -2,7 +2,7 @@
 // What is saved reads back as what was there.
 #include "app/companion/saved_scene.h"
 
-#include "lessons/scene_keys.h"
+#include "lessons/reader/scene_keys.h"
 #include "tests/app/companion/example_lesson.h"
 #include "tests/app/run_program.h"
 

@@ -2,7 +2,7 @@
 #include "app/companion/symbol_note.h"
 
 #include "app/lesson_lookup.h"
-#include "lessons/reader.h"
+#include "lessons/reader/reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/claims/answers.h"
+
+#include "lessons/claims/expression_variants.h"
+#include "lessons/diagnostics/report.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace polhode {
+namespace {
+
+using Outcome = AnswerJudgement::Outcome;
+
+AnswerJudgement right() {
+  return {.outcome = Outcome::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
+}
+AnswerJudgement wrong(std::string reason, int column = 0) {
+  return {.outcome = Outcome::wrong,
+          .reason = std::move(reason),
+          .hint = {},
+          .column = column,
+          .counterexample = {}};
+}
+AnswerJudgement unreadable(std::string reason, std::string hint = {}, int column = 0) {
+  return {Outcome::unreadable, std::move(reason), std::move(hint), column, {}};
+}
+
+Assumption assumption_named(const std::string& modulo) {
+  if (modulo == "free") return Assumption::free;
+  return modulo == "motion" ? Assumption::motion : Assumption::identity;
+}
+
+/// An answer that reads and has the right type, against the lesson's.
+class ExpressionJudge {
+ public:
+  ExpressionJudge(const Expression& answer, const Ask& ask, const Prover& prover)
+      : answer_(answer), ask_(ask), prover_(prover), assumption_(assumption_named(ask.modulo)) {}
+
+  AnswerJudgement judge() const {
+    if (const auto refused = unasked_derivative()) return *refused;
+    if (equals(answer_, assumption_)) return right();
+    AnswerJudgement judgement = reason();
+    judgement.counterexample = prover_.refute({answer_, *ask_.expression}, assumption_);
+    return judgement;
+  }
+
+ private:
+  bool equals(const Expression& variant, Assumption assumption) const {
+    return prover_.settle({variant, *ask_.expression}, assumption) == Verdict::holds;
+  }
+  bool equals(const Expression& variant) const { return equals(variant, assumption_); }
+
+  int column_of(const ExpressionNode& node) const {
+    return 1 + count_characters(std::string_view(answer_.text).substr(0, node.begin));
+  }
+  std::string words_of(const ExpressionNode& node) const {
+    return in_quotes(trimmed(std::string_view(answer_.text).substr(node.begin, node.end - node.begin)));
+  }
+
+  /// ddt(T) is no answer to what dT/dt is.
+  std::optional<AnswerJudgement> unasked_derivative() const {
+    if (std::any_of(ask_.expression->nodes.begin(), ask_.expression->nodes.end(), is_rate))
+      return std::nullopt;
+    const auto found = std::find_if(answer_.nodes.begin(), answer_.nodes.end(), is_rate);
+    if (found == answer_.nodes.end()) return std::nullopt;
+    return wrong("the answer is asked for without derivatives: " + words_of(*found) + " is one",
+                 column_of(*found));
+  }
+
+  AnswerJudgement reason() const {
+    if (equals(negated(answer_))) return wrong("wrong sign: every sign is the other way round");
+    if (const auto found = one_term()) return *found;
+    if (const auto found = factor()) return *found;
+    if (const auto found = indices()) return *found;
+    if (assumption_ == Assumption::identity && equals(answer_, Assumption::motion))
+      return wrong("this follows from the equations of motion; here it has to hold whatever ω̇ is");
+    if (assumption_ != Assumption::free && !has_torque() && !vanishes_without_torque() &&
+        equals(answer_, Assumption::free))
+      return wrong("this is right without torque only");
+    return wrong("not equal to what is asked for");
+  }
+
+  bool has_torque() const {
+    return answer_.uses(Quantity::N) || answer_.uses(Quantity::N1) || answer_.uses(Quantity::N2) ||
+           answer_.uses(Quantity::N3);
+  }
+
+  /// Then that an answer is right without torque says nothing.
+  bool vanishes_without_torque() const {
+    return prover_.settle({*ask_.expression, zero_expression()}, Assumption::free) == Verdict::holds;
+  }
+
+  std::optional<AnswerJudgement> one_term() const {
+    for (const int summand : summands_of(answer_)) {
+      const ExpressionNode& node = answer_.nodes[static_cast<std::size_t>(summand)];
+      if (equals(with_summand_negated(answer_, summand)))
+        return wrong("wrong sign: that of " + words_of(node), column_of(node));
+      if (equals(without_summand(answer_, summand)))
+        return wrong(words_of(node) + " does not belong there", column_of(node));
+    }
+    return std::nullopt;
+  }
+
+  std::optional<AnswerJudgement> factor() const {
+    for (int denominator = 1; denominator <= 4; ++denominator)
+      for (int numerator = -4; numerator <= 4; ++numerator)
+        if (numerator != 0 && equals(times(answer_, numerator, denominator)))
+          return wrong("a constant factor is wrong: this is " + fraction(denominator, numerator) +
+                       " times what is asked for");
+    return std::nullopt;
+  }
+
+  static std::string fraction(int numerator, int denominator) {
+    if (denominator < 0) numerator = -numerator, denominator = -denominator;
+    return std::to_string(numerator) + (denominator == 1 ? "" : "/" + std::to_string(denominator));
+  }
+
+  std::optional<AnswerJudgement> indices() const {
+    for (const AxisPermutation& permutation : kAxisPermutations)
+      if (equals(renamed(answer_, permutation)))
+        return wrong("the indices are mixed up: right would be " + std::to_string(permutation[0] + 1) +
+                     " for 1, " + std::to_string(permutation[1] + 1) + " for 2, " +
+                     std::to_string(permutation[2] + 1) + " for 3");
+    return std::nullopt;
+  }
+
+  const Expression& answer_;
+  const Ask& ask_;
+  const Prover& prover_;
+  Assumption assumption_;
+};
+
+AnswerJudgement judge_expression(const Ask& ask, std::string_view text, const Prover& prover) {
+  const SourceText source(text);
+  Report report(source, "");
+  if (source.line_count() > 1) return unreadable("an answer is one line");
+  const auto answer = read_expression(text, {1, 1}, report);
+  if (!answer) {
+    const Diagnostic fault = report.take().front();
+    return unreadable(fault.message, fault.hint, fault.place.column);
+  }
+  if (answer->uses(Operation::norm))
+    return unreadable("a length is a root, and a proof has none", "write norm2(a) for a·a");
+  if (prover.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
+    return unreadable("this is nowhere defined", "is something divided by 0?");
+  if (!fit(answer->type(), ask.expression->type()))
+    return wrong("wrong type: " + std::string(name_of(ask.expression->type())) + " is asked for, this is " +
+                 std::string(name_of(answer->type())));
+  return ExpressionJudge(*answer, ask, prover).judge();
+}
+
+/// The choices that a text names, from 1, by letters or numbers; nothing if it names anything else.
+std::optional<std::vector<int>> read_choices(std::string_view text, std::size_t count) {
+  std::vector<int> choices;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (std::string_view(" ,\t.);>").find(c) != std::string_view::npos) {
+      ++i;
+      continue;
+    }
+    int choice = 0;
+    if (c >= 'A' && c <= 'Z')
+      choice = c - 'A' + 1, ++i;
+    else if (c >= 'a' && c <= 'z')
+      choice = c - 'a' + 1, ++i;
+    else {
+      const auto read = std::from_chars(text.data() + i, text.data() + text.size(), choice);
+      if (read.ec != std::errc()) return std::nullopt;
+      i = static_cast<std::size_t>(read.ptr - text.data());
+    }
+    if (choice < 1 || choice > static_cast<int>(count)) return std::nullopt;
+    choices.push_back(choice);
+  }
+  return choices;
+}
+
+std::string letters_of(std::size_t count) {
+  return std::string("A to ") + letter_of_choice(count - 1) + " or 1 to " + std::to_string(count);
+}
+
+AnswerJudgement judge_choice(const Ask& ask, std::string_view text) {
+  const auto choices = read_choices(text, ask.choices.size());
+  if (!choices || choices->size() != 1)
+    return unreadable("the answer is one of the choices, " + letters_of(ask.choices.size()));
+  if (*choices == ask.answers) return right();
+  return wrong(std::string(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1))) +
+               " is not it");
+}
+
+AnswerJudgement judge_order(const Ask& ask, std::string_view text) {
+  const auto choices = read_choices(text, ask.choices.size());
+  auto sorted = choices.value_or(std::vector<int>());
+  std::sort(sorted.begin(), sorted.end());
+  const bool all_once =
+      sorted.size() == ask.choices.size() && std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  if (!all_once)
+    return unreadable("the answer names every choice once, in their order: " +
+                      letters_of(ask.choices.size()));
+  if (*choices == ask.answers) return right();
+  const auto parting = std::mismatch(choices->begin(), choices->end(), ask.answers.begin()).first;
+  const auto right = parting - choices->begin();
+  return wrong("place " + std::to_string(right + 1) + " is not right" +
+               (right == 0   ? ""
+                : right == 1 ? ", the one before it is"
+                             : ", those before it are"));
+}
+
+}  // namespace
+
+AnswerJudgement judge_answer(const Ask& ask, std::string_view answer, const Prover& prover) {
+  if (ask.type == Ask::Type::expression) return judge_expression(ask, answer, prover);
+  if (ask.type == Ask::Type::order) return judge_order(ask, answer);
+  return judge_choice(ask, answer);
+}
+
+std::string_view form_of_answer(Ask::Type type) {
+  switch (type) {
+    case Ask::Type::expression:
+      return "2*a*(b - c)";
+    case Ask::Type::order:
+      return "X Y Z";
+    case Ask::Type::choice:
+    case Ask::Type::predict:
+      return "";
+  }
+  return "";
+}
+
+}  // namespace polhode

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What is to be said of a learner's answer.
+#pragma once
+
+#include "lessons/claims/proof.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+struct AnswerJudgement {
+  enum class Outcome { right, wrong, unreadable };
+  Outcome outcome = Outcome::wrong;
+  std::string reason;  ///< of what is not right: one sentence, without a full stop
+  std::string hint;    ///< how it is written, of what cannot be read; may be empty
+  int column = 0;      ///< from 1, what the reason is about; 0: the whole
+  /// Of a wrong expression, if one of small whole numbers was found: the learner's value on the left.
+  std::optional<Counterexample> counterexample;
+};
+
+/// Expressions are right if they equal the lesson's answer modulo what the question says, proved as claims
+/// are; derivatives in them only if the lesson's answer has some. Reasons that are looked for: the type, all
+/// signs, the sign of one term, a term too many, a constant factor, indices mixed up, what holds only along
+/// motions or without torque. Choices: a number from 1, or a letter; an order: all of them, with or without
+/// commas or spaces between. Up to some 50 ms.
+AnswerJudgement judge_answer(const Ask& ask, std::string_view answer, const Prover& prover);
+
+/// How such an answer is written, for an empty box and for help: of letters that no quantity and no choice
+/// has, so that it answers no question, neither right nor wrong. Of choices, which are taken, empty.
+std::string_view form_of_answer(Ask::Type type);
+
+}  // namespace polhode

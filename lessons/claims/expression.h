@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Expressions of claims and answers: read once, evaluated over whatever numbers there are (evaluation.h).
+//
+// What is read is meant: types are checked, a derivative is taken of nothing whose rate is not known, and the
+// degree is bounded, so that agreement at random points is proof (proof.h).
+#pragma once
+
+#include "lessons/diagnostics/report.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+inline constexpr std::size_t kMaxExpressionBytes = 4096;
+/// Brackets of an expression nest at most so deep.
+inline constexpr int kMaxExpressionNesting = 64;
+/// Exponents are whole numbers, at most so large either way.
+inline constexpr int kMaxExponent = 16;
+/// Bound of the degree of numerator and denominator in all that can vary; see Degree.
+inline constexpr int kMaxDegree = 4096;
+/// Digits of a number, without leading zeros; and the largest power of ten it may carry.
+inline constexpr int kMaxDigits = 15, kMaxPowerOfTen = 18;
+
+enum class ExpressionType { scalar, vector, zero };  ///< zero: the literal 0, which fits both
+/// "a scalar", "a vector", "0".
+std::string_view name_of(ExpressionType type);
+/// Whether the two can be equal, or be added.
+bool fit(ExpressionType a, ExpressionType b);
+
+/// Scalars, w_i, dw_i, N_i on the body axes; vectors; and the components of J. A is any vector, J any inertia
+/// tensor that is fixed in the body. T = ½ω·I·ω, L = I·ω and p = m v are what these definitions say; the
+/// others vary freely, or as a law has it.
+// clang-format off
+enum class Quantity {
+  T, I1, I2, I3, w1, w2, w3, dw1, dw2, dw3, N1, N2, N3, m,
+  omega, L, N, p, v, F, A, e1, e2, e3,
+  Jxx, Jxy, Jxz, Jyy, Jyz, Jzz
+};
+
+enum class Operation {
+  number, quantity, negate, add, subtract, multiply, divide, power,
+  dot, cross, norm2, norm, inertia, apply, comp, trace, star, ddt
+};
+// clang-format on
+
+/// mantissa · 10^power: what was written, exactly.
+struct DecimalNumber {
+  std::int64_t mantissa = 0;
+  int power_of_ten = 0;
+  double value = 0;
+};
+
+/// Bounds of numerator and denominator in moments, components and quaternion, once everything is written out;
+/// not the least ones. Their degrees, and how large their coefficients can be: log2 of the sum of their
+/// absolute values, with the axes of body and space the same.
+struct Degree {
+  int numerator = 0, denominator = 0;
+  double numerator_bits = 0, denominator_bits = 0;
+};
+
+/// Operands stand before what they are operands of.
+struct ExpressionNode {
+  Operation operation = Operation::number;
+  int a = -1, b = -1;  ///< indices of the operands; a vector comes second in a product
+  Quantity quantity = Quantity::T;
+  DecimalNumber number;
+  int integer = 0;  ///< exponent of power, index (0 to 2) of comp
+  ExpressionType type = ExpressionType::scalar;
+  bool has_rate = true;  ///< its rate of change is known: it can be differentiated
+  Degree degree;
+  std::uint32_t begin = 0, end = 0;  ///< bytes of the text that it stands for
+};
+
+struct Expression {
+  std::string text;
+  std::vector<ExpressionNode> nodes;  ///< at least one; the last is the whole
+
+  ExpressionType type() const { return nodes.back().type; }
+  bool uses(Operation operation) const;
+  bool uses(Quantity quantity) const;
+};
+
+/// Reads a text that stands on one line, its first byte at `start`. One error with its column: characters and
+/// names that are not known, brackets, missing operands, arguments, sums and products of what does not fit
+/// together, derivatives of what has no known rate, too large exponents and degrees. Linear.
+std::optional<Expression> read_expression(std::string_view text, SourcePlace start, Report& report);
+
+/// The literal 0.
+Expression zero_expression();
+
+/// left = right.
+struct Equality {
+  Expression left, right;
+
+  bool is_vector() const {
+    return left.type() == ExpressionType::vector || right.type() == ExpressionType::vector;
+  }
+};
+
+/// A length is a root, which exact arithmetic has not. What is to be proved has lengths as norm(a) = norm(b)
+/// alone: lengths are not negative, so they are equal where their squares are.
+/// @return whether both sides are free of lengths inside, and both are one, or neither is.
+bool has_provable_lengths(const Equality& equality);
+/// Lengths that are whole sides replaced by their squares.
+Equality with_lengths_squared(Equality equality);
+
+/// Names an expression can use, for "did you mean".
+const std::vector<std::string>& expression_symbols();
+std::vector<std::string> expression_functions();
+
+}  // namespace polhode

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/claims/live_claims.h"
+
+#include "lessons/claims/expression_names.h"
+#include "lessons/claims/expression_variants.h"
+#include "physics/body/euler.h"
+#include "physics/exact/powers_of_two.h"
+#include "physics/method.h"
+#include "render/scene/model/arrow.h"
+#include "render/scene/model/difference.h"
+#include "render/scene/model/translation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// How fast things change, rad/s: |ω|, or what the torque brings about from rest.
+double rate_scale(const SceneModel& model, const RigidBodyState& state) {
+  const Scene& scene = model.scene;
+  const PrincipalMoments& I = scene.body.moments;
+  const double torque = torque_B(scene.torque, I, state).norm();
+  const double scale = std::max(norm_of(state.w_B), std::sqrt(torque / I.vector().minCoeff()));
+  return scale > 0 ? scale : 1;
+}
+
+/// What changes: attitude by rows, ω, the arrow, the velocity of the centre of mass. One vector, so that one
+/// difference is taken of all.
+using Moving = Eigen::Matrix<double, 18, 1>;
+
+Moving moving(const SceneModel& model, double t_s, const RigidBodyState& state) {
+  const Mat3 R_SB = state.q_SB.toRotationMatrix();
+  Moving all;
+  all << R_SB.row(0).transpose(), R_SB.row(1).transpose(), R_SB.row(2).transpose(), state.w_B,
+      arrow_A_S(model, t_s, state.q_SB), drift_at(model.scene, t_s).v_S;
+  return all;
+}
+
+Vec3 part(const Moving& all, int index) { return all.segment<3>(3 * index); }
+
+/// Components have the size of the whole vector: what is small by chance is no better known.
+Triple<SizedNumber> sized(const Vec3& x, double size, const Vec3& rate, double rate_size) {
+  Triple<SizedNumber> result;
+  for (int i = 0; i < 3; ++i)
+    result[static_cast<std::size_t>(i)] = {{x[i], size}, {rate[i], std::max(rate_size, std::abs(rate[i]))}};
+  return result;
+}
+
+std::array<SizedNumber, 3> sized(const Vec3& x) {
+  const double size = x.norm();
+  return {{{x[0], size}, {x[1], size}, {x[2], size}}};
+}
+
+Mat3 on_turned_axes(const PrincipalMoments& I) {
+  const Mat3 Q = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
+  return Q.transpose() * I.vector().asDiagonal() * Q;
+}
+
+/// By what the rates of a computed motion differ from those it should have, relative.
+double error_of_method(const SceneModel& model, double rate) {
+  const MotionSpec& spec = model.scene.motion;
+  const Method method = spec.method.value_or(default_method(problem_of(model.scene)));
+  const MethodFacts& facts = facts_of(method);
+  if (facts.control == StepControl::adaptive)
+    return kUnitsOfTolerance * spec.tolerance.value_or(kDefaultTolerance);
+  if (facts.control == StepControl::none) return 0;
+  const bool splits = facts.torque == ServedTorque::of_attitude && !model.scene.torque.empty();
+  return kStepErrors * std::pow(rate * *spec.step_s, splits ? 2 : facts.order);
+}
+
+double rounding_at(double t_s, double rate) {
+  constexpr double kRoundings = 64;  // of a state, of the sums, and of the terms that rates come from
+  return kRoundings * kEpsilon * (1.0 + rate * std::abs(t_s)) / kDifferenceAngle;
+}
+
+bool has_rates(const Equality& equality) {
+  const auto has = [](const Expression& side) {
+    return std::any_of(side.nodes.begin(), side.nodes.end(), is_rate);
+  };
+  return has(equality.left) || has(equality.right);
+}
+
+/// What does not speak of rates has no part in the error of a step.
+double tolerance_of(const Equality& equality, std::optional<double> within, const LiveState& live) {
+  return within.value_or(live.rounding + (has_rates(equality) ? live.method_error : 0.0));
+}
+
+double size_of(const Triple<SizedNumber>& x) {
+  return std::hypot(x[0].value.size, x[1].value.size, x[2].value.size);
+}
+
+std::array<double, 3> values_of(const Triple<SizedNumber>& x) {
+  return {x[0].value.value, x[1].value.value, x[2].value.value};
+}
+
+/// Nothing if it is not finite; 0 if it is nothing beside `size`, that of the terms it comes from.
+std::optional<double> without_noise(const SizedNumber& number, double size) {
+  constexpr double kNoise = 1e-9;
+  if (std::abs(number.value) <= kNoise * size) return 0.0;
+  return std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
+}
+
+Triple<SizedNumber> in_body(const Triple<SizedNumber>& x_S, const ClaimState<SizedNumber>& state) {
+  return Evaluation<SizedNumber>(state).to_body(x_S);
+}
+
+}  // namespace
+
+std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
+  const RigidBodyState state = model.motion->at(t_s);
+  if (!state.w_B.allFinite() || !state.q_SB.coeffs().allFinite()) return std::nullopt;
+  const double rate = rate_scale(model, state);
+  const Moving now = moving(model, t_s, state);
+  const Moving rates = derivative_at([&](double at_s) { return moving(model, at_s, model.motion->at(at_s)); },
+                                     t_s, kDifferenceAngle / rate);
+  if (!rates.allFinite()) return std::nullopt;
+
+  LiveState live;
+  ClaimState<SizedNumber>& s = live.state;
+  for (int row = 0; row < 3; ++row)
+    s.R[static_cast<std::size_t>(row)] = sized(part(now, row), 1.0, part(rates, row), rate);
+  const auto turning = [&](int index) {
+    const double size = part(now, index).norm();
+    return sized(part(now, index), size, part(rates, index), rate * size);
+  };
+  s.w_B = turning(3);
+  s.A_S = turning(4);
+  s.v_S = turning(5);
+  const Drift drift = drift_at(model.scene, t_s);
+  const PrincipalMoments& I = model.scene.body.moments;
+  s.F_S = sized(drift.F_S);
+  s.m = drift.mass_kg;
+  s.N_B = sized(torque_B(model.scene.torque, I, state));
+  for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = I.vector()[i];
+  const Mat3 J = on_turned_axes(I);
+  s.J = {J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2)};
+  live.rounding = rounding_at(t_s, rate);
+  live.method_error = error_of_method(model, rate);
+  return live;
+}
+
+std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view) {
+  std::optional<LiveValue> worst;
+  if (claim.kind == ClaimKind::non_sequitur) return worst;
+  for (const ClaimLine& line : claim.lines) {
+    const auto sides = sides_of(line.equality, live.state);
+    if (!sides) return std::nullopt;
+    const double tolerance = tolerance_of(line.equality, line.within, live);
+    if (worst && sides->residual / tolerance <= worst->residual / worst->tolerance) continue;
+    worst = LiveValue();
+    worst->is_vector = line.equality.is_vector();
+    worst->residual = sides->residual;
+    worst->tolerance = tolerance;
+    worst->size = std::max(size_of(sides->left), size_of(sides->right));
+    const bool turned = view == View::body && worst->is_vector;
+    worst->left = values_of(turned ? in_body(sides->left, live.state) : sides->left);
+    worst->right = values_of(turned ? in_body(sides->right, live.state) : sides->right);
+  }
+  return worst;
+}
+
+std::optional<double> live_number(const Expression& scalar, const LiveState& live) {
+  Triple<SizedNumber> value;
+  if (!Evaluation<SizedNumber>(live.state)(scalar, value)) return std::nullopt;
+  return without_noise(value[0].value, value[0].value.size);
+}
+
+std::optional<LiveQuantity> live_quantity(std::string_view name, const LiveState& live, View view) {
+  const QuantityFacts* facts = find_quantity(name);
+  if (!facts) return std::nullopt;
+  ExpressionNode node;
+  node.operation = Operation::quantity;
+  node.quantity = facts->quantity;
+  node.type = facts->type;
+  const Expression expression{.text = std::string(name), .nodes = {node}};
+  Triple<SizedNumber> value;
+  if (!Evaluation<SizedNumber>(live.state)(expression, value)) return std::nullopt;
+  LiveQuantity quantity{.is_vector = facts->type == ExpressionType::vector};
+  if (quantity.is_vector && view == View::body) value = in_body(value, live.state);
+  const double size = quantity.is_vector ? size_of(value) : value[0].value.size;
+  for (std::size_t i = 0; i < (quantity.is_vector ? 3u : 1u); ++i) {
+    const auto component = without_noise(value[i].value, size);
+    if (!component) return std::nullopt;
+    quantity.components[i] = *component;
+  }
+  return quantity;
+}
+
+bool can_be_shown(const Claim& claim, const Scene& scene) {
+  if (claim.kind == ClaimKind::non_sequitur) return false;
+  if (claim.kind == ClaimKind::measured) return true;
+  using Q = Quantity;
+  const bool slips = std::any_of(scene.torque.begin(), scene.torque.end(), [](const TorqueTerm& term) {
+    return std::holds_alternative<EnergySink>(term);
+  });
+  return std::all_of(claim.lines.begin(), claim.lines.end(), [&](const ClaimLine& line) {
+    const auto uses = [&](auto what) {
+      return line.equality.left.uses(what) || line.equality.right.uses(what);
+    };
+    const auto uses_any = [&](auto... what) { return (uses(what) || ...); };
+    if (uses_any(Q::m, Q::p, Q::v, Q::F) && !drifts(scene)) return false;
+    if (uses(Q::A) && !scene.show.contains(Overlay::transport)) return false;
+    const bool of_tensor = uses_any(Q::Jxx, Q::Jxy, Q::Jxz, Q::Jyy, Q::Jyz, Q::Jzz) ||
+                           uses_any(Operation::apply, Operation::trace);
+    // J has its components on other axes than these.
+    const bool on_principal_axes = uses_any(Q::T, Q::omega, Q::L, Q::N, Q::w1, Q::w2, Q::w3, Q::dw1, Q::dw2,
+                                            Q::dw3, Q::N1, Q::N2, Q::N3) ||
+                                   uses(Operation::inertia);
+    if (of_tensor && (claim.kind != ClaimKind::is_false || on_principal_axes)) return false;
+    return !(slips && has_rates(line.equality));
+  });
+}
+
+std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
+                                        const SceneModel& model) {
+  MeasuredResidual worst{-1, 1, 0};
+  for (int n = 0; n < kMeasuredTimes; ++n) {
+    const double t_s = model.span_s * n / (kMeasuredTimes - 1);
+    const auto live = live_state(model, t_s);
+    const auto sides = live ? sides_of(equality, live->state) : std::nullopt;
+    if (!sides) return std::nullopt;
+    const double tolerance = tolerance_of(equality, within, *live);
+    if (sides->residual / tolerance > worst.residual / worst.tolerance)
+      worst = {sides->residual, tolerance, t_s};
+  }
+  return worst;
+}
+
+}  // namespace polhode

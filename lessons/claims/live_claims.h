@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// What a claim comes to on the running motion: both sides, and how far apart they are.
+//
+// Nothing is put in that the claim says: ω and the attitude are the motion's at t, and their rates, with
+// those of A and of the centre of mass, are differences of the motion itself at times around t
+// (render/scene/model/difference.h). So `ddt(L) = N` compares how L really changes, as computed, with the
+// torque.
+#pragma once
+
+#include "lessons/claims/claim_state.h"
+#include "lessons/reader/lesson.h"
+#include "render/scene/model/model.h"
+
+#include <optional>
+
+namespace polhode {
+
+/// A motion at one time, as claims see it. A is the scene's arrow, v, p, F, m are of the centre of mass, and
+/// J is the body's tensor, its components on axes that are turned against the principal ones by kTurnOfAxes.
+struct LiveState {
+  ClaimState<SizedNumber> state;
+  /// What rounding and the differences allow of a residual; and where rates are compared, the method's error
+  /// in a step.
+  double rounding = 0, method_error = 0;
+};
+
+/// About the axis (1, 1, 1), rad.
+inline constexpr double kTurnOfAxes = 0.5;
+
+/// Nothing where the motion cannot be computed. Seven states of the motion, some 10 µs for a closed form.
+std::optional<LiveState> live_state(const SceneModel& model, double t_s);
+
+/// Both sides of a claim on a motion: of that line whose residual is the largest beside its tolerance.
+struct LiveValue {
+  bool is_vector = false;
+  std::array<double, 3> left{}, right{};  ///< components in the frame of the view; of a scalar the first
+  double size = 0;                        ///< of what the sides come from: `residual` is relative to it
+  double residual = 0, tolerance = 0;
+};
+/// Whether the scene has what the claim speaks of. Not the scene of a non-sequitur, which is about another
+/// motion; of p, v, F, m only where the centre of mass drifts; of A where that arrow is shown; of J, which no
+/// scene has, only where that refutes something said of J alone; and of rates nothing where a sink lets the
+/// body slip. What is measured is always shown.
+bool can_be_shown(const Claim& claim, const Scene& scene);
+/// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
+std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);
+
+/// A scalar on a motion; nothing where it is not defined.
+std::optional<double> live_number(const Expression& scalar, const LiveState& live);
+
+/// A quantity of claims (expression_names.h) on a motion.
+struct LiveQuantity {
+  bool is_vector = false;
+  std::array<double, 3> components{};  ///< in the frame of the view; of a scalar the first
+};
+/// Nothing if there is none of that name. What is nothing but rounding is 0.
+std::optional<LiveQuantity> live_quantity(std::string_view name, const LiveState& live, View view);
+
+/// The larger part of a method's tolerance is its error in a step: kStepErrors (ΩH)^order, with step H and
+/// the rate Ω = |ω| (by |I₁ − I₂| ≤ I₃ nothing in a free body turns faster).
+/// Seen at most, over all methods, three spins, steps from 0.02 to 0.1 s, with and without torque: 0.24.
+inline constexpr double kStepErrors = 1;
+/// Of an adaptive method, in units of its tolerance: the error of its interpolation is not controlled.
+/// Seen: 41.
+inline constexpr double kUnitsOfTolerance = 200;
+
+/// A tolerance above this decides nothing: the step is too long.
+inline constexpr double kDecisive = 0.01;
+
+/// The largest residual of the equality over the scene's interval from 0 on, and the tolerance there.
+struct MeasuredResidual {
+  double residual = 0, tolerance = 0, t_s = 0;
+  bool holds() const { return residual <= tolerance; }
+};
+/// At so many times, evenly.
+inline constexpr int kMeasuredTimes = 25;
+/// The worst by residual/tolerance; `within` is the tolerance if it is given. Nothing where the motion or the
+/// claim has no values at some time.
+std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
+                                        const SceneModel& model);
+
+}  // namespace polhode

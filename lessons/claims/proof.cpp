@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/claims/proof.h"
+
+#include "lessons/claims/small_states.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <random>
+
+namespace polhode {
+namespace {
+
+/// Whole numbers of fewer bits are 0 if the prime 2⁶¹ − 1 divides them; those of fewer than both together if
+/// both primes do.
+constexpr double kBitsOfOnePrime = 60, kBitsOfBoth = 187;
+
+/// log2 of a bound of the coefficients of left − right, free of fractions.
+double bits_of_difference(const Equality& equality) {
+  const Degree &left = equality.left.nodes.back().degree, &right = equality.right.nodes.back().degree;
+  return 1 +
+         std::max(left.numerator_bits + right.denominator_bits, right.numerator_bits + left.denominator_bits);
+}
+
+constexpr std::uint64_t kSeed = 20250614;
+
+/// FNV-1a of 64 bits, from `hash` on.
+std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+/// std::uniform_int_distribution differs between libraries; the engine does not.
+FieldElement random_residue(std::mt19937_64& random) {
+  std::uint64_t bits = kPrime;
+  while (bits >= kPrime) bits = random() >> 3;
+  return FieldElement(static_cast<std::int64_t>(bits));
+}
+
+FieldElement random_unit(std::mt19937_64& random) {
+  FieldElement element;
+  while (element.is_zero()) element = random_residue(random);
+  return element;
+}
+
+template <class N, class Draw>
+StateNumbers<N> drawn_numbers(const Draw& draw) {
+  StateNumbers<N> numbers;
+  const auto fill = [&](auto& all) {
+    for (N& one : all) one = draw();
+  };
+  fill(numbers.q);
+  fill(numbers.I);
+  fill(numbers.J);
+  for (auto* vector : {&numbers.w, &numbers.dw, &numbers.v_S, &numbers.dv_S, &numbers.A_S, &numbers.dA_S,
+                       &numbers.N_B, &numbers.F_S})
+    fill(*vector);
+  numbers.m = draw();
+  return numbers;
+}
+
+StateNumbers<FieldElement> random_numbers(std::mt19937_64& random) {
+  const auto length2 = [](const std::array<FieldElement, 4>& q) {
+    return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  };
+  StateNumbers<FieldElement> numbers;
+  do {
+    numbers = drawn_numbers<FieldElement>([&] { return random_unit(random); });
+  } while (length2(numbers.q).is_zero());
+  return numbers;
+}
+
+/// "3" of "9", "0.5" of "0.25", but "√2" of "2": a number whose square, as a text, is written in full.
+std::string root_text(const std::string& square) {
+  constexpr int kDigits = 3;  // the square of so many has at most the 6 that number_text writes
+  double value = 0;
+  std::from_chars(square.data(), square.data() + square.size(), value);
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::sqrt(value),
+                                 std::chars_format::general, kDigits)
+                       .ptr;
+  double root = 0;
+  std::from_chars(text.data(), end, root);
+  return number_text(root * root) == square ? number_text(root) : "√" + square;
+}
+
+/// The values of lengths, of whose squares those in `found` are.
+std::optional<Counterexample> with_roots(std::optional<Counterexample> found, const Equality& equality) {
+  const auto root = [](std::string& square, const Expression& side) {
+    if (side.nodes.back().operation == Operation::norm) square = root_text(square);
+  };
+  if (found) root(found->left, equality.left), root(found->right, equality.right);
+  return found;
+}
+
+Judgement not_what_it_says(std::string message, std::string hint,
+                           std::optional<Counterexample> counter = {}) {
+  if (counter) message += ": " + to_string(*counter);
+  return {Verdict::fails, std::move(message), std::move(hint), std::move(counter)};
+}
+
+Judgement undecided() {
+  return {Verdict::undecided,
+          "it cannot be decided whether this holds",
+          "both sides must be defined almost everywhere: is something divided by 0, or a number too large?",
+          {}};
+}
+
+/// What else could have been meant by an equality that fails under an assumption.
+std::string weaker_kind(const Equality& given, Assumption failed, const Prover& prover) {
+  const Equality equality = with_lengths_squared(given);  // as a whole: below each side is looked at alone
+  if (failed == Assumption::identity && prover.settle(equality, Assumption::motion) == Verdict::holds)
+    return "it follows from the equations of motion: its kind is motion";
+  const bool both_vanish =
+      equality.right.type() != ExpressionType::zero &&
+      prover.settle({equality.right, zero_expression()}, Assumption::free) == Verdict::holds;
+  if (failed != Assumption::free && !both_vanish &&
+      prover.settle(equality, Assumption::free) == Verdict::holds)
+    return "it holds without torque: its kind is free";
+  return "";
+}
+
+Judgement judge_equality(const ClaimLine& line, ClaimKind kind, const Prover& prover) {
+  const Assumption assumption = assumption_of(kind);
+  const Verdict verdict = prover.settle(line.equality, assumption);
+  if (verdict == Verdict::holds) return {};
+  if (verdict == Verdict::undecided) return undecided();
+  return not_what_it_says("this does not hold", weaker_kind(line.equality, assumption, prover),
+                          prover.refute(line.equality, assumption));
+}
+
+Judgement judge_false(const ClaimLine& line, const Prover& prover) {
+  const Verdict verdict = prover.settle(line.equality, Assumption::free);
+  if (verdict == Verdict::undecided) return undecided();
+  if (verdict == Verdict::holds)
+    return not_what_it_says("this is called false, but it holds without torque", "");
+  Judgement judgement;
+  judgement.counterexample = prover.refute(line.equality, Assumption::free);
+  return judgement;
+}
+
+Judgement judge_inference(const ClaimLine& line, const Prover& prover) {
+  Judgement judgement;
+  judgement.counterexample = prover.refute_inference(line.equality, *line.conclusion);
+  if (judgement.counterexample) return judgement;
+  return not_what_it_says(
+      "no body and state of small whole numbers was found at which the premise holds and "
+      "the conclusion fails",
+      "perhaps it does follow");
+}
+
+}  // namespace
+
+std::string to_string(const Counterexample& counterexample) {
+  return "at " + counterexample.state + " the left side is " + counterexample.left + ", the right side " +
+         counterexample.right;
+}
+
+Prover::Prover() {
+  std::mt19937_64 random(kSeed);
+  for (std::size_t assumption = 0; assumption < samples_.size(); ++assumption)
+    for (int n = 0; n < kMostSamples; ++n)
+      samples_[assumption].push_back(state_of(random_numbers(random), static_cast<Assumption>(assumption)));
+  const auto wide = drawn_numbers<WideFieldElement>([&] {
+    WideFieldElement element(1 + static_cast<std::int64_t>(random() >> 3));
+    for (int n = 0; n < 2; ++n)
+      element =
+          element * WideFieldElement(std::int64_t{1} << 60) + 1 + static_cast<std::int64_t>(random() >> 3);
+    return element;
+  });
+  for (std::size_t assumption = 0; assumption < wide_.size(); ++assumption)
+    wide_[assumption] = state_of(wide, static_cast<Assumption>(assumption));
+}
+
+Verdict Prover::settle(const Equality& given, Assumption assumption) const {
+  const Equality equality = with_lengths_squared(given);
+  int defined = 0;
+  for (const ClaimState<FieldElement>& state : samples(assumption)) {
+    const std::optional<bool> agrees = agree(equality, state);
+    if (!agrees) continue;
+    if (!*agrees) return Verdict::fails;
+    if (++defined < kSamples) continue;
+    return agrees_at_its_own_points(equality, assumption) ? confirmed(equality, assumption) : Verdict::fails;
+  }
+  return Verdict::undecided;
+}
+
+/// At points that depend on the claim's own text, so that no claim can be made up to agree at all of them.
+bool Prover::agrees_at_its_own_points(const Equality& equality, Assumption assumption) const {
+  constexpr int kOwnSamples = 2;
+  std::mt19937_64 random(hash_of(equality.left.text, hash_of(equality.right.text, kSeed)));
+  for (int n = 0; n < kOwnSamples; ++n)
+    if (agree(equality, state_of(random_numbers(random), assumption)) == std::optional(false)) return false;
+  return true;
+}
+
+Verdict Prover::confirmed(const Equality& equality, Assumption assumption) const {
+  const double bits = bits_of_difference(equality);
+  if (bits < kBitsOfOnePrime) return Verdict::holds;
+  const std::optional<bool> agrees = agree(equality, wide_[static_cast<std::size_t>(assumption)]);
+  if (agrees && !*agrees) return Verdict::fails;
+  return agrees && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
+}
+
+std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption) const {
+  return with_roots(first_small_state(with_lengths_squared(equality), nullptr, assumption), equality);
+}
+
+std::optional<Counterexample> Prover::refute_inference(const Equality& premise,
+                                                       const Equality& conclusion) const {
+  const Equality premise_squared = with_lengths_squared(premise);
+  return with_roots(first_small_state(with_lengths_squared(conclusion), &premise_squared, Assumption::motion),
+                    conclusion);
+}
+
+Assumption assumption_of(ClaimKind kind) {
+  switch (kind) {
+    case ClaimKind::identity:
+    case ClaimKind::definition:
+      return Assumption::identity;
+    case ClaimKind::free:
+    case ClaimKind::is_false:
+      return Assumption::free;
+    default:
+      return Assumption::motion;
+  }
+}
+
+Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover) {
+  if (kind == ClaimKind::is_false) return judge_false(line, prover);
+  if (kind == ClaimKind::non_sequitur) return judge_inference(line, prover);
+  if (kind == ClaimKind::measured) return {};
+  return judge_equality(line, kind, prover);
+}
+
+}  // namespace polhode

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// Whether a claim holds: settled by exact arithmetic, with a counterexample where it does not.
+//
+// The two sides are rational functions of the state (moments, components of ω, ω̇, N …, quaternion) with
+// rational coefficients. They are compared at kSamples points drawn at random modulo p = 2⁶¹ − 1. One point
+// where they differ refutes the claim for certain. Where they are not the same function, a point at which
+// they agree is a zero of a polynomial of degree at most 2·kMaxDegree + 64 in all, which one random point is
+// with probability at most 8256/p < 4e-15 (Schwartz, J. ACM 27 (1980) 701-717, Lemma 1; Zippel, EUROSAM
+// 1979), so that kSamples independent ones all are with less than 3e-116. The points are drawn from a fixed
+// seed: runs repeat. So that no claim can be made up which agrees at just these, it is tried at two more
+// points, whose seed is a hash of its own text.
+//
+// Coefficients that p divides would vanish too. All operations turn with their vectors, so that the claim
+// says the same where the axes of body and space coincide; there the coefficients of the difference are whole
+// numbers whose size the reader bounds (Degree). Below 2⁶⁰ none but 0 is divisible by p. Otherwise the sides
+// are compared at one more point modulo 2¹²⁷ − 1, whose product with p divides none but 0 below 2¹⁸⁷; beyond,
+// the claim is undecided.
+//
+// Lengths, norm(a) = norm(b), are compared by their squares: neither is negative.
+#pragma once
+
+#include "lessons/claims/claim_state.h"
+#include "lessons/reader/lesson.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+inline constexpr int kSamples = 8;
+/// States that are tried for kSamples at which both sides are defined.
+inline constexpr int kMostSamples = 16;
+
+enum class Verdict { holds, fails, undecided };  ///< undecided: too seldom defined, or its numbers too large
+
+/// A possible body in a state of small whole numbers; axes of body and space coincide.
+struct Counterexample {
+  std::string state;        ///< "I = (2, 3, 4), ω = (1, 1, 0)"
+  std::string left, right;  ///< values of both sides; of a non-sequitur those of the conclusion
+};
+/// "at I = …: left …, right …"
+std::string to_string(const Counterexample& counterexample);
+
+/// Draws its states once (90 µs). A claim of the lecture then costs some 5 to 20 µs, one of 4096 bytes up to
+/// 10 ms; the search for a counterexample up to some 50 ms (tests/bench/claims_bench.cpp).
+class Prover {
+ public:
+  Prover();
+
+  Verdict settle(const Equality& equality, Assumption assumption) const;
+  /// A state where the equality fails; nothing if none of those tried is one.
+  std::optional<Counterexample> refute(const Equality& equality, Assumption assumption) const;
+  /// A motion with any torque in which the premise holds and the conclusion fails.
+  std::optional<Counterexample> refute_inference(const Equality& premise, const Equality& conclusion) const;
+
+ private:
+  const std::vector<ClaimState<FieldElement>>& samples(Assumption assumption) const {
+    return samples_[static_cast<std::size_t>(assumption)];
+  }
+  bool agrees_at_its_own_points(const Equality& equality, Assumption assumption) const;
+  Verdict confirmed(const Equality& equality, Assumption assumption) const;
+
+  std::array<std::vector<ClaimState<FieldElement>>, 3> samples_;
+  std::array<ClaimState<WideFieldElement>, 3> wide_;
+};
+
+/// What is to be said of a line of a claim.
+struct Judgement {
+  Verdict verdict = Verdict::holds;  ///< whether the line is what its kind says
+  std::string message, hint;         ///< of what is not
+  /// Of what does not hold; of the kinds false and non-sequitur, where it is what is claimed.
+  std::optional<Counterexample> counterexample;
+};
+
+/// Of any kind but measured, which is a matter of the scene: live_claims.h.
+Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover);
+
+/// What a kind assumes; of `false`, what it must fail under.
+Assumption assumption_of(ClaimKind kind);
+
+}  // namespace polhode

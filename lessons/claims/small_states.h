@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Possible bodies in states of small whole numbers, the simplest first: where counterexamples are looked for.
+// Internal to lessons/.
+#pragma once
+
+#include "lessons/claims/proof.h"
+
+namespace polhode {
+
+/// Of at most six digits; "−" is its minus.
+std::string number_text(double value);
+
+/// The first state in which the equality fails, and the premise, if there is one, holds. In words; what
+/// neither depends on under the assumption is left out.
+std::optional<Counterexample> first_small_state(const Equality& equality, const Equality* premise,
+                                                Assumption assumption);
+
+}  // namespace polhode

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/diagnostics/source_text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace polhode {
+namespace {
+
+bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
+std::string hex_byte(unsigned char byte) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  return {'0', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
+}
+
+struct LeadByte {
+  std::size_t length;  // of the whole character; 0: no character starts so
+  unsigned smallest;   // code point that needs this length (shorter forms are refused)
+  unsigned bits;
+};
+
+LeadByte lead(unsigned char byte) {
+  if (byte < 0x80U) return {1, 0, byte};
+  if (byte >= 0xC2U && byte < 0xE0U) return {2, 0x80, byte & 0x1FU};
+  if (byte >= 0xE0U && byte < 0xF0U) return {3, 0x800, byte & 0x0FU};
+  if (byte >= 0xF0U && byte < 0xF5U) return {4, 0x10000, byte & 0x07U};
+  return {0, 0, 0};
+}
+
+// Bytes of the character at the start of `bytes`, 0 if there is none (RFC 3629: no surrogates, no overlong
+// forms).
+std::size_t character_length(std::string_view bytes) {
+  const LeadByte first = lead(static_cast<unsigned char>(bytes[0]));
+  if (first.length == 0 || first.length > bytes.size()) return 0;
+  unsigned code = first.bits;
+  for (std::size_t i = 1; i < first.length; ++i) {
+    if (starts_character(bytes[i])) return 0;
+    code = (code << 6U) | (static_cast<unsigned char>(bytes[i]) & 0x3FU);
+  }
+  if (code < first.smallest || code > 0x10FFFFU || (code >= 0xD800U && code <= 0xDFFFU)) return 0;
+  return first.length;
+}
+
+bool is_forbidden_control(std::string_view bytes, std::size_t i) {
+  const auto byte = static_cast<unsigned char>(bytes[i]);
+  if (byte == '\r') return i + 1 >= bytes.size() || bytes[i + 1] != '\n';
+  const bool is_c1 =
+      byte == 0xC2U && i + 1 < bytes.size() && static_cast<unsigned char>(bytes[i + 1]) < 0xA0U;
+  return (byte < 0x20U && byte != '\n' && byte != '\t') || byte == 0x7FU || is_c1;
+}
+
+}  // namespace
+
+SourceText::SourceText(std::string_view text) : text_(text), begins_{0} {
+  begins_.reserve(1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n') begins_.push_back(i + 1);
+}
+
+std::string_view SourceText::line(int line) const { return lines(line, line); }
+
+std::string_view SourceText::lines(int first, int last) const {
+  if (last < first) return text_.substr(first > line_count() ? text_.size() : begin_of(first), 0);
+  const std::size_t begin = begin_of(first);
+  std::size_t end = last < line_count() ? begin_of(last + 1) - 1 : text_.size();
+  if (end > begin && text_[end - 1] == '\r') --end;
+  return text_.substr(begin, end - begin);
+}
+
+int SourceText::line_of(std::size_t offset) const {
+  return static_cast<int>(std::upper_bound(begins_.begin(), begins_.end(), offset) - begins_.begin());
+}
+
+SourcePlace SourceText::place_of(std::size_t offset) const {
+  const int line = line_of(offset);
+  return {line, 1 + count_characters(text_.substr(begin_of(line), offset - begin_of(line)))};
+}
+
+std::size_t SourceText::offset_of(SourcePlace place) const {
+  const SourcePlace nearest = clamp(place);
+  const std::string_view text = line(nearest.line);
+  std::size_t at = 0;
+  for (int column = 1; column < nearest.column; ++column) {
+    ++at;
+    while (at < text.size() && !starts_character(text[at])) ++at;
+  }
+  return begin_of(nearest.line) + at;
+}
+
+SourcePlace SourceText::clamp(SourcePlace place) const {
+  if (place.line < 1) return {1, 1};
+  const int last = std::min(place.line, line_count());
+  const int width = count_characters(line(last)) + 1;
+  return {last, place.line > line_count() ? width : std::clamp(place.column, 1, width)};
+}
+
+int count_characters(std::string_view utf8) {
+  return static_cast<int>(std::count_if(utf8.begin(), utf8.end(), starts_character));
+}
+
+SourcePlace advanced(SourcePlace start, std::string_view line, std::size_t offset) {
+  return {start.line, start.column + count_characters(line.substr(0, offset))};
+}
+
+SourcePlace PlaceCursor::advance_to(std::size_t offset) {
+  for (; offset_ < offset; ++offset_) {
+    if (text_[offset_] == '\n') {
+      place_ = {place_.line + 1, 1};
+    } else if (starts_character(text_[offset_])) {
+      ++place_.column;
+    }
+  }
+  return place_;
+}
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlank = " \t\r";
+  const std::size_t begin = text.find_first_not_of(kBlank);
+  if (begin == std::string_view::npos) return text.substr(0, 0);
+  return text.substr(begin, text.find_last_not_of(kBlank) - begin + 1);
+}
+
+bool is_blank(std::string_view line) { return trimmed(line).empty(); }
+
+std::optional<NotText> why_not_text(std::string_view bytes) {
+  for (std::size_t i = 0; i < bytes.size();) {
+    const std::size_t length = character_length(bytes.substr(i));
+    const std::string byte = hex_byte(static_cast<unsigned char>(bytes[i]));
+    if (length == 0) {
+      return NotText{i, "this is not UTF-8 text: no character starts with the byte " + byte + " here",
+                     "save the lesson as UTF-8"};
+    }
+    if (is_forbidden_control(bytes, i)) {
+      const std::string code = length == 1 ? byte : hex_byte(static_cast<unsigned char>(bytes[i + 1]));
+      return NotText{i, "this is not a text file: control character " + code,
+                     "a lesson is UTF-8 text with tabs and line feeds only"};
+    }
+    i += length;
+  }
+  return std::nullopt;
+}
+
+bool is_plain_line(std::string_view utf8) {
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto byte = [&](std::size_t ahead) {
+      return i + ahead < utf8.size() ? static_cast<unsigned char>(utf8[i + ahead]) : 0U;
+    };
+    if (byte(0) < 0x20 || byte(0) == 0x7F) return false;
+    if (byte(0) == 0xC2 && byte(1) < 0xA0) return false;
+    if (byte(0) != 0xE2) continue;
+    if (byte(1) == 0x80 && byte(2) >= 0xAA && byte(2) <= 0xAE) return false;
+    if (byte(1) == 0x81 && byte(2) >= 0xA6 && byte(2) <= 0xA9) return false;
+  }
+  return true;
+}
+
+}  // namespace polhode

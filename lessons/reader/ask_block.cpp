@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/ask_block.h"
+
+#include "base/suggest.h"
+#include "lessons/reader/keys.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order"};
+const std::vector<std::string> kModuloNames = {"identity", "motion", "free"};
+
+class AskReader {
+ public:
+  AskReader(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts)
+      : table_(table), texts_(texts), report_(texts.report()) {
+    ask_.id = std::move(id);
+    ask_.place = place;
+  }
+
+  std::optional<Ask> read() {
+    read_keys(
+        table_, "the question",
+        {{"type", [this](const TomlEntry& e) { type(e); }},
+         {"prompt", [this](const TomlEntry& e) { prompt(e); }},
+         {"choices", [this](const TomlEntry& e) { texts(e, kMaxChoices, ask_.choices, ask_.choice_texts); }},
+         {"answer", [](const TomlEntry&) {}},  // read last: it depends on the others
+         {"modulo", [this](const TomlEntry& e) { modulo(e); }},
+         {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints, ask_.hint_texts); }}},
+        report_);
+    for (const char* key : {"type", "prompt", "answer"}) {
+      if (table_.find(key) == nullptr) fail(ask_.place, "a question lacks " + in_quotes(key));
+    }
+    if (ok_) check_together();
+    if (ok_) answer(*table_.find("answer"));
+    return ok_ ? std::optional(std::move(ask_)) : std::nullopt;
+  }
+
+ private:
+  void fail(SourcePlace place, std::string message, std::string hint = {}) {
+    report_.error(place, std::move(message), std::move(hint));
+    ok_ = false;
+  }
+
+  // Position of a string among the names, or nothing.
+  std::optional<std::size_t> one_of(const TomlEntry& entry, const std::vector<std::string>& names) {
+    const auto name = read_text(entry, report_);
+    if (!name) {
+      ok_ = false;
+      return std::nullopt;
+    }
+    const auto found = std::find(names.begin(), names.end(), *name);
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+    fail(entry.value.place, "unknown " + entry.key + ' ' + in_quotes(*name), suggestion(*name, names));
+    return std::nullopt;
+  }
+
+  void type(const TomlEntry& entry) {
+    if (const auto index = one_of(entry, kTypeNames)) ask_.type = static_cast<Ask::Type>(*index);
+  }
+  void modulo(const TomlEntry& entry) {
+    if (const auto index = one_of(entry, kModuloNames)) ask_.modulo = kModuloNames[*index];
+  }
+
+  void prompt(const TomlEntry& entry) {
+    auto text = read_text(entry, report_);
+    ok_ = ok_ && text;
+    if (!text) return;
+    if (is_blank(*text)) fail(entry.value.place, "a prompt says what is asked");
+    ask_.prompt_text = line(*text, entry.value.place);
+    ask_.prompt = std::move(*text);
+  }
+
+  RichText line(const std::string& text, SourcePlace place) {
+    return texts_.line(located_string(texts_.source(), place, text));
+  }
+
+  void texts(const TomlEntry& entry, std::size_t max_count, std::vector<std::string>& into,
+             std::vector<RichText>& rich) {
+    const auto list = read_texts(entry, max_count, report_);
+    ok_ = ok_ && list;
+    if (!list) return;
+    for (const PlacedText& text : *list) {
+      rich.push_back(line(text.text, text.place));
+      into.push_back(text.text);
+    }
+  }
+
+  void check_together() {
+    const bool expression = ask_.type == Ask::Type::expression;
+    const TomlEntry* choices = table_.find("choices");
+    const TomlEntry* modulo = table_.find("modulo");
+    if (expression && choices != nullptr) fail(choices->place, "a question for an expression has no choices");
+    if (!expression && ask_.choices.size() < 2) {
+      fail(choices == nullptr ? ask_.place : choices->value.place,
+           "a question of type " + in_quotes(kTypeNames[static_cast<std::size_t>(ask_.type)]) +
+               " needs at least two choices");
+    }
+    if (!expression && modulo != nullptr) fail(modulo->place, "\"modulo\" is of questions for an expression");
+    if (expression && modulo == nullptr) ask_.modulo = "identity";
+  }
+
+  void answer(const TomlEntry& entry) {
+    if (ask_.type == Ask::Type::expression) {
+      const auto text = read_text(entry, report_);
+      if (text) ask_.expression = read_expression(*text, inside_quotes(entry.value.place), report_);
+      ok_ = ask_.expression.has_value();
+      if (ok_ && ask_.expression->uses(Operation::norm))
+        fail(entry.value.place, "a length is a root, and answers are proved: norm cannot be in them",
+             "ask for its square, norm2(a)");
+    } else if (ask_.type == Ask::Type::order) {
+      order(entry);
+    } else {
+      index(entry.value);
+    }
+  }
+
+  // A 1-based index of a choice.
+  bool index(const TomlValue& value) {
+    const auto* number = value.as<std::int64_t>();
+    const auto count = static_cast<std::int64_t>(ask_.choices.size());
+    if (number == nullptr || *number < 1 || *number > count) {
+      fail(value.place, "the answer is the number of a choice, 1 to " + std::to_string(count));
+      return false;
+    }
+    ask_.answers.push_back(static_cast<int>(*number));
+    return true;
+  }
+
+  void order(const TomlEntry& entry) {
+    const auto* list = entry.value.as<TomlArray>();
+    if (list == nullptr || list->size() != ask_.choices.size()) {
+      fail(entry.value.place, "the answer lists the numbers of all " + std::to_string(ask_.choices.size()) +
+                                  " choices in their order");
+      return;
+    }
+    std::set<int> seen;
+    for (const TomlValue& value : *list) {
+      if (!index(value)) return;
+      if (!seen.insert(ask_.answers.back()).second)
+        fail(value.place, "choice " + std::to_string(ask_.answers.back()) + " twice");
+    }
+  }
+
+  const TomlTable& table_;
+  TextReader& texts_;
+  Report& report_;
+  Ask ask_;
+  bool ok_ = true;
+};
+
+}  // namespace
+
+std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts) {
+  return AskReader(table, std::move(id), place, texts).read();
+}
+
+}  // namespace polhode

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Keys of an ```ask fence.
+#pragma once
+
+#include "lessons/reader/lesson.h"
+#include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/toml_tree.h"
+
+#include <optional>
+#include <string>
+
+namespace polhode {
+
+inline constexpr std::size_t kMaxChoices = 16;
+inline constexpr std::size_t kMaxHints = 16;
+
+/// The question its keys state; `place` is that of the fence. Nothing, and reports, if a key is wrong or
+/// missing.
+std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts);
+
+}  // namespace polhode

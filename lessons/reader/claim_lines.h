@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The lines of a ```claim fence.
+#pragma once
+
+#include "lessons/diagnostics/report.h"
+#include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/lesson.h"
+
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+/// Nothing if no kind has the name.
+std::optional<ClaimKind> claim_kind_from(std::string_view name);
+std::vector<std::string> claim_kind_names();
+
+/// Lines of one claim that are read at most.
+inline constexpr std::size_t kMaxClaimLines = 64;
+
+/// Claims on the lines first…last of the source, each `left = right`, `premise => conclusion` for a
+/// non-sequitur, with `within 1e-9` at its end allowed for a measured one. Empty lines are passed over; wrong
+/// ones are reported and left out.
+std::vector<ClaimLine> read_claim_lines(const SourceText& source, int first_line, int last_line,
+                                        ClaimKind kind, Report& report);
+
+}  // namespace polhode

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/front_matter.h"
+
+#include "base/suggest.h"
+#include "physics/body/bodies.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+constexpr std::int64_t kFormat = 1;
+constexpr std::string_view kFence = "+++";
+
+void read_format(const TomlEntry& entry, Report& report) {
+  const auto* format = entry.value.as<std::int64_t>();
+  if (format == nullptr || *format != kFormat) {
+    report.error(entry.value.place, "this program reads format 1 only", "write format = 1");
+  }
+}
+
+void read_lesson_id(const TomlEntry& entry, FrontMatter& front, Report& report) {
+  const auto id = read_text(entry, report);
+  if (!id) return;
+  if (is_id(*id))
+    front.id = *id;
+  else
+    report.error(entry.value.place, "bad lesson id " + in_quotes(*id), std::string(kIdRule));
+}
+
+void read_title(const TomlEntry& entry, FrontMatter& front, Report& report) {
+  const auto title = read_text(entry, report);
+  if (!title) return;
+  if (is_blank(*title) || !is_plain_line(*title)) {
+    report.error(entry.value.place, "a title is one line of text without control characters");
+  }
+  front.title = *title;
+}
+
+// What [body.NAME] may say; nothing is filled in that the author did not write.
+struct BodyKeys {
+  std::optional<Vec3> moments;
+  std::optional<ShapeKind> shape;
+  std::optional<Vec3> size_m;
+  std::optional<double> mass_kg;
+  bool draw_box = false;
+};
+
+std::optional<ShapeKind> read_shape(const TomlEntry& entry, Report& report) {
+  const auto name = read_text(entry, report);
+  if (!name) return std::nullopt;
+  const auto kind = shape_kind_from(*name);
+  if (!kind) {
+    report.error(entry.value.place, "unknown shape " + in_quotes(*name),
+                 suggestion(*name, {"box", "ellipsoid", "cylinder", "t-handle"}));
+  }
+  return kind;
+}
+
+BodyKeys read_body_keys(const TomlTable& table, const std::string& where, Report& report) {
+  BodyKeys keys;
+  const auto draw = [&](const TomlEntry& e) {
+    const auto name = read_text(e, report);
+    keys.draw_box = name && *name == "box";
+    if (name && !keys.draw_box) {
+      report.error(e.value.place, "cannot draw " + in_quotes(*name) + " from moments",
+                   suggestion(*name, {"box"}));
+    }
+  };
+  read_keys(table, where,
+            {{"moments", [&](const TomlEntry& e) { keys.moments = read_vector(e, report); }},
+             {"shape", [&](const TomlEntry& e) { keys.shape = read_shape(e, report); }},
+             {"size_m", [&](const TomlEntry& e) { keys.size_m = read_vector(e, report); }},
+             {"mass_kg", [&](const TomlEntry& e) { keys.mass_kg = read_positive_number(e, report); }},
+             {"draw", draw}},
+            report);
+  return keys;
+}
+
+// True if the keys together say one thing: moments, or a shape with size and mass.
+bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& report) {
+  const bool by_moments = table.find("moments") != nullptr;
+  bool consistent = true;
+  for (const char* key : {"shape", "size_m", "mass_kg"}) {
+    const TomlEntry* given = table.find(key);
+    if (by_moments && given != nullptr) {
+      report.error(given->place, "a body has moments or a shape, not both", "leave one out");
+      return false;
+    }
+    if (!by_moments && given == nullptr) {
+      report.error(entry.place, "body " + in_quotes(entry.key) + " lacks " + in_quotes(key),
+                   "give moments = [I1, I2, I3], or shape, size_m and mass_kg");
+      consistent = false;
+    }
+  }
+  if (!by_moments && table.find("draw") != nullptr) {
+    report.error(table.find("draw")->place, "\"draw\" is for bodies given by moments",
+                 "a body with a shape is drawn as that shape");
+    consistent = false;
+  }
+  return consistent;
+}
+
+std::optional<Body> make_body_from(const std::string& name, const BodyKeys& keys) {
+  if (keys.moments) {
+    const Vec3& I = *keys.moments;
+    Body body{name, PrincipalMoments(I[0], I[1], I[2]), std::nullopt};
+    if (keys.draw_box) body.shape = equivalent_box(body.moments);
+    return body;
+  }
+  if (keys.shape && keys.size_m && keys.mass_kg)
+    return make_body(name, *keys.shape, *keys.size_m, *keys.mass_kg);
+  return std::nullopt;
+}
+
+std::optional<Body> read_body(const TomlEntry& entry, Report& report) {
+  const auto* table = entry.value.as<TomlTable>();
+  if (table == nullptr) {
+    report.error(entry.value.place, "a body takes a table, found " + std::string(entry.value.kind()),
+                 "write [body." + entry.key + "] and its keys below");
+    return std::nullopt;
+  }
+  if (!is_id(entry.key)) {
+    report.error(entry.place, "bad body name " + in_quotes(entry.key), std::string(kIdRule));
+    return std::nullopt;
+  }
+  const BodyKeys keys = read_body_keys(*table, "[body." + entry.key + "]", report);
+  if (!check_body_keys(entry, *table, report)) return std::nullopt;
+  try {
+    return make_body_from(entry.key, keys);
+  } catch (const std::domain_error& error) {
+    const TomlEntry* culprit = table->find(keys.moments ? "moments" : "size_m");
+    report.error(culprit->place, error.what());
+    return std::nullopt;
+  }
+}
+
+void read_bodies(const TomlEntry& entry, FrontMatter& front, Report& report) {
+  const auto* table = entry.value.as<TomlTable>();
+  if (table == nullptr) {
+    report.error(entry.value.place,
+                 "\"body\" takes a table of bodies, found " + std::string(entry.value.kind()),
+                 "write [body.NAME]; a scene's body goes below [scene]");
+    return;
+  }
+  for (const TomlEntry& one : table->entries) {
+    if (auto body = read_body(one, report)) {
+      front.bodies.named.insert_or_assign(one.key, std::move(*body));
+      const auto* keys = one.value.as<TomlTable>();
+      if (keys != nullptr && keys->find("draw") != nullptr) front.bodies.drawn_as_box.insert(one.key);
+    } else {
+      front.bodies.complete = false;
+    }
+  }
+}
+
+void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
+  const auto role = read_text(entry, report);
+  if (!role) return;
+  const auto& roles = color_roles();
+  if (std::find(roles.begin(), roles.end(), *role) != roles.end())
+    symbol.role = *role;
+  else
+    report.error(entry.value.place, "unknown role " + in_quotes(*role), suggestion(*role, roles));
+}
+
+void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
+  const auto* table = entry.value.as<TomlTable>();
+  if (table == nullptr) {
+    report.error(entry.value.place, "a symbol takes a table, found " + std::string(entry.value.kind()),
+                 "write " + entry.key + " = { tex = '…', say = \"…\" }");
+    return;
+  }
+  Symbol symbol;
+  const auto text_into = [&report](std::string& target) {
+    return [&report, &target](const TomlEntry& e) {
+      if (auto text = read_text(e, report)) target = std::move(*text);
+    };
+  };
+  const auto line_into = [&report](std::string& target) {
+    return [&report, &target](const TomlEntry& e) {
+      auto text = read_text(e, report);
+      if (text && !is_plain_line(*text))
+        report.error(e.value.place, in_quotes(e.key) + " is one line of text without control characters");
+      else if (text)
+        target = std::move(*text);
+    };
+  };
+  read_keys(*table, "symbol " + in_quotes(entry.key),
+            {{"tex", text_into(symbol.tex)},
+             {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
+             {"say", line_into(symbol.say)},
+             {"unit", line_into(symbol.unit)}},
+            report);
+  if (const TomlEntry* tex = table->find("tex")) {
+    const LocatedText located = located_string(texts.source(), tex->value.place, symbol.tex);
+    symbol.offset = located.offset_of(0);
+    if (auto math = texts.formula(located)) symbol.math = std::move(*math);
+  } else {
+    report.error(entry.place, "symbol " + in_quotes(entry.key) + " lacks \"tex\"");
+  }
+  front.symbols.insert_or_assign(entry.key, std::move(symbol));
+}
+
+void read_symbols(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
+  const auto* table = entry.value.as<TomlTable>();
+  if (table == nullptr) {
+    report.error(entry.value.place, "\"symbols\" takes a table, found " + std::string(entry.value.kind()));
+    return;
+  }
+  if (table->entries.size() > kMaxSymbols) {
+    report.error(entry.place, "a lesson has at most " + std::to_string(kMaxSymbols) + " symbols");
+    return;
+  }
+  for (const TomlEntry& symbol : table->entries) read_symbol(symbol, front, texts);
+}
+
+void read_base_scene(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
+  const auto* table = entry.value.as<TomlTable>();
+  if (table == nullptr) {
+    report.error(entry.value.place, "\"scene\" takes a table, found " + std::string(entry.value.kind()));
+    return;
+  }
+  for (const PlacedText& name : read_scene_keys(*table, front.bodies, front.scene, texts)) {
+    if (overlay_from(name.text)) continue;
+    report.error(name.place,
+                 "the front matter can highlight overlays only, " + in_quotes(name.text) + " is none",
+                 suggestion(name.text, overlay_names()));
+  }
+}
+
+// '…', or { arguments = 1, tex = '…' }.
+void read_macro(const TomlEntry& entry, TextReader& texts) {
+  Report& report = texts.report();
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  if (!std::all_of(entry.key.begin(), entry.key.end(), is_letter)) {
+    report.error(entry.place, "bad name of a macro " + in_quotes(entry.key),
+                 "a macro's name has letters only");
+    return;
+  }
+  MathMacro macro;
+  const auto arguments = [&](const TomlEntry& e) {
+    const auto* count = e.value.as<std::int64_t>();
+    if (count == nullptr || *count < 0 || *count > 9)
+      report.error(e.value.place, "a macro has 0 to 9 arguments");
+    else
+      macro.arguments = static_cast<int>(*count);
+  };
+  const auto tex = [&](const TomlEntry& e) {
+    if (auto text = read_text(e, report)) macro.body = std::move(*text);
+  };
+  if (const auto* table = entry.value.as<TomlTable>()) {
+    read_keys(*table, "macro " + in_quotes(entry.key), {{"arguments", arguments}, {"tex", tex}}, report);
+    if (table->find("tex") == nullptr)
+      report.error(entry.place, "macro " + in_quotes(entry.key) + " lacks \"tex\"");
+  } else {
+    tex(entry);
+  }
+  texts.macros().insert_or_assign(entry.key, std::move(macro));
+}
+
+void read_macros(const TomlEntry& entry, TextReader& texts) {
+  const auto* table = entry.value.as<TomlTable>();
+  if (table == nullptr) {
+    texts.report().error(entry.value.place,
+                         "\"macros\" takes a table, found " + std::string(entry.value.kind()),
+                         "write [macros], and name = '…' below");
+    return;
+  }
+  if (table->entries.size() > kMaxMacros) {
+    texts.report().error(entry.place, "a lesson has at most " + std::to_string(kMaxMacros) + " macros");
+    return;
+  }
+  for (const TomlEntry& macro : table->entries) read_macro(macro, texts);
+}
+
+void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
+  // Formulas use macros, so these come first; the scene names bodies, so it comes last.
+  if (const TomlEntry* macros = table.find("macros")) read_macros(*macros, texts);
+  const TomlEntry* scene = table.find("scene");
+  const auto later = [](const TomlEntry&) {};  // or already
+  read_keys(table, "the front matter",
+            {{"format", [&](const TomlEntry& e) { read_format(e, report); }},
+             {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
+             {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
+             {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
+             {"macros", later},
+             {"symbols", [&](const TomlEntry& e) { read_symbols(e, front, texts); }},
+             {"scene", later}},
+            report);
+  if (scene != nullptr) read_base_scene(*scene, front, texts);
+  for (const char* key : {"format", "id", "title"}) {
+    if (table.find(key) == nullptr) {
+      report.error({1, 1}, "the front matter lacks " + in_quotes(key));
+    }
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& color_roles() {
+  static const std::vector<std::string> roles = {"omega", "L", "N", "polhode", "herpolhode", "axes"};
+  return roles;
+}
+
+FrontMatter read_front_matter(TextReader& texts) {
+  Report& report = texts.report();
+  const SourceText& source = texts.source();
+  FrontMatter front;
+  if (trimmed(source.line(1)) != kFence) {
+    report.error({1, 1}, "a lesson starts with a line +++ and its front matter",
+                 "write +++, then format = 1, id, title, then +++");
+    front.bodies.complete = false;
+    return front;
+  }
+  int last = 2;
+  while (last <= source.line_count() && trimmed(source.line(last)) != kFence) ++last;
+  if (last > source.line_count()) {
+    report.error({1, 1}, "the front matter is never closed", "end it with a line +++");
+    front.next_line = source.line_count() + 1;
+    return front;
+  }
+  front.next_line = last + 1;
+  if (const auto table = parse_toml(source.lines(2, last - 1), 2, report)) {
+    read_front_table(*table, front, texts);
+  } else {
+    front.bodies.complete = false;
+  }
+  return front;
+}
+
+}  // namespace polhode

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The TOML between the +++ lines at the top of a lesson.
+#pragma once
+
+#include "lessons/reader/lesson.h"
+#include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/scene_keys.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+struct FrontMatter {
+  std::string id;
+  std::string title;
+  std::map<std::string, Symbol> symbols;
+  LessonBodies bodies;
+  LessonScene scene;  ///< what every stage starts from
+  int next_line = 1;  ///< first line after the closing +++
+};
+
+/// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.
+FrontMatter read_front_matter(TextReader& texts);
+
+inline constexpr std::size_t kMaxMacros = 64;
+/// Each atom of a formula is compared with each symbol.
+inline constexpr std::size_t kMaxSymbols = 200;
+
+/// Roles a symbol's colour can have.
+const std::vector<std::string>& color_roles();
+
+}  // namespace polhode

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+// A lesson as data: stages, their steps, and on each step text, mathematics, claims, questions and a scene.
+// The file format is in lessons/FORMAT.md. Texts are there as they are written and ready to be set; the
+// places in the latter count bytes of Lesson::source.
+#pragma once
+
+#include "lessons/claims/expression.h"
+#include "lessons/diagnostics/diagnostic.h"
+#include "render/scene/description/scene.h"
+#include "render/typeset/rich_text.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace polhode {
+
+/// Prose between two fences: Markdown as written (inline $…$ included), without the block's own syntax.
+struct Prose {
+  std::string markdown;
+  RichText text;
+  SourcePlace place;
+};
+
+/// Display mathematics: ```math ID.
+struct Equation {
+  std::string id;
+  std::string tex;
+  std::string tag;  ///< of \tag{…}, e.g. "5"; empty: unnumbered
+  Math math;
+  std::size_t offset = 0;  ///< of the TeX in Lesson::source
+  SourcePlace place;
+  std::vector<Expression> live{};  ///< of its \live numbers: scalars
+};
+
+enum class ClaimKind { identity, definition, law, motion, free, is_false, measured, non_sequitur };
+std::string_view name_of(ClaimKind kind);
+
+/// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. proof.h settles it.
+struct ClaimLine {
+  Equality equality;                   ///< of a non-sequitur the premise
+  std::optional<Equality> conclusion;  ///< of a non-sequitur
+  std::optional<double> within;        ///< of `measured`: relative tolerance after the word
+  SourcePlace place;
+};
+struct Claim {
+  std::string equation;  ///< id of an equation of the same stage
+  ClaimKind kind = ClaimKind::identity;
+  std::vector<ClaimLine> lines;
+  SourcePlace place;
+};
+
+/// What the lecture said, or meant: a block quote that opens with [!said] or [!meant].
+struct Callout {
+  enum class Kind { said, meant } kind = Kind::said;
+  std::string markdown;
+  RichText text;
+  SourcePlace place;
+};
+
+struct Ask {
+  enum class Type { expression, choice, predict, order };
+  std::string id;
+  Type type = Type::expression;
+  std::string prompt;
+  RichText prompt_text;
+  std::vector<std::string> choices;
+  std::vector<RichText> choice_texts;
+  std::optional<Expression> expression;  ///< the answer, of type expression
+  std::vector<int> answers;              ///< the answer, of other types: 1-based, one index or all in order
+  std::string modulo;                    ///< identity | motion | free; of expressions
+  std::vector<std::string> hints;
+  std::vector<RichText> hint_texts;
+  SourcePlace place;
+};
+
+/// Choices are called A, B, C … wherever they are shown or read; there are at most 16.
+constexpr char letter_of_choice(std::size_t index) { return static_cast<char>('A' + index); }
+
+using Block = std::variant<Prose, Equation, Claim, Callout, Ask>;
+
+/// A step adds blocks to what the stage already shows; its scene is complete (inherited keys filled in).
+struct Step {
+  std::vector<Block> blocks;
+  std::optional<Scene> scene;  ///< absent: text alone
+  /// The scene's, null if it has none; steps that go on with a caption share it.
+  std::shared_ptr<const RichText> caption;
+};
+
+struct Stage {
+  std::string id;
+  std::string title;
+  RichText title_text;
+  std::vector<Step> steps;  ///< at least one
+  SourcePlace place;
+};
+
+struct Symbol {
+  std::string tex;
+  Math math;
+  std::size_t offset = 0;  ///< of the TeX in Lesson::source
+  std::string role;        ///< colour role
+  std::string say;         ///< spoken form
+  std::string unit;
+};
+
+struct Lesson {
+  std::string id;
+  std::string title;
+  std::map<std::string, Symbol> symbols;
+  MathMacros macros;  ///< of the author
+  std::vector<Stage> stages;
+  std::string source;  ///< the whole file, without a byte order mark
+
+  const Stage* find_stage(std::string_view stage_id) const;
+};
+
+}  // namespace polhode

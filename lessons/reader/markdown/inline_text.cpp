@@ -1,0 +1,460 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/markdown/inline_text.h"
+
+#include "lessons/reader/markdown/inline_math.h"
+#include "render/typeset/characters.h"
+#include "render/typeset/line_formulas.h"
+#include "render/typeset/math/tree.h"
+
+#include <md4c.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <functional>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+constexpr int kStop = -1;  // a positive answer of a callback is lost on its way out of md4c
+
+/// Before a text that is one paragraph: what follows a word and a space opens no block.
+constexpr std::string_view kParagraphOpener = "x ";
+
+struct NamedCharacter {
+  std::string_view name;
+  char32_t character;
+};
+/// Those with a use in text; formulas have the rest.
+constexpr std::array<NamedCharacter, 20> kEntities = {
+    {{"amp", U'&'},     {"lt", U'<'},      {"gt", U'>'},      {"quot", U'"'},     {"apos", U'\''},
+     {"nbsp", 0xA0},    {"ndash", 0x2013}, {"mdash", 0x2014}, {"hellip", 0x2026}, {"lsquo", 0x2018},
+     {"rsquo", 0x2019}, {"ldquo", 0x201C}, {"rdquo", 0x201D}, {"middot", 0xB7},   {"times", 0xD7},
+     {"deg", 0xB0},     {"plusmn", 0xB1},  {"sect", 0xA7},    {"rarr", 0x2192},   {"minus", 0x2212}}};
+
+/// The character of `&name;` or `&#…;`; nothing if there is none.
+std::optional<char32_t> entity_character(std::string_view entity) {
+  std::string_view name = entity.substr(1, entity.size() - 2);
+  if (name.substr(0, 1) != "#") {
+    const auto found = std::find_if(kEntities.begin(), kEntities.end(),
+                                    [name](const NamedCharacter& e) { return e.name == name; });
+    if (found == kEntities.end()) return std::nullopt;
+    return found->character;
+  }
+  const bool hex = name.size() > 1 && (name[1] == 'x' || name[1] == 'X');
+  name.remove_prefix(hex ? 2 : 1);
+  std::uint32_t value = 0;
+  const auto read = std::from_chars(name.data(), name.data() + name.size(), value, hex ? 16 : 10);
+  const bool is_control = value < 0x20 || (value >= 0x7F && value < 0xA0);
+  const bool is_character = !is_control && value <= 0x10FFFF && !(value >= 0xD800 && value <= 0xDFFF);
+  if (read.ec != std::errc{} || read.ptr != name.data() + name.size() || !is_character) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+/// Turns md4c's calls into blocks and spans. md4c reads a copy in which letters stand for the formulas, so
+/// that no mark of Markdown in them counts; its pointers into the copy say where everything is.
+class TextReader::Builder {
+ public:
+  Builder(TextReader& reader, const LocatedText& markdown, bool one_paragraph)
+      : reader_(reader), markdown_(markdown), text_(markdown.text()), one_paragraph_(one_paragraph) {}
+
+  RichText run() {
+    formulas_ = find_inline_math(markdown_, reader_.report_);
+    make_copy();
+    MD_PARSER parser{};
+    parser.flags = MD_FLAG_NOINDENTEDCODEBLOCKS | MD_FLAG_TABLES;
+    parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* self) {
+      return static_cast<Builder*>(self)->enter_block(type, detail);
+    };
+    parser.leave_block = [](MD_BLOCKTYPE type, void*, void* self) {
+      return static_cast<Builder*>(self)->leave_block(type);
+    };
+    parser.enter_span = [](MD_SPANTYPE type, void* detail, void* self) {
+      return static_cast<Builder*>(self)->enter_span(type, detail);
+    };
+    parser.leave_span = [](MD_SPANTYPE type, void*, void* self) {
+      return static_cast<Builder*>(self)->leave_span(type);
+    };
+    parser.text = [](MD_TEXTTYPE type, const MD_CHAR* text, MD_SIZE size, void* self) {
+      return static_cast<Builder*>(self)->add_text(type, {text, size});
+    };
+    const int stopped = md_parse(copy_.data(), static_cast<MD_SIZE>(copy_.size()), &parser, this);
+    if (stopped != 0 && !saw_limit_) error(0, "there is not enough memory to read this text");
+    if (stopped != 0) return {};
+    report_lost_formulas(text_.size());
+    if (saw_unread_block_ && !reader_.report_.has_errors())
+      error(0, "a heading or fence inside a text is not read", "begin it at the margin");
+    for (TextBlock& block : blocks_) block.spans.shrink_to_fit();
+    return std::move(blocks_);
+  }
+
+ private:
+  struct List {
+    bool numbered = false;
+    unsigned next = 1;
+    char delimiter = '.';
+  };
+
+  void make_copy() {
+    copy_ = one_paragraph_ ? std::string(kParagraphOpener) : std::string();
+    opener_ = copy_.size();
+    copy_ += text_;
+    for (const SourceSpan& formula : formulas_)
+      std::fill(copy_.begin() + static_cast<std::ptrdiff_t>(opener_ + formula.begin - 1),
+                copy_.begin() + static_cast<std::ptrdiff_t>(opener_ + formula.end + 1), 'x');
+    if (one_paragraph_) std::replace(copy_.begin(), copy_.end(), '\n', ' ');
+  }
+
+  void error(std::size_t at, std::string message, std::string hint = {}) {
+    reader_.report_.error(reader_.source().place_of(markdown_.offset_of(std::min(at, text_.size()))),
+                          std::move(message), std::move(hint));
+  }
+  /// Where the next of these bytes is, or the place reached.
+  std::size_t next_of(std::string_view bytes) const {
+    const std::size_t found = text_.find(bytes, cursor_);
+    return found == std::string_view::npos ? cursor_ : found;
+  }
+  std::size_t next_line_begin() const {
+    const std::size_t found = text_.find_first_not_of(" \t\r\n", cursor_);
+    return found == std::string_view::npos ? cursor_ : found;
+  }
+
+  // ---- Blocks
+
+  int enter_block(MD_BLOCKTYPE type, void* detail) {
+    block_is_open_ = false;
+    switch (type) {
+      case MD_BLOCK_UL:
+        lists_.push_back({});
+        break;
+      case MD_BLOCK_OL: {
+        const auto* list = static_cast<MD_BLOCK_OL_DETAIL*>(detail);
+        lists_.push_back({true, list->start, list->mark_delimiter});
+        break;
+      }
+      case MD_BLOCK_LI:
+        marker_ = next_marker();
+        open_block();
+        block_is_open_ = false;  // its paragraph, if it has one, goes on with this block
+        item_is_new_ = true;
+        break;
+      case MD_BLOCK_QUOTE:
+        error(next_of(">"), "a quote inside a text is not read", "begin it at the margin");
+        break;
+      case MD_BLOCK_HR:
+        error(next_line_begin(), "a rule inside a text is not read", "begin it at the margin");
+        break;
+      case MD_BLOCK_TABLE:
+        error(next_line_begin(), "tables are not read", "write a list, or \\begin{array} in a ```math fence");
+        break;
+      case MD_BLOCK_HTML:
+        in_html_ = true;
+        error(next_of("<"), "HTML is not read", "write \\< for the sign <");
+        break;
+      case MD_BLOCK_CODE:
+      case MD_BLOCK_H:
+        saw_unread_block_ = true;  // read_markdown has reported it
+        break;
+      default:
+        break;
+    }
+    return 0;
+  }
+
+  int leave_block(MD_BLOCKTYPE type) {
+    if ((type == MD_BLOCK_UL || type == MD_BLOCK_OL) && !lists_.empty()) lists_.pop_back();
+    block_is_open_ = false;
+    if (type == MD_BLOCK_HTML) in_html_ = false;
+    item_is_new_ = item_is_new_ && type != MD_BLOCK_LI;
+    return 0;
+  }
+
+  std::string next_marker() {
+    if (lists_.empty()) return "";
+    List& list = lists_.back();
+    if (!list.numbered) return lists_.size() == 1 ? "•" : "–";
+    return std::to_string(list.next++) + list.delimiter;
+  }
+
+  void open_block() {
+    blocks_.push_back({static_cast<int>(lists_.size()), std::exchange(marker_, ""), {}});
+    block_is_open_ = true;
+  }
+
+  std::vector<TextSpan>& spans() {
+    if (!block_is_open_) {
+      if (!item_is_new_) open_block();
+      block_is_open_ = true;
+      item_is_new_ = false;
+    }
+    return blocks_.back().spans;
+  }
+
+  // ---- Spans
+
+  int enter_span(MD_SPANTYPE type, void* detail) {
+    if (type == MD_SPAN_STRONG) ++bold_;
+    if (type == MD_SPAN_EM) ++italic_;
+    if (type == MD_SPAN_CODE) ++code_;
+    if (type == MD_SPAN_IMG)
+      error(next_of("!["), "images are not read", "a ```scene fence draws the figure of a step");
+    if (type == MD_SPAN_A) {
+      const MD_ATTRIBUTE& href = static_cast<MD_SPAN_A_DETAIL*>(detail)->href;
+      link_ = href.size > 0 ? std::string(href.text, href.size) : "#";
+    }
+    return 0;
+  }
+
+  int leave_span(MD_SPANTYPE type) {
+    if (type == MD_SPAN_STRONG) --bold_;
+    if (type == MD_SPAN_EM) --italic_;
+    if (type == MD_SPAN_CODE) --code_;
+    if (type == MD_SPAN_A) link_.clear();
+    return 0;
+  }
+
+  int add_text(MD_TEXTTYPE type, std::string_view part) {
+    if (saw_limit_) return kStop;
+    if (type == MD_TEXT_BR) {
+      if (!spans().empty()) spans().back().break_after = true;
+      return 0;
+    }
+    // What md4c writes itself, for line ends, is no part of the copy.
+    const std::less<const char*> before;
+    const bool in_copy =
+        !before(part.data(), copy_.data()) && before(part.data(), copy_.data() + copy_.size());
+    if (!in_copy || type == MD_TEXT_SOFTBR) {
+      add_plain(" ", {0, 0}, false);
+      return 0;
+    }
+    std::size_t begin = static_cast<std::size_t>(part.data() - copy_.data());
+    const std::size_t end = begin + part.size();
+    begin = std::max(begin, opener_);
+    if (begin < end) add_part(type, begin - opener_, end - opener_);
+    return saw_limit_ ? kStop : 0;
+  }
+
+  /// Cuts the formulas out of [begin, end).
+  void add_part(MD_TEXTTYPE type, std::size_t begin, std::size_t end) {
+    report_lost_formulas(begin);
+    while (next_formula_ < formulas_.size() && formulas_[next_formula_].end < end) {
+      const SourceSpan formula = formulas_[next_formula_++];
+      add_words(type, begin, formula.begin - 1);
+      add_formula(formula);
+      begin = formula.end + 1;
+    }
+    add_words(type, begin, end);
+    cursor_ = std::max(cursor_, end);
+  }
+
+  /// Of formulas that begin before `end` and were in no text: they are in a link's address or the like.
+  void report_lost_formulas(std::size_t end) {
+    while (next_formula_ < formulas_.size() && formulas_[next_formula_].begin - 1 < end)
+      error(formulas_[next_formula_++].begin - 1, "a formula cannot stand here",
+            "write \\$ for a dollar sign");
+  }
+
+  void add_words(MD_TEXTTYPE type, std::size_t begin, std::size_t end) {
+    if (begin >= end) return;
+    const std::string_view words = text_.substr(begin, end - begin);
+    if (type == MD_TEXT_HTML) {
+      if (!in_html_) error(begin, "HTML is not read", "write \\< for the sign <");
+    } else if (type == MD_TEXT_ENTITY && words.front() == '&' && words.back() == ';') {
+      add_entity(begin, words, markdown_.span_of(begin, end));
+    } else {
+      for (std::size_t at = begin; at < end;) {
+        const std::size_t piece_end = std::min(end, markdown_.end_of_piece(at));
+        const SourceSpan there = markdown_.span_of(at, piece_end);
+        add_plain(text_.substr(at, piece_end - at), there, there.end - there.begin == piece_end - at);
+        at = piece_end;
+      }
+    }
+  }
+
+  void add_entity(std::size_t begin, std::string_view entity, SourceSpan source) {
+    const auto character = entity_character(entity);
+    if (!character) {
+      error(begin, "unknown character " + std::string(entity), "write the character itself, or \\&");
+      return;
+    }
+    std::string text;
+    append_utf8(text, *character);
+    add_plain(text, source, false);
+  }
+
+  bool continues(const TextSpan& last, SourceSpan source, bool verbatim) const {
+    return verbatim && last.kind == TextSpan::Kind::text && last.bold == (bold_ > 0) &&
+           last.italic == (italic_ > 0) && last.code == (code_ > 0) && last.link == link_ &&
+           !last.break_after && last.source.end == source.begin &&
+           last.text.size() == last.source.end - last.source.begin;
+  }
+
+  /// A line end has no place of its own: that of the text before it is taken.
+  void add_plain(std::string_view words, SourceSpan source, bool verbatim) {
+    std::vector<TextSpan>& into = spans();
+    if (source.end == 0) {
+      const std::uint32_t at = into.empty() ? 0 : into.back().source.end;
+      source = {at, at + 1};
+      verbatim = true;
+    }
+    if (!into.empty() && continues(into.back(), source, verbatim)) {
+      into.back().text += words;
+      into.back().source.end = source.end;
+      return;
+    }
+    TextSpan span = new_span(source);
+    span.text = words;
+    push(std::move(span));
+  }
+
+  void add_formula(SourceSpan formula) {
+    auto math = reader_.parse_inline(markdown_, formula.begin, formula.end, reader_.macros_);
+    if (!math) return;
+    TextSpan span = new_span(markdown_.span_of(formula.begin, formula.end));
+    span.kind = TextSpan::Kind::math;
+    span.text = text_.substr(formula.begin, formula.end - formula.begin);
+    span.math = std::move(*math);
+    spans();
+    push(std::move(span));
+  }
+
+  TextSpan new_span(SourceSpan source) const {
+    TextSpan span;
+    span.bold = bold_ > 0;
+    span.italic = italic_ > 0;
+    span.code = code_ > 0;
+    span.link = link_;
+    span.source = source;
+    return span;
+  }
+
+  void push(TextSpan span) {
+    saw_limit_ = !reader_.take_spans(1, span.source.begin);
+    if (!saw_limit_) blocks_.back().spans.push_back(std::move(span));
+  }
+
+  TextReader& reader_;
+  const LocatedText& markdown_;
+  std::string_view text_;
+  bool one_paragraph_;
+  std::vector<SourceSpan> formulas_;
+  std::size_t next_formula_ = 0;
+  std::string copy_;
+  std::size_t opener_ = 0;  // bytes of the copy before the text
+  std::size_t cursor_ = 0;  // in the text, behind what was read last
+
+  RichText blocks_;
+  std::vector<List> lists_;
+  std::string marker_;          // of the next block
+  bool block_is_open_ = false;  // text goes into the last block
+  bool item_is_new_ = false;    // the last block is an item's, still empty
+  bool in_html_ = false;        // a block of it, which was reported
+  bool saw_unread_block_ = false;
+  bool saw_limit_ = false;
+  int bold_ = 0, italic_ = 0, code_ = 0;
+  std::string link_;
+};
+
+RichText TextReader::passage(const LocatedText& markdown) { return read(markdown, false); }
+RichText TextReader::line(const LocatedText& markdown) { return read(markdown, true); }
+
+RichText TextReader::read(const LocatedText& markdown, bool one_paragraph) {
+  const std::size_t size = markdown.text().size();
+  if (size > kMaxPassageBytes) {
+    report_.error(source().place_of(markdown.offset_of(0)),
+                  "this text has " + std::to_string(size) + " bytes, at most " +
+                      std::to_string(kMaxPassageBytes) + " stand together",
+                  "put it into several steps with ---");
+    return {};
+  }
+  return Builder(*this, markdown, one_paragraph).run();
+}
+
+RichText TextReader::caption(const LocatedText& text) {
+  TextBlock block;
+  std::size_t at = 0;
+  const auto add = [&](std::size_t begin, std::size_t end, bool math) {
+    if (begin >= end) return;
+    TextSpan span;
+    span.text = text.text().substr(begin, end - begin);
+    span.source = text.span_of(begin, end);
+    if (math) {
+      auto parsed = parse_inline(text, begin, end, {});
+      if (!parsed) return;
+      span.kind = TextSpan::Kind::math;
+      span.math = std::move(*parsed);
+    }
+    block.spans.push_back(std::move(span));
+  };
+  const auto add_words = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t dollar; (dollar = text.text().find("\\$", begin)) < end; begin = dollar + 1)
+      add(begin, dollar, false);  // without the backslash
+    add(begin, end, false);
+  };
+  for (const SourceSpan& formula : formulas_of_line(text.text())) {
+    add_words(at, formula.begin - 1);
+    add(formula.begin, formula.end, true);
+    at = formula.end + 1;
+  }
+  add_words(at, text.text().size());
+  return {std::move(block)};
+}
+
+std::optional<Math> TextReader::formula(const LocatedText& tex) {
+  return parse(tex, 0, tex.text().size(), macros_);
+}
+
+std::optional<Math> TextReader::parse_inline(const LocatedText& text, std::size_t begin, std::size_t end,
+                                             const MathMacros& macros) {
+  auto math = parse(text, begin, end, macros);
+  if (!math) return std::nullopt;
+  const auto refuse = [&](std::size_t at, const char* what) {
+    report_.error(source().place_of(text.offset_of(begin + at)), what, "write it as a ```math fence");
+  };
+  if (!math->tag_offsets.empty())
+    refuse(math->tag_offsets.front(), "\\tag numbers a display, and this formula stands in a line of text");
+  else if (math->root->kind == MathNode::Kind::grid)
+    refuse(0, "& and \\\\ make rows of a display, and this formula stands in a line of text");
+  else if (!math->live.empty())
+    refuse(math->live.front().offset,
+           "\\live numbers stand in displays, and this formula stands in a line of text");
+  else
+    return math;
+  return std::nullopt;
+}
+
+std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin, std::size_t end,
+                                      const MathMacros& macros) {
+  // Whether there is still room when so many are added; that there is not is said once.
+  const auto has_room_for = [&](std::size_t bytes) {
+    const bool was_full = math_bytes_ > kMaxLessonMathBytes;
+    math_bytes_ += bytes;
+    if (!was_full && math_bytes_ > kMaxLessonMathBytes)
+      report_.error(source().place_of(text.offset_of(begin)),
+                    "the formulas of a lesson have at most " + std::to_string(kMaxLessonMathBytes) +
+                        " bytes in all, with the signs that macros stand for");
+    return math_bytes_ <= kMaxLessonMathBytes;
+  };
+  if (!has_room_for(end - begin <= kMaxMathBytes ? end - begin : 0))
+    return std::nullopt;  // refused for itself
+  auto math = parse_math(std::string_view(text.text()).substr(begin, end - begin), macros);
+  if (math) return has_room_for(math->made) ? std::optional(std::move(*math)) : std::nullopt;
+  for (const TypeError& error : math.error())
+    report_.error(source().place_of(text.offset_of(begin + error.offset)), error.message, error.hint);
+  return std::nullopt;
+}
+
+bool TextReader::take_spans(std::size_t count, std::size_t offset) {
+  const bool was_full = spans_ > kMaxLessonSpans;
+  spans_ += count;
+  if (spans_ <= kMaxLessonSpans) return true;
+  if (!was_full)
+    report_.error(source().place_of(offset), "the texts of a lesson have at most " +
+                                                 std::to_string(kMaxLessonSpans) + " pieces of one kind");
+  return false;
+}
+
+}  // namespace polhode

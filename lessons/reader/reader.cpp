@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/reader.h"
+
+#include "lessons/diagnostics/report.h"
+#include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/front_matter.h"
+#include "lessons/reader/markdown/markdown.h"
+#include "lessons/reader/stage_builder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+// True if nothing can be read at all; says so.
+bool refuse_whole(std::string_view bytes, Report& report, const SourceText& source) {
+  if (bytes.size() > kMaxLessonBytes) {
+    report.error({1, 1},
+                 "this lesson has too many bytes, at most " + std::to_string(kMaxLessonBytes) + " are read");
+    return true;
+  }
+  if (const auto wrong = why_not_text(bytes)) {
+    report.error(source.place_of(wrong->offset), wrong->message, wrong->hint);
+    return true;
+  }
+  if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    report.error({1, 1}, "this lesson is empty", "a lesson starts with a line +++ and its front matter");
+    return true;
+  }
+  return false;
+}
+
+std::vector<Stage> read_stages(const FrontMatter& front, TextReader& texts) {
+  const SourceText& source = texts.source();
+  Report& report = texts.report();
+  const MarkdownReading markdown = read_markdown(source, front.next_line, report);
+  StageBuilder builder(front, texts);
+  for (const MarkdownBlock& block : markdown.blocks) {
+    if (!builder.add(block) || report.is_full()) return {};
+  }
+  if (!markdown.complete) return {};
+  std::vector<Stage> stages = builder.take();
+  if (stages.empty() && !report.has_errors()) {
+    report.error({source.line_count(), 1}, "this lesson has no stage",
+                 "a stage starts with # Title {stage-id}");
+  }
+  return stages;
+}
+
+}  // namespace
+
+LessonReading read_lesson(std::string_view text, std::string_view file_name) {
+  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
+  const SourceText source(text.substr(0, kMaxLessonBytes));
+  Report report(source, file_name);
+  LessonReading reading;
+  if (!refuse_whole(text, report, source)) {
+    TextReader texts(report);
+    FrontMatter front = read_front_matter(texts);
+    std::vector<Stage> stages = read_stages(front, texts);
+    if (!report.has_errors()) {
+      reading.lesson = Lesson{std::move(front.id),       std::move(front.title), std::move(front.symbols),
+                              std::move(texts.macros()), std::move(stages),      std::string(text)};
+    }
+  }
+  reading.diagnostics = report.take();
+  return reading;
+}
+
+}  // namespace polhode

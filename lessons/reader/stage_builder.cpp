@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/stage_builder.h"
+
+#include "base/suggest.h"
+#include "lessons/reader/ask_block.h"
+#include "lessons/reader/claim_lines.h"
+#include "lessons/reader/markdown/callouts.h"
+#include "lessons/reader/markdown/heading.h"
+#include "lessons/reader/reader.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+std::vector<std::string> names_of(const std::map<std::string, int>& lines) {
+  std::vector<std::string> names;
+  for (const auto& [name, line] : lines) names.push_back(name);
+  return names;
+}
+
+std::string usage_of(std::string_view kind) {
+  if (kind == "claim") return "```claim EQUATION KIND";
+  return kind == "scene" ? "```scene" : "```" + std::string(kind) + " ID";
+}
+
+}  // namespace
+
+// A fence with the words of its opening line.
+struct StageBuilder::Fence {
+  std::vector<PlacedText> words;  // the first is the kind
+  SourcePlace place;
+  int first_line;  // of the content
+  int last_line;
+};
+
+bool StageBuilder::add(const MarkdownBlock& block) {
+  ++parts_;
+  if (block.kind == MarkdownBlock::Kind::heading) return start_stage(block);
+  if (stages_.empty()) {
+    if (!said_text_before_stage_) {
+      report_.error({block.first_line, 1}, "text before the first stage", "begin it with # Title {stage-id}");
+    }
+    said_text_before_stage_ = true;
+    return true;
+  }
+  if (block.kind == MarkdownBlock::Kind::rule) return start_step(block);
+  step_is_empty_ = false;
+  if (block.kind == MarkdownBlock::Kind::fence) add_fence(block);
+  if (block.kind == MarkdownBlock::Kind::quote) add_quote(block);
+  if (block.kind == MarkdownBlock::Kind::prose) add_prose(block);
+  if (parts_ <= kMaxParts) return true;
+  report_.error({block.first_line, 1}, "a lesson has at most " + std::to_string(kMaxParts) + " parts");
+  return false;
+}
+
+std::vector<Stage> StageBuilder::take() {
+  finish_stage();
+  return std::move(stages_);
+}
+
+bool StageBuilder::start_stage(const MarkdownBlock& block) {
+  if (block.underlined || block.level != 1) {
+    report_.error(
+        {block.first_line, 1},
+        block.underlined ? "text above a line of - or = is a heading in Markdown"
+                         : "headings of level " + std::to_string(block.level) + " are not read",
+        block.underlined ? "put an empty line above ---" : "a stage starts with # Title {stage-id}");
+    return true;
+  }
+  finish_stage();
+  if (static_cast<int>(stages_.size()) == kMaxStages) {
+    report_.error({block.first_line, 1}, "a lesson has at most " + std::to_string(kMaxStages) + " stages");
+    return false;
+  }
+  Stage stage;
+  stage.place = {block.first_line, 1};
+  Heading heading = read_heading(block.first_line, texts_);
+  stage.id = heading.id;
+  stage.title = heading.title;
+  stage.title_text = std::move(heading.title_text);
+  if (!stage.id.empty()) {
+    const auto [taken, is_new] = stage_lines_.emplace(stage.id, block.first_line);
+    if (!is_new) {
+      report_.error(heading.id_place, "stage " + in_quotes(stage.id) + " is there already, on line " +
+                                          std::to_string(taken->second));
+    }
+  }
+  stage.steps.emplace_back();
+  stages_.push_back(std::move(stage));
+  scene_ = front_.scene;
+  has_scene_ = step_has_scene_ = false;
+  step_is_empty_ = true;
+  step_place_ = {block.first_line, 1};
+  return true;
+}
+
+bool StageBuilder::start_step(const MarkdownBlock& rule) {
+  finish_step();
+  if (static_cast<int>(stages_.back().steps.size()) == kMaxStepsPerStage) {
+    report_.error({rule.first_line, 1},
+                  "a stage has at most " + std::to_string(kMaxStepsPerStage) + " steps");
+    return false;
+  }
+  stages_.back().steps.emplace_back();
+  step_has_scene_ = false;
+  step_is_empty_ = true;
+  step_place_ = {rule.first_line, 1};
+  return true;
+}
+
+void StageBuilder::finish_step() {
+  if (step_is_empty_) {
+    const bool only_one = stages_.back().steps.size() == 1;
+    report_.error(step_place_, only_one ? "this stage is empty" : "this step is empty",
+                  only_one ? "write its text below the heading" : "leave out one ---");
+  }
+  if (!has_scene_) return;
+  step().scene = finished(scene_.scene, front_.bodies);
+  step().caption = scene_.caption;
+}
+
+void StageBuilder::finish_stage() {
+  if (stages_.empty()) return;
+  finish_step();
+  check_claims();
+  check_highlights();
+  equation_lines_.clear();
+  ask_lines_.clear();
+  terms_.clear();
+}
+
+void StageBuilder::check_claims() {
+  for (const PlacedText& name : claimed_) {
+    if (equation_lines_.contains(name.text)) continue;
+    std::string hint = suggestion(name.text, names_of(equation_lines_));
+    if (hint.empty()) hint = "the stage has no ```math fence";
+    report_.error(name.place, "no equation " + in_quotes(name.text) + " in this stage", std::move(hint));
+  }
+  claimed_.clear();
+}
+
+void StageBuilder::check_highlights() {
+  for (const PlacedText& name : highlighted_) {
+    if (terms_.contains(name.text) || overlay_from(name.text)) continue;
+    std::vector<std::string> known(terms_.begin(), terms_.end());
+    known.insert(known.end(), overlay_names().begin(), overlay_names().end());
+    report_.error(name.place,
+                  "nothing to highlight: no \\term and no overlay is called " + in_quotes(name.text),
+                  suggestion(name.text, known));
+  }
+  highlighted_.clear();
+}
+
+void StageBuilder::add_prose(const MarkdownBlock& block) {
+  const SourcePlace place{block.first_line, 1};
+  const std::string_view text = source_.lines(block.first_line, block.last_line);
+  step().blocks.push_back(Prose{std::string(text), texts_.passage(LocatedText(source_, text)), place});
+}
+
+void StageBuilder::add_quote(const MarkdownBlock& block) {
+  for (Callout& callout : read_callouts(block.first_line, block.last_line, texts_)) {
+    ++parts_;
+    step().blocks.push_back(std::move(callout));
+  }
+}
+
+void StageBuilder::add_fence(const MarkdownBlock& block) {
+  Fence fence;
+  fence.place = {block.first_line, 1};
+  fence.first_line = block.first_line + 1;
+  fence.last_line = block.closed ? block.last_line - 1 : block.last_line;
+  if (!block.closed) {
+    report_.error(fence.place, "this fence is never closed", "end it with a line ```");
+    return;
+  }
+  const std::string_view opening = source_.line(block.first_line);
+  fence.words = read_words(opening, opening.find_first_not_of(" `~"), block.first_line);
+  const std::string kind = fence.words.empty() ? "" : fence.words[0].text;
+  const std::vector<std::string> kinds = {"math", "claim", "scene", "ask"};
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+    report_.error(fence.place,
+                  kind.empty() ? "this fence does not say what it holds" : "unknown fence " + in_quotes(kind),
+                  suggestion(kind, kinds));
+    return;
+  }
+  const std::size_t words = kind == "claim" ? 3 : kind == "scene" ? 1 : 2;
+  if (fence.words.size() != words) {
+    report_.error(fence.words.size() > words ? fence.words[words].place : fence.place,
+                  "this fence opens with " + usage_of(kind));
+    return;
+  }
+  if (kind == "math") add_math(fence);
+  if (kind == "claim") add_claim(fence);
+  if (kind == "scene") add_scene(fence);
+  if (kind == "ask") add_ask(fence);
+}
+
+bool StageBuilder::take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what) {
+  const PlacedText& id = fence.words[1];
+  if (!is_id(id.text)) {
+    report_.error(id.place, "bad id " + in_quotes(id.text), std::string(kIdRule));
+    return false;
+  }
+  const auto [first, is_new] = taken.emplace(id.text, fence.place.line);
+  if (is_new) return true;
+  report_.error(id.place, std::string(what) + ' ' + in_quotes(id.text) + " is there already, on line " +
+                              std::to_string(first->second));
+  return false;
+}
+
+void StageBuilder::add_math(const Fence& fence) {
+  take_id(fence, equation_lines_, "equation");
+  const std::string_view tex = source_.lines(fence.first_line, fence.last_line);
+  if (trimmed_lines(tex).empty()) {
+    report_.error(fence.place, "this equation is empty");
+    return;
+  }
+  Equation equation{fence.words[1].text, std::string(tex), "", {}, source_.offset_of(tex), fence.place};
+  if (auto math = texts_.formula(LocatedText(source_, tex))) equation.math = std::move(*math);
+  read_live_numbers(equation);
+  equation.tag = equation.math.tag;
+  take_tag(equation);
+  terms_.insert(equation.math.terms.begin(), equation.math.terms.end());
+  step().blocks.push_back(std::move(equation));
+}
+
+void StageBuilder::read_live_numbers(Equation& equation) {
+  for (const LiveNumber& number : equation.math.live) {
+    const SourcePlace place = source_.place_of(equation.offset + number.offset);
+    auto expression = read_expression(number.expression, place, report_);
+    if (expression && expression->type() == ExpressionType::vector)
+      report_.error(place, "a live number is a scalar, this is a vector", "take a component: comp(a, 1)");
+    if (expression) equation.live.push_back(std::move(*expression));
+  }
+}
+
+/// Several tags of one equation are joined by commas.
+void StageBuilder::take_tag(const Equation& equation) {
+  std::size_t begin = 0;
+  for (const std::size_t at : equation.math.tag_offsets) {
+    const std::size_t end = std::min(equation.tag.find(", ", begin), equation.tag.size());
+    const std::string tag = equation.tag.substr(begin, end - begin);
+    begin = std::min(end + 2, equation.tag.size());
+    const SourcePlace place = source_.place_of(equation.offset + at);
+    const auto [first, is_new] = tag_lines_.emplace(tag, place.line);
+    if (!is_new)
+      report_.warning(place, "tag (" + tag + ") is there already, on line " + std::to_string(first->second));
+  }
+}
+
+void StageBuilder::add_claim(const Fence& fence) {
+  claimed_.push_back(fence.words[1]);
+  const PlacedText& kind_name = fence.words[2];
+  const auto kind = claim_kind_from(kind_name.text);
+  if (!kind) {
+    report_.error(kind_name.place, "unknown kind of claim " + in_quotes(kind_name.text),
+                  suggestion(kind_name.text, claim_kind_names()));
+    return;
+  }
+  if (trimmed_lines(source_.lines(fence.first_line, fence.last_line)).empty()) {
+    report_.error(fence.place, "this claim is empty", "write left = right on each line");
+    return;
+  }
+  auto lines = read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_);
+  parts_ += static_cast<int>(lines.size());
+  step().blocks.push_back(Claim{fence.words[1].text, *kind, std::move(lines), fence.place});
+}
+
+void StageBuilder::add_scene(const Fence& fence) {
+  if (step_has_scene_) {
+    report_.error(fence.place, "this step has a scene already", "start a new step with --- first");
+    return;
+  }
+  has_scene_ = step_has_scene_ = true;
+  const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
+  if (!table) return;
+  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_);
+  std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
+}
+
+void StageBuilder::add_ask(const Fence& fence) {
+  take_id(fence, ask_lines_, "question");
+  const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
+  if (!table) return;
+  if (auto ask = read_ask(*table, fence.words[1].text, fence.place, texts_)) {
+    step().blocks.push_back(std::move(*ask));
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Puts the blocks of a lesson's Markdown together to stages and steps.
+#pragma once
+
+#include "lessons/diagnostics/report.h"
+#include "lessons/reader/front_matter.h"
+#include "lessons/reader/lesson.h"
+#include "lessons/reader/markdown/markdown.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Give it every block in order, then take the stages.
+class StageBuilder {
+ public:
+  StageBuilder(const FrontMatter& front, TextReader& texts)
+      : source_(texts.source()), front_(front), texts_(texts), report_(texts.report()) {}
+
+  /// False if a limit is passed: it was reported, and nothing more need be read.
+  bool add(const MarkdownBlock& block);
+  std::vector<Stage> take();
+
+ private:
+  struct Fence;
+
+  bool start_stage(const MarkdownBlock& heading);
+  bool start_step(const MarkdownBlock& rule);
+  void finish_step();
+  void finish_stage();
+  void check_claims();
+  void check_highlights();
+
+  void add_prose(const MarkdownBlock& prose);
+  void add_quote(const MarkdownBlock& quote);
+  void add_fence(const MarkdownBlock& block);
+  void add_math(const Fence& fence);
+  void read_live_numbers(Equation& equation);
+  void take_tag(const Equation& equation);
+  void add_claim(const Fence& fence);
+  void add_scene(const Fence& fence);
+  void add_ask(const Fence& fence);
+  bool take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what);
+
+  Step& step() { return stages_.back().steps.back(); }
+
+  const SourceText& source_;
+  const FrontMatter& front_;
+  TextReader& texts_;
+  Report& report_;
+  std::vector<Stage> stages_;
+  std::map<std::string, int> stage_lines_;  // ids in use and their lines
+  std::map<std::string, int> tag_lines_;
+  int parts_ = 0;
+  bool said_text_before_stage_ = false;
+
+  // Of the stage being read.
+  LessonScene scene_;
+  bool has_scene_ = false;
+  bool step_has_scene_ = false;
+  bool step_is_empty_ = true;  ///< nothing stands in it, right or wrong
+  SourcePlace step_place_;
+  std::map<std::string, int> equation_lines_;
+  std::map<std::string, int> ask_lines_;
+  std::set<std::string> terms_;
+  std::vector<PlacedText> claimed_;      // equations that claims name
+  std::vector<PlacedText> highlighted_;  // what its scenes highlight
+};
+
+}  // namespace polhode

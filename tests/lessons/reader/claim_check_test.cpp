@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/claim_check.h"
+
+#include "lessons/reader/lint_budget.h"
+#include "tests/lessons/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+std::vector<std::string> faults(const std::string& kind, const std::string& claim, bool scene = true) {
+  const std::string body = "```math a\nx\n```\n```claim a " + kind + "\n" + claim + "\n```\n";
+  const std::string with_scene = "```scene\nshow = [\"omega\"]\n```\n";
+  const LessonReading reading = read_lesson(testing::lesson_with(body + (scene ? with_scene : "")), "a.md");
+  EXPECT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
+  return reading.lesson ? testing::lines_of(check_claims(*reading.lesson, "a.md"))
+                        : std::vector<std::string>();
+}
+
+TEST(CheckClaims, EveryLineOfALessonIsProvedAtItsPlace) {
+  EXPECT_THAT(faults("motion", "ddt(L) = N\nddt(T) = dot(N, omega)"), IsEmpty());
+  const auto wrong = faults("motion", "ddt(L) = N\nddt(T) = dot(N, L)\nddt(L) = -N");
+  ASSERT_THAT(wrong, SizeIs(2));
+  EXPECT_THAT(wrong[0], HasSubstr("14:1: error: the claim (motion) fails: this does not hold: at I = "));
+  EXPECT_THAT(wrong[1], HasSubstr("15:1: error:"));
+}
+
+TEST(CheckClaims, FalseAndNonSequiturFailIfTheyHold) {
+  EXPECT_THAT(faults("false", "star(L) = 0"), IsEmpty());
+  EXPECT_THAT(faults("false", "ddt(T) = 0"), SizeIs(1));
+  EXPECT_THAT(faults("non-sequitur", "ddt(T) = 0 => N = 0"), IsEmpty());
+  EXPECT_THAT(faults("non-sequitur", "N = 0 => ddt(T) = 0"), SizeIs(1));
+}
+
+TEST(CheckClaims, MeasuredOnesAreMeasuredOnTheirScene) {
+  EXPECT_THAT(faults("measured", "ddt(T) = 0"), IsEmpty());
+  EXPECT_THAT(faults("measured", "ddt(L) = 0 within 1e-18"),
+              ElementsAre(HasSubstr("the claim (measured) fails: at t = ")));
+  EXPECT_THAT(faults("measured", "star(L) = 0"), SizeIs(1));
+  EXPECT_THAT(faults("measured", "ddt(T) = 0", false),
+              ElementsAre(HasSubstr("a measured claim needs a scene")));
+  EXPECT_THAT(faults("measured", "1/(w1 - w1) = 0"), ElementsAre(HasSubstr("cannot be measured")));
+}
+
+TEST(CheckClaims, WhatMeasuresNothingIsRefused) {
+  EXPECT_THAT(faults("measured", "L = -L within 5"), ElementsAre(HasSubstr("this measures nothing")));
+}
+
+std::vector<std::string> faults_of(const std::string& body) {
+  const LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
+  EXPECT_TRUE(reading.lesson);
+  return reading.lesson ? testing::lines_of(check_claims(*reading.lesson, "a.md"))
+                        : std::vector<std::string>();
+}
+
+std::vector<std::string> faults_within(const std::string& body, std::int64_t evaluations) {
+  const LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
+  EXPECT_TRUE(reading.lesson);
+  Budget budget(evaluations);
+  return testing::lines_of(check_claims(*reading.lesson, "a.md", budget.effort()));
+}
+
+TEST(CheckClaims, EndAtTheClaimThatIsTooDear) {
+  const std::string claim = "```math a\nx\n```\n```claim a measured\nddt(T) = dot(N, omega)\n```\n";
+  const std::string scene = "```scene\nshow = [\"omega\"]\ntorque = \"heavy:1,0,0,1\"\nduration = 100\n```\n";
+  const auto far = faults_within(claim + scene, 1'000'000'000);
+  EXPECT_THAT(far, IsEmpty());
+  const auto near = faults_within(claim + scene, kClaimLineEvaluations + 5'000);
+  ASSERT_THAT(near, SizeIs(1));
+  EXPECT_THAT(near[0], HasSubstr("error: the lesson is too long to check"));
+  EXPECT_THAT(near[0], ::testing::StartsWith("12:1: error:"));
+}
+
+TEST(CheckClaims, ASearchInVainIsPaidFor) {
+  // False, and true in every state of small whole numbers that is tried: found out by the prover alone.
+  const std::string claim =
+      "```math a\nx\n```\n```claim a false\nw1*(w1-1)*(w1+1)*(w1-2)*(w1+2)*(w1-3)*(w1+3) = 0\n```\n";
+  EXPECT_THAT(faults_within(claim, kVainSearchEvaluations + 100'000), IsEmpty());
+  EXPECT_THAT(faults_within(claim, kVainSearchEvaluations), SizeIs(1));
+}
+
+TEST(CheckClaims, LiveNumbersAndAnswersHaveValues) {
+  const std::string scene = "```scene\nshow = [\"omega\"]\n```\n";
+  EXPECT_THAT(faults_of("```math a\nT = \\live{T}\n```\n" + scene), IsEmpty());
+  EXPECT_THAT(faults_of("```math a\nT = \\live{T}\n```\n"), ElementsAre(HasSubstr("needs a scene")));
+  EXPECT_THAT(faults_of("```math a\nT = \\live{1/(T - T)}\n```\n" + scene),
+              ElementsAre(HasSubstr("has no value")));
+  EXPECT_THAT(faults_of("```ask a\ntype = \"expression\"\nprompt = 'x'\nanswer = \"1/0\"\n```\n"),
+              ElementsAre(HasSubstr("is nowhere defined")));
+}
+
+TEST(CheckClaims, OfTheLessonsAllHold) {
+  for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
+    const std::string text = testing::read_file(path);
+    if (text.rfind("+++", 0) != 0) continue;
+    const LessonReading reading = read_lesson(text, path.filename().string());
+    ASSERT_TRUE(reading.lesson) << path;
+    EXPECT_THAT(testing::lines_of(check_claims(*reading.lesson, "")), IsEmpty()) << path;
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/front_matter.h"
+
+#include "tests/lessons/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::TextReport;
+
+constexpr const char* kHead = "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n";
+
+TEST(FrontMatter, ReadsEverything) {
+  TextReport at(
+      std::string(kHead) +
+      "[body.plate]\nmoments = [1, 2, 3]\ndraw = 'box'\n[body.brick]\nshape = 'box'\nsize_m = [1, 2, 3]\n"
+      "mass_kg = 12\n[symbols]\nL = { tex = '\\vec L', role = 'L', say = 'angular momentum', unit = 'x' }\n"
+      "[scene]\nbody = 'plate'\nat = 3\n+++\nrest");
+  const FrontMatter front = read_front_matter(at.texts);
+  EXPECT_THAT(at.lines(), IsEmpty());
+  EXPECT_EQ(front.id, "a");
+  EXPECT_EQ(front.title, "A");
+  EXPECT_EQ(at.source.line(front.next_line), "rest");
+  EXPECT_EQ(front.bodies.named.at("plate").moments, PrincipalMoments(1, 2, 3));
+  EXPECT_EQ(front.bodies.named.at("plate").shape->kind, ShapeKind::box);
+  EXPECT_EQ(front.bodies.named.at("brick").moments, PrincipalMoments(13, 10, 5));
+  EXPECT_TRUE(front.bodies.complete);
+  EXPECT_EQ(front.symbols.at("L").tex, "\\vec L");
+  EXPECT_EQ(front.symbols.at("L").role, "L");
+  EXPECT_EQ(front.symbols.at("L").say, "angular momentum");
+  EXPECT_EQ(front.symbols.at("L").unit, "x");
+  EXPECT_EQ(front.scene.scene.body.name, "plate");
+  EXPECT_EQ(front.scene.scene.at_s, 3);
+}
+
+TEST(FrontMatter, ReportsImpossibleMomentsWithTheReasonOfPhysics) {
+  TextReport at(std::string(kHead) + "[body.plate]\nmoments = [1.0, 2.0, 3.5]\n+++\n");
+  const FrontMatter front = read_front_matter(at.texts);
+  EXPECT_FALSE(front.bodies.complete);
+  EXPECT_THAT(at.lines(), ElementsAre("6:1: error: " + *why_impossible(1.0, 2.0, 3.5)));
+}
+
+TEST(FrontMatter, WhatSymbolsSayIsOnePlainLine) {  // 2026-11-22: an ESC of TOML went into transcripts
+  for (const char* bad :
+       {"say = \"\\u001b[31mred\"", "unit = \"a\\nb\"", "say = \"\\u202elive\"", "unit = \"\\u009bm\""}) {
+    TextReport at(kHead + std::string("[symbols]\nL = { tex = 'L', ") + bad + " }\n+++\n");
+    const FrontMatter front = read_front_matter(at.texts);
+    EXPECT_THAT(at.lines(), ElementsAre(::testing::AllOf(
+                                ::testing::StartsWith("6:"),
+                                ::testing::HasSubstr("is one line of text without control characters"))));
+    EXPECT_TRUE(front.symbols.at("L").say.empty() && front.symbols.at("L").unit.empty());
+  }
+}
+
+TEST(FrontMatter, GoesOnAfterASyntaxError) {
+  TextReport at("+++\nid = \n+++\nrest");
+  const FrontMatter front = read_front_matter(at.texts);
+  EXPECT_EQ(at.source.line(front.next_line), "rest");
+  EXPECT_FALSE(front.bodies.complete);
+  EXPECT_EQ(at.lines().size(), 1U);
+}
+
+TEST(FrontMatter, MayEndWithTheText) {
+  TextReport at(std::string(kHead) + "+++");
+  EXPECT_EQ(read_front_matter(at.texts).next_line, at.source.line_count() + 1);
+  EXPECT_THAT(at.lines(), IsEmpty());
+}
+
+TEST(FrontMatter, MacrosServeSymbolsAboveThem) {
+  TextReport at(std::string(kHead) +
+                "symbols.w = { tex = '\\w' }\n[macros]\nw = '\\vec\\omega'\nddt = { arguments = 1, tex = "
+                "'\\frac{d#1}{dt}' }\n+++\n");
+  const FrontMatter front = read_front_matter(at.texts);
+  EXPECT_THAT(at.lines(), IsEmpty());
+  EXPECT_EQ(at.texts.macros().at("ddt").arguments, 1);
+  EXPECT_EQ(at.texts.macros().at("ddt").body, "\\frac{d#1}{dt}");
+  EXPECT_NE(front.symbols.at("w").math.root, nullptr);
+}
+
+class FrontMatterRefuses : public ::testing::TestWithParam<const char*> {};
+TEST_P(FrontMatterRefuses, Lines) {
+  TextReport at(std::string(kHead) + GetParam() + "\n+++\n");
+  read_front_matter(at.texts);
+  EXPECT_TRUE(at.report.has_errors()) << GetParam();
+}
+INSTANTIATE_TEST_SUITE_P(
+    All, FrontMatterRefuses,
+    ::testing::Values(
+        "body = 'book'", "scene = 1", "symbols = 'L'", "symbols.L = 'L'", "body.plate = 1", "body.plate = {}",
+        "body.plate = { shape = 'box' }", "body.p_q = { moments = [1, 1, 1] }", "include = 'other.md'",
+        "macros = 1", "macros.w2 = 'x'", "macros.w = 1", "macros.w = { arguments = 1 }",
+        "macros.w = { tex = 'x', arguments = 10 }", "macros.w = { tex = 'x', arguments = 'one' }",
+        "symbols.L = { tex = '\\vecc' }", "symbols.L = { tex = '{' }", "symbols.L = {}",
+        "body.p = { moments = [1, 1, 1], mass_kg = 1 }", "body.p = { moments = [1, 1, 1], draw = 'ball' }",
+        "body.p = { shape = 'box', size_m = [1, 1, 1], mass_kg = 1, draw = 'box' }",
+        "body.p = { shape = 'box', size_m = [1, -1, 1], mass_kg = 1 }",
+        "body.p = { shape = 'ring', size_m = [1, 1, 1], mass_kg = 1 }"));
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/reader.h"
+
+#include "tests/lessons/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using testing::complaints;
+using ::testing::ElementsAre;
+using testing::front_matter;
+using ::testing::IsEmpty;
+using testing::lesson_with;
+
+TEST(ReadLesson, GivesTheExampleOfTheReferenceAsWritten) {
+  const LessonReading reading = read_lesson(testing::example_lesson(), "example.md");
+  EXPECT_THAT(testing::lines_of(reading.diagnostics), IsEmpty());
+  ASSERT_TRUE(reading.lesson);
+  const Lesson& lesson = *reading.lesson;
+  EXPECT_EQ(lesson.id, "spin-about-three-axes");
+  EXPECT_EQ(lesson.title, "One body, three spins");
+  ASSERT_EQ(lesson.stages.size(), 2U);
+  EXPECT_EQ(lesson.symbols.at("omega").say, "angular velocity");
+  const Stage& first = lesson.stages[0];
+  EXPECT_EQ(first.id, "conserved");
+  ASSERT_EQ(first.steps.size(), 2U);
+  EXPECT_EQ(first.steps[0].scene->w0_B, Vec3(0.1, 3.0, 0.1));
+  EXPECT_THAT(first.steps[0].scene->views, ElementsAre(View::space, View::body));
+  EXPECT_THAT(first.steps[1].scene->views, ElementsAre(View::body));
+  EXPECT_THAT(first.steps[1].scene->highlight, ElementsAre("body"));
+  EXPECT_EQ(lesson.find_stage("stable")->steps[0].scene->motion.method, Method::rk4);
+  EXPECT_THAT(std::get<Ask>(lesson.stages[1].steps[0].blocks[0]).answers, ElementsAre(2));
+}
+
+TEST(ReadLesson, PutsTheFileNameIntoEveryDiagnostic) {
+  const LessonReading reading = read_lesson("", "folder/a.md");
+  ASSERT_EQ(reading.diagnostics.size(), 1U);
+  EXPECT_EQ(reading.diagnostics[0].file, "folder/a.md");
+  EXPECT_FALSE(reading.lesson);
+}
+
+TEST(ReadLesson, TakesWindowsLineEndsAndAByteOrderMark) {
+  std::string text = testing::example_lesson();
+  for (std::size_t i = 0; (i = text.find('\n', i)) != std::string::npos; i += 2) text.insert(i, 1, '\r');
+  const LessonReading reading = read_lesson("\xEF\xBB\xBF" + text, "example.md");
+  EXPECT_THAT(testing::lines_of(reading.diagnostics), IsEmpty());
+  ASSERT_TRUE(reading.lesson);
+  EXPECT_EQ(reading.lesson->stages[0].title, "What is conserved");
+}
+
+TEST(ReadLesson, GivesALessonInSpiteOfWarnings) {
+  const LessonReading reading = read_lesson(lesson_with("It costs $5.\n"), "sample.md");
+  EXPECT_EQ(reading.diagnostics.size(), 1U);
+  EXPECT_TRUE(reading.lesson);
+}
+
+TEST(ReadLesson, ReportsFrontMatterAndTextAtOnce) {
+  EXPECT_THAT(
+      complaints(
+          "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\ncolour = 1\n+++\n# A {a}\n```scene\nat = ''\n```\n"),
+      ElementsAre("5:1: error: unknown key \"colour\" in the front matter (one of format, id, title, body, "
+                  "macros, symbols, scene)",
+                  "9:6: error: \"at\" takes a number, found a string"));
+}
+
+TEST(ReadLesson, DoesNotBlameBodiesThatAWrongFrontMatterMayHold) {
+  const auto lines = complaints("+++\nformat = \n+++\n# A {a}\n```scene\nbody = 'mine'\n```\n");
+  EXPECT_EQ(lines.size(), 1U);
+}
+
+TEST(ReadLesson, IsTheSameWhenReadAgain) {
+  const std::string text =
+      testing::read_file(testing::source_dir() / "tests/data/lessons/invalid/scene-keys.md");
+  EXPECT_EQ(complaints(text), complaints(text));
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/stage_builder.h"
+
+#include "tests/lessons/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using testing::lesson_with;
+using ::testing::SizeIs;
+
+Stage stage_of(const std::string& body) {
+  const LessonReading reading = read_lesson(lesson_with(body), "sample.md");
+  EXPECT_THAT(testing::lines_of(reading.diagnostics), IsEmpty()) << body;
+  return reading.lesson ? reading.lesson->stages.at(0) : Stage{};
+}
+
+TEST(Stages, HaveStepsAndBlocksInTheirOrder) {
+  const Stage stage = stage_of(
+      "Text $x$.\n\nMore.\n```math a\nx \\tag{1}\n```\n```claim a law\nL = L\n```\n---\n> [!said] a\n> "
+      "[!meant] b\n");
+  ASSERT_THAT(stage.steps, SizeIs(2));
+  ASSERT_THAT(stage.steps[0].blocks, SizeIs(3));
+  const auto& prose = std::get<Prose>(stage.steps[0].blocks[0]);
+  EXPECT_EQ(prose.markdown, "Text $x$.\n\nMore.");
+  EXPECT_EQ(prose.place, (SourcePlace{9, 1}));
+  const auto& equation = std::get<Equation>(stage.steps[0].blocks[1]);
+  EXPECT_EQ(equation.id, "a");
+  EXPECT_EQ(equation.tex, "x \\tag{1}");
+  EXPECT_EQ(equation.tag, "1");
+  EXPECT_EQ(equation.place, (SourcePlace{12, 1}));
+  const auto& claim = std::get<Claim>(stage.steps[0].blocks[2]);
+  EXPECT_EQ(claim.equation, "a");
+  EXPECT_EQ(claim.kind, ClaimKind::law);
+  EXPECT_THAT(claim.lines, SizeIs(1));
+  ASSERT_THAT(stage.steps[1].blocks, SizeIs(2));
+  EXPECT_EQ(std::get<Callout>(stage.steps[1].blocks[1]).markdown, "b");
+}
+
+TEST(Scenes, AreAbsentUntilTheFirstAndThenPersist) {
+  const Stage stage = stage_of("a\n\n---\n```scene\nat = 1\n```\n---\nb\n\n---\n```scene\nshow = 'L'\n```\n");
+  ASSERT_THAT(stage.steps, SizeIs(4));
+  EXPECT_FALSE(stage.steps[0].scene);
+  EXPECT_EQ(stage.steps[1].scene->at_s, 1);
+  EXPECT_EQ(stage.steps[1].scene->body.name, "book") << "from the front matter";
+  EXPECT_EQ(stage.steps[2].scene->at_s, 1);
+  EXPECT_EQ(stage.steps[3].scene->at_s, 1);
+  EXPECT_TRUE(stage.steps[3].scene->show.contains(Overlay::L));
+}
+
+TEST(Scenes, StartAfreshInEachStage) {
+  const LessonReading reading = read_lesson(
+      lesson_with("```scene\nat = 1\n```\n# Next {next}\n```scene\nrate = 2\n```\n# Last {last}\ntext\n"),
+      "");
+  ASSERT_TRUE(reading.lesson);
+  EXPECT_EQ(reading.lesson->stages[1].steps[0].scene->at_s, 0);
+  EXPECT_EQ(reading.lesson->stages[1].steps[0].scene->rate, 2);
+  EXPECT_FALSE(reading.lesson->stages[2].steps[0].scene) << "a stage without a scene shows text alone";
+}
+
+TEST(Scenes, MayHighlightTermsAndOverlaysOfTheirStageOnly) {
+  const std::string math = "```math a\n\\term{turn}{x}\n```\n";
+  stage_of(math + "```scene\nhighlight = ['turn', 'polhode']\n```\n");
+  stage_of("```scene\nhighlight = 'turn'\n```\n---\n" + math);
+  EXPECT_THAT(testing::complaints(lesson_with(math + "# Next {next}\n```scene\nhighlight = 'turn'\n```\n")),
+              SizeIs(1));
+}
+
+TEST(Claims, MayComeBeforeTheirEquation) { stage_of("```claim a law\nL = L\n```\n```math a\nx\n```\n"); }
+
+TEST(Claims, NameEquationsOfTheirStageOnly) {
+  EXPECT_THAT(
+      testing::complaints(lesson_with("```math a\nx\n```\n# Next {next}\n```claim a law\nL = L\n```\n")),
+      ElementsAre("13:10: error: no equation \"a\" in this stage (the stage has no ```math fence)"));
+}
+
+TEST(Ids, AreFreeAgainInTheNextStage) {
+  EXPECT_THAT(testing::complaints(lesson_with("```math a\nx\n```\n# Next {next}\n```math a\ny\n```\n")),
+              IsEmpty());
+}
+
+TEST(Tags, AreWarnedOfIfUsedTwiceInTheLesson) {
+  EXPECT_THAT(testing::complaints(
+                  lesson_with("```math a\nx \\tag{1}\n```\n# Next {next}\n```math a\ny \\tag{1}\n```\n")),
+              ElementsAre("14:8: warning: tag (1) is there already, on line 10"));
+}
+
+TEST(Tags, OfOneEquationAreKeptTogether) {
+  const Stage stage = stage_of("```math a\nx \\tag{7} \\\\\ny \\tag{8}\n```\n");
+  EXPECT_EQ(std::get<Equation>(stage.steps[0].blocks[0]).tag, "7, 8");
+}
+
+TEST(Fences, MayBeMadeOfTildes) {
+  EXPECT_EQ(std::get<Equation>(stage_of("~~~ math a\nx\n~~~\n").steps[0].blocks[0]).tex, "x");
+}
+
+}  // namespace
+}  // namespace polhode
