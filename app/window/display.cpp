@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/display.h"
 
-#include "app/exit_codes.h"
+#include "app/cli/exit_codes.h"
 #include "app/window/window_context.h"
 
 #define GLFW_INCLUDE_NONE

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/page_view.h"
 
-#include "app/exit_codes.h"
+#include "app/cli/exit_codes.h"
 
 namespace polhode {
 

@@ -3,11 +3,11 @@
 // changed.
 #pragma once
 
-#include "app/companion/companion.h"
-#include "app/companion/page_symbols.h"
-#include "app/page.h"
-#include "app/page_text.h"
-#include "app/still_numbers.h"
+#include "app/page/page.h"
+#include "app/page/page_text.h"
+#include "app/page/still_numbers.h"
+#include "app/session/lesson_session.h"
+#include "app/session/page_symbols.h"
 #include "render/gl/framebuffer.h"
 
 namespace polhode {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen.h"
 
-#include "app/companion/command.h"
-#include "app/companion/figure_hand.h"
-#include "app/companion/symbol_note.h"
-#include "app/companion/typed_folder.h"
-#include "app/exit_codes.h"
-#include "app/window/notes.h"
+#include "app/cli/exit_codes.h"
+#include "app/session/command.h"
+#include "app/session/figure_interaction.h"
+#include "app/session/symbol_note.h"
+#include "app/session/typed_folder.h"
+#include "app/window/speaker_notes.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -83,7 +83,7 @@ Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
   for (int key = 0; key < ImGuiKey_COUNT; ++key)
     io.KeyMap[key] = key;  // until a window's back end knows better
 #else
-  io.ConfigInputTrickleEventQueue = false;  // what goes into one frame: app/window/input_portion.h
+  io.ConfigInputTrickleEventQueue = false;  // what goes into one frame: app/window/controls/input_portion.h
 #endif
   std::error_code unknown;
   memory_.folder = std::filesystem::current_path(unknown).string();

@@ -4,10 +4,10 @@
 // input of a mouse.
 #pragma once
 
-#include "app/window/control_pass.h"
-#include "app/window/desk.h"
+#include "app/window/controls/control_pass.h"
 #include "app/window/pace.h"
 #include "app/window/page_view.h"
+#include "app/window/panels/panel_context.h"
 
 struct ImGuiContext;
 
@@ -28,7 +28,7 @@ class Screen {
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;
 
-  /// A key as app/companion/command.h names it; repeated while it is held. False: it is for the panel that
+  /// A key as app/session/command.h names it; repeated while it is held. False: it is for the panel that
   /// has the focus, or for nobody.
   bool press(Companion& companion, std::string_view key, bool is_repeated = false);
   /// Lets time pass, then draws. What goes wrong with the page is shown in its place.

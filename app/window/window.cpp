@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/window.h"
 
-#include "app/interrupt.h"
-#include "app/window/control_input.h"
+#include "app/cli/interrupt.h"
+#include "app/window/controls/control_input.h"
 #include "app/window/display.h"
 #include "app/window/frame_log.h"
 

@@ -2,8 +2,8 @@
 // The window of `polhode play`: GLFW's events go to the screen, its picture goes to the display.
 #pragma once
 
-#include "app/companion/companion.h"
-#include "app/exit_codes.h"
+#include "app/cli/exit_codes.h"
+#include "app/session/lesson_session.h"
 
 #include <filesystem>
 #include <functional>

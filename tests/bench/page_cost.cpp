@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/bench/page_cost.h"
 
-#include "app/lesson_lookup.h"
-#include "app/page.h"
+#include "app/cli/lesson_lookup.h"
+#include "app/page/page.h"
 #include "tests/bench/timing.h"
 
 #include <stdexcept>

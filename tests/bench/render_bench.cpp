@@ -2,7 +2,7 @@
 // What a frame costs: CPU ms of all threads (column CPU) beside wall time, for the Poinsot scene with labels
 // and a moving camera. BM_Frame is the figure that counts: picture and PNG together, at most 65 ms of CPU at
 // 1080p.
-#include "app/picture_writer.h"
+#include "app/export/picture_writer.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/renderer.h"
 #include "render/image/png.h"

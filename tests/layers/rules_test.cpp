@@ -73,13 +73,14 @@ INSTANTIATE_TEST_SUITE_P(
         Forbidden{"render/image/a.cpp", "render/scene/description/scene.h"},
         Forbidden{"render/image/a.cpp", "Eigen/Core"},
         Forbidden{"render/gl/a.cpp", "lessons/reader/lesson.h"},
-        Forbidden{"render/gl/a.cpp", "physics/motion.h"}, Forbidden{"render/gl/a.cpp", "app/commands.h"},
+        Forbidden{"render/gl/a.cpp", "physics/motion.h"}, Forbidden{"render/gl/a.cpp", "app/cli/commands.h"},
         Forbidden{"render/gl/a.cpp", "iostream"}, Forbidden{"render/gl/a.cpp", "GLFW/glfw3.h"},
         Forbidden{"lessons/a.cpp", "render/gl/context/context.h"},
         Forbidden{"lessons/a.cpp", "render/image/image.h"}, Forbidden{"lessons/a.cpp", "filesystem"},
         Forbidden{"lessons/a.cpp", "nlohmann/json.hpp"}, Forbidden{"lessons/a.cpp", "CLI/CLI.hpp"},
-        Forbidden{"app/export.cpp", "GLFW/glfw3.h"}, Forbidden{"app/export.cpp", "imgui.h"},
-        Forbidden{"app/export.cpp", "GL/glcorearb.h"}, Forbidden{"app/export.cpp", "tests/layers/rules.h"},
+        Forbidden{"app/cli/export.cpp", "GLFW/glfw3.h"}, Forbidden{"app/cli/export.cpp", "imgui.h"},
+        Forbidden{"app/cli/export.cpp", "GL/glcorearb.h"},
+        Forbidden{"app/cli/export.cpp", "tests/layers/rules.h"},
         Forbidden{"tests/app/a.cpp", "GLFW/glfw3.h"}),
     [](const auto& tested) {
       std::string name = std::string(tested.param.path) + "_" + tested.param.include;

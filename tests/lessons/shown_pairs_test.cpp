@@ -261,7 +261,8 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
 }
 // clang-format on
 
-/// Calls `use(name, claim, scene)` for every claim whose two sides a page shows, as app/verdict_row.h has it.
+/// Calls `use(name, claim, scene)` for every claim whose two sides a page shows, as
+/// app/narration/verdict_row.h has it.
 template <class Use>
 void for_each_shown_pair(const Use& use) {
   for (const char* id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen.h"
 
-#include "app/companion/figure_hand.h"
-#include "app/picture_maker.h"
-#include "app/window/notes.h"
-#include "tests/app/companion/example_lesson.h"
+#include "app/export/picture_maker.h"
+#include "app/session/figure_interaction.h"
+#include "app/window/speaker_notes.h"
+#include "tests/app/session/example_lesson.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

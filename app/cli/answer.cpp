@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// polhode answer: the verdict on a learner's answer, with the reason.
+#include "app/cli/commands.h"
+#include "app/cli/lesson_lookup.h"
+#include "app/cli/message.h"
+#include "app/narration/speech_text.h"
+#include "app/session/answer_log.h"
+#include "app/session/state_file.h"
+#include "base/printable.h"
+#include "base/shell_line.h"
+#include "base/suggest.h"
+#include "lessons/claims/answers.h"
+#include "lessons/diagnostics/source_text.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace polhode {
+
+namespace {
+
+using Outcome = AnswerJudgement::Outcome;
+
+struct Options {
+  std::string lesson, stage, ask, answer;
+  bool has_answer = false, hint = false, reset = false, json = false;
+};
+
+const Ask& ask_of(const Stage& stage, const std::string& id) {
+  std::vector<std::string> ids;
+  for (const Step& step : stage.steps)
+    for (const Block& block : step.blocks)
+      if (const auto* ask = std::get_if<Ask>(&block)) {
+        if (ask->id == id) return *ask;
+        ids.push_back(ask->id);
+      }
+  const std::string message = fmt::format("no question \"{}\" in stage \"{}\"", id, stage.id);
+  if (ids.empty()) throw CommandError(ExitCode::usage, message + ": it asks nothing");
+  throw CommandError(ExitCode::usage, fmt::format("{}: {}", message, suggestion(id, ids)));
+}
+
+const char* word_of(Outcome outcome) {
+  if (outcome == Outcome::right) return "right";
+  return outcome == Outcome::wrong ? "wrong" : "unreadable";
+}
+
+ExitCode code_of(Outcome outcome) {
+  if (outcome == Outcome::right) return ExitCode::done;
+  return outcome == Outcome::wrong ? ExitCode::different : ExitCode::usage;
+}
+
+void print_json(const AnswerJudgement& judgement) {
+  using Json = nlohmann::ordered_json;
+  Json json = {{"verdict", word_of(judgement.outcome)},
+               {"reason", judgement.reason},
+               {"hint", judgement.hint},
+               {"column", judgement.column > 0 ? Json(judgement.column) : Json(nullptr)},
+               {"counterexample", nullptr}};
+  if (const auto& counter = judgement.counterexample)
+    json["counterexample"] = {
+        {"state", counter->state}, {"answer", counter->left}, {"right", counter->right}};
+  fmt::print("{}\n", printable(json.dump(2, ' ', false, Json::error_handler_t::replace)));
+}
+
+/// The column counts characters, of which the answer as it is shown may have more.
+void print_place(const std::string& answer, int column) {
+  if (column <= 0) return;
+  const std::size_t offset = SourceText(answer).offset_of({1, column});
+  const int before = count_characters(printable_line(answer.substr(0, offset)));
+  fmt::print("  {}\n  {:>{}}\n", printable_line(answer), '^', before + 1);
+}
+
+void print_verdict(const AnswerJudgement& judgement, const std::string& answer) {
+  if (judgement.outcome == Outcome::unreadable) return;
+  fmt::print("{}{}{}\n", word_of(judgement.outcome), judgement.reason.empty() ? "" : ": ",
+             printable_line(judgement.reason));
+  print_place(answer, judgement.column);
+  if (const auto& counter = judgement.counterexample)
+    fmt::print("At {} yours is {}, right is {}.\n", counter->state, counter->left, counter->right);
+}
+
+/// What was answered to one question, where it is kept.
+class KeptAnswers {
+ public:
+  KeptAnswers(const std::string& lesson_id, std::string name) : name_(std::move(name)) {
+    if (const auto folder = state_folder()) path_ = answer_log_path(*folder, lesson_id);
+  }
+
+  using Change = std::function<void(AnswerLog&, const std::string& name)>;
+
+  /// @throws CommandError failed if it cannot be kept
+  void change(const Change& change) const {
+    if (!path_) throw CommandError(ExitCode::failed, "neither XDG_STATE_HOME nor HOME is set");
+    const std::string warning = change_answer_log(*path_, [&](AnswerLog& log) { change(log, name_); });
+    if (!warning.empty()) say("polhode: {}\n", warning);
+  }
+
+  /// A verdict, or a hint, is given also where it cannot be kept; `what_if_not` is said then.
+  void change_if_possible(const Change& wanted, const char* what_if_not) const try {
+    change(wanted);
+  } catch (const CommandError& error) {
+    say("polhode: {}: {}\n", error.what(), what_if_not);
+  }
+
+ private:
+  std::string name_;
+  std::optional<std::filesystem::path> path_;
+};
+
+ExitCode show_hint(const Ask& ask, const Speaker& speaker, const KeptAnswers& kept) {
+  AnswerRecord unseen;
+  std::optional<std::size_t> next = note_hint(unseen, ask.hints.size());  // where no log can be read
+  if (!ask.hints.empty())
+    kept.change_if_possible(
+        [&](AnswerLog& log, const std::string& name) { next = note_hint(log[name], ask.hints.size()); },
+        "the hint is not noted");
+  if (next)
+    fmt::print("Hint {} of {}: {}\n", *next + 1, ask.hints.size(), speaker.words(ask.hint_texts[*next]));
+  else
+    fmt::print("{}\n", ask.hints.empty() ? "There is no hint." : "There are no more hints.");
+  return ExitCode::done;
+}
+
+/// Unless the command, in which the lesson's path is one word, would show as another than it is.
+void offer_hint(const Options& options) {
+  const std::vector<std::string> command = {"polhode",     "answer",    options.lesson,
+                                            options.stage, options.ask, "--hint"};
+  if (shows_as_it_is(command)) fmt::print("A hint: {}\n", shell_line(command));
+}
+
+ExitCode judge_and_keep(const Ask& ask, const Options& options, const KeptAnswers& kept) {
+  const AnswerJudgement judgement = judge_answer(ask, options.answer, Prover());
+  options.json ? print_json(judgement) : print_verdict(judgement, options.answer);
+  if (judgement.outcome == Outcome::unreadable && !options.json) {
+    print_place(options.answer, judgement.column);
+    throw CommandError(ExitCode::usage, judgement.hint.empty()
+                                            ? judgement.reason
+                                            : fmt::format("{} ({})", judgement.reason, judgement.hint));
+  }
+  if (judgement.outcome != Outcome::unreadable) {
+    if (!options.json && judgement.outcome == Outcome::wrong && !ask.hints.empty()) offer_hint(options);
+    std::fflush(stdout);  // the verdict need not wait for another process that keeps an answer just now
+    kept.change_if_possible(
+        [&](AnswerLog& log, const std::string& name) {
+          note_try(log[name], judgement.outcome == Outcome::right, options.answer);
+        },
+        "the answer is not kept");
+  }
+  return code_of(judgement.outcome);
+}
+
+ExitCode answer(const Options& options) {
+  if (options.has_answer == (options.hint || options.reset) || (options.hint && options.reset))
+    throw CommandError(ExitCode::usage, "give an answer, or --hint, or --reset");
+  const LoadedLesson loaded = load_lesson(options.lesson);
+  const Stage& stage = stage_of(loaded.lesson, options.stage);
+  const Ask& ask = ask_of(stage, options.ask);
+  const KeptAnswers kept(loaded.lesson.id, answer_name(stage.id, ask.id));
+  if (options.hint) return show_hint(ask, Speaker(loaded.lesson), kept);
+  if (options.reset) {
+    kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); });
+    return ExitCode::done;
+  }
+  return judge_and_keep(ask, options, kept);
+}
+
+}  // namespace
+
+std::vector<std::string> with_answers_shielded(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv, argv + argc);
+  if (words.size() < 2 || words[1] != "answer") return words;
+  for (std::size_t i = 2; i < words.size(); ++i)
+    if (words[i].size() > 1 && words[i][0] == '-' && words[i][1] != '-' && words[i] != "-h")
+      words[i].insert(0, 1, ' ');  // expressions may begin with a space
+  return words;
+}
+
+void add_answer(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("answer", "Judge an answer to a question of a lesson");
+  auto options = std::make_shared<Options>();
+  command->add_option("LESSON", options->lesson, "Lesson file or id")->required();
+  command->add_option("STAGE", options->stage, "Id of the stage")->required();
+  command->add_option("ASK", options->ask, "Id of the question")->required();
+  CLI::Option* given = command->add_option(
+      "ANSWER", options->answer,
+      fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"",
+                  form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order)));
+  command->add_flag("--hint", options->hint, "Show the next hint instead");
+  command->add_flag("--reset", options->reset, "Forget what was answered to the question, and its hints");
+  command->add_flag("--json", options->json, "verdict, reason, hint, column and counterexample as JSON");
+  command->footer(
+      "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
+      "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.");
+  command->callback([options, given, &action] {
+    options->has_answer = given->count() > 0;
+    if (options->answer.size() > 1 && options->answer.compare(0, 2, " -") == 0) options->answer.erase(0, 1);
+    action = [options] { return answer(*options); };
+  });
+}
+
+}  // namespace polhode

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: MIT
+// polhode export: pictures of a lesson as PNG files, or its text.
+#include "app/cli/commands.h"
+#include "app/cli/message.h"
+#include "app/cli/or_fail.h"
+#include "app/cli/progress.h"
+#include "app/cli/usage.h"
+#include "app/export/jobs.h"
+#include "app/export/picture_export.h"
+#include "app/narration/transcript.h"
+#include "app/publish/ffmpeg.h"
+#include "app/publish/film.h"
+#include "app/publish/lesson_deck.h"
+#include "base/files/temporary_file.h"
+#include "base/printable.h"
+#include "base/sha256.h"
+#include "base/shell_line.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <span>
+
+namespace polhode {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_text(const std::string& name, const std::string& text, const ExportOutput& out) {
+  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  or_fail(replace_file_atomically(out.folder / name, bytes, out.durability));
+}
+
+/// With the pictures that are there. @throws Interrupted
+void make_deck(const PictureExport& e, const InterruptWatch& watch) {
+  const Deck deck = or_fail(deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder));
+  const std::size_t count = deck.slides.size();
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(count));
+    const auto go_on = [&](std::size_t slide) {
+      progress.show(static_cast<std::int64_t>(slide), e.out.deck);
+      return !watch.interrupted();
+    };
+    Status status = write_deck(e.out.deck, *deck_kind_of(e.out.deck), deck, e.out.durability, go_on);
+    if (!status && watch.interrupted()) throw Interrupted();
+    or_fail(std::move(status));
+  }
+  say("{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
+}
+
+/// Frames pass as they are; of stills each is shown for --seconds.
+FilmRequest film_of(const PictureExport& e) {
+  const Lesson& lesson = e.loaded.lesson;
+  FilmRequest film{.file = e.out.film, .pictures = {}, .rate = e.options.fps, .title = lesson.title};
+  for (const PlannedPicture& picture : e.plan.pictures) film.pictures.push_back(e.out.folder / picture.file);
+  if (e.options.each != Each::frame)
+    film.frames_each = std::max<std::int64_t>(1, frame_count(e.options.fps, e.options.seconds));
+  return film;
+}
+
+/// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
+/// processes drew them: what is needed of a picture is in its file, the plan and the manifest.
+void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
+  if (!e.out.film.empty()) {
+    const FilmRequest film = film_of(e);
+    write_film(film, watch);
+    say("film of {} pictures: {}\n", film.pictures.size(), e.out.film);
+  }
+  if (!e.out.deck.empty()) make_deck(e, watch);
+}
+
+/// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed; the
+/// manifest last, by which the folder is still known as ours if we are killed here.
+void remove_parts(const PictureExport& e) {
+  std::error_code ignored;
+  for (const PlannedPicture& picture : e.plan.pictures) fs::remove(e.out.folder / picture.file, ignored);
+  fs::remove(e.out.folder / kManifestName, ignored);
+  fs::remove(e.out.folder, ignored);
+}
+
+void note_left_out(const ExportPlan& plan, What what) {
+  const char* missing = what == What::equation ? "equation" : "scene";
+  for (const std::string& id : plan.left_out)
+    say("polhode: stage \"{}\" has no {} and is left out\n", id, missing);
+  if (plan.pictures.empty())
+    throw CommandError(ExitCode::usage,
+                       fmt::format("nothing to export: no frame, or no stage with {} {}, was selected",
+                                   what == What::equation ? "an" : "a", missing));
+}
+
+PicturesMade make_with_progress(const PictureExport& e, const InterruptWatch& watch) {
+  const ProgressBar progress(static_cast<std::int64_t>(e.out.shard.size(e.plan.pictures.size())));
+  return make_pictures(
+      e,
+      [&](std::size_t done, const std::string& next) {
+        progress.show(static_cast<std::int64_t>(done), next);
+      },
+      watch);
+}
+
+/// Each process makes a shard of this shard; the last of them to finish writes the manifest.
+PicturesMade make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
+  const std::size_t total = e.out.shard.size(e.plan.pictures.size());
+  const auto job = [&](int number, const TellJob& tell) {
+    ::setenv("LP_NUM_THREADS", "1", 1);  // the processes share the cores; each drawing in threads costs more
+    ExportOutput out = e.out;
+    out.shard = e.out.shard.part(number, e.out.jobs);
+    const PictureExport part{e.loaded, e.options, out, e.plan};
+    const PicturesMade made = make_pictures(
+        part, [&](std::size_t, const std::string&) { tell(); }, watch);
+    return made.interrupted ? JobEnd::interrupted : JobEnd::done;
+  };
+  PicturesMade made;
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(total));
+    const auto show = [&](std::size_t begun) {
+      made.count = begun;
+      progress.show(static_cast<std::int64_t>(begun), fmt::format("in {} processes", e.out.jobs));
+    };
+    made.interrupted = run_jobs(e.out.jobs, job, show, watch) == JobEnd::interrupted;
+  }
+  const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  made.finished = !made.interrupted && folder && folder->finished;
+  if (!made.interrupted && !made.finished && e.out.shard.whole())
+    throw CommandError(ExitCode::failed,
+                       fmt::format("--jobs: {} lost files of its processes", e.out.folder.string()));
+  return made;
+}
+
+/// The end of a sentence. A command that a terminal does not show as it is could not be copied from there.
+std::string go_on_with(const std::vector<std::string>& words) {
+  if (!shows_as_it_is(words)) return "go on with the same command and --skip-existing";
+  return "go on with\n  " + shell_line(words);
+}
+
+void report_interruption(const PictureExport& e, const PicturesMade& made) {
+  say("polhode: interrupted after {} of {} pictures in {}; {}\n", made.count,
+      e.out.shard.size(e.plan.pictures.size()), e.out.folder.string(), go_on_with(e.out.resume));
+}
+
+void report_pictures(const PictureExport& e, const PicturesMade& made) {
+  const std::string count = fmt::format("{} picture{}", made.count, made.count == 1 ? "" : "s");
+  const std::string kept = made.kept > 0 ? fmt::format(" ({} of them kept)", made.kept) : "";
+  const std::string folder = e.out.folder.string();
+  if (made.renderer.find(kBetweenRenderers) != std::string::npos)
+    say("polhode: drawn by different drivers, which may differ by a level here and there: {}\n",
+        made.renderer);
+  if (made.finished)
+    say("{}{} and {} in {}\n", count, kept, kManifestName, folder);
+  else
+    say("{}{} of shard {}/{} in {}; the last shard to finish writes {}\n", count, kept, e.out.shard.index,
+        e.out.shard.count, folder, kManifestName);
+}
+
+/// What failed may be mended: a full disk, a lost connection.
+[[noreturn]] void fail_with_advice(const PictureExport& e, const CommandError& error) {
+  const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  if (error.code != ExitCode::failed || !folder || !folder->ours) throw error;
+  throw CommandError(error.code,
+                     fmt::format("{}\nWhat is whole is kept; {}", error.what(), go_on_with(e.out.resume)));
+}
+
+/// Before all is drawn for nothing.
+void refuse_folders(const ExportOutput& out) {
+  std::error_code unknown;  // told where the file is written
+  for (const auto& [option, file] : {std::pair{"--film", &out.film}, std::pair{"--deck", &out.deck}})
+    if (fs::is_directory(*file, unknown))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("{}: {} is a folder; give it a name of its own", option, *file));
+}
+
+/// What lies in the folder of the pictures. FILE.parts is a name that others can guess, and what is in it
+/// goes in the end: there no link is followed, and nothing but what an export of ours left is taken over.
+void look_into_folder(const ExportIdentity& mine, const ExportOutput& out) {
+  constexpr const char* kAdvice = "move it away, or say where the pictures go with --output DIR";
+  std::error_code error;
+  const std::string folder = out.folder.string();
+  if (!out.keep_folder && fs::is_symlink(out.folder, error))
+    throw CommandError(ExitCode::failed, fmt::format("{} is a link; {}", folder, kAdvice));
+  const FolderState state = or_fail(look_into(out.folder, mine));
+  if (out.keep_folder || state.ours) return;
+  for (fs::directory_iterator entry(out.folder, error), end; !error && entry != end; entry.increment(error))
+    if (!is_temporary_name(entry->path().filename().string()))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("{} holds files of something else; {}", folder, kAdvice));
+}
+
+ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
+  const ExportPlan plan = plan_export(loaded.lesson, options);
+  note_left_out(plan, options.what);
+  refuse_folders(out);
+  look_into_folder(identity_of(loaded, options), out);
+  const PictureExport e{loaded, options, out, plan};
+  const InterruptWatch watch;
+  try {
+    if (!out.deck.empty()) make_folder(fs::absolute(out.deck).parent_path());
+    const PicturesMade made = out.jobs > 1 ? make_in_jobs(e, watch) : make_with_progress(e, watch);
+    if (made.interrupted) {
+      report_interruption(e, made);
+      return ExitCode::interrupted;
+    }
+    if (made.finished) make_film_and_deck(e, watch);
+    if (out.keep_folder)
+      report_pictures(e, made);
+    else
+      remove_parts(e);
+  } catch (const Interrupted&) {
+    say("polhode: interrupted; the pictures are in {}; {}\n", out.folder.string(), go_on_with(out.resume));
+    return ExitCode::interrupted;
+  } catch (const CommandError& error) {
+    fail_with_advice(e, error);
+  }
+  return ExitCode::done;
+}
+
+ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& options,
+                           const ExportOutput& out) {
+  for (const std::string& id : options.stages) static_cast<void>(stage_of(loaded.lesson, id));
+  const ExportIdentity identity = identity_of(loaded, options);
+  or_fail(look_into(out.folder, identity));
+  make_folder(out.folder);
+  ManifestFile file;
+  file.file = loaded.lesson.id + ".txt";
+  const std::string text = transcript_of(loaded.lesson, options.stages);
+  file.sha256 = sha256_hex(text);
+  write_text(file.file, text, out);
+  or_fail(sync_folder(out.folder));
+  write_text(kManifestName, manifest_head(identity, "") + manifest_entry(file) + manifest_end(false), out);
+  say("1 transcript and {} in {}\n", kManifestName, out.folder.string());
+  return ExitCode::done;
+}
+
+ExitCode run_export(const TypedExport& typed) {
+  const ExportOptions options = export_options(typed);
+  ExportOutput out = export_output(typed);
+  const LoadedLesson loaded = load_lesson(typed.lesson);
+  // Told by `polhode verify` wherever that is run.
+  if (fs::path(typed.lesson) == loaded.path)
+    std::replace(out.resume_all.begin(), out.resume_all.end(), typed.lesson,
+                 fs::absolute(loaded.path).string());
+  check_type_of(loaded, or_fail(Fonts::open()));
+  return options.what == What::transcript ? export_transcript(loaded, options, out)
+                                          : export_pictures(loaded, options, out);
+}
+
+/// The command line again, in the order of the options.
+std::vector<std::string> words_of(const CLI::App& command) {
+  std::vector<std::string> words = {program_invocation_name, command.get_name()};
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;  // flags: --skip-existing, --help
+    for (const std::string& value : option->results()) {
+      if (!option->get_positional()) words.push_back("--" + option->get_lnames().front());
+      words.push_back(value);
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand(
+      "export", "Export a lesson's pages, equations and figures as PNG files, or its text");
+  auto typed = std::make_shared<TypedExport>();
+  const auto option = [&](const char* name, std::string& value, const char* form, const char* text) {
+    return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
+  };
+  option("LESSON", typed->lesson, " ", "id or file")->required();
+  option("-o,--output", typed->folder, "DIR", "folder for the files; made if missing");
+  command->add_option("--stage", typed->stages, "only this stage; repeat for more (default: all)")
+      ->option_text("ID")
+      ->check(refuse_empty)
+      ->allow_extra_args(false);
+  option("--what", typed->what, "KIND", "page, equation, figure or transcript (default: page)");
+  option("--each", typed->each, "KIND", "a picture for each stage, step or frame (default: stage)");
+  option("--size", typed->size, "WxH", "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)");
+  option("--theme", typed->theme, "NAME", "of pages and equations: paper or dark (default: paper)");
+  option("--background", typed->background, "NAME",
+         "studio (default of figures), paper, white, transparent, #rrggbb");
+  option("--dpi", typed->dpi, "N", "dots per inch to note in the files; sizes 12 pt equations (300)");
+  option("--fps", typed->fps, "N|A/B", "frames per shown second of frames and films (default: 30)");
+  option("--seconds", typed->seconds, "S",
+         "shown seconds per stage of frames, per still of a film (default: 8)");
+  option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
+  option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
+  option("--quality", typed->quality, "LEVEL", "of figures: draft, normal or fine (default: the scene's)");
+  option("--text-size", typed->text_size, "X", "of pages: 0.7 to 2 times the normal type (default: 1)");
+  option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
+  option("--film", typed->film, "FILE",
+         "make a film (mp4, webm, gif, apng); without -o its frames are removed");
+  option("--deck", typed->deck, "FILE", "make slides (html, pdf); without -o their pictures are removed");
+  option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
+  option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
+  option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");
+  option("--jobs", typed->jobs, "N", "draw in N processes, the same in all shards (default: 1)");
+  command->add_flag("--skip-existing", typed->skip_existing,
+                    "keep what is there and whole; goes on after a stop");
+  command->footer(
+      "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
+      "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
+      "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
+      "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
+      "A transcript is plain text with the formulas in words.\n"
+      "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
+      "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
+      "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
+      "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
+      "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"
+      "lesson text is refused. Processes with the same command but each its --shard, on any machines that\n"
+      "share the folder, make one export; slurm reads I and N from the variables of a job array.");
+  command->callback([typed, command, &action] {
+    typed->words = words_of(*command);
+    action = [typed] { return run_export(*typed); };
+  });
+}
+
+}  // namespace polhode

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// polhode info: what each scene requires, the motion chosen and why, and what both cost.
+#include "app/cli/commands.h"
+#include "app/cli/horizon.h"
+#include "app/cli/lesson_lookup.h"
+#include "base/printable.h"
+#include "base/stopwatch.h"
+#include "render/scene/model/model.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct StageInfo {
+  const Stage* stage = nullptr;
+  bool has_scene = false;
+  std::vector<std::string> needs;
+  std::string motion, why;
+  double setup_ns = 0, call_ns = 0;
+  Horizon horizon;
+};
+
+/// Time of one evaluation of what the scene asks for, at times spread over its span in no order.
+double call_cost_ns(const SceneModel& model) {
+  constexpr int kCalls = 64, kRepeats = 15;
+  constexpr double kGolden = 0.6180339887498949;  // fractional parts of its multiples are spread evenly
+  volatile double sink = 0;                       // keeps the calls from being optimised away
+  const auto time = [&](int i) { return model.span_s * (i * kGolden - std::floor(i * kGolden)); };
+  const auto evaluate = [&](double t_s) {
+    return model.needs.attitude ? model.motion->at(t_s).w_B.x() : model.motion->w_B_at(t_s).x();
+  };
+  if (!model.needs.omega && !model.needs.attitude) return 0;
+  const auto calls = [&] {
+    for (int i = 1; i <= kCalls; ++i) sink = sink + evaluate(time(i));
+  };
+  return median_ns(kRepeats, calls) / kCalls;
+}
+
+StageInfo info_of(const Stage& stage) {
+  constexpr int kSetups = 5;
+  StageInfo info;
+  info.stage = &stage;
+  const auto drawn = std::find_if(stage.steps.rbegin(), stage.steps.rend(),
+                                  [](const Step& s) { return s.scene.has_value(); });
+  if (drawn == stage.steps.rend()) return info;
+  const SceneModel model = make_model(*drawn->scene, Product::page);
+  info.has_scene = true;
+  info.needs = names_of(model.needs);
+  info.motion = model.motion->method();
+  info.why = model.why;
+  info.setup_ns = median_ns(kSetups, [&] { static_cast<void>(make_model(*drawn->scene, Product::page)); });
+  info.call_ns = call_cost_ns(model);
+  info.horizon = horizon_of(problem_of(*drawn->scene));
+  return info;
+}
+
+Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json to_json(const StageInfo& info) {
+  const auto if_drawn = [&](Json value) { return info.has_scene ? std::move(value) : Json(nullptr); };
+  return {{"id", info.stage->id},
+          {"title", info.stage->title},
+          {"steps", info.stage->steps.size()},
+          {"requires", info.needs},
+          {"motion", if_drawn(info.motion)},
+          {"why", if_drawn(info.why)},
+          {"setup_ns", if_drawn(std::round(info.setup_ns))},
+          {"call_ns", if_drawn(std::round(info.call_ns * 10) / 10)},
+          {"condition", number_or_null(info.horizon.condition)},
+          {"horizon_periods",
+           {{"1e-3", number_or_null(info.horizon.periods_1e_3)},
+            {"1e-1", number_or_null(info.horizon.periods_1e_1)}}}};
+}
+
+std::string duration_text(double ns) {
+  if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
+  return ns < 1e6 ? fmt::format("{:.1f} us", ns / 1e3) : fmt::format("{:.1f} ms", ns / 1e6);
+}
+
+/// The number of a reason in the list of reasons, from 1; adds it if it is new.
+std::size_t reason_number(std::vector<std::string>& reasons, const std::string& why) {
+  const auto known = std::find(reasons.begin(), reasons.end(), why);
+  if (known != reasons.end()) return static_cast<std::size_t>(known - reasons.begin()) + 1;
+  reasons.push_back(why);
+  return reasons.size();
+}
+
+void print_row(const StageInfo& info, std::size_t width, std::vector<std::string>& reasons) {
+  if (!info.has_scene) {
+    fmt::print("{:<{}}  {:>5}  no scene\n", info.stage->id, width, info.stage->steps.size());
+    return;
+  }
+  const auto& periods = info.horizon.periods_1e_1;
+  fmt::print("{:<{}}  {:>5}  {:<20}  {:>9}  {:>8}  {:>7}  {}\n", info.stage->id, width,
+             info.stage->steps.size(), fmt::format("{} [{}]", info.motion, reason_number(reasons, info.why)),
+             duration_text(info.setup_ns), duration_text(info.call_ns),
+             periods ? fmt::format("{:.0e}", *periods) : "-",
+             info.needs.empty() ? "nothing" : fmt::format("{}", fmt::join(info.needs, " ")));
+}
+
+void print_table(const Lesson& lesson, const std::vector<StageInfo>& infos) {
+  std::size_t width = 5;
+  for (const StageInfo& info : infos) width = std::max(width, info.stage->id.size());
+  fmt::print("{} ({})\n\n", lesson.title, lesson.id);
+  fmt::print("{:<{}}  steps  {:<20}  {:>9}  {:>8}  {:>7}  requires\n", "stage", width, "motion", "setup",
+             "call", "horizon");
+  std::vector<std::string> reasons;
+  for (const StageInfo& info : infos) print_row(info, width, reasons);
+  fmt::print("\n");
+  for (std::size_t i = 0; i < reasons.size(); ++i) fmt::print("[{}] {}\n", i + 1, reasons[i]);
+}
+
+ExitCode show_info(const std::string& name, bool json) {
+  const LoadedLesson loaded = load_lesson(name);
+  std::vector<StageInfo> infos;
+  for (const Stage& stage : loaded.lesson.stages) infos.push_back(info_of(stage));
+  if (!json) {
+    print_table(loaded.lesson, infos);
+    return ExitCode::done;
+  }
+  Json stages = Json::array();
+  for (const StageInfo& info : infos) stages.push_back(to_json(info));
+  const Json all = {{"lesson", loaded.lesson.id}, {"stages", std::move(stages)}};
+  fmt::print("{}\n", printable(all.dump(2, ' ', false, Json::error_handler_t::replace)));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Action& action) {
+  struct Options {
+    std::string lesson;
+    bool json = false;
+  };
+  CLI::App* command =
+      app.add_subcommand("info", "What each scene requires, the motion chosen, why, and its cost");
+  auto options = std::make_shared<Options>();
+  command->add_option("LESSON", options->lesson, "Id or file")->required()->option_text(" ");
+  command->add_flag("--json", options->json, "the same as JSON, costs in ns");
+  command->footer(
+      "Of a page of each stage's last scene: setup is the time to choose the motion and compute the\n"
+      "parts required, call that of one evaluation at a time t; both measured now, medians. Horizon: how\n"
+      "many polhode periods pass until rounding of the inputs alone moves the phase by 0.1 rad; none\n"
+      "without a period.");
+  command->callback(
+      [options, &action] { action = [options] { return show_info(options->lesson, options->json); }; });
+}
+
+}  // namespace polhode

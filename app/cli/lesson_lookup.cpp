@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/lesson_lookup.h"
+
+#include "app/cli/exit_codes.h"
+#include "app/cli/interrupt.h"
+#include "app/page/page_lint.h"
+#include "base/sha256.h"
+#include "base/suggest_ending.h"
+#include "lessons/reader/lint_budget.h"
+#include "lessons/reader/type_check.h"
+#include "render/scene/model/model.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+
+namespace polhode {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Ids name files in our folders and nothing else: no slash, no dot.
+bool is_id(std::string_view name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  });
+}
+
+bool names_file(std::string_view name) { return name.find('/') != name.npos || name.ends_with(".md"); }
+
+bool opens_with_front_matter(const fs::path& path) {
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  char start[3] = {};
+  return file && std::fread(start, 1, sizeof start, file.get()) == sizeof start &&
+         std::memcmp(start, "+++", 3) == 0;
+}
+
+/// The model's objections to each scene, at the place of its stage.
+std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view file_name,
+                                          const Effort& effort) {
+  std::vector<Diagnostic> found;
+  const Scene* before = nullptr;
+  for (const Stage& stage : lesson.stages) {
+    for (const Step& step : stage.steps) {
+      if (!step.scene || (before && *before == *step.scene)) continue;
+      try {
+        check_scene(*step.scene, effort);
+        before = &*step.scene;
+      } catch (const BudgetSpent&) {
+        found.push_back(too_long_to_check(file_name, stage.place));
+        return found;
+      } catch (const std::domain_error& error) {
+        found.push_back({Severity::error, std::string(file_name), stage.place,
+                         fmt::format("the scene of stage \"{}\" cannot be: {}", stage.id, error.what()), ""});
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+std::string all_lines(const std::vector<Diagnostic>& diagnostics) {
+  std::string lines;
+  for (const Diagnostic& diagnostic : diagnostics) lines += to_string(diagnostic) + '\n';
+  return lines;
+}
+
+CommandError has_errors(const fs::path& path, const std::vector<Diagnostic>& diagnostics) {
+  return {ExitCode::invalid, fmt::format("lesson {} has errors:\n{}", path.string(), all_lines(diagnostics))};
+}
+
+CommandError unknown_lesson(std::string_view name, const std::vector<fs::path>& folders) {
+  std::vector<std::string> known, places;
+  for (const FoundLesson& lesson : lessons_in(folders)) known.push_back(lesson.id);
+  for (const fs::path& folder : folders) places.push_back(folder.string());
+  return {ExitCode::usage, fmt::format("unknown lesson \"{}\"{} (looked for {}.md in {})", name,
+                                       did_you_mean(name, known), name, fmt::join(places, ", "))};
+}
+
+/// Ends by the budget, and by an interruption while somebody watches for one.
+Effort limited_by(Budget& budget) {
+  return [&budget, stop = until_interrupted()](std::int64_t evaluations) {
+    stop(evaluations);
+    budget.spend(evaluations);
+  };
+}
+
+}  // namespace
+
+std::vector<fs::path> lesson_folders() {
+  std::vector<fs::path> folders;
+  if (const char* chosen = std::getenv("POLHODE_LESSONS"); chosen && *chosen) folders.emplace_back(chosen);
+  folders.emplace_back("lessons");
+  std::error_code error;
+  if (const fs::path program = fs::read_symlink("/proc/self/exe", error); !error)
+    folders.push_back(program.parent_path().parent_path() / "share" / "polhode" / "lessons");
+  return folders;
+}
+
+std::vector<FoundLesson> lessons_in(const std::vector<fs::path>& folders) {
+  std::vector<FoundLesson> found;
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+      FoundLesson lesson{entry->path().stem().string(), entry->path()};
+      const bool known =
+          std::any_of(found.begin(), found.end(), [&](const auto& f) { return f.id == lesson.id; });
+      if (lesson.path.extension() == ".md" && is_id(lesson.id) && !known &&
+          opens_with_front_matter(lesson.path))
+        found.push_back(std::move(lesson));
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return found;
+}
+
+fs::path find_lesson(std::string_view name, const std::vector<fs::path>& folders) {
+  if (names_file(name)) return name;
+  if (is_id(name)) {
+    for (const fs::path& folder : folders) {
+      const fs::path path = folder / (std::string(name) + ".md");
+      std::error_code error;
+      if (fs::exists(path, error)) return path;
+    }
+  }
+  throw unknown_lesson(name, folders);
+}
+
+std::string read_lesson_text(const fs::path& path) {
+  const auto failed = [&](int error) {
+    return CommandError(ExitCode::failed,
+                        fmt::format("cannot read lesson {}: {}", path.string(), std::strerror(error)));
+  };
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw failed(errno);
+  std::string text(kMaxLessonBytes + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  if (std::ferror(file.get())) throw failed(errno);
+  return text;
+}
+
+LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort) {
+  LessonReading reading = read_lesson(text, file_name);
+  if (!reading.lesson) return reading;
+  std::vector<Diagnostic> found = model_diagnostics(*reading.lesson, file_name, effort);
+  if (found.empty()) return reading;
+  reading.lesson.reset();
+  add_in_order(std::move(found), reading.diagnostics);
+  return reading;
+}
+
+void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+  });
+}
+
+LoadedLesson load_lesson(std::string_view name) {
+  const fs::path path = find_lesson(name, lesson_folders());
+  const std::string text = read_lesson_text(path);
+  Budget budget(kLintBudget);
+  LessonReading reading = check_lesson(text, path.string(), limited_by(budget));
+  if (!reading.lesson) throw has_errors(path, reading.diagnostics);
+  return {std::move(*reading.lesson), path, sha256_hex(text)};
+}
+
+void check_type_of(const LoadedLesson& loaded, const Fonts& fonts) {
+  const std::vector<Diagnostic> found = check_type(loaded.lesson, fonts, loaded.path.string());
+  if (!found.empty()) throw has_errors(loaded.path, found);
+}
+
+void check_pages_of(const LoadedLesson& loaded, const Fonts& fonts) {
+  Budget budget(kLintBudget);
+  const std::vector<Diagnostic> found =
+      page_errors(loaded.lesson, fonts, loaded.path.string(), limited_by(budget));
+  if (!found.empty()) throw has_errors(loaded.path, found);
+}
+
+const Stage& stage_of(const Lesson& lesson, std::string_view id) {
+  if (const Stage* stage = lesson.find_stage(id)) return *stage;
+  std::vector<std::string> known;
+  for (const Stage& stage : lesson.stages) known.push_back(stage.id);
+  throw CommandError(ExitCode::usage, fmt::format("lesson \"{}\" has no stage \"{}\"{}", lesson.id, id,
+                                                  did_you_mean(id, known)));
+}
+
+}  // namespace polhode

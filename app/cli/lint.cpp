@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// polhode lint: what is wrong with lessons, and where.
+#include "app/cli/commands.h"
+#include "app/cli/lesson_lookup.h"
+#include "app/cli/message.h"
+#include "app/cli/or_fail.h"
+#include "app/page/page_lint.h"
+#include "base/printable.h"
+#include "lessons/reader/claim_check.h"
+#include "lessons/reader/lint_budget.h"
+#include "lessons/reader/type_check.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Diagnostic& diagnostic) {
+  return {{"file", diagnostic.file},
+          {"line", diagnostic.place.line},
+          {"column", diagnostic.place.column},
+          {"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
+          {"message", diagnostic.message},
+          {"hint", diagnostic.hint}};
+}
+
+struct Findings {
+  std::vector<Diagnostic> diagnostics;
+  bool all_read = true;
+};
+
+/// Of a lesson that reads: what the fonts lack, and if they lack nothing, what does not fit on a page.
+std::vector<Diagnostic> type_and_page_diagnostics(const Lesson& lesson, std::string_view file,
+                                                  const Effort& effort) {
+  const Fonts fonts = or_fail(Fonts::open());
+  std::vector<Diagnostic> found = check_type(lesson, fonts, file);
+  return found.empty() ? page_diagnostics(lesson, fonts, file, effort) : found;
+}
+
+Diagnostic failed_check(const std::string& file, const std::exception& error) {
+  return {Severity::error, file, {1, 1}, fmt::format("the lesson cannot be checked: {}", error.what()), ""};
+}
+
+/// All that is wrong with a text, for no more than kLintBudget.
+std::vector<Diagnostic> diagnostics_of(std::string_view text, const std::string& file) {
+  Budget budget(kLintBudget);
+  LessonReading reading = check_lesson(text, file, budget.effort());
+  if (!reading.lesson) return std::move(reading.diagnostics);
+  try {
+    add_in_order(check_claims(*reading.lesson, file, budget.effort()), reading.diagnostics);
+    if (!budget.is_spent())
+      add_in_order(type_and_page_diagnostics(*reading.lesson, file, budget.effort()), reading.diagnostics);
+  } catch (const std::domain_error& error) {  // that no check has given a place
+    add_in_order({failed_check(file, error)}, reading.diagnostics);
+  }
+  return std::move(reading.diagnostics);
+}
+
+/// One file; a file that cannot be read is a message on stderr, and the others are still looked at.
+void lint_one(const std::string& name, Findings& findings) {
+  try {
+    const auto path = find_lesson(name, lesson_folders());
+    for (Diagnostic& diagnostic : diagnostics_of(read_lesson_text(path), path.string()))
+      findings.diagnostics.push_back(std::move(diagnostic));
+  } catch (const CommandError& error) {
+    if (error.code != ExitCode::failed) throw;
+    say("polhode: {}\n", error.what());
+    findings.all_read = false;
+  }
+}
+
+void print(const std::vector<Diagnostic>& diagnostics, bool json) {
+  if (!json) {
+    for (const Diagnostic& diagnostic : diagnostics) fmt::print("{}\n", to_string(diagnostic));
+    return;
+  }
+  Json list = Json::array();
+  for (const Diagnostic& diagnostic : diagnostics) list.push_back(to_json(diagnostic));
+  fmt::print("{}\n", printable(list.dump(2, ' ', false, Json::error_handler_t::replace)));
+}
+
+ExitCode lint(const std::vector<std::string>& names, bool json) {
+  Findings findings;
+  try {
+    for (const std::string& name : names) lint_one(name, findings);
+  } catch (...) {
+    print(findings.diagnostics, json);  // whatever it is: who reads JSON gets JSON
+    throw;
+  }
+  print(findings.diagnostics, json);
+
+  const auto errors = std::count_if(findings.diagnostics.begin(), findings.diagnostics.end(),
+                                    [](const Diagnostic& d) { return d.severity == Severity::error; });
+  const auto warnings = static_cast<long>(findings.diagnostics.size()) - errors;
+  say("{} error{}, {} warning{}\n", errors, errors == 1 ? "" : "s", warnings, warnings == 1 ? "" : "s");
+  if (!findings.all_read) return ExitCode::failed;
+  return errors > 0 ? ExitCode::invalid : ExitCode::done;
+}
+
+}  // namespace
+
+void add_lint(CLI::App& app, Action& action) {
+  struct Options {
+    std::vector<std::string> files;
+    bool json = false;
+  };
+  CLI::App* command =
+      app.add_subcommand("lint", "Check lessons, prove claims; print file:line:column: error|warning: ...");
+  auto options = std::make_shared<Options>();
+  command->add_option("FILE", options->files, "Lesson files or ids")->required()->option_text("...");
+  command->add_flag("--json", options->json, "file, line, column, severity, message and hint as JSON");
+  command->footer(
+      "Exit code 3 if there is an error; warnings alone give 0. A lesson that takes more than 100 million\n"
+      "evaluations of the equations of motion to check, 5 to 10 s of one core, is an error too.");
+  command->callback(
+      [options, &action] { action = [options] { return lint(options->files, options->json); }; });
+}
+
+}  // namespace polhode

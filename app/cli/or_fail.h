@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The value of a Result, or the end of the command.
+#pragma once
+
+#include "app/cli/exit_codes.h"
+#include "base/result.h"
+
+#include <utility>
+
+namespace polhode {
+
+/// @throws CommandError failed, with the result's error
+template <class T>
+T or_fail(Result<T>&& result) {
+  if (!result) throw CommandError(ExitCode::failed, result.error());
+  return std::move(result).value();
+}
+
+}  // namespace polhode

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// polhode play: a lesson in a window.
+#include "app/cli/commands.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/message.h"
+#include "app/cli/or_fail.h"
+#include "app/session/saved_progress.h"
+#include "app/session/state_file.h"
+#include "app/window/window.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace polhode {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+  std::string lesson = "euler-equations", stage;
+  bool watch = false;
+};
+
+std::shared_ptr<const LoadedLesson> load(const std::string& name) {
+  auto loaded = std::make_shared<const LoadedLesson>(load_lesson(name));
+  const Fonts fonts = or_fail(Fonts::open());
+  check_type_of(*loaded, fonts);
+  check_pages_of(*loaded, fonts);
+  return loaded;
+}
+
+/// Looks at the file's time, and reads it when that has changed.
+class LessonWatch {
+ public:
+  explicit LessonWatch(const LoadedLesson& loaded)
+      : path_(loaded.path), sha256_(loaded.sha256), written_(time()) {}
+
+  void look(Companion& companion, std::string& errors) {
+    const auto now = time();
+    if (now == written_) return;
+    written_ = now;
+    try {
+      auto loaded = load(path_.string());
+      errors.clear();
+      if (loaded->sha256 == sha256_) return;
+      sha256_ = loaded->sha256;
+      companion.replace_lesson(std::move(loaded));
+    } catch (const CommandError& error) {
+      errors = error.what();
+    }
+  }
+
+ private:
+  /// An editor may be replacing it just now: the least time then.
+  fs::file_time_type time() const {
+    std::error_code error;
+    const auto written = fs::last_write_time(path_, error);
+    return error ? fs::file_time_type::min() : written;
+  }
+
+  fs::path path_;
+  std::string sha256_;
+  fs::file_time_type written_;
+};
+
+ExitCode play(const Options& options) {
+  const auto loaded = load(options.lesson);
+  if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
+  Companion companion(loaded, until_interrupted());
+  WindowOptions window;
+  Memory memory(companion, state_folder());
+  window.news = memory.news();
+  if (!window.news.empty()) say("polhode: {}\n", window.news);
+  if (!options.stage.empty()) {
+    const Stage& stage = stage_of(loaded->lesson, options.stage);
+    companion.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
+  }
+  window.keep = [&](const Companion& now) { return memory.keep(now); };
+  LessonWatch watch(*loaded);
+  if (options.watch)
+    window.look_for_changes = [&](Companion& now, std::string& errors) { watch.look(now, errors); };
+  const ExitCode code = run_window(companion, window);
+  if (const std::string news = memory.keep_at_last(companion); !news.empty()) say("polhode: {}\n", news);
+  return code;
+}
+
+}  // namespace
+
+void add_play(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("play", "Walk through a lesson in a window");
+  auto options = std::make_shared<Options>();
+  command->add_option("LESSON", options->lesson, "Lesson file or id")->capture_default_str();
+  command->add_option("--stage", options->stage, "Begin at this stage, wherever you were");
+  command->add_flag("--watch", options->watch,
+                    "For authors: read the lesson again whenever its file changes");
+  command->footer(
+      "Left and Right, or Page Up and Page Down as remote clickers send them, go through the steps,\n"
+      "Up and Down through the stages; press ? in the window for all its keys. Place, answers and\n"
+      "preferences are kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode. Without a display, see:\n"
+      "polhode export --help");
+  command->callback([options, &action] { action = [options] { return play(*options); }; });
+}
+
+}  // namespace polhode

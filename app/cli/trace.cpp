@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// polhode trace: the numbers of a motion, row by row.
+#include "app/cli/commands.h"
+#include "app/cli/horizon.h"
+#include "app/cli/message.h"
+#include "app/cli/numbers.h"
+#include "app/cli/trace_motion.h"
+#include "app/cli/trace_rows.h"
+#include "app/cli/trace_times.h"
+#include "app/cli/typed_problem.h"
+#include "app/cli/usage.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace polhode {
+
+namespace {
+
+/// As typed; empty where not given.
+struct TypedOptions {
+  TypedProblem problem;
+  TypedMethod method;
+  TypedTimes times;
+  std::string format;
+};
+
+constexpr const char* kMethodHelp =
+    "Methods: exact, uniform, symmetric (closed forms); with a fixed step explicit-euler,\n"
+    "explicit-midpoint, rk4, rk4-projected, splitting, implicit-midpoint (Cayley attitude),\n"
+    "implicit-midpoint-exp, moser-veselov-2, moser-veselov-6, moser-veselov-10; adaptive\n"
+    "dormand-prince-5, dormand-prince-8.";
+
+/// Both return the first time whose row could not be computed.
+std::optional<double> print_csv(const Problem& problem, const Motion& motion, const TraceTimes& times) {
+  std::optional<double> overflow_s;
+  fmt::print("{}", trace_csv_header());
+  for (std::int64_t i = 0; i < times.count(); ++i) {
+    const TraceRow row = trace_row(problem, motion, times(i));
+    fmt::print("{}", csv_line(row));
+    if (!overflow_s && overflowed(row)) overflow_s = times(i);
+  }
+  return overflow_s;
+}
+
+std::string number_or_null(double value) { return std::isfinite(value) ? digits17(value) : "null"; }
+
+std::optional<double> print_json(const Problem& problem, const Motion& motion, const TraceTimes& times) {
+  std::optional<double> overflow_s;
+  fmt::print("{{\"method\":\"{}\",\"period\":{},{},\n\"rows\":[", motion.method(),
+             number_or_null(period_s(problem).value_or(NAN)), json_members(horizon_of(problem)));
+  for (std::int64_t i = 0; i < times.count(); ++i) {
+    const TraceRow row = trace_row(problem, motion, times(i));
+    if (!overflow_s && overflowed(row)) overflow_s = times(i);
+    fmt::print("{}\n{{", i == 0 ? "" : ",");
+    for (std::size_t c = 0; c < row.size(); ++c)
+      fmt::print("{}\"{}\":{}", c == 0 ? "" : ",", kTraceColumns[c], number_or_null(row[c]));
+    fmt::print("}}");
+  }
+  fmt::print("\n]}}\n");
+  return overflow_s;
+}
+
+bool wants_json(const std::string& format) {
+  if (!format.empty() && format != "csv" && format != "json")
+    throw CommandError(ExitCode::usage, fmt::format("--format: \"{}\" is neither csv nor json", format));
+  return format == "json";
+}
+
+void check_reach(const Motion& motion, const TraceTimes& times) {
+  if (times.furthest_s() <= motion.max_time_s()) return;
+  throw CommandError(ExitCode::usage,
+                     fmt::format("{:.6g} s is further than the {:.6g} s that {} reaches with this step or "
+                                 "tolerance; give a larger --step or --tolerance",
+                                 times.furthest_s(), motion.max_time_s(), motion.method()));
+}
+
+void print_note(const std::string& note) {
+  if (!note.empty()) say("polhode: {}\n", note);
+}
+
+ExitCode trace(const TypedOptions& typed) {
+  const bool json = wants_json(typed.format);
+  const Problem problem = problem_from(typed.problem);
+  const TracedMotion traced = traced_motion(problem, typed.method);
+  const TraceTimes times = trace_times(typed.times, counted_period_s(problem));
+  check_reach(*traced.motion, times);
+
+  print_note(traced.note);
+  if (!json) print_note(sentence(horizon_of(problem)));
+  const auto overflow_s =
+      json ? print_json(problem, *traced.motion, times) : print_csv(problem, *traced.motion, times);
+  if (overflow_s)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("the motion cannot be computed at t = {:.6g} s: {}", *overflow_s,
+                                   why_no_state(*traced.motion, problem, *overflow_s)));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("trace", "Print the numbers of a motion as CSV or JSON");
+  auto typed = std::make_shared<TypedOptions>();
+  const auto option = [&](const char* name, std::string& value, const char* form, const char* text) {
+    return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
+  };
+  add_problem_options(*command, typed->problem, true);
+  option("--times", typed->times.times, "t1,t2,...", "these times in s, in this order");
+  option("--from", typed->times.from, "A", "or: from A s ...");
+  option("--to", typed->times.to, "B", "... to B s ...");
+  option("--every", typed->times.every, "D", "... every D s");
+  option("--periods", typed->times.periods, "P",
+         "or: over P polhode periods; of none, of turns 2 pi/|omega| ...");
+  option("--samples", typed->times.samples, "N", "... N rows, 2 or more, both ends included");
+  option("--method", typed->method.method, "NAME",
+         "see below (default: exact without torque, dormand-prince-8 with one)");
+  option("--step", typed->method.step, "H", "step in s, needed by methods with a fixed one");
+  option("--tolerance", typed->method.tolerance, "E", "of dormand-prince-5 and -8 (default: 1e-10)");
+  option("--format", typed->format, "csv|json", "form of the result (default: csv)");
+  command->footer(fmt::format(
+      "{}\n{}\n"
+      "Columns: t in s; w1 w2 w3 in rad/s, body axes; qw qx qy qz body to space; T in J; L = |L|;\n"
+      "Lx Ly Lz in kg m^2/s, space axes. 17 significant digits.",
+      kMethodHelp, kTorqueHelp));
+  command->callback([typed, &action] { action = [typed] { return trace(*typed); }; });
+}
+
+}  // namespace polhode

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/or_fail.h"
+#include "app/export/manifest.h"
+#include "app/export/picture_maker.h"
+#include "app/narration/speech_text.h"
+#include "app/page/live_numbers.h"
+#include "render/typeset/morph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace polhode {
+
+namespace {
+
+constexpr double kPointsPerInch = 72, kTypePoints = 12;
+constexpr double kMargin = 0.35;  // around the ink, em
+
+/// Whole pixels that hold the ink of some lists, whose origin lies at (x, y) in it.
+struct Canvas {
+  double x = 0, y = 0;
+  Size size;
+};
+
+void unite(TypeBox& all, const TypeBox& box) {
+  if (box.empty()) return;
+  all = all.empty() ? box
+                    : TypeBox{std::min(all.x0, box.x0), std::min(all.y0, box.y0), std::max(all.x1, box.x1),
+                              std::max(all.y1, box.y1)};
+}
+
+Canvas canvas_around(const TypeBox& ink, double margin) {
+  const double x = std::ceil(margin - ink.x0), y = std::ceil(margin - ink.y0);
+  const auto length = [](double end) { return static_cast<int>(std::min(std::ceil(end), 1e9)); };
+  return {x, y, {std::max(1, length(x + ink.x1 + margin)), std::max(1, length(y + ink.y1 + margin))}};
+}
+
+/// About x = 0, as displays stand on a page.
+DisplayList centred(const DisplayList& list) {
+  DisplayList moved = list;
+  moved.glyphs.clear();
+  moved.rules.clear();
+  moved.names.clear();
+  append(moved, list, -0.5 * list.width, 0.0);
+  return moved;
+}
+
+/// What a frame of a film shows: a line, or the way from it to the next.
+struct MorphPlace {
+  std::size_t line = 0;
+  double way = 0;  ///< 0: the line itself
+};
+
+/// Lines stand as long as the ways between them take; the ways begin and end softly.
+MorphPlace place_at(std::int64_t frame, std::int64_t frames, std::size_t lines) {
+  const double parts = 2.0 * static_cast<double>(lines) - 1.0;
+  const double at =
+      parts * (static_cast<double>(frame) + 0.5) / static_cast<double>(std::max<std::int64_t>(1, frames));
+  const auto part = static_cast<std::size_t>(std::min(at, parts - 0.5));
+  const double u = at - static_cast<double>(part);
+  return {part / 2, part % 2 == 0 ? 0.0 : u * u * (3.0 - 2.0 * u)};
+}
+
+class EquationMaker : public PictureMaker {
+ public:
+  explicit EquationMaker(const MakerContext& context)
+      : context_(context),
+        speaker_(context.lesson),
+        symbols_(symbols_of(context.lesson, context.options.theme)),
+        em_(kTypePoints / kPointsPerInch * context.options.dpi) {}
+
+  void check(const PlannedPicture& picture) override {
+    const Size size = canvas_of(picture).size;
+    if (std::max(size.width, size.height) > kMaxImageSide)
+      throw CommandError(
+          ExitCode::usage,
+          fmt::format("stage \"{}\": at --dpi {} the equation would be {}x{} pixels, at most {} are made",
+                      picture.stage->id, context_.options.dpi, size.width, size.height, kMaxImageSide));
+  }
+
+  PictureDescription describe(const PlannedPicture& picture) override {
+    const auto [line, next, way] = shown_in(picture);
+    if (way == 0.0) return {speaker_.words(*line), {line->tex}, {}, {}, canvas_of(picture).size};
+    return {fmt::format("Between two lines. {} {}", speaker_.words(*line), speaker_.words(*next)),
+            {line->tex, next->tex},
+            {},
+            {},
+            canvas_of(picture).size};
+  }
+
+  Image draw(const PlannedPicture& picture) override {
+    const auto [line, next, way] = shown_in(picture);
+    const Canvas canvas = canvas_of(picture);
+    Sheet sheet;
+    sheet.texts.push_back({.list = way == 0.0 ? list_of(*line) : morph(list_of(*line), list_of(*next), way),
+                           .at = {canvas.x, canvas.y},
+                           .moving = picture.equation == nullptr});
+    return or_fail(context_.renderer.draw(sheet, canvas.size, background_of(context_.options)));
+  }
+
+  bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {
+    const Shown of_a = shown_in(a), of_b = shown_in(b);
+    return of_a.way == 0.0 && of_b.way == 0.0 && of_a.line == of_b.line;
+  }
+
+ private:
+  /// A line; in a film also the way to the next.
+  struct Shown {
+    const Equation* line;
+    const Equation* next;  ///< null where way is 0
+    double way;
+  };
+
+  Shown shown_in(const PlannedPicture& picture) const {
+    if (picture.equation) return {picture.equation, nullptr, 0.0};
+    const std::vector<const Equation*> lines = equations_of(*picture.stage);
+    const std::int64_t frames = frame_count(context_.options.fps, context_.options.seconds);
+    const auto [line, way] = place_at(picture.frame_of_stage, frames, lines.size());
+    return {lines[line], way == 0.0 ? nullptr : lines[line + 1], way};
+  }
+
+  static std::vector<const Equation*> lines_of(const PlannedPicture& picture) {
+    if (picture.equation) return {picture.equation};
+    return equations_of(*picture.stage);
+  }
+
+  const DisplayList& list_of(const Equation& equation) {
+    const auto known = lists_.find(&equation);
+    if (known != lists_.end()) return known->second;
+    MathStyle style;
+    style.size = em_;
+    style.display = true;
+    style.color = colors_of(context_.options.theme).ink;
+    style.strike = colors_of(context_.options.theme).accent;
+    style.symbols = &symbols_;
+    auto set = set_math(equation.math, style, context_.renderer.fonts());
+    if (!set)
+      throw CommandError(ExitCode::invalid, fmt::format("equation \"{}\" cannot be set: {}", equation.id,
+                                                        set.error().front().message));
+    put_live_numbers_in(*set, equation);
+    return lists_.emplace(&equation, centred(*set)).first->second;
+  }
+
+  /// At the `at` of the scene beside it.
+  void put_live_numbers_in(DisplayList& list, const Equation& equation) const {
+    if (equation.live.empty()) return;
+    const Scene* scene = scene_beside(equation);
+    const SceneModel model = scene ? make_model(*scene, Product::page, context_.effort) : SceneModel();
+    const auto live = scene ? live_state(model, still_time_s(*scene)) : std::nullopt;
+    for (const LiveRoom& room : take_live_rooms(list)) {
+      const auto value = live ? live_number(equation.live[room.index], *live) : std::nullopt;
+      const PlacedType number = live_number_in(room, value, context_.renderer.fonts());
+      append(list, number.list, number.at.x(), number.at.y());
+    }
+  }
+
+  const Scene* scene_beside(const Equation& equation) const {
+    for (const Stage& stage : context_.lesson.stages)
+      for (const Step& step : stage.steps)
+        for (const Block& block : step.blocks)
+          if (std::get_if<Equation>(&block) == &equation) return step.scene ? &*step.scene : nullptr;
+    return nullptr;
+  }
+
+  Canvas canvas_of(const PlannedPicture& picture) {
+    TypeBox ink;
+    for (const Equation* equation : lines_of(picture))
+      unite(ink, ink_box(list_of(*equation), context_.renderer.fonts()));
+    return canvas_around(ink, kMargin * em_);
+  }
+
+  MakerContext context_;
+  Speaker speaker_;
+  std::vector<MathSymbol> symbols_;
+  double em_;                                     ///< px
+  std::map<const Equation*, DisplayList> lists_;  ///< looked up only: its order is never used
+};
+
+}  // namespace
+
+std::unique_ptr<PictureMaker> make_equation_maker(const MakerContext& context) {
+  return std::make_unique<EquationMaker>(context);
+}
+
+}  // namespace polhode

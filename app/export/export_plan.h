@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Which pictures an export makes, under which names.
+#pragma once
+
+#include "app/export/timeline.h"
+#include "app/page/page_theme.h"
+#include "lessons/reader/lesson.h"
+#include "render/image/image.h"
+#include "render/image/png.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+enum class What { page, equation, figure, transcript };
+enum class Each { stage, step, frame };
+
+/// The options that decide the bytes of an export; what is not here (folder, context, syncing) does not.
+struct ExportOptions {
+  What what = What::page;
+  std::vector<std::string> stages;  ///< ids; empty: all
+  Each each = Each::stage;
+  Size size{1920, 1080};       ///< of pages and figures
+  FrameRate fps;               ///< of Each::frame
+  double seconds = 8;          ///< shown, per stage, of Each::frame
+  std::optional<double> at_s;  ///< t of stills, of the first frame of films; absent: the scene's `at`, 0
+  std::optional<FrameRange> frames;     ///< of Each::frame; absent: all
+  std::string background = "paper";     ///< of pages that of the theme
+  Theme theme = Theme::paper;           ///< of pages and equations
+  std::optional<QualityLevel> quality;  ///< of pages and figures; absent: the scene's
+  double text_scale = 1;                ///< of pages
+  int dpi = 0;                          ///< noted in the files, 0: none; of equations also their size
+  PngPacking png = PngPacking::fast;
+};
+
+struct PlannedPicture {
+  const Stage* stage;
+  int number;                         ///< of the stage in the lesson, from 1
+  int step;                           ///< from 1
+  const Scene* scene;                 ///< of the step; null: none
+  const Equation* equation;           ///< of What::equation: the one to show; null in films, which show all
+  std::optional<std::int64_t> frame;  ///< 0-based over the whole selection
+  std::int64_t frame_of_stage = 0;    ///< 0-based within its stage, through which time runs,
+  std::int64_t frame_of_step = 0;     ///< and within its step
+  std::string file;                   ///< name without folder
+};
+
+struct ExportPlan {
+  std::vector<PlannedPicture> pictures;  ///< in the order of the lesson; they point into it
+  std::vector<std::string> left_out;     ///< ids of selected stages that have nothing of the kind to draw
+};
+
+/// NN-<stage>.png, NN-<stage>-step<K>.png or NN-<stage>-frame<F>.png; equations stage by stage are
+/// NN-<stage>-<equation>.png. A stage is shown at its last step with something of the kind to draw: a scene,
+/// an equation; pages have all steps. The frames of a stage are shared evenly among its steps, in order;
+/// those of equations belong to the last one. Not for transcripts.
+/// @throws CommandError usage: unknown stage, a range beyond the frames there are, too many frames.
+ExportPlan plan_export(const Lesson& lesson, const ExportOptions& options);
+
+/// What a step adds to the display mathematics of its stage, and what a stage has in all.
+std::vector<const Equation*> equations_of(const Step& step);
+std::vector<const Equation*> equations_of(const Stage& stage);
+
+/// t of a picture that has a scene, s. @param speed simulated seconds per shown second
+double time_of(const PlannedPicture& picture, const ExportOptions& options, double speed);
+
+}  // namespace polhode

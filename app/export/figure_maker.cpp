@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/or_fail.h"
+#include "app/export/manifest.h"
+#include "app/export/picture_maker.h"
+#include "app/narration/alt_text.h"
+#include "app/narration/speech_text.h"
+#include "app/page/figure_place.h"
+#include "physics/method.h"
+
+#include <fmt/format.h>
+
+namespace polhode {
+
+namespace {
+
+class FigureMaker : public PictureMaker {
+ public:
+  explicit FigureMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
+
+  void check(const PlannedPicture& picture) override { static_cast<void>(moment_of(picture)); }
+
+  PictureDescription describe(const PlannedPicture& picture) override {
+    const auto [model, t_s] = moment_of(picture);
+    const std::string alt = speaker_.words_of_title(*picture.stage) + ' ' +
+                            alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
+                                     model.motion->w_B_at(t_s), t_s);
+    return {alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model.motion->method()),
+            context_.options.size};
+  }
+
+  Image draw(const PlannedPicture& picture) override {
+    const auto [model, t_s] = moment_of(picture);
+    const Size size = context_.options.size;
+    const Background background = background_of(context_.options);
+    const Quality quality = quality_of(context_.options.quality.value_or(picture.scene->quality));
+    if (!boards_in(model.drawn).empty()) return draw_with_boards(model, t_s, background, quality);
+    const double aspect = static_cast<double>(size.width) / size.height;
+    return or_fail(context_.renderer.draw(make_figure(model, t_s, aspect), size, background, quality));
+  }
+
+ private:
+  struct Moment {
+    const SceneModel& model;
+    double t_s;
+  };
+
+  Moment moment_of(const PlannedPicture& picture) {
+    const SceneModel& model = models_.of(*picture.scene);
+    const double t_s = time_of(picture, context_.options, model.rate);
+    check_computable(*picture.stage, model, t_s);
+    return {model, t_s};
+  }
+
+  /// Boards stand on a plain ground: paper instead of the studio.
+  Image draw_with_boards(const SceneModel& model, double t_s, const Background& background,
+                         const Quality& quality) {
+    using Kind = Background::Kind;
+    const Size size = context_.options.size;
+    const Background ground = background.kind == Kind::studio ? Background{Kind::paper, {}} : background;
+    FigurePlace place{.rect = {0, 0, size.width, size.height},
+                      .caption_px = caption_px_of(size),
+                      .theme = is_dark(halo_of(ground)) ? Theme::dark : Theme::paper,
+                      .background = background,
+                      .ground = {},
+                      .quality = quality};
+    if (ground.kind != Kind::transparent) place.ground = sky_of(ground);
+    const PlacedFigure placed = place_figure(model, t_s, place, context_.renderer.fonts());
+    return or_fail(context_.renderer.draw(placed.sheet, placed.insets, size, ground));
+  }
+
+  MakerContext context_;
+  Speaker speaker_;
+  ModelOfScene models_{Product::figure, context_.effort};
+};
+
+}  // namespace
+
+const SceneModel& ModelOfScene::of(const Scene& scene) {
+  if (scene_ != &scene) {
+    model_ = make_model(scene, product_, effort_);
+    scene_ = &scene;
+  }
+  return model_;
+}
+
+void check_computable(const Stage& stage, const SceneModel& model, double t_s) {
+  if (!is_computable(model, t_s))
+    throw CommandError(ExitCode::failed,
+                       fmt::format("stage \"{}\": the motion cannot be computed at t = {:.6g} s: {}",
+                                   stage.id, t_s, why_no_state(*model.motion, problem_of(model.scene), t_s)));
+}
+
+std::unique_ptr<PictureMaker> make_figure_maker(const MakerContext& context) {
+  return std::make_unique<FigureMaker>(context);
+}
+
+}  // namespace polhode

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/or_fail.h"
+#include "app/export/manifest.h"
+#include "app/export/picture_maker.h"
+#include "app/narration/alt_text.h"
+#include "app/narration/speech_text.h"
+#include "app/page/page.h"
+#include "app/page/page_text.h"
+#include "app/page/still_numbers.h"
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+constexpr double kFadeSeconds = 0.4;
+
+class PageMaker : public PictureMaker {
+ public:
+  explicit PageMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
+
+  void check(const PlannedPicture& picture) override {
+    static_cast<void>(text_of(picture, shown_in(picture)));
+  }
+
+  PictureDescription describe(const PlannedPicture& picture) override {
+    const Shown shown = shown_in(picture);
+    const StepText& words = text_of(picture, shown);
+    PictureDescription description{words.alt, words.tex, {}, {}, context_.options.size};
+    if (!shown.model) return description;
+    description.t_s = shown.t_s;
+    description.method = shown.model->motion->method();
+    description.alt +=
+        " Figure: " + alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
+                               shown.model->motion->w_B_at(shown.t_s), shown.t_s);
+    return description;
+  }
+
+  Image draw(const PlannedPicture& picture) override {
+    const Shown shown = shown_in(picture);
+    const Page page = compose_page(request_of(picture, shown), text_of(picture, shown).set, fonts());
+    return or_fail(context_.renderer.draw(page.sheet, page.insets, context_.options.size,
+                                          background_of(context_.options)));
+  }
+
+  bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {
+    return !a.scene && a.stage == b.stage && a.step == b.step && news_in(a) == news_in(b);
+  }
+
+ private:
+  struct Shown {
+    const SceneModel* model = nullptr;
+    double t_s = 0;
+  };
+
+  /// What a page has apart from its figure is the same at all times: laid out once for a step.
+  struct StepText {
+    const Stage* stage = nullptr;
+    int step = 0;
+    FittedText set;
+    std::string alt;
+    std::vector<std::string> tex;
+  };
+
+  const StepText& text_of(const PlannedPicture& picture, const Shown& shown) {
+    if (text_.stage == picture.stage && text_.step == picture.step) return text_;
+    FittedText set = text_of_page(request_of(picture, shown), fonts());
+    std::vector<std::string> tex;
+    for (const Equation* equation : set.equations) tex.push_back(equation->tex);
+    std::string alt = speaker_.words_of_page(*picture.stage, set.whole_from, picture.step);
+    text_ = {picture.stage, picture.step, std::move(set), std::move(alt), std::move(tex)};
+    return text_;
+  }
+
+  Shown shown_in(const PlannedPicture& picture) {
+    if (!picture.scene) return {};
+    const SceneModel& model = models_.of(*picture.scene);
+    const double t_s = time_of(picture, context_.options, model.rate);
+    check_computable(*picture.stage, model, t_s);
+    return {&model, t_s};
+  }
+
+  /// Frame by frame, what a step adds comes softly; a stage begins with its first step whole.
+  std::optional<double> news_in(const PlannedPicture& picture) const {
+    if (!picture.frame) return std::nullopt;
+    if (picture.frame_of_step == picture.frame_of_stage) return 1.0;
+    const FrameRate& fps = context_.options.fps;
+    const double shown_s =
+        static_cast<double>((picture.frame_of_step + 1) * fps.seconds) / static_cast<double>(fps.frames);
+    const double u = std::min(1.0, shown_s / kFadeSeconds);
+    return u * u * (3.0 - 2.0 * u);
+  }
+
+  PageRequest request_of(const PlannedPicture& picture, const Shown& shown) {
+    return {.lesson = context_.lesson,
+            .stage = *picture.stage,
+            .number = picture.number,
+            .step = picture.step,
+            .model = shown.model,
+            .t_s = shown.t_s,
+            .size = context_.options.size,
+            .theme = context_.options.theme,
+            .quality = context_.options.quality,
+            .news = news_in(picture),
+            .text_scale = context_.options.text_scale,
+            .still_numbers = &still_numbers_,
+            .effort = context_.effort};
+  }
+
+  const Fonts& fonts() const { return context_.renderer.fonts(); }
+
+  MakerContext context_;
+  Speaker speaker_;
+  ModelOfScene models_{Product::page, context_.effort};
+  StillNumbers still_numbers_{context_.effort};
+  StepText text_;  ///< of the picture seen last
+};
+
+}  // namespace
+
+std::unique_ptr<PictureMaker> make_page_maker(const MakerContext& context) {
+  return std::make_unique<PageMaker>(context);
+}
+
+}  // namespace polhode

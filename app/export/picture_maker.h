@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// One maker for each kind of picture that is exported.
+#pragma once
+
+#include "app/cli/export_options.h"
+#include "app/cli/lesson_lookup.h"
+#include "render/scene/model/model.h"
+
+#include <memory>
+
+namespace polhode {
+
+/// What the manifest and the file say of a picture.
+struct PictureDescription {
+  std::string alt;
+  std::vector<std::string> tex;  ///< the display mathematics in it
+  std::optional<double> t_s;
+  std::string method;  ///< of the motion; empty: none
+  Size size;
+};
+
+/// Any picture in any order; neighbours in the plan are cheaper. @throws CommandError
+class PictureMaker {
+ public:
+  virtual ~PictureMaker() = default;
+  /// Does what can fail without drawing.
+  virtual void check(const PlannedPicture& picture) = 0;
+  /// Draws nothing: a manifest can be written by who did not draw its pictures.
+  virtual PictureDescription describe(const PlannedPicture& picture) = 0;
+  virtual Image draw(const PlannedPicture& picture) = 0;
+  /// Whether two pictures are known, without drawing, to have the same bytes as files. Frames of a scene
+  /// never are, even where nothing in it moves: each file has its t.
+  virtual bool same_bytes(const PlannedPicture&, const PlannedPicture&) const { return false; }
+};
+
+/// What a maker works with; all outlive it.
+struct MakerContext {
+  const Lesson& lesson;
+  const ExportOptions& options;
+  Renderer& renderer;
+  Effort effort{};  ///< is told what motions cost
+};
+
+std::unique_ptr<PictureMaker> make_figure_maker(const MakerContext& context);
+std::unique_ptr<PictureMaker> make_page_maker(const MakerContext& context);
+std::unique_ptr<PictureMaker> make_equation_maker(const MakerContext& context);
+
+/// The model of the scene asked for last: neighbours in an export mostly share it.
+class ModelOfScene {
+ public:
+  explicit ModelOfScene(Product product, Effort effort = {})
+      : product_(product), effort_(std::move(effort)) {}
+  const SceneModel& of(const Scene& scene);
+
+ private:
+  Product product_;
+  Effort effort_;
+  const Scene* scene_ = nullptr;
+  SceneModel model_;
+};
+
+/// A motion may overflow (a huge torque), or lie beyond the steps that its method takes.
+/// @throws CommandError failed
+void check_computable(const Stage& stage, const SceneModel& model, double t_s);
+
+}  // namespace polhode

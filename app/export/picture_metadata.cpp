@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "app/export/picture_metadata.h"
+
+#include "app/cli/numbers.h"
+#include "app/narration/speech_text.h"
+
+namespace polhode {
+
+std::string program_name_and_version() { return "polhode " POLHODE_VERSION; }
+
+PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt,
+                             const std::optional<double>& t_s, int dpi) {
+  PngMetadata metadata{{{"Title", Speaker(lesson).words(stage.title_text) + " \u2013 " + lesson.title},
+                        {"Description", alt},
+                        {"Software", program_name_and_version()},
+                        {"polhode:lesson", lesson.id},
+                        {"polhode:stage", stage.id}},
+                       dpi};
+  if (t_s) metadata.text.emplace_back("polhode:t", digits17(*t_s));
+  return metadata;
+}
+
+}  // namespace polhode

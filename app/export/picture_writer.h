@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Pictures become files in a second thread, while the next one is drawn.
+#pragma once
+
+#include "app/export/manifest.h"
+#include "base/files/atomic_file.h"
+#include "base/result.h"
+#include "render/image/png.h"
+
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace polhode {
+
+/// A picture on its way to disk. Without an image it is that of the picture put before it: a hard link to its
+/// file, where the file system has them. A link or device under its name is replaced, not followed.
+struct PictureFile {
+  std::string name;
+  std::optional<Image> image;
+  PngMetadata metadata;
+};
+
+/// Encodes and writes in the order of put(). Holds kWaiting pictures at most besides the one it encodes, so
+/// that memory does not grow with the number of pictures. The thread touches PNG and files, nothing else: no
+/// OpenGL, no fonts.
+class PictureWriter {
+ public:
+  static constexpr std::size_t kWaiting = 1;
+
+  PictureWriter(std::filesystem::path folder, PngPacking packing, Durability durability);
+  /// Drops what still waits.
+  ~PictureWriter();
+  PictureWriter(const PictureWriter&) = delete;
+  PictureWriter& operator=(const PictureWriter&) = delete;
+
+  /// Takes a picture as soon as there is room. After a failure nothing more is written: its error, which is
+  /// the first one, comes back from every later call.
+  Status put(PictureFile&& picture);
+  /// Waits until everything that was put has its final name.
+  Status finish();
+  /// Of what was written, after finish().
+  const Checksums& checksums() const { return checksums_; }
+
+ private:
+  void work();
+  Status write(const PictureFile& picture);
+
+  const std::filesystem::path folder_;
+  const Durability durability_;
+  PngEncoder encoder_;                     ///< of the thread, as are
+  std::span<const std::uint8_t> bytes_{};  ///< those of the file written last
+  std::string last_;                       ///< name of it
+  Checksums checksums_;                    ///< of all
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<PictureFile> waiting_;
+  bool writing_ = false;
+  bool stop_ = false;
+  Status status_ = success();
+  std::thread thread_;  // last: it uses the others from its first moment
+};
+
+}  // namespace polhode

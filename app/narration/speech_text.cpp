@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "app/narration/speech_text.h"
+
+#include "app/narration/verdict_row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+/// As a sentence: with a full stop, unless it ends like one.
+std::string sentence(std::string text) {
+  if (!text.empty() && std::string_view(".:;!?").find(text.back()) == std::string_view::npos) text += '.';
+  return text;
+}
+
+bool same_letters(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// Prose often names a quantity before its symbol: "the angular velocity" and "angular velocity" are one. The
+/// symbol's words without those that the text ends with.
+std::string_view unsaid_part(std::string_view text, std::string_view symbol) {
+  constexpr std::size_t kShortest = 3;  // "S" may well follow "S"
+  while (text.ends_with(' ')) text.remove_suffix(1);
+  for (std::size_t end = symbol.size(); end >= kShortest; end = symbol.rfind(' ', end - 1)) {
+    if (end == std::string_view::npos) break;
+    const std::string_view begin = symbol.substr(0, end);
+    if (begin.size() > text.size()) continue;
+    const std::string_view tail = text.substr(text.size() - begin.size());
+    const bool whole_words = tail.size() == text.size() || text[text.size() - tail.size() - 1] == ' ';
+    if (whole_words && same_letters(tail, begin)) return symbol.substr(std::min(end + 1, symbol.size()));
+  }
+  return symbol;
+}
+
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+
+/// At the start of a sentence a word, which a single letter is not, has a capital.
+void add_symbol(std::string& text, std::string_view words) {
+  const std::string_view rest = unsaid_part(text, words);
+  if (rest.empty() && text.ends_with(' ')) text.pop_back();
+  const bool is_word = rest.size() > 1 && is_lower(rest[0]) && is_lower(rest[1]);
+  const bool begins = text.empty() || text.ends_with(". ");
+  text += rest;
+  if (is_word && begins) {
+    char& first = text[text.size() - rest.size()];
+    first = static_cast<char>(first - 'a' + 'A');
+  }
+}
+
+void add(std::string& text, const std::string& more) {
+  if (!text.empty() && !more.empty()) text += ' ';
+  text += more;
+}
+
+}  // namespace
+
+std::string_view words_of(Callout::Kind kind) {
+  return kind == Callout::Kind::said ? "The lecture said" : "What it meant";
+}
+
+Speaker::Speaker(const Lesson& lesson) : lesson_(lesson) {
+  for (const auto& [name, symbol] : lesson.symbols) symbols_.push_back({name, symbol.math, {}});
+}
+
+std::string Speaker::words(const Math& math) const {
+  return spoken(math, symbols_, [this](std::string_view name) {
+    const auto found = lesson_.symbols.find(std::string(name));
+    return found == lesson_.symbols.end() ? std::string() : found->second.say;
+  });
+}
+
+std::string Speaker::words(const TextBlock& block) const {
+  std::string text;
+  for (const TextSpan& span : block.spans) {
+    if (span.kind == TextSpan::Kind::math)
+      add_symbol(text, words(span.math));
+    else
+      text += span.text;
+    if (span.break_after) text += ' ';
+  }
+  return text;
+}
+
+std::string Speaker::words(const RichText& text) const {
+  std::string all;
+  for (const TextBlock& block : text) add(all, words(block));
+  return all;
+}
+
+std::string Speaker::words(const Equation& equation) const {
+  const std::string formula = sentence(words(equation.math));
+  return equation.tag.empty() ? "Equation: " + formula
+                              : fmt::format("Equation ({}): {}", equation.tag, formula);
+}
+
+std::string Speaker::words(const Claim& claim) const {
+  const VerdictRow row = verdict_row(claim, prover_, nullptr, nullptr);
+  std::string word(name_of(claim.kind));
+  word.front() = static_cast<char>(word.front() - 'a' + 'A');
+  return row.note.empty() ? word + '.' : word + ": " + row.note + '.';
+}
+
+std::string Speaker::words(const Callout& callout) const {
+  return fmt::format("{}: {}", words_of(callout.kind), sentence(words(callout.text)));
+}
+
+std::string Speaker::words(const Ask& ask) const {
+  std::string text = "Question: " + sentence(words(ask.prompt_text));
+  for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
+    add(text, fmt::format("Choice {}: {}", letter_of_choice(i), sentence(words(ask.choice_texts[i]))));
+  return text;
+}
+
+std::string Speaker::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
+
+std::string Speaker::words_of_caption(const Stage& stage, int step) const {
+  const auto& caption = stage.steps[static_cast<std::size_t>(step - 1)].caption;
+  return caption ? words(*caption) : std::string();
+}
+
+std::string Speaker::words_of_page(const Stage& stage, int first, int last) const {
+  std::string text = words_of_title(stage);
+  for (int step = first; step <= last; ++step)
+    for (const Block& block : stage.steps[static_cast<std::size_t>(step - 1)].blocks) {
+      if (const auto* prose = std::get_if<Prose>(&block)) add(text, words(prose->text));
+      if (const auto* equation = std::get_if<Equation>(&block)) add(text, words(*equation));
+      if (const auto* claim = std::get_if<Claim>(&block)) add(text, words(*claim));
+      if (const auto* callout = std::get_if<Callout>(&block)) add(text, words(*callout));
+      if (const auto* ask = std::get_if<Ask>(&block)) add(text, words(*ask));
+    }
+  return text;
+}
+
+}  // namespace polhode

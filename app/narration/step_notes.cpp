@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "app/narration/step_notes.h"
+
+#include <fmt/format.h>
+
+namespace polhode {
+
+namespace {
+
+using Kind = DeckNote::Kind;
+
+class Notes {
+ public:
+  explicit Notes(const Speaker& speaker) : speaker_(speaker) {}
+
+  void add(const Prose& prose) {
+    for (const TextBlock& block : prose.text) {
+      const bool item = !block.marker.empty();
+      add(item ? Kind::item : Kind::text, (item ? block.marker + ' ' : "") + speaker_.words(block));
+    }
+  }
+  void add(const Equation& equation) { add(Kind::equation, speaker_.words(equation)); }
+  void add(const Callout& callout) { add(Kind::callout, speaker_.words(callout)); }
+  void add(const Claim&) {}
+  void add(const Ask& ask) {
+    add(Kind::question, "Question: " + speaker_.words(ask.prompt_text));
+    for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
+      add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speaker_.words(ask.choice_texts[i])));
+  }
+  void add_caption(const RichText& caption) { add(Kind::figure, "Figure: " + speaker_.words(caption)); }
+
+  std::vector<DeckNote> take() { return std::move(notes_); }
+
+ private:
+  void add(Kind kind, std::string text) {
+    if (!text.empty()) notes_.push_back({kind, std::move(text)});
+  }
+
+  const Speaker& speaker_;
+  std::vector<DeckNote> notes_;
+};
+
+}  // namespace
+
+std::vector<DeckNote> notes_of(const Speaker& speaker, const Stage& stage, int first, int last) {
+  Notes notes(speaker);
+  const auto begin = static_cast<std::size_t>(first - 1), end = static_cast<std::size_t>(last);
+  for (std::size_t i = begin; i < end; ++i) {
+    const Step& step = stage.steps[i];
+    for (const Block& block : step.blocks) std::visit([&](const auto& b) { notes.add(b); }, block);
+    const RichText* before = i > 0 ? stage.steps[i - 1].caption.get() : nullptr;
+    if (step.caption && step.caption.get() != before) notes.add_caption(*step.caption);
+  }
+  return notes.take();
+}
+
+}  // namespace polhode

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "app/narration/transcript.h"
+
+#include "app/narration/speech_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+std::size_t characters_in(std::string_view utf8) {
+  return static_cast<std::size_t>(std::count_if(
+      utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string underlined(const std::string& heading, char line) {
+  return heading + '\n' + std::string(characters_in(heading), line) + '\n';
+}
+
+class Transcript {
+ public:
+  explicit Transcript(const Lesson& lesson) : lesson_(lesson), speaker_(lesson) {
+    text_ = underlined(lesson.title, '=');
+  }
+
+  void add(const Stage& stage, std::size_t number) {
+    text_ += '\n' + underlined(fmt::format("{}. {}", number, speaker_.words(stage.title_text)), '-');
+    for (const Step& step : stage.steps) {
+      for (const Block& block : step.blocks) std::visit([this](const auto& b) { add(b); }, block);
+      if (step.caption && step.scene->caption != caption_) {
+        caption_ = step.scene->caption;
+        add_paragraph(speaker_.words(*step.caption), "Figure: ");
+      }
+    }
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  void add(const Prose& prose) {
+    bool in_list = false;
+    for (const TextBlock& block : prose.text) {
+      // Items of a list stand close.
+      if (!(in_list && !block.marker.empty())) text_ += '\n';
+      in_list = !block.marker.empty();
+      const std::string blanks(2 * static_cast<std::size_t>(std::max(0, block.indent)), ' ');
+      text_ += wrapped(speaker_.words(block), in_list ? blanks + block.marker + ' ' : blanks);
+    }
+  }
+
+  void add(const Equation& equation) { add_paragraph(speaker_.words(equation), "    "); }
+  void add(const Callout& callout) { add_paragraph(speaker_.words(callout), "  > "); }
+  void add(const Claim& claim) { text_ += wrapped(speaker_.words(claim), "      "); }
+
+  void add(const Ask& ask) {
+    add_paragraph(speaker_.words(ask.prompt_text), "Question: ");
+    for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
+      text_ += wrapped(speaker_.words(ask.choice_texts[i]), fmt::format("  {}. ", letter_of_choice(i)));
+  }
+
+  void add_paragraph(const std::string& words, const std::string& first) {
+    text_ += '\n' + wrapped(words, first);
+  }
+
+  const Lesson& lesson_;
+  Speaker speaker_;
+  std::string text_;
+  std::string caption_;  ///< the last one: steps inherit it
+};
+
+}  // namespace
+
+std::string wrapped(std::string_view words, const std::string& first) {
+  const std::string indent(characters_in(first), ' ');
+  std::string text, line = first;
+  bool is_empty = true;
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find_first_of(" \n"), words.size());
+    const std::string_view word = words.substr(0, end);
+    words.remove_prefix(std::min(end + 1, words.size()));
+    if (word.empty()) continue;
+    if (!is_empty && characters_in(line) + 1 + characters_in(word) > kTranscriptColumns) {
+      text += line + '\n';
+      line = indent;
+      is_empty = true;
+    }
+    if (!is_empty) line += ' ';
+    line += word;
+    is_empty = false;
+  }
+  return is_empty ? text : text + line + '\n';
+}
+
+std::string transcript_of(const Lesson& lesson, const std::vector<std::string>& stages) {
+  Transcript transcript(lesson);
+  for (std::size_t i = 0; i < lesson.stages.size(); ++i) {
+    const Stage& stage = lesson.stages[i];
+    if (stages.empty() || std::find(stages.begin(), stages.end(), stage.id) != stages.end())
+      transcript.add(stage, i + 1);
+  }
+  return transcript.take();
+}
+
+}  // namespace polhode

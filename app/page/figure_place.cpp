@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/figure_place.h"
+
+#include "render/typeset/paragraph.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+
+namespace {
+
+// In em of the caption.
+constexpr double kLargestBoardType = 1.5;
+constexpr double kPad = 1.2;          // around boards
+constexpr double kCaptionRoom = 2.4;  // at the bottom
+constexpr double kCaptionBaseline = 1.3;
+
+constexpr std::array kSpaceParts = {0.5, 0.42};  // of the place, where boards share it
+
+BoardStyle board_style(const FigurePlace& place) {
+  const PageColors& colors = colors_of(place.theme);
+  return {.type_size = kLargestBoardType * place.caption_px,
+          .ink = colors.ink,
+          .muted = colors.quiet,
+          .line = colors.line,
+          .paper = place.ground.value_or(colors.paper),
+          .panel = place.theme == Theme::dark ? colors.line : colors.panel};  // on the backdrop
+}
+
+std::array<PixelBox, 2> split(const PixelBox& box, bool beside, double part) {
+  if (beside) {
+    const double x = std::round(std::lerp(box.x0, box.x1, part));
+    return {{{box.x0, box.y0, x, box.y1}, {x, box.y0, box.x1, box.y1}}};
+  }
+  const double y = std::round(std::lerp(box.y0, box.y1, part));
+  return {{{box.x0, box.y0, box.x1, y}, {box.x0, y, box.x1, box.y1}}};
+}
+
+/// One box for each board, beside or below each other.
+std::vector<PixelBox> cells_of(PixelBox box, std::size_t count, bool beside) {
+  std::vector<PixelBox> cells;
+  for (; count > 0; --count) {
+    const auto [first, rest] = split(box, beside, 1.0 / static_cast<double>(count));
+    cells.push_back(first);
+    box = rest;
+  }
+  return cells;
+}
+
+/// Of the board whose type would be smallest, px.
+double type_px(const std::vector<Overlay>& boards, const std::vector<PixelBox>& cells, double pad) {
+  double px = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < boards.size(); ++i) {
+    const Vec2 extent = board_extent(boards[i], cells[i].grown(-pad));
+    px = std::min(
+        {px, (cells[i].width() - 2.0 * pad) / extent.x(), (cells[i].height() - 2.0 * pad) / extent.y()});
+  }
+  return px;
+}
+
+std::vector<PixelBox> best_cells(const std::vector<Overlay>& boards, const PixelBox& box, double pad) {
+  const auto beside = cells_of(box, boards.size(), true), below = cells_of(box, boards.size(), false);
+  return type_px(boards, beside, pad) > type_px(boards, below, pad) ? beside : below;
+}
+
+/// Space first, its views side by side, then what the boards have. Type that is a little larger is worth more
+/// than a space that is a little larger.
+std::array<PixelBox, 2> share(const std::vector<Overlay>& boards, std::size_t views, const PixelBox& box,
+                              double pad) {
+  const auto worth = [&](const std::array<PixelBox, 2>& parts) {
+    return type_px(boards, best_cells(boards, parts[1], pad), pad) *
+           std::sqrt(std::min(parts[0].width() / static_cast<double>(views), parts[0].height()));
+  };
+  std::array<PixelBox, 2> best = split(box, true, kSpaceParts[0]);
+  for (const bool beside : {true, false})
+    for (const double part : kSpaceParts)
+      if (const auto parts = split(box, beside, part); worth(parts) > worth(best)) best = parts;
+  return best;
+}
+
+PixelRect rect_of(const PixelBox& box) {
+  const auto px = [](double v) { return static_cast<int>(std::lround(v)); };
+  return {px(box.x0), px(box.y0), px(box.x1) - px(box.x0), px(box.y1) - px(box.y0)};
+}
+
+PixelBox box_of(const PixelRect& rect) {
+  return {static_cast<double>(rect.x), static_cast<double>(rect.y), static_cast<double>(rect.x + rect.width),
+          static_cast<double>(rect.y + rect.height)};
+}
+
+Inset space_of(const SceneModel& model, double t_s, const PixelRect& rect, const FigurePlace& place) {
+  const double aspect = static_cast<double>(rect.width) / std::max(1, rect.height);
+  Inset inset{.figure = make_figure(model, t_s, aspect),
+              .place = rect,
+              .background = place.background,
+              .quality = place.quality};
+  inset.figure.caption_px = place.caption_px;
+  return inset;
+}
+
+void add_ground(const PixelBox& box, const Color& color, Sheet& sheet) {
+  sheet.shapes.push_back(
+      Area{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}, color});
+}
+
+void add_caption(const std::string& caption, const FigurePlace& place, const Color& ink, Sheet& sheet,
+                 const Fonts& fonts) {
+  TextStyle style;
+  style.size = place.caption_px;
+  style.color = ink;
+  style.sans = true;
+  const double room = place.rect.width - 2.0 * place.caption_px;
+  style.size *= std::min(1.0, room / set_line(caption, style, fonts).width);
+  DisplayList line = set_line(caption, style, fonts);
+  const PixelBox box = box_of(place.rect);
+  const Vec2 at(0.5 * (box.x0 + box.x1 - line.width), box.y1 - kCaptionBaseline * place.caption_px);
+  sheet.texts.push_back({.list = std::move(line), .at = at, .text = caption});
+}
+
+}  // namespace
+
+PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts) {
+  PlacedFigure placed;
+  const std::vector<Overlay> boards = boards_in(model.drawn);
+  if (boards.empty()) {
+    placed.insets.push_back(space_of(model, t_s, place.rect, place));
+    return placed;
+  }
+  const BoardStyle style = board_style(place);
+  const std::string& caption = model.scene.caption;
+  const double pad = kPad * place.caption_px;
+  PixelBox box = box_of(place.rect);
+  if (place.ground) add_ground(box, *place.ground, placed.sheet);
+  if (!caption.empty()) {
+    add_caption(caption, place, style.ink, placed.sheet, fonts);
+    box.y1 -= std::round(kCaptionRoom * place.caption_px);
+  }
+  if (shows_space(model.drawn)) {
+    const auto [space, rest] = share(boards, model.scene.views.size(), box, pad);
+    placed.insets.push_back(space_of(model, t_s, rect_of(space), place));
+    placed.insets.back().figure.caption.clear();
+    box = rest;
+  }
+  const std::vector<PixelBox> cells = best_cells(boards, box, pad);
+  for (std::size_t i = 0; i < boards.size(); ++i)
+    append(placed.sheet, lay_out_board(boards[i], model, t_s, cells[i].grown(-pad), style, fonts), {0, 0});
+  return placed;
+}
+
+double caption_px_of(Size size) {
+  constexpr double kCaptionSize = 0.029;  // as of figures in space
+  return kCaptionSize * std::min<double>(size.height, size.width * 9.0 / 16.0);
+}
+
+}  // namespace polhode

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/page.h"
+
+#include "app/page/figure_place.h"
+#include "app/page/page_text.h"
+#include "app/page/page_transition.h"
+#include "render/drawing/fade.h"
+#include "render/drawing/plots/meter_plots.h"
+#include "render/typeset/paragraph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+// Relative to the em of prose.
+constexpr double kMeasure = 28.0;  ///< width of the text column: 62 to 66 characters
+constexpr double kMargin = 3.1;
+constexpr double kGutter = 2.4;  ///< between text and figure
+constexpr double kTop = 3.1;
+constexpr double kBottom = 2.2;
+constexpr double kMeterSize = 0.62;
+constexpr double kCaptionSize = 0.68;
+
+constexpr double kWidestText = 0.62;  ///< of a wide page, with its margins
+
+/// Where the parts of a page lie.
+struct Grid {
+  double em;        ///< of prose
+  double small_em;  ///< what labels, captions and plots go by
+  PixelBox text;
+  PixelRect figure;
+  PixelBox meters;
+};
+
+PixelRect rounded(double x0, double y0, double x1, double y1) {
+  const auto px = [](double v) { return static_cast<int>(std::lround(v)); };
+  return {px(x0), px(y0), px(x1) - px(x0), px(y1) - px(y0)};
+}
+
+/// What a page is laid out for.
+struct Room {
+  double w, h;
+  std::size_t meters;
+  double text_scale;
+};
+
+/// Width of the text column in normal em: with larger type it grows up to `most`.
+double measure_of(double text_scale, double most) {
+  return kMeasure * std::min(text_scale, std::max(1.0, most / kMeasure));
+}
+
+/// What is read at a glance need not grow as much as what is read for long.
+double half_as_much(double text_scale) { return std::sqrt(text_scale); }
+
+/// Text on the left; on the right the figure to the page's edges, meters below it.
+Grid side_by_side(const Room& room) {
+  const auto [w, h, meters, text_scale] = room;
+  const double em = std::min(w / (1600.0 / 23.25), h / 36.0);
+  const double measure = measure_of(text_scale, kWidestText * w / em - kMargin - kGutter);
+  const double split = std::round((kMargin + measure + kGutter) * em);
+  const double below = meters == 0 ? 0.0 : meters > 3 ? 0.48 * h : 0.30 * h;
+  return {text_scale * em,
+          half_as_much(text_scale) * em,
+          {kMargin * em, kTop * em, (kMargin + measure) * em, h - kBottom * em},
+          rounded(split, 0, w, h - below),
+          {split, h - below, w, h}};
+}
+
+/// The figure on top, meters below it, then the text, which takes of the figure's room what larger type
+/// needs.
+Grid one_above_the_other(const Room& room) {
+  const auto [w, h, meters, text_scale] = room;
+  const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0);
+  const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
+  const double rows = meters == 0 ? 0.0 : meters > 3 ? 2.0 : 1.0;
+  const double figure = (rows > 1.0 ? 0.27 : 0.34) * h / half_as_much(text_scale),
+               below = figure + 0.14 * rows * h;
+  const double left = 0.5 * (w - measure * em);
+  return {text_scale * em,
+          half_as_much(text_scale) * em,
+          {left, below + 1.6 * em, left + measure * em, h - kBottom * em},
+          rounded(0, 0, w, figure),
+          {0, figure, w, below}};
+}
+
+Grid text_alone(const Room& room) {
+  const auto [w, h, meters, text_scale] = room;
+  const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 26.0);
+  const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
+  const double left = 0.5 * (w - measure * em);
+  return {text_scale * em,
+          half_as_much(text_scale) * em,
+          {left, kTop * em, left + measure * em, h - kBottom * em},
+          {},
+          {}};
+}
+
+std::vector<TimePlot> plots_of(const PageRequest& request) {
+  return request.model ? meter_plots(*request.model, request.t_s) : std::vector<TimePlot>();
+}
+
+Grid grid_of(const PageRequest& request, std::size_t meters) {
+  const Room room{static_cast<double>(request.size.width), static_cast<double>(request.size.height), meters,
+                  request.text_scale};
+  if (!request.model) return text_alone(room);
+  return room.w > 1.05 * room.h ? side_by_side(room) : one_above_the_other(room);
+}
+
+TimePlotStyle plot_style(Theme theme, double type_size) {
+  const PageColors& colors = colors_of(theme);
+  return {.type_size = type_size,
+          .ink = colors.ink,
+          .muted = colors.quiet,
+          .grid = colors.line,
+          .paper = colors.paper};
+}
+
+PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const Fonts& fonts) {
+  FigurePlace place{.rect = grid.figure,
+                    .caption_px = kCaptionSize * grid.small_em,
+                    .theme = request.theme,
+                    .background = {},
+                    .quality = quality_of(request.quality.value_or(request.model->scene.quality))};
+  if (request.theme == Theme::dark) {
+    place.ground = colors_of(request.theme).backdrop;
+    place.background = {Background::Kind::color, *place.ground};
+  }
+  return place_figure(*request.model, request.t_s, place, fonts);
+}
+
+void add_meters(const PageRequest& request, const Grid& grid, const std::vector<TimePlot>& plots,
+                Sheet& sheet, const Fonts& fonts) {
+  const std::size_t columns = plots.size() > 3 ? 2 : plots.size();
+  const std::size_t rows = columns == 0 ? 0 : (plots.size() + columns - 1) / columns;
+  const double pad = 1.3 * grid.small_em;
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    const double width = grid.meters.width() / static_cast<double>(columns),
+                 height = grid.meters.height() / static_cast<double>(rows);
+    const double x = grid.meters.x0 + width * static_cast<double>(i % columns),
+                 y = grid.meters.y0 + height * static_cast<double>(i / columns);
+    const PixelBox box{x + pad, y + pad, x + width - 0.5 * pad, y + height - 0.6 * pad};
+    append(sheet, lay_out(plots[i], box, plot_style(request.theme, kMeterSize * grid.small_em), fonts),
+           {0, 0});
+  }
+}
+
+/// The values of a piece's claims and the live numbers of its formulas, each at its slot.
+Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, const Fonts& fonts) {
+  Sheet sheet;
+  for (const LiveNumberSlot& slot : piece.numbers) {
+    const auto running = live ? live_number(*slot.number, *live) : std::nullopt;
+    sheet.texts.push_back(live_number_in(slot.room, slot.kept ? slot.kept : running, fonts));
+  }
+  if (!live) return sheet;
+  for (const LiveSlot& slot : piece.live) {
+    const std::string text = live_text(*slot.claim, *live, view);
+    TextStyle style = slot.style;
+    DisplayList line = set_line(text, style, fonts);
+    if (line.width > slot.room) {
+      style.size *= slot.room / line.width;
+      line = set_line(text, style, fonts);
+    }
+    const double x = slot.end.x() - line.width;
+    sheet.texts.push_back({.list = std::move(line), .at = {x, slot.end.y()}});
+  }
+  return sheet;
+}
+
+/// What the present step's claims, and the numbers of all formulas, come to at this time.
+Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& fonts) {
+  Sheet sheet;
+  const std::vector<ColumnPiece>& pieces = stack.pieces;
+  const auto has_slots = [](const ColumnPiece& piece) {
+    return !piece.live.empty() || !piece.numbers.empty();
+  };
+  if (std::none_of(pieces.begin(), pieces.end(), has_slots)) return sheet;
+  const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
+  const View view = request.model ? request.model->scene.views.front() : View::space;
+  for (const ColumnPiece& piece : pieces)
+    append(sheet, live_values(piece, live ? &*live : nullptr, view, fonts), {0, 0});
+  return sheet;
+}
+
+void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet, const Fonts& fonts) {
+  const Sheet values = live_values(request, text.stack, fonts);
+  if (request.travel && *request.travel < 1.0) {
+    append(sheet, column_on_its_way(request.from, text, *request.travel), {0, 0});
+    append(sheet, faded(values, appeared(*request.travel)), text.corner);
+    return;
+  }
+  const double news = request.news.value_or(1.0);
+  const std::size_t old = text.stack.pieces.size() - text.stack.newest;
+  for (std::size_t i = 0; i < text.stack.pieces.size(); ++i)
+    append(sheet, faded(text.stack.pieces[i].sheet, i < old ? 1.0 : news), text.corner);
+  append(sheet, faded(values, news), text.corner);
+}
+
+}  // namespace
+
+FittedText text_of_page(const PageRequest& request, const Fonts& fonts) {
+  const Grid grid = grid_of(request, plots_of(request).size());
+  FittedText text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
+  text.corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
+  return text;
+}
+
+Page compose_page(const PageRequest& request, const Fonts& fonts) {
+  return compose_page(request, text_of_page(request, fonts), fonts);
+}
+
+Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts) {
+  const std::vector<TimePlot> plots = plots_of(request);
+  const Grid grid = grid_of(request, plots.size());
+  Page page;
+  page.scale = text.scale;
+  page.formula_scale = text.formula_scale;
+  page.equations = text.equations;
+  page.whole_from = text.whole_from;
+  page.column = grid.text;
+  page.meters = grid.meters;
+  const PixelRect& place = grid.figure;
+  page.figure = {static_cast<double>(place.x), static_cast<double>(place.y),
+                 static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
+  add_column(request, text, page.sheet, fonts);
+  if (!request.model) return page;
+  PlacedFigure figure = figure_on_page(request, grid, fonts);
+  page.insets = std::move(figure.insets);
+  append(page.sheet, std::move(figure.sheet), {0, 0});
+  add_meters(request, grid, plots, page.sheet, fonts);
+  return page;
+}
+
+}  // namespace polhode

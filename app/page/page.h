@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// A page of a lesson: text column, figure and meters, laid out for its size. What a step adds stands whole on
+// its page; of the steps before it, as much as there is room for: everything, or their equations alone.
+#pragma once
+
+#include "app/page/page_theme.h"
+#include "render/drawing/label_layout.h"
+#include "render/gl/renderer.h"
+#include "render/scene/model/model.h"
+
+#include <optional>
+#include <vector>
+
+namespace polhode {
+
+inline constexpr Size kSmallestPage{320, 240};
+
+struct FittedText;
+class StillNumbers;
+
+struct PageRequest {
+  const Lesson& lesson;
+  const Stage& stage;
+  int number = 1;                     ///< of the stage, from 1
+  int step = 1;                       ///< from 1
+  const SceneModel* model = nullptr;  ///< null: text alone
+  double t_s = 0;
+  Size size;
+  Theme theme = Theme::paper;
+  std::optional<QualityLevel> quality{};  ///< of the figure; absent: the scene's
+  /// In a sequence the opacity of the text that the step adds: its room is there from the start, and what was
+  /// in focus before keeps the room it had. Absent: a page by itself.
+  std::optional<double> news{};
+  /// Of all type, kLeastTextScale … kMostTextScale. The text column is wider or narrower with it, up to 0.62
+  /// of a wide page; labels, captions and plots follow by half. Where there is less room than that needs,
+  /// type is set smaller as ever.
+  double text_scale = 1;
+  /// On the way from the page before to this one, 0…1 in proportion to time (page_travel.h): what stands on
+  /// both goes from place to place; the equation in focus, with panel and bar, comes out of the one in focus
+  /// before (render/typeset/morph.h); what else is new appears, what is gone vanishes. At 1, or absent:
+  /// arrived. Figure and plots are those of this page. Not together with `news`.
+  std::optional<double> travel{};
+  const FittedText* from =
+      nullptr;  ///< of the page before, of the same lesson; null: all that is new fades in
+  /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
+  StillNumbers* still_numbers = nullptr;
+  /// Told what laying the text out costs, as if it were evaluations of a motion
+  /// (lessons/reader/lint_budget.h); what it throws ends that.
+  Effort effort{};
+};
+
+struct Page {
+  Sheet sheet;
+  std::vector<Inset> insets;  ///< under the sheet
+  /// Of the type's normal size; below kLeastScale the step alone has more than a page can hold.
+  double scale = 1;
+  /// Of the size of a display that fits the column; of the one that had to be set smallest.
+  double formula_scale = 1;
+  /// What it shows: these equations, from the first; the steps from this one on (from 1) whole.
+  std::vector<const Equation*> equations;
+  int whole_from = 1;
+  /// Where text and meters stand; bars and panels of the column reach one em further to each side.
+  PixelBox column, meters;
+  PixelBox figure;  ///< of the space figure, and of boards with it; empty: none
+};
+
+/// Type may be so much smaller than normal before earlier steps are left out.
+inline constexpr double kLeastScale = 0.86;
+/// A display set smaller than this part of its size is hard to read.
+inline constexpr double kLeastFormulaScale = 0.6;
+
+/// The text column (page_text.h), which is the same at all times, opacities and on all ways; most of what a
+/// page costs.
+FittedText text_of_page(const PageRequest& request, const Fonts& fonts);
+
+/// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
+/// @throws CommandError invalid for text that cannot be set, and for a step with more than a page holds (lint
+/// says where)
+Page compose_page(const PageRequest& request, const Fonts& fonts);
+/// The same with a text that is there: of this request, whatever its time, opacity and way.
+Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts);
+
+}  // namespace polhode

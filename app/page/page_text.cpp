@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/page_text.h"
+
+#include "app/cli/exit_codes.h"
+#include "app/page/still_numbers.h"
+#include "lessons/reader/lint_budget.h"
+#include "physics/method.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace polhode {
+
+namespace {
+
+constexpr double kHeaderSize = 0.62;  // em of prose
+constexpr double kHeaderToTitle = 0.9;
+constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads; of what is normal for the page
+constexpr double kSmaller = 0.94;
+
+/// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
+bool is_refuted(const Stage& stage, const Equation& equation) {
+  const auto says_so = [&](const Block& block) {
+    const auto* claim = std::get_if<Claim>(&block);
+    return claim && claim->equation == equation.id && refutes(claim->kind);
+  };
+  return std::any_of(stage.steps.begin(), stage.steps.end(), [&](const Step& step) {
+    return std::any_of(step.blocks.begin(), step.blocks.end(), says_so);
+  });
+}
+
+/// The equation the accent bar stands beside: of those of the present step that hold the first with a number,
+/// else the first.
+const Equation* focus_of(const Stage& stage, const Step& step) {
+  const Equation* focus = nullptr;
+  for (const Block& block : step.blocks) {
+    const auto* equation = std::get_if<Equation>(&block);
+    if (!equation || is_refuted(stage, *equation)) continue;
+    if (!equation->tag.empty()) return equation;
+    if (!focus) focus = equation;
+  }
+  return focus;
+}
+
+using Pieces = std::vector<ColumnPiece>;
+using PieceRefs = std::vector<const ColumnPiece*>;
+
+void add(PieceRefs& refs, const Pieces& pieces) {
+  for (const ColumnPiece& piece : pieces) refs.push_back(&piece);
+}
+
+bool has_equation(const Step& step, const std::string& id) {
+  return std::any_of(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
+    const auto* equation = std::get_if<Equation>(&block);
+    return equation && equation->id == id;
+  });
+}
+
+/// On the claims of the stage up to the page's step: the same at every size of type.
+using Verdicts = std::map<const Claim*, VerdictRow>;
+
+Verdicts verdicts_of(const PageRequest& request) {
+  const Prover prover;
+  Verdicts verdicts;
+  for (int i = 0; i < request.step; ++i) {
+    const Step& step = request.stage.steps[static_cast<std::size_t>(i)];
+    const SceneModel* model = i + 1 == request.step ? request.model : nullptr;
+    for (const Block& block : step.blocks)
+      if (const auto* claim = std::get_if<Claim>(&block))
+        verdicts.emplace(claim, verdict_row(*claim, prover, step.scene ? &*step.scene : nullptr, model));
+  }
+  return verdicts;
+}
+
+/// Whether two scenes show one motion.
+bool same_motion(const Scene& a, const Scene& b) {
+  const Problem of_a = problem_of(a), of_b = problem_of(b);
+  const auto method = [](const Scene& scene, const Problem& problem) {
+    return scene.motion.method.value_or(default_method(problem));
+  };
+  return of_a.I.vector() == of_b.I.vector() && of_a.start.w_B == of_b.start.w_B &&
+         of_a.start.q_SB.coeffs() == of_b.start.q_SB.coeffs() && of_a.torque == of_b.torque &&
+         method(a, of_a) == method(b, of_b) && a.motion.step_s == b.motion.step_s &&
+         a.motion.tolerance == b.motion.tolerance && a.body.mass_kg == b.body.mass_kg && a.v0_S == b.v0_S &&
+         a.F_S == b.F_S && a.arrow == b.arrow;
+}
+
+/// The live numbers of earlier steps whose motion the page's step has replaced by another, as they are on the
+/// stills of their own: what the formula says of one motion does not turn into a number of the other.
+StillNumbers::Values kept_numbers(const PageRequest& request) {
+  StillNumbers own;
+  StillNumbers& numbers = request.still_numbers ? *request.still_numbers : own;
+  StillNumbers::Values kept;
+  const std::vector<Step>& steps = request.stage.steps;
+  const Step& present = steps[static_cast<std::size_t>(request.step - 1)];
+  for (int i = 0; i + 1 < request.step; ++i)
+    if (const Step& step = steps[static_cast<std::size_t>(i)];
+        step.scene && present.scene && !same_motion(*step.scene, *present.scene))
+      kept.insert(numbers.of(step).begin(), numbers.of(step).end());
+  return kept;
+}
+
+/// What of the earlier steps a page shows: nothing before `equations_from`, everything from `whole_from`.
+struct Selection {
+  std::size_t equations_from = 0, whole_from = 0;
+  /// The less, the more is shown.
+  std::size_t rank() const { return equations_from + whole_from; }
+};
+
+/// The text at one size; each step is set when it is first asked for.
+class ScaledText {
+ public:
+  ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, const Verdicts& verdicts,
+             const StillNumbers::Values& kept, double width, double em, double scale, const Fonts& fonts)
+      : request_(request),
+        verdicts_(verdicts),
+        kept_(kept),
+        fonts_(fonts),
+        width_(width),
+        em_(em),
+        scale_(scale),
+        column_(width, scale * em, request.theme, symbols, fonts),
+        last_(static_cast<std::size_t>(request.step - 1)),
+        begun_{header(false), title()},
+        continued_{header(true), begun_[1]},
+        whole_(last_ + 1),
+        equations_(last_ + 1) {}
+
+  double scale() const { return scale_; }
+
+  /// The most that fits; nothing if the step alone does not.
+  std::optional<Selection> most(double height) {
+    const std::size_t whole_from = first_that_fits(last_ + 1, height, [&](std::size_t i) {
+      PieceRefs tried = heading(i > 0);
+      for (std::size_t k = i; k <= last_; ++k) add(tried, whole(k));
+      return tried;
+    });
+    if (whole_from > last_) return std::nullopt;
+    for (std::size_t from = whole_from; from <= last_; ++from) {
+      const std::size_t equations_from = with_equations(from, height);
+      if (equations_from == 0 || from == last_) return Selection{equations_from, from};
+    }
+    return std::nullopt;
+  }
+
+  Stack stacked(const Selection& shown) { return stack(pieces(shown), whole(last_).size()); }
+
+  double formula_scale(const Selection& shown) {
+    double least = 1.0;
+    for (const ColumnPiece* piece : pieces(shown)) least = std::min(least, piece->formula_scale);
+    return least;
+  }
+
+  std::vector<const Equation*> equations_in(const Selection& shown) const {
+    std::vector<const Equation*> all;
+    for (std::size_t i = shown.equations_from; i <= last_; ++i)
+      for (const Block& block : request_.stage.steps[i].blocks)
+        if (const auto* equation = std::get_if<Equation>(&block))
+          if (i >= shown.whole_from || !is_refuted(request_.stage, *equation)) all.push_back(equation);
+    return all;
+  }
+
+ private:
+  /// The smallest index below `end` from which on `pieces_from` fits; steps are tried from
+  /// the newest back.
+  template <class PiecesFrom>
+  std::size_t first_that_fits(std::size_t end, double height, const PiecesFrom& pieces_from) {
+    while (end > 0 && height_of(pieces_from(end - 1)) <= height) --end;
+    return end;
+  }
+
+  std::size_t with_equations(std::size_t whole_from, double height) {
+    return first_that_fits(whole_from, height, [&](std::size_t i) {
+      PieceRefs tried = heading(whole_from > 0);
+      for (std::size_t k = i; k < whole_from; ++k) add(tried, equations(k));
+      for (std::size_t k = whole_from; k <= last_; ++k) add(tried, whole(k));
+      return tried;
+    });
+  }
+
+  PieceRefs pieces(const Selection& shown) {
+    PieceRefs all = heading(shown.whole_from > 0);
+    for (std::size_t i = shown.equations_from; i < shown.whole_from; ++i) add(all, equations(i));
+    for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i));
+    return all;
+  }
+
+  PieceRefs heading(bool continued) const {
+    PieceRefs refs;
+    add(refs, continued ? continued_ : begun_);
+    return refs;
+  }
+
+  ColumnPiece title() const {
+    ColumnPiece piece = column_.title(request_.stage.title_text);
+    piece.of = &request_.stage;
+    return piece;
+  }
+
+  /// Lesson, stage, step: small, above the title; without the lesson's title where that is too long.
+  ColumnPiece header(bool continued) const {
+    // It keeps its size where other type is set smaller, but not the size of a reader's larger type.
+    const double em = em_ * std::max(scale_, 1.0 / std::max(1.0, request_.text_scale));
+    TextStyle quiet;
+    quiet.size = kHeaderSize * em;
+    quiet.color = colors_of(request_.theme).quiet;
+    quiet.sans = true;
+    std::string place = fmt::format("stage {} of {}", request_.number, request_.lesson.stages.size());
+    if (request_.stage.steps.size() > 1)
+      place += fmt::format("  ·  step {} of {}", request_.step, request_.stage.steps.size());
+    if (continued) place += "  ·  continued";
+    DisplayList line = set_line(request_.lesson.title + "  ·  " + place, quiet, fonts_);
+    if (line.width > width_) line = set_line(place, quiet, fonts_);
+    ColumnPiece piece;
+    piece.of = &request_.lesson;
+    piece.height = std::round(quiet.size);
+    piece.gap = kHeaderToTitle * em;
+    piece.sheet.texts.push_back({.list = std::move(line), .at = {0, std::round(0.8 * quiet.size)}});
+    return piece;
+  }
+
+  const Pieces& whole(std::size_t i) {
+    if (!whole_[i]) whole_[i] = made_whole(request_.stage.steps[i], i == last_);
+    return *whole_[i];
+  }
+
+  Pieces made_whole(const Step& step, bool is_present) const {
+    const Equation* first = focus_of(request_.stage, step);
+    const auto focus_on = [&](const Equation& equation) {
+      if (&equation != first) return Focus::none;
+      return is_present ? Focus::now : request_.news ? Focus::before : Focus::none;
+    };
+    const std::vector<std::string> marked =
+        is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
+    Pieces pieces;
+    const auto take = [&](ColumnPiece piece, const Block& block) {
+      piece.of = &block;
+      tell_cost_of(piece);
+      keep_numbers_of(piece);
+      piece.is_main = first && std::get_if<Equation>(&block) == first;
+      pieces.push_back(std::move(piece));
+    };
+    for (const Block& block : step.blocks) {
+      if (const auto* equation = std::get_if<Equation>(&block))
+        take(column_.equation(*equation, focus_on(*equation), marked,
+                              verdicts_on(*equation, step, is_present)),
+             block);
+      if (const auto* claim = std::get_if<Claim>(&block); claim && !has_equation(step, claim->equation))
+        take(verdict(*claim, is_present), block);
+      if (const auto* prose = std::get_if<Prose>(&block)) take(column_.prose(prose->text), block);
+      if (const auto* callout = std::get_if<Callout>(&block)) take(column_.callout(*callout), block);
+      if (const auto* ask = std::get_if<Ask>(&block)) take(column_.question(*ask), block);
+    }
+    return pieces;
+  }
+
+  Pieces verdicts_on(const Equation& equation, const Step& step, bool is_present) const {
+    Pieces pieces;
+    for (const Block& block : step.blocks)
+      if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
+        pieces.push_back(verdict(*claim, is_present));
+    return pieces;
+  }
+
+  /// The kind of the first claim on an equation: without it a recalled one would seem to hold always.
+  std::string word_on(const Equation& equation, const Step& step) const {
+    for (const Block& block : step.blocks)
+      if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
+        return verdicts_.at(claim).word;
+    return "";
+  }
+
+  ColumnPiece verdict(const Claim& claim, bool is_present) const {
+    return column_.verdict(verdicts_.at(&claim),
+                           is_present && request_.model && can_be_shown(claim, request_.model->scene));
+  }
+
+  void tell_cost_of(const ColumnPiece& piece) const {
+    std::size_t glyphs = 0;
+    for (const PlacedType& text : piece.sheet.texts) glyphs += text.list.glyphs.size();
+    spend(request_.effort, kGlyphEvaluations * static_cast<std::int64_t>(glyphs));
+  }
+
+  void keep_numbers_of(ColumnPiece& piece) const {
+    for (LiveNumberSlot& slot : piece.numbers)
+      if (const auto kept = kept_.find(slot.number); kept != kept_.end()) slot.kept = kept->second;
+  }
+
+  /// Without the words that refute it, what is wrong would stand there as if it were right.
+  const Pieces& equations(std::size_t i) {
+    if (equations_[i]) return *equations_[i];
+    Pieces pieces;
+    for (const Block& block : request_.stage.steps[i].blocks)
+      if (const auto* equation = std::get_if<Equation>(&block);
+          equation && !is_refuted(request_.stage, *equation)) {
+        pieces.push_back(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i])));
+        pieces.back().of = &block;
+        tell_cost_of(pieces.back());
+        keep_numbers_of(pieces.back());
+        pieces.back().is_main = equation == focus_of(request_.stage, request_.stage.steps[i]);
+      }
+    equations_[i] = std::move(pieces);
+    return *equations_[i];
+  }
+
+  const PageRequest& request_;
+  const Verdicts& verdicts_;
+  const StillNumbers::Values& kept_;
+  const Fonts& fonts_;
+  double width_, em_, scale_;
+  TextColumn column_;
+  std::size_t last_;          ///< index of the step
+  Pieces begun_, continued_;  ///< header and title
+  std::vector<std::optional<Pieces>> whole_, equations_;
+};
+
+}  // namespace
+
+FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts) {
+  const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
+  const Verdicts verdicts = verdicts_of(request);
+  const StillNumbers::Values kept = kept_numbers(request);
+  const auto text_at = [&](double scale) {
+    return ScaledText(request, symbols, verdicts, kept, width, em, scale, fonts);
+  };
+  const auto fitted = [](ScaledText& text, const Selection& shown) {
+    return FittedText{text.stacked(shown),
+                      text.scale(),
+                      text.formula_scale(shown),
+                      text.equations_in(shown),
+                      static_cast<int>(shown.whole_from) + 1,
+                      {0, 0}};
+  };
+  std::optional<FittedText> best;
+  std::size_t best_rank = 0;
+  for (const double scale : std::array{1.0, 0.93, kLeastScale}) {
+    ScaledText text = text_at(scale);
+    const auto shown = text.most(height);
+    if (!shown || (best && shown->rank() >= best_rank)) continue;
+    best_rank = shown->rank();
+    best = fitted(text, *shown);
+    if (best_rank == 0) break;
+  }
+  if (best) return std::move(*best);
+  const double least = kLeastOfAll / std::max(1.0, request.text_scale);
+  for (double scale = kSmaller * kLeastScale; scale > least; scale *= kSmaller) {
+    ScaledText text = text_at(scale);
+    if (const auto shown = text.most(height)) return fitted(text, *shown);
+  }
+  throw CommandError(ExitCode::invalid, fmt::format("stage \"{}\": step {} has more text than a page holds",
+                                                    request.stage.id, request.step));
+}
+
+}  // namespace polhode

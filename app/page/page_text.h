@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What stands in the text column of a page, and how large: the present step whole, and of the steps before it
+// as much as there is room for.
+#pragma once
+
+#include "app/page/page.h"
+#include "app/page/text_column.h"
+
+namespace polhode {
+
+struct FittedText {
+  Stack stack;               ///< its newest pieces: what the present step adds
+  double scale = 1;          ///< of the type's normal size
+  double formula_scale = 1;  ///< of the display that had to be set smallest to fit the column's width
+  std::vector<const Equation*> equations;  ///< that stand there
+  int whole_from = 1;                      ///< the first step that is there whole
+  Vec2 corner{0, 0};                       ///< of the column, px of the page
+};
+
+/// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a
+/// little smaller; else less of what came before (of the earliest steps first their equations alone, then
+/// nothing); else much smaller. Sets no more of the earlier steps than a page can hold.
+/// @throws CommandError invalid if a text cannot be set, or the step has more than a page holds
+FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts);
+
+}  // namespace polhode

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/text_column.h"
+
+#include "app/cli/exit_codes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+// Relative to the em of prose.
+constexpr double kTitleSize = 1.62;
+constexpr double kDisplaySize = 1.34;
+constexpr double kEarlierSize = 1.0;
+constexpr double kCalloutSize = 0.94;
+constexpr double kLabelSize = 0.62;
+constexpr double kTagSize = 1.0;
+constexpr double kVerdictSize = 0.6;
+constexpr double kVerdictLine = 1.35;  ///< of its size
+constexpr double kVerdictGap = 0.3;
+constexpr double kWidestTag = 0.4;  ///< of the column
+constexpr double kParagraphGap =
+    0.87;  // to the eye as wide as `between` below: those are lines without tails
+constexpr double kDisplayGap = 0.78;
+constexpr double kLineTop = 0.74;     ///< of a line without tall letters, above its baseline
+constexpr double kLineBottom = 0.24;  ///< and below it
+constexpr double kLabelIndent = 4.1;
+constexpr double kPanelPad = 0.5;
+
+std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
+  return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+}
+
+template <class T>
+T or_refuse(Result<T, std::vector<TypeError>> set) {
+  if (!set) throw CommandError(ExitCode::invalid, "this text cannot be set: " + set.error().front().message);
+  return std::move(set).value();
+}
+
+/// The list with its highest ink or line at y = 0.
+ColumnPiece piece_of(DisplayList list, double em, double gap) {
+  ColumnPiece piece;
+  const double top = std::round(std::max(list.ascent, kLineTop * em));
+  piece.height = top + std::round(std::max(list.depth, kLineBottom * em));
+  piece.gap = gap;
+  piece.sheet.texts.push_back({.list = std::move(list), .at = {0, top}});
+  return piece;
+}
+
+/// Boxes behind the glyphs of the terms of these names.
+void mark(const DisplayList& list, const Vec2& at, const std::vector<std::string>& names, double em,
+          const Color& color, const Fonts& fonts, Sheet& sheet) {
+  for (std::size_t i = 0; i < list.names.size(); ++i) {
+    if (std::find(names.begin(), names.end(), list.names[i]) == names.end()) continue;
+    DisplayList term;
+    const auto is_of_term = [&](const auto& part) { return part.naming.term == static_cast<int>(i); };
+    std::copy_if(list.glyphs.begin(), list.glyphs.end(), std::back_inserter(term.glyphs), is_of_term);
+    std::copy_if(list.rules.begin(), list.rules.end(), std::back_inserter(term.rules), is_of_term);
+    const TypeBox box = ink_box(term, fonts);
+    if (box.empty()) continue;
+    const double pad = 0.16 * em;
+    sheet.shapes.push_back(Area{
+        rectangle(at.x() + box.x0 - pad, at.y() + box.y0 - pad, at.x() + box.x1 + pad, at.y() + box.y1 + pad),
+        color});
+  }
+}
+
+/// What is added with the time, moved by `at`, to a piece or a stack.
+template <class Into>
+void add_slots(Into& into, const ColumnPiece& part, const Vec2& at) {
+  for (LiveSlot slot : part.live) {
+    slot.end += at;
+    into.live.push_back(std::move(slot));
+  }
+  for (LiveNumberSlot slot : part.numbers) {
+    slot.room.at += at;
+    into.numbers.push_back(slot);
+  }
+}
+
+/// Drawing and slots of `part` over those of `piece`.
+void add(ColumnPiece& piece, ColumnPiece part, const Vec2& at) {
+  add_slots(piece, part, at);
+  append(piece.sheet, std::move(part.sheet), at);
+}
+
+}  // namespace
+
+TextStyle TextColumn::style(double size, Color color, double width) const {
+  TextStyle style;
+  style.size = size;
+  style.color = color;
+  style.width = width;
+  style.between = 0.38;
+  style.link_color = colors().question;
+  style.symbols = &symbols_;
+  return style;
+}
+
+DisplayList TextColumn::set(const RichText& text, const TextStyle& style) const {
+  return or_refuse(set_text(text, style, fonts_));
+}
+
+ColumnPiece TextColumn::title(const RichText& title) const {
+  const double em = kTitleSize * size_;
+  TextStyle bold = style(em, colors().ink, width_);
+  bold.bold = true;
+  bold.leading = 1.2;
+  DisplayList list = set(title, bold);
+  return piece_of(std::move(list), em, 0.55 * em);
+}
+
+ColumnPiece TextColumn::prose(const RichText& text) const {
+  return piece_of(set(text, style(size_, colors().ink, width_)), size_, kParagraphGap * size_);
+}
+
+/// As large as it can be within `room`: broken first, then smaller.
+TextColumn::Formula TextColumn::formula(const Equation& equation, double size, double room) const {
+  MathStyle style{.size = size,
+                  .display = true,
+                  .color = colors().ink,
+                  .strike = colors().accent,
+                  .line_width = room,
+                  .symbols = &symbols_};
+  DisplayList list = or_refuse(set_math(equation.math, style, fonts_));
+  constexpr int kMostTries = 8;  // a smaller formula may be broken elsewhere
+  for (int i = 0; i < kMostTries && list.width > room; ++i) {
+    style.size *= 0.999 * room / list.width;
+    list = or_refuse(set_math(equation.math, style, fonts_));
+  }
+  return {std::move(list), style.size / size};
+}
+
+ColumnPiece TextColumn::numbered(const Equation& equation, double size,
+                                 const std::vector<std::string>& marked) const {
+  DisplayList tag;
+  if (!equation.tag.empty()) {
+    TextStyle quiet = style(kTagSize * size_, colors().quiet, 0);
+    tag = set_line("(" + equation.tag + ")", quiet, fonts_);
+    if (tag.width > kWidestTag * width_) {
+      quiet.size *= kWidestTag * width_ / tag.width;
+      tag = set_line("(" + equation.tag + ")", quiet, fonts_);
+    }
+  }
+  const double beside = equation.tag.empty() ? 0.0 : tag.width + size_;
+  auto [list, formula_scale] = formula(equation, size, width_ - beside);
+  // In the middle of the column, unless it would run into its number.
+  const double x = std::round(std::min(0.5 * (width_ - list.width), width_ - beside - list.width));
+  const double top = std::round(std::max(list.ascent, kLineTop * size));
+  ColumnPiece piece;
+  piece.height = top + std::round(std::max(list.depth, kLineBottom * size));
+  piece.gap = kDisplayGap * size_;
+  piece.formula_scale = formula_scale;
+  const Vec2 at(std::max(0.0, x), top);
+  mark(list, at, marked, size, colors().marked, fonts_, piece.sheet);
+  for (LiveRoom room : take_live_rooms(list)) {
+    room.at += at;
+    piece.numbers.push_back({&equation.live[room.index], room});
+  }
+  if (!equation.tag.empty())
+    piece.sheet.texts.push_back({.list = tag, .at = {std::round(width_ - tag.width), top}});
+  piece.formula = piece.sheet.texts.size();
+  piece.sheet.texts.push_back({.list = std::move(list), .at = at});
+  return piece;
+}
+
+ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
+  const double em = kVerdictSize * size_, gap = 0.6 * em;
+  TextStyle quiet = style(em, colors().quiet, width_);
+  quiet.sans = true;
+  quiet.symbols = nullptr;  // the slots outlive them
+  TextStyle bold = quiet;
+  bold.bold = true;
+  bold.color = row.refutes || !row.proved ? colors().accent : colors().ink;
+  const double line = std::round(kVerdictLine * em), first = std::round(0.9 * em);
+  ColumnPiece piece{.sheet = {}, .height = line, .gap = kVerdictGap * size_};
+  DisplayList word = set_line(row.word, bold, fonts_);
+  double x = word.width + gap;
+  piece.sheet.texts.push_back({.list = std::move(word), .at = {0, first}});
+  DisplayList note = set_line(row.note, quiet, fonts_);
+  if (x + note.width > width_) {  // a long counterexample: as small as it has to be
+    TextStyle smaller = quiet;
+    smaller.size *= (width_ - x) / note.width;
+    note = set_line(row.note, smaller, fonts_);
+  }
+  const double note_end = x + note.width;
+  piece.sheet.texts.push_back({.list = std::move(note), .at = {x, first}});
+  if (!is_live) return piece;
+
+  const double room = set_line(widest_live_text(*row.claim), quiet, fonts_).width;
+  double baseline = first;
+  if (note_end + gap + room > width_) piece.height += line, baseline += line;
+  if (room > width_) quiet.size *= width_ / room;
+  piece.live.push_back({row.claim, {width_, baseline}, std::min(room, width_), quiet});
+  return piece;
+}
+
+ColumnPiece TextColumn::equation(const Equation& equation, Focus focus,
+                                 const std::vector<std::string>& marked,
+                                 const std::vector<ColumnPiece>& verdicts) const {
+  ColumnPiece plain = numbered(equation, kDisplaySize * size_, marked);
+  for (const ColumnPiece& verdict : verdicts) {
+    const double top = plain.height + std::round(verdict.gap);
+    add(plain, verdict, {0, top});
+    plain.height = top + verdict.height;
+  }
+  if (focus == Focus::none) return plain;
+  const double pad = std::round(kPanelPad * size_), bar = std::round(std::max(2.0, 0.17 * size_));
+  const double left = -std::round(0.7 * size_), right = width_ + pad;
+  ColumnPiece piece{.sheet = {},
+                    .height = plain.height + 2.0 * pad,
+                    .gap = 0.9 * plain.gap,
+                    .formula_scale = plain.formula_scale,
+                    .formula = plain.formula};
+  if (focus == Focus::now)
+    piece.sheet.shapes = {Area{rectangle(left, 0, right, piece.height), colors().panel},
+                          Area{rectangle(left, 0, left + bar, piece.height), colors().accent}};
+  piece.panel = piece.sheet.shapes.size();
+  add(piece, std::move(plain), {0, pad});
+  return piece;
+}
+
+ColumnPiece TextColumn::earlier_equation(const Equation& equation, const std::string& kind) const {
+  ColumnPiece piece = numbered(equation, kEarlierSize * size_, {});
+  piece.gap = 0.4 * size_;
+  TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
+  quiet.sans = true;
+  DisplayList word = set_line(kind, quiet, fonts_);
+  const Vec2& formula = piece.sheet.texts.back().at;
+  if (kind.empty() || word.width + size_ >= formula.x()) return piece;
+  piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = {0, formula.y()}});
+  ++*piece.formula;
+  return piece;
+}
+
+/// `plain` with its name on the left, and a bar between the two.
+ColumnPiece TextColumn::labelled(const std::string& label, const Color& color, ColumnPiece plain) const {
+  const double indent = std::round(kLabelIndent * size_), bar = indent - std::round(0.55 * size_);
+  TextStyle small = style(kLabelSize * size_, color, 0);
+  small.sans = small.bold = true;
+  const double baseline = plain.sheet.texts.front().at.y();
+  ColumnPiece piece{.sheet = {}, .height = plain.height, .gap = plain.gap};
+  piece.sheet.shapes.push_back(Stroke{
+      .points = {{bar, 1}, {bar, piece.height - 1}}, .width = std::max(1.5, 0.09 * size_), .color = color});
+  piece.sheet.texts.push_back({.list = set_line(label, small, fonts_), .at = {0, baseline}});
+  append(piece.sheet, std::move(plain.sheet), {indent, 0});
+  return piece;
+}
+
+ColumnPiece TextColumn::callout(const Callout& callout) const {
+  const bool said = callout.kind == Callout::Kind::said;
+  const double em = kCalloutSize * size_;
+  const double width = width_ - std::round(kLabelIndent * size_);
+  ColumnPiece piece = piece_of(set(callout.text, style(em, colors().ink, width)), em, kParagraphGap * size_);
+  return labelled(said ? "As said" : "As meant", said ? colors().said : colors().meant, std::move(piece));
+}
+
+ColumnPiece TextColumn::question(const Ask& ask) const {
+  const double em = kCalloutSize * size_;
+  const double width = width_ - std::round(kLabelIndent * size_);
+  RichText text = ask.prompt_text;
+  for (std::size_t i = 0; i < ask.choice_texts.size(); ++i) {
+    RichText choice = ask.choice_texts[i];
+    if (!choice.empty()) {
+      choice.front().marker = std::string(1, letter_of_choice(i)) + ".";
+      choice.front().indent = 1;
+    }
+    text.insert(text.end(), choice.begin(), choice.end());
+  }
+  TextStyle plain = style(em, colors().ink, width);
+  plain.between = 0.28;
+  return labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
+}
+
+Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest) {
+  Stack made{.pieces = {}, .newest = newest};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i > 0) made.height += std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap));
+    const ColumnPiece& piece = *pieces[i];
+    made.pieces.push_back({.sheet = {},
+                           .height = piece.height,
+                           .gap = piece.gap,
+                           .formula_scale = piece.formula_scale,
+                           .of = piece.of,
+                           .formula = piece.formula,
+                           .is_main = piece.is_main,
+                           .panel = piece.panel});
+    add(made.pieces.back(), piece, {0, made.height});
+    made.height += piece.height;
+  }
+  return made;
+}
+
+double height_of(const std::vector<const ColumnPiece*>& pieces) {
+  double height = 0.0;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    height += pieces[i]->height + (i > 0 ? std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap)) : 0.0);
+  return height;
+}
+
+}  // namespace polhode

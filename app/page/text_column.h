@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// The blocks of a lesson as they stand one below the other in the text column of a page.
+#pragma once
+
+#include "app/narration/verdict_row.h"
+#include "app/page/live_numbers.h"
+#include "app/page/page_theme.h"
+#include "lessons/reader/lesson.h"
+#include "render/drawing/sheet.h"
+#include "render/typeset/paragraph.h"
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Where live values of a claim are to stand: the right end of their line.
+struct LiveSlot {
+  const Claim* claim = nullptr;
+  Vec2 end{0, 0};
+  double room = 0;  ///< px; longer lines are set smaller
+  TextStyle style;
+};
+
+/// Where a live number of a formula is to stand.
+struct LiveNumberSlot {
+  const Expression* number = nullptr;
+  LiveRoom room;
+  /// Its value where its step shows another motion than the page; absent: it runs with the page's.
+  std::optional<double> kept{};
+};
+
+/// Something in the column: its drawing from the upper left corner, and the room it takes.
+struct ColumnPiece {
+  Sheet sheet;
+  double height = 0;         ///< whole px
+  double gap = 0;            ///< least distance to what is above and below
+  double formula_scale = 1;  ///< of its normal size, of a display that is wider than the column
+  std::vector<LiveSlot> live{};
+  std::vector<LiveNumberSlot> numbers{};
+  const void* of = nullptr;              ///< the part of the lesson it shows: the same on another page
+  std::optional<std::size_t> formula{};  ///< of an equation: which of the sheet's texts it is
+  bool is_main = false;                  ///< the equation that its step has come to
+  std::size_t panel = 0;  ///< so many of the sheet's shapes, the first, are panel and bar of the focus
+};
+
+/// How an equation stands among others: in focus between bar and panel, or with the room that these took.
+enum class Focus { none, now, before };
+
+class TextColumn {
+ public:
+  /// `size` is the em of prose. All are kept by reference.
+  TextColumn(double width, double size, Theme theme, const std::vector<MathSymbol>& symbols,
+             const Fonts& fonts)
+      : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts) {}
+
+  ColumnPiece title(const RichText& title) const;
+  /// With the verdicts on what it claims below it. Terms of these names are marked.
+  ColumnPiece equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
+                       const std::vector<ColumnPiece>& verdicts = {}) const;
+  /// One row, two where it is long; with room for live values, or without.
+  ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
+  /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, where
+  /// there is room.
+  ColumnPiece earlier_equation(const Equation& equation, const std::string& kind = {}) const;
+  ColumnPiece prose(const RichText& text) const;
+  ColumnPiece callout(const Callout& callout) const;
+  ColumnPiece question(const Ask& ask) const;
+
+ private:
+  const PageColors& colors() const { return colors_of(theme_); }
+  TextStyle style(double size, Color color, double width) const;
+  DisplayList set(const RichText& text, const TextStyle& style) const;
+  struct Formula {
+    DisplayList list;
+    double scale = 1;
+  };
+  Formula formula(const Equation& equation, double size, double room) const;
+  ColumnPiece numbered(const Equation& equation, double size, const std::vector<std::string>& marked) const;
+  ColumnPiece labelled(const std::string& label, const Color& color, ColumnPiece plain) const;
+
+  double width_, size_;
+  Theme theme_;
+  const std::vector<MathSymbol>& symbols_;
+  const Fonts& fonts_;
+};
+
+/// Pieces one below the other, each in its place; the height they take together.
+struct Stack {
+  std::vector<ColumnPiece> pieces;
+  std::size_t newest = 0;  ///< so many of them, the last
+  double height = 0;
+};
+Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest = 0);
+/// The same without drawing.
+double height_of(const std::vector<const ColumnPiece*>& pieces);
+
+}  // namespace polhode

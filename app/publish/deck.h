@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Slides: pictures of a lesson in one file that is shown as it is, with what is said to each of them. An HTML
+// deck is a page for any browser, without network; a PDF deck has the words as invisible text behind the
+// pictures, and an outline. Bytes depend on the deck alone.
+#pragma once
+
+#include "app/page/page_theme.h"
+#include "base/files/atomic_file.h"
+#include "render/image/image.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+/// A paragraph of what is said to a slide: plain text in one line.
+struct DeckNote {
+  enum class Kind { text, item, equation, callout, question, figure };
+  Kind kind = Kind::text;
+  std::string text;
+};
+
+struct DeckSlide {
+  std::filesystem::path png;  ///< its name without folder and ending identifies the slide; no two are alike
+  int stage = 1;              ///< from 1; slides of a stage follow each other
+  std::string title;          ///< of the stage
+  std::string part;           ///< "step 2 of 3"; empty: the slide is all of its stage
+  std::string alt;            ///< what is seen
+  std::vector<DeckNote> notes;
+};
+
+struct Deck {
+  std::string title;
+  std::string language = "en";  ///< BCP 47
+  Theme theme = Theme::paper;   ///< around the pictures
+  int dpi = 0;                  ///< of printed pictures; 0: their shorter side is kDeckSide_in
+  std::vector<DeckSlide> slides;
+};
+
+/// As of a slide show: 16:9 is 13.333 x 7.5 in, 4:3 is 10 x 7.5 in.
+inline constexpr double kDeckSide_in = 7.5;
+
+struct PaperSize {
+  double width_in = 0, height_in = 0;
+};
+PaperSize paper_size(Size picture, int dpi);
+
+/// "Title, step 2 of 3"
+std::string name_of(const DeckSlide& slide);
+
+enum class DeckKind { html, pdf };
+/// By the ending: .html, .htm or .pdf, in any case.
+std::optional<DeckKind> deck_kind_of(const std::filesystem::path& file);
+
+/// Told which slide comes next, from 0; false stops.
+using DeckProgress = std::function<bool(std::size_t slide)>;
+
+/// The file appears whole or not at all. A few slides are in memory at a time. Fails if a picture cannot be
+/// read or is damaged, and if `go_on`, which may be empty, says false.
+Status write_deck(const std::filesystem::path& file, DeckKind kind, const Deck& deck,
+                  Durability durability = Durability::rename_only, const DeckProgress& go_on = {});
+
+/// What write_deck writes.
+Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
+Status append_pdf_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
+
+/// What a deck says that was stopped.
+inline constexpr const char* kDeckStopped = "interrupted";
+
+}  // namespace polhode

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "app/publish/lesson_deck.h"
+
+#include "app/narration/step_notes.h"
+#include "render/image/png_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+Result<std::string> description_in(const std::filesystem::path& file) {
+  const Result<PngSummary> png = summarize_png_file(file);
+  if (!png) return failure("cannot use " + file.string() + ": " + png.error());
+  for (const auto& [keyword, value] : png->metadata.text)
+    if (keyword == "Description") return value;
+  return std::string();
+}
+
+std::string part_of(const PlannedPicture& picture, const ExportOptions& options) {
+  if (options.each == Each::step && picture.stage->steps.size() > 1)
+    return fmt::format("step {} of {}", picture.step, picture.stage->steps.size());
+  if (!picture.equation || options.each == Each::step) return {};
+  return fmt::format("equation {}", picture.equation->tag.empty() ? picture.equation->id
+                                                                  : "(" + picture.equation->tag + ")");
+}
+
+struct Steps {
+  int first, last;
+};
+
+/// Whose words go with picture `i`.
+Steps steps_said(const ExportPlan& plan, std::size_t i) {
+  const PlannedPicture& picture = plan.pictures[i];
+  const bool is_first = i == 0 || plan.pictures[i - 1].stage != picture.stage;
+  const bool is_last = i + 1 == plan.pictures.size() || plan.pictures[i + 1].stage != picture.stage;
+  const int before = is_first ? 0 : plan.pictures[i - 1].step;
+  return {std::min(before + 1, picture.step),
+          is_last ? static_cast<int>(picture.stage->steps.size()) : picture.step};
+}
+
+}  // namespace
+
+Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const ExportPlan& plan,
+                     const std::filesystem::path& folder) {
+  const Speaker speaker(lesson);
+  Deck deck;
+  deck.title = lesson.title;
+  deck.theme = options.theme;
+  deck.dpi = options.dpi;
+  for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
+    const PlannedPicture& picture = plan.pictures[i];
+    DeckSlide slide;
+    slide.png = folder / picture.file;
+    slide.stage = picture.number;
+    slide.title = speaker.words(picture.stage->title_text);
+    slide.part = part_of(picture, options);
+    Result<std::string> alt = description_in(slide.png);
+    if (!alt) return failure(alt.error());
+    slide.alt = std::move(*alt);
+    const Steps said = steps_said(plan, i);
+    slide.notes = notes_of(speaker, *picture.stage, said.first, said.last);
+    deck.slides.push_back(std::move(slide));
+  }
+  return deck;
+}
+
+}  // namespace polhode

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Where a student was in a lesson, and how they like it, from one run to the next: files in the state folder
+// (app/session/state_file.h). Damaged ones are set aside as NAME.damaged, and all starts clean; one of
+// another version of the program stays as it is and is refused.
+#pragma once
+
+#include "app/session/lesson_session.h"
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+namespace polhode {
+
+/// <lesson>.place.json
+struct Bookmark {
+  std::string stage;  ///< id; empty: none
+  int step = 1;       ///< from 1
+  std::set<std::string> visited;
+  bool operator==(const Bookmark&) const = default;
+};
+struct BookmarkReading {
+  Bookmark bookmark;
+  std::string warning;  ///< of a file that was set aside
+};
+/// An absent file is an empty bookmark. @throws CommandError as read_state_file
+BookmarkReading read_bookmark(const std::filesystem::path& folder, const std::string& lesson_id);
+/// Whole or not at all; makes the folder. @throws CommandError failed
+void write_bookmark(const std::filesystem::path& folder, const std::string& lesson_id,
+                    const Bookmark& bookmark);
+
+/// preferences.json
+struct PreferencesReading {
+  Preferences preferences;
+  std::string warning;
+};
+/// @throws CommandError as read_state_file
+PreferencesReading read_preferences(const std::filesystem::path& folder);
+/// @throws CommandError failed
+void write_preferences(const std::filesystem::path& folder, const Preferences& preferences);
+
+Bookmark bookmark_of(const Companion& companion);
+/// What no longer exists in the lesson is passed over.
+void restore(Companion& companion, const Bookmark& bookmark);
+
+}  // namespace polhode

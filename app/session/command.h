@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What keys do: the one list that the window obeys and its help shows.
+#pragma once
+
+#include "app/session/lesson_session.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace polhode {
+
+enum class Command {
+  next_step,
+  previous_step,
+  next_stage,
+  previous_stage,
+  first_stage,
+  last_stage,
+  play_pause,
+  frame_forward,
+  frame_back,
+  reset_time,
+  faster,
+  slower,
+  next_symbol,
+  previous_symbol,
+  explain,
+  leave,
+  switch_focus,
+  outline,
+  body,
+  method,
+  show,
+  question,
+  save,
+  settings,
+  help,
+  reset_scene,
+  follow,
+  next_view,
+  turn_left,
+  turn_right,
+  turn_up,
+  turn_down,
+  nearer,
+  farther,
+  ghost,
+  save_page,
+  larger_text,
+  smaller_text,
+  theme,
+  full_screen,
+  present,
+  notes,
+  quit,
+};
+
+struct CommandFacts {
+  Command command;
+  std::string_view keys;   ///< "Right", "Shift+Tab", "Ctrl+S"; several: "Right, L" — as help shows them
+  std::string_view group;  ///< "Walk", "Time", "Body", "Understand", "Panels", "Window"
+  std::string_view does;   ///< "next step"
+  bool repeats = false;    ///< while the key is held
+};
+/// Group by group.
+std::span<const CommandFacts> all_commands();
+
+/// `key` is a name such as "Right", "PageDown", "Space", "Tab", "A", "+", "F1", with "Shift+" and "Ctrl+"
+/// before it in this order.
+std::optional<Command> command_of(std::string_view key);
+
+bool repeats(Command command);
+
+/// What is done to the companion alone. False for what only a window can do (full_screen, save_page, quit,
+/// explain, next_symbol, previous_symbol, switch_focus), with nothing changed.
+bool do_command(Companion& companion, Command command);
+
+}  // namespace polhode

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/lesson_session.h"
+
+#include "app/export/picture_maker.h"
+#include "physics/body/euler.h"
+#include "physics/geometry/flips.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <stdexcept>
+
+namespace polhode {
+
+namespace {
+
+/// Whether two scenes differ at most in how the same motion is looked at.
+bool same_course(Scene a, const Scene& b) {
+  a.views = b.views;
+  a.show = b.show;
+  a.camera = b.camera;
+  a.highlight = b.highlight;
+  a.quality = b.quality;
+  a.caption = b.caption;
+  a.meters = b.meters;
+  return a == b;
+}
+
+/// Whether the model of one serves the other with a word changed.
+bool same_model(Scene a, const Scene& b) {
+  a.camera = b.camera;
+  a.quality = b.quality;
+  return a == b;
+}
+
+bool starts_another_motion(const SceneEdits& a, const SceneEdits& b) {
+  return a.body != b.body || a.w0_B != b.w0_B || a.attitude != b.attitude;
+}
+
+/// Whether the motion is that of the lesson, computed as it is there.
+bool keeps_motion(const SceneEdits& edits) {
+  return !starts_another_motion(edits, SceneEdits{}) && !edits.motion;
+}
+
+/// The principal axis whose heading about the vertical is the body's: of the smallest and the largest moment
+/// the one that L stays farther from on its polhode, so that it never points along L, which the lectures have
+/// vertical. With I_a < I_b < I_c, L_a² is at most I_a (2T I_c − L²)/(I_c − I_a), L_c² at most
+/// I_c (L² − 2T I_a)/(I_c − I_a).
+Vec3 heading_axis_B(const Scene& scene) {
+  const Vec3& I = scene.body.moments.vector();
+  const Vec3 L_B = angular_momentum_B(scene.body.moments, scene.w0_B);
+  int a = 0, c = 0;
+  I.minCoeff(&a);
+  I.maxCoeff(&c);
+  if (I[a] == I[c]) {
+    L_B.cwiseAbs().minCoeff(&a);
+    return Vec3::Unit(a);
+  }
+  const Vec3 two_T_of_axes = L_B.cwiseAbs2().cwiseQuotient(I);
+  const double nearest_a = I[a] * (I[c] - I.array()).matrix().dot(two_T_of_axes);
+  const double nearest_c = I[c] * (I.array() - I[a]).matrix().dot(two_T_of_axes);
+  return Vec3::Unit(nearest_a < nearest_c ? a : c);
+}
+
+bool is_seen_from_space(const Scene& scene) {
+  return std::find(scene.views.begin(), scene.views.end(), View::space) != scene.views.end();
+}
+
+}  // namespace
+
+Companion::Companion(std::shared_ptr<const LoadedLesson> loaded, Effort effort)
+    : loaded_(std::move(loaded)), effort_(std::move(effort)) {
+  assert(loaded_ != nullptr && !lesson().stages.empty());
+  visited_.insert(stage().id);
+  show_lesson_scene();
+}
+
+Companion::~Companion() = default;
+
+std::optional<Place> Companion::next_place() const {
+  if (place_.step + 1 < stage().steps.size()) return Place{place_.stage, place_.step + 1};
+  if (place_.stage + 1 < lesson().stages.size()) return Place{place_.stage + 1, 0};
+  return std::nullopt;
+}
+
+std::optional<Place> Companion::previous_place() const {
+  if (place_.step > 0) return Place{place_.stage, place_.step - 1};
+  if (place_.stage == 0) return std::nullopt;
+  return Place{place_.stage - 1, lesson().stages[place_.stage - 1].steps.size() - 1};
+}
+
+bool Companion::next_step() {
+  const auto next = next_place();
+  if (next) go_to(*next);
+  return next.has_value();
+}
+
+bool Companion::previous_step() {
+  const auto previous = previous_place();
+  if (previous) go_to(*previous);
+  return previous.has_value();
+}
+
+bool Companion::next_stage() {
+  if (place_.stage + 1 == lesson().stages.size()) return false;
+  go_to({place_.stage + 1, 0});
+  return true;
+}
+
+bool Companion::previous_stage() {
+  if (place_ == Place{}) return false;
+  go_to({place_.step > 0 ? place_.stage : place_.stage - 1, 0});
+  return true;
+}
+
+void Companion::go_to(Place place) {
+  place.stage = std::min(place.stage, lesson().stages.size() - 1);
+  place.step = std::min(place.step, lesson().stages[place.stage].steps.size() - 1);
+  if (place != place_) arrive(place);
+}
+
+void Companion::arrive(Place place) {
+  const bool same_stage = place.stage == place_.stage;
+  const std::optional<Scene> left = step().scene;
+  travel_ = same_stage && place.step == place_.step + 1 && !preferences.reduced_motion ? 0 : 1;
+  place_ = place;
+  visited_.insert(stage().id);
+  judged_.clear();
+  notes_shown_ = false;
+  if (same_stage && left == step().scene) return;
+
+  const bool goes_on =
+      same_stage && left && has_scene() && same_course(*left, lesson_scene()) && keeps_motion(edits_);
+  const double t_s = t_s_;
+  const bool playing = playing_;
+  const auto turned = same_stage && left && has_scene() && left->camera == lesson_scene().camera
+                          ? edits_.camera
+                          : std::nullopt;
+  if (!same_stage) following_ = false;
+  show_lesson_scene();
+  if (!goes_on && !turned) return;
+  if (goes_on) {
+    set_time(t_s);
+    playing_ = playing;
+  }
+  if (turned) set_camera(*turned);
+}
+
+void Companion::set_visited(const std::set<std::string>& stages) {
+  visited_ = {stage().id};
+  for (const Stage& known : lesson().stages)
+    if (stages.count(known.id) > 0) visited_.insert(known.id);
+}
+
+void Companion::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
+  assert(loaded != nullptr && !loaded->lesson.stages.empty());
+  const std::string id = stage().id;
+  const bool had_scene = has_scene();
+  const std::shared_ptr<const LoadedLesson> old = std::exchange(loaded_, std::move(loaded));
+  const auto& stages = lesson().stages;
+  const auto same = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.id == id; });
+  if (same != stages.end()) place_.stage = static_cast<std::size_t>(same - stages.begin());
+  place_.stage = std::min(place_.stage, stages.size() - 1);
+  place_.step = std::min(place_.step, stage().steps.size() - 1);
+  set_visited(visited_);
+  judged_.clear();
+  travel_ = 1;
+
+  const SceneEdits kept = edits_;
+  const double t_s = t_s_;
+  const bool playing = playing_;
+  show_lesson_scene();
+  if (!had_scene || !has_scene()) return;
+  static_cast<void>(set_edits(kept));
+  set_time(t_s);
+  playing_ = playing;
+}
+
+void Companion::show_lesson_scene() {
+  playing_ = false;
+  edits_ = {};
+  t_s_ = loop_ = 0;
+  model_.reset();
+  if (!has_scene()) return;
+  make_model_of({});
+  reset_time();
+  if (following_) heading_rad_ = heading_at(t_s_);  // another motion begins with the scene's camera
+  patch_model();
+}
+
+void Companion::make_model_of(const SceneEdits& edits) {
+  model_ = std::make_unique<SceneModel>(make_model(edited(lesson_scene(), edits), Product::page, effort_));
+  edits_ = edits;
+  ++model_number_;
+}
+
+void Companion::patch_model() {
+  if (!model_) return;
+  Scene& scene = model_->scene;
+  scene.camera = camera();
+  scene.quality = edits_.quality.value_or(lesson_scene().quality);
+  scene.highlight = lesson_scene().highlight;
+  const auto& lights = scene.highlight;
+  if (overlay_from(lit_) && std::find(lights.begin(), lights.end(), lit_) == lights.end())
+    scene.highlight.push_back(lit_);
+}
+
+// Time.
+
+void Companion::set_time(double t_s) {
+  if (!model_ || !std::isfinite(t_s)) return;
+  t_s = std::clamp(t_s, -model_->reach_s, model_->reach_s);
+  if (!is_computable(*model_, t_s)) return;
+  t_s_ = t_s;
+  const Interval shown = time_line();
+  if (t_s_ < shown.from_s || t_s_ > shown.to_s) loop_ = std::floor(t_s_ / model_->span_s);
+  if (following_) patch_model();
+}
+
+void Companion::set_playing(bool playing) { playing_ = playing && model_; }
+
+void Companion::set_speed(double speed) {
+  if (!std::isnan(speed)) speed_ = std::clamp(speed, kSlowest, kFastest);
+}
+
+void Companion::scrub_to(double t_s) { set_time(t_s); }
+
+void Companion::step_frames(int frames) {
+  if (!model_) return;
+  playing_ = false;
+  set_time(t_s_ + frames * kFrameSeconds * model_->rate);
+}
+
+void Companion::reset_time() {
+  if (!has_scene()) return;
+  loop_ = 0;  // of the first loop the end is its end, not the beginning of the next
+  set_time(still_time_s(lesson_scene()));
+}
+
+void Companion::advance(double seconds) {
+  if (!(seconds > 0)) return;
+  travel_ = preferences.reduced_motion ? 1 : std::min(1.0, travel_ + seconds / kMorphSeconds);
+  if (!playing_) return;
+  double next_s = t_s_ + model_->rate * speed_ * seconds;
+  const Interval loop = time_line();
+  if (lesson_scene().duration_s && next_s > loop.to_s)  // what has an end begins again
+    next_s = loop.from_s + std::fmod(next_s - loop.from_s, model_->span_s);
+  set_time(next_s);
+  if (t_s_ != next_s) playing_ = false;
+}
+
+Companion::Interval Companion::time_line() const {
+  assert(model_);
+  return {loop_ * model_->span_s, (loop_ + 1) * model_->span_s};
+}
+
+const std::vector<double>& Companion::flips() const {
+  if (model_ && flips_.model_number == model_number_ && flips_.loop == loop_) return flips_.times_s;
+  flips_ = {model_number_, loop_, {}};
+  if (!model_ || !model_->needs.omega) return flips_.times_s;
+  const auto [from_s, to_s] = time_line();
+  flips_.times_s = flip_times(*model_->motion, model_->scene.body.moments, std::max(from_s, -model_->reach_s),
+                              std::min(to_s, model_->reach_s));
+  return flips_.times_s;
+}
+
+// The scene.
+
+Status Companion::set_edits(const SceneEdits& edits) {
+  if (!has_scene()) return failure("this step has no scene");
+  SceneEdits wanted = edits;
+  if (following_ && wanted.camera == edits_.camera) wanted.camera = camera();
+  if (wanted.camera) wanted.camera = writable(*wanted.camera);
+  if (wanted.attitude) wanted.attitude = writable(*wanted.attitude);
+  try {
+    if (same_model(edited(lesson_scene(), wanted), edited(lesson_scene(), edits_))) {
+      edits_ = wanted;
+    } else {
+      const bool another = starts_another_motion(wanted, edits_);
+      make_model_of(wanted);
+      go_on_from(another ? 0 : t_s_);
+    }
+  } catch (const std::domain_error& error) {
+    return failure(error.what());
+  }
+  heading_rad_ = heading_at(t_s_);
+  patch_model();
+  return success();
+}
+
+void Companion::reset_edits() {
+  if (!has_scene() || (edits_.empty() && !following_)) return;
+  const bool another = starts_another_motion(edits_, SceneEdits{});
+  following_ = false;
+  make_model_of({});
+  go_on_from(another ? still_time_s(lesson_scene()) : t_s_);
+  patch_model();
+}
+
+void Companion::go_on_from(double t_s) {
+  if (t_s != t_s_) loop_ = 0;
+  t_s_ = 0;  // the motion can be computed there at least
+  set_time(t_s);
+  if (t_s_ != t_s) playing_ = false;
+}
+
+void Companion::set_camera(const CameraSpec& camera) {
+  if (!has_scene()) return;
+  edits_.camera = writable(camera);
+  heading_rad_ = heading_at(t_s_);
+  patch_model();
+}
+
+void Companion::set_following(bool following) {
+  if (!model_ || following == following_) return;
+  const CameraSpec shown = camera();
+  if (following_) edits_.camera = shown;
+  following_ = following;
+  heading_rad_ = heading_at(t_s_);
+  patch_model();
+}
+
+double Companion::heading_at(double t_s) const {
+  if (!model_ || !following_ || !is_seen_from_space(model_->scene)) return 0;
+  const Vec3 axis_S = model_->motion->at(t_s).q_SB * heading_axis_B(model_->scene);
+  return std::atan2(axis_S.y(), axis_S.x());
+}
+
+CameraSpec Companion::camera() const {
+  if (!has_scene()) return {};
+  CameraSpec camera = edits_.camera.value_or(lesson_scene().camera);
+  if (!following_ || !model_) return camera;
+  const double turned_rad = heading_at(t_s_) - heading_rad_;
+  if (turned_rad == 0) return camera;
+  camera.azimuth_rad += turned_rad;
+  return writable(camera);
+}
+
+void Companion::light(const std::string& name) {
+  if (name == lit_) return;
+  lit_ = name;
+  patch_model();
+}
+
+// Questions.
+
+std::vector<const Ask*> Companion::questions() const {
+  std::vector<const Ask*> found;
+  for (const Block& block : step().blocks)
+    if (const auto* ask = std::get_if<Ask>(&block)) found.push_back(ask);
+  return found;
+}
+
+const AnswerJudgement& Companion::answer(const Ask& ask, std::string_view text) {
+  using Outcome = AnswerJudgement::Outcome;
+  JudgedAnswer& judged = judged_[ask.id] = {std::string(text), judge_answer(ask, text, Prover())};
+  const Outcome outcome = judged.judgement.outcome;
+  if (outcome != Outcome::unreadable)
+    note_try(answers_[answer_name(stage().id, ask.id)], outcome == Outcome::right, text);
+  return judged.judgement;
+}
+
+const JudgedAnswer* Companion::judged(const Ask& ask) const {
+  const auto found = judged_.find(ask.id);
+  return found == judged_.end() ? nullptr : &found->second;
+}
+
+const AnswerRecord* Companion::record(const Ask& ask) const {
+  const auto found = answers_.find(answer_name(stage().id, ask.id));
+  return found == answers_.end() ? nullptr : &found->second;
+}
+
+void Companion::show_hint(const Ask& ask) {
+  if (!ask.hints.empty()) note_hint(answers_[answer_name(stage().id, ask.id)], ask.hints.size());
+}
+
+void Companion::forget_answer(const Ask& ask) {
+  answers_.erase(answer_name(stage().id, ask.id));
+  judged_.erase(ask.id);
+}
+
+// How it is shown.
+
+void Companion::change_text_scale(int steps) {
+  preferences.text_scale =
+      std::clamp(preferences.text_scale * std::pow(kTextScaleFactor, steps), kLeastTextScale, kMostTextScale);
+}
+
+void Companion::set_presenting(bool presenting) {
+  if (presenting != presenting_) notes_shown_ = false;
+  presenting_ = presenting;
+}
+
+void Companion::show_notes(bool shown) { notes_shown_ = presenting_ && shown; }
+
+bool Companion::is_moving() const { return playing_ || travel() < 1; }
+
+}  // namespace polhode

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What is going on while a student walks through a lesson: the place, the time, what was changed of the
+// scene, what was answered. No window, no files, no clock of its own: a window shows it and tells it what was
+// done; a test does the same.
+#pragma once
+
+#include "app/cli/lesson_lookup.h"
+#include "app/page/page_theme.h"
+#include "app/session/answer_log.h"
+#include "app/session/scene_edits.h"
+#include "lessons/claims/answers.h"
+#include "render/scene/model/model.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+/// A step of a lesson; both count from 0.
+struct Place {
+  std::size_t stage = 0, step = 0;
+  auto operator<=>(const Place&) const = default;
+};
+
+/// What stands beside the page; at most one at a time.
+enum class Panel { none, outline, body, method, show, question, save, settings, help };
+
+/// How a person likes it, in all lessons.
+struct Preferences {
+  Theme theme = Theme::paper;
+  double text_scale = 1;        ///< kLeastTextScale … kMostTextScale
+  bool reduced_motion = false;  ///< nothing fades, travels or plays by itself
+  bool operator==(const Preferences&) const = default;
+};
+inline constexpr double kTextScaleFactor = 1.1;  ///< of one step; the ends: app/page/page_theme.h
+
+/// An answer, and what is to be said of it.
+struct JudgedAnswer {
+  std::string text;
+  AnswerJudgement judgement;
+};
+
+inline constexpr double kSlowest = 1.0 / 16, kFastest = 16;
+/// Single frames are those of a film: shown seconds.
+inline constexpr double kFrameSeconds = 1.0 / 25;
+/// How long one line of a derivation takes to become the next, shown seconds.
+inline constexpr double kMorphSeconds = 0.7;
+
+class Companion {
+ public:
+  /// At the first step, at rest. `loaded` is never null. Motions are computed with `effort`: what that throws
+  /// comes out of whatever asks for one.
+  explicit Companion(std::shared_ptr<const LoadedLesson> loaded, Effort effort = {});
+  ~Companion();
+  const Effort& effort() const { return effort_; }
+
+  // The lesson, and where we are in it.
+  const LoadedLesson& loaded() const { return *loaded_; }
+  const std::shared_ptr<const LoadedLesson>& loaded_pointer() const { return loaded_; }
+  const Lesson& lesson() const { return loaded_->lesson; }
+  Place place() const { return place_; }
+  const Stage& stage() const { return lesson().stages[place_.stage]; }
+  const Step& step() const { return stage().steps[place_.step]; }
+  std::optional<Place> next_place() const;      ///< nothing at the end
+  std::optional<Place> previous_place() const;  ///< nothing at the beginning
+  /// False, and nothing changes, where there is none. Steps run on from stage to stage; the previous stage's
+  /// last step precedes a first one. A stage begins at its first step: previous_stage goes to the beginning
+  /// of this one first, unless that is where we are.
+  bool next_step();
+  bool previous_step();
+  bool next_stage();
+  bool previous_stage();
+  /// Places that do not exist become the nearest that do. A new stage gives the scene back to the lesson,
+  /// stops the motion, shows the scene's own time and follows nothing. A step of the same stage with the same
+  /// scene goes on with everything as it is; with another scene it gives back all but a camera that was
+  /// turned where the lesson does not turn it, and time goes on if the motion is still the same.
+  void go_to(Place place);
+  /// Ids of stages that were seen, among those of the lesson.
+  const std::set<std::string>& visited() const { return visited_; }
+  void set_visited(const std::set<std::string>& stages);
+  /// Another reading of the same lesson, for authors: stays at the stage of this id and its step as far as
+  /// they exist, keeps time, edits (unless they no longer can be) and answers. Pointers to what was in the
+  /// old one dangle.
+  void replace_lesson(std::shared_ptr<const LoadedLesson> loaded);
+
+  // Time: simulated seconds. Any t at once: motions are functions of time.
+  double t_s() const { return t_s_; }
+  bool is_playing() const { return playing_; }
+  double speed() const { return speed_; }  ///< shown seconds a second, kSlowest … kFastest
+  void set_playing(bool playing);          ///< nothing without a scene
+  void set_speed(double speed);            ///< clamped
+  /// As far as the motion reaches; stays where it is if the motion cannot be computed there.
+  void scrub_to(double t_s);
+  /// `frames` of kFrameSeconds, forward or back; stops the motion.
+  void step_frames(int frames);
+  void reset_time();  ///< to the scene's own time
+  /// Real time passes; a scene with a duration plays it again and again. The motion stops where it cannot be
+  /// computed any further.
+  void advance(double seconds);
+  /// What the time line shows: the loop of the scene, or that many of them further, in which t lies. At the
+  /// border of two it is the one that was shown before. Precondition: has_scene()
+  struct Interval {
+    double from_s = 0, to_s = 1;
+  };
+  Interval time_line() const;
+  /// Times of flips (physics/geometry/flips.h) in the interval of the time line; none where the scene needs
+  /// no ω.
+  const std::vector<double>& flips() const;
+
+  // The scene of the step with what was changed.
+  bool has_scene() const { return step().scene.has_value(); }
+  const Scene& lesson_scene() const { return *step().scene; }  ///< precondition: has_scene()
+  /// Null without a scene. Its camera, quality and highlight are up to date too; what is pointed at is
+  /// highlighted.
+  const SceneModel* model() const { return model_.get(); }
+  /// Goes up whenever the model was made anew (not for camera, quality and highlight).
+  unsigned model_number() const { return model_number_; }
+  const SceneEdits& edits() const { return edits_; }
+  /// Refused, with what is wrong and nothing changed, if the scene cannot be modelled. What starts another
+  /// motion (body, ω, attitude) starts it at t = 0; time goes on over a change of method or overlays. Camera
+  /// and attitude become the `writable` ones.
+  Status set_edits(const SceneEdits& edits);
+  /// Follows nothing any more; a motion that was changed begins at the scene's own time.
+  void reset_edits();
+  /// The camera alone: cheap.
+  void set_camera(const CameraSpec& camera);
+  /// The camera keeps pace with the body's turning about the vertical; not where the scene is
+  /// seen from the body alone, which stands still there.
+  bool is_following() const { return following_; }
+  void set_following(bool following);
+  /// The camera of the present moment: of the scene, or following the body.
+  CameraSpec camera() const;
+
+  // What is pointed at: a symbol of the lesson or a term, by name; empty: none.
+  const std::string& lit() const { return lit_; }
+  void light(const std::string& name);
+
+  // Questions of this step, in order.
+  std::vector<const Ask*> questions() const;
+  const AnswerLog& answers() const { return answers_; }
+  void set_answers(AnswerLog answers) { answers_ = std::move(answers); }
+  /// Judges and notes it; what cannot be read is judged, not noted.
+  const AnswerJudgement& answer(const Ask& ask, std::string_view text);
+  /// What was answered last to this question since the place was reached; null: nothing.
+  const JudgedAnswer* judged(const Ask& ask) const;
+  const AnswerRecord* record(const Ask& ask) const;  ///< null: never answered
+  void show_hint(const Ask& ask);                    ///< one more, if there is one
+  void forget_answer(const Ask& ask);
+
+  // How it is shown.
+  Panel panel = Panel::none;
+  Preferences preferences{};
+  void change_text_scale(int steps);
+  /// The page alone, for an audience. It begins and ends without notes.
+  bool is_presenting() const { return presenting_; }
+  void set_presenting(bool presenting);
+  /// What comes next and what is to be said, on the audience's screen: only while presenting, and only at the
+  /// place where they were asked for. Going on hides them.
+  bool are_notes_shown() const { return notes_shown_; }
+  void show_notes(bool shown);
+
+  /// From the step before to this one, 0…1; 1: arrived. Only a step forward within a stage travels.
+  double travel() const { return preferences.reduced_motion ? 1 : travel_; }
+  /// Whether something changes by itself: playing, or a line on its way.
+  bool is_moving() const;
+
+ private:
+  void arrive(Place place);
+  void show_lesson_scene();
+  void make_model_of(const SceneEdits& edits);
+  void go_on_from(double t_s);
+  void patch_model();
+  void set_time(double t_s);
+  double heading_at(double t_s) const;
+
+  std::shared_ptr<const LoadedLesson> loaded_;
+  Effort effort_;
+  Place place_{};
+  std::set<std::string> visited_;
+  double t_s_ = 0, speed_ = 1, travel_ = 1;
+  double loop_ = 0;         ///< number of the loop that the time line shows
+  double heading_rad_ = 0;  ///< of the body where the camera has the azimuth of the scene, while following
+  bool playing_ = false, following_ = false;
+  SceneEdits edits_;
+  std::unique_ptr<SceneModel> model_;
+  unsigned model_number_ = 0;
+  struct Flips {
+    unsigned model_number = 0;
+    double loop = 0;
+    std::vector<double> times_s;
+  };
+  mutable Flips flips_;  ///< found when asked for
+  std::string lit_;
+  AnswerLog answers_;
+  std::map<std::string, JudgedAnswer> judged_;  ///< by ask, since the place was reached
+  bool presenting_ = false, notes_shown_ = false;
+};
+
+}  // namespace polhode

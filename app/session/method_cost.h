@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The trade between speed and accuracy of the motion that is shown: what it costs and how wrong it is now,
+// and what the other methods would cost, measured on the spot.
+#pragma once
+
+#include "app/cli/work_precision.h"
+#include "physics/analysis/motion_errors.h"
+#include "render/scene/model/model.h"
+
+#include <atomic>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Of the present motion at t. Numbers are NaN where the motion cannot reach t.
+struct LiveTrade {
+  std::optional<StateError>
+      error;                ///< against the exact motion; absent with torque, and of what is exact itself
+  InvariantDrift drift;     ///< from the start to t, over at most 64 times; NaN where nothing is kept
+  double ns_per_frame = 0;  ///< CPU time to get from one shown frame (1/25 s) to the next, measured
+};
+
+/// Of one model. at() takes some 0.1 ms of CPU time (Dormand-Prince: 0.4 ms) once the way to t is known.
+class TradeMeter {
+ public:
+  explicit TradeMeter(const SceneModel& model);
+  ~TradeMeter();
+  /// `model` is the one it was made for, or the same made anew.
+  LiveTrade at(const SceneModel& model, double t_s) const;
+
+ private:
+  Problem problem_;
+  MethodChoice choice_;
+  std::unique_ptr<const Motion> exact_;  ///< null: there is none, or the motion is exact
+};
+
+/// Steps of the Pareto front from fast to accurate, for one slider. `choice` is what to make the motion with.
+struct ParetoStep {
+  MethodChoice choice;
+  double error = 0;  ///< the larger of ω's and the attitude's, at the end
+  double ns_per_period = 0;
+  std::string name;  ///< "rk4, step 0.02 s"
+};
+
+/// The front of the methods that go step by step, each step dearer and more accurate than the one before;
+/// then the closed form, if it was measured.
+std::vector<ParetoStep> pareto_steps(const std::vector<WorkPrecisionRow>& rows);
+
+/// Measures in a thread of its own (no OpenGL in it); asked from the thread that made it.
+class FrontMeasurement {
+ public:
+  /// `cpu_seconds` about; 10 periods (or turns). Of a body at rest nothing is measured.
+  explicit FrontMeasurement(const Problem& problem, double cpu_seconds = 1.5);
+  ~FrontMeasurement();  ///< waits until the method that it is measuring just now is done, some 0.2 s
+  bool is_ready() const;
+  /// Empty until it is ready, or if nothing could be measured. The closed form comes last.
+  const std::vector<ParetoStep>& steps();
+
+ private:
+  std::atomic<bool> stopped_ = false;
+  std::future<std::vector<ParetoStep>> future_;
+  std::vector<ParetoStep> steps_;
+};
+
+/// What the model's scene requires, in words ("ω(t)", "attitude", "polhode"), and what is therefore not
+/// computed.
+struct RequirementWords {
+  std::vector<std::string> computed, left_out;
+};
+RequirementWords requirement_words(const SceneModel& model);
+
+}  // namespace polhode

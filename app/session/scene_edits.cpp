@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/scene_edits.h"
+
+#include "lessons/reader/scene_keys.h"
+#include "render/scene/model/rotor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace polhode {
+
+namespace {
+
+constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+constexpr double kMostElevationDeg = 90, kLeastScale = 0.1, kMostScale = 100;
+
+/// A quotient of whole numbers, so that its decimals are few.
+double whole_parts_of_degree(double angle_rad) {
+  constexpr double kParts = 1e4;
+  return std::round(angle_rad / kRadiansPerDegree * kParts) / kParts;
+}
+
+template <class T>
+void replace(T& value, const std::optional<T>& edit) {
+  if (edit) value = *edit;
+}
+
+Body or_throw(Result<Body> body) {
+  if (!body) throw std::domain_error(body.error());
+  return std::move(body).value();
+}
+
+void show(OverlaySet& shown, const SceneEdits& edits) {
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const auto overlay = static_cast<Overlay>(i);
+    if (edits.on.contains(overlay)) shown.insert(overlay);
+    if (edits.off.contains(overlay)) shown.erase(overlay);
+  }
+}
+
+}  // namespace
+
+Scene edited(Scene scene, const SceneEdits& edits) {
+  if (!scene.attitude && scene.show.contains(Overlay::plane) && edits.off.contains(Overlay::plane))
+    scene.attitude = LPoints::down;
+  if (edits.attitude) scene.attitude = edits.attitude;
+  if (edits.body) scene.body = or_throw(on_its_pivot(*edits.body, scene.torque));
+  replace(scene.w0_B, edits.w0_B);
+  replace(scene.motion, edits.motion);
+  replace(scene.views, edits.views);
+  replace(scene.camera, edits.camera);
+  replace(scene.quality, edits.quality);
+  show(scene.show, edits);
+  return scene;
+}
+
+void set_shown(SceneEdits& edits, const Scene& lesson_scene, Overlay overlay, bool is_shown) {
+  edits.on.erase(overlay);
+  edits.off.erase(overlay);
+  if (lesson_scene.show.contains(overlay) != is_shown) (is_shown ? edits.on : edits.off).insert(overlay);
+}
+
+Result<Body> body_with_moments(const Vec3& moments) {
+  if (auto why = why_impossible(moments[0], moments[1], moments[2])) return failure(std::move(*why));
+  return Body{"own-body", PrincipalMoments(moments[0], moments[1], moments[2]), std::nullopt};
+}
+
+CameraSpec writable(const CameraSpec& camera) {
+  const double azimuth_deg = whole_parts_of_degree(std::remainder(camera.azimuth_rad, 2 * std::numbers::pi));
+  const double elevation_deg =
+      std::clamp(whole_parts_of_degree(camera.elevation_rad), -kMostElevationDeg, kMostElevationDeg);
+  return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree,
+          std::clamp(camera.distance, kLeastScale, kMostScale),
+          std::clamp(camera.zoom, kLeastScale, kMostScale)};
+}
+
+std::vector<double> wxyz_in_short(const Quat& q_SB) {
+  constexpr double kParts = 1e12;
+  const double largest = q_SB.coeffs().cwiseAbs().maxCoeff();
+  std::vector<double> wxyz;
+  for (double x : {q_SB.w(), q_SB.x(), q_SB.y(), q_SB.z()})
+    wxyz.push_back(std::round(x / largest * kParts) / kParts);
+  return wxyz;
+}
+
+AttitudeSpec writable(const AttitudeSpec& attitude) {
+  const Quat* q_SB = std::get_if<Quat>(&attitude);
+  return q_SB ? attitude_from(wxyz_in_short(*q_SB)) : attitude;
+}
+
+}  // namespace polhode

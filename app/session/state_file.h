@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Small JSON files in the state folder, $XDG_STATE_HOME/polhode or ~/.local/state/polhode (XDG Base Directory
+// Specification 0.8): what is kept from one run to the next.
+#pragma once
+
+#include "app/cli/exit_codes.h"
+
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace polhode {
+
+/// Nothing where neither XDG_STATE_HOME (absolute) nor HOME says where.
+std::optional<std::filesystem::path> state_folder();
+
+/// Another process has a StateLock, and keeps it.
+struct StateIsHeld : CommandError {
+  using CommandError::CommandError;
+};
+
+/// Held by one process at a time while it reads a state file, changes what it read and writes it again. It is
+/// an advisory lock (flock) on a file beside it, NAME.lock, which stays there; a process that dies gives it
+/// back. On a file system that has no locks nothing is locked: a state file is written whole all the same.
+class StateLock {
+ public:
+  /// Makes the folder, and waits for others, but not for longer than `patience`; 0: looks once.
+  /// @param lock_file stands in for flock
+  /// @throws StateIsHeld; CommandError failed if the lock cannot be had for another reason
+  StateLock(const std::filesystem::path& state_file, std::chrono::milliseconds patience,
+            int (*lock_file)(int file, int operation) = ::flock);
+  ~StateLock();
+  StateLock(const StateLock&) = delete;
+  StateLock& operator=(const StateLock&) = delete;
+
+ private:
+  int file_ = -1;
+};
+
+/// Takes what a file says. Throws any std::exception if it is not such a file.
+using TakeState = std::function<void(const nlohmann::ordered_json&)>;
+
+/// Hands over what the file says; an absent one is passed over. One that is damaged is set aside as
+/// NAME.damaged: the answer says so, and is empty otherwise. `what` names the file in a sentence: "the log of
+/// answers". What `take` has taken of a damaged file is to be forgotten.
+/// @throws CommandError failed if it is there and cannot be read, or is of another "format" than 1
+std::string read_state_file(const std::filesystem::path& path, const std::string& what,
+                            const TakeState& take);
+
+/// Whole or not at all; makes the folder, and puts "format" first. @throws CommandError failed
+void write_state_file(const std::filesystem::path& path, const nlohmann::ordered_json& members);
+
+}  // namespace polhode

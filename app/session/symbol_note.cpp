@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/symbol_note.h"
+
+#include "app/narration/speech_text.h"
+#include "lessons/claims/live_claims.h"
+#include "render/scene/model/translation.h"
+#include "render/typeset/math/tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace polhode {
+
+namespace {
+
+std::string superscript(int number) {
+  constexpr const char* kDigits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char c : std::to_string(number)) text += c == '-' ? "⁻" : kDigits[c - '0'];
+  return text;
+}
+
+/// With a minus sign; nothing is −0.
+std::string decimal(double value, int decimals) {
+  const std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool is_zero = text.find_first_not_of("0.") == std::string::npos;
+  if (is_zero) return "0";
+  return value < 0 ? "−" + text : text;
+}
+
+/// Three digits of the largest; a power of ten is set apart where there are too many zeros.
+std::string text_of(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  if (!std::isfinite(largest)) return "";
+  int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
+  if (largest > 0 && largest / std::pow(10.0, exponent) >= 9.995) ++exponent;  // 9.996 is 10.0
+  const int factor = exponent < -2 || exponent > 3 ? exponent : 0;
+  const int decimals = std::clamp(2 - (exponent - factor), 0, 4);
+  std::string text;
+  for (const double value : values)
+    text += (text.empty() ? "" : ", ") + decimal(value / std::pow(10.0, factor), decimals);
+  if (values.size() > 1) text = '(' + text + ')';
+  return factor == 0 ? text : text + "·10" + superscript(factor);
+}
+
+/// Whether the scene has what the quantity is of.
+bool is_of_scene(const std::string& name, const Scene& scene) {
+  for (const char* of_center : {"p", "v", "F", "m"})
+    if (name == of_center) return drifts(scene);
+  return name != "A" || scene.show.contains(Overlay::transport);
+}
+
+void add_value(const std::string& name, const SceneModel& model, double t_s, SymbolNote& note) {
+  if (name == "I") {
+    const Vec3 moments = model.scene.body.moments.vector();
+    note.value = text_of({moments.data(), 3});
+    note.frame = "body";
+    return;
+  }
+  if (!is_of_scene(name, model.scene)) return;
+  const auto live = live_state(model, t_s);
+  const View view = model.scene.views.front();
+  const auto value = live ? live_quantity(name, *live, view) : std::nullopt;
+  if (!value) return;
+  note.value = text_of({value->components.data(), value->is_vector ? 3u : 1u});
+  if (value->is_vector) note.frame = view == View::space ? "space" : "body";
+}
+
+const MathNode* find_term(const MathNode& node, const std::string& name) {
+  if (node.kind == MathNode::Kind::term && node.text == name) return &node;
+  for (const MathNode& child : node.children)
+    if (const MathNode* found = find_term(child, name)) return found;
+  return nullptr;
+}
+
+/// The formula of the first term of this name on a step; without a root if there is none.
+Math term_on(const Step& step, const std::string& name) {
+  for (const Block& block : step.blocks) {
+    const auto* equation = std::get_if<Equation>(&block);
+    if (!equation || !equation->math.root) continue;
+    const MathNode* term = find_term(*equation->math.root, name);
+    Math content;
+    // The tree lives as long as the part of it that is asked for.
+    if (term) content.root = std::shared_ptr<const MathNode>(equation->math.root, term);
+    if (term) return content;
+  }
+  return {};
+}
+
+Math term_seen_last(const Lesson& lesson, const std::string& name, const std::string& stage_id,
+                    std::size_t step) {
+  if (const Stage* stage = lesson.find_stage(stage_id))
+    for (std::size_t i = std::min(step + 1, stage->steps.size()); i-- > 0;)
+      if (Math term = term_on(stage->steps[i], name); term.root) return term;
+  for (const Stage& stage : lesson.stages)
+    for (const Step& any : stage.steps)
+      if (Math term = term_on(any, name); term.root) return term;
+  return {};
+}
+
+}  // namespace
+
+SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s,
+                   const std::string& stage_id, std::size_t step) {
+  SymbolNote note;
+  const auto found = lesson.symbols.find(name);
+  if (found == lesson.symbols.end()) {
+    const Math term = term_seen_last(lesson, name, stage_id, step);
+    if (term.root) note.meaning = Speaker(lesson).words(term);
+    return note;
+  }
+  note.meaning = found->second.say;
+  note.unit = found->second.unit;
+  if (model) add_value(name, *model, t_s, note);
+  return note;
+}
+
+}  // namespace polhode

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/typed_folder.h"
+
+#include "app/cli/exit_codes.h"
+
+#include <fmt/format.h>
+#include <pwd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+
+namespace polhode {
+
+namespace {
+
+/// What is to be said of a beginning that means nothing.
+CommandError refusal(const std::string& reason, const std::string& beginning) {
+  return {ExitCode::usage, fmt::format("{}; a folder of this name is ./{}", reason, beginning)};
+}
+
+std::string home() {
+  if (const char* set = std::getenv("HOME"); set && *set) return set;
+  const passwd* user = getpwuid(getuid());
+  return user ? user->pw_dir : throw refusal("HOME is not set", "~");
+}
+
+std::string home_of(const std::string& name) {
+  const passwd* user = getpwnam(name.c_str());
+  return user ? user->pw_dir : throw refusal(fmt::format("there is no user called {}", name), '~' + name);
+}
+
+/// How many characters of a text are the name of a variable, as a shell takes it: the longest beginning of
+/// letters, digits and underscores that does not begin with a digit.
+std::size_t name_length(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789";
+  constexpr std::string_view kNames = "0123456789_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  if (text.empty() || kDigits.find(text.front()) != text.npos) return 0;
+  return std::min(text.find_first_not_of(kNames), text.size());
+}
+
+/// "HOME" and ".d" of "$HOME.d" and "${HOME}.d".
+struct Variable {
+  std::string name, rest;
+};
+std::optional<Variable> variable_in(std::string_view beginning) {
+  if (!beginning.starts_with('$')) return std::nullopt;
+  const bool is_braced = beginning.starts_with("${");
+  beginning.remove_prefix(is_braced ? 2 : 1);
+  const std::size_t length = name_length(beginning);
+  if (length == 0 || (is_braced && !beginning.substr(length).starts_with('}'))) return std::nullopt;
+  return Variable{std::string(beginning.substr(0, length)),
+                  std::string(beginning.substr(is_braced ? length + 1 : length))};
+}
+
+}  // namespace
+
+std::filesystem::path typed_folder(const std::string& typed) {
+  if (typed.empty()) return ".";
+  const std::string beginning = typed.substr(0, typed.find('/'));
+  const std::string rest = typed.substr(beginning.size());
+  if (beginning == "~") return home() + rest;
+  if (beginning.starts_with('~')) return home_of(beginning.substr(1)) + rest;
+  const std::optional<Variable> variable = variable_in(beginning);
+  if (!variable) return typed;
+  const char* value = std::getenv(variable->name.c_str());
+  if (!value || !*value) throw refusal(fmt::format("{} is not set", variable->name), beginning);
+  return value + variable->rest + rest;
+}
+
+}  // namespace polhode

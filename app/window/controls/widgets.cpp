@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/controls/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+constexpr float kIconSize = 0.36F;  // half the height of an icon, em
+
+/// Pointing right (way = 1) or left (−1), its middle at `at`. Clockwise, as edges are softened.
+void add_triangle(ImDrawList& list, ImVec2 at, float size, float way, ImU32 color) {
+  const float back = at.x - 0.8F * way * size;
+  list.AddTriangleFilled({back, at.y - way * size}, {at.x + 0.9F * way * size, at.y},
+                         {back, at.y + way * size}, color);
+}
+
+void add_bar(ImDrawList& list, float x, float y, float half, float width, ImU32 color) {
+  list.AddRectFilled({x - 0.5F * width, y - half}, {x + 0.5F * width, y + half}, color);
+}
+
+void add_icon(Icon icon, ImVec2 at, float size, ImU32 color) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float bar = std::max(2.0F, std::round(0.36F * size));
+  switch (icon) {
+    case Icon::back:
+      return add_triangle(list, at, size, -1, color);
+    case Icon::next:
+    case Icon::play:
+      return add_triangle(list, at, size, 1, color);
+    case Icon::pause:
+      add_bar(list, at.x - 0.45F * size, at.y, size, 1.4F * bar, color);
+      return add_bar(list, at.x + 0.45F * size, at.y, size, 1.4F * bar, color);
+    case Icon::frame_back:
+      add_bar(list, at.x + 0.8F * size, at.y, size, bar, color);
+      return add_triangle(list, {at.x - 0.2F * size, at.y}, 0.8F * size, -1, color);
+    case Icon::frame_forward:
+      add_bar(list, at.x - 0.8F * size, at.y, size, bar, color);
+      return add_triangle(list, {at.x + 0.2F * size, at.y}, 0.8F * size, 1, color);
+    case Icon::close:
+      list.AddLine({at.x - size, at.y - size}, {at.x + size, at.y + size}, color, 0.5F * bar);
+      return list.AddLine({at.x - size, at.y + size}, {at.x + size, at.y - size}, color, 0.5F * bar);
+    case Icon::reset:
+      add_bar(list, at.x - 0.9F * size, at.y, size, bar, color);
+      add_triangle(list, {at.x - 0.1F * size, at.y}, 0.7F * size, -1, color);
+      return add_triangle(list, {at.x + 0.8F * size, at.y}, 0.7F * size, -1, color);
+  }
+}
+
+ImU32 color_of(ImGuiCol role) { return ImGui::GetColorU32(role); }
+
+}  // namespace
+
+std::string told(Command command) {
+  for (const CommandFacts& facts : all_commands()) {
+    if (facts.command != command) continue;
+    std::string words(facts.does);
+    words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+    return fmt::format("{} ({})", words, facts.keys);
+  }
+  return {};
+}
+
+void tooltip_of_last(const std::string& text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width) {
+  ImGui::PushID(id);
+  const float em = ImGui::GetFontSize();
+  const bool pressed = ImGui::Button("##icon", {width, 0});
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float words_width = *words ? ImGui::CalcTextSize(words).x + 0.5F * em : 0;
+  const float middle = 0.5F * (low.x + high.x), y = std::round(0.5F * (low.y + high.y));
+  const bool words_first = icon == Icon::next;
+  const float icon_x = middle + (words_first ? 0.5F : -0.5F) * words_width;
+  add_icon(icon, {std::round(icon_x), y}, kIconSize * em, color_of(ImGuiCol_Text));
+  if (*words) {
+    const float x = words_first ? middle - 0.5F * words_width - 0.35F * em : icon_x + 0.75F * em;
+    ImGui::GetWindowDrawList()->AddText({std::round(x), std::round(y - 0.5F * em)}, color_of(ImGuiCol_Text),
+                                        words);
+  }
+  tooltip_of_last(tooltip);
+  ImGui::PopID();
+  return pressed;
+}
+
+bool toggle_button(const char* words, bool is_on, const std::string& tooltip) {
+  if (is_on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+  const bool pressed = ImGui::Button(words);
+  if (is_on) ImGui::PopStyleColor();
+  tooltip_of_last(tooltip);
+  return pressed;
+}
+
+bool radio_button(const char* words, bool is_on) {
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  constexpr std::array kOfCircles = {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                                     ImGuiCol_Border};
+  std::array<ImU32, kOfCircles.size()> colors{};
+  for (std::size_t i = 0; i < kOfCircles.size(); ++i) {
+    colors[i] = ImGui::GetColorU32(kOfCircles[i]);
+    ImGui::PushStyleColor(kOfCircles[i], IM_COL32_BLACK_TRANS);
+  }
+  const bool pressed = ImGui::RadioButton(words, false);
+  ImGui::PopStyleColor(static_cast<int>(kOfCircles.size()));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 center{std::round(low.x + 0.5F * height), std::round(low.y + 0.5F * height)};
+  constexpr int kPieces = 48;
+  const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  list.AddCircleFilled(center, 0.5F * height - 1, colors[held && hovered ? 2 : hovered ? 1 : 0], kPieces);
+  if (is_on) list.AddCircleFilled(center, 0.3F * height, ImGui::GetColorU32(ImGuiCol_CheckMark), kPieces);
+  list.AddCircle(center, 0.5F * height - 1, colors[3], kPieces);
+  return pressed;
+}
+
+std::optional<double> time_line(const Companion::Interval& interval, double t_s,
+                                const std::vector<double>& flips, float width) {
+  const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
+  ImGui::InvisibleButton("##time line", {width, height});
+  const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const float y = std::round(low.y + 0.5F * height), x0 = low.x + 0.5F * em, x1 = low.x + width - 0.5F * em;
+  const double span = interval.to_s - interval.from_s;
+  const auto x_of = [&](double t) {
+    return x0 + (x1 - x0) * static_cast<float>(std::clamp((t - interval.from_s) / span, 0.0, 1.0));
+  };
+  const auto t_at = [&](float x) {
+    return interval.from_s + span * std::clamp(static_cast<double>((x - x0) / (x1 - x0)), 0.0, 1.0);
+  };
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float thick = std::max(2.0F, std::round(0.2F * em));
+  list.AddRectFilled({x0, y - 0.5F * thick}, {x1, y + 0.5F * thick}, color_of(ImGuiCol_Border), thick);
+  list.AddRectFilled({x0, y - 0.5F * thick}, {x_of(t_s), y + 0.5F * thick}, color_of(ImGuiCol_CheckMark),
+                     thick);
+  const float mark = 0.28F * em;
+  const ImU32 accent = color_of(ImGuiCol_NavHighlight);
+  for (const double flip : flips) {
+    const float x = x_of(flip), above = y;
+    list.AddQuadFilled({x, above - mark}, {x + mark, above}, {x, above + mark}, {x - mark, above}, accent);
+  }
+  list.AddCircleFilled({x_of(t_s), y}, (active || hovered ? 0.48F : 0.42F) * em,
+                       active ? accent : color_of(ImGuiCol_CheckMark), 24);
+  const float pointer = ImGui::GetIO().MousePos.x;
+  if (hovered && !active) {
+    const auto near = std::find_if(flips.begin(), flips.end(),
+                                   [&](double flip) { return std::abs(x_of(flip) - pointer) < 0.6F * em; });
+    tooltip_of_last(near != flips.end() ? fmt::format("flip at t = {:.4g} s", *near)
+                                        : fmt::format("t = {:.4g} s", t_at(pointer)));
+  }
+  if (!active) return std::nullopt;
+  return t_at(pointer);
+}
+
+void heading(const char* text) {
+  ImGui::Dummy({0, 0.2F * ImGui::GetFontSize()});
+  ImGui::PushFont(bold_control_font());
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+  ImGui::Separator();
+}
+
+namespace {
+
+void wrapped(const std::string& text, const ImVec4& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void quiet_words(const std::string& text) { wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
+
+void warning_words(const std::string& text) {
+  wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_NavHighlight));
+}
+
+void right_words(const std::string& text) { wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_PlotLines)); }
+
+void value_row(const char* name, const std::string& value) {
+  ImGui::TextDisabled("%s", name);
+  ImGui::SameLine(0.55F * ImGui::GetWindowContentRegionMax().x);
+  ImGui::TextUnformatted(value.empty() ? "–" : value.c_str());
+}
+
+}  // namespace polhode

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Small controls that Dear ImGui does not have.
+#pragma once
+
+#include "app/session/command.h"
+#include "app/window/panels/panel_context.h"
+
+#include <vector>
+
+namespace polhode {
+
+enum class Icon { back, next, play, pause, frame_back, frame_forward, reset, close };
+
+/// "Next step (Right)": what a command does, and its keys.
+std::string told(Command command);
+
+/// With words beside the icon, or without; a tooltip says what it does and by which key.
+bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width);
+
+/// A button that stays down while what it stands for is on.
+bool toggle_button(const char* words, bool is_on, const std::string& tooltip);
+
+/// One of several. Its circle is ours: that of Dear ImGui has other corners in every version.
+bool radio_button(const char* words, bool is_on);
+
+/// Shown when the pointer rests on the last item.
+void tooltip_of_last(const std::string& text);
+
+/// A line of time with a knob, and a mark at each flip. The time that was pointed at while the button is
+/// down.
+std::optional<double> time_line(const Companion::Interval& interval, double t_s,
+                                const std::vector<double>& flips, float width);
+
+/// A heading within a panel.
+void heading(const char* text);
+/// Quiet words that wrap.
+void quiet_words(const std::string& text);
+/// In the colour of what is right.
+void right_words(const std::string& text);
+/// Words that wrap, in the colour of what is wrong.
+void warning_words(const std::string& text);
+
+/// Name and value in two columns; the value is "–" where it is empty.
+void value_row(const char* name, const std::string& value);
+
+}  // namespace polhode

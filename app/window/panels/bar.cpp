@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/command.h"
+#include "app/window/controls/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+constexpr float kNarrow = 70;  // em: below it there are two rows
+constexpr std::array kPanels = {Panel::outline,  Panel::body, Panel::method,   Panel::show,
+                                Panel::question, Panel::save, Panel::settings, Panel::help};
+constexpr std::array kSpeeds = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 8.0, 16.0};
+
+bool is_narrow(const ControlSizes& sizes, float width) { return width < kNarrow * sizes.em; }
+
+std::string speed_text(double speed) {
+  return speed >= 1 ? fmt::format("{:g}×", speed) : fmt::format("1/{:g}×", 1 / speed);
+}
+
+/// That opens and closes a panel.
+Command command_of(Panel panel) {
+  static constexpr std::array kCommands = {Command::leave,  Command::outline,  Command::body,
+                                           Command::method, Command::show,     Command::question,
+                                           Command::save,   Command::settings, Command::help};
+  return kCommands[static_cast<std::size_t>(panel)];
+}
+
+void draw_walk(Desk& desk) {
+  Companion& companion = desk.companion;
+  const float em = desk.sizes.em;
+  ImGui::BeginDisabled(!companion.previous_place());
+  if (icon_button("back", Icon::back, "Back", told(Command::previous_step), 4.9F * em))
+    companion.previous_step();
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!companion.next_place());
+  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em)) companion.next_step();
+  ImGui::EndDisabled();
+}
+
+void draw_speed(Companion& companion, float width) {
+  ImGui::SetNextItemWidth(width);
+  if (ImGui::BeginCombo("##speed", speed_text(companion.speed()).c_str())) {
+    for (const double speed : kSpeeds)
+      if (ImGui::Selectable(speed_text(speed).c_str(), speed == companion.speed()))
+        companion.set_speed(speed);
+    ImGui::EndCombo();
+  }
+  tooltip_of_last("Speed. " + told(Command::faster) + "; " + told(Command::slower));
+}
+
+/// `width` is that of all together.
+void draw_time(Desk& desk, float width) {
+  Companion& companion = desk.companion;
+  const float em = desk.sizes.em, gap = ImGui::GetStyle().ItemSpacing.x;
+  const float icon = 2.1F * em, number = 6.2F * em, speed = 4.6F * em;
+  if (icon_button("reset", Icon::reset, "", told(Command::reset_time), icon)) companion.reset_time();
+  ImGui::SameLine(0, 0.3F * gap);
+  if (icon_button("frame back", Icon::frame_back, "", told(Command::frame_back), icon))
+    companion.step_frames(-1);
+  ImGui::SameLine(0, 0.3F * gap);
+  const bool playing = companion.is_playing();
+  if (icon_button("play", playing ? Icon::pause : Icon::play, "", told(Command::play_pause), icon))
+    companion.set_playing(!playing);
+  ImGui::SameLine(0, 0.3F * gap);
+  if (icon_button("frame forward", Icon::frame_forward, "", told(Command::frame_forward), icon))
+    companion.step_frames(1);
+  ImGui::SameLine();
+  const float line = width - 4 * icon - 0.9F * gap - number - speed - 3 * gap;
+  if (const auto t =
+          time_line(companion.time_line(), companion.t_s(), companion.flips(), std::max(4 * em, line))) {
+    companion.set_playing(false);
+    companion.scrub_to(*t);
+  }
+  ImGui::SameLine();
+  const float x = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  const double t_s = companion.t_s();
+  ImGui::TextUnformatted(fmt::format("t = {}{:.3f} s", t_s < 0 ? "−" : "", std::abs(t_s)).c_str());
+  ImGui::SameLine(x + number + gap);
+  draw_speed(companion, speed);
+}
+
+bool waits_for_answer(const Companion& companion) {
+  const std::vector<const Ask*> questions = companion.questions();
+  return std::any_of(questions.begin(), questions.end(), [&](const Ask* ask) {
+    const AnswerRecord* record = companion.record(*ask);
+    return !record || !record->right;
+  });
+}
+
+/// A dot on the corner of the last item.
+void mark_last() {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float size = 0.24F * ImGui::GetFontSize();
+  ImGui::GetWindowDrawList()->AddCircleFilled({high.x - size, low.y + size}, size,
+                                              ImGui::GetColorU32(ImGuiCol_NavHighlight), 16);
+}
+
+void draw_panel_buttons(Desk& desk) {
+  Companion& companion = desk.companion;
+  bool first = true;
+  for (const Panel panel : kPanels) {
+    if (!first) ImGui::SameLine(0, 0.5F * ImGui::GetStyle().ItemSpacing.x);
+    first = false;
+    const bool is_on = companion.panel == panel;
+    ImGui::BeginDisabled(panel == Panel::question && companion.questions().empty());
+    if (toggle_button(name_of(panel), is_on, told(command_of(panel))))
+      companion.panel = is_on ? Panel::none : panel;
+    ImGui::EndDisabled();
+    if (panel == Panel::question && waits_for_answer(companion)) mark_last();
+  }
+}
+
+float panel_buttons_width() {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  float width = 0;
+  for (const Panel panel : kPanels)
+    width += ImGui::CalcTextSize(name_of(panel)).x + 2 * style.FramePadding.x + 0.5F * style.ItemSpacing.x;
+  return width;
+}
+
+}  // namespace
+
+const char* name_of(Panel panel) {
+  static constexpr std::array kNames = {"",       "Outline", "Body", "Method", "Show",
+                                        "Answer", "Save",    "View", "?"};
+  return kNames[static_cast<std::size_t>(panel)];
+}
+
+float bar_height(const ControlSizes& sizes, float width) {
+  return is_narrow(sizes, width) ? std::round(1.8F * sizes.bar) : sizes.bar;
+}
+
+void draw_bar(Desk& desk, const Region& region) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  ImGui::SetNextWindowPos({region.x, region.y});
+  ImGui::SetNextWindowSize({region.width, region.height});
+  const float frame = ImGui::GetFontSize() + 2 * style.FramePadding.y;
+  const bool narrow = is_narrow(desk.sizes, region.width);
+  const float above =
+      narrow ? 0.5F * (region.height - 2 * frame - style.ItemSpacing.y) : 0.5F * (region.height - frame);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(desk.sizes.padding * 1.4F, std::round(above)));
+  ImGui::Begin("bar", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PopStyleVar();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRectFullScreen();
+  list.AddLine({region.x, region.y + 0.5F}, {region.x + region.width, region.y + 0.5F},
+               ImGui::GetColorU32(ImGuiCol_Border));
+  list.PopClipRect();
+  draw_walk(desk);
+  const float gap = 2 * style.ItemSpacing.x, left = ImGui::GetItemRectMax().x + gap;
+  const float right =
+      region.x + region.width - desk.sizes.padding * 1.4F - (narrow ? 0 : panel_buttons_width() + gap);
+  if (desk.companion.has_scene()) {
+    ImGui::SameLine(0, gap);
+    draw_time(desk, right - left);
+  }
+  if (!narrow) ImGui::SameLine(right + gap - region.x);
+  draw_panel_buttons(desk);
+  ImGui::End();
+}
+
+}  // namespace polhode

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/controls/widgets.h"
+#include "app/window/panels/panels.h"
+#include "physics/body/euler.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+void choose_body(Desk& desk, const Scene& scene) {
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##body", scene.body.name.empty() ? "own moments" : scene.body.name.c_str())) return;
+  const std::string& of_lesson = desk.companion.lesson_scene().body.name;
+  SceneEdits edits = desk.companion.edits();
+  if (ImGui::Selectable(fmt::format("{} (the lesson's)", of_lesson).c_str(), !edits.body)) {
+    edits.body.reset();
+    ask_for_edits(desk, edits);
+  }
+  for (const std::string& name : named_bodies()) {
+    if (!ImGui::Selectable(name.c_str(), scene.body.name == name)) continue;
+    edits.body = find_body(name);
+    ask_for_edits(desk, edits);
+  }
+  ImGui::EndCombo();
+}
+
+/// What cannot be is not set, and says why.
+void set_moments(Desk& desk, const Vec3& moments) {
+  const auto body = body_with_moments(moments);
+  desk.memory.refusal = body ? "" : body.error();
+  if (!body) return;
+  SceneEdits edits = desk.companion.edits();
+  edits.body = *body;
+  ask_for_edits(desk, edits);
+}
+
+void edit_moments(Desk& desk, const Scene& scene) {
+  static constexpr std::array kNames = {"I1", "I2", "I3"};
+  const Vec3 present = scene.body.moments.vector();
+  const double high = desk.memory.most_moment, low = 1e-4 * high;
+  for (int i = 0; i < 3; ++i) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
+    Vec3 moments = present;
+    if (ImGui::SliderScalar(fmt::format("{} kg m²", kNames[static_cast<std::size_t>(i)]).c_str(),
+                            ImGuiDataType_Double, &moments[i], &low, &high, "%.4g",
+                            ImGuiSliderFlags_Logarithmic))
+      set_moments(desk, moments);
+  }
+}
+
+void set_ranges(PanelMemory& memory, const Scene& scene) {
+  if (ImGui::IsAnyItemActive()) return;
+  memory.most_moment = 10 * scene.body.moments.vector().maxCoeff();
+  memory.most_omega = scene.w0_B.isZero(0) ? 1 : 2 * scene.w0_B.norm();
+}
+
+void edit_omega(Desk& desk, const Scene& scene) {
+  static constexpr std::array kNames = {"ω1", "ω2", "ω3"};
+  const double most = desk.memory.most_omega, least = -most;
+  for (int i = 0; i < 3; ++i) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
+    double component = scene.w0_B[i];
+    if (!ImGui::SliderScalar(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]).c_str(),
+                             ImGuiDataType_Double, &component, &least, &most, "%.4f"))
+      continue;
+    SceneEdits edits = desk.companion.edits();
+    edits.w0_B = scene.w0_B;
+    (*edits.w0_B)[i] = component;
+    ask_for_edits(desk, edits);
+  }
+  quiet_words("Body axes, at t = 0. Or take the tip of ω in the figure.");
+}
+
+void show_state(const SceneModel& model, double t_s) {
+  const Vec3 w_B = model.motion->w_B_at(t_s);
+  const PrincipalMoments& I = model.scene.body.moments;
+  const Vec3 L_B = angular_momentum_B(I, w_B);
+  value_row("|ω|", fmt::format("{:.4g} rad/s", w_B.norm()));
+  value_row("T", fmt::format("{:.5g} J", kinetic_energy(I, w_B)));
+  value_row("|L|", fmt::format("{:.5g} kg m²/s", L_B.norm()));
+  const double angle = std::atan2(w_B.cross(L_B).norm(), w_B.dot(L_B));
+  value_row("angle of ω and L", fmt::format("{:.2f}°", angle * 180 / M_PI));
+}
+
+}  // namespace
+
+void draw_body(Desk& desk) {
+  Companion& companion = desk.companion;
+  if (!companion.model()) return quiet_words("This step has no figure.");
+  heading("Body");
+  set_ranges(desk.memory, companion.model()->scene);
+  choose_body(desk, companion.model()->scene);
+  edit_moments(desk, companion.model()->scene);
+  if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
+  heading("Angular velocity");
+  edit_omega(desk, companion.model()->scene);
+  heading("Now");
+  show_state(*companion.model(), companion.t_s());
+  ImGui::Dummy({0, 0.4F * ImGui::GetFontSize()});
+  ImGui::BeginDisabled(companion.edits().empty());
+  if (ImGui::Button("Back to the lesson's scene", {-1, 0})) companion.reset_edits();
+  ImGui::EndDisabled();
+  tooltip_of_last(told(Command::reset_scene));
+}
+
+}  // namespace polhode

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/controls/widgets.h"
+#include "app/window/panels/panels.h"
+#include "render/scene/model/model.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+
+namespace {
+
+/// Of those that have one: a step that a turn has 64 of.
+double usual_step_s(const SceneModel& model) {
+  const double speed = model.scene.w0_B.norm();
+  return speed > 0 ? 2 * M_PI / speed / 64 : 0.01;
+}
+
+/// Two digits; as a power of ten where that is shorter. Empty where there is no number.
+std::string short_number(double value, const char* unit) {
+  if (!std::isfinite(value)) return {};
+  const double size = std::abs(value);
+  return size == 0 || (size >= 0.01 && size < 1000) ? fmt::format("{:.2g}{}", value, unit)
+                                                    : fmt::format("{:.1e}{}", value, unit);
+}
+
+void set_motion(Desk& desk, const MotionSpec& motion) {
+  SceneEdits edits = desk.companion.edits();
+  edits.motion = motion;
+  ask_for_edits(desk, edits);
+}
+
+std::string time_text(double ns) {
+  if (ns < 1e3) return fmt::format("{:.3g} ns", ns);
+  return ns < 1e6 ? fmt::format("{:.3g} µs", ns / 1e3) : fmt::format("{:.3g} ms", ns / 1e6);
+}
+
+Method method_of(const SceneModel& model) {
+  return model.scene.motion.method.value_or(default_method(problem_of(model.scene)));
+}
+
+/// What cannot serve is there, and says why.
+void choose_method(Desk& desk, const SceneModel& model) {
+  const Problem problem = problem_of(model.scene);
+  const Method present = method_of(model);
+  ImGui::SetNextItemWidth(-1);
+  if (!ImGui::BeginCombo("##method", std::string(name_of(present)).c_str(), ImGuiComboFlags_HeightLarge))
+    return;
+  for (const MethodFacts& facts : all_methods()) {
+    const auto reason = why_not(facts.method, problem);
+    const auto flags = reason ? ImGuiSelectableFlags_Disabled : ImGuiSelectableFlags_None;
+    if (ImGui::Selectable(std::string(facts.name).c_str(), facts.method == present, flags)) {
+      MotionSpec motion{
+          .method = facts.method, .step_s = {}, .tolerance = {}, .ghost = model.scene.motion.ghost};
+      if (facts.control == StepControl::fixed)
+        motion.step_s = model.scene.motion.step_s.value_or(usual_step_s(model));
+      set_motion(desk, motion);
+    }
+    tooltip_of_last(reason ? *reason : fmt::format("{}; keeps {}", facts.term, facts.keeps));
+  }
+  ImGui::EndCombo();
+}
+
+void choose_step(Desk& desk, const SceneModel& model) {
+  const MethodFacts& facts = facts_of(method_of(model));
+  MotionSpec motion = model.scene.motion;
+  if (facts.control == StepControl::none) return quiet_words("A closed form: any t at once, no step.");
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6 * ImGui::GetFontSize());
+  if (facts.control == StepControl::fixed) {
+    double step = motion.step_s.value_or(usual_step_s(model));
+    const double low = usual_step_s(model) / 256, high = usual_step_s(model) * 16;
+    if (ImGui::SliderScalar("step, s", ImGuiDataType_Double, &step, &low, &high, "%.4g",
+                            ImGuiSliderFlags_Logarithmic)) {
+      motion.step_s = step;
+      set_motion(desk, motion);
+    }
+  } else {
+    double tolerance = motion.tolerance.value_or(kDefaultTolerance);
+    const double low = 1e-14, high = 1e-2;
+    if (ImGui::SliderScalar("tolerance", ImGuiDataType_Double, &tolerance, &low, &high, "%.1e",
+                            ImGuiSliderFlags_Logarithmic)) {
+      motion.method = facts.method;
+      motion.tolerance = tolerance;
+      set_motion(desk, motion);
+    }
+  }
+}
+
+/// Whatever the method and what is shown.
+bool same_problem(const Scene& a, const Scene& b) {
+  return a.body == b.body && a.w0_B == b.w0_B && a.attitude == b.attitude && a.torque == b.torque;
+}
+
+/// Where the present method is: with its step or tolerance, or one within a factor of two.
+std::optional<int> place_on(const std::vector<ParetoStep>& steps, const SceneModel& model) {
+  const MotionSpec& motion = model.scene.motion;
+  const auto size_of = [](const std::optional<double>& step_s, const std::optional<double>& tolerance) {
+    return step_s.value_or(tolerance.value_or(1));
+  };
+  const double present = size_of(motion.step_s, motion.tolerance);
+  std::optional<int> best;
+  double least = std::log(2.0);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const MethodChoice& choice = steps[i].choice;
+    const double off = std::abs(std::log(size_of(choice.step_s, choice.tolerance) / present));
+    if (choice.method != method_of(model) || off > least) continue;
+    least = off;
+    best = static_cast<int>(i);
+  }
+  return best;
+}
+
+/// Measured when the panel opens, and again for another motion.
+void choose_from_front(Desk& desk, const SceneModel& model) {
+  PanelMemory& memory = desk.memory;
+  if (!(memory.front_of && same_problem(*memory.front_of, model.scene)) && !ImGui::IsAnyItemActive()) {
+    memory.front.reset();
+    memory.front = std::make_unique<FrontMeasurement>(problem_of(model.scene));
+    memory.front_of = model.scene;
+  }
+  if (!memory.front || !memory.front->is_ready()) {
+    memory.front_frames = kFramesOfFront;
+    return quiet_words("measuring the methods on this motion …");
+  }
+  const std::vector<ParetoStep>& steps = memory.front->steps();
+  if (steps.empty()) return quiet_words("Nothing could be measured on this motion.");
+  const auto present = place_on(steps, model);
+  int chosen = present.value_or(0);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderInt("##front", &chosen, 0, static_cast<int>(steps.size()) - 1, "")) {
+    const MethodChoice& choice = steps[static_cast<std::size_t>(chosen)].choice;
+    set_motion(desk, {.method = choice.method,
+                      .step_s = choice.step_s,
+                      .tolerance = choice.tolerance,
+                      .ghost = model.scene.motion.ghost});
+    return;  // the model is another one now
+  }
+  ImGui::TextDisabled("fast");
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize("accurate").x);
+  ImGui::TextDisabled("accurate");
+  if (!present)
+    return quiet_words(
+        "Each step of the slider is the fastest for its accuracy. The present method is none of them.");
+  const ParetoStep& step = steps[static_cast<std::size_t>(*present)];
+  const bool is_reference = facts_of(step.choice.method).control == StepControl::none;
+  const std::string error = is_reference ? "what the errors of the others are against"
+                                         : "error after 10 periods " + short_number(step.error, "");
+  quiet_words(fmt::format("{}: {}, {} a period", step.name, error, time_text(step.ns_per_period)));
+}
+
+const char* why_no_error(const SceneModel& model) {
+  return facts_of(method_of(model)).control == StepControl::none ? "the reference" : "no closed form";
+}
+
+void show_trade(Desk& desk, const SceneModel& model) {
+  PanelMemory& memory = desk.memory;
+  if (!memory.trade || memory.trade_of != desk.companion.model_number()) {
+    memory.trade = std::make_unique<TradeMeter>(model);
+    memory.trade_of = desk.companion.model_number();
+    memory.live_shown_at = -1;
+  }
+  constexpr double kReadable_s = 0.2;
+  const bool at_rest = !desk.companion.is_moving() && memory.live_of_t != desk.companion.t_s();
+  if (at_rest || desk.clock_s - memory.live_shown_at > kReadable_s || memory.live_shown_at < 0) {
+    memory.live = memory.trade->at(model, desk.companion.t_s());
+    memory.live_shown_at = desk.clock_s;
+    memory.live_of_t = desk.companion.t_s();
+  }
+  const LiveTrade& live = memory.live;
+  value_row("error of ω", live.error ? short_number(live.error->omega, "") : why_no_error(model));
+  value_row("error of attitude", live.error ? short_number(live.error->attitude_rad, " rad") : "");
+  value_row("drift of T", short_number(live.drift.T, ""));
+  value_row("drift of |L|", short_number(live.drift.L, ""));
+  value_row("drift of L's direction", short_number(live.drift.L_direction_rad, " rad"));
+  value_row("motion, per frame", time_text(live.ns_per_frame));
+}
+
+void choose_quality(Desk& desk, const SceneModel& model) {
+  for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine}) {
+    if (level != QualityLevel::draft) ImGui::SameLine();
+    if (!radio_button(name_of(level), model.scene.quality == level)) continue;
+    SceneEdits edits = desk.companion.edits();
+    edits.quality = level;
+    ask_for_edits(desk, edits);
+  }
+  value_row("picture, per frame", fmt::format("{:.0f} ms", desk.frame_ms));
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all.empty() ? "nothing" : all;
+}
+
+}  // namespace
+
+void draw_method(Desk& desk) {
+  Companion& companion = desk.companion;
+  if (!companion.model()) return quiet_words("This step has no figure.");
+  heading("From fast to accurate");
+  choose_from_front(desk, *companion.model());
+  heading("Method");
+  choose_method(desk, *companion.model());
+  choose_step(desk, *companion.model());
+  if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
+  bool ghost = companion.model()->scene.motion.ghost;
+  if (ImGui::Checkbox("the exact body beside it, as a ghost", &ghost)) {
+    MotionSpec motion = companion.model()->scene.motion;
+    motion.ghost = ghost;
+    set_motion(desk, motion);
+  }
+  heading("Now");
+  show_trade(desk, *companion.model());
+  heading("Picture");
+  choose_quality(desk, *companion.model());
+  heading("What the scene requires");
+  const RequirementWords words = requirement_words(*companion.model());
+  quiet_words(fmt::format("{}: {}", companion.model()->motion->method(), companion.model()->why));
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(("Computed: " + joined(words.computed)).c_str());
+  ImGui::TextUnformatted(("Not computed: " + joined(words.left_out)).c_str());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace polhode

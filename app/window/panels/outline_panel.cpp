@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/controls/widgets.h"
+#include "app/window/panels/panels.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+/// A dot: full where we are, ringed where we were.
+void add_mark(ImVec2 at, float em, bool is_here, bool is_visited) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 color = ImGui::GetColorU32(is_here ? ImGuiCol_NavHighlight : ImGuiCol_CheckMark);
+  if (is_here || is_visited)
+    list.AddCircleFilled(at, (is_here ? 0.3F : 0.22F) * em, color, 20);
+  else
+    list.AddCircle(at, 0.22F * em, ImGui::GetColorU32(ImGuiCol_TextDisabled), 20, 1.2F);
+}
+
+/// The title, on as many lines as it takes, to be clicked.
+bool stage_row(const std::string& title, std::size_t number, bool is_here, bool is_visited) {
+  const float em = ImGui::GetFontSize(), left = 2.9F * em;
+  const float room = ImGui::GetContentRegionAvail().x - left - 0.3F * em;
+  const ImVec2 words = ImGui::CalcTextSize(title.c_str(), nullptr, false, room);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = words.y + 0.5F * em;
+  ImGui::PushID(static_cast<int>(number));
+  const bool chosen = ImGui::Selectable("##stage", is_here, 0, {0, height});
+  ImGui::PopID();
+  const float line = at.y + 0.25F * em;
+  add_mark({at.x + 0.5F * em, line + 0.5F * em}, em, is_here, is_visited);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string count = fmt::format("{}", number);
+  list.AddText({at.x + 2.4F * em - ImGui::CalcTextSize(count.c_str()).x, line},
+               ImGui::GetColorU32(ImGuiCol_TextDisabled), count.c_str());
+  list.AddText(ImGui::GetFont(), em, {at.x + left, line}, ImGui::GetColorU32(ImGuiCol_Text), title.c_str(),
+               nullptr, room);
+  return chosen;
+}
+
+/// The steps of the present stage, as many as fit in a row.
+void step_row(Desk& desk) {
+  Companion& companion = desk.companion;
+  const float em = ImGui::GetFontSize(), width = 1.9F * em;
+  const std::size_t steps = companion.stage().steps.size();
+  if (steps < 2) return;
+  const float left = 2.9F * em;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const bool fits = i > 0 && ImGui::GetItemRectMax().x + width + 0.5F * em <
+                                   ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (fits)
+      ImGui::SameLine(0, 0.25F * em);
+    else
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
+    const bool here = i == companion.place().step;
+    if (here) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
+    if (ImGui::Button(fmt::format("{}##step", i + 1).c_str(), {width, 0}))
+      companion.go_to({companion.place().stage, i});
+    if (here) ImGui::PopStyleColor();
+  }
+}
+
+}  // namespace
+
+void draw_outline(Desk& desk) {
+  Companion& companion = desk.companion;
+  const float wheel = ImGui::GetIO().MouseWheel;
+  if (wheel != 0 && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
+                                           ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
+    const Place here = companion.place();
+    if (wheel > 0 && here.stage > 0) companion.go_to({here.stage - 1, 0});
+    if (wheel < 0) companion.next_stage();
+  }
+  const std::vector<Stage>& stages = companion.lesson().stages;
+  quiet_words(fmt::format("{} of {} stages seen", companion.visited().size(), stages.size()));
+  ImGui::BeginChild("stages", {0, 0}, false,
+                    ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollWithMouse);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    std::string title = desk.speaker.words_of_title(stages[i]);
+    if (!title.empty() && title.back() == '.') title.pop_back();
+    const bool here = i == companion.place().stage;
+    if (stage_row(title, i + 1, here, companion.visited().contains(stages[i].id))) companion.go_to({i, 0});
+    if (!here) continue;
+    if (desk.memory.outlined != companion.place()) {
+      ImGui::SetScrollHereY(0.4F);
+      desk.memory.outlined = companion.place();
+    }
+    step_row(desk);
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace polhode

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/controls/widgets.h"
+#include "app/window/panels/panels.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+/// Of the answer that was judged, whatever is typed since.
+void show_verdict(const JudgedAnswer& answer) {
+  const AnswerJudgement& verdict = answer.judgement;
+  using Outcome = AnswerJudgement::Outcome;
+  const bool right = verdict.outcome == Outcome::right;
+  const std::string word = verdict.outcome == Outcome::wrong ? "Not right" : "Cannot be read";
+  if (right) return right_words("Right.");
+  warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
+  if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
+  if (!verdict.hint.empty()) quiet_words(verdict.hint);
+  if (const auto& counter = verdict.counterexample)
+    quiet_words(
+        fmt::format("At {} yours is {}, right is {}.", counter->state, counter->left, counter->right));
+}
+
+/// Typed, and checked with Enter or the button.
+void ask_for_words(Desk& desk, const Ask& ask, std::string& typed) {
+  const float check = ImGui::CalcTextSize("Check").x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - check - ImGui::GetStyle().ItemSpacing.x);
+  if (desk.take_focus) ImGui::SetKeyboardFocusHere();
+  const std::string form = fmt::format("such as {}", form_of_answer(ask.type));
+  const bool entered =
+      ImGui::InputTextWithHint("##answer", form.c_str(), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (entered) ImGui::SetKeyboardFocusHere(-1);  // for another try
+  ImGui::SameLine();
+  if ((ImGui::Button("Check") || entered) && !typed.empty()) desk.companion.answer(ask, typed);
+}
+
+/// Controls set no formulas: what has some is to be read where it is set.
+void words_or_see_page(const Desk& desk, const std::string& markdown, const RichText& text) {
+  if (markdown.find('$') != markdown.npos) return quiet_words("as on the page");
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(desk.speaker.words(text).c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void ask_for_choice(Desk& desk, const Ask& ask, std::string& typed) {
+  for (std::size_t i = 0; i < ask.choices.size(); ++i) {
+    const std::string letter(1, letter_of_choice(i));
+    if (toggle_button(letter.c_str(), typed == letter, "")) {
+      typed = letter;
+      desk.companion.answer(ask, typed);
+    }
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    words_or_see_page(desk, ask.choices[i], ask.choice_texts[i]);
+  }
+}
+
+void show_hints(Desk& desk, const Ask& ask) {
+  const AnswerRecord* record = desk.companion.record(ask);
+  const auto shown = static_cast<std::size_t>(record ? record->hints : 0);
+  for (std::size_t i = 0; i < std::min(shown, ask.hint_texts.size()); ++i)
+    quiet_words(fmt::format("Hint {}: {}", i + 1, desk.speaker.words(ask.hint_texts[i])));
+  if (shown < ask.hints.size()) {
+    if (ImGui::Button(shown == 0 ? "A hint" : "Another hint")) desk.companion.show_hint(ask);
+    if (record) ImGui::SameLine();
+  }
+  if (record && ImGui::Button("Forget my answers")) desk.companion.forget_answer(ask);
+}
+
+void draw_question(Desk& desk, const Ask& ask, std::size_t number, std::size_t count) {
+  ImGui::PushID(ask.id.c_str());
+  heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
+  words_or_see_page(desk, ask.prompt, ask.prompt_text);
+  std::string& typed = desk.memory.typed_answers[desk.companion.stage().id + '/' + ask.id];
+  switch (ask.type) {
+    case Ask::Type::expression:
+      ask_for_words(desk, ask, typed);
+      break;
+    case Ask::Type::order:
+      quiet_words("Put the letters in order.");
+      ask_for_words(desk, ask, typed);
+      break;
+    case Ask::Type::choice:
+    case Ask::Type::predict:
+      ask_for_choice(desk, ask, typed);
+      break;
+  }
+  if (const JudgedAnswer* answer = desk.companion.judged(ask))
+    show_verdict(*answer);
+  else if (const AnswerRecord* record = desk.companion.record(ask); record && record->right)
+    quiet_words("You have answered this one right.");
+  show_hints(desk, ask);
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_questions(Desk& desk) {
+  const std::vector<const Ask*> questions = desk.companion.questions();
+  if (questions.empty()) return quiet_words("This step asks nothing.");
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    draw_question(desk, *questions[i], i + 1, questions.size());
+    desk.take_focus = false;
+  }
+  heading("How to write it");
+  quiet_words(
+      "w1 w2 w3 (ω), I1 I2 I3, N1 N2 N3, dw1 … (their rates), T; vectors omega, L, N, e1 e2 e3; + - * / ^, "
+      "dot(a, b), "
+      "cross(a, b), norm2(a), comp(a, 2), inertia(a), ddt(a), star(a)");
+}
+
+}  // namespace polhode

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/figure_interaction.h"
+#include "app/window/controls/widgets.h"
+#include "app/window/panels/panels.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+std::string words_of(Overlay overlay) {
+  if (overlay == Overlay::omega) return "ω";
+  std::string words(name_of(overlay));
+  std::replace(words.begin(), words.end(), '-', ' ');
+  return words;
+}
+
+void choose_views(Companion& companion, Desk& desk) {
+  const std::vector<View>& views = companion.model()->scene.views;
+  const auto offer = [&](const char* words, const std::vector<View>& offered) {
+    if (!radio_button(words, views == offered)) return;
+    SceneEdits edits = companion.edits();
+    edits.views = offered;
+    ask_for_edits(desk, edits);
+  };
+  offer("space", {View::space});
+  ImGui::SameLine();
+  offer("body", {View::body});
+  ImGui::SameLine();
+  offer("both", {View::space, View::body});
+}
+
+void choose_camera(Companion& companion) {
+  bool following = companion.is_following();
+  if (ImGui::Checkbox("follow the body", &following)) companion.set_following(following);
+  tooltip_of_last(told(Command::follow));
+  bool first = true;
+  for (const CameraPreset& preset : camera_presets()) {
+    const float width = ImGui::CalcTextSize(preset.name.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+    if (!first && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <
+                      ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+      ImGui::SameLine();
+    first = false;
+    if (ImGui::Button(preset.name.c_str())) companion.set_camera(preset.camera);
+  }
+  if (ImGui::Button("the lesson's camera", {-1, 0})) companion.set_camera(companion.lesson_scene().camera);
+  tooltip_of_last("Or double-click the figure; drag to turn, wheel to zoom");
+}
+
+void offer_overlay(Desk& desk, Overlay overlay) {
+  Companion& companion = desk.companion;
+  const SceneModel& model = *companion.model();
+  bool shown = model.scene.show.contains(overlay);
+  const bool nothing_to_see = shown && !model.drawn.contains(overlay);
+  if (ImGui::Checkbox(words_of(overlay).c_str(), &shown)) {
+    SceneEdits edits = companion.edits();
+    set_shown(edits, companion.lesson_scene(), overlay, shown);
+    ask_for_edits(desk, edits);
+  }
+  if (!nothing_to_see) return;
+  ImGui::SameLine();
+  ImGui::TextDisabled("nothing to see here");
+}
+
+}  // namespace
+
+void draw_show(Desk& desk) {
+  Companion& companion = desk.companion;
+  if (!companion.model()) return quiet_words("This step has no figure.");
+  heading("Seen from");
+  choose_views(companion, desk);
+  heading("Camera");
+  choose_camera(companion);
+  heading("In space");
+  if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
+  const auto offer_all = [&](bool boards) {
+    for (int i = 0; i < kOverlayCount; ++i)
+      if (const auto overlay = static_cast<Overlay>(i); is_board(overlay) == boards)
+        offer_overlay(desk, overlay);
+  };
+  offer_all(false);
+  heading("On boards");
+  offer_all(true);
+}
+
+}  // namespace polhode

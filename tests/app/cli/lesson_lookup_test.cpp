@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/lesson_lookup.h"
+
+#include "app/cli/exit_codes.h"
+#include "base/sha256.h"
+#include "tests/app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+class LessonLookup : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* folder : {"first", "second"}) fs::create_directory(scratch / folder);
+    write_text(scratch / "first/spin.md", "+++\n");
+    write_text(scratch / "second/spin.md", "+++\n");
+    write_text(scratch / "second/tumble.md", "+++\n");
+    write_text(scratch / "second/README.md", "# Not a lesson\n");
+    write_text(scratch / "second/notes.txt", "+++\n");
+  }
+  ScratchFolder scratch;
+  std::vector<fs::path> folders{scratch / "missing", scratch / "first", scratch / "second"};
+};
+
+std::pair<ExitCode, std::string> refusal(const std::function<void()>& look) {
+  try {
+    look();
+  } catch (const CommandError& error) {
+    return {error.code, error.what()};
+  }
+  return {ExitCode::done, ""};
+}
+
+TEST_F(LessonLookup, FindsIdsInTheOrderOfTheFolders) {
+  EXPECT_EQ(find_lesson("spin", folders), scratch / "first/spin.md");
+  EXPECT_EQ(find_lesson("tumble", folders), scratch / "second/tumble.md");
+}
+
+TEST_F(LessonLookup, TakesFilesAsTheyAre) {
+  EXPECT_EQ(find_lesson("./x/y", folders), "./x/y");
+  EXPECT_EQ(find_lesson("spin.md", folders), "spin.md");
+}
+
+TEST_F(LessonLookup, UnknownIdIsUsageWithTheNearestName) {
+  const auto [code, text] = refusal([&] { find_lesson("tumbel", folders); });
+  EXPECT_EQ(code, ExitCode::usage);
+  EXPECT_THAT(text, HasSubstr("did you mean \"tumble\"?"));
+  EXPECT_THAT(text, HasSubstr((scratch / "second").string()));
+}
+
+TEST_F(LessonLookup, IdsCannotLeaveTheFolders) {
+  EXPECT_EQ(refusal([&] { find_lesson("..", folders); }).first, ExitCode::usage);
+  EXPECT_EQ(refusal([&] { find_lesson("", folders); }).first, ExitCode::usage);
+}
+
+TEST_F(LessonLookup, ListsEachIdOnceAndOnlyLessons) {
+  std::vector<std::string> ids;
+  for (const FoundLesson& found : lessons_in(folders)) ids.push_back(found.id);
+  EXPECT_THAT(ids, testing::ElementsAre("spin", "tumble"));
+  EXPECT_EQ(lessons_in(folders).front().path, scratch / "first/spin.md");
+}
+
+TEST_F(LessonLookup, ReadsNoMoreThanOneByteTooMany) {
+  EXPECT_EQ(read_lesson_text("/dev/zero").size(), kMaxLessonBytes + 1);
+}
+
+TEST_F(LessonLookup, MissingFileAndFolderFail) {
+  EXPECT_EQ(refusal([&] { read_lesson_text(scratch / "none.md"); }).first, ExitCode::failed);
+  EXPECT_EQ(refusal([&] { read_lesson_text(scratch / "first"); }).first, ExitCode::failed);
+}
+
+TEST_F(LessonLookup, LoadsWithTheDigestOfTheText) {
+  const LoadedLesson loaded = load_lesson(test_lesson("tiny.md"));
+  EXPECT_EQ(loaded.lesson.id, "tiny");
+  EXPECT_EQ(loaded.sha256, sha256_hex(text_of(test_lesson("tiny.md"))));
+}
+
+TEST_F(LessonLookup, InvalidLessonCarriesAllDiagnostics) {
+  const auto [code, text] = refusal([&] { load_lesson(test_lesson("two_errors.md")); });
+  EXPECT_EQ(code, ExitCode::invalid);
+  EXPECT_THAT(text, HasSubstr("two_errors.md:12:"));
+  EXPECT_THAT(text, HasSubstr("two_errors.md:16:"));
+}
+
+TEST_F(LessonLookup, SceneThatNoModelServesIsAnErrorAtItsStage) {
+  const std::string path = test_lesson("impossible_scene.md");
+  const LessonReading reading = check_lesson(text_of(path), path);
+  EXPECT_FALSE(reading.lesson.has_value());
+  ASSERT_EQ(reading.diagnostics.size(), 1u);
+  EXPECT_EQ(reading.diagnostics[0].place.line, 10);
+  EXPECT_THAT(reading.diagnostics[0].message, HasSubstr("asked"));
+}
+
+TEST_F(LessonLookup, UnknownStageIsUsageWithTheNearestName) {
+  const LoadedLesson loaded = load_lesson(test_lesson("tiny.md"));
+  const auto [code, text] = refusal([&] { stage_of(loaded.lesson, "roling"); });
+  EXPECT_EQ(code, ExitCode::usage);
+  EXPECT_THAT(text, HasSubstr("did you mean \"rolling\"?"));
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "app/narration/alt_text.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Scene rolling() {
+  Scene scene;
+  scene.show = {Overlay::energy_ellipsoid, Overlay::omega, Overlay::labels, Overlay::polhode};
+  return scene;
+}
+
+TEST(AltText, SaysWhatIsShownAndNothingElse) {
+  const std::string text = alt_text(rolling(), "", Vec3(0, 0, 2), 1.25);
+  EXPECT_THAT(text, testing::StartsWith(
+                        "Seen from space: the energy ellipsoid, the angular velocity ω and the polhode."));
+  EXPECT_THAT(text, Not(HasSubstr("plane")));
+  EXPECT_THAT(text, HasSubstr("At t = 1.25 s the body turns at 2 rad/s, with ω along L."));
+}
+
+// I = (1, 1.75, 2.5), ω = (1, 0, 1): L = (1, 0, 2.5), the angle is atan(2.5) − 45° = 23.2°.
+TEST(AltText, NumbersAreComputedForTheMoment) {
+  EXPECT_THAT(alt_text(rolling(), "", Vec3(1, 0, 1), 0.0), HasSubstr("1.41 rad/s, with ω 23° away from L"));
+}
+
+TEST(AltText, ABodyAtRestHasNoAngle) {
+  EXPECT_THAT(alt_text(rolling(), "", Vec3::Zero(), 0.0), Not(HasSubstr("with ω")));
+}
+
+TEST(AltText, NamesTheViewsAndTheCaption) {
+  Scene scene = rolling();
+  scene.views = {View::space, View::body};
+  const std::string text = alt_text(scene, "No torque acts", Vec3(0, 0, 1), 0.0);
+  EXPECT_THAT(text, HasSubstr("side by side"));
+  EXPECT_THAT(text, HasSubstr("No torque acts."));
+  scene.views = {View::body};
+  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), HasSubstr("Seen from the body:"));
+}
+
+TEST(AltText, BoardsAloneAreSeenFromNowhere) {
+  Scene scene;
+  scene.show = {Overlay::cards};
+  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("A board: cards"));
+  scene.show.insert(Overlay::cofactors);
+  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("Boards: "));
+  scene.show.insert(Overlay::omega);
+  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("Seen from space: "));
+}
+
+TEST(AltText, EveryOverlayButLabelsHasWords) {
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const auto overlay = static_cast<Overlay>(i);
+    Scene scene;
+    scene.show = {overlay};
+    if (overlay == Overlay::N) scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
+    if (overlay == Overlay::pivot) scene.torque = {HeavyTop{0.1}};
+    scene.v0_S = scene.F_S = Vec3(0, 0, 1);  // for p, v and F
+    const std::string text = alt_text(scene, "", Vec3(0, 0, 1), 0.0);
+    EXPECT_EQ(text.find(": nothing.") != std::string::npos, overlay == Overlay::labels) << name_of(overlay);
+  }
+}
+
+TEST(AltText, NamesNothingThatIsNotDrawn) {  // 2026-11-21: it named the plane of a driven body
+  Scene scene;
+  scene.show = {Overlay::plane, Overlay::omega};
+  scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
+  EXPECT_EQ(alt_text(scene, "", Vec3(0, 0, 1), 0.0).find("plane"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace polhode

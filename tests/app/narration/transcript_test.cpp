@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "app/narration/transcript.h"
+
+#include "app/narration/speech_text.h"
+#include "lessons/reader/reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kLesson = R"(+++
+format = 1
+id = "spoken"
+title = "A spoken lesson"
+[symbols]
+omega = { tex = '\vec\omega', role = "omega", say = "angular velocity" }
++++
+# The first stage {first}
+The vector $\vec\omega$ is *long*:
+
+- one item
+- another item
+
+```math e
+\vec\omega = 0 \tag{7}
+```
+
+> [!said] It is small.
+> [!meant] It is zero.
+
+```ask q
+type = "choice"
+prompt = "How long is it?"
+choices = ["short", "zero"]
+answer = 2
+hints = ["a secret hint"]
+```
+
+# The second stage {second}
+More words.
+)";
+
+Lesson lesson() {
+  LessonReading reading = read_lesson(kLesson, "spoken.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return std::move(*reading.lesson);
+}
+
+TEST(Transcript, HasWhatIsReadInItsOrder) {
+  const std::string text = transcript_of(lesson(), {});
+  std::size_t at = 0;
+  for (const char* part : {"A spoken lesson\n===============\n", "\n1. The first stage\n------------------\n",
+                           "angular velocity", " is long:\n", "\n  • one item\n  • another item\n",
+                           "    Equation (7): angular velocity", "  > The lecture said: It is small.\n",
+                           "  > What it meant: It is zero.\n",
+                           "Question: How long is it?\n  A. short\n  B. zero\n", "\n2. The second stage\n"}) {
+    const std::size_t found = text.find(part, at);
+    ASSERT_NE(found, std::string::npos) << part << "\nin\n" << text;
+    at = found;
+  }
+}
+
+TEST(Transcript, TellsNeitherHintsNorAnswers) {
+  EXPECT_THAT(transcript_of(lesson(), {}), Not(HasSubstr("secret")));
+}
+
+TEST(Transcript, HasTheStagesAskedFor) {
+  const std::string text = transcript_of(lesson(), {"second"});
+  EXPECT_THAT(text, HasSubstr("2. The second stage"));
+  EXPECT_THAT(text, Not(HasSubstr("first stage")));
+}
+
+TEST(Speaker, SaysAPage) {
+  const Lesson l = lesson();
+  EXPECT_THAT(Speaker(l).words_of_page(l.stages[0], 1, 1),
+              testing::AllOf(testing::StartsWith("The first stage. The vector angular velocity is long:"),
+                             HasSubstr("Equation (7): "), HasSubstr("Choice B: zero.")));
+}
+
+std::string spoken_prose(const std::string& prose) {
+  std::string text = kLesson;
+  text.replace(text.find("More words."), std::string("More words.").size(), prose);
+  LessonReading reading = read_lesson(text, "spoken.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  const Lesson& l = *reading.lesson;
+  return Speaker(l).words(std::get<Prose>(l.stages[1].steps[0].blocks[0]).text);
+}
+
+TEST(Speaker, SaysAQuantityAndItsSymbolOnce) {
+  EXPECT_EQ(spoken_prose("The angular velocity $\\vec\\omega$ is."), "The angular velocity is.");
+  EXPECT_EQ(spoken_prose("Angular velocity $\\vec\\omega$, too"), "Angular velocity, too");
+  EXPECT_EQ(spoken_prose("An angular $\\vec\\omega$ is."), "An angular velocity is.");
+  EXPECT_EQ(spoken_prose("Rectangular $\\vec\\omega$"), "Rectangular angular velocity");
+  EXPECT_EQ(spoken_prose("It. $\\vec\\omega$ is"), "It. Angular velocity is");
+  EXPECT_EQ(spoken_prose("e.g.\u00A0$\\vec\\omega$"), "e.g.\u00A0angular velocity");
+  EXPECT_EQ(spoken_prose("$e$ is"), "e is");
+  EXPECT_EQ(spoken_prose("In $S$ $S$ is"), "In S S is");
+}
+
+std::size_t widest(const std::string& text) {
+  std::size_t most = 0, line = 0;
+  for (char c : text) {
+    line = c == '\n' ? 0 : line + ((static_cast<unsigned char>(c) & 0xC0) != 0x80 ? 1 : 0);
+    most = std::max(most, line);
+  }
+  return most;
+}
+
+TEST(Wrapped, FillsLinesToTheirLimit) {
+  std::string words;
+  for (int i = 0; i < 60; ++i) words += "ωωω ωω ";
+  const std::string text = wrapped(words, "> ");
+  EXPECT_LE(widest(text), kTranscriptColumns);
+  EXPECT_GT(widest(text), kTranscriptColumns - 4);
+  EXPECT_THAT(text, testing::StartsWith("> ωωω"));
+  EXPECT_THAT(text, HasSubstr("\n  ωω"));
+  EXPECT_TRUE(text.ends_with('\n'));
+}
+
+TEST(Wrapped, AWordThatIsTooLongHasALineOfItsOwn) {
+  const std::string word(200, 'x');
+  EXPECT_EQ(wrapped("a " + word + " b", ""), "a\n" + word + "\nb\n");
+}
+
+TEST(Wrapped, NoWordsAreNoLine) {
+  EXPECT_EQ(wrapped("", "- "), "");
+  EXPECT_EQ(wrapped(" \n ", ""), "");
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/figure_place.h"
+
+#include "tests/render/drawing/sheet_texts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace polhode {
+namespace {
+
+Scene scene_of(const OverlaySet& show) {
+  Scene scene;
+  scene.show = show;
+  scene.caption = "A caption";
+  return scene;
+}
+
+FigurePlace place_of(Size size) {
+  return {.rect = {7, 3, size.width, size.height}, .caption_px = caption_px_of(size)};
+}
+
+PlacedFigure placed(const Scene& scene, Size size) {
+  return place_figure(make_model(scene), 0.4, place_of(size), fonts());
+}
+
+PixelBox box_of(const PixelRect& rect) {
+  return {double(rect.x), double(rect.y), double(rect.x + rect.width), double(rect.y + rect.height)};
+}
+
+constexpr Size kSizes[] = {{480, 270}, {657, 504}, {500, 900}, {3840, 2160}};
+
+TEST(FigurePlace, WithoutBoardsIsTheFigureInSpace) {
+  const PlacedFigure figure = placed(scene_of({Overlay::omega}), {640, 480});
+  ASSERT_EQ(figure.insets.size(), 1u);
+  EXPECT_EQ(figure.insets[0].place.width, 640);
+  EXPECT_EQ(figure.insets[0].place.x, 7);
+  EXPECT_EQ(figure.insets[0].figure.caption, "A caption");
+  EXPECT_TRUE(figure.sheet.texts.empty());
+}
+
+TEST(FigurePlace, BoardsAloneDrawNoSpace) {
+  for (const Size& size : kSizes) {
+    const PlacedFigure figure = placed(scene_of({Overlay::energy_rows, Overlay::labels}), size);
+    EXPECT_TRUE(figure.insets.empty());
+    EXPECT_EQ(texts_of(figure.sheet, "A caption").size(), 1u);
+  }
+}
+
+TEST(FigurePlace, BoardsSpaceAndCaptionStandClearOfEachOther) {
+  for (const Size& size : kSizes)
+    for (const OverlaySet& show :
+         {OverlaySet{Overlay::omega, Overlay::tensor_bars}, OverlaySet{Overlay::shape, Overlay::cyclic_wheel},
+          OverlaySet{Overlay::omega, Overlay::energy_rows, Overlay::momentum_rows}}) {
+      const PlacedFigure figure = placed(scene_of(show), size);
+      ASSERT_EQ(figure.insets.size(), 1u);
+      const PixelBox space = box_of(figure.insets[0].place), whole = box_of(place_of(size).rect);
+      EXPECT_TRUE(figure.insets[0].figure.caption.empty());
+      EXPECT_GT(std::min(space.width(), space.height()), 0.3 * std::min(whole.width(), whole.height()));
+      for (std::size_t i = 0; i < figure.sheet.texts.size(); ++i) {
+        const PixelBox text = polhode::box_of(figure.sheet.texts[i]);
+        EXPECT_EQ(text.overlap(space), 0.0) << figure.sheet.texts[i].text;
+        EXPECT_NEAR(text.overlap(whole), text.width() * text.height(), 1e-6) << figure.sheet.texts[i].text;
+        for (std::size_t k = 0; k < i; ++k)
+          EXPECT_EQ(text.overlap(polhode::box_of(figure.sheet.texts[k])), 0.0)
+              << figure.sheet.texts[i].text << " covers " << figure.sheet.texts[k].text << " at "
+              << size.width;
+      }
+    }
+}
+
+TEST(FigurePlace, PaintsTheGroundThatItIsGiven) {
+  const SceneModel model = make_model(scene_of({Overlay::cards}));
+  FigurePlace place = place_of({640, 360});
+  const std::size_t shapes = place_figure(model, 0.0, place, fonts()).sheet.shapes.size();
+  place.ground = color_from_hex(0x22262C);
+  const PlacedFigure figure = place_figure(model, 0.0, place, fonts());
+  ASSERT_EQ(figure.sheet.shapes.size(), shapes + 1);
+  EXPECT_EQ(std::get<Area>(figure.sheet.shapes[0]).color, *place.ground);
+}
+
+}  // namespace
+}  // namespace polhode

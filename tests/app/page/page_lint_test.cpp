@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/page_lint.h"
+
+#include "lessons/reader/reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+
+/// The first step has a line, the second as many paragraphs as are asked for, from line 9 on.
+std::vector<Diagnostic> found_with(int paragraphs) {
+  std::string text =
+      "+++\nformat = 1\nid = \"long\"\ntitle = \"Long\"\n+++\n# A stage {one}\nShort.\n\n---\n\n";
+  for (int i = 0; i < paragraphs; ++i)
+    text +=
+        "Some words that fill a line of the column and then some more of the line below it, all in all "
+        "two.\n\n";
+  const LessonReading reading = read_lesson(text, "long.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  static const Fonts kFonts = Fonts::open().value();
+  return page_diagnostics(*reading.lesson, kFonts, "long.md");
+}
+
+TEST(PageLint, AStepThatFitsIsFine) { EXPECT_TRUE(found_with(4).empty()); }
+
+TEST(PageLint, ALongStepIsWarnedOfWhereItBegins) {
+  const auto found = found_with(17);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  EXPECT_EQ(found[0].file, "long.md");
+  EXPECT_EQ(found[0].place.line, 11);
+  EXPECT_THAT(found[0].message, HasSubstr("step 2 of stage \"one\" is long"));
+  EXPECT_THAT(found[0].hint, HasSubstr("---"));
+}
+
+TEST(PageLint, AStepThatNoPageHoldsIsAnError) {
+  const auto found = found_with(150);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::error);
+  EXPECT_EQ(found[0].place.line, 11);
+}
+
+/// What checking costs of a lesson of five steps, each with a motion of its own, 2000 steps of explicit Euler
+/// long, and an equation that ends in `number`.
+std::int64_t evaluations_with(const std::string& number) {
+  std::string text = "+++\nformat = 1\nid = \"five\"\ntitle = \"Five\"\n+++\n# A stage {one}\n";
+  for (int i = 1; i <= 5; ++i) {
+    const std::string n = std::to_string(i);
+    text += (i > 1 ? "\n---\n\n```math e" : "\n```math e") + n + "\nT = " + number +
+            "\n```\n```scene\nbody = \"book\"\nomega = [0.1, 2, 0." + n +
+            "]\nmotion = { method = \"explicit-euler\", step = 0.001 }\nat = 2\nshow = [\"omega\"]\n```\n";
+  }
+  const LessonReading reading = read_lesson(text, "five.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  static const Fonts kFonts = Fonts::open().value();
+  std::int64_t made = 0;
+  EXPECT_TRUE(
+      page_diagnostics(*reading.lesson, kFonts, "five.md", [&](std::int64_t n) { made += n; }).empty());
+  return made;
+}
+
+TEST(PageLint, TheNumbersOfEarlierStepsCostOneMotionForEachStep) {
+  const std::int64_t more = evaluations_with("\\live{T}") - evaluations_with("{}");
+  EXPECT_GE(more, 4 * 2000) << "of four steps numbers stay; what they cost is not told";
+  // Rates are taken from seven states about the still, each reached again from a checkpoint.
+  EXPECT_LE(more, 4 * 3000) << "computed for each later page and each of its sizes";
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,541 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/page.h"
+
+#include "app/cli/exit_codes.h"
+#include "app/cli/lesson_lookup.h"
+#include "app/page/page_text.h"
+#include "app/page/text_column.h"
+#include "lessons/reader/reader.h"
+#include "tests/app/page/sheet_checks.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace polhode {
+namespace {
+
+constexpr Size kSizes[] = {{1920, 1080}, {1024, 768}, {1080, 1920}, {640, 480}, {320, 240}};
+
+const Lesson& lecture() {
+  static const Lesson kLesson =
+      load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md").lesson;
+  return kLesson;
+}
+
+Lesson lesson_of(const std::string& body) {
+  const std::string text =
+      "+++\nformat = 1\nid = \"page\"\ntitle = \"Pages\"\n[scene]\nbody = \"textbook\"\n"
+      "omega = [0.9, 0.4, 1.0]\nviews = [\"space\"]\n+++\n" +
+      body;
+  LessonReading reading = read_lesson(text, "page.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return std::move(*reading.lesson);
+}
+
+bool refutes(const Claim& claim) {
+  return claim.kind == ClaimKind::is_false || claim.kind == ClaimKind::non_sequitur;
+}
+
+/// Wherever in the stage the claim stands.
+bool is_refuted(const Stage& stage, const Equation& equation) {
+  for (const Step& step : stage.steps)
+    for (const Block& block : step.blocks)
+      if (const auto* claim = std::get_if<Claim>(&block))
+        if (claim->equation == equation.id && refutes(*claim)) return true;
+  return false;
+}
+
+std::vector<const Equation*> equations_of(const Step& step) {
+  std::vector<const Equation*> equations;
+  for (const Block& block : step.blocks)
+    if (const auto* equation = std::get_if<Equation>(&block)) equations.push_back(equation);
+  return equations;
+}
+
+/// The texts of a page's column: what begins outside of meters and boards.
+std::vector<const PlacedType*> column_of(const Page& page) {
+  std::vector<const PlacedType*> texts;
+  for (const PlacedType& text : page.sheet.texts) {
+    const PixelBox begin{text.at.x(), text.at.y(), text.at.x() + 1, text.at.y() + 1};
+    if (page.figure.width() == 0.0 ||
+        (page.meters.overlap(begin) == 0.0 && page.figure.grown(-0.5).overlap(begin) == 0.0))
+      texts.push_back(&text);
+  }
+  return texts;
+}
+
+/// A live number stands in the room that its formula has left for it.
+bool stands_in_a_gap_of(const PlacedType& formula, const PlacedType& number) {
+  const PixelBox room = box_of(number), all = box_of(formula);
+  if (room.x0 < all.x0 || room.x1 > all.x1) return false;
+  return std::none_of(formula.list.glyphs.begin(), formula.list.glyphs.end(), [&](const Glyph& glyph) {
+    const double x = formula.at.x() + glyph.x, y = formula.at.y() + glyph.y;
+    return room.overlap({x, y - 1, x + 0.4 * glyph.size, y}) > 0.0;
+  });
+}
+
+/// A page beside what it was asked for, and what it should say.
+class Checked {
+ public:
+  explicit Checked(const PageRequest& request)
+      : request_(request),
+        page_(compose_page(request, test_fonts())),
+        symbols_(symbols_of(request.lesson, request.theme)),
+        column_(page_.column.width(), page_.scale * em(), request.theme, symbols_, test_fonts()) {
+    for (const PlacedType* text : column_of(page_)) said_.insert(polhode::letters_of(text->list));
+  }
+
+  const Page& page() const { return page_; }
+  double em() const { return page_.column.width() / 28.0; }  // kMeasure of app/page/page.cpp
+  const Step& present() const { return request_.stage.steps[static_cast<std::size_t>(request_.step - 1)]; }
+
+  void everything_is_on_the_page() const {
+    const PixelBox paper{0, 0, static_cast<double>(request_.size.width),
+                         static_cast<double>(request_.size.height)};
+    for (const PlacedType& text : page_.sheet.texts) EXPECT_TRUE(is_within(box_of(text), paper)) << text.text;
+    for (const FlatShape& shape : page_.sheet.shapes) EXPECT_TRUE(is_within(box_of(shape), paper));
+    for (const FlatShape& shape : page_.sheet.over_insets) EXPECT_TRUE(is_within(box_of(shape), paper));
+    for (const Inset& inset : page_.insets) {
+      EXPECT_GT(inset.place.width, 0);
+      EXPECT_GT(inset.place.height, 0);
+      EXPECT_TRUE(is_within(box_of(inset.place), paper));
+    }
+  }
+
+  void nothing_reaches_into_another_part() const {
+    // The tail of an italic f that begins a line stands out by 0.18 em; the column stands on whole pixels.
+    const PixelBox column = page_.column.grown(0.2 * em() + 0.5);
+    for (const PlacedType* text : column_of(page_))
+      EXPECT_TRUE(is_within(box_of(*text), column)) << place_of(*text);
+    if (page_.figure.width() == 0.0) return;
+    const PixelBox& figure = page_.figure;
+    EXPECT_EQ(figure.overlap(page_.column.grown(em())), 0.0);
+    EXPECT_EQ(figure.overlap(page_.meters.grown(-0.5)), 0.0);  // of the two the figure has whole pixels
+    EXPECT_EQ(page_.meters.overlap(page_.column.grown(em())), 0.0);
+    for (const Inset& inset : page_.insets) EXPECT_TRUE(is_within(box_of(inset.place), figure));
+    for (const PlacedType& text : page_.sheet.texts) {
+      const PixelBox box = box_of(text);
+      EXPECT_TRUE(is_within(box, column) || is_within(box, page_.meters) || is_within(box, figure))
+          << place_of(text);
+    }
+    for (const FlatShape& shape : page_.sheet.shapes)
+      EXPECT_TRUE(box_of(shape).overlap(figure) == 0.0 || is_within(box_of(shape), figure.grown(1.0)));
+    EXPECT_TRUE(page_.sheet.over_insets.empty());
+  }
+
+  void no_two_texts_overlap() const {
+    const auto texts = column_of(page_);
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      for (std::size_t j = i + 1; j < texts.size(); ++j)
+        EXPECT_TRUE(box_of(*texts[i]).overlap(box_of(*texts[j])) == 0.0 ||
+                    stands_in_a_gap_of(*texts[i], *texts[j]))
+            << place_of(*texts[i]) << " and " << place_of(*texts[j]);
+  }
+
+  void the_present_step_is_whole() const {
+    for (const Letters& letters : letters_of_step(present())) EXPECT_TRUE(said_.contains(letters));
+  }
+
+  void accent_is_beside_what_holds() const {
+    const auto bars = areas_in_column(colors_of(request_.theme).accent);
+    EXPECT_LE(bars.size(), 1u);
+    EXPECT_EQ(areas_in_column(colors_of(request_.theme).panel).size(), bars.size());
+    bool is_any = false;
+    for (const Equation* equation : equations_of(present())) {
+      is_any = is_any || !is_refuted(request_.stage, *equation);
+      if (!is_refuted(request_.stage, *equation)) continue;
+      for (const PixelBox& bar : bars) EXPECT_FALSE(stands_beside(*equation, bar)) << equation->id;
+    }
+    EXPECT_EQ(bars.size(), is_any ? 1u : 0u);
+    for (const PixelBox& bar : bars) {
+      int beside = 0;
+      for (const Equation* equation : equations_of(present())) beside += stands_beside(*equation, bar);
+      EXPECT_EQ(beside, 1);
+    }
+  }
+
+  /// Not without the words that refute it.
+  void no_refuted_equation_is_recalled() const {
+    for (int i = 0; i + 1 < request_.step; ++i) {
+      const Step& step = request_.stage.steps[static_cast<std::size_t>(i)];
+      for (const Equation* equation : equations_of(step)) {
+        if (!is_refuted(request_.stage, *equation) || !said_.contains(letters_of(*equation))) continue;
+        if (present_shows(letters_of(*equation))) continue;
+        for (const Letters& letters : letters_of_step(step))
+          EXPECT_TRUE(said_.contains(letters)) << equation->id;
+      }
+    }
+  }
+
+  /// Header and title stand on every page.
+  bool shows_earlier_steps() const {
+    std::size_t of_step = letters_of_step(present()).size();
+    return column_of(page_).size() > of_step + 2;
+  }
+
+  std::vector<Letters> letters_of_step(const Step& step) const {
+    std::vector<Letters> all;
+    const auto add = [&](const ColumnPiece& piece) {
+      for (const PlacedType& text : piece.sheet.texts) all.push_back(polhode::letters_of(text.list));
+    };
+    for (const Block& block : step.blocks) {
+      if (const auto* e = std::get_if<Equation>(&block)) add(column_.equation(*e, Focus::none, {}, {}));
+      if (const auto* p = std::get_if<Prose>(&block)) add(column_.prose(p->text));
+      if (const auto* c = std::get_if<Callout>(&block)) add(column_.callout(*c));
+      if (const auto* q = std::get_if<Ask>(&block)) add(column_.question(*q));
+    }
+    return all;
+  }
+
+ private:
+  std::vector<PixelBox> areas_in_column(const Color& color) const {
+    auto areas = areas_of(page_.sheet, color);
+    std::erase_if(areas, [&](const PixelBox& area) { return area.overlap(page_.column.grown(em())) == 0.0; });
+    return areas;
+  }
+
+  static PixelBox box_of(const PixelRect& r) {
+    return {static_cast<double>(r.x), static_cast<double>(r.y), static_cast<double>(r.x + r.width),
+            static_cast<double>(r.y + r.height)};
+  }
+  template <class T>
+  static PixelBox box_of(const T& part) {
+    return polhode::box_of(part);
+  }
+
+  static std::string place_of(const PlacedType& text) {
+    const PixelBox b = box_of(text);
+    return fmt::format("[{:.1f}, {:.1f}] x [{:.1f}, {:.1f}], {} glyphs", b.x0, b.x1, b.y0, b.y1,
+                       text.list.glyphs.size());
+  }
+
+  Letters letters_of(const Equation& equation) const {
+    return polhode::letters_of(column_.equation(equation, Focus::none, {}, {}).sheet.texts.back().list);
+  }
+
+  bool present_shows(const Letters& letters) const {
+    const auto equations = equations_of(present());
+    return std::any_of(equations.begin(), equations.end(),
+                       [&](const Equation* e) { return letters_of(*e) == letters; });
+  }
+
+  bool stands_beside(const Equation& equation, const PixelBox& bar) const {
+    for (const PlacedType* text : column_of(page_)) {
+      const PixelBox box = box_of(*text);
+      if (box.y0 >= bar.y0 && box.y1 <= bar.y1 && polhode::letters_of(text->list) == letters_of(equation))
+        return true;
+    }
+    return false;
+  }
+
+  PageRequest request_;
+  Page page_;
+  std::vector<MathSymbol> symbols_;
+  TextColumn column_;
+  std::set<Letters> said_;
+};
+
+class PagesOfTheLecture : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(PagesOfTheLecture, KeepTheRules) {
+  const Stage& stage = lecture().stages[GetParam()];
+  for (std::size_t i = 0; i < stage.steps.size(); ++i) {
+    const Step& step = stage.steps[i];
+    const SceneModel model = step.scene ? make_model(*step.scene, Product::page) : SceneModel();
+    for (const Size& size : kSizes) {
+      SCOPED_TRACE(fmt::format("step {} at {}x{}", i + 1, size.width, size.height));
+      const Checked page({.lesson = lecture(),
+                          .stage = stage,
+                          .number = static_cast<int>(GetParam()) + 1,
+                          .step = static_cast<int>(i) + 1,
+                          .model = step.scene ? &model : nullptr,
+                          .t_s = step.scene ? step.scene->at_s : 0.0,
+                          .size = size,
+                          .theme = size.width == 1024 ? Theme::dark : Theme::paper});
+      page.everything_is_on_the_page();
+      page.nothing_reaches_into_another_part();
+      page.no_two_texts_overlap();
+      page.the_present_step_is_whole();
+      page.accent_is_beside_what_holds();
+      page.no_refuted_equation_is_recalled();
+      EXPECT_TRUE(page.page().scale >= kLeastScale || !page.shows_earlier_steps());
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PagesOfTheLecture, testing::Range(std::size_t{0}, std::size_t{29}),
+                         [](const auto& row) {
+                           std::string name = lecture().stages[row.param].id;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(PagesOfTheLecture, AreOfEveryStage) { EXPECT_EQ(lecture().stages.size(), 29u); }
+
+Checked text_page(const Lesson& lesson, int step, Size size = {1024, 768}) {
+  return Checked({.lesson = lesson,
+                  .stage = lesson.stages[0],
+                  .number = 1,
+                  .step = step,
+                  .model = nullptr,
+                  .t_s = 0.0,
+                  .size = size,
+                  .theme = Theme::paper});
+}
+
+constexpr const char* kRefutedThenOther = R"(# A stage {one}
+```math wrong
+a = b + 1 \tag{1}
+```
+```claim wrong false
+dot(e1, e1) = 2
+```
+It is wrong.
+
+```math right
+c = d
+```
+)";
+
+TEST(Page, AccentPassesOverARefutedEquationWithANumber) {
+  const Lesson lesson = lesson_of(kRefutedThenOther);
+  text_page(lesson, 1).accent_is_beside_what_holds();
+}
+
+TEST(Page, AccentPassesOverWhatALaterStepRefutes) {
+  const Lesson lesson = lesson_of(
+      "# A stage {one}\n```math wrong\na = b + 1\n```\nIs it so?\n\n---\nNo.\n\n```claim wrong false\n"
+      "dot(e1, e1) = 2\n```\n");
+  text_page(lesson, 1).accent_is_beside_what_holds();
+}
+
+std::string paragraphs(int n, const std::string& words) {
+  std::string text;
+  for (int i = 0; i < n; ++i)
+    text += words +
+            " that fill a line of the column and then some more of the line below it, all in all two.\n\n";
+  return text;
+}
+
+TEST(Page, WhatALaterStepRefutesIsNotRecalledWithoutItsWords) {
+  for (int n = 1; n < 14; ++n) {  // more and more has to go
+    const Lesson lesson = lesson_of(
+        "# A stage {one}\n```math wrong\na = b + 1\n```\nIs it so?\n\n---\n\n" + paragraphs(3, "Some words") +
+        "```claim wrong false\ndot(e1, e1) = 2\n```\n\n---\n\n" + paragraphs(n, "Other words"));
+    const Checked page = text_page(lesson, 3);
+    page.the_present_step_is_whole();
+    page.no_refuted_equation_is_recalled();
+  }
+}
+
+TEST(Page, EarlierStepsGoBeforeTypeGetsVerySmall) {
+  const Lesson lesson = lesson_of("# A stage {one}\n```math first\na = b + 1\n```\n" +
+                                  paragraphs(4, "Some words") + "---\n\n" + paragraphs(4, "Other words"));
+  const Checked both = text_page(lesson, 2);
+  EXPECT_TRUE(both.shows_earlier_steps());
+  EXPECT_GE(both.page().scale, kLeastScale);
+  both.the_present_step_is_whole();
+
+  const Lesson longer = lesson_of("# A stage {one}\nA word.\n\n---\n\n" + paragraphs(18, "Other words"));
+  const Checked alone = text_page(longer, 2);
+  EXPECT_LT(alone.page().scale, kLeastScale);
+  EXPECT_FALSE(alone.shows_earlier_steps());
+  alone.the_present_step_is_whole();
+  alone.everything_is_on_the_page();
+}
+
+TEST(Page, AStepThatNoPageHoldsIsRefusedWithItsStage) {
+  const Lesson lesson = lesson_of("# A stage {too-long}\n" + paragraphs(140, "Some words"));
+  for (const Size& size : kSizes) try {
+      text_page(lesson, 1, size);
+      FAIL();
+    } catch (const CommandError& error) {
+      EXPECT_EQ(error.code, ExitCode::invalid);
+      EXPECT_THAT(error.what(), testing::HasSubstr("\"too-long\""));
+      EXPECT_THAT(error.what(), testing::HasSubstr("step 1"));
+    }
+}
+
+TEST(Page, DependsOnItsRequestAlone) {
+  const Stage* stage = nullptr;
+  for (const Stage& s : lecture().stages)
+    if (!stage && s.steps.back().scene && !shown_meters(*s.steps.back().scene).empty()) stage = &s;
+  ASSERT_NE(stage, nullptr);
+  const Scene& scene = *stage->steps.back().scene;
+  const SceneModel model = make_model(scene, Product::page);
+  PageRequest request{.lesson = lecture(),
+                      .stage = *stage,
+                      .number = 3,
+                      .step = static_cast<int>(stage->steps.size()),
+                      .model = &model,
+                      .t_s = scene.at_s,
+                      .size = {1024, 768},
+                      .theme = Theme::paper};
+  const Page page = compose_page(request, test_fonts());
+  EXPECT_TRUE(same(page.sheet, compose_page(request, test_fonts()).sheet));
+  const Lesson copy = lecture();
+  const Fonts fonts = Fonts::open().value();
+  const SceneModel again = make_model(scene, Product::page);
+  const PageRequest other{.lesson = copy,
+                          .stage = *copy.find_stage(stage->id),
+                          .number = request.number,
+                          .step = request.step,
+                          .model = &again,
+                          .t_s = request.t_s,
+                          .size = request.size,
+                          .theme = request.theme};
+  EXPECT_TRUE(same(page.sheet, compose_page(other, fonts).sheet));
+
+  const auto changes = [&](auto change) {
+    PageRequest changed = request;
+    change(changed);
+    return !same(page.sheet, compose_page(changed, test_fonts()).sheet);
+  };
+  EXPECT_TRUE(changes([](PageRequest& r) { r.number = 4; }));
+  EXPECT_TRUE(changes([](PageRequest& r) { r.t_s += 0.25; }));
+  EXPECT_TRUE(changes([](PageRequest& r) { r.theme = Theme::dark; }));
+  EXPECT_TRUE(changes([](PageRequest& r) { r.size = {1025, 768}; }));
+  EXPECT_TRUE(changes([](PageRequest& r) { r.model = nullptr; }));
+}
+
+constexpr const char* kHighlighted = R"(# A stage {one}
+```math named
+a = \term{left}{b} + \term{right}{c}
+```
+```scene
+highlight = "left"
+```
+
+---
+More.
+```scene
+show = ["shape"]
+```
+)";
+
+TEST(Page, WhatAStepAddsFadesWhereItWillStand) {
+  const Lesson lesson = lesson_of("# A stage {one}\nFirst.\n\n---\nSecond.\n\n```math e\na = b\n```\n");
+  PageRequest request{.lesson = lesson,
+                      .stage = lesson.stages[0],
+                      .number = 1,
+                      .step = 2,
+                      .model = nullptr,
+                      .t_s = 0,
+                      .size = {800, 600},
+                      .theme = Theme::paper};
+  const Sheet whole = compose_page(request, test_fonts()).sheet;
+  const FittedText text = text_of_page(request, test_fonts());
+  request.news = 0.25;
+  const Sheet faint = compose_page(request, text, test_fonts()).sheet;
+  EXPECT_TRUE(same(faint, compose_page(request, test_fonts()).sheet)) << "the text that is there is another";
+  ASSERT_EQ(faint.texts.size(), whole.texts.size());
+  int fading = 0;
+  for (std::size_t i = 0; i < whole.texts.size(); ++i) {
+    EXPECT_EQ(faint.texts[i].at, whole.texts[i].at);
+    const float opacity = faint.texts[i].list.glyphs.at(0).color.a / whole.texts[i].list.glyphs.at(0).color.a;
+    if (opacity == 1.0F) continue;
+    EXPECT_EQ(opacity, 0.25F);
+    ++fading;
+  }
+  EXPECT_EQ(fading, 2) << "the sentence and the equation";
+  for (const FlatShape& shape : faint.shapes) EXPECT_EQ(color_of(shape).a, 0.25F) << "panel and bar";
+  EXPECT_EQ(faint.shapes.size(), 2u);
+}
+
+TEST(Page, InASequenceWhatStandsThereStaysInItsPlace) {
+  const Lesson lesson = lesson_of(
+      "# A stage {one}\nFirst.\n\n```math e\na = b\n```\nBetween.\n\n---\nThen.\n\n```math f\nc = d\n```\n");
+  const auto sheet_of = [&](int step, std::optional<double> news) {
+    return compose_page({.lesson = lesson,
+                         .stage = lesson.stages[0],
+                         .number = 1,
+                         .step = step,
+                         .model = nullptr,
+                         .t_s = 0,
+                         .size = {800, 600},
+                         .theme = Theme::paper,
+                         .news = news},
+                        test_fonts())
+        .sheet;
+  };
+  const Sheet before = sheet_of(1, 1.0), after = sheet_of(2, 0.5), alone = sheet_of(2, std::nullopt);
+  ASSERT_GT(after.texts.size(), before.texts.size());
+  for (std::size_t i = 1; i < before.texts.size(); ++i) {  // 0 tells the step
+    EXPECT_EQ(before.texts[i].list, after.texts[i].list);
+    EXPECT_EQ(before.texts[i].at, after.texts[i].at);
+  }
+  EXPECT_EQ(areas_of(after, colors_of(Theme::paper).panel).size(), 0u)
+      << "the focus is not there yet, or twice";
+  EXPECT_LT(alone.texts.back().at.y(), after.texts.back().at.y()) << "a page by itself needs no such room";
+}
+
+TEST(Page, NumbersOfEarlierFormulasStayLive) {
+  const Lesson lesson = lesson_of(
+      "# A stage {one}\n```math e\na = \\live{2*T}\n```\n\n```scene\nshow = [\"shape\"]\n```\n---\nThen.\n");
+  const SceneModel model = make_model(*lesson.stages[0].steps[1].scene, Product::page);
+  const auto texts_at = [&](int step) {
+    const Page page = compose_page(
+        {.lesson = lesson, .stage = lesson.stages[0], .step = step, .model = &model, .size = {1024, 768}},
+        test_fonts());
+    return column_of(page).size();
+  };
+  EXPECT_EQ(texts_at(1), 4u) << "header, title, formula and its number";
+  EXPECT_EQ(texts_at(2), 5u) << "and the words of the second step";
+}
+
+// "T = 2.47 J" does not become the energy of the motion that a later step follows.
+TEST(Page, NumbersOfEarlierFormulasStayWhatTheyWereWhereTheMotionIsAnother) {
+  const auto number_on_last_page = [](const std::string& later_keys) {
+    const Lesson lesson = lesson_of(
+        "# A stage {one}\n```math e\na = \\live{2*T}\n```\n\n```scene\nshow = [\"shape\"]\n```\n---\n"
+        "Then.\n\n```scene\n" +
+        later_keys + "\n```\n");
+    const SceneModel model = make_model(*lesson.stages[0].steps[1].scene, Product::page);
+    const Page page = compose_page({.lesson = lesson,
+                                    .stage = lesson.stages[0],
+                                    .step = 2,
+                                    .model = &model,
+                                    .t_s = 5.0,
+                                    .size = {1024, 768}},
+                                   test_fonts());
+    return letters_of(column_of(page).back()->list);  // values come last
+  };
+  const std::string two_T = fmt::format("{:.2f}", 0.81 + 1.75 * 0.16 + 2.5);
+  const auto expected = letters_of(set_line(two_T, {}, test_fonts()));
+  EXPECT_EQ(number_on_last_page("show = [\"omega\"]"), expected);
+  EXPECT_EQ(number_on_last_page("motion = { method = \"explicit-euler\", step = 0.2 }"), expected);
+  EXPECT_EQ(number_on_last_page("omega = [0, 0, 9]"), expected);
+}
+
+TEST(Page, AHighlightedTermIsMarkedBehind) {
+  const Lesson lesson = lesson_of(kHighlighted);
+  const Checked page = text_page(lesson, 1);
+  const auto marks = areas_of(page.page().sheet, colors_of(Theme::paper).marked);
+  ASSERT_EQ(marks.size(), 1u);
+  int inside = 0;
+  for (const PlacedType* text : column_of(page.page()))
+    for (const Glyph& glyph : text->list.glyphs) {
+      const bool is_left =
+          glyph.naming.term >= 0 && text->list.names[static_cast<std::size_t>(glyph.naming.term)] == "left";
+      DisplayList one;
+      one.glyphs = {glyph};
+      const PixelBox box = box_of(PlacedType{.list = one, .at = text->at});
+      EXPECT_EQ(is_within(box, marks[0]), is_left);
+      inside += is_left;
+    }
+  EXPECT_EQ(inside, 1);
+  // over the panel, or it would not be seen
+  const auto& shapes = page.page().sheet.shapes;
+  const auto at = [&](const Color& color) {
+    return std::find_if(shapes.begin(), shapes.end(),
+                        [&](const FlatShape& shape) { return color_of(shape) == color; });
+  };
+  EXPECT_LT(at(colors_of(Theme::paper).panel), at(colors_of(Theme::paper).marked));
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/text_column.h"
+
+#include "app/cli/exit_codes.h"
+#include "lessons/reader/reader.h"
+#include "tests/app/page/sheet_checks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace polhode {
+namespace {
+
+constexpr const char* kLesson = R"(+++
+format = 1
+id = "column"
+title = "Columns"
+[symbols]
+omega = { tex = '\vec\omega', role = "omega" }
++++
+# A title with $\vec\omega$ {one}
+Prose of some words with $\vec\omega$ in a line, and then enough of others that the line is broken into two or three.
+
+```math tagged
+\frac{d\vec L}{dt} = \term{turning}{\vec\omega\times\vec L} + \term{drawn}{\sqrt{\frac{a}{b}}} \tag{12}
+```
+
+```math long
+a_1 + a_2 + a_3 + a_4 + a_5 + a_6 + a_7 + a_8 + a_9 + a_{10} + a_{11} + a_{12} + a_{13} + a_{14} = b_1 + b_2 + b_3 \tag{13}
+```
+
+```math unbroken
+\begin{pmatrix} a+b+c+d+e+f & a+b+c+d+e+f & a+b+c+d+e+f & a+b+c+d+e+f & a+b+c+d+e+f \end{pmatrix}
+```
+
+> [!said] It turns, and it turns, and it turns, as it was said by those who saw it turn on and on.
+> [!meant] It spins.
+
+```ask q
+type = "choice"
+prompt = "Which one?"
+choices = ["the first", "the second, of which there is more to say than there is room on a single line of it", "none"]
+answer = 2
+hints = ["a hint"]
+```
+)";
+
+const Lesson& lesson() {
+  static const Lesson kRead = [] {
+    LessonReading reading = read_lesson(kLesson, "column.md");
+    if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+    return std::move(*reading.lesson);
+  }();
+  return kRead;
+}
+
+template <class T>
+std::vector<T> blocks_of() {
+  std::vector<T> found;
+  for (const Block& block : lesson().stages[0].steps[0].blocks)
+    if (const auto* part = std::get_if<T>(&block)) found.push_back(*part);
+  return found;
+}
+
+struct Sizes {
+  double width, em;
+};
+constexpr Sizes kSizes[] = {{651, 23.25}, {360, 12.857}, {117.3, 4.19}, {1400, 50}, {300, 23.25}};
+
+class Column : public testing::TestWithParam<Sizes> {
+ protected:
+  double width() const { return GetParam().width; }
+  double em() const { return GetParam().em; }
+  TextColumn column() const { return {width(), em(), Theme::paper, symbols_, test_fonts()}; }
+  const PageColors& colors() const { return colors_of(Theme::paper); }
+
+  std::vector<ColumnPiece> all() const {
+    const TextColumn c = column();
+    std::vector<ColumnPiece> pieces = {c.title(lesson().stages[0].title_text)};
+    for (const Prose& prose : blocks_of<Prose>()) pieces.push_back(c.prose(prose.text));
+    for (const Equation& equation : blocks_of<Equation>()) {
+      pieces.push_back(c.equation(equation, Focus::none, {}));
+      pieces.push_back(c.equation(equation, Focus::now, {"turning"}));
+      pieces.push_back(c.earlier_equation(equation));
+    }
+    for (const Callout& callout : blocks_of<Callout>()) pieces.push_back(c.callout(callout));
+    for (const Ask& ask : blocks_of<Ask>()) pieces.push_back(c.question(ask));
+    return pieces;
+  }
+
+  std::vector<MathSymbol> symbols_ = symbols_of(lesson(), Theme::paper);
+};
+
+TEST_P(Column, PiecesKeepToTheirHeightAndTheColumn) {
+  // Heights are rounded to whole pixels: ink may stand out by less than one. The tail of an italic f that
+  // begins a line stands out by 0.18 em.
+  constexpr double kRounding = 1.0, kOverhang = 0.2;
+  const std::vector<ColumnPiece> pieces = all();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    SCOPED_TRACE(i);
+    const ColumnPiece& piece = pieces[i];
+    EXPECT_EQ(piece.height, std::round(piece.height));
+    EXPECT_GT(piece.gap, 0.0);
+    const PixelBox room = {-kOverhang * em(), -kRounding, width() + kOverhang * em(),
+                           piece.height + kRounding};
+    for (const PlacedType& text : piece.sheet.texts) {
+      const PixelBox box = box_of(text);
+      EXPECT_TRUE(is_within(box, room)) << box.x0 << ' ' << box.y0 << ' ' << box.x1 << ' ' << box.y1 << " in "
+                                        << width() << " x " << piece.height;
+    }
+    for (const FlatShape& shape : piece.sheet.shapes) {
+      const PixelBox box = box_of(shape);
+      const double out = kRounding + 0.05 * em();  // round ends of bars
+      EXPECT_TRUE(is_within(box, {-em(), -out, width() + em(), piece.height + out}));
+    }
+    for (std::size_t a = 0; a < piece.sheet.texts.size(); ++a)
+      for (std::size_t b = a + 1; b < piece.sheet.texts.size(); ++b)
+        EXPECT_EQ(box_of(piece.sheet.texts[a]).overlap(box_of(piece.sheet.texts[b])), 0.0);
+  }
+}
+
+TEST_P(Column, StackedPiecesDoNotOverlap) {
+  const std::vector<ColumnPiece> pieces = all();
+  std::vector<const ColumnPiece*> refs;
+  for (const ColumnPiece& piece : pieces) refs.push_back(&piece);
+  const Stack stacked = stack(refs);
+  EXPECT_EQ(stacked.height, height_of(refs));
+  double least = 0;
+  ASSERT_EQ(stacked.pieces.size(), pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    ASSERT_EQ(stacked.pieces[i].sheet.texts.size(), pieces[i].sheet.texts.size());
+    double top = 1e9, bottom = -1e9;
+    for (std::size_t k = 0; k < pieces[i].sheet.texts.size(); ++k) {
+      const PixelBox box = box_of(stacked.pieces[i].sheet.texts[k]);
+      top = std::min(top, box.y0);
+      bottom = std::max(bottom, box.y1);
+    }
+    EXPECT_TRUE(i == 0 || top > least) << i;
+    least = bottom;
+  }
+  EXPECT_LE(least, stacked.height + 1.0);
+}
+
+TEST_P(Column, ATagStandsAtTheRightEdgeOnTheBaselineOfItsEquation) {
+  const auto equations = blocks_of<Equation>();
+  const ColumnPiece piece = column().equation(equations[0], Focus::none, {});
+  ASSERT_EQ(piece.sheet.texts.size(), 2u);
+  EXPECT_EQ(piece.sheet.texts[0].at.y(), piece.sheet.texts[1].at.y());
+  EXPECT_NEAR(piece.sheet.texts[0].at.x() + piece.sheet.texts[0].list.width, width(), 0.5);  // whole pixels
+  EXPECT_EQ(column().equation(equations[2], Focus::none, {}).sheet.texts.size(), 1u);
+}
+
+TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {
+  for (const Equation& equation : blocks_of<Equation>()) {
+    const ColumnPiece plain = column().equation(equation, Focus::none, {}),
+                      focus = column().equation(equation, Focus::now, {});
+    EXPECT_TRUE(plain.sheet.shapes.empty());
+    EXPECT_TRUE(column().earlier_equation(equation).sheet.shapes.empty());
+    const auto panels = areas_of(focus.sheet, colors().panel), bars = areas_of(focus.sheet, colors().accent);
+    ASSERT_EQ(panels.size(), 1u);
+    ASSERT_EQ(bars.size(), 1u);
+    EXPECT_TRUE(is_within(bars[0], panels[0]));
+    for (const PlacedType& text : focus.sheet.texts) {
+      EXPECT_TRUE(is_within(box_of(text), panels[0]));
+      EXPECT_EQ(box_of(text).overlap(bars[0]), 0.0);
+    }
+    EXPECT_EQ(letters_of(plain.sheet.texts.back().list), letters_of(focus.sheet.texts.back().list));
+  }
+}
+
+TEST_P(Column, MarksLieBehindTheTermsOfTheirNamesAlone) {
+  const Equation equation = blocks_of<Equation>()[0];
+  for (const Focus focus : {Focus::none, Focus::now}) {
+    EXPECT_TRUE(areas_of(column().equation(equation, focus, {"other"}).sheet, colors().marked).empty());
+    for (const std::string name : {"turning", "drawn"}) {
+      const ColumnPiece piece = column().equation(equation, focus, {name});
+      const auto marks = areas_of(piece.sheet, colors().marked);
+      ASSERT_EQ(marks.size(), 1u);
+      const PlacedType& text = piece.sheet.texts.back();
+      const auto is_of_term = [&](const Naming& naming) {
+        return naming.term >= 0 && text.list.names[static_cast<std::size_t>(naming.term)] == name;
+      };
+      for (const Glyph& glyph : text.list.glyphs) {
+        DisplayList one;
+        one.glyphs = {glyph};
+        EXPECT_EQ(is_within(box_of(PlacedType{.list = one, .at = text.at}), marks[0]),
+                  is_of_term(glyph.naming));
+      }
+      for (const Rule& rule : text.list.rules) {
+        DisplayList one;
+        one.rules = {rule};
+        EXPECT_TRUE(!is_of_term(rule.naming) ||
+                    is_within(box_of(PlacedType{.list = one, .at = text.at}), marks[0]));
+      }
+    }
+    EXPECT_EQ(
+        areas_of(column().equation(equation, focus, {"turning", "drawn"}).sheet, colors().marked).size(), 2u);
+  }
+}
+
+TEST_P(Column, CalloutsAndQuestionsHaveTheirNameAndABarBesideTheirWholeText) {
+  std::vector<std::pair<ColumnPiece, Color>> labelled;
+  for (const Callout& callout : blocks_of<Callout>())
+    labelled.emplace_back(column().callout(callout),
+                          callout.kind == Callout::Kind::said ? colors().said : colors().meant);
+  labelled.emplace_back(column().question(blocks_of<Ask>()[0]), colors().question);
+  ASSERT_EQ(labelled.size(), 3u);
+  for (const auto& [piece, color] : labelled) {
+    ASSERT_EQ(piece.sheet.shapes.size(), 1u);
+    ASSERT_EQ(piece.sheet.texts.size(), 2u);
+    EXPECT_EQ(color_of(piece.sheet.shapes[0]), color);
+    const PixelBox bar = box_of(piece.sheet.shapes[0]), name = box_of(piece.sheet.texts[0]),
+                   text = box_of(piece.sheet.texts[1]);
+    EXPECT_EQ(piece.sheet.texts[0].list.glyphs[0].color, color);
+    EXPECT_EQ(piece.sheet.texts[0].at.y(), piece.sheet.texts[1].at.y());
+    EXPECT_LT(name.x1, bar.x0);
+    EXPECT_LT(bar.x1, text.x0);
+    EXPECT_GE(bar.y1 - bar.y0, piece.height - 2.0);
+  }
+}
+
+TEST_P(Column, ChoicesHaveTheirLetters) {
+  const DisplayList list = column().question(blocks_of<Ask>()[0]).sheet.texts[1].list;
+  for (const char letter : {'A', 'B', 'C'}) {
+    const auto glyph = test_fonts().glyph(Face::serif, static_cast<char32_t>(letter));
+    EXPECT_TRUE(std::any_of(list.glyphs.begin(), list.glyphs.end(), [&](const Glyph& g) {
+      return g.id == glyph;
+    })) << letter;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, Column, testing::ValuesIn(kSizes));
+
+TEST(TextColumn, ALongEquationIsBrokenBeforeItIsSetSmaller) {
+  const std::vector<MathSymbol> none;
+  const TextColumn column(651, 23.25, Theme::paper, none, test_fonts());
+  const auto equations = blocks_of<Equation>();
+  const auto size_of = [&](const Equation& e) {
+    return column.equation(e, Focus::none, {}).sheet.texts.back().list.glyphs[0].size;
+  };
+  EXPECT_EQ(size_of(equations[1]), size_of(equations[0]));
+  EXPECT_GT(column.equation(equations[1], Focus::none, {}).height, 3 * 23.25);
+  EXPECT_LT(size_of(equations[2]), size_of(equations[0]));
+}
+
+TEST(TextColumn, WhatTheFontsLackIsRefused) {
+  LessonReading reading =
+      read_lesson("+++\nformat = 1\nid = \"c\"\ntitle = \"C\"\n+++\n# A {a}\nA word \xE6\xBC\xA2.\n", "c.md");
+  ASSERT_TRUE(reading.lesson);
+  const std::vector<MathSymbol> none;
+  const TextColumn column(651, 23.25, Theme::paper, none, test_fonts());
+  try {
+    column.prose(std::get<Prose>(reading.lesson->stages[0].steps[0].blocks[0]).text);
+    FAIL();
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code, ExitCode::invalid);
+  }
+}
+
+TEST(Stack, OfNothingIsEmpty) {
+  const Stack empty = stack({});
+  EXPECT_EQ(empty.height, 0.0);
+  EXPECT_TRUE(empty.pieces.empty());
+}
+
+TEST(Stack, KeepsTheLargerOfTwoGaps) {
+  const ColumnPiece a{.sheet = {}, .height = 10, .gap = 3}, b{.sheet = {}, .height = 20, .gap = 7};
+  EXPECT_EQ(stack({&a, &b}).height, 10 + 7 + 20);
+  EXPECT_EQ(stack({&b, &a, &a}).height, 20 + 7 + 10 + 3 + 10);
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/bookmark.h"
+
+#include "app/cli/exit_codes.h"
+#include "tests/app/run_program.h"
+#include "tests/app/session/example_lesson.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const Bookmark kBookmark{"free", 3, {"free", "top"}};
+const Preferences kPreferences{Theme::dark, 1.21, true};
+
+TEST(Bookmark, IsReadAsItWasWritten) {
+  const ScratchFolder scratch;
+  const auto folder = scratch / "state" / "polhode";
+  write_bookmark(folder, "example", kBookmark);
+  write_preferences(folder, kPreferences);
+  EXPECT_EQ(read_bookmark(folder, "example").bookmark, kBookmark);
+  EXPECT_EQ(read_preferences(folder).preferences, kPreferences);
+  EXPECT_EQ(read_bookmark(folder, "another").bookmark, Bookmark{}) << "each lesson has its own";
+  EXPECT_THAT(names_in(folder), ElementsAre("example.place.json", "preferences.json")) << "and nothing else";
+  write_bookmark(folder, "example", {"top", 1, {"top"}});
+  EXPECT_EQ(read_bookmark(folder, "example").bookmark.stage, "top");
+}
+
+TEST(Bookmark, IsEmptyWhereThereIsNone) {
+  const ScratchFolder scratch;
+  const BookmarkReading bookmark = read_bookmark(scratch / "absent", "example");
+  EXPECT_EQ(bookmark.bookmark, Bookmark{});
+  EXPECT_THAT(bookmark.warning, IsEmpty());
+  const PreferencesReading preferences = read_preferences(scratch / "absent");
+  EXPECT_EQ(preferences.preferences, Preferences{});
+  EXPECT_THAT(preferences.warning, IsEmpty());
+}
+
+TEST(Bookmark, IsSetAsideWhereItIsDamaged) {
+  for (const char* text :
+       {"", "{", "null", "[]", "7", "{}", "{\"format\":1}",
+        "{\"format\":1,\"stage\":7,\"step\":1,\"visited\":[]}",
+        "{\"format\":1,\"stage\":\"free\",\"step\":\"two\",\"visited\":[]}",
+        "{\"format\":1,\"stage\":\"free\",\"step\":1,\"visited\":[7]}",
+        "{\"format\":1,\"theme\":\"pink\",\"text_scale\":1,\"reduced_motion\":false}",
+        "{\"format\":1,\"theme\":\"dark\",\"text_scale\":1,\"reduced_motion\":\"no\"}", "\xff\xfe\x00z"}) {
+    const ScratchFolder scratch;
+    write_text(scratch / "example.place.json", text);
+    write_text(scratch / "preferences.json", text);
+    const BookmarkReading bookmark = read_bookmark(scratch.path(), "example");
+    EXPECT_EQ(bookmark.bookmark, Bookmark{}) << text;
+    EXPECT_THAT(bookmark.warning, HasSubstr("example.place.json was damaged")) << text;
+    const PreferencesReading preferences = read_preferences(scratch.path());
+    EXPECT_EQ(preferences.preferences, Preferences{}) << text;
+    EXPECT_THAT(preferences.warning, HasSubstr("preferences.json was damaged")) << text;
+    EXPECT_THAT(names_in(scratch.path()),
+                ElementsAre("example.place.json.damaged", "preferences.json.damaged"));
+    write_bookmark(scratch.path(), "example", kBookmark);
+    EXPECT_EQ(read_bookmark(scratch.path(), "example").bookmark, kBookmark) << "it begins anew";
+  }
+}
+
+TEST(Bookmark, NumbersAreTakenWithinTheirBounds) {
+  const ScratchFolder scratch;
+  write_text(scratch / "example.place.json", R"({"format":1,"stage":"free","step":1e300,"visited":[]})");
+  write_text(scratch / "preferences.json",
+             R"({"format":1,"theme":"dark","text_scale":1e9,"reduced_motion":false})");
+  EXPECT_EQ(read_bookmark(scratch.path(), "example").bookmark.step, kMaxStepsPerStage);
+  EXPECT_EQ(read_preferences(scratch.path()).preferences.text_scale, kMostTextScale);
+}
+
+// Whether notes are shown is nobody's preference: an audience would see them.
+TEST(Bookmark, NotesAreNotKept) {
+  const ScratchFolder scratch;
+  write_text(
+      scratch / "preferences.json",
+      R"({"format":1,"theme":"dark","text_scale":1,"reduced_motion":false,"notes":true,"notes_shown":true})");
+  Companion companion(test::example());
+  const PreferencesReading reading = read_preferences(scratch.path());
+  EXPECT_THAT(reading.warning, IsEmpty());
+  companion.preferences = reading.preferences;
+  companion.set_presenting(true);
+  EXPECT_FALSE(companion.are_notes_shown());
+  companion.show_notes(true);
+  write_preferences(scratch.path(), companion.preferences);
+  write_bookmark(scratch.path(), "example", bookmark_of(companion));
+  for (const char* file : {"preferences.json", "example.place.json"})
+    EXPECT_THAT(text_of(scratch / file), ::testing::Not(HasSubstr("notes"))) << file;
+}
+
+TEST(Bookmark, OfAnotherVersionIsLeftAsItIs) {
+  const ScratchFolder scratch;
+  write_text(scratch / "example.place.json", "{\"format\":2}");
+  write_text(scratch / "preferences.json", "{\"format\":2}");
+  EXPECT_THROW(read_bookmark(scratch.path(), "example"), CommandError);
+  EXPECT_THROW(read_preferences(scratch.path()), CommandError);
+  EXPECT_THAT(names_in(scratch.path()), ElementsAre("example.place.json", "preferences.json"));
+}
+
+TEST(Bookmark, AFolderInItsPlaceIsSaid) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directory(scratch / "example.place.json");
+  EXPECT_THROW(read_bookmark(scratch.path(), "example"), CommandError);
+  EXPECT_THROW(write_bookmark(scratch.path(), "example", kBookmark), CommandError);
+}
+
+TEST(Bookmark, WhatCannotBeWrittenIsSaid) {
+  const ScratchFolder scratch;
+  write_text(scratch / "file", "");
+  try {
+    write_bookmark(scratch / "file" / "polhode", "example", kBookmark);
+    FAIL() << "a file cannot hold a folder";
+  } catch (const CommandError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("cannot make"));
+    EXPECT_EQ(error.code, ExitCode::failed);
+  }
+  EXPECT_THROW(write_preferences(scratch / "file" / "polhode", kPreferences), CommandError);
+  EXPECT_THROW(write_preferences("/proc", kPreferences), CommandError) << "a folder that takes no files";
+}
+
+TEST(Bookmark, BringsBackWhereWeWere) {
+  Companion companion(test::example());
+  companion.go_to({0, 3});
+  companion.go_to({2, 0});
+  companion.go_to({0, 2});
+  const Bookmark bookmark = bookmark_of(companion);
+  EXPECT_EQ(bookmark, kBookmark);
+  Companion next(test::example());
+  restore(next, bookmark);
+  EXPECT_EQ(next.place(), (Place{0, 2}));
+  EXPECT_EQ(bookmark_of(next), bookmark);
+}
+
+TEST(Bookmark, PassesOverWhatTheLessonNoLongerHas) {
+  Companion companion(test::example());
+  restore(companion, {"gone", 3, {"gone", "words"}});
+  EXPECT_EQ(companion.place(), (Place{0, 0}));
+  EXPECT_THAT(companion.visited(), ElementsAre("free", "words"));
+  restore(companion, {"free", 99, {}});
+  EXPECT_EQ(companion.place(), (Place{0, 3}));
+  restore(companion, {"top", -5, {}});
+  EXPECT_EQ(companion.place(), (Place{2, 0}));
+  EXPECT_THAT(companion.visited(), ElementsAre("top"));
+  restore(companion, {});
+  EXPECT_EQ(companion.place(), (Place{2, 0}));
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/command.h"
+
+#include "tests/app/session/example_lesson.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+namespace polhode {
+namespace {
+
+using test::example;
+
+std::vector<std::string> keys_of(const CommandFacts& facts) {
+  std::vector<std::string> keys;
+  std::istringstream text{std::string(facts.keys)};
+  for (std::string key; std::getline(text >> std::ws, key, ',');) keys.push_back(key);
+  return keys;
+}
+
+TEST(Command, EachHasAKeyAndNoKeyHasTwo) {
+  std::map<std::string, Command> by_key;
+  std::set<Command> commands;
+  for (const CommandFacts& facts : all_commands()) {
+    EXPECT_TRUE(commands.insert(facts.command).second) << facts.does;
+    EXPECT_FALSE(facts.does.empty());
+    const auto keys = keys_of(facts);
+    EXPECT_FALSE(keys.empty()) << facts.does;
+    for (const std::string& key : keys) {
+      EXPECT_TRUE(by_key.emplace(key, facts.command).second) << key;
+      EXPECT_EQ(command_of(key), facts.command) << key;
+    }
+  }
+  EXPECT_EQ(commands.size(), static_cast<std::size_t>(Command::quit) + 1) << "all of them are there";
+}
+
+TEST(Command, OtherKeysHaveNone) {
+  for (const char* key : {"", "Shift+Q", "right", "?, F1", ",", ", ", "Y"})
+    EXPECT_FALSE(command_of(key)) << key;
+}
+
+TEST(Command, HelpGoesGroupByGroup) {
+  std::vector<std::string_view> groups;
+  for (const CommandFacts& facts : all_commands())
+    if (groups.empty() || groups.back() != facts.group) groups.push_back(facts.group);
+  EXPECT_EQ(groups,
+            (std::vector<std::string_view>{"Walk", "Time", "Body", "Understand", "Panels", "Window"}));
+}
+
+TEST(Command, WhatOnlyAWindowCanDoIsLeftToIt) {
+  Companion companion(example());
+  const std::set<Command> of_windows = {Command::next_symbol, Command::previous_symbol, Command::explain,
+                                        Command::save_page,   Command::full_screen,     Command::quit,
+                                        Command::switch_focus};
+  for (const CommandFacts& facts : all_commands())
+    EXPECT_EQ(do_command(companion, facts.command), of_windows.count(facts.command) == 0) << facts.does;
+}
+
+TEST(Command, WalksAndPlays) {
+  Companion companion(example());
+  const auto press = [&](const char* key) { return do_command(companion, command_of(key).value()); };
+  press("Right");
+  press("Right");
+  press("Left");
+  EXPECT_EQ(companion.place(), (Place{0, 1}));
+  press("PageDown");
+  press("PageDown");
+  EXPECT_EQ(companion.place(), (Place{0, 3}));
+  press("PageUp");
+  EXPECT_EQ(companion.place(), (Place{0, 2}));
+  for (const auto& [next, previous] : {std::pair("Down", "Up"), std::pair("Ctrl+PageDown", "Ctrl+PageUp"),
+                                       std::pair("Shift+PageDown", "Shift+PageUp")}) {
+    press(next);
+    EXPECT_EQ(companion.place(), (Place{1, 0})) << next;
+    press(previous);
+    EXPECT_EQ(companion.place(), (Place{0, 0})) << previous;
+    press("Right");
+    press(previous);
+    EXPECT_EQ(companion.place(), (Place{0, 0})) << "first to the beginning of this stage";
+  }
+  press("End");
+  EXPECT_EQ(companion.place(), (Place{2, 0}));
+  press("Up");
+  press("Home");
+  EXPECT_EQ(companion.place(), (Place{0, 0}));
+  press("Space");
+  EXPECT_TRUE(companion.is_playing());
+  press("Shift+Up");
+  EXPECT_EQ(companion.speed(), 2);
+  press("Shift+Down");
+  press("Shift+Right");
+  EXPECT_FALSE(companion.is_playing());
+  EXPECT_GT(companion.t_s(), 0.5);
+  press("Shift+Left");
+  EXPECT_NEAR(companion.t_s(), 0.5, 1e-15);
+  press("0");
+  EXPECT_EQ(companion.t_s(), 0.5);
+}
+
+TEST(Command, ChangesTheSceneAndGivesItBack) {
+  Companion companion(example());
+  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
+  const auto views = [&] { return companion.model()->scene.views; };
+  press("V");
+  EXPECT_EQ(views(), (std::vector<View>{View::body}));
+  press("V");
+  EXPECT_EQ(views(), (std::vector<View>{View::space, View::body}));
+  press("V");
+  EXPECT_EQ(views(), (std::vector<View>{View::space}));
+  press("G");
+  EXPECT_TRUE(companion.model()->scene.motion.ghost);
+  press("C");
+  EXPECT_TRUE(companion.is_following());
+  for (const auto& [key, back] :
+       {std::pair("Ctrl+Left", "Ctrl+Right"), std::pair("Ctrl+Up", "Ctrl+Down"), std::pair("Z", "X")}) {
+    const CameraSpec before = companion.camera();
+    press(key);
+    EXPECT_NE(companion.camera(), before) << key;
+    press(back);
+    EXPECT_NEAR(companion.camera().azimuth_rad, before.azimuth_rad, 1e-5) << key;
+    EXPECT_NEAR(companion.camera().elevation_rad, before.elevation_rad, 1e-5) << key;
+    EXPECT_NEAR(companion.camera().zoom, before.zoom, 0.02) << key;
+  }
+  press("R");
+  EXPECT_TRUE(companion.edits().empty());
+  companion.go_to({1, 0});
+  for (const char* key : {"Ctrl+Left", "Z", "V", "G", "C", "R", "Space", "0", "Shift+Right"}) press(key);
+  EXPECT_EQ(companion.model(), nullptr) << "without a scene they do nothing";
+}
+
+TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
+  Companion companion(example());
+  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
+  for (const auto& [key, panel] : std::vector<std::pair<const char*, Panel>>{{"O", Panel::outline},
+                                                                             {"B", Panel::body},
+                                                                             {"M", Panel::method},
+                                                                             {"S", Panel::show},
+                                                                             {"Q", Panel::question},
+                                                                             {"E", Panel::save},
+                                                                             {"F2", Panel::settings},
+                                                                             {"F1", Panel::help}}) {
+    press(key);
+    EXPECT_EQ(companion.panel, panel) << key;
+  }
+  press("?");
+  EXPECT_EQ(companion.panel, Panel::none) << "the same key again closes it";
+  press("P");
+  press("N");
+  press("B");
+  companion.light("omega");
+  EXPECT_TRUE(companion.are_notes_shown());
+  press("Escape");
+  EXPECT_FALSE(companion.are_notes_shown()) << "they lie on the page";
+  EXPECT_TRUE(companion.is_presenting());
+  press("Escape");
+  EXPECT_FALSE(companion.is_presenting()) << "the page alone shows no panel";
+  EXPECT_EQ(companion.panel, Panel::body);
+  press("Escape");
+  EXPECT_EQ(companion.panel, Panel::none);
+  EXPECT_EQ(companion.lit(), "omega");
+  press("Escape");
+  EXPECT_EQ(companion.lit(), "");
+}
+
+// The audience sees the same screen: notes are there for as long as they were asked for, and nowhere else.
+TEST(Command, NotesAreShownOnlyWhereTheyAreAskedFor) {
+  Companion companion(example());
+  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
+  press("N");
+  EXPECT_FALSE(companion.are_notes_shown()) << "nobody presents";
+  press("P");
+  EXPECT_FALSE(companion.are_notes_shown()) << "they were asked for before";
+  press("N");
+  EXPECT_TRUE(companion.are_notes_shown());
+  press("N");
+  EXPECT_FALSE(companion.are_notes_shown());
+  for (const char* leaving : {"P", "F5"}) {
+    press("N");
+    press(leaving);
+    EXPECT_FALSE(companion.are_notes_shown()) << leaving;
+    press("P");
+    EXPECT_FALSE(companion.are_notes_shown()) << "of the last time";
+  }
+  for (const char* going : {"Right", "PageDown", "Left", "Down", "Up", "End", "Home"}) {
+    press("N");
+    press("0");
+    EXPECT_TRUE(companion.are_notes_shown()) << "the same step";
+    press(going);
+    EXPECT_FALSE(companion.are_notes_shown()) << going;
+  }
+}
+
+/// What the keys of the deck do that go to a slide: "ArrowRight" → "wanted + 1", outside the overview and
+/// without Shift.
+std::map<std::string, std::string> moves_of_deck() {
+  std::ifstream script(POLHODE_SOURCE_DIR "/assets/deck/deck.js");
+  const std::regex move("case '(\\w+)': return (?:.*: )?(\\S.*);");
+  std::map<std::string, std::string> moves;
+  std::smatch found;
+  for (std::string line; std::getline(script, line);)
+    if (std::regex_search(line, found, move)) moves[found[1]] = found[2];
+  return moves;
+}
+
+TEST(Command, TheSameKeysWalkThroughTheDeck) {
+  const std::map<std::string, std::string> deck = moves_of_deck();
+  for (const auto& [key, of_deck, of_window] :
+       {std::tuple("PageDown", "wanted + 1", Command::next_step),
+        std::tuple("PageUp", "wanted - 1", Command::previous_step),
+        std::tuple("ArrowRight", "wanted + 1", Command::next_step),
+        std::tuple("ArrowLeft", "wanted - 1", Command::previous_step),
+        std::tuple("ArrowDown", "nextStage(wanted)", Command::next_stage),
+        std::tuple("ArrowUp", "previousStage(wanted)", Command::previous_stage)}) {
+    ASSERT_TRUE(deck.contains(key)) << key;
+    EXPECT_EQ(deck.at(key), of_deck) << key;
+    const std::string name = key;
+    EXPECT_EQ(command_of(name.starts_with("Arrow") ? name.substr(5) : name), of_window) << key;
+  }
+}
+
+TEST(Command, ChangesHowItIsShown) {
+  Companion companion(example());
+  do_command(companion, *command_of("T"));
+  EXPECT_EQ(companion.preferences.theme, Theme::dark);
+  do_command(companion, *command_of("T"));
+  EXPECT_EQ(companion.preferences.theme, Theme::paper);
+  do_command(companion, *command_of("+"));
+  EXPECT_GT(companion.preferences.text_scale, 1);
+  do_command(companion, *command_of("-"));
+  EXPECT_NEAR(companion.preferences.text_scale, 1, 1e-15);
+}
+
+}  // namespace
+}  // namespace polhode

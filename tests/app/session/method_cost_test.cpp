@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/method_cost.h"
+
+#include "base/stopwatch.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+namespace polhode {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Not;
+
+Scene scene_with(const MotionSpec& motion) {
+  Scene scene;
+  scene.body.moments = PrincipalMoments(1, 2, 3);
+  scene.w0_B = Vec3(0.1, 1.5, 0.2);
+  scene.show = {Overlay::shape, Overlay::omega};
+  scene.motion = motion;
+  return scene;
+}
+
+LiveTrade trade_of(const Scene& scene, double t_s) {
+  const SceneModel model = make_model(scene, Product::page);
+  return TradeMeter(model).at(model, t_s);
+}
+
+TEST(TradeMeter, WhatIsExactHasNoErrorAndKeepsItsInvariants) {
+  const LiveTrade trade = trade_of(scene_with({}), 100);
+  EXPECT_FALSE(trade.error);
+  EXPECT_LT(trade.drift.T, 1e-12);
+  EXPECT_LT(trade.drift.L_direction_rad, 1e-12);
+  EXPECT_GT(trade.ns_per_frame, 0);
+}
+
+TEST(TradeMeter, TheErrorIsThatAgainstTheExactMotion) {
+  const Scene scene = scene_with({.method = Method::rk4, .step_s = 0.2});
+  const double t_s = 40;
+  const LiveTrade trade = trade_of(scene, t_s);
+  const Problem problem = problem_of(scene);
+  const StateError want = error_of(make_motion(problem, {Method::rk4, 0.2})->at(t_s),
+                                   make_motion(problem, {Method::exact})->at(t_s));
+  ASSERT_TRUE(trade.error);
+  EXPECT_EQ(trade.error->omega, want.omega);
+  EXPECT_EQ(trade.error->attitude_rad, want.attitude_rad);
+  EXPECT_GT(want.omega, 1e-6);  // else nothing was compared
+}
+
+TEST(TradeMeter, ErrorAndDriftVanishAtTheStart) {
+  const LiveTrade trade = trade_of(scene_with({.method = Method::rk4, .step_s = 0.2}), 0);
+  EXPECT_EQ(trade.error.value().omega, 0);
+  EXPECT_EQ(trade.error.value().attitude_rad, 0);
+  EXPECT_LT(trade.drift.L, 1e-15);
+}
+
+// Explicit Euler gains energy at every step, so that the largest drift is the one at the end.
+TEST(TradeMeter, TheDriftIsTheLargestOnTheWay) {
+  const Scene scene = scene_with({.method = Method::explicit_euler, .step_s = 0.01});
+  const SceneModel model = make_model(scene, Product::page);
+  const TradeMeter meter(model);
+  const double t_s = 20;
+  const RigidBodyState end = model.motion->at(t_s);
+  EXPECT_EQ(meter.at(model, t_s).drift.T, drift_along(problem_of(scene), {&end, 1}).T);
+  EXPECT_GT(meter.at(model, 2 * t_s).drift.T, 1.5 * meter.at(model, t_s).drift.T);
+  EXPECT_GT(meter.at(model, -t_s).drift.T, 0);
+}
+
+TEST(TradeMeter, TorqueLeavesNothingToCompareWith) {
+  Scene scene = scene_with({});
+  scene.torque = {LinearDamping{0.1}};
+  const LiveTrade trade = trade_of(scene, 5);
+  EXPECT_FALSE(trade.error);
+  EXPECT_TRUE(std::isnan(trade.drift.T) && std::isnan(trade.drift.L));
+  EXPECT_GT(trade.ns_per_frame, 0);
+}
+
+TEST(TradeMeter, BeyondTheReachAllIsNaN) {
+  const Scene scene = scene_with({.method = Method::rk4, .step_s = 1e-9});
+  const SceneModel model = make_model(scene, Product::page);
+  const LiveTrade trade = TradeMeter(model).at(model, 100 * model.motion->max_time_s());
+  EXPECT_TRUE(std::isnan(trade.error.value().omega));
+  EXPECT_TRUE(std::isnan(trade.drift.T) && std::isnan(trade.ns_per_frame));
+}
+
+TEST(TradeMeter, ABodyAtRestHasATradeToo) {
+  Scene scene = scene_with({});
+  scene.w0_B = Vec3::Zero();
+  EXPECT_TRUE(std::isnan(trade_of(scene, 1).drift.T));
+}
+
+// Ten times the steps cost ten times the time; a way that is known already makes them no cheaper.
+TEST(TradeMeter, AFrameCostsWhatItsStepsCost) {
+  const auto ns_with_step = [](double step_s) {
+    const SceneModel model =
+        make_model(scene_with({.method = Method::rk4_projected, .step_s = step_s}), Product::page);
+    static_cast<void>(model.motion->at(2));
+    return TradeMeter(model).at(model, 1).ns_per_frame;
+  };
+  const double frame_s = make_model(scene_with({}), Product::page).rate / 25;
+  const double ratio = ns_with_step(frame_s / 20'000) / ns_with_step(frame_s / 2000);
+  EXPECT_GT(ratio, 4);
+  EXPECT_LT(ratio, 25);
+}
+
+// What the panel may take of each frame: of methods that go step by step, after 100 turns.
+TEST(TradeMeter, CostsLittle) {
+  for (const MotionSpec& motion : {MotionSpec{}, MotionSpec{.method = Method::rk4, .step_s = 0.02},
+                                   MotionSpec{.method = Method::moser_veselov_10, .step_s = 0.05},
+                                   MotionSpec{.method = Method::dormand_prince_8, .tolerance = 1e-10}}) {
+    const SceneModel model = make_model(scene_with(motion), Product::page);
+    const TradeMeter meter(model);
+    const double t_s = 100 * 2 * std::numbers::pi / model.scene.w0_B.norm();
+    static_cast<void>(meter.at(model, t_s));
+    const double ns = median_cpu_ns(0.1, [&] { static_cast<void>(meter.at(model, t_s)); });
+    EXPECT_LT(ns, 3e6) << model.motion->method();  // ten times what it is, for a busy machine
+    RecordProperty(std::string(model.motion->method()), std::to_string(ns));
+  }
+}
+
+WorkPrecisionRow row(Method method, double ns, double error) {
+  WorkPrecisionRow made;
+  made.method = method;
+  if (method == Method::rk4) made.step_s = 0.02;
+  if (method == Method::dormand_prince_8) made.tolerance = 1e-6;
+  made.ns_per_period = ns;
+  made.error_omega = made.error_attitude_rad = error;
+  return made;
+}
+
+TEST(ParetoSteps, GoFromFastToAccurateWithTheClosedFormLast) {
+  const auto steps = pareto_steps({row(Method::exact, 1, 0), row(Method::dormand_prince_8, 9, 1e-6),
+                                   row(Method::rk4, 8, 1e-3), row(Method::rk4, 20, 1e-5)});
+  std::vector<std::string> names;
+  for (const ParetoStep& step : steps) names.push_back(step.name);
+  EXPECT_THAT(names,
+              ElementsAre("rk4, step 0.02 s", "dormand-prince-8, tolerance 1e-6", "exact, closed form"));
+  EXPECT_EQ(steps[1].choice.tolerance, 1e-6);
+  EXPECT_EQ(steps[1].error, 1e-6);
+  EXPECT_EQ(steps[1].ns_per_period, 9);
+}
+
+std::vector<ParetoStep> measured(const Problem& problem) {
+  FrontMeasurement measurement(problem, 0.2);
+  while (!measurement.is_ready()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const auto steps = measurement.steps();
+  EXPECT_EQ(measurement.steps().size(), steps.size());  // asked again
+  return steps;
+}
+
+TEST(FrontMeasurement, EachStepIsMoreAccurateAndMakesAMotion) {
+  const Problem problem = problem_of(scene_with({}));
+  const auto steps = measured(problem);
+  ASSERT_GT(steps.size(), 2u);
+  EXPECT_EQ(steps.back().choice.method, Method::exact);
+  for (std::size_t i = 1; i < steps.size(); ++i) EXPECT_LE(steps[i].error, steps[i - 1].error);
+  for (std::size_t i = 2; i < steps.size(); ++i)
+    EXPECT_GE(steps[i - 1].ns_per_period, steps[i - 2].ns_per_period);
+  for (const ParetoStep& step : steps) EXPECT_NO_THROW(make_motion(problem, step.choice)) << step.name;
+}
+
+TEST(FrontMeasurement, UnderATorqueThereIsNoClosedForm) {
+  Problem problem = problem_of(scene_with({}));
+  problem.torque = {LinearDamping{0.1}};
+  const auto steps = measured(problem);
+  ASSERT_FALSE(steps.empty());
+  EXPECT_NE(steps.back().choice.method, Method::exact);
+}
+
+TEST(FrontMeasurement, NothingIsMeasuredOfABodyAtRest) {
+  Problem problem = problem_of(scene_with({}));
+  problem.start.w_B = Vec3::Zero();
+  EXPECT_THAT(measured(problem), IsEmpty());
+}
+
+TEST(FrontMeasurement, IsLeftWithoutWaitingForItsEnd) {
+  const auto start = std::chrono::steady_clock::now();
+  {
+    const FrontMeasurement measurement(problem_of(scene_with({})), 60);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_FALSE(measurement.is_ready());
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+}
+
+TEST(RequirementWords, TellWhatIsComputedAndWhatIsNot) {
+  Scene scene = scene_with({});
+  scene.views = {View::body};
+  scene.show = {Overlay::omega, Overlay::polhode};
+  const RequirementWords words = requirement_words(make_model(scene));
+  EXPECT_THAT(words.computed, ElementsAre("ω(t)", "polhode"));
+  EXPECT_THAT(words.left_out, Contains("attitude"));
+  EXPECT_THAT(words.left_out, Contains("herpolhode"));
+  EXPECT_THAT(words.left_out, Not(Contains("polhode")));
+}
+
+// A requirement that came later would be missing from the words.
+TEST(RequirementWords, HaveAWordForEachRequirement) {
+  SceneModel model;
+  std::fill_n(reinterpret_cast<bool*>(&model.needs), sizeof model.needs / sizeof(bool), true);
+  EXPECT_EQ(requirement_words(model).computed.size(), names_of(model.needs).size());
+  EXPECT_THAT(requirement_words(model).left_out, IsEmpty());
+}
+
+}  // namespace
+}  // namespace polhode

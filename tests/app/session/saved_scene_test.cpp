@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// What is saved reads back as what was there.
+#include "app/session/saved_scene.h"
+
+#include "lessons/reader/scene_keys.h"
+#include "tests/app/run_program.h"
+#include "tests/app/session/example_lesson.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace polhode {
+namespace {
+
+using test::example;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// What the companion shows, as its saved lesson should state it.
+Scene shown_in(const Companion& companion) {
+  Scene scene = companion.model()->scene;
+  const double t_s = companion.t_s();
+  scene.still_s = t_s == scene.at_s ? std::nullopt : std::optional(t_s);
+  return scene;
+}
+
+/// The last step of the only stage of the saved lesson.
+Step saved_step(const Companion& companion) {
+  const std::string text = lesson_of(companion);
+  LessonReading reading = check_lesson(text, "saved.md");
+  for (const Diagnostic& diagnostic : reading.diagnostics)
+    ADD_FAILURE() << to_string(diagnostic) << "\nin\n" << text;
+  if (!reading.lesson || reading.lesson->stages.size() != 1) throw std::runtime_error(text);
+  EXPECT_EQ(reading.lesson->id, companion.stage().id);
+  EXPECT_EQ(reading.lesson->stages[0].steps.size(), companion.place().step + 1);
+  return reading.lesson->stages[0].steps.back();
+}
+
+void expect_saved(const Companion& companion) {
+  const Step saved = saved_step(companion);
+  ASSERT_EQ(saved.scene.has_value(), companion.has_scene());
+  if (!saved.scene) return;
+  const Scene expected = shown_in(companion);
+  EXPECT_TRUE(*saved.scene == expected) << companion.lesson().id << ' ' << companion.stage().id << "\nwants\n"
+                                        << scene_keys_of(expected, companion.t_s()) << "\nhas\n"
+                                        << scene_keys_of(*saved.scene, still_time_s(*saved.scene)) << "\nin\n"
+                                        << lesson_of(companion);
+}
+
+void go_to_last_step(Companion& companion, std::size_t stage) {
+  companion.go_to({stage, companion.lesson().stages[stage].steps.size() - 1});
+}
+
+TEST(SavedScene, EveryStageOfTheLessonsComesBack) {
+  for (const char* id : test::kLessons) {
+    Companion companion(test::loaded_lesson(id));
+    for (std::size_t stage = 0; stage < companion.lesson().stages.size(); ++stage) {
+      go_to_last_step(companion, stage);
+      expect_saved(companion);
+    }
+  }
+}
+
+TEST(SavedScene, TextEquationsClaimsAndQuestionsComeBack) {
+  for (const char* id : test::kLessons) {
+    Companion companion(test::loaded_lesson(id));
+    for (std::size_t stage = 0; stage < companion.lesson().stages.size(); ++stage) {
+      go_to_last_step(companion, stage);
+      const Step saved = saved_step(companion);
+      const Step& step = companion.step();
+      ASSERT_EQ(saved.blocks.size(), step.blocks.size()) << companion.stage().id;
+      for (std::size_t i = 0; i < step.blocks.size(); ++i) {
+        ASSERT_EQ(saved.blocks[i].index(), step.blocks[i].index());
+        if (const auto* equation = std::get_if<Equation>(&step.blocks[i])) {
+          EXPECT_EQ(std::get<Equation>(saved.blocks[i]).tex, equation->tex);
+        }
+        if (const auto* prose = std::get_if<Prose>(&step.blocks[i])) {
+          EXPECT_EQ(std::get<Prose>(saved.blocks[i]).markdown, prose->markdown);
+        }
+      }
+    }
+  }
+}
+
+/// What a hand may do, at random.
+class Hand {
+ public:
+  explicit Hand(unsigned seed) : engine_(seed) {}
+
+  SceneEdits edits(const Scene& scene) {
+    SceneEdits edits;
+    if (once_in(2)) edits.body = body();
+    if (once_in(2)) edits.w0_B = Vec3(number(), number(), number());
+    if (once_in(3)) edits.attitude = Quat(number(), number(), number(), number()).normalized();
+    if (once_in(6)) edits.attitude = once_in(2) ? LPoints::down : LPoints::up;
+    if (once_in(2)) edits.motion = motion();
+    for (int i = 0; i < kOverlayCount; ++i)
+      if (once_in(6) && !is_board(static_cast<Overlay>(i)))
+        set_shown(edits, scene, static_cast<Overlay>(i), once_in(2));
+    if (once_in(2)) edits.views = views();
+    if (once_in(2)) edits.camera = CameraSpec{number(), 0.5 * number(), 4 + number(), 2 + 0.5 * number()};
+    if (once_in(2)) edits.quality = once_in(2) ? QualityLevel::draft : QualityLevel::fine;
+    return edits;
+  }
+  double number() { return std::uniform_real_distribution(-3.0, 3.0)(engine_); }
+
+ private:
+  bool once_in(int n) { return std::uniform_int_distribution(1, n)(engine_) == 1; }
+
+  Body body() {
+    if (once_in(2)) {
+      const auto names = named_bodies();
+      return *find_body(names[std::uniform_int_distribution<std::size_t>(0, names.size() - 1)(engine_)]);
+    }
+    const double a = 4 + number(), b = 4 + number();
+    return body_with_moments({a, b, std::abs(a - b) + 0.3 * std::min(a, b)}).value();
+  }
+
+  MotionSpec motion() {
+    if (once_in(2))
+      return {.method = Method::rk4, .step_s = 0.02 + 1e-3 * std::abs(number()), .ghost = once_in(2)};
+    return {.method = Method::dormand_prince_8, .tolerance = 1e-9 * std::abs(number()), .ghost = true};
+  }
+
+  std::vector<View> views() {
+    if (once_in(3)) return {View::space, View::body};
+    return {once_in(2) ? View::space : View::body};
+  }
+
+  std::mt19937 engine_;
+};
+
+TEST(SavedScene, WhatAHandHasMadeOfItComesBackToTheBit) {
+  unsigned seed = 1;
+  int taken = 0, all = 0;
+  for (const char* id : test::kLessons) {
+    Companion companion(test::loaded_lesson(id));
+    for (std::size_t stage = 0; stage < companion.lesson().stages.size(); ++stage) {
+      go_to_last_step(companion, stage);
+      if (!companion.has_scene()) continue;
+      Hand hand(seed++);
+      ++all;
+      // Some cannot be: a herpolhode of too many turns, a body that flies too far.
+      for (int tries = 0; tries < 5; ++tries)
+        if (companion.set_edits(hand.edits(companion.lesson_scene())).ok()) {
+          ++taken;
+          break;
+        }
+      companion.scrub_to(hand.number());
+      expect_saved(companion);
+      companion.set_following(true);
+      companion.scrub_to(hand.number());
+      expect_saved(companion);
+    }
+  }
+  EXPECT_GT(taken, all / 2);
+}
+
+/// As an author writes its axis, with few digits.
+TorqueTerm heavy_top(Hand& hand) {
+  const auto text = fmt::format("heavy:{},{:.3g},{:.3g},{:.3g}", hand.number(), hand.number(), hand.number(),
+                                hand.number());
+  return std::get<TorqueTerm>(parse_torque_term(text));
+}
+
+/// Components of an attitude likewise.
+AttitudeSpec attitude(Hand& hand) {
+  const auto rounded = [&] { return std::round(1e3 * hand.number()) / 1e3; };
+  return attitude_from({rounded(), rounded(), rounded(), rounded()});
+}
+
+TEST(SavedScene, DirectionsComeBackToTheBit) {
+  Hand hand(7);
+  const std::string front = "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# X {x}\n```scene\n";
+  for (int i = 0; i < 200; ++i) {
+    Scene scene;
+    scene.attitude = i % 3 == 0 ? attitude(hand) : writable(attitude(hand));
+    scene.torque = {SpaceTorque{{hand.number(), 1e-7, -1e20}}, BodyTorque{{0, hand.number(), 0.1}},
+                    heavy_top(hand), LinearDamping{std::abs(hand.number())}};
+    scene.v0_S = {hand.number(), 0, 1e-300};
+    scene.F_S = {0, hand.number(), 3};
+    scene.arrow = i % 2 == 0 ? ArrowHeld::free : ArrowHeld::in_body;
+    scene.duration_s = std::abs(hand.number());
+    scene.rate = 1.0 / 3;
+    scene.caption = "It's $\\vec L$ \\ \"so\"";
+    scene.meters = std::vector<Meter>{Meter::momentum, Meter::omega};
+    const LessonReading reading = read_lesson(front + scene_keys_of(scene, 0) + "```\n", "x.md");
+    ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+    EXPECT_TRUE(*reading.lesson->stages[0].steps[0].scene == scene) << scene_keys_of(scene, 0);
+  }
+}
+
+TEST(SavedScene, SaysNothingOfWhatIsUsual) {
+  EXPECT_EQ(scene_keys_of(Scene{}, 0), "");
+  EXPECT_EQ(scene_keys_of(Scene{}, 2), "still = 2.0\n");
+  for (const std::string& name : named_bodies()) EXPECT_EQ(own_body_of(*find_body(name), {}), "") << name;
+}
+
+TEST(SavedScene, PointingAtSomethingIsNotSaved) {
+  Companion companion(example());
+  const std::string before = lesson_of(companion);
+  companion.light("omega");
+  EXPECT_EQ(lesson_of(companion), before);
+}
+
+TEST(SavedScene, AStepThatWasItsSceneAloneIsThereStill) {
+  Companion companion(
+      test::loaded_text("+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# X {x}\n```scene\n"
+                        "show = \"omega\"\n```\n---\n```scene\nshow = \"L\"\n```\n---\nText.\n"));
+  companion.go_to({0, 2});
+  expect_saved(companion);
+  companion.go_to({0, 1});
+  expect_saved(companion);
+}
+
+TEST(SavedScene, HighlightsOfTermsThatAreNotInItAreLeftOut) {
+  Companion companion(test::loaded_text(
+      "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# X {x}\nText.\n```scene\nshow = \"omega\"\n"
+      "highlight = [\"later\", \"omega\"]\n```\n---\n```math a\n\\term{later}{x} = 1\n```\n"));
+  const Step saved = saved_step(companion);
+  EXPECT_EQ(saved.scene->highlight, std::vector<std::string>{"omega"});
+  companion.next_step();
+  expect_saved(companion);
+}
+
+TEST(SavedScene, MacrosAndSymbolsComeBack) {
+  Companion companion(
+      test::loaded_text("+++\nformat = 1\nid = \"x\"\ntitle = 'The \"X\"'\n[macros]\nprimed = { arguments = "
+                        "1, tex = \"#1'\" }\n"
+                        "half = '\\frac12'\n[symbols]\nomega = { tex = '\\vec\\omega', role = \"omega\", say "
+                        "= \"spin\", unit = "
+                        "\"rad/s\" }\nprimes = { tex = \"x'\" }\n+++\n# X {x}\nText $\\half\\primed{x}$.\n"));
+  const std::string text = lesson_of(companion);
+  const LessonReading reading = check_lesson(text, "saved.md");
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front()) << text;
+  const Lesson& lesson = companion.lesson();
+  EXPECT_EQ(reading.lesson->title, lesson.title);
+  ASSERT_EQ(reading.lesson->macros.size(), lesson.macros.size());
+  for (const auto& [name, macro] : lesson.macros) {
+    EXPECT_EQ(reading.lesson->macros.at(name).body, macro.body);
+    EXPECT_EQ(reading.lesson->macros.at(name).arguments, macro.arguments);
+  }
+  ASSERT_EQ(reading.lesson->symbols.size(), lesson.symbols.size());
+  for (const auto& [name, symbol] : lesson.symbols) {
+    const Symbol& read = reading.lesson->symbols.at(name);
+    EXPECT_EQ(read.tex, symbol.tex);
+    EXPECT_EQ(read.role, symbol.role);
+    EXPECT_EQ(read.say, symbol.say);
+    EXPECT_EQ(read.unit, symbol.unit);
+  }
+}
+
+TEST(SavedTrace, HasTheRowsThatTraceGives) {
+  Companion companion(test::loaded_text(
+      "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n[body.own]\nmoments = [1.0, 2.0, 2.5]\n+++\n# X "
+      "{x}\n```scene\n"
+      "body = \"own\"\nomega = [0.25, 2.0, 0.5]\nattitude = [1.0, 0.0, 0.0, 0.0]\nduration = 2.0\nrate = "
+      "12.5\nshow = \"omega\"\n```\n"));
+  const ProgramRun run = polhode({"trace", "--inertia", "1,2,2.5", "--omega", "0.25,2,0.5", "--from", "0",
+                                  "--to", "2", "--every", "0.5"});
+  EXPECT_EQ(trace_of(companion), run.out) << run.err;
+  companion.scrub_to(3);
+  EXPECT_THAT(trace_of(companion), HasSubstr("\n3.5,"));
+  EXPECT_THAT(trace_of(companion), Not(HasSubstr("\n1.5,"))) << "the loop that is shown";
+}
+
+TEST(SavedTrace, IsOfBoundedLength) {
+  Companion companion(example());
+  std::string text = example()->lesson.source;
+  text.replace(text.find("at = 0.5"), 8, "duration = 1000.0\nrate = 1e-6");
+  companion.replace_lesson(test::loaded_text(text));
+  const std::string csv = trace_of(companion);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + kMostTraceLines);
+  companion.go_to({1, 0});
+  EXPECT_EQ(trace_of(companion), "");
+}
+
+TEST(SavedScene, ABodyOfAShapeOnItsPivotComesBack) {
+  for (const char* body : {"book", "rod"}) {
+    Companion companion(test::loaded_text(fmt::format(
+        "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n[body.rod]\nshape = \"cylinder\"\n"
+        "size_m = [0.2, 0.2, 0.02]\nmass_kg = 1.0\n+++\n# X {{x}}\nText.\n```scene\nbody = \"{}\"\n"
+        "torque = \"heavy:0.980665,0,0,1\"\nshow = [\"shape\", \"pivot\"]\n```\n",
+        body)));
+    expect_saved(companion);
+    EXPECT_TRUE(saved_step(companion).scene->body.shape) << body;
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/scene_edits.h"
+
+#include "render/scene/model/model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace polhode {
+namespace {
+
+using ::testing::HasSubstr;
+
+Scene lesson_scene() {
+  Scene scene;
+  scene.show = {Overlay::omega, Overlay::L, Overlay::plane};
+  scene.torque.clear();
+  return scene;
+}
+
+TEST(SceneEdits, LeaveTheSceneAsItIsWhereThereAreNone) {
+  EXPECT_TRUE(SceneEdits{}.empty());
+  EXPECT_EQ(edited(lesson_scene(), {}), lesson_scene());
+}
+
+TEST(SceneEdits, EachIsInTheScene) {
+  const SceneEdits edits{.body = find_body("racket"),
+                         .w0_B = Vec3(1, 2, 3),
+                         .attitude = Quat(0.6, 0, 0.8, 0),
+                         .motion = MotionSpec{.method = Method::rk4, .step_s = 0.1},
+                         .on = {Overlay::shape},
+                         .off = {Overlay::L},
+                         .views = {{View::body}},
+                         .camera = CameraSpec{.zoom = 2},
+                         .quality = QualityLevel::fine};
+  EXPECT_FALSE(edits.empty());
+  Scene expected = lesson_scene();
+  expected.body = *edits.body;
+  expected.w0_B = *edits.w0_B;
+  expected.attitude = *edits.attitude;
+  expected.motion = *edits.motion;
+  expected.show = {Overlay::omega, Overlay::plane, Overlay::shape};
+  expected.views = {View::body};
+  expected.camera.zoom = 2;
+  expected.quality = QualityLevel::fine;
+  EXPECT_EQ(edited(lesson_scene(), edits), expected);
+}
+
+TEST(SceneEdits, HidingThePlaneDoesNotTurnTheBodyOver) {
+  const Scene scene = lesson_scene();
+  const Scene hidden = edited(scene, {.off = {Overlay::plane}});
+  EXPECT_EQ(problem_of(hidden).start.q_SB, problem_of(scene).start.q_SB);
+}
+
+TEST(SceneEdits, KeepNothingOfWhatTheLessonShowsAnyway) {
+  const Scene scene = lesson_scene();
+  SceneEdits edits;
+  set_shown(edits, scene, Overlay::omega, true);
+  set_shown(edits, scene, Overlay::shape, false);
+  EXPECT_TRUE(edits.empty());
+  set_shown(edits, scene, Overlay::omega, false);
+  set_shown(edits, scene, Overlay::shape, true);
+  EXPECT_EQ(edits.on, OverlaySet{Overlay::shape});
+  EXPECT_EQ(edits.off, OverlaySet{Overlay::omega});
+  set_shown(edits, scene, Overlay::omega, true);
+  set_shown(edits, scene, Overlay::shape, false);
+  EXPECT_TRUE(edits.empty());
+}
+
+TEST(SceneEdits, ABodyOfImpossibleMomentsIsRefusedByItsInequality) {
+  const auto body = body_with_moments({1, 2, 2.5});
+  ASSERT_TRUE(body.ok());
+  EXPECT_EQ(body->moments, PrincipalMoments(1, 2, 2.5));
+  const auto impossible = body_with_moments({1, 2, 4});
+  ASSERT_FALSE(impossible.ok());
+  EXPECT_EQ(impossible.error(), *why_impossible(1, 2, 4));
+  EXPECT_FALSE(body_with_moments({1, std::nan(""), 1}).ok());
+}
+
+TEST(SceneEdits, AWritableCameraIsHardlyAnotherAndStaysTheSame) {
+  constexpr double kHalfPart = 0.5e-4 * std::numbers::pi / 180 * (1 + 1e-9);
+  for (int i = -200; i <= 200; ++i) {
+    const CameraSpec camera{
+        .azimuth_rad = 0.0153 * i, .elevation_rad = 0.0078 * i, .distance = 3, .zoom = 1.5};
+    const CameraSpec written = writable(camera);
+    EXPECT_NEAR(written.azimuth_rad, camera.azimuth_rad, kHalfPart);
+    EXPECT_NEAR(written.elevation_rad, camera.elevation_rad, kHalfPart);
+    EXPECT_EQ(writable(written), written);
+  }
+  const CameraSpec bounded = writable({.azimuth_rad = 7, .elevation_rad = 2, .distance = 1000, .zoom = 0});
+  EXPECT_NEAR(bounded.azimuth_rad, 7 - 2 * std::numbers::pi, kHalfPart);
+  EXPECT_EQ(bounded.elevation_rad, 90 * (std::numbers::pi / 180));
+  EXPECT_EQ(bounded.distance, 100);
+  EXPECT_EQ(bounded.zoom, 0.1);
+}
+
+TEST(SceneEdits, ABodyOfAShapeHangsOnTheLessonsPivot) {
+  Scene scene = lesson_scene();
+  scene.torque = {HeavyTop{0.5, Vec3::UnitY()}};
+  const Body book = *find_body("book");
+  const double l_m = 0.5 / (book.mass_kg * 9.80665);
+  const Vec3 expected = book.moments.vector() + book.mass_kg * l_m * l_m * Vec3(1, 0, 1);
+  EXPECT_LT((edited(scene, {.body = book}).body.moments.vector() - expected).norm(), 1e-15);
+  scene.torque = {HeavyTop{0.5, Vec3(0.6, 0.8, 0)}};
+  EXPECT_THROW(edited(scene, {.body = book}), std::domain_error);
+}
+
+}  // namespace
+}  // namespace polhode

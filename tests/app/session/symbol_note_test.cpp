@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/symbol_note.h"
+
+#include "app/cli/lesson_lookup.h"
+#include "lessons/reader/reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+Lesson lesson_named(const std::string& id) {
+  return load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/" + id + ".md").lesson;
+}
+
+const Lesson& lecture() {
+  static const Lesson kLesson = lesson_named("euler-equations");
+  return kLesson;
+}
+
+Scene steady() {  // about axis 3, L up: ω and L stand still in space and body
+  Scene scene;
+  scene.body.moments = PrincipalMoments(1.0, 1.75, 2.5);
+  scene.w0_B = Vec3(0, 0, 1.2);
+  scene.show = {Overlay::omega};
+  return scene;
+}
+
+TEST(SymbolNote, SaysWhatASymbolIsAndWhatItIsNow) {
+  const SceneModel model = make_model(steady());
+  const SymbolNote omega = note_of(lecture(), "omega", &model, 0.5);
+  EXPECT_EQ(omega.meaning, "angular velocity");
+  EXPECT_EQ(omega.unit, "rad/s");
+  EXPECT_EQ(omega.value, "(0, 0, 1.20)");
+  EXPECT_EQ(omega.frame, "space");
+  EXPECT_EQ(note_of(lecture(), "L", &model, 0.5).value, "(0, 0, 3.00)");
+  EXPECT_EQ(note_of(lecture(), "N", &model, 0.5).value, "(0, 0, 0)");
+  const SymbolNote T = note_of(lecture(), "T", &model, 0.5);
+  EXPECT_EQ(T.value, "1.80");
+  EXPECT_EQ(T.unit, "J");
+  EXPECT_EQ(T.frame, "");
+  const SymbolNote I = note_of(lecture(), "I", &model, 0.5);
+  EXPECT_EQ(I.value, "(1.00, 1.75, 2.50)");
+  EXPECT_EQ(I.frame, "body");
+}
+
+TEST(SymbolNote, HasTheValueInTheFrameOfTheFirstView) {
+  Scene scene = steady();
+  scene.w0_B = Vec3(0.31, -0.2, 1.13);
+  scene.views = {View::body, View::space};
+  const SceneModel body = make_model(scene);
+  EXPECT_EQ(note_of(lecture(), "omega", &body, 0).value, "(0.31, −0.20, 1.13)");
+  EXPECT_EQ(note_of(lecture(), "omega", &body, 0).frame, "body");
+  scene.views = {View::space};
+  const SceneModel space = make_model(scene);
+  EXPECT_NE(note_of(lecture(), "omega", &space, 0).value, "(0.31, −0.20, 1.13)");
+}
+
+TEST(SymbolNote, SetsAPowerOfTenApart) {
+  Scene scene = steady();
+  const auto L_at = [&](double speed) {
+    scene.w0_B = Vec3(0, 0, speed);
+    const SceneModel model = make_model(scene);
+    return note_of(lecture(), "L", &model, 0).value;
+  };
+  EXPECT_EQ(L_at(1.24e-6), "(0, 0, 3.10)·10⁻⁶");
+  EXPECT_EQ(L_at(4e4), "(0, 0, 1.00)·10⁵");
+  EXPECT_EQ(L_at(40), "(0, 0, 100)");
+  EXPECT_EQ(L_at(0.01), "(0, 0, 0.0250)");
+  EXPECT_EQ(L_at(3.9984), "(0, 0, 10.0)") << "9.996";
+}
+
+TEST(SymbolNote, HasNoValueOfWhatTheSceneHasNot) {
+  const SceneModel model = make_model(steady());
+  for (const char* name : {"p", "v", "F", "m", "A", "R"}) {
+    const SymbolNote note = note_of(lecture(), name, &model, 0);
+    EXPECT_EQ(note.value, "") << name;
+    EXPECT_NE(note.meaning, "") << name;
+  }
+  Scene drifting = steady();
+  drifting.v0_S = Vec3(0.5, 0, 0);
+  const SceneModel moved = make_model(drifting);
+  EXPECT_EQ(note_of(lecture(), "v", &moved, 0).value, "(0.500, 0, 0)");
+  EXPECT_NE(note_of(lecture(), "p", &moved, 0).value, "");
+  EXPECT_EQ(note_of(lecture(), "omega", nullptr, 0).value, "");
+  EXPECT_EQ(note_of(lecture(), "omega", nullptr, 0).meaning, "angular velocity");
+}
+
+TEST(SymbolNote, OfATermIsItsFormulaInWords) {
+  LessonReading reading = read_lesson(
+      "+++\nformat = 1\nid = \"page\"\ntitle = \"Terms\"\n[symbols]\nL = { tex = '\\vec L', role = \"L\", "
+      "say = "
+      "\"angular momentum\" }\n+++\n# One {one}\n```math a\n\\term{left}{a + b} = \\term{right}{\\vec "
+      "L}\n```\n\n---\n"
+      "```math b\n\\term{left}{c} = d\n```\n\n# Two {two}\n```math c\n\\frac{\\term{left}{x}}{y} = 1\n```\n",
+      "terms.md");
+  ASSERT_TRUE(reading.lesson);
+  const Lesson& lesson = *reading.lesson;
+  EXPECT_EQ(note_of(lesson, "left", nullptr, 0, "one", 0).meaning, "a plus b");
+  EXPECT_EQ(note_of(lesson, "left", nullptr, 0, "one", 1).meaning, "c") << "seen last";
+  EXPECT_EQ(note_of(lesson, "left", nullptr, 0, "two", 0).meaning, "x");
+  EXPECT_EQ(note_of(lesson, "left", nullptr, 0).meaning, "a plus b");
+  EXPECT_EQ(note_of(lesson, "right", nullptr, 0, "one", 1).meaning, "angular momentum");
+  EXPECT_EQ(note_of(lesson, "right", nullptr, 0, "two", 0).meaning, "angular momentum") << "from elsewhere";
+  const SymbolNote none = note_of(lesson, "nothing", nullptr, 0, "one", 0);
+  EXPECT_EQ(none.meaning + none.unit + none.value + none.frame, "");
+}
+
+std::vector<std::string> terms_on(const Step& step) {
+  std::vector<std::string> terms;
+  for (const Block& block : step.blocks)
+    if (const auto* equation = std::get_if<Equation>(&block))
+      terms.insert(terms.end(), equation->math.terms.begin(), equation->math.terms.end());
+  return terms;
+}
+
+TEST(SymbolNote, OfEverySymbolOfTheLessonsSaysSomething) {
+  const SceneModel model = make_model(steady());
+  for (const char* id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
+    const Lesson lesson = lesson_named(id);
+    for (const auto& [name, symbol] : lesson.symbols) {
+      const SymbolNote note = note_of(lesson, name, &model, 0.3);
+      EXPECT_NE(note.meaning, "") << id << ' ' << name;
+      EXPECT_NE(note.unit, "") << id << ' ' << name;
+    }
+    for (const Stage& stage : lesson.stages)
+      for (std::size_t step = 0; step < stage.steps.size(); ++step)
+        for (const std::string& term : terms_on(stage.steps[step]))
+          EXPECT_NE(note_of(lesson, term, nullptr, 0, stage.id, step).meaning, "") << id << ' ' << term;
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/controls/control_style.h"
+
+#include "app/session/symbol_note.h"
+#include "physics/body/bodies.h"
+#include "physics/method.h"
+#include "tests/app/session/example_lesson.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <fstream>
+#include <set>
+
+namespace polhode {
+namespace {
+
+/// The fonts of the controls, and what they lack of the texts that they are given.
+class ControlFont : public testing::Test {
+ protected:
+  ControlFont() : imgui_(ImGui::CreateContext()) {
+    const auto fonts = Fonts::open();
+    if (!fonts) throw std::runtime_error(fonts.error());
+    load_control_fonts(control_sizes(1), *fonts);
+  }
+  ~ControlFont() override { ImGui::DestroyContext(imgui_); }
+
+  static const ImFontGlyph* glyph(ImWchar character) {
+    return ImGui::GetIO().Fonts->Fonts[0]->FindGlyphNoFallback(character);
+  }
+
+  void expect_all_of(std::string_view text, const std::string& where) {
+    for (const char32_t character : code_points(text))
+      if (character >= 0x20 && !(character <= 0xFFFF && glyph(static_cast<ImWchar>(character))) &&
+          told_.insert(character).second)
+        ADD_FAILURE() << fmt::format("no glyph for U+{:04X} in {}: {}", static_cast<unsigned>(character),
+                                     where, text);
+  }
+
+ private:
+  static std::vector<char32_t> code_points(std::string_view utf8) {
+    std::vector<char32_t> found;
+    for (std::size_t i = 0; i < utf8.size();) {
+      const auto first = static_cast<unsigned char>(utf8[i++]);
+      const int more = first < 0xC0 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+      char32_t character = more == 0 ? first : first & (0x3FU >> more);
+      for (int k = 0; k < more && i < utf8.size(); ++k)
+        character = character << 6 | (static_cast<unsigned char>(utf8[i++]) & 0x3FU);
+      found.push_back(character);
+    }
+    return found;
+  }
+
+  ImGuiContext* imgui_;
+  std::set<char32_t> told_;  ///< once each
+};
+
+TEST_F(ControlFont, HasWhatNotesSay) {
+  for (const char* id : test::kLessons) {
+    const Lesson& lesson = test::loaded_lesson(id)->lesson;
+    for (const std::string& body : named_bodies())
+      for (const double speed : {1e-8, 0.3, 7e5}) {
+        Scene scene;
+        scene.body = *find_body(body);
+        scene.w0_B = speed * Vec3(0.2, -1, 0.4);
+        scene.v0_S = 1e-3 * scene.w0_B;
+        scene.show = {Overlay::omega, Overlay::transport};
+        const SceneModel model = make_model(scene);
+        for (const auto& [name, symbol] : lesson.symbols) {
+          const SymbolNote note = note_of(lesson, name, &model, 0.3);
+          for (const std::string& text : {note.meaning, note.value, note.unit, note.frame})
+            expect_all_of(text, fmt::format("the note on {} of {}, {}", name, body, id));
+        }
+      }
+  }
+}
+
+// Titles, prompts, choices and hints stand in panels as they are written.
+TEST_F(ControlFont, HasWhatLessonsSay) {
+  for (const char* id : test::kLessons) {
+    std::ifstream file(fmt::format("{}/lessons/{}.md", POLHODE_SOURCE_DIR, id));
+    for (std::string line; std::getline(file, line);) expect_all_of(line, id);
+  }
+}
+
+TEST_F(ControlFont, HasWhatRefusalsSay) {
+  const auto refused = body_with_moments(Vec3(1e-9, 2e-9, 3.1e-4));
+  ASSERT_FALSE(refused);
+  expect_all_of(refused.error(), "moments");
+  for (const MethodFacts& facts : all_methods()) {
+    expect_all_of(facts.term, "a method");
+    expect_all_of(facts.keeps, "a method");
+  }
+  Companion companion(test::loaded_lesson("euler-equations"));
+  std::size_t judged = 0;
+  for (bool more = true; more; more = companion.next_step())
+    for (const Ask* ask : companion.questions()) {
+      for (const char* answer : {"w1*(", "w1 + w4", "2*w1*N2", "A", "A B", "omega"}) {
+        const AnswerJudgement judgement = companion.answer(*ask, answer);
+        expect_all_of(judgement.reason + judgement.hint, ask->id);
+        if (!judgement.counterexample) continue;
+        expect_all_of(to_string(*judgement.counterexample), ask->id);
+        ++judged;
+      }
+    }
+  EXPECT_GT(judged, 0u);
+}
+
+// The signs that are made of others stand where and as large as those of print.
+TEST_F(ControlFont, HasSmallSignsAboveAndBelowTheLine) {
+  const ImFontGlyph &one = *glyph('1'), &low_x = *glyph('x');
+  for (const char* signs : {"⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾", "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎"}) expect_all_of(signs, "small signs");
+  const ImFontGlyph *raised = glyph(0xB9), *four = glyph(0x2074), *lowered = glyph(0x2081);
+  ASSERT_TRUE(raised && four && lowered);
+  const float digit = one.Y1 - one.Y0, pixel = 1;
+  for (const ImFontGlyph* small : {raised, lowered}) {
+    EXPECT_GT(small->Y1 - small->Y0, 0.6F * digit - pixel);
+    EXPECT_LT(small->Y1 - small->Y0, 0.75F * digit + pixel);
+    EXPECT_LT(small->AdvanceX, 0.75F * one.AdvanceX);
+  }
+  EXPECT_NEAR(raised->Y0, one.Y0, pixel) << "as high as a digit";
+  EXPECT_NEAR(four->Y0, raised->Y0, pixel) << "as all others";
+  EXPECT_GT(lowered->Y1, low_x.Y1 + 0.5F * pixel) << "below the line";
+}
+
+}  // namespace
+}  // namespace polhode
