@@ -8,7 +8,7 @@
 #include "app/session/state_file.h"
 #include "base/printable.h"
 #include "base/shell_line.h"
-#include "base/suggest.h"
+#include "base/spelling.h"
 #include "lessons/claims/answers.h"
 #include "lessons/diagnostics/source_text.h"
 

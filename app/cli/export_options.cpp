@@ -7,7 +7,7 @@
 #include "app/page/page.h"
 #include "app/publish/deck.h"
 #include "app/publish/film.h"
-#include "base/suggest_ending.h"
+#include "base/spelling.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

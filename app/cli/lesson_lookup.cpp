@@ -5,7 +5,7 @@
 #include "app/cli/interrupt.h"
 #include "app/page/page_lint.h"
 #include "base/sha256.h"
-#include "base/suggest_ending.h"
+#include "base/spelling.h"
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/type_check.h"
 #include "render/scene/model/model.h"

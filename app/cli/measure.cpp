@@ -13,7 +13,7 @@
 #include "app/cli/work_precision_plot.h"
 #include "app/export/plot_file.h"
 #include "base/files/atomic_file.h"
-#include "base/suggest_ending.h"
+#include "base/spelling.h"
 #include "render/scene/model/model.h"
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,7 @@
 
 #include "app/cli/exit_codes.h"
 #include "app/cli/numbers.h"
-#include "base/suggest_ending.h"
+#include "base/spelling.h"
 #include "physics/geometry/poinsot.h"
 
 #include <fmt/format.h>

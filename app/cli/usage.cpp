@@ -3,7 +3,7 @@
 
 #include "app/cli/message.h"
 #include "app/export/picture_metadata.h"
-#include "base/suggest_ending.h"
+#include "base/spelling.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/expression.h"
 
-#include "base/suggest.h"
+#include "base/spelling.h"
 #include "lessons/claims/expression_builder.h"
 
 #include <algorithm>

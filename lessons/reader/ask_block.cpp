@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/ask_block.h"
 
-#include "base/suggest.h"
+#include "base/spelling.h"
 #include "lessons/reader/keys.h"
 
 #include <algorithm>

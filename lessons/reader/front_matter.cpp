@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/front_matter.h"
 
-#include "base/suggest.h"
+#include "base/spelling.h"
 #include "physics/body/bodies.h"
 
 #include <algorithm>

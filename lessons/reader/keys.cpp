@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/keys.h"
 
-#include "base/suggest.h"
+#include "base/spelling.h"
 
 #include <algorithm>
 #include <cmath>

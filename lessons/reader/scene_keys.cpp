@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/scene_keys.h"
 
-#include "base/suggest.h"
+#include "base/spelling.h"
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/reader.h"
 #include "physics/method.h"

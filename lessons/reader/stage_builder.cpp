@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/stage_builder.h"
 
-#include "base/suggest.h"
+#include "base/spelling.h"
 #include "lessons/reader/ask_block.h"
 #include "lessons/reader/claim_lines.h"
 #include "lessons/reader/markdown/callouts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/markdown/callouts.h"
 
-#include "base/suggest.h"
+#include "base/spelling.h"
 #include "lessons/reader/markdown/heading.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Atoms, arguments and scripts.
-#include "base/near_name.h"
+#include "base/spelling.h"
 #include "render/typeset/characters.h"
 #include "render/typeset/math/parser.h"
 
@@ -158,7 +158,7 @@ MathNode MathParser::unknown(const Token& token) {
   std::vector<std::string_view> names;
   for (const auto& [name, macro] : tokens_.macros()) names.push_back(name);
   names.insert(names.end(), math_command_names().begin(), math_command_names().end());
-  const std::string near = near_name(token.name, names);
+  const std::string near = closest_name(token.name, names);
   tokens_.error(token, "unknown command \\" + std::string(token.name),
                 near.empty() ? "" : "did you mean \\" + near + "?");
   return {};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Commands that take arguments.
-#include "base/near_name.h"
+#include "base/spelling.h"
 #include "render/typeset/characters.h"
 #include "render/typeset/math/parser.h"
 
@@ -310,7 +310,7 @@ std::optional<Color> MathParser::color_argument(const Token& token) {
   if (name->size() == 7 && name->front() == '#' &&
       name->find_first_not_of("0123456789abcdefABCDEF", 1) == std::string::npos)
     return color_from_hex(static_cast<unsigned>(std::strtoul(name->c_str() + 1, nullptr, 16)));
-  const std::string near = near_name(*name, color_names());
+  const std::string near = closest_name(*name, color_names());
   tokens_.error(token, "unknown color " + *name,
                 near.empty() ? "write #RRGGBB, or blue, green, red …" : "did you mean " + near + "?");
   return Color{};

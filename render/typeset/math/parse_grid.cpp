@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Text inside of formulas, and environments.
-#include "base/near_name.h"
+#include "base/spelling.h"
 #include "render/typeset/characters.h"
 #include "render/typeset/math/parser.h"
 
@@ -119,7 +119,7 @@ MathNode MathParser::environment(const Token& token) {
   if (!name) return {};
   auto grid = math_environment(*name);
   if (!grid) {
-    const std::string near = near_name(*name, math_environment_names());
+    const std::string near = closest_name(*name, math_environment_names());
     tokens_.error(token, "unknown environment " + *name,
                   near.empty() ? "such as aligned, pmatrix, cases" : "did you mean " + near + "?");
     grid.emplace();

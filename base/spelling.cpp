@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/near_name.h"
+#include "base/spelling.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxNameBytes = 64;
 constexpr std::size_t kMinAbbreviation = 3;
+constexpr std::size_t kMostListed = 32;
 
 char lower(char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -46,6 +47,12 @@ struct Sought {
   std::uint32_t letters;
 };
 
+/// `did you mean "omega"?`, or nothing.
+std::string question(std::string_view word, const std::vector<std::string>& known) {
+  const std::string closest = closest_name(word, {known.begin(), known.end()});
+  return closest.empty() ? "" : "did you mean \"" + closest + "\"?";
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -65,10 +72,10 @@ int edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-std::string near_name(std::string_view word, const std::vector<std::string_view>& known) {
+std::string closest_name(std::string_view word, const std::vector<std::string_view>& known) {
   if (word.empty() || word.size() > kMaxNameBytes) return {};
   const Sought sought(word);
-  std::string_view nearest;
+  std::string_view closest;
   int smallest = 0;
   for (const std::string_view name : known) {
     if (name.empty() || name.size() > kMaxNameBytes) continue;
@@ -78,11 +85,28 @@ std::string near_name(std::string_view word, const std::vector<std::string_view>
     const int differences = abbreviated ? 1 : edit_distance(sought.text, lower(name));
     if (differences > allowed || differences >= static_cast<int>(name.size())) continue;
     const int distance = 2 * differences + (word.front() == name.front() ? 0 : 1);
-    if (!nearest.empty() && distance >= smallest) continue;
-    nearest = name;
+    if (!closest.empty() && distance >= smallest) continue;
+    closest = name;
     smallest = distance;
   }
-  return std::string(nearest);
+  return std::string(closest);
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
+  if (known.empty()) return {};
+  if (std::string asked = question(word, known); !asked.empty()) return asked;
+  std::string list = known.size() == 1 ? "only " : "one of ";
+  for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i) {
+    if (i > 0) list += ", ";
+    list += known[i];
+  }
+  if (known.size() > kMostListed) list += ", …";
+  return list;
+}
+
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+  const std::string asked = question(word, known);
+  return asked.empty() ? "" : "; " + asked;
 }
 
 }  // namespace polhode
