@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/horizon.h"
 
-#include "app/cli/numbers.h"
+#include "base/numbers.h"
 #include "physics/analysis/conditioning.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/measure_rendering.h"
 
-#include "app/cli/numbers.h"
 #include "app/cli/progress.h"
 #include "app/export/plot_file.h"
 #include "base/files/atomic_file.h"
+#include "base/numbers.h"
 #include "render/figure/figure.h"
 
 #include <fmt/format.h>

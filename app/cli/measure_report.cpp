@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/measure_report.h"
 
-#include "app/cli/numbers.h"
+#include "base/numbers.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #include "app/cli/numbers.h"
 
 #include "app/cli/exit_codes.h"
-#include "render/scene/description/scene.h"
+#include "base/numbers.h"
 
 #include <fmt/format.h>
 
@@ -22,16 +22,6 @@ std::optional<long long> whole(std::string_view text) {
 }
 
 }  // namespace
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const auto at = text.find(separator);
-    parts.push_back(text.substr(0, at));
-    if (at == std::string_view::npos) return parts;
-    text.remove_prefix(at + 1);
-  }
-}
 
 double finite_number(std::string_view option, std::string_view text) {
   const std::optional<double> value = parse_number(text);
@@ -83,7 +73,5 @@ Size picture_size(std::string_view option, std::string_view text, int largest) {
                                    *width, *height, largest));
   return {static_cast<int>(*width), static_cast<int>(*height)};
 }
-
-std::string digits17(double value) { return fmt::format("{:.17g}", value); }
 
 }  // namespace polhode

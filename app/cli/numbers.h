@@ -30,10 +30,4 @@ long long whole_number(std::string_view option, std::string_view text, long long
 /// WxH, each within [1, largest] px.
 Size picture_size(std::string_view option, std::string_view text, int largest);
 
-/// 17 significant digits: reads back as the same double.
-std::string digits17(double value);
-
-/// The parts of a text between separators; "a,,b" has three, "" has one.
-std::vector<std::string_view> split(std::string_view text, char separator);
-
 }  // namespace polhode

@@ -3,12 +3,12 @@
 #include "app/cli/commands.h"
 #include "app/cli/horizon.h"
 #include "app/cli/message.h"
-#include "app/cli/numbers.h"
 #include "app/cli/trace_motion.h"
 #include "app/cli/trace_rows.h"
 #include "app/cli/trace_times.h"
 #include "app/cli/typed_problem.h"
 #include "app/cli/usage.h"
+#include "base/numbers.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

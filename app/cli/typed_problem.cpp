@@ -4,7 +4,8 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/numbers.h"
 #include "app/cli/usage.h"
-#include "render/scene/description/scene.h"
+#include "base/numbers.h"
+#include "physics/body/torque_text.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,14 +26,14 @@ Quat attitude_from(const std::string& text) {
 }
 
 TorqueTerm torque_term_from(const std::string& text) {
-  const std::variant<TorqueTerm, std::string> read = parse_torque_term(text);
-  if (const auto* term = std::get_if<TorqueTerm>(&read)) return *term;
+  const Result<TorqueTerm> read = parse_torque_term(text);
+  if (read) return *read;
 
   // Numbers that can be read but are infinite or NaN are no mistake of writing: no such torque can be.
   for (std::string_view part : split(std::string_view(text).substr(text.find(':') + 1), ','))
     if (const auto number = parse_number(part); number && !std::isfinite(*number))
       throw CommandError(ExitCode::invalid, fmt::format("--torque: {} is not a finite number", part));
-  throw CommandError(ExitCode::usage, fmt::format("--torque: {}", std::get<std::string>(read)));
+  throw CommandError(ExitCode::usage, fmt::format("--torque: {}", read.error()));
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 #include "app/export/folder_check.h"
 
 #include "app/cli/exit_codes.h"
-#include "app/cli/numbers.h"
 #include "app/export/export_folder.h"
 #include "app/export/picture_check.h"
 #include "base/files/file_bytes.h"
 #include "base/files/temporary_file.h"
+#include "base/numbers.h"
 #include "base/printable.h"
 #include "base/sha256.h"
 #include "base/shell_line.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/picture_metadata.h"
 
-#include "app/cli/numbers.h"
 #include "app/narration/speech_text.h"
+#include "base/numbers.h"
 
 namespace polhode {
 

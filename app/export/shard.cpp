@@ -3,6 +3,7 @@
 
 #include "app/cli/exit_codes.h"
 #include "app/cli/numbers.h"
+#include "base/numbers.h"
 
 #include <fmt/format.h>
 

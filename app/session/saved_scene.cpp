@@ -4,6 +4,7 @@
 #include "app/cli/trace_rows.h"
 #include "lessons/reader/front_matter.h"
 #include "lessons/reader/markdown/markdown.h"
+#include "physics/body/torque_text.h"
 #include "render/scene/model/rotor.h"
 
 #include <fmt/format.h>
@@ -109,9 +110,8 @@ std::string text_of(const HeavyTop& top) {
     return fmt::format("heavy:{},{}", top.mgr, fmt::join(axis, ","));
   };
   return text(that_reads({top.axis_B[0], top.axis_B[1], top.axis_B[2]}, [&](const auto& axis) {
-    const auto read = parse_torque_term(text(axis));
-    const auto* term = std::get_if<TorqueTerm>(&read);
-    return term && *term == TorqueTerm(top);
+    const Result<TorqueTerm> read = parse_torque_term(text(axis));
+    return read && *read == TorqueTerm(top);
   }));
 }
 

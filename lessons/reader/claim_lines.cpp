@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/claim_lines.h"
 
+#include "base/numbers.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "base/spelling.h"
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/reader.h"
+#include "physics/body/torque_text.h"
 #include "physics/method.h"
 #include "render/scene/model/rotor.h"
 
@@ -111,12 +112,10 @@ class SceneKeys {
     if (!texts) return;
     Torque torque;
     for (const PlacedText& text : *texts) {
-      auto term = parse_torque_term(text.text);
-      if (const auto* wrong = std::get_if<std::string>(&term)) {
-        report_.error(text.place, "torque: " + *wrong);
-      } else {
-        torque.push_back(std::get<TorqueTerm>(term));
-      }
+      if (const Result<TorqueTerm> term = parse_torque_term(text.text))
+        torque.push_back(*term);
+      else
+        report_.error(text.place, "torque: " + term.error());
     }
     scene_.torque = std::move(torque);
   }

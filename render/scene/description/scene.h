@@ -78,13 +78,4 @@ struct Scene {
 /// The t of a still.
 inline double still_time_s(const Scene& scene) { return scene.still_s.value_or(scene.at_s); }
 
-/// One term from its text: `space:x,y,z` | `body:x,y,z` | `heavy:MGR,ax,ay,az` | `damping:C` | `sink:C`.
-/// The error says what is wrong with the text. Used by `--torque` and by the scene key `torque`.
-std::variant<TorqueTerm, std::string> parse_torque_term(std::string_view text);
-
-/// A decimal or hexadecimal (0x1.8p+1) floating-point number filling the whole text, correctly rounded,
-/// independent of the locale; infinities and NaN are read as such. Nothing if the text is not a number or its
-/// value is out of the range of double (1e400).
-std::optional<double> parse_number(std::string_view text);
-
 }  // namespace polhode

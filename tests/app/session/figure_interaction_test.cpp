@@ -2,6 +2,7 @@
 #include "app/session/figure_interaction.h"
 
 #include "physics/body/euler.h"
+#include "physics/body/torque_text.h"
 #include "render/figure/figure.h"
 
 #include <fmt/format.h>
@@ -193,7 +194,7 @@ TEST(FigureHand, OffTheEllipsoidTakesTheEdgeTowardsThePointer) {
 
 TEST(FigureHand, UnderTorqueKeepsTheEnergyOfTheMoment) {
   Scene scene = scene_of(cases().front());
-  scene.torque = {std::get<TorqueTerm>(parse_torque_term("body:0.9,-0.4,0"))};
+  scene.torque = {parse_torque_term("body:0.9,-0.4,0").value()};
   const SceneModel model = make_model(scene);
   const Vec3 w_B = model.motion->w_B_at(0.6);
   const auto insets = inset_of(model, 0.6);

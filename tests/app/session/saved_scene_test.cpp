@@ -3,6 +3,7 @@
 #include "app/session/saved_scene.h"
 
 #include "lessons/reader/scene_keys.h"
+#include "physics/body/torque_text.h"
 #include "tests/app/run_program.h"
 #include "tests/app/session/example_lesson.h"
 
@@ -165,7 +166,7 @@ TEST(SavedScene, WhatAHandHasMadeOfItComesBackToTheBit) {
 TorqueTerm heavy_top(Hand& hand) {
   const auto text = fmt::format("heavy:{},{:.3g},{:.3g},{:.3g}", hand.number(), hand.number(), hand.number(),
                                 hand.number());
-  return std::get<TorqueTerm>(parse_torque_term(text));
+  return parse_torque_term(text).value();
 }
 
 /// Components of an attitude likewise.

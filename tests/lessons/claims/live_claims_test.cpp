@@ -3,6 +3,7 @@
 
 #include "lessons/reader/claim_lines.h"
 #include "physics/body/bodies.h"
+#include "physics/body/torque_text.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ Claim claim_of(const std::string& text, ClaimKind kind) {
 Scene tumbling(const std::string& torque = {}) {
   Scene scene;
   scene.w0_B = Vec3(0.9, 0.4, 1.0);
-  if (!torque.empty()) scene.torque.push_back(std::get<TorqueTerm>(parse_torque_term(torque)));
+  if (!torque.empty()) scene.torque.push_back(parse_torque_term(torque).value());
   return scene;
 }
 
