@@ -4,7 +4,7 @@
 // after Okabe & Ito, "Color Universal Design" (2008), told apart by colour-blind readers.
 #pragma once
 
-#include "render/figure/draw_list.h"
+#include "base/color.h"
 
 #include <optional>
 #include <string_view>

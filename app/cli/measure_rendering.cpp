@@ -5,7 +5,7 @@
 #include "app/export/plot_file.h"
 #include "base/files/atomic_file.h"
 #include "base/numbers.h"
-#include "render/figure/figure.h"
+#include "render/figure/make_figure.h"
 
 #include <fmt/format.h>
 

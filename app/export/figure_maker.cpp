@@ -6,6 +6,7 @@
 #include "app/narration/speech_text.h"
 #include "app/page/figure_place.h"
 #include "physics/method.h"
+#include "render/figure/make_figure.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/figure_place.h"
 
+#include "render/figure/make_figure.h"
 #include "render/typeset/paragraph.h"
 
 #include <algorithm>

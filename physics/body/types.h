@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors and rotations, and the conventions every other file relies on.
+// The conventions every file of physics relies on.
 //
 // Frames   S  the inertial space frame;  B  the body frame (S* in the lecture), axes along the principal
 // axes. Suffix   v_B are components in B, v_S in S. q_SB and R_SB take body components to space components:
@@ -8,13 +8,4 @@
 // Units    SI and radians.
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
-namespace polhode {
-
-using Vec3 = Eigen::Vector3d;
-using Mat3 = Eigen::Matrix3d;
-using Quat = Eigen::Quaterniond;
-
-}  // namespace polhode
+#include "base/vectors.h"

@@ -3,7 +3,8 @@
 // left corner, y down; colours are sRGB, straight alpha.
 #pragma once
 
-#include "render/figure/draw_list.h"
+#include "base/color.h"
+#include "base/vectors.h"
 #include "render/typeset/display_list.h"
 
 #include <string>
@@ -11,8 +12,6 @@
 #include <vector>
 
 namespace polhode {
-
-using Vec2 = Eigen::Vector2d;
 
 /// A line through the points, with round ends and joints. Where pieces of a translucent one meet, it is
 /// denser.

@@ -2,8 +2,7 @@
 // The camera: a view matrix and a perspective, the same for CPU and GPU.
 #pragma once
 
-#include "physics/body/types.h"
-#include "render/scene/description/scene.h"
+#include "base/vectors.h"
 
 #include <optional>
 
@@ -20,9 +19,6 @@ struct Camera {
   Eigen::Matrix4d view() const;
   Eigen::Matrix4d projection(double aspect) const;
 };
-
-/// Orbit camera about `target` of a scene of the given radius.
-Camera orbit(const CameraSpec& spec, const Vec3& target, double radius);
 
 /// Pixel (from the left, from the top, at pixel centres .5) of a point in a viewport of width x height px;
 /// nothing if it is behind the camera.

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/color.h"
-#include "physics/body/types.h"
+#include "base/vectors.h"
 
 #include <string>
 #include <vector>

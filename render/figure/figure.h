@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A scene at one time as lists to draw: one pane for each view.
+// A picture as lists to draw: one pane for each view. make_figure.h makes it of a scene.
 #pragma once
 
 #include "render/figure/camera.h"
 #include "render/figure/draw_list.h"
-#include "render/scene/model/model.h"
 
 #include <string>
 #include <vector>
@@ -24,8 +23,5 @@ struct Figure {
   std::string caption;
   double caption_px = 0;  ///< em of the caption; all other type goes with it. 0: from the size of the picture
 };
-
-/// Pure: depends on its arguments alone. `aspect` = width / height of the picture.
-Figure make_figure(const SceneModel& model, double t_s, double aspect);
 
 }  // namespace polhode

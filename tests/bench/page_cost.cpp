@@ -3,6 +3,7 @@
 
 #include "app/cli/lesson_lookup.h"
 #include "app/page/page.h"
+#include "render/figure/make_figure.h"
 #include "tests/bench/timing.h"
 
 #include <stdexcept>

@@ -3,6 +3,7 @@
 // and a moving camera. BM_Frame is the figure that counts: picture and PNG together, at most 65 ms of CPU at
 // 1080p.
 #include "app/export/picture_writer.h"
+#include "render/figure/make_figure.h"
 #include "render/gl/framebuffer.h"
 #include "render/gl/renderer.h"
 #include "render/image/png.h"

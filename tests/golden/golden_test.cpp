@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Golden images at 480x270, by the golden rule of render/image/compare.h, each proved able to fail.
+#include "render/figure/make_figure.h"
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
 #include "tests/golden/scenes.h"

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "render/figure/figure.h"
+#include "render/scene/model/model.h"
 #include "render/scene/model/turn_orders.h"
 
 #include <optional>

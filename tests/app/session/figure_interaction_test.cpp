@@ -3,7 +3,8 @@
 
 #include "physics/body/euler.h"
 #include "physics/body/torque_text.h"
-#include "render/figure/figure.h"
+#include "render/figure/make_figure.h"
+#include "render/figure/orbit_camera.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // write_scene FRAMES: the scene of render_bench as JSON on stdout, for the peers to draw: what stays the same
 // once (curves of the body in body axes, of space in space), and for each frame attitude, arrows, labels and
 // camera. Lengths are scene units, colours sRGB 0…1 with straight alpha, quaternions scalar first.
-#include "render/figure/figure.h"
+#include "render/figure/make_figure.h"
 #include "tests/bench/poinsot_scene.h"
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/figure/camera.h"
+#include "render/figure/orbit_camera.h"
 
 #include <gtest/gtest.h>
 

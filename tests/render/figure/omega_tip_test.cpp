@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/figure/omega_tip.h"
 
-#include "render/figure/figure.h"
+#include "render/figure/make_figure.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The figures of the lecture that are made for one of its stages, as draw lists.
-#include "render/figure/figure.h"
+#include "render/figure/make_figure.h"
 #include "render/palette.h"
 #include "render/scene/model/translation.h"
 #include "render/scene/model/turn_orders.h"

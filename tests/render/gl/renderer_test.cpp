@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "render/figure/make_figure.h"
 #include "tests/render/gl/drawn.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sheets as the renderer draws them.
+#include "render/figure/make_figure.h"
 #include "tests/render/gl/drawn.h"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,8 @@
 // Pictures of figures without meshes, beside the same drawn by samples and a depth buffer.
 #include "render/gl/passes/figure_pass.h"
 
+#include "render/figure/make_figure.h"
+#include "render/figure/orbit_camera.h"
 #include "tests/render/gl/drawn.h"
 
 #include <gtest/gtest.h>

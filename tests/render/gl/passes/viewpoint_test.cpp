@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/passes/viewpoint.h"
 
+#include "render/figure/orbit_camera.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/figure/figure.h"
+#include "render/figure/make_figure.h"
 
 #include "physics/body/euler.h"
 #include "render/palette.h"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "render/figure/figure.h"
+#include "render/figure/make_figure.h"
 
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
 #include "render/figure/omega_tip.h"
+#include "render/figure/orbit_camera.h"
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
