@@ -34,20 +34,23 @@ Assumption assumption_named(const std::string& modulo) {
 /// An answer that reads and has the right type, against the lesson's.
 class ExpressionJudge {
  public:
-  ExpressionJudge(const Expression& answer, const Ask& ask, const Prover& prover)
-      : answer_(answer), ask_(ask), prover_(prover), assumption_(assumption_named(ask.modulo)) {}
+  ExpressionJudge(const Expression& answer, const Question& question, const Prover& prover)
+      : answer_(answer),
+        question_(question),
+        prover_(prover),
+        assumption_(assumption_named(question.modulo)) {}
 
   AnswerJudgement judge() const {
     if (const auto refused = unasked_derivative()) return *refused;
     if (equals(answer_, assumption_)) return right();
     AnswerJudgement judgement = reason();
-    judgement.counterexample = prover_.refute({answer_, *ask_.expression}, assumption_);
+    judgement.counterexample = prover_.refute({answer_, *question_.expression}, assumption_);
     return judgement;
   }
 
  private:
   bool equals(const Expression& variant, Assumption assumption) const {
-    return prover_.settle({variant, *ask_.expression}, assumption) == Verdict::holds;
+    return prover_.settle({variant, *question_.expression}, assumption) == Verdict::holds;
   }
   bool equals(const Expression& variant) const { return equals(variant, assumption_); }
 
@@ -60,7 +63,7 @@ class ExpressionJudge {
 
   /// ddt(T) is no answer to what dT/dt is.
   std::optional<AnswerJudgement> unasked_derivative() const {
-    if (std::any_of(ask_.expression->nodes.begin(), ask_.expression->nodes.end(), is_rate))
+    if (std::any_of(question_.expression->nodes.begin(), question_.expression->nodes.end(), is_rate))
       return std::nullopt;
     const auto found = std::find_if(answer_.nodes.begin(), answer_.nodes.end(), is_rate);
     if (found == answer_.nodes.end()) return std::nullopt;
@@ -88,7 +91,7 @@ class ExpressionJudge {
 
   /// Then that an answer is right without torque says nothing.
   bool vanishes_without_torque() const {
-    return prover_.settle({*ask_.expression, zero_expression()}, Assumption::free) == Verdict::holds;
+    return prover_.settle({*question_.expression, zero_expression()}, Assumption::free) == Verdict::holds;
   }
 
   std::optional<AnswerJudgement> one_term() const {
@@ -126,12 +129,12 @@ class ExpressionJudge {
   }
 
   const Expression& answer_;
-  const Ask& ask_;
+  const Question& question_;
   const Prover& prover_;
   Assumption assumption_;
 };
 
-AnswerJudgement judge_expression(const Ask& ask, std::string_view text, const Prover& prover) {
+AnswerJudgement judge_expression(const Question& question, std::string_view text, const Prover& prover) {
   const SourceText source(text);
   Report report(source, "");
   if (source.line_count() > 1) return unreadable("an answer is one line");
@@ -144,10 +147,10 @@ AnswerJudgement judge_expression(const Ask& ask, std::string_view text, const Pr
     return unreadable("a length is a root, and a proof has none", "write norm2(a) for a·a");
   if (prover.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
     return unreadable("this is nowhere defined", "is something divided by 0?");
-  if (!fit(answer->type(), ask.expression->type()))
-    return wrong("wrong type: " + std::string(name_of(ask.expression->type())) + " is asked for, this is " +
-                 std::string(name_of(answer->type())));
-  return ExpressionJudge(*answer, ask, prover).judge();
+  if (!fit(answer->type(), question.expression->type()))
+    return wrong("wrong type: " + std::string(name_of(question.expression->type())) +
+                 " is asked for, this is " + std::string(name_of(answer->type())));
+  return ExpressionJudge(*answer, question, prover).judge();
 }
 
 /// The choices that a text names, from 1, by letters or numbers; nothing if it names anything else.
@@ -179,26 +182,26 @@ std::string letters_of(std::size_t count) {
   return std::string("A to ") + letter_of_choice(count - 1) + " or 1 to " + std::to_string(count);
 }
 
-AnswerJudgement judge_choice(const Ask& ask, std::string_view text) {
-  const auto choices = read_choices(text, ask.choices.size());
+AnswerJudgement judge_choice(const Question& question, std::string_view text) {
+  const auto choices = read_choices(text, question.choices.size());
   if (!choices || choices->size() != 1)
-    return unreadable("the answer is one of the choices, " + letters_of(ask.choices.size()));
-  if (*choices == ask.answers) return right();
+    return unreadable("the answer is one of the choices, " + letters_of(question.choices.size()));
+  if (*choices == question.answers) return right();
   return wrong(std::string(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1))) +
                " is not it");
 }
 
-AnswerJudgement judge_order(const Ask& ask, std::string_view text) {
-  const auto choices = read_choices(text, ask.choices.size());
+AnswerJudgement judge_order(const Question& question, std::string_view text) {
+  const auto choices = read_choices(text, question.choices.size());
   auto sorted = choices.value_or(std::vector<int>());
   std::sort(sorted.begin(), sorted.end());
-  const bool all_once =
-      sorted.size() == ask.choices.size() && std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  const bool all_once = sorted.size() == question.choices.size() &&
+                        std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
   if (!all_once)
     return unreadable("the answer names every choice once, in their order: " +
-                      letters_of(ask.choices.size()));
-  if (*choices == ask.answers) return right();
-  const auto parting = std::mismatch(choices->begin(), choices->end(), ask.answers.begin()).first;
+                      letters_of(question.choices.size()));
+  if (*choices == question.answers) return right();
+  const auto parting = std::mismatch(choices->begin(), choices->end(), question.answers.begin()).first;
   const auto right = parting - choices->begin();
   return wrong("place " + std::to_string(right + 1) + " is not right" +
                (right == 0   ? ""
@@ -208,20 +211,20 @@ AnswerJudgement judge_order(const Ask& ask, std::string_view text) {
 
 }  // namespace
 
-AnswerJudgement judge_answer(const Ask& ask, std::string_view answer, const Prover& prover) {
-  if (ask.type == Ask::Type::expression) return judge_expression(ask, answer, prover);
-  if (ask.type == Ask::Type::order) return judge_order(ask, answer);
-  return judge_choice(ask, answer);
+AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover) {
+  if (question.type == Question::Type::expression) return judge_expression(question, answer, prover);
+  if (question.type == Question::Type::order) return judge_order(question, answer);
+  return judge_choice(question, answer);
 }
 
-std::string_view form_of_answer(Ask::Type type) {
+std::string_view form_of_answer(Question::Type type) {
   switch (type) {
-    case Ask::Type::expression:
+    case Question::Type::expression:
       return "2*a*(b - c)";
-    case Ask::Type::order:
+    case Question::Type::order:
       return "X Y Z";
-    case Ask::Type::choice:
-    case Ask::Type::predict:
+    case Question::Type::choice:
+    case Question::Type::predict:
       return "";
   }
   return "";

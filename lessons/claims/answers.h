@@ -1,14 +1,28 @@
 // SPDX-License-Identifier: MIT
-// What is to be said of a learner's answer.
+// Questions, and what is to be said of a learner's answer.
 #pragma once
 
 #include "lessons/claims/proof.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace polhode {
+
+/// What is asked, and the answer.
+struct Question {
+  enum class Type { expression, choice, predict, order };
+  Type type = Type::expression;
+  std::vector<std::string> choices;
+  std::optional<Expression> expression;  ///< the answer, of type expression
+  std::vector<int> answers;              ///< the answer, of other types: 1-based, one index or all in order
+  std::string modulo;                    ///< identity | motion | free; of expressions
+};
+
+/// Choices are called A, B, C … wherever they are shown or read; there are at most 16.
+constexpr char letter_of_choice(std::size_t index) { return static_cast<char>('A' + index); }
 
 struct AnswerJudgement {
   enum class Outcome { right, wrong, unreadable };
@@ -25,10 +39,10 @@ struct AnswerJudgement {
 /// signs, the sign of one term, a term too many, a constant factor, indices mixed up, what holds only along
 /// motions or without torque. Choices: a number from 1, or a letter; an order: all of them, with or without
 /// commas or spaces between. Up to some 50 ms.
-AnswerJudgement judge_answer(const Ask& ask, std::string_view answer, const Prover& prover);
+AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover);
 
 /// How such an answer is written, for an empty box and for help: of letters that no quantity and no choice
 /// has, so that it answers no question, neither right nor wrong. Of choices, which are taken, empty.
-std::string_view form_of_answer(Ask::Type type);
+std::string_view form_of_answer(Question::Type type);
 
 }  // namespace polhode

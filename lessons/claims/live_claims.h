@@ -8,7 +8,7 @@
 #pragma once
 
 #include "lessons/claims/claim_state.h"
-#include "lessons/reader/lesson.h"
+#include "lessons/claims/claim.h"
 #include "render/scene/model/model.h"
 
 #include <optional>

@@ -20,7 +20,7 @@
 #pragma once
 
 #include "lessons/claims/claim_state.h"
-#include "lessons/reader/lesson.h"
+#include "lessons/claims/claim.h"
 
 #include <optional>
 #include <string>

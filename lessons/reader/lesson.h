@@ -4,7 +4,8 @@
 // places in the latter count bytes of Lesson::source.
 #pragma once
 
-#include "lessons/claims/expression.h"
+#include "lessons/claims/answers.h"
+#include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"
@@ -35,23 +36,6 @@ struct Equation {
   std::vector<Expression> live{};  ///< of its \live numbers: scalars
 };
 
-enum class ClaimKind { identity, definition, law, motion, free, is_false, measured, non_sequitur };
-std::string_view name_of(ClaimKind kind);
-
-/// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. proof.h settles it.
-struct ClaimLine {
-  Equality equality;                   ///< of a non-sequitur the premise
-  std::optional<Equality> conclusion;  ///< of a non-sequitur
-  std::optional<double> within;        ///< of `measured`: relative tolerance after the word
-  SourcePlace place;
-};
-struct Claim {
-  std::string equation;  ///< id of an equation of the same stage
-  ClaimKind kind = ClaimKind::identity;
-  std::vector<ClaimLine> lines;
-  SourcePlace place;
-};
-
 /// What the lecture said, or meant: a block quote that opens with [!said] or [!meant].
 struct Callout {
   enum class Kind { said, meant } kind = Kind::said;
@@ -60,24 +44,16 @@ struct Callout {
   SourcePlace place;
 };
 
-struct Ask {
-  enum class Type { expression, choice, predict, order };
+/// A question as it stands on a page: ```ask ID.
+struct Ask : Question {
   std::string id;
-  Type type = Type::expression;
   std::string prompt;
   RichText prompt_text;
-  std::vector<std::string> choices;
   std::vector<RichText> choice_texts;
-  std::optional<Expression> expression;  ///< the answer, of type expression
-  std::vector<int> answers;              ///< the answer, of other types: 1-based, one index or all in order
-  std::string modulo;                    ///< identity | motion | free; of expressions
   std::vector<std::string> hints;
   std::vector<RichText> hint_texts;
   SourcePlace place;
 };
-
-/// Choices are called A, B, C … wherever they are shown or read; there are at most 16.
-constexpr char letter_of_choice(std::size_t index) { return static_cast<char>('A' + index); }
 
 using Block = std::variant<Prose, Equation, Claim, Callout, Ask>;
 

@@ -22,22 +22,22 @@ const Prover& prover() {
   return one;
 }
 
-Ask asking(const std::string& answer, const std::string& modulo) {
+Question asking(const std::string& answer, const std::string& modulo) {
   testing::TextReport at(answer);
-  Ask ask;
-  ask.type = Ask::Type::expression;
+  Question ask;
+  ask.type = Question::Type::expression;
   ask.modulo = modulo;
   ask.expression = read_expression(at.text, {1, 1}, at.report);
   EXPECT_TRUE(ask.expression) << answer;
   return ask;
 }
 
-AnswerJudgement judged(const Ask& ask, const std::string& answer) {
+AnswerJudgement judged(const Question& ask, const std::string& answer) {
   return judge_answer(ask, answer, prover());
 }
 
-Ask choosing(Ask::Type type, std::vector<int> answers, std::size_t choices) {
-  Ask ask;
+Question choosing(Question::Type type, std::vector<int> answers, std::size_t choices) {
+  Question ask;
   ask.type = type;
   ask.choices.assign(choices, "text");
   ask.answers = std::move(answers);
@@ -45,7 +45,7 @@ Ask choosing(Ask::Type type, std::vector<int> answers, std::size_t choices) {
 }
 
 TEST(JudgeAnswer, TakesEveryFormOfTheSameExpression) {
-  const Ask ask = asking("w3*w1*(I1 - I3)", "identity");
+  const Question ask = asking("w3*w1*(I1 - I3)", "identity");
   for (const char* answer : {"w3*w1*(I1 - I3)", "w1*w3*I1 - I3*w3*w1", "-(I3-I1)*w1*w3",
                              "comp(cross(omega, L), 2)", "2*w1*(I1 - I3)*w3/2"})
     EXPECT_EQ(judged(ask, answer).outcome, Outcome::right) << answer;
@@ -109,17 +109,17 @@ TEST(JudgeAnswer, SaysWhatCannotBeReadAndWhere) {
 }
 
 TEST(JudgeAnswer, ChoicesGoByLetterOrNumber) {
-  const Ask ask = choosing(Ask::Type::choice, {2}, 3);
+  const Question ask = choosing(Question::Type::choice, {2}, 3);
   for (const char* right : {"B", "b", "2", " 2 "})
     EXPECT_EQ(judged(ask, right).outcome, Outcome::right) << right;
   EXPECT_EQ(judged(ask, "C").reason, "C is not it");
   for (const char* no : {"", "D", "0", "4", "two", "A B", "99999999999999999999", "-1"})
     EXPECT_EQ(judged(ask, no).outcome, Outcome::unreadable) << no;
-  EXPECT_EQ(judged(choosing(Ask::Type::predict, {1}, 2), "A").outcome, Outcome::right);
+  EXPECT_EQ(judged(choosing(Question::Type::predict, {1}, 2), "A").outcome, Outcome::right);
 }
 
 TEST(JudgeAnswer, AnOrderNamesEveryChoiceOnce) {
-  const Ask ask = choosing(Ask::Type::order, {3, 1, 2}, 3);
+  const Question ask = choosing(Question::Type::order, {3, 1, 2}, 3);
   for (const char* right : {"CAB", "C A B", "3,1,2", "3 1 2", "c,A 2"})
     EXPECT_EQ(judged(ask, right).outcome, Outcome::right) << right;
   EXPECT_EQ(judged(ask, "A B C").reason, "place 1 is not right");
@@ -131,14 +131,14 @@ TEST(JudgeAnswer, AnOrderNamesEveryChoiceOnce) {
 TEST(FormOfAnAnswer, AnswersNoQuestionOfItsKind) {
   for (const char* right : {"w3*w1*(I1 - I3)", "cross(omega, L)", "0"}) {
     const AnswerJudgement form =
-        judged(asking(right, "motion"), std::string(form_of_answer(Ask::Type::expression)));
+        judged(asking(right, "motion"), std::string(form_of_answer(Question::Type::expression)));
     EXPECT_EQ(form.outcome, Outcome::unreadable) << right;
     EXPECT_THAT(form.reason, HasSubstr("unknown symbol")) << "it is written as expressions are";
   }
   for (std::size_t choices = 2; choices <= kMaxChoices; ++choices) {
     std::vector<int> in_order(choices);
     std::iota(in_order.begin(), in_order.end(), 1);
-    const Ask order = choosing(Ask::Type::order, in_order, choices);
+    const Question order = choosing(Question::Type::order, in_order, choices);
     EXPECT_EQ(judged(order, std::string(form_of_answer(order.type))).outcome, Outcome::unreadable) << choices;
   }
 }
