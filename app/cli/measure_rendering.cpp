@@ -3,6 +3,7 @@
 
 #include "app/cli/progress.h"
 #include "app/export/plot_file.h"
+#include "app/page/figure_place.h"
 #include "base/files/atomic_file.h"
 #include "base/numbers.h"
 #include "render/figure/make_figure.h"

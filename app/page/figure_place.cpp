@@ -151,6 +151,18 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
   return placed;
 }
 
+Quality quality_of(QualityLevel level) {
+  switch (level) {
+    case QualityLevel::draft:
+      return {.samples = 0};
+    case QualityLevel::fine:
+      return {.supersampling = 2};
+    case QualityLevel::normal:
+      break;
+  }
+  return {};
+}
+
 double caption_px_of(Size size) {
   constexpr double kCaptionSize = 0.029;  // as of figures in space
   return kCaptionSize * std::min<double>(size.height, size.width * 9.0 / 16.0);

@@ -9,6 +9,10 @@
 
 namespace polhode {
 
+/// What a user chooses from: draft has meshes with jagged edges, fine 2 x 2 times the pixels. What they cost:
+/// `polhode measure --rendering`.
+Quality quality_of(QualityLevel level);
+
 struct FigurePlace {
   PixelRect rect{};
   double caption_px = 0;  ///< em of the caption, > 0; all other type goes with it

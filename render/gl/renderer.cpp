@@ -268,18 +268,6 @@ Result<std::unique_ptr<Renderer>> GlRenderer::create(const Gl& table) {
 
 }  // namespace
 
-Quality quality_of(QualityLevel level) {
-  switch (level) {
-    case QualityLevel::draft:
-      return {.samples = 0};
-    case QualityLevel::fine:
-      return {.supersampling = 2};
-    case QualityLevel::normal:
-      break;
-  }
-  return {};
-}
-
 Result<std::unique_ptr<Renderer>> Renderer::create(const GlContext& context) {
   auto gl = Gl::load(context);
   if (!gl) return failure(gl.error());

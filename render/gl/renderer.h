@@ -32,10 +32,6 @@ struct Quality {
   bool operator==(const Quality&) const = default;
 };
 
-/// What a user chooses from: draft has meshes with jagged edges, fine 2 x 2 times the pixels. What they cost:
-/// `polhode measure --rendering`.
-Quality quality_of(QualityLevel level);
-
 struct PixelRect {
   int x = 0, y = 0;  ///< of the upper left corner
   int width = 0, height = 0;

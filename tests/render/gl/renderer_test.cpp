@@ -198,7 +198,7 @@ TEST(Quality, FinerPicturesComeNearerToOneScene) {
     return mean_square(draw_at(drawn, scene, quality), reference);
   };
   const double rough = error({0, 1, false}), by_samples = error({4, 1, false}), soft = error({}),
-               fine = error(quality_of(QualityLevel::fine));
+               fine = error({.supersampling = 2});
   EXPECT_LT(by_samples, 0.5 * rough);
   EXPECT_LT(soft, by_samples) << "edges are smoother than by 4 samples";
   EXPECT_LT(fine, 0.5 * soft);
