@@ -14,6 +14,9 @@ namespace polhode {
 
 enum class ClaimKind { identity, definition, law, motion, free, is_false, measured, non_sequitur };
 std::string_view name_of(ClaimKind kind);
+/// Nothing if no kind has the name.
+std::optional<ClaimKind> claim_kind_from(std::string_view name);
+std::vector<std::string> claim_kind_names();
 
 /// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. proof.h settles it.
 struct ClaimLine {

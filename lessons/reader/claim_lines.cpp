@@ -11,8 +11,6 @@
 namespace polhode {
 namespace {
 
-constexpr std::array<std::string_view, 8> kKindNames = {"identity", "definition", "law",      "motion",
-                                                        "free",     "false",      "measured", "non-sequitur"};
 constexpr std::string_view kWithin = "within";
 constexpr std::string_view kImplies = "=>";
 
@@ -115,16 +113,6 @@ class ClaimLineReader {
 };
 
 }  // namespace
-
-std::string_view name_of(ClaimKind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
-
-std::optional<ClaimKind> claim_kind_from(std::string_view name) {
-  const auto found = std::find(kKindNames.begin(), kKindNames.end(), name);
-  if (found == kKindNames.end()) return std::nullopt;
-  return static_cast<ClaimKind>(found - kKindNames.begin());
-}
-
-std::vector<std::string> claim_kind_names() { return {kKindNames.begin(), kKindNames.end()}; }
 
 std::vector<ClaimLine> read_claim_lines(const SourceText& source, int first_line, int last_line,
                                         ClaimKind kind, Report& report) {

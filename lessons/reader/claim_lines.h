@@ -2,18 +2,14 @@
 // The lines of a ```claim fence.
 #pragma once
 
+#include "lessons/claims/claim.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/diagnostics/source_text.h"
-#include "lessons/reader/lesson.h"
 
 #include <string_view>
 #include <vector>
 
 namespace polhode {
-
-/// Nothing if no kind has the name.
-std::optional<ClaimKind> claim_kind_from(std::string_view name);
-std::vector<std::string> claim_kind_names();
 
 /// Lines of one claim that are read at most.
 inline constexpr std::size_t kMaxClaimLines = 64;
