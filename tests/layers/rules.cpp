@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace polhode::layers {
@@ -12,11 +13,11 @@ namespace {
 
 using Names = std::vector<std::string_view>;
 
-/// A layer is the folder its files are in; the first row whose folder starts a path is that file's layer.
-struct Layer {
+/// A room is the folder its files are in; the first row whose folder starts a path is that file's room.
+struct Room {
   std::string_view folder;
-  Names ours;     ///< what it may include of ours, by how the name starts
-  Names outside;  ///< and of other libraries; the C++ standard library is everybody's
+  Names sees;     ///< rooms whose headers it may reach, directly or through others; its own always
+  Names outside;  ///< and of other libraries what it may include; the C++ standard library is everybody's
   Names never;    ///< but for these headers of it
   bool is_library = true;
 };
@@ -30,33 +31,33 @@ Names operator+(Names a, const Names& b) {
   return a;
 }
 
-/// Small headers that every layer of render/ and above it shares.
-const Names kShared = {"base/result.h", "base/color.h", "base/printable.h"};
-
-const std::vector<Layer>& layers() {
-  static const Names kProgram = {"app/", "lessons/", "render/", "physics/"};
-  static const Names kProgramLibraries =
-      Names{"CLI/", "fmt/", "nlohmann/", "sha256.h", "qpdf/", "Eigen/"} + kPosix;
-  static const std::vector<Layer> kLayers = {
-      {"physics/", {"physics/"}, {"Eigen/"}, kConsoleAndFiles},
-      {"base/result.h", {}, {}, kConsoleAndFiles},
-      {"base/color.h", {}, {}, kConsoleAndFiles},
-      {"base/printable.h", {}, {}, kConsoleAndFiles},
-      {"render/scene/",
-       Names{"physics/", "render/scene/", "render/type/"} + kShared,
+/// Lowest first. Each list is whole: what a room sees through another stands in it too.
+const std::vector<Room>& rooms() {
+  static const Names kScene = {"render/scene/", "physics/", "base/"};
+  static const Names kClaims = Names{"lessons/claims/", "lessons/diagnostics/"} + kScene;
+  static const Names kProgram = {"app/", "lessons/", "render/", "physics/", "base/"};
+  static const Names kProgramLibraries = Names{"CLI/", "fmt/", "nlohmann/", "qpdf/", "Eigen/"} + kPosix;
+  static const std::vector<Room> kRooms = {
+      {"base/files/", {"base/"}, kPosix, kConsole},
+      {"base/", {}, {"Eigen/", "sha256.h", "sys/types.h"}, kConsoleAndFiles},
+      {"physics/", {"base/"}, {"Eigen/"}, kConsoleAndFiles},
+      {"render/scene/", {"physics/", "base/"}, {"Eigen/"}, kConsoleAndFiles},
+      {"render/typeset/", {"base/"}, {"ft2build.h", "freetype/", "FT_", "hb"}, kConsole},
+      {"render/figure/", Names{"render/palette.h"} + kScene, {"Eigen/"}, kConsoleAndFiles},
+      {"render/drawing/",
+       Names{"render/palette.h", "render/typeset/"} + kScene,
        {"Eigen/"},
        kConsoleAndFiles},
-      {"render/type/", Names{"render/type/"} + kShared, {"ft2build.h", "freetype/", "FT_", "hb"}, kConsole},
-      {"render/image/",
-       {"render/image/", "base/result.h"},
-       Names{"png.h", "zlib.h", "libdeflate.h", "isa-l/", "webp/"} + kPosix,
-       kConsole},
+      {"render/image/", {"base/"}, Names{"png.h", "zlib.h", "libdeflate.h", "isa-l/", "webp/"}, kConsole},
       {"render/gl/",
-       Names{"render/gl/", "render/scene/", "render/type/", "render/image/", "physics/body/types.h"} +
-           kShared,
-       Names{"Eigen/", "GL/", "EGL/", "KHR/"} + kPosix, kConsole},
-      {"lessons/",
-       Names{"lessons/", "physics/", "render/scene/", "render/type/"} + kShared,
+       {"render/figure/", "render/drawing/", "render/palette.h", "render/typeset/", "render/image/", "base/"},
+       Names{"Eigen/", "GL/", "EGL/", "KHR/"} + kPosix,
+       kConsole},
+      {"render/palette", {"base/"}, {}, kConsoleAndFiles},
+      {"lessons/diagnostics/", {"base/"}, {}, kConsoleAndFiles},
+      {"lessons/claims/", Names{"lessons/diagnostics/"} + kScene, {"Eigen/"}, kConsoleAndFiles},
+      {"lessons/reader/",
+       Names{"render/typeset/"} + kClaims,
        {"Eigen/", "md4c.h", "toml++/"},
        kConsoleAndFiles},
       {"app/window",
@@ -84,17 +85,17 @@ const std::vector<Layer>& layers() {
        {},
        false},
   };
-  return kLayers;
+  return kRooms;
 }
 
 bool starts_with_any(std::string_view name, const Names& starts) {
   return std::ranges::any_of(starts, [&](std::string_view start) { return name.starts_with(start); });
 }
 
-const Layer* layer_of(std::string_view path) {
+const Room* room_of(std::string_view path) {
   const auto found =
-      std::ranges::find_if(layers(), [&](const Layer& layer) { return path.starts_with(layer.folder); });
-  return found == layers().end() ? nullptr : &*found;
+      std::ranges::find_if(rooms(), [&](const Room& room) { return path.starts_with(room.folder); });
+  return found == rooms().end() ? nullptr : &*found;
 }
 
 /// Headers of the C++ standard library have neither a folder nor an ending.
@@ -102,9 +103,13 @@ bool is_standard(std::string_view name) {
   return name.find_first_of("./") == name.npos && !name.starts_with("FT_");
 }
 
-bool may_include(const Layer& layer, std::string_view name) {
-  if (is_standard(name)) return std::ranges::find(layer.never, name) == layer.never.end();
-  return starts_with_any(name, layer.ours) || starts_with_any(name, layer.outside);
+bool may_reach(const Room& room, std::string_view path) {
+  return path.starts_with(room.folder) || starts_with_any(path, room.sees);
+}
+
+bool may_include(const Room& room, std::string_view name) {
+  if (is_standard(name)) return std::ranges::find(room.never, name) == room.never.end();
+  return may_reach(room, name) || starts_with_any(name, room.outside);
 }
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -196,17 +201,53 @@ std::vector<Include> includes_of(std::string_view text) {
 }
 
 std::vector<Finding> broken_rules(const std::string& path, std::string_view text) {
-  const Layer* layer = layer_of(path);
-  if (!layer) return {{path, 1, "in no layer: give its folder a row in tests/layers/rules.cpp"}};
+  const Room* room = room_of(path);
+  if (!room) return {{path, 1, "in no room: give its folder a row in tests/layers/rules.cpp"}};
 
   std::vector<Finding> findings;
   for (const Include& include : includes_of(text)) {
-    if (may_include(*layer, include.name)) continue;
-    findings.push_back({path, include.line, std::string(layer->folder) + " may not include " + include.name});
+    if (may_include(*room, include.name)) continue;
+    findings.push_back({path, include.line, std::string(room->folder) + " may not include " + include.name});
   }
-  if (layer->is_library) check_printing(path, code_of(text), findings);
+  if (room->is_library) check_printing(path, code_of(text), findings);
   if (path.ends_with(".h") && text.find("#pragma once") == text.npos) {
     findings.push_back({path, 1, "a header begins with #pragma once"});
+  }
+  return findings;
+}
+
+std::vector<Finding> broken_closures(const std::map<std::string, std::string>& sources) {
+  std::map<std::string, std::vector<Include>> ours;  // of each file those that are files of ours
+  for (const auto& [path, text] : sources)
+    for (Include& include : includes_of(text))
+      if (sources.contains(include.name)) ours[path].push_back(std::move(include));
+
+  std::vector<Finding> findings;
+  for (const auto& [path, direct] : ours) {
+    const Room* room = room_of(path);
+    if (!room) continue;
+    for (const Include& first : direct) {
+      // From header to header, each once; the way there is for the reader of the message.
+      std::vector<std::vector<std::string>> ways = {{first.name}};
+      std::set<std::string> seen = {first.name};
+      for (std::size_t i = 0; i < ways.size(); ++i) {
+        const std::string& reached = ways[i].back();
+        if (i > 0 && !may_reach(*room, reached)) {
+          std::string way = path;
+          for (const std::string& step : ways[i]) way += " -> " + step;
+          findings.push_back({path, first.line, std::string(room->folder) + " may not reach " + way});
+          break;
+        }
+        const auto further = ours.find(reached);
+        if (further == ours.end()) continue;
+        for (const Include& next : further->second) {
+          if (!seen.insert(next.name).second) continue;
+          std::vector<std::string> way = ways[i];
+          way.push_back(next.name);
+          ways.push_back(std::move(way));
+        }
+      }
+    }
   }
   return findings;
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The arrows of ARCHITECTURE.md as rules on source text: which layer may include what, and what libraries
-// never do. To let a layer see something new, add it to the table in rules.cpp, and to ARCHITECTURE.md.
+// The arrows of ARCHITECTURE.md as rules on source text: which room may reach which, and what libraries never
+// do. To let a room see another, add that to the table in rules.cpp, and to ARCHITECTURE.md.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,8 +33,12 @@ std::string code_of(std::string_view text);
 std::vector<Include> includes_of(std::string_view text);
 
 /// Everything in the C++ file at `path` (relative to the repository) that breaks a rule: an include that its
-/// layer may not see, a library that prints or exits, a header without `#pragma once`.
+/// room may not see, a library that prints or exits, a header without `#pragma once`.
 std::vector<Finding> broken_rules(const std::string& path, std::string_view text);
+
+/// Every file that reaches, through the headers it includes, one that its room may not see. `sources`: all
+/// files by their paths, and their texts.
+std::vector<Finding> broken_closures(const std::map<std::string, std::string>& sources);
 
 /// Whether the licence is named on the first line, or on the second below `#!`.
 bool names_licence(std::string_view text);

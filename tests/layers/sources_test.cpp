@@ -29,7 +29,7 @@ std::string text_of(const fs::path& path) {
 std::vector<Source> sources(const std::vector<std::string>& endings) {
   const fs::path root = POLHODE_SOURCE_DIR;
   std::vector<Source> found;
-  for (const char* folder : {"app", "assets", "cmake", "lessons", "physics", "render", "tests"}) {
+  for (const char* folder : {"app", "assets", "base", "cmake", "lessons", "physics", "render", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string path = fs::relative(entry.path(), root).generic_string();
       const auto ends = [&](const std::string& ending) { return path.ends_with(ending); };
@@ -41,7 +41,7 @@ std::vector<Source> sources(const std::vector<std::string>& endings) {
   return found;
 }
 
-TEST(Sources, KeepTheArrowsBetweenTheLayers) {
+TEST(Sources, KeepTheArrowsBetweenTheRooms) {
   const std::vector<Source> files = sources({".h", ".cpp"});
   ASSERT_GT(files.size(), 40u) << "looked in " << POLHODE_SOURCE_DIR;
   for (const Source& file : files) {
@@ -49,6 +49,13 @@ TEST(Sources, KeepTheArrowsBetweenTheLayers) {
       ADD_FAILURE() << finding.file << ':' << finding.line << ": " << finding.message;
     }
   }
+}
+
+TEST(Sources, KeepTheArrowsThroughTheirHeaders) {
+  std::map<std::string, std::string> files;
+  for (Source& file : sources({".h", ".cpp"})) files.emplace(std::move(file.path), std::move(file.text));
+  for (const Finding& finding : broken_closures(files))
+    ADD_FAILURE() << finding.file << ':' << finding.line << ": " << finding.message;
 }
 
 TEST(Sources, NameTheirLicence) {
