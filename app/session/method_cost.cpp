@@ -168,27 +168,9 @@ const std::vector<ParetoStep>& FrontMeasurement::steps() {
 }
 
 RequirementWords requirement_words(const SceneModel& model) {
-  using R = Requirements;
-  static constexpr std::pair<bool R::*, const char*> kWords[] = {
-      {&R::omega, "ω(t)"},
-      {&R::attitude, "attitude"},
-      {&R::polhode, "polhode"},
-      {&R::polhode_family, "family of polhodes"},
-      {&R::separatrix, "separatrices"},
-      {&R::herpolhode, "herpolhode"},
-      {&R::trail_L, "trail of L"},
-      {&R::trail_omega, "trail of ω"},
-      {&R::cones, "cones"},
-      {&R::solid, "shape of the body"},
-      {&R::meters, "plots against time"},
-      {&R::terms, "lengths of the terms"},
-      {&R::ghost, "exact motion beside it"},
-      {&R::methods, "table of methods"},
-      {&R::orders, "orders of the methods"},
-  };
   RequirementWords words;
-  for (const auto& [part, word] : kWords)
-    (model.needs.*part ? words.computed : words.left_out).push_back(word);
+  for (const RequirementFacts& facts : requirement_facts())
+    (model.needs.*facts.part ? words.computed : words.left_out).emplace_back(facts.words);
   return words;
 }
 

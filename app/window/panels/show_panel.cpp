@@ -78,7 +78,7 @@ void draw_show(Desk& desk) {
   if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
   const auto offer_all = [&](bool boards) {
     for (int i = 0; i < kOverlayCount; ++i)
-      if (const auto overlay = static_cast<Overlay>(i); is_board(overlay) == boards)
+      if (const auto overlay = static_cast<Overlay>(i); is_diagram(overlay) == boards)
         offer_overlay(desk, overlay);
   };
   offer_all(false);

@@ -47,11 +47,11 @@ std::vector<Overlay> those(const OverlaySet& drawn, bool (*wanted)(Overlay)) {
 
 }  // namespace
 
-std::vector<Overlay> boards_in(const OverlaySet& drawn) { return those(drawn, is_board); }
+std::vector<Overlay> boards_in(const OverlaySet& drawn) { return those(drawn, is_diagram); }
 
 bool shows_space(const OverlaySet& drawn) {
   const auto in_space = [](Overlay o) {
-    return !is_board(o) && o != Overlay::labels && o != Overlay::values;
+    return !is_diagram(o) && o != Overlay::labels && o != Overlay::values;
   };
   return boards_in(drawn).empty() || !those(drawn, in_space).empty();
 }

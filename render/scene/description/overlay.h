@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What a scene can show. To add an overlay: one line here, one in overlay.cpp's table, one builder in
-// builders/.
+// What a scene can show. To add an overlay: its name here, its row in overlay.cpp, and the builder that draws
+// it (render/figure/builders/ in space, render/drawing/diagrams/ on paper).
 #pragma once
 
+#include "render/scene/description/requirements.h"
+
+#include <array>
 #include <bitset>
 #include <optional>
 #include <string>
@@ -50,8 +53,38 @@ enum class Overlay {
 };
 inline constexpr int kOverlayCount = static_cast<int>(Overlay::order_plot) + 1;
 
-/// Flat figures (boards/boards.h): they come last in the enumeration.
-constexpr bool is_board(Overlay overlay) { return overlay >= Overlay::tensor_bars; }
+/// What has to hold of a scene for there to be something to see; several are added up.
+enum class SeenIf : unsigned {
+  always = 0,
+  free = 1,         ///< no torque acts: polhode, herpolhode, cones and invariable plane belong to free motion
+  torque = 2,       ///< a torque acts
+  moves = 4,        ///< not at rest without torque
+  space_view = 8,   ///< seen from space
+  L_down = 16,      ///< L points down: only there is the invariable plane level
+  translates = 32,  ///< the centre of mass moves
+  force = 64,       ///< a force acts on the centre of mass
+  pivot = 128,      ///< the body is a heavy top
+};
+constexpr SeenIf operator|(SeenIf a, SeenIf b) {
+  return static_cast<SeenIf>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+
+/// In which views the attitude is needed to draw it.
+enum class AttitudeIn { none, space, body, both };
+
+struct OverlayFacts {
+  Overlay overlay;
+  std::string_view name;   ///< in lessons
+  std::string_view words;  ///< in alternative texts; empty: it only says more of the rest
+  SeenIf seen_if = SeenIf::always;
+  AttitudeIn attitude = AttitudeIn::none;
+  /// Parts of the model; null: no more.
+  std::array<bool Requirements::*, 3> needs = {};
+  bool is_diagram = false;      ///< flat, with a place of its own (render/drawing/diagrams/)
+  bool stays_in_turns = false;  ///< also where the body is turned by hand, and has no motion (turn_orders)
+};
+const OverlayFacts& facts_of(Overlay overlay);
+inline bool is_diagram(Overlay overlay) { return facts_of(overlay).is_diagram; }
 
 /// "energy-ellipsoid", "omega", "L", ... as in lessons and in `info`.
 std::string_view name_of(Overlay overlay);

@@ -280,30 +280,36 @@ double herpolhode_span_s(const Scene& scene) {
   return scene.duration_s.value_or(kHerpolhodePeriods * natural_span(scene));
 }
 
-OverlaySet drawn_overlays(const Scene& scene) {
-  using O = Overlay;
-  OverlaySet drawn = scene.show;
-  const auto erase = [&](std::initializer_list<Overlay> overlays) {
-    for (Overlay o : overlays) drawn.erase(o);
-  };
+namespace {
+
+/// What holds of a scene, of all that overlays may ask for.
+SeenIf what_holds(const Scene& scene) {
+  SeenIf holds = SeenIf::always;
+  const auto if_so = [&](bool so, SeenIf what) { holds = so ? holds | what : holds; };
   const AttitudeSpec attitude = scene.attitude.value_or(LPoints::down);
   const LPoints* points = std::get_if<LPoints>(&attitude);
-  if (!points || *points != LPoints::down) erase({O::plane});
-  if (!contains(scene.views, View::space)) erase({O::plane, O::herpolhode});
-  if (!scene.torque.empty()) erase({O::plane, O::polhode, O::herpolhode, O::cones});
-  if (scene.torque.empty()) erase({O::N});
-  if (!drifts(scene)) erase({O::p, O::v});
-  if (scene.F_S.isZero(0.0)) erase({O::F});
-  if (heavy_top_of(scene) == nullptr) erase({O::pivot});
-  if (scene.show.contains(O::turn_orders)) {  // they turn by themselves: there is no motion to show
-    drawn = {O::turn_orders};
-    for (Overlay o : {O::shape, O::axes_body, O::axes_space, O::labels})
-      if (scene.show.contains(o)) drawn.insert(o);
+  if_so(scene.torque.empty(), SeenIf::free);
+  if_so(!scene.torque.empty(), SeenIf::torque);
+  if_so(!scene.torque.empty() || !scene.w0_B.isZero(0.0), SeenIf::moves);
+  if_so(contains(scene.views, View::space), SeenIf::space_view);
+  if_so(points && *points == LPoints::down, SeenIf::L_down);
+  if_so(drifts(scene), SeenIf::translates);
+  if_so(!scene.F_S.isZero(0.0), SeenIf::force);
+  if_so(heavy_top_of(scene) != nullptr, SeenIf::pivot);
+  return holds;
+}
+
+}  // namespace
+
+OverlaySet drawn_overlays(const Scene& scene) {
+  const SeenIf holds = what_holds(scene);
+  const bool turns = scene.show.contains(Overlay::turn_orders);
+  OverlaySet drawn;
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const OverlayFacts& facts = facts_of(static_cast<Overlay>(i));
+    const bool is_seen = (facts.seen_if | holds) == holds && (!turns || facts.stays_in_turns);
+    if (is_seen && scene.show.contains(facts.overlay)) drawn.insert(facts.overlay);
   }
-  if (scene.torque.empty() && scene.w0_B.isZero(0.0))
-    erase({O::energy_ellipsoid, O::momentum_sphere, O::momentum_ellipsoid, O::omega, O::L, O::polhode,
-           O::polhode_family, O::separatrix, O::herpolhode, O::plane, O::trail_L, O::trail_omega, O::cones,
-           O::transport, O::terms});
   return drawn;
 }
 
@@ -330,36 +336,23 @@ Requirements requirements_of_figure(const Scene& scene) {
   const auto shown = [&](Overlay o) { return show.contains(o); };
   const bool in_space = contains(scene.views, View::space);
   const bool in_body = contains(scene.views, View::body);
-  const bool body_seen_from_space =
-      in_space &&
-      (shown(Overlay::shape) || shown(Overlay::energy_ellipsoid) || shown(Overlay::momentum_sphere) ||
-       shown(Overlay::momentum_ellipsoid) || shown(Overlay::omega) || shown(Overlay::L) ||
-       shown(Overlay::N) || shown(Overlay::axes_body) || shown(Overlay::polhode) ||
-       shown(Overlay::polhode_family) || shown(Overlay::separatrix) || shown(Overlay::cones) ||
-       shown(Overlay::terms) || shown(Overlay::pivot));
+  const bool turns = shown(Overlay::turn_orders);  // by a hand: no motion
   Requirements needs;
-  needs.polhode = shown(Overlay::polhode) || shown(Overlay::cones);
-  needs.polhode_family = shown(Overlay::polhode_family);
-  needs.separatrix = shown(Overlay::separatrix);
-  needs.herpolhode = in_space && (shown(Overlay::herpolhode) || shown(Overlay::cones));
-  needs.trail_L = shown(Overlay::trail_L);
-  needs.trail_omega = shown(Overlay::trail_omega);
-  needs.cones = shown(Overlay::cones);
-  needs.solid = shown(Overlay::shape) || shown(Overlay::turn_orders);
-  needs.terms = shown(Overlay::terms);
-  needs.attitude = (body_seen_from_space && !shown(Overlay::turn_orders)) || needs.herpolhode ||
-                   shown(Overlay::transport) || (in_body && drifts(scene)) ||
-                   (in_space && (needs.trail_L || needs.trail_omega)) ||
-                   (in_body && shown(Overlay::axes_space)) || shown(Overlay::tensor_bars) ||
-                   depends_on_attitude(scene.torque);
-  needs.omega = needs.attitude || shown(Overlay::omega) || shown(Overlay::L) || shown(Overlay::N) ||
-                needs.polhode || needs.terms || needs.trail_L || needs.trail_omega || shown(Overlay::plane) ||
-                shown(Overlay::values) || shown(Overlay::cofactors) || shown(Overlay::cyclic_wheel) ||
-                shown(Overlay::energy_rows) || shown(Overlay::momentum_rows);
-  needs.ghost = asks_for_ghost(scene) && (needs.solid || shown(Overlay::omega) || shown(Overlay::L)) &&
-                !shown(Overlay::turn_orders);
-  needs.methods = shown(Overlay::method_table);
-  needs.orders = shown(Overlay::order_plot);
+  for (int i = 0; i < kOverlayCount; ++i) {
+    const OverlayFacts& facts = facts_of(static_cast<Overlay>(i));
+    if (!shown(facts.overlay)) continue;
+    for (bool Requirements::*part : facts.needs)
+      if (part) needs.*part = true;
+    needs.attitude = needs.attitude || facts.attitude == AttitudeIn::both ||
+                     (facts.attitude == AttitudeIn::space && in_space && !turns) ||
+                     (facts.attitude == AttitudeIn::body && in_body);
+  }
+  needs.herpolhode = needs.herpolhode && in_space;
+  needs.attitude =
+      needs.attitude || needs.herpolhode || (in_body && drifts(scene)) || depends_on_attitude(scene.torque);
+  needs.omega = needs.omega || needs.attitude || needs.polhode;
+  needs.ghost =
+      asks_for_ghost(scene) && (needs.solid || shown(Overlay::omega) || shown(Overlay::L)) && !turns;
   return needs;
 }
 
@@ -373,29 +366,6 @@ Requirements requirements(const Scene& scene, Product product) {
     needs.attitude = needs.attitude || needs_attitude(meter, scene);
   }
   return needs;
-}
-
-std::vector<std::string> names_of(const Requirements& needs) {
-  std::vector<std::string> names;
-  const auto add = [&](bool needed, const char* name) {
-    if (needed) names.emplace_back(name);
-  };
-  add(needs.omega, "omega");
-  add(needs.attitude, "attitude");
-  add(needs.polhode, "polhode");
-  add(needs.polhode_family, "polhode-family");
-  add(needs.separatrix, "separatrix");
-  add(needs.herpolhode, "herpolhode");
-  add(needs.trail_L, "trail-L");
-  add(needs.trail_omega, "trail-omega");
-  add(needs.cones, "cones");
-  add(needs.solid, "solid");
-  add(needs.meters, "meters");
-  add(needs.terms, "terms");
-  add(needs.ghost, "ghost");
-  add(needs.methods, "methods");
-  add(needs.orders, "orders");
-  return names;
 }
 
 Problem problem_of(const Scene& scene) {

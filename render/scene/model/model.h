@@ -7,6 +7,7 @@
 #include "physics/effort.h"
 #include "physics/geometry/poinsot.h"
 #include "physics/motion.h"
+#include "render/scene/description/requirements.h"
 #include "render/scene/description/scene.h"
 #include "render/scene/model/method_table.h"
 
@@ -15,26 +16,6 @@
 #include <vector>
 
 namespace polhode {
-
-/// What the overlays and views of a scene ask of the physics.
-struct Requirements {
-  bool omega = false;     ///< ω_B(t)
-  bool attitude = false;  ///< q_SB(t)
-  bool polhode = false;   ///< curve through ω
-  bool polhode_family = false;
-  bool separatrix = false;
-  bool herpolhode = false;  ///< samples the motion with attitude
-  bool trail_L = false;
-  bool trail_omega = false;
-  bool cones = false;
-  bool solid = false;    ///< a shape to draw
-  bool meters = false;   ///< plots against time
-  bool terms = false;    ///< how long the terms of (6) become
-  bool ghost = false;    ///< the exact motion beside the computed one
-  bool methods = false;  ///< the table of methods
-  bool orders = false;   ///< the same at shorter and shorter steps
-  bool operator==(const Requirements&) const = default;
-};
 
 /// The overlays of a scene that there is something to see of. A polhode, herpolhode, cones and an invariable
 /// plane belong to torque-free motion; the plane and the herpolhode to the space view, the plane also to L
@@ -58,9 +39,6 @@ Problem problem_of(const Scene& scene);
 /// computed step by step is followed as far as a still reaches.
 /// @throws std::domain_error as make_model does, and what `effort` throws
 void check_scene(const Scene& scene, const Effort& effort = {});
-
-/// "omega", "attitude", "polhode", ...: for `info`.
-std::vector<std::string> names_of(const Requirements& needs);
 
 /// Everything a picture of the scene at any t can be made from. What is not required is empty and was not
 /// computed.

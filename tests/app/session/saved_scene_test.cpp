@@ -101,7 +101,7 @@ class Hand {
     if (once_in(6)) edits.attitude = once_in(2) ? LPoints::down : LPoints::up;
     if (once_in(2)) edits.motion = motion();
     for (int i = 0; i < kOverlayCount; ++i)
-      if (once_in(6) && !is_board(static_cast<Overlay>(i)))
+      if (once_in(6) && !is_diagram(static_cast<Overlay>(i)))
         set_shown(edits, scene, static_cast<Overlay>(i), once_in(2));
     if (once_in(2)) edits.views = views();
     if (once_in(2)) edits.camera = CameraSpec{number(), 0.5 * number(), 4 + number(), 2 + 0.5 * number()};

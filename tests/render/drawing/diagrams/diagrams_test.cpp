@@ -71,7 +71,7 @@ std::vector<std::string> texts_in_order(const Sheet& sheet) {
 TEST(Boards, ComeLastInTheEnumeration) {
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
-    EXPECT_EQ(is_board(overlay), std::ranges::find(kBoards, overlay) != std::end(kBoards))
+    EXPECT_EQ(is_diagram(overlay), std::ranges::find(kBoards, overlay) != std::end(kBoards))
         << name_of(overlay);
   }
 }
