@@ -34,7 +34,7 @@ class FigureMaker : public PictureMaker {
     const Size size = context_.options.size;
     const Background background = background_of(context_.options);
     const Quality quality = quality_of(context_.options.quality.value_or(picture.scene->quality));
-    if (!boards_in(model.drawn).empty()) return draw_with_boards(model, t_s, background, quality);
+    if (!diagrams_in(model.drawn).empty()) return draw_with_diagrams(model, t_s, background, quality);
     const double aspect = static_cast<double>(size.width) / size.height;
     return or_fail(context_.renderer.draw(make_figure(model, t_s, aspect), size, background, quality));
   }
@@ -52,9 +52,9 @@ class FigureMaker : public PictureMaker {
     return {model, t_s};
   }
 
-  /// Boards stand on a plain ground: paper instead of the studio.
-  Image draw_with_boards(const SceneModel& model, double t_s, const Background& background,
-                         const Quality& quality) {
+  /// Diagrams stand on a plain ground: paper instead of the studio.
+  Image draw_with_diagrams(const SceneModel& model, double t_s, const Background& background,
+                           const Quality& quality) {
     using Kind = Background::Kind;
     const Size size = context_.options.size;
     const Background ground = background.kind == Kind::studio ? Background{Kind::paper, {}} : background;

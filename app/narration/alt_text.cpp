@@ -21,8 +21,8 @@ std::string view_words(const std::vector<View>& views) {
   return !views.empty() && views.front() == View::body ? "Seen from the body" : "Seen from space";
 }
 
-std::string board_words(const OverlaySet& show) {
-  const std::size_t count = boards_in(show).size();
+std::string diagram_words(const OverlaySet& show) {
+  const std::size_t count = diagrams_in(show).size();
   return count > 1 ? "Boards" : "A board";
 }
 
@@ -55,7 +55,7 @@ std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s)
 std::string alt_text(const Scene& scene, const std::string& caption, const Vec3& w_B, double t_s) {
   const OverlaySet drawn = drawn_overlays(scene);
   std::string text = fmt::format(
-      "{}: {}. ", shows_space(drawn) ? view_words(scene.views) : board_words(drawn), shown_words(drawn));
+      "{}: {}. ", shows_space(drawn) ? view_words(scene.views) : diagram_words(drawn), shown_words(drawn));
   if (!caption.empty()) text += caption + (caption.ends_with('.') ? " " : ". ");
   const Vec3& I = scene.body.moments.vector();
   text += fmt::format("The body is \"{}\" with principal moments {:.4g}, {:.4g}, {:.4g} kg m². ",

@@ -14,16 +14,16 @@ namespace polhode {
 namespace {
 
 // In em of the caption.
-constexpr double kLargestBoardType = 1.5;
-constexpr double kPad = 1.2;          // around boards
+constexpr double kLargestDiagramType = 1.5;
+constexpr double kPad = 1.2;          // around diagrams
 constexpr double kCaptionRoom = 2.4;  // at the bottom
 constexpr double kCaptionBaseline = 1.3;
 
-constexpr std::array kSpaceParts = {0.5, 0.42};  // of the place, where boards share it
+constexpr std::array kSpaceParts = {0.5, 0.42};  // of the place, where diagrams share it
 
-BoardStyle board_style(const FigurePlace& place) {
+DiagramStyle diagram_style(const FigurePlace& place) {
   const PageColors& colors = colors_of(place.theme);
-  return {.type_size = kLargestBoardType * place.caption_px,
+  return {.type_size = kLargestDiagramType * place.caption_px,
           .ink = colors.ink,
           .muted = colors.quiet,
           .line = colors.line,
@@ -40,7 +40,7 @@ std::array<PixelBox, 2> split(const PixelBox& box, bool beside, double part) {
   return {{{box.x0, box.y0, box.x1, y}, {box.x0, y, box.x1, box.y1}}};
 }
 
-/// One box for each board, beside or below each other.
+/// One box for each diagram, beside or below each other.
 std::vector<PixelBox> cells_of(PixelBox box, std::size_t count, bool beside) {
   std::vector<PixelBox> cells;
   for (; count > 0; --count) {
@@ -51,28 +51,28 @@ std::vector<PixelBox> cells_of(PixelBox box, std::size_t count, bool beside) {
   return cells;
 }
 
-/// Of the board whose type would be smallest, px.
-double type_px(const std::vector<Overlay>& boards, const std::vector<PixelBox>& cells, double pad) {
+/// Of the diagram whose type would be smallest, px.
+double type_px(const std::vector<Overlay>& diagrams, const std::vector<PixelBox>& cells, double pad) {
   double px = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < boards.size(); ++i) {
-    const Vec2 extent = board_extent(boards[i], cells[i].grown(-pad));
+  for (std::size_t i = 0; i < diagrams.size(); ++i) {
+    const Vec2 extent = diagram_extent(diagrams[i], cells[i].grown(-pad));
     px = std::min(
         {px, (cells[i].width() - 2.0 * pad) / extent.x(), (cells[i].height() - 2.0 * pad) / extent.y()});
   }
   return px;
 }
 
-std::vector<PixelBox> best_cells(const std::vector<Overlay>& boards, const PixelBox& box, double pad) {
-  const auto beside = cells_of(box, boards.size(), true), below = cells_of(box, boards.size(), false);
-  return type_px(boards, beside, pad) > type_px(boards, below, pad) ? beside : below;
+std::vector<PixelBox> best_cells(const std::vector<Overlay>& diagrams, const PixelBox& box, double pad) {
+  const auto beside = cells_of(box, diagrams.size(), true), below = cells_of(box, diagrams.size(), false);
+  return type_px(diagrams, beside, pad) > type_px(diagrams, below, pad) ? beside : below;
 }
 
-/// Space first, its views side by side, then what the boards have. Type that is a little larger is worth more
-/// than a space that is a little larger.
-std::array<PixelBox, 2> share(const std::vector<Overlay>& boards, std::size_t views, const PixelBox& box,
+/// Space first, its views side by side, then what the diagrams have. Type that is a little larger is worth
+/// more than a space that is a little larger.
+std::array<PixelBox, 2> share(const std::vector<Overlay>& diagrams, std::size_t views, const PixelBox& box,
                               double pad) {
   const auto worth = [&](const std::array<PixelBox, 2>& parts) {
-    return type_px(boards, best_cells(boards, parts[1], pad), pad) *
+    return type_px(diagrams, best_cells(diagrams, parts[1], pad), pad) *
            std::sqrt(std::min(parts[0].width() / static_cast<double>(views), parts[0].height()));
   };
   std::array<PixelBox, 2> best = split(box, true, kSpaceParts[0]);
@@ -125,12 +125,12 @@ void add_caption(const std::string& caption, const FigurePlace& place, const Col
 
 PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts) {
   PlacedFigure placed;
-  const std::vector<Overlay> boards = boards_in(model.drawn);
-  if (boards.empty()) {
+  const std::vector<Overlay> diagrams = diagrams_in(model.drawn);
+  if (diagrams.empty()) {
     placed.insets.push_back(space_of(model, t_s, place.rect, place));
     return placed;
   }
-  const BoardStyle style = board_style(place);
+  const DiagramStyle style = diagram_style(place);
   const std::string& caption = model.scene.caption;
   const double pad = kPad * place.caption_px;
   PixelBox box = box_of(place.rect);
@@ -140,14 +140,15 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
     box.y1 -= std::round(kCaptionRoom * place.caption_px);
   }
   if (shows_space(model.drawn)) {
-    const auto [space, rest] = share(boards, model.scene.views.size(), box, pad);
+    const auto [space, rest] = share(diagrams, model.scene.views.size(), box, pad);
     placed.insets.push_back(space_of(model, t_s, rect_of(space), place));
     placed.insets.back().figure.caption.clear();
     box = rest;
   }
-  const std::vector<PixelBox> cells = best_cells(boards, box, pad);
-  for (std::size_t i = 0; i < boards.size(); ++i)
-    append(placed.sheet, lay_out_board(boards[i], model, t_s, cells[i].grown(-pad), style, fonts), {0, 0});
+  const std::vector<PixelBox> cells = best_cells(diagrams, box, pad);
+  for (std::size_t i = 0; i < diagrams.size(); ++i)
+    append(placed.sheet, lay_out_diagram(diagrams[i], model, t_s, cells[i].grown(-pad), style, fonts),
+           {0, 0});
   return placed;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands in the place of a scene's figure: its space, its boards, or both side by side and never over
+// What stands in the place of a scene's figure: its space, its diagrams, or both side by side and never over
 // each other, with the caption below. The same for a figure by itself and for a figure on a page.
 #pragma once
 
@@ -18,7 +18,7 @@ struct FigurePlace {
   double caption_px = 0;  ///< em of the caption, > 0; all other type goes with it
   Theme theme = Theme::paper;
   Background background{};        ///< of the space
-  std::optional<Color> ground{};  ///< of boards and caption, painted; absent: what is under the sheet
+  std::optional<Color> ground{};  ///< of diagrams and caption, painted; absent: what is under the sheet
   Quality quality{};
 };
 
@@ -27,8 +27,8 @@ struct PlacedFigure {
   std::vector<Inset> insets{};
 };
 
-/// The boards' type is as large as there is room for, up to that of labels. Where space and boards share the
-/// place, they share it left and right or above and below, as serves both better.
+/// The diagrams' type is as large as there is room for, up to that of labels. Where space and diagrams share
+/// the place, they share it left and right or above and below, as serves both better.
 PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts);
 
 /// Em of the caption of a figure by itself.

@@ -61,7 +61,7 @@ struct Page {
   int whole_from = 1;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.
   PixelBox column, meters;
-  PixelBox figure;  ///< of the space figure, and of boards with it; empty: none
+  PixelBox figure;  ///< of the space figure, and of diagrams with it; empty: none
 };
 
 /// Type may be so much smaller than normal before earlier steps are left out.

@@ -38,8 +38,8 @@ void expect_as_approved(const std::string& name, const Image& got);
 
 /// Names of the goldens of page_golden_test.cpp.
 std::vector<std::string> page_names();
-/// And of board_golden_test.cpp.
-std::vector<std::string> board_names();
+/// And of diagram_golden_test.cpp.
+std::vector<std::string> diagram_names();
 /// And of window_golden_test.cpp.
 std::vector<std::string> window_names();
 

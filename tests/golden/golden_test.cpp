@@ -147,7 +147,7 @@ TEST(Goldens, NoFileIsWithoutItsRow) {
   std::set<std::string> names = {std::string(kPlotName) + ".png"};
   for (const Golden& golden : all()) names.insert(golden.name + ".png");
   for (const std::string& name : page_names()) names.insert(name + ".png");
-  for (const std::string& name : board_names()) names.insert(name + ".png");
+  for (const std::string& name : diagram_names()) names.insert(name + ".png");
   for (const std::string& name : window_names()) names.insert(name + ".png");
   for (const auto& entry : fs::directory_iterator(kFolder))
     EXPECT_TRUE(entry.path().extension() != ".png" || names.contains(entry.path().filename().string()))

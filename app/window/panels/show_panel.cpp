@@ -76,9 +76,9 @@ void draw_show(Desk& desk) {
   choose_camera(companion);
   heading("In space");
   if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
-  const auto offer_all = [&](bool boards) {
+  const auto offer_all = [&](bool diagrams) {
     for (int i = 0; i < kOverlayCount; ++i)
-      if (const auto overlay = static_cast<Overlay>(i); is_diagram(overlay) == boards)
+      if (const auto overlay = static_cast<Overlay>(i); is_diagram(overlay) == diagrams)
         offer_overlay(desk, overlay);
   };
   offer_all(false);

@@ -2,7 +2,7 @@
 // The twelve equations of the lecture.
 #include "render/drawing/diagrams/diagram_paper.h"
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 namespace {
 
 struct Card {
@@ -29,14 +29,14 @@ constexpr std::array<std::array<Card, 2>, 6> kRows = {{
 
 constexpr double kCardWidth = 17.4, kCardHeight = 3.9, kGap = 0.55;
 
-void add_card(const Card& card, const Vec2& corner, BoardPaper& paper) {
+void add_card(const Card& card, const Vec2& corner, DiagramPaper& paper) {
   paper.panel(corner, corner + Vec2(kCardWidth, kCardHeight), paper.style().panel);
   paper.text("(" + std::to_string(card.number) + ")", corner + Vec2(2.4, 1.75), {.align = 1, .quiet = true});
   paper.math(card.tex, corner + Vec2(3.1, 1.75));
   paper.text(card.words, corner + Vec2(3.1, 3.35), {.size = 0.76, .quiet = true});
 }
 
-void draw(const SceneModel& /*unused*/, double /*unused*/, Arrangement /*unused*/, BoardPaper& paper) {
+void draw(const SceneModel& /*unused*/, double /*unused*/, Arrangement /*unused*/, DiagramPaper& paper) {
   for (std::size_t row = 0; row < kRows.size(); ++row)
     for (std::size_t column = 0; column < 2; ++column)
       add_card(kRows[row][column],
@@ -49,6 +49,6 @@ void draw(const SceneModel& /*unused*/, double /*unused*/, Arrangement /*unused*
 
 constexpr double kWidth = 2.0 * kCardWidth + kGap, kHeight = 6.0 * kCardHeight + 5.0 * kGap;
 
-const BoardKind kCards{{kWidth, kHeight}, {kWidth, kHeight}, draw};
+const DiagramKind kCards{{kWidth, kHeight}, {kWidth, kHeight}, draw};
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

@@ -3,7 +3,7 @@
 #include "physics/body/euler.h"
 #include "render/drawing/diagrams/diagram_paper.h"
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 namespace {
 
 constexpr double kColumn = 5.6, kRow = 2.9;
@@ -33,7 +33,7 @@ double minor(const Vec3& w_B, const Vec3& L_B, int lit) {
   return w_B[a] * L_B[b] - w_B[b] * L_B[a];
 }
 
-void add_marks(int lit, BoardPaper& paper) {
+void add_marks(int lit, DiagramPaper& paper) {
   const Vec2 size(kColumn, kRow);
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
@@ -42,7 +42,7 @@ void add_marks(int lit, BoardPaper& paper) {
                     paper.style().panel);
 }
 
-void add_strikes(int lit, BoardPaper& paper) {
+void add_strikes(int lit, DiagramPaper& paper) {
   const double y = cell(0, 0).y() + 0.5 * kRow, x = cell(0, lit).x() + 0.5 * kColumn;
   constexpr double kStrike = 0.08, kFree = 1.15;  // around the lit unit vector
   const double left = cell(0, 0).x() + 0.4, right = cell(0, 3).x() - 0.4;
@@ -55,7 +55,7 @@ struct Forms {
   NumberForm omega, L, expansion;
 };
 
-void add_determinant(const Vec3& w_B, const Vec3& L_B, int lit, const Forms& forms, BoardPaper& paper) {
+void add_determinant(const Vec3& w_B, const Vec3& L_B, int lit, const Forms& forms, DiagramPaper& paper) {
   paper.math("\\vec\\omega\\times(\\mathbf I\\cdot\\vec\\omega)\\;=",
              {kDeterminantLeft - 1.1, kDeterminantTop + 1.6 * kRow}, {.align = 1.0, .size = 1.15});
   for (double x : {kDeterminantLeft - 0.3, kDeterminantLeft + 3.0 * kColumn + 0.3})
@@ -68,18 +68,18 @@ void add_determinant(const Vec3& w_B, const Vec3& L_B, int lit, const Forms& for
     paper.math(kUnit[k], at(0) + Vec2(0, 0.25), {.align = 0.5, .size = 1.2, .quiet = column != lit});
     paper.math(kOmegas[k], at(1), {.align = 0.5, .size = 1.1, .quiet = column == lit});
     paper.math(kMomenta[k], at(2), {.align = 0.5, .size = 1.1, .quiet = column == lit});
-    const BoardPaper::Type number{.align = 0.5, .size = kSmall, .quiet = true};
+    const DiagramPaper::Type number{.align = 0.5, .size = kSmall, .quiet = true};
     if (column == lit) continue;  // struck
     paper.text(forms.omega.text(w_B[column]), at(1) + Vec2(0, kNumberBelow), number);
     paper.text(forms.L.text(L_B[column]), at(2) + Vec2(0, kNumberBelow), number);
   }
-  const BoardPaper::Type unit{.align = 0, .size = kSmall, .quiet = true};
+  const DiagramPaper::Type unit{.align = 0, .size = kSmall, .quiet = true};
   const double x = kDeterminantLeft + 3.0 * kColumn + 0.7;
   paper.text(forms.omega.unit("rad/s"), {x, cell(1, 0).y() + kBaselines[1] + kNumberBelow}, unit);
   paper.text(forms.L.unit("kg m²/s"), {x, cell(2, 0).y() + kBaselines[2] + kNumberBelow}, unit);
 }
 
-void add_expansion(const Vec3& w_B, const Vec3& L_B, int lit, const NumberForm& form, BoardPaper& paper) {
+void add_expansion(const Vec3& w_B, const Vec3& L_B, int lit, const NumberForm& form, DiagramPaper& paper) {
   Vec3 value;
   for (int i = 0; i < 3; ++i) value[i] = (i == 1 ? -1.0 : 1.0) * minor(w_B, L_B, i);
   for (int i = 0; i <= lit; ++i) {  // the others are still to be found
@@ -96,7 +96,7 @@ void add_expansion(const Vec3& w_B, const Vec3& L_B, int lit, const NumberForm& 
   }
 }
 
-void draw(const SceneModel& model, double t_s, Arrangement /*unused*/, BoardPaper& paper) {
+void draw(const SceneModel& model, double t_s, Arrangement /*unused*/, DiagramPaper& paper) {
   const Vec3 w_B = model.motion->w_B_at(t_s);
   const PrincipalMoments& I = model.scene.body.moments;
   const Vec3 L_B = angular_momentum_B(I, w_B);
@@ -116,6 +116,6 @@ void draw(const SceneModel& model, double t_s, Arrangement /*unused*/, BoardPape
 
 constexpr double kHeight = kExpansionTop + 3.0 * kExpansionRow + 0.2;
 
-const BoardKind kCofactors{{kWidth + 3.0, kHeight}, {kWidth + 3.0, kHeight}, draw};
+const DiagramKind kCofactors{{kWidth + 3.0, kHeight}, {kWidth + 3.0, kHeight}, draw};
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 namespace {
 
 constexpr double kRadius = 4.4, kNode = 1.25, kRim = 0.12, kLitRim = 0.24;
@@ -25,7 +25,7 @@ Vec2 on_rim(const Vec2& hub, double angle) { return hub + kRadius * Vec2(std::si
 double angle_of(int node) { return 2.0 * std::numbers::pi * node / 3.0; }
 
 /// Along the rim from a node to the next, with its head.
-void add_rim_arrow(const Vec2& hub, int from, bool is_lit, BoardPaper& paper) {
+void add_rim_arrow(const Vec2& hub, int from, bool is_lit, DiagramPaper& paper) {
   constexpr int kPieces = 24;
   const double begin = angle_of(from) + kArrowFrom, end = angle_of(from + 1) - kArrowTo;
   std::vector<Vec2> points;
@@ -40,7 +40,7 @@ void add_rim_arrow(const Vec2& hub, int from, bool is_lit, BoardPaper& paper) {
              color);
 }
 
-void add_wheel(const Vec2& hub, int lit, BoardPaper& paper) {
+void add_wheel(const Vec2& hub, int lit, DiagramPaper& paper) {
   for (int i = 0; i < 3; ++i) add_rim_arrow(hub, i, i == lit, paper);
   constexpr std::array<const char*, 3> kPlaces = {"i", "j", "k"};
   for (int node = 0; node < 3; ++node) {
@@ -58,13 +58,13 @@ void add_wheel(const Vec2& hub, int lit, BoardPaper& paper) {
 std::string index(int i) { return std::to_string(i % 3 + 1); }
 
 void add_equation(int i, const Terms& terms, bool is_free, bool is_lit, const NumberForm& form,
-                  const Vec2& corner, BoardPaper& paper) {
+                  const Vec2& corner, DiagramPaper& paper) {
   const auto at = [&](double x, double y) -> Vec2 { return corner + Vec2(x, y); };
   constexpr double kFormula = 1.7, kNumber = 3.2;
   const bool quiet = !is_lit;
   if (is_lit) paper.panel(corner, at(kWidth, kRow - 0.3), paper.style().panel);
   const std::string a = index(i), b = index(i + 1), c = index(i + 2);
-  const BoardPaper::Type formula{.align = 0.5, .size = 1.1, .quiet = quiet};
+  const DiagramPaper::Type formula{.align = 0.5, .size = 1.1, .quiet = quiet};
   paper.math("I_" + a + "\\,\\dot\\omega_" + a, at(kFirst, kFormula), formula);
   paper.math("+", at(kPlus, kFormula), formula);
   paper.math("(I_" + c + " - I_" + b + ")\\,\\omega_" + b + "\\omega_" + c, at(kSecond, kFormula), formula);
@@ -72,14 +72,14 @@ void add_equation(int i, const Terms& terms, bool is_free, bool is_lit, const Nu
   paper.math(is_free ? "0" : "N_" + a, at(kThird, kFormula), formula);
   paper.text("(" + std::to_string((is_free ? 10 : 7) + i) + ")", at(kUnitEnd, kFormula),
              {.align = 1, .quiet = true});
-  const BoardPaper::Type number{.align = 0.5, .size = 0.86, .quiet = quiet};
+  const DiagramPaper::Type number{.align = 0.5, .size = 0.86, .quiet = quiet};
   paper.text(form.text(terms.inertial_B[i]), at(kFirst, kNumber), number);
   paper.text(form.text(terms.gyroscopic_B[i]), at(kSecond, kNumber), number);
   if (!is_free) paper.text(form.text(terms.N_B[i]), at(kThird, kNumber), number);
   paper.text(form.unit("N m"), at(kUnitEnd, kNumber), {.align = 1, .size = kSmall, .quiet = true});
 }
 
-void add_equations(const SceneModel& model, double t_s, int lit, const Vec2& corner, BoardPaper& paper) {
+void add_equations(const SceneModel& model, double t_s, int lit, const Vec2& corner, DiagramPaper& paper) {
   const bool is_free = model.scene.torque.empty();
   paper.math(is_free ? "I_i\\,\\dot\\omega_i + (I_k - I_j)\\,\\omega_j\\omega_k = 0"
                      : "I_i\\,\\dot\\omega_i + (I_k - I_j)\\,\\omega_j\\omega_k = N_i",
@@ -96,7 +96,7 @@ void add_equations(const SceneModel& model, double t_s, int lit, const Vec2& cor
     add_equation(i, terms, is_free, i == lit, form, corner + Vec2(0, kTop + i * kRow), paper);
 }
 
-void draw(const SceneModel& model, double t_s, Arrangement arrangement, BoardPaper& paper) {
+void draw(const SceneModel& model, double t_s, Arrangement arrangement, DiagramPaper& paper) {
   const int lit = third_at(model, t_s);
   const bool wide = arrangement == Arrangement::wide;
   const double left = 0.5 * (wide ? kWheelWidth : kWidth), top = wide ? 0.5 * (kHeight - kWheelHeight) : 0.0;
@@ -106,6 +106,6 @@ void draw(const SceneModel& model, double t_s, Arrangement arrangement, BoardPap
 
 }  // namespace
 
-const BoardKind kCyclicWheel{{kWheelWidth + kWidth, kHeight}, {kWidth, kWheelHeight + kHeight}, draw};
+const DiagramKind kCyclicWheel{{kWheelWidth + kWidth, kHeight}, {kWidth, kWheelHeight + kHeight}, draw};
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

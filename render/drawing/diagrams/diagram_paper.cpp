@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 namespace {
 
 MathSymbol symbol(const char* tex, const Color& color) { return {tex, parse_math(tex).value(), color}; }
@@ -92,7 +92,8 @@ double largest_over_span(const SceneModel& model, double t_s,
   return largest;
 }
 
-BoardPaper::BoardPaper(const Vec2& extent, const PixelBox& box, const BoardStyle& style, const Fonts& fonts)
+DiagramPaper::DiagramPaper(const Vec2& extent, const PixelBox& box, const DiagramStyle& style,
+                           const Fonts& fonts)
     : style_(style),
       fonts_(fonts),
       unit_(std::min({style.type_size, box.width() / extent.x(), box.height() / extent.y()})),
@@ -102,7 +103,7 @@ BoardPaper::BoardPaper(const Vec2& extent, const PixelBox& box, const BoardStyle
               symbol("\\vec L", ink_of(kLRole)), symbol("\\vec N", ink_of(kNRole))};
 }
 
-DisplayList BoardPaper::set(const std::string& tex, double size, bool quiet) const {
+DisplayList DiagramPaper::set(const std::string& tex, double size, bool quiet) const {
   MathStyle style;
   style.size = size * unit_;
   style.display = true;
@@ -111,17 +112,17 @@ DisplayList BoardPaper::set(const std::string& tex, double size, bool quiet) con
   return set_math(parse_math(tex).value(), style, fonts_).value();
 }
 
-void BoardPaper::place(DisplayList list, const Vec2& at, double align, const std::string& text) {
+void DiagramPaper::place(DisplayList list, const Vec2& at, double align, const std::string& text) {
   const Vec2 where = px(at);
   const double left = where.x() - align * list.width;
   sheet_.texts.push_back({.list = std::move(list), .at = {left, std::round(where.y())}, .text = text});
 }
 
-void BoardPaper::math(const std::string& tex, const Vec2& at, const Type& type) {
+void DiagramPaper::math(const std::string& tex, const Vec2& at, const Type& type) {
   place(set(tex, type.size, type.quiet), at, type.align, tex);
 }
 
-void BoardPaper::text(const std::string& text, const Vec2& at, const Type& type) {
+void DiagramPaper::text(const std::string& text, const Vec2& at, const Type& type) {
   TextStyle style;
   style.size = type.size * unit_;
   style.color = type.quiet ? style_.muted : style_.ink;
@@ -130,29 +131,29 @@ void BoardPaper::text(const std::string& text, const Vec2& at, const Type& type)
   place(set_line(text, style, fonts_), at, type.align, text);
 }
 
-double BoardPaper::width_of_math(const std::string& tex, double size) const {
+double DiagramPaper::width_of_math(const std::string& tex, double size) const {
   return set(tex, size, false).width / unit_;
 }
 
-void BoardPaper::line(const Vec2& from, const Vec2& to, double width, const Color& color, double dash) {
+void DiagramPaper::line(const Vec2& from, const Vec2& to, double width, const Color& color, double dash) {
   sheet_.shapes.push_back(Stroke{{px(from), px(to)}, width * unit_, color, dash * unit_});
 }
 
-void BoardPaper::path(std::vector<Vec2> points, double width, const Color& color) {
+void DiagramPaper::path(std::vector<Vec2> points, double width, const Color& color) {
   for (Vec2& p : points) p = px(p);
   sheet_.shapes.push_back(Stroke{std::move(points), width * unit_, color, 0.0});
 }
 
-void BoardPaper::area(std::vector<Vec2> points, const Color& color) {
+void DiagramPaper::area(std::vector<Vec2> points, const Color& color) {
   for (Vec2& p : points) p = px(p);
   sheet_.shapes.push_back(Area{std::move(points), color});
 }
 
-void BoardPaper::bar(const Vec2& corner, const Vec2& opposite, const Color& color) {
+void DiagramPaper::bar(const Vec2& corner, const Vec2& opposite, const Color& color) {
   area({corner, {opposite.x(), corner.y()}, opposite, {corner.x(), opposite.y()}}, color);
 }
 
-void BoardPaper::panel(const Vec2& corner, const Vec2& opposite, const Color& color) {
+void DiagramPaper::panel(const Vec2& corner, const Vec2& opposite, const Color& color) {
   constexpr double kRadius = 0.3;
   constexpr int kSteps = 6;  // of a quarter of a circle
   const Vec2 low = corner.cwiseMin(opposite), high = corner.cwiseMax(opposite);
@@ -168,15 +169,15 @@ void BoardPaper::panel(const Vec2& corner, const Vec2& opposite, const Color& co
   area(std::move(points), color);
 }
 
-void BoardPaper::disc(const Vec2& middle, double radius, const Color& color) {
+void DiagramPaper::disc(const Vec2& middle, double radius, const Color& color) {
   line(middle, middle, 2.0 * radius, color);
 }
 
-void BoardPaper::plot(const WorkPrecisionPlot& plot, const Vec2& corner, const Vec2& opposite) {
-  const Color plain = BoardStyle().paper;
+void DiagramPaper::plot(const WorkPrecisionPlot& plot, const Vec2& corner, const Vec2& opposite) {
+  const Color plain = DiagramStyle().paper;
   if (is_dark(style_.paper)) bar(corner, opposite, plain);
   const Vec2 from = px(corner), size = px(opposite) - from;
   append(sheet_, lay_out(plot, size.x(), size.y(), fonts_), from);
 }
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

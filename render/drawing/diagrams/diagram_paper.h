@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What boards are drawn on, and what they have in common. Inside of render/drawing/diagrams/. Lengths are in
-// sizes of type, from the board's upper left corner, y down.
+// What diagrams are drawn on, and what they have in common. Inside of render/drawing/diagrams/. Lengths are
+// in sizes of type, from the diagram's upper left corner, y down.
 #pragma once
 
 #include "render/drawing/diagrams/diagrams.h"
@@ -12,13 +12,13 @@
 #include <limits>
 #include <string>
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 
 /// Paints of what belongs to the axes 1, 2, 3: of no quantity's role, and told apart by lightness too.
 inline constexpr std::array<Color, 3> kIndexPaint = {color_from_hex(0xE69F00), color_from_hex(0x56B4E9),
                                                      color_from_hex(0x6F5B9E)};
 
-/// A board's numbers of one kind: multiples of one power of ten, with the same decimals.
+/// A diagram's numbers of one kind: multiples of one power of ten, with the same decimals.
 class NumberForm {
  public:
   /// So many digits of the largest, ≥ 0.
@@ -48,7 +48,7 @@ std::string plain_number(double value);
 /// Which third of the model's span t lies in, 0, 1 or 2; the span repeats.
 int third_at(const SceneModel& model, double t_s);
 
-/// The largest absolute value of a component of `quantity` over the model's span and at t: what a board's
+/// The largest absolute value of a component of `quantity` over the model's span and at t: what a diagram's
 /// scale and decimals go by, so that they stand still in a film. 97 evaluations of ω.
 double largest_over_span(const SceneModel& model, double t_s,
                          const std::function<Vec3(const Vec3& w_B)>& quantity);
@@ -58,11 +58,11 @@ inline Vec3 cyclic_products(const Vec3& a) { return {a[1] * a[2], a[2] * a[0], a
 /// (I3 − I2, I1 − I3, I2 − I1)
 inline Vec3 cyclic_differences(const Vec3& a) { return {a[2] - a[1], a[0] - a[2], a[1] - a[0]}; }
 
-class BoardPaper {
+class DiagramPaper {
  public:
-  BoardPaper(const Vec2& extent, const PixelBox& box, const BoardStyle& style, const Fonts& fonts);
+  DiagramPaper(const Vec2& extent, const PixelBox& box, const DiagramStyle& style, const Fonts& fonts);
 
-  const BoardStyle& style() const { return style_; }
+  const DiagramStyle& style() const { return style_; }
   Color ink_of(const Role& role) const { return on_its_paper(role.ink); }
   Color paint_of(const Role& role) const { return on_its_paper(role.paint); }
   /// Of what belongs to axis i = 0, 1, 2.
@@ -101,7 +101,7 @@ class BoardPaper {
   void place(DisplayList list, const Vec2& at, double align, const std::string& text);
   DisplayList set(const std::string& tex, double size, bool quiet) const;
 
-  BoardStyle style_;
+  DiagramStyle style_;
   const Fonts& fonts_;
   double unit_;
   Vec2 corner_;
@@ -111,12 +111,12 @@ class BoardPaper {
 
 enum class Arrangement { wide, tall };
 
-/// What a board draws, and the room it needs for that.
-struct BoardKind {
+/// What a diagram draws, and the room it needs for that.
+struct DiagramKind {
   Vec2 wide, tall;  ///< equal where there is one arrangement alone
-  void (*draw)(const SceneModel& model, double t_s, Arrangement arrangement, BoardPaper& paper);
+  void (*draw)(const SceneModel& model, double t_s, Arrangement arrangement, DiagramPaper& paper);
 };
-extern const BoardKind kTensorBars, kCofactors, kCyclicWheel, kEnergyRows, kMomentumRows, kCards,
+extern const DiagramKind kTensorBars, kCofactors, kCyclicWheel, kEnergyRows, kMomentumRows, kCards,
     kMethodTable, kOrderPlot;
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

@@ -8,33 +8,33 @@
 namespace polhode {
 namespace {
 
-const boards::BoardKind& kind_of(Overlay board) {
-  switch (board) {
+const diagrams::DiagramKind& kind_of(Overlay diagram) {
+  switch (diagram) {
     case Overlay::tensor_bars:
-      return boards::kTensorBars;
+      return diagrams::kTensorBars;
     case Overlay::cofactors:
-      return boards::kCofactors;
+      return diagrams::kCofactors;
     case Overlay::cyclic_wheel:
-      return boards::kCyclicWheel;
+      return diagrams::kCyclicWheel;
     case Overlay::energy_rows:
-      return boards::kEnergyRows;
+      return diagrams::kEnergyRows;
     case Overlay::momentum_rows:
-      return boards::kMomentumRows;
+      return diagrams::kMomentumRows;
     case Overlay::method_table:
-      return boards::kMethodTable;
+      return diagrams::kMethodTable;
     case Overlay::order_plot:
-      return boards::kOrderPlot;
+      return diagrams::kOrderPlot;
     default:
-      return boards::kCards;
+      return diagrams::kCards;
   }
 }
 
 /// The one that lets the type be larger.
-boards::Arrangement arrangement_in(const boards::BoardKind& kind, const PixelBox& box) {
+diagrams::Arrangement arrangement_in(const diagrams::DiagramKind& kind, const PixelBox& box) {
   const auto scale = [&](const Vec2& extent) {
     return std::min(box.width() / extent.x(), box.height() / extent.y());
   };
-  return scale(kind.wide) >= scale(kind.tall) ? boards::Arrangement::wide : boards::Arrangement::tall;
+  return scale(kind.wide) >= scale(kind.tall) ? diagrams::Arrangement::wide : diagrams::Arrangement::tall;
 }
 
 std::vector<Overlay> those(const OverlaySet& drawn, bool (*wanted)(Overlay)) {
@@ -47,24 +47,24 @@ std::vector<Overlay> those(const OverlaySet& drawn, bool (*wanted)(Overlay)) {
 
 }  // namespace
 
-std::vector<Overlay> boards_in(const OverlaySet& drawn) { return those(drawn, is_diagram); }
+std::vector<Overlay> diagrams_in(const OverlaySet& drawn) { return those(drawn, is_diagram); }
 
 bool shows_space(const OverlaySet& drawn) {
   const auto in_space = [](Overlay o) {
     return !is_diagram(o) && o != Overlay::labels && o != Overlay::values;
   };
-  return boards_in(drawn).empty() || !those(drawn, in_space).empty();
+  return diagrams_in(drawn).empty() || !those(drawn, in_space).empty();
 }
 
-Vec2 board_extent(Overlay board, const PixelBox& box) {
-  const boards::BoardKind& kind = kind_of(board);
-  return arrangement_in(kind, box) == boards::Arrangement::wide ? kind.wide : kind.tall;
+Vec2 diagram_extent(Overlay diagram, const PixelBox& box) {
+  const diagrams::DiagramKind& kind = kind_of(diagram);
+  return arrangement_in(kind, box) == diagrams::Arrangement::wide ? kind.wide : kind.tall;
 }
 
-Sheet lay_out_board(Overlay board, const SceneModel& model, double t_s, const PixelBox& box,
-                    const BoardStyle& style, const Fonts& fonts) {
-  const boards::BoardKind& kind = kind_of(board);
-  boards::BoardPaper paper(board_extent(board, box), box, style, fonts);
+Sheet lay_out_diagram(Overlay diagram, const SceneModel& model, double t_s, const PixelBox& box,
+                      const DiagramStyle& style, const Fonts& fonts) {
+  const diagrams::DiagramKind& kind = kind_of(diagram);
+  diagrams::DiagramPaper paper(diagram_extent(diagram, box), box, style, fonts);
   kind.draw(model, t_s, arrangement_in(kind, box), paper);
   return paper.take();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Boards: flat figures of a scene at one time, as data. They stand in a figure's place alone, or beside the
+// Diagrams: flat figures of a scene at one time, as data. They stand in a figure's place alone, or beside the
 // figure in space. Layout only; every number is computed from the model's motion.
 //
 //   tensor-bars   I_S = R I* Rᵀ (moves) beside I* (rests), with traces and eigenvalues
@@ -12,7 +12,7 @@
 //   order-plot    the error of ω there against the number of steps, and the order that each method shows
 //
 // ω̇ is a difference quotient of the motion (terms.h), not solved for in the equations that the
-// boards show to hold. Numbers of one kind have the same decimals: three digits of the largest over the
+// diagrams show to hold. Numbers of one kind have the same decimals: three digits of the largest over the
 // model's span, which also sets the scale of bars, so that nothing but the values moves in a film.
 #pragma once
 
@@ -25,22 +25,22 @@
 
 namespace polhode {
 
-struct BoardStyle {
-  double type_size = 24;  ///< px, the largest: a board that needs more room than there is has smaller type
+struct DiagramStyle {
+  double type_size = 24;  ///< px, the largest: a diagram that needs more room than there is has smaller type
   Color ink = kInk, muted = color_from_hex(0x5F656D), line = color_from_hex(0xDDD8CB),
         paper = color_from_hex(0xFBFAF6), panel = color_from_hex(0xF3EDDD);  ///< panel: behind what is lit
 };
 
-/// The boards of an overlay set, in the order of the enumeration.
-std::vector<Overlay> boards_in(const OverlaySet& drawn);
-/// Whether there is a figure in space beside the boards: of anything else but names and values.
+/// The diagrams of an overlay set, in the order of the enumeration.
+std::vector<Overlay> diagrams_in(const OverlaySet& drawn);
+/// Whether there is a figure in space beside the diagrams: of anything else but names and values.
 bool shows_space(const OverlaySet& drawn);
 
-/// Width and height of a board as it is arranged in a box of that size, in sizes of its type.
-Vec2 board_extent(Overlay board, const PixelBox& box);
+/// Width and height of a diagram as it is arranged in a box of that size, in sizes of its type.
+Vec2 diagram_extent(Overlay diagram, const PixelBox& box);
 
 /// In the middle of `box`, its type as large as there is room for. Pure.
-Sheet lay_out_board(Overlay board, const SceneModel& model, double t_s, const PixelBox& box,
-                    const BoardStyle& style, const Fonts& fonts);
+Sheet lay_out_diagram(Overlay diagram, const SceneModel& model, double t_s, const PixelBox& box,
+                      const DiagramStyle& style, const Fonts& fonts);
 
 }  // namespace polhode

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 namespace {
 
 constexpr double kName = 0.3, kFirstColumn = 15.9, kColumn = 5.4;  // right ends of the columns
@@ -40,7 +40,7 @@ double right_of(int column) {
 }
 
 /// A title over columns, with a line below it.
-void add_group(const char* title, int first, int last, BoardPaper& paper) {
+void add_group(const char* title, int first, int last, DiagramPaper& paper) {
   const double left = right_of(first) - kColumn + 0.7, right = right_of(last);
   paper.text(title, {0.5 * (left + right), 2.75}, {.align = 0.5, .size = kSmall, .quiet = true});
   paper.line({left, 3.15}, {right, 3.15}, 0.06, paper.style().line);
@@ -54,7 +54,7 @@ std::string step_text(double step_s) {
   return plain_number(std::round(step_s * unit) / unit);
 }
 
-void add_head(const MethodTable& table, BoardPaper& paper) {
+void add_head(const MethodTable& table, DiagramPaper& paper) {
   paper.text("After " + plain_number(table.t_s) + " s in steps of " + step_text(table.step_s) + " s",
              {kName, 1.0});
   paper.text(
@@ -88,7 +88,7 @@ std::string text_of(const MethodRow& row, int column) {
   return facts_of(row.method).control == StepControl::none ? "closed form" : signed_short(value);
 }
 
-void add_row(const MethodRow& row, double top, BoardPaper& paper) {
+void add_row(const MethodRow& row, double top, DiagramPaper& paper) {
   const double y = top + 1.1;
   paper.text(std::string(name_of(row.method)), {kName, y}, {.size = 0.92});
   if (facts_of(row.method).control == StepControl::adaptive)  // the step is not its
@@ -104,7 +104,7 @@ void add_row(const MethodRow& row, double top, BoardPaper& paper) {
   }
 }
 
-void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, BoardPaper& paper) {
+void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, DiagramPaper& paper) {
   add_head(model.methods, paper);
   double top = kHead;
   for (const MethodRow& row : model.methods.rows) {
@@ -117,6 +117,6 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, Bo
 
 constexpr double kHeight = kHead + kMostRows * kRow;
 
-const BoardKind kMethodTable{{kWidth, kHeight}, {kWidth, kHeight}, draw};
+const DiagramKind kMethodTable{{kWidth, kHeight}, {kWidth, kHeight}, draw};
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

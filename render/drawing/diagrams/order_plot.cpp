@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 namespace {
 
 constexpr double kWidth = 42, kHeight = 30;
@@ -60,7 +60,7 @@ std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double
   return all;
 }
 
-void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, BoardPaper& paper) {
+void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, DiagramPaper& paper) {
   if (model.orders.empty()) return;
   const double t_s = model.orders.front().t_s;
   paper.plot({.title = "Error against steps, and the order measured",
@@ -77,6 +77,6 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, Bo
 
 }  // namespace
 
-const BoardKind kOrderPlot{{kWidth, kHeight}, {kWidth, kHeight}, draw};
+const DiagramKind kOrderPlot{{kWidth, kHeight}, {kWidth, kHeight}, draw};
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 namespace {
 
 constexpr double kWidth = 36.0;
@@ -34,7 +34,7 @@ std::array<double, 4> running_sums(const Vec3& values) {
 }
 
 void add_row(const Block& block, int i, double from, double to, const NumberForm& form, double y,
-             BoardPaper& paper) {
+             DiagramPaper& paper) {
   const auto k = static_cast<std::size_t>(i);
   const Color color = paper.paint_of_axis(i);
   paper.bar({kLabel, y - 0.42}, {kLabel + 0.5, y + 0.42}, color);
@@ -50,7 +50,7 @@ struct Scale {
   double x_of(double value) const { return kZero + (longest > 0.0 ? kReach * value / longest : 0.0); }
 };
 
-void add_block(const Block& block, const Scale& scale, double top, BoardPaper& paper) {
+void add_block(const Block& block, const Scale& scale, double top, DiagramPaper& paper) {
   const NumberForm& form = scale.form;
   const auto x_of = [&](double value) { return scale.x_of(value); };
   const std::array<double, 4> sums = running_sums(block.values);
@@ -73,7 +73,7 @@ std::string product(int i, const std::string& factor) {
 }
 
 /// Rows for the factors ω_i (weight 1) or I_i ω_i (weight I_i).
-void draw_rows(const SceneModel& model, double t_s, bool with_moments, BoardPaper& paper) {
+void draw_rows(const SceneModel& model, double t_s, bool with_moments, DiagramPaper& paper) {
   const Vec3 I = model.scene.body.moments.vector();
   const Vec3 weights = with_moments ? I : Vec3::Ones();
   const auto products = [&](const Vec3& w) -> Vec3 {
@@ -105,10 +105,10 @@ void draw_rows(const SceneModel& model, double t_s, bool with_moments, BoardPape
   add_block(second, scale, kBlock + kBetween, paper);
 }
 
-void draw_energy(const SceneModel& model, double t_s, Arrangement /*unused*/, BoardPaper& paper) {
+void draw_energy(const SceneModel& model, double t_s, Arrangement /*unused*/, DiagramPaper& paper) {
   draw_rows(model, t_s, false, paper);
 }
-void draw_momentum(const SceneModel& model, double t_s, Arrangement /*unused*/, BoardPaper& paper) {
+void draw_momentum(const SceneModel& model, double t_s, Arrangement /*unused*/, DiagramPaper& paper) {
   draw_rows(model, t_s, true, paper);
 }
 
@@ -116,7 +116,7 @@ constexpr double kHeight = 2.0 * kBlock + kBetween;
 
 }  // namespace
 
-const BoardKind kEnergyRows{{kWidth, kHeight}, {kWidth, kHeight}, draw_energy};
-const BoardKind kMomentumRows{{kWidth, kHeight}, {kWidth, kHeight}, draw_momentum};
+const DiagramKind kEnergyRows{{kWidth, kHeight}, {kWidth, kHeight}, draw_energy};
+const DiagramKind kMomentumRows{{kWidth, kHeight}, {kWidth, kHeight}, draw_momentum};
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

@@ -4,7 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace polhode::boards {
+namespace polhode::diagrams {
 namespace {
 
 constexpr double kCellWidth = 5.0, kCellHeight = 3.0;
@@ -27,7 +27,7 @@ Matrix tensor_S(const SceneModel& model, double t_s) {
   return R * tensor_B(model) * R.transpose();
 }
 
-void add_brackets(const Vec2& corner, BoardPaper& paper) {
+void add_brackets(const Vec2& corner, DiagramPaper& paper) {
   const double top = corner.y() - 0.1, bottom = corner.y() + kHeight + 0.1;
   for (const auto& [x, inward] : {std::pair(corner.x(), 1.0), std::pair(corner.x() + kWidth, -1.0)})
     paper.path({{x + inward * kBracket, top}, {x, top}, {x, bottom}, {x + inward * kBracket, bottom}},
@@ -35,7 +35,7 @@ void add_brackets(const Vec2& corner, BoardPaper& paper) {
 }
 
 void add_cell(double value, bool diagonal, double largest, const NumberForm& form, const Vec2& corner,
-              BoardPaper& paper) {
+              DiagramPaper& paper) {
   const double zero = corner.x() + 0.5 * kCellWidth, top = corner.y() + kBarTop,
                bottom = corner.y() + kBarBottom;
   paper.text(form.text(value), {zero, corner.y() + kNumber},
@@ -46,7 +46,7 @@ void add_cell(double value, bool diagonal, double largest, const NumberForm& for
 }
 
 void add_matrix(const Matrix& tensor, const Names& names, const NumberForm& form, double largest,
-                const Vec2& corner, BoardPaper& paper) {
+                const Vec2& corner, DiagramPaper& paper) {
   add_brackets(corner, paper);
   for (int r = 0; r < 3; ++r) {
     const char* name = names[static_cast<std::size_t>(r)];
@@ -61,9 +61,9 @@ void add_matrix(const Matrix& tensor, const Names& names, const NumberForm& form
 }
 
 /// Computed of the nine components, so that they are seen to agree.
-void add_invariants(const Matrix& tensor, const NumberForm& form, const Vec2& at, BoardPaper& paper) {
+void add_invariants(const Matrix& tensor, const NumberForm& form, const Vec2& at, DiagramPaper& paper) {
   const Vec3 moments = Eigen::SelfAdjointEigenSolver<Matrix>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
-  const BoardPaper::Type small{.align = 0.5, .size = kSmall, .quiet = true};
+  const DiagramPaper::Type small{.align = 0.5, .size = kSmall, .quiet = true};
   const std::string unit = form.times_unit("kg m²");
   paper.text("trace " + form.text(tensor.trace()) + unit, at, small);
   paper.text("eigenvalues (" + form.text(moments[0]) + ", " + form.text(moments[1]) + ", " +
@@ -78,7 +78,7 @@ struct Side {
 };
 
 void add_side(const Side& side, const NumberForm& form, double largest, const Vec2& corner,
-              BoardPaper& paper) {
+              DiagramPaper& paper) {
   const double middle = corner.x() + kIndexRoom + 0.5 * kWidth;
   paper.math(side.tex, corner + Vec2(kIndexRoom + 0.5 * kWidth, 1.1), {.align = 0.5, .size = 1.15});
   paper.text(side.words, {middle, corner.y() + 2.5}, {.align = 0.5, .size = kSmall, .quiet = true});
@@ -88,7 +88,7 @@ void add_side(const Side& side, const NumberForm& form, double largest, const Ve
 
 constexpr double kSideWidth = kIndexRoom + kWidth + 0.2, kSideHeight = kTop + kHeight + 3.1;
 
-void draw(const SceneModel& model, double t_s, Arrangement arrangement, BoardPaper& paper) {
+void draw(const SceneModel& model, double t_s, Arrangement arrangement, DiagramPaper& paper) {
   const double largest = model.scene.body.moments.vector().maxCoeff();
   const NumberForm form(largest);
   const Side moving{"\\mathbf I_S = R\\,\\mathbf I^* R^{\\top}",
@@ -103,7 +103,7 @@ void draw(const SceneModel& model, double t_s, Arrangement arrangement, BoardPap
 
 }  // namespace
 
-const BoardKind kTensorBars{
+const DiagramKind kTensorBars{
     {2.0 * kSideWidth + kBeside, kSideHeight}, {kSideWidth, 2.0 * kSideHeight + kBelow}, draw};
 
-}  // namespace polhode::boards
+}  // namespace polhode::diagrams

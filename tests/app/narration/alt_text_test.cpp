@@ -43,7 +43,7 @@ TEST(AltText, NamesTheViewsAndTheCaption) {
   EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), HasSubstr("Seen from the body:"));
 }
 
-TEST(AltText, BoardsAloneAreSeenFromNowhere) {
+TEST(AltText, DiagramsAloneAreSeenFromNowhere) {
   Scene scene;
   scene.show = {Overlay::cards};
   EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("A board: cards"));

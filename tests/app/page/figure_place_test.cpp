@@ -31,7 +31,7 @@ PixelBox box_of(const PixelRect& rect) {
 
 constexpr Size kSizes[] = {{480, 270}, {657, 504}, {500, 900}, {3840, 2160}};
 
-TEST(FigurePlace, WithoutBoardsIsTheFigureInSpace) {
+TEST(FigurePlace, WithoutDiagramsIsTheFigureInSpace) {
   const PlacedFigure figure = placed(scene_of({Overlay::omega}), {640, 480});
   ASSERT_EQ(figure.insets.size(), 1u);
   EXPECT_EQ(figure.insets[0].place.width, 640);
@@ -40,7 +40,7 @@ TEST(FigurePlace, WithoutBoardsIsTheFigureInSpace) {
   EXPECT_TRUE(figure.sheet.texts.empty());
 }
 
-TEST(FigurePlace, BoardsAloneDrawNoSpace) {
+TEST(FigurePlace, DiagramsAloneDrawNoSpace) {
   for (const Size& size : kSizes) {
     const PlacedFigure figure = placed(scene_of({Overlay::energy_rows, Overlay::labels}), size);
     EXPECT_TRUE(figure.insets.empty());
@@ -48,7 +48,7 @@ TEST(FigurePlace, BoardsAloneDrawNoSpace) {
   }
 }
 
-TEST(FigurePlace, BoardsSpaceAndCaptionStandClearOfEachOther) {
+TEST(FigurePlace, DiagramsSpaceAndCaptionStandClearOfEachOther) {
   for (const Size& size : kSizes)
     for (const OverlaySet& show :
          {OverlaySet{Overlay::omega, Overlay::tensor_bars}, OverlaySet{Overlay::shape, Overlay::cyclic_wheel},

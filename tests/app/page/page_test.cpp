@@ -56,7 +56,7 @@ std::vector<const Equation*> equations_of(const Step& step) {
   return equations;
 }
 
-/// The texts of a page's column: what begins outside of meters and boards.
+/// The texts of a page's column: what begins outside of meters and diagrams.
 std::vector<const PlacedType*> column_of(const Page& page) {
   std::vector<const PlacedType*> texts;
   for (const PlacedType& text : page.sheet.texts) {

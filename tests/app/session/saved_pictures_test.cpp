@@ -25,7 +25,7 @@ test::Drawn& drawn() {
 Image figure_of(const SceneModel& model, double t_s) {
   const Background background = background_from("studio").value();
   const Quality quality = quality_of(model.scene.quality);
-  if (!boards_in(model.drawn).empty()) {
+  if (!diagrams_in(model.drawn).empty()) {
     const PlacedFigure placed = place_figure(
         model, t_s, {.rect = {0, 0, kFigure.width, kFigure.height}, .caption_px = 10, .quality = quality},
         drawn().fonts());
@@ -81,7 +81,7 @@ TEST(SavedPictures, UnderATorqueAtAnotherTimeThanTheLessons) {
   expect_same_pictures(companion);
 }
 
-TEST(SavedPictures, OfBoardsAndTables) {
+TEST(SavedPictures, OfDiagramsAndTables) {
   Companion companion(test::loaded_lesson("numerical-lab"));
   bool has_table = false;
   for (std::size_t stage = 0; stage < companion.lesson().stages.size() && !has_table; ++stage) {

@@ -13,15 +13,15 @@
 namespace polhode {
 namespace {
 
-constexpr Overlay kBoards[] = {Overlay::tensor_bars,  Overlay::cofactors,     Overlay::cyclic_wheel,
-                               Overlay::energy_rows,  Overlay::momentum_rows, Overlay::cards,
-                               Overlay::method_table, Overlay::order_plot};
+constexpr Overlay kDiagrams[] = {Overlay::tensor_bars,  Overlay::cofactors,     Overlay::cyclic_wheel,
+                                 Overlay::energy_rows,  Overlay::momentum_rows, Overlay::cards,
+                                 Overlay::method_table, Overlay::order_plot};
 constexpr PixelBox kBox{40, 30, 700, 520};
 
-Scene scene_of(Overlay board, const Vec3& w0_B = {0.9, 0.4, 1.0}) {
+Scene scene_of(Overlay diagram, const Vec3& w0_B = {0.9, 0.4, 1.0}) {
   Scene scene;
   scene.w0_B = w0_B;
-  scene.show = {board};
+  scene.show = {diagram};
   return scene;
 }
 
@@ -31,7 +31,7 @@ Scene with_body(Scene scene, const char* name) {
 }
 
 Sheet sheet_of(const Scene& scene, double t_s, const PixelBox& box = kBox) {
-  return lay_out_board(boards_in(scene.show).front(), make_model(scene), t_s, box, {}, fonts());
+  return lay_out_diagram(diagrams_in(scene.show).front(), make_model(scene), t_s, box, {}, fonts());
 }
 
 std::vector<Vec2> points_of(const FlatShape& shape) {
@@ -68,48 +68,48 @@ std::vector<std::string> texts_in_order(const Sheet& sheet) {
   return texts;
 }
 
-TEST(Boards, ComeLastInTheEnumeration) {
+TEST(Diagrams, ComeLastInTheEnumeration) {
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
-    EXPECT_EQ(is_diagram(overlay), std::ranges::find(kBoards, overlay) != std::end(kBoards))
+    EXPECT_EQ(is_diagram(overlay), std::ranges::find(kDiagrams, overlay) != std::end(kDiagrams))
         << name_of(overlay);
   }
 }
 
-TEST(Boards, ShareAFigureWithWhatIsInSpace) {
+TEST(Diagrams, ShareAFigureWithWhatIsInSpace) {
   using O = Overlay;
   EXPECT_TRUE(shows_space({}));
   EXPECT_TRUE(shows_space({O::labels}));
   EXPECT_FALSE(shows_space({O::cards}));
   EXPECT_FALSE(shows_space({O::cards, O::labels, O::values}));
   EXPECT_TRUE(shows_space({O::cards, O::omega}));
-  EXPECT_EQ(boards_in({O::omega, O::cards, O::cofactors}), (std::vector{O::cofactors, O::cards}));
+  EXPECT_EQ(diagrams_in({O::omega, O::cards, O::cofactors}), (std::vector{O::cofactors, O::cards}));
 }
 
-TEST(Boards, AreTidyForAnyBodyAndPlace) {
+TEST(Diagrams, AreTidyForAnyBodyAndPlace) {
   std::vector<Scene> scenes;
-  for (Overlay board : kBoards) {
-    scenes.push_back(scene_of(board));
-    scenes.push_back(scene_of(board, {0, 0, 0}));
-    scenes.push_back(scene_of(board, {-300, 250, -1}));
-    scenes.push_back(with_body(scene_of(board), "phone"));
-    scenes.push_back(with_body(scene_of(board, {0, 1e-9, 7.3e-5}), "earth"));
-    scenes.push_back(with_body(scene_of(board), "slender-rod"));
-    scenes.push_back(scene_of(board));
+  for (Overlay diagram : kDiagrams) {
+    scenes.push_back(scene_of(diagram));
+    scenes.push_back(scene_of(diagram, {0, 0, 0}));
+    scenes.push_back(scene_of(diagram, {-300, 250, -1}));
+    scenes.push_back(with_body(scene_of(diagram), "phone"));
+    scenes.push_back(with_body(scene_of(diagram, {0, 1e-9, 7.3e-5}), "earth"));
+    scenes.push_back(with_body(scene_of(diagram), "slender-rod"));
+    scenes.push_back(scene_of(diagram));
     scenes.back().torque = {SpaceTorque{{0.3, -0.2, 0.1}}};
   }
   for (const Scene& scene : scenes)
     for (const PixelBox& box : {kBox, PixelBox{0, 0, 480, 270}, PixelBox{5, 9, 245, 400},
                                 PixelBox{0, 0, 3840, 2160}, PixelBox{0, 0, 900, 150}}) {
-      SCOPED_TRACE(std::string(name_of(boards_in(scene.show).front())) + " " + scene.body.name + " " +
+      SCOPED_TRACE(std::string(name_of(diagrams_in(scene.show).front())) + " " + scene.body.name + " " +
                    std::to_string(box.width()));
       for (double t_s : {0.0, 0.37 * make_model(scene).span_s}) expect_tidy(sheet_of(scene, t_s, box), box);
     }
 }
 
-TEST(Boards, RepeatToTheBit) {
-  for (Overlay board : kBoards) {
-    const Sheet once = sheet_of(scene_of(board), 0.7), again = sheet_of(scene_of(board), 0.7);
+TEST(Diagrams, RepeatToTheBit) {
+  for (Overlay diagram : kDiagrams) {
+    const Sheet once = sheet_of(scene_of(diagram), 0.7), again = sheet_of(scene_of(diagram), 0.7);
     ASSERT_EQ(once.texts.size(), again.texts.size());
     for (std::size_t i = 0; i < once.texts.size(); ++i) {
       EXPECT_EQ(once.texts[i].list, again.texts[i].list);
@@ -121,17 +121,17 @@ TEST(Boards, RepeatToTheBit) {
 }
 
 // Of a page of 1280 x 720 with meters, in px: em of prose 18.6, type of meters 0.62 em.
-TEST(Boards, TypeIsLegibleOnAPage) {
-  constexpr double kLeast = 0.6 * 0.62 * 18.6, kSmallest = 0.72;  // in sizes of a board's type
+TEST(Diagrams, TypeIsLegibleOnAPage) {
+  constexpr double kLeast = 0.6 * 0.62 * 18.6, kSmallest = 0.72;  // in sizes of a diagram's type
   constexpr PixelBox kPlace{0, 0, 628, 430};
-  for (Overlay board : kBoards) {
-    const Vec2 extent = board_extent(board, kPlace);
+  for (Overlay diagram : kDiagrams) {
+    const Vec2 extent = diagram_extent(diagram, kPlace);
     EXPECT_GE(kSmallest * std::min(kPlace.width() / extent.x(), kPlace.height() / extent.y()), kLeast)
-        << name_of(board);
+        << name_of(diagram);
   }
 }
 
-TEST(Boards, TensorBarsTurnWithTheBody) {
+TEST(Diagrams, TensorBarsTurnWithTheBody) {
   Scene scene = scene_of(Overlay::tensor_bars, {0, 0, 1});
   scene.attitude = Quat::Identity();
   const auto numbers = [&](double t_s) {
@@ -153,7 +153,7 @@ TEST(Boards, TensorBarsTurnWithTheBody) {
   EXPECT_EQ(numbers(kQuarter / 3.0)[1], "−0.32");
 }
 
-TEST(Boards, CofactorsAreLitOneAfterTheOther) {
+TEST(Diagrams, CofactorsAreLitOneAfterTheOther) {
   Scene scene = scene_of(Overlay::cofactors);
   scene.duration_s = 3.0;
   const Vec3 I = scene.body.moments.vector();
@@ -164,15 +164,15 @@ TEST(Boards, CofactorsAreLitOneAfterTheOther) {
     const Vec3 value = w.cross(I.cwiseProduct(w));
     EXPECT_EQ(texts_of(sheet, "N m").size(), lit + 1u) << "the others are still to be found";
     for (int i = 0; i < 3; ++i) {
-      const boards::NumberForm form(1.0);  // three digits, as of 1.08 N m, the largest of this motion
+      const diagrams::NumberForm form(1.0);  // three digits, as of 1.08 N m, the largest of this motion
       EXPECT_TRUE(i > lit || !texts_of(sheet, form.text(value[i])).empty()) << value[i];
-      const bool is_ink = only_text(sheet, units[i]).list.glyphs.front().color == BoardStyle{}.ink;
+      const bool is_ink = only_text(sheet, units[i]).list.glyphs.front().color == DiagramStyle{}.ink;
       EXPECT_EQ(is_ink, i == lit) << units[i] << " at " << lit;
     }
   }
 }
 
-TEST(Boards, TheWheelTellsTheTermsOfEulersEquations) {
+TEST(Diagrams, TheWheelTellsTheTermsOfEulersEquations) {
   Scene scene = scene_of(Overlay::cyclic_wheel);
   scene.torque = {BodyTorque{{0.25, -0.5, 0.125}}};
   const Sheet sheet = sheet_of(scene, 0.3);
@@ -184,12 +184,12 @@ TEST(Boards, TheWheelTellsTheTermsOfEulersEquations) {
   EXPECT_TRUE(texts_of(free, "N_1").empty());
 }
 
-TEST(Boards, RowsEndWhereTheyBegan) {
-  for (Overlay board : {Overlay::energy_rows, Overlay::momentum_rows}) {
-    const Sheet sheet = sheet_of(scene_of(board), 1.3);
+TEST(Diagrams, RowsEndWhereTheyBegan) {
+  for (Overlay diagram : {Overlay::energy_rows, Overlay::momentum_rows}) {
+    const Sheet sheet = sheet_of(scene_of(diagram), 1.3);
     std::vector<std::pair<double, double>> chain;
     for (int block = 0; block < 2; ++block)
-      for (const Color& paint : boards::kIndexPaint)
+      for (const Color& paint : diagrams::kIndexPaint)
         chain.push_back(bars_of(sheet, paint)[static_cast<std::size_t>(2 * block + 1)]);  // after the swatch
     // Rounding: of ω̇ 1e-11, drawn some hundred pixels long.
     constexpr double kTolerance = 1e-8;
@@ -202,20 +202,20 @@ TEST(Boards, RowsEndWhereTheyBegan) {
   }
 }
 
-TEST(Boards, UnderTorqueTheSecondSumIsItsPower) {
+TEST(Diagrams, UnderTorqueTheSecondSumIsItsPower) {
   Scene scene = scene_of(Overlay::energy_rows);
   scene.torque = {BodyTorque{{0.25, -0.5, 0.125}}};
   const SceneModel model = make_model(scene);
   const double power = Vec3(0.25, -0.5, 0.125).dot(model.motion->w_B_at(0.4));
-  EXPECT_EQ(texts_of(sheet_of(scene, 0.4), boards::signed_short(power)).size(), 1u) << power;
+  EXPECT_EQ(texts_of(sheet_of(scene, 0.4), diagrams::signed_short(power)).size(), 1u) << power;
 }
 
-TEST(Boards, CardsHaveTheTwelveEquations) {
+TEST(Diagrams, CardsHaveTheTwelveEquations) {
   const Sheet sheet = sheet_of(scene_of(Overlay::cards), 0.0);
   for (int n = 1; n <= 12; ++n) EXPECT_EQ(texts_of(sheet, "(" + std::to_string(n) + ")").size(), 1u) << n;
 }
 
-TEST(Boards, TheTableSaysWhatDivergedAndWhatIsGrosslyWrong) {
+TEST(Diagrams, TheTableSaysWhatDivergedAndWhatIsGrosslyWrong) {
   Scene scene = scene_of(Overlay::method_table);
   scene.motion = {.method = Method::rk4, .step_s = 0.3};
   scene.at_s = 100.0;
@@ -233,7 +233,7 @@ TEST(Boards, TheTableSaysWhatDivergedAndWhatIsGrosslyWrong) {
   EXPECT_GT(gross, 3);
 }
 
-TEST(Boards, TheTableSaysWhatItsNumbersAreOf) {
+TEST(Diagrams, TheTableSaysWhatItsNumbersAreOf) {
   Scene scene = scene_of(Overlay::method_table);
   scene.motion = {.method = Method::rk4, .step_s = 1.0 / 30.0};
   scene.at_s = 10.0;
@@ -244,8 +244,8 @@ TEST(Boards, TheTableSaysWhatItsNumbersAreOf) {
   expect_tidy(sheet, kBox);
 }
 
-TEST(Boards, MeasuredNumbersHaveTwoDigits) {
-  using boards::two_digits;
+TEST(Diagrams, MeasuredNumbersHaveTwoDigits) {
+  using diagrams::two_digits;
   EXPECT_EQ(two_digits(0.3), "0.30");
   EXPECT_EQ(two_digits(-0.0996), "−0.10");
   EXPECT_EQ(two_digits(0.05), "0.050");
@@ -259,7 +259,7 @@ TEST(Boards, MeasuredNumbersHaveTwoDigits) {
 }
 
 // 20 s from steps of 0.1 s on: halved six times, errors of RK4 lie between 1e-4 and 1e-11.
-TEST(Boards, TheOrderPlotMeasuresOrders) {
+TEST(Diagrams, TheOrderPlotMeasuresOrders) {
   Scene scene = scene_of(Overlay::order_plot);
   scene.motion = {.method = Method::rk4, .step_s = 0.1};
   scene.at_s = 20.0;
@@ -270,21 +270,21 @@ TEST(Boards, TheOrderPlotMeasuresOrders) {
     EXPECT_EQ(texts_of(sheet, label).size(), 1u) << label;
 }
 
-TEST(Boards, AnOrderPlotOfTooManyStepsIsRefused) {
+TEST(Diagrams, AnOrderPlotOfTooManyStepsIsRefused) {
   Scene scene = scene_of(Overlay::order_plot);
   scene.motion = {.method = Method::rk4, .step_s = 0.1};
   scene.at_s = 0.1 / 64 * 1.01 * kMostTableSteps;
   EXPECT_THROW(make_model(scene), std::domain_error);
 }
 
-TEST(Boards, NothingMoreIsModelledThanTheyNeed) {
+TEST(Diagrams, NothingMoreIsModelledThanTheyNeed) {
   EXPECT_EQ(requirements(scene_of(Overlay::cards)), Requirements{});
   EXPECT_TRUE(requirements(scene_of(Overlay::tensor_bars)).attitude);
-  for (Overlay board :
+  for (Overlay diagram :
        {Overlay::cofactors, Overlay::cyclic_wheel, Overlay::energy_rows, Overlay::momentum_rows}) {
     Requirements omega;
     omega.omega = true;
-    EXPECT_EQ(requirements(scene_of(board)), omega) << name_of(board);
+    EXPECT_EQ(requirements(scene_of(diagram)), omega) << name_of(diagram);
   }
   Requirements methods;
   methods.methods = true;
@@ -297,7 +297,7 @@ TEST(Boards, NothingMoreIsModelledThanTheyNeed) {
 }
 
 TEST(NumberForm, HasTheDigitsOfTheLargest) {
-  using boards::NumberForm;
+  using diagrams::NumberForm;
   EXPECT_EQ(NumberForm(2.5).text(1), "1.00");
   EXPECT_EQ(NumberForm(0.3).text(-0.25), "−0.250");
   EXPECT_EQ(NumberForm(1234).text(1233.7), "1234");
@@ -315,7 +315,7 @@ TEST(NumberForm, ThirdsOfTheSpanRepeat) {
   scene.duration_s = 3.0;
   const SceneModel model = make_model(scene);
   for (const auto& [t_s, third] : {std::pair(0.0, 0), {0.99, 0}, {1.01, 1}, {2.5, 2}, {3.0, 0}, {-0.5, 2}})
-    EXPECT_EQ(boards::third_at(model, t_s), third) << t_s;
+    EXPECT_EQ(diagrams::third_at(model, t_s), third) << t_s;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Golden boards at 480x270, as figures by themselves, each proved able to fail.
+// Golden diagrams at 480x270, as figures by themselves, each proved able to fail.
 #include "app/figure_place.h"
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
@@ -66,11 +66,11 @@ Image picture(const Row& row, double later_s = 0.0) {
   return std::move(image).value();
 }
 
-class GoldenBoard : public testing::TestWithParam<Row> {};
+class GoldenDiagram : public testing::TestWithParam<Row> {};
 
-TEST_P(GoldenBoard, IsAsApproved) { expect_as_approved(GetParam().name, picture(GetParam())); }
+TEST_P(GoldenDiagram, IsAsApproved) { expect_as_approved(GetParam().name, picture(GetParam())); }
 
-TEST_P(GoldenBoard, RefusesEveryMutationThatCanChangeIt) {
+TEST_P(GoldenDiagram, RefusesEveryMutationThatCanChangeIt) {
   const Row& row = GetParam();
   const Image approved = picture(row);
   const auto refused = [&](const Row& mutated, double later_s = 0.0) {
@@ -88,9 +88,9 @@ TEST_P(GoldenBoard, RefusesEveryMutationThatCanChangeIt) {
   EXPECT_TRUE(refused(mutated)) << "one letter of the caption";
 }
 
-TEST_P(GoldenBoard, RepeatsToTheByte) { EXPECT_EQ(picture(GetParam()).rgba, picture(GetParam()).rgba); }
+TEST_P(GoldenDiagram, RepeatsToTheByte) { EXPECT_EQ(picture(GetParam()).rgba, picture(GetParam()).rgba); }
 
-INSTANTIATE_TEST_SUITE_P(All, GoldenBoard, testing::ValuesIn(rows()), [](const auto& row) {
+INSTANTIATE_TEST_SUITE_P(All, GoldenDiagram, testing::ValuesIn(rows()), [](const auto& row) {
   std::string name = row.param.name;
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
@@ -98,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenBoard, testing::ValuesIn(rows()), [](const a
 
 }  // namespace
 
-std::vector<std::string> board_names() {
+std::vector<std::string> diagram_names() {
   std::vector<std::string> names;
   for (const Row& row : rows()) names.push_back(row.name);
   return names;
