@@ -65,7 +65,9 @@ class PageMaker : public PictureMaker {
 
   const StepText& text_of(const PlannedPicture& picture, const Shown& shown) {
     if (text_.stage == picture.stage && text_.step == picture.step) return text_;
-    FittedText set = text_of_page(request_of(picture, shown), fonts());
+    Result<FittedText> fitted = text_of_page(request_of(picture, shown), fonts());
+    if (!fitted) throw CommandError(ExitCode::invalid, fitted.error());
+    FittedText set = std::move(fitted).value();
     std::vector<std::string> tex;
     for (const Equation* equation : set.equations) tex.push_back(equation->tex);
     std::string alt = speaker_.words_of_page(*picture.stage, set.whole_from, picture.step);

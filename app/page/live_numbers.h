@@ -4,6 +4,7 @@
 
 #include "lessons/claims/live_claims.h"
 #include "render/drawing/sheet.h"
+#include "render/typeset/fonts.h"
 
 #include <optional>
 #include <string>

@@ -203,15 +203,17 @@ void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet
 
 }  // namespace
 
-FittedText text_of_page(const PageRequest& request, const Fonts& fonts) {
+Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) {
   const Grid grid = grid_of(request, plots_of(request).size());
-  FittedText text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
-  text.corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
+  Result<FittedText> text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
+  if (text) text->corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
   return text;
 }
 
-Page compose_page(const PageRequest& request, const Fonts& fonts) {
-  return compose_page(request, text_of_page(request, fonts), fonts);
+Result<Page> compose_page(const PageRequest& request, const Fonts& fonts) {
+  const Result<FittedText> text = text_of_page(request, fonts);
+  if (!text) return failure(text.error());
+  return compose_page(request, *text, fonts);
 }
 
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts) {

@@ -71,12 +71,12 @@ inline constexpr double kLeastFormulaScale = 0.6;
 
 /// The text column (page_text.h), which is the same at all times, opacities and on all ways; most of what a
 /// page costs.
-FittedText text_of_page(const PageRequest& request, const Fonts& fonts);
+/// The error says which text cannot be set, or that the step has more than a page holds (lint says where).
+Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts);
 
 /// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
-/// @throws CommandError invalid for text that cannot be set, and for a step with more than a page holds (lint
-/// says where)
-Page compose_page(const PageRequest& request, const Fonts& fonts);
+/// Errors as of text_of_page.
+Result<Page> compose_page(const PageRequest& request, const Fonts& fonts);
 /// The same with a text that is there: of this request, whatever its time, opacity and way.
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts);
 

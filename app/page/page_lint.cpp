@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_lint.h"
 
-#include "app/cli/exit_codes.h"
 #include "app/page/page.h"
 #include "app/page/still_numbers.h"
 #include "lessons/reader/lint_budget.h"
@@ -82,21 +81,20 @@ class PageLint {
     const auto on_page = [&] {
       return fmt::format("on a page of {}x{}", request.size.width, request.size.height);
     };
-    try {
-      const Page page = compose_page(request, fonts_);
-      if (page.scale < kLeastScale)
-        warn(fmt::format("step {} of stage \"{}\" is long: {} its type has {:.0f} % of the normal size",
-                         request.step, request.stage.id, on_page(), 100.0 * page.scale),
-             kSplit);
-      if (page.formula_scale < kLeastFormulaScale)
-        warn(fmt::format("step {} of stage \"{}\" has a wide formula: {} it has {:.0f} % of its normal size",
-                         request.step, request.stage.id, on_page(), 100.0 * page.formula_scale),
-             "write it in several lines: \\begin{aligned} … \\end{aligned}");
-      return page.scale >= kLeastScale && page.formula_scale >= kLeastFormulaScale;
-    } catch (const CommandError& error) {
-      found_.push_back({Severity::error, file_, place_, error.what(), kSplit});
+    const Result<Page> page = compose_page(request, fonts_);
+    if (!page) {
+      found_.push_back({Severity::error, file_, place_, page.error(), kSplit});
       return false;
     }
+    if (page->scale < kLeastScale)
+      warn(fmt::format("step {} of stage \"{}\" is long: {} its type has {:.0f} % of the normal size",
+                       request.step, request.stage.id, on_page(), 100.0 * page->scale),
+           kSplit);
+    if (page->formula_scale < kLeastFormulaScale)
+      warn(fmt::format("step {} of stage \"{}\" has a wide formula: {} it has {:.0f} % of its normal size",
+                       request.step, request.stage.id, on_page(), 100.0 * page->formula_scale),
+           "write it in several lines: \\begin{aligned} … \\end{aligned}");
+    return page->scale >= kLeastScale && page->formula_scale >= kLeastFormulaScale;
   }
 
   void warn(std::string message, std::string hint) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_text.h"
 
-#include "app/cli/exit_codes.h"
 #include "app/page/still_numbers.h"
 #include "lessons/reader/lint_budget.h"
 #include "physics/method.h"
@@ -116,7 +115,8 @@ struct Selection {
 class ScaledText {
  public:
   ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, const Verdicts& verdicts,
-             const StillNumbers::Values& kept, double width, double em, double scale, const Fonts& fonts)
+             const StillNumbers::Values& kept, double width, double em, double scale, const Fonts& fonts,
+             std::string& failure)
       : request_(request),
         verdicts_(verdicts),
         kept_(kept),
@@ -124,7 +124,7 @@ class ScaledText {
         width_(width),
         em_(em),
         scale_(scale),
-        column_(width, scale * em, request.theme, symbols, fonts),
+        column_(width, scale * em, request.theme, symbols, fonts, failure),
         last_(static_cast<std::size_t>(request.step - 1)),
         begun_{header(false), title()},
         continued_{header(true), begun_[1]},
@@ -321,12 +321,14 @@ class ScaledText {
 
 }  // namespace
 
-FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts) {
+Result<FittedText> fit_text(const PageRequest& request, double width, double height, double em,
+                            const Fonts& fonts) {
   const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
   const Verdicts verdicts = verdicts_of(request);
   const StillNumbers::Values kept = kept_numbers(request);
+  std::string why_not_set;
   const auto text_at = [&](double scale) {
-    return ScaledText(request, symbols, verdicts, kept, width, em, scale, fonts);
+    return ScaledText(request, symbols, verdicts, kept, width, em, scale, fonts, why_not_set);
   };
   const auto fitted = [](ScaledText& text, const Selection& shown) {
     return FittedText{text.stacked(shown),
@@ -341,6 +343,7 @@ FittedText fit_text(const PageRequest& request, double width, double height, dou
   for (const double scale : std::array{1.0, 0.93, kLeastScale}) {
     ScaledText text = text_at(scale);
     const auto shown = text.most(height);
+    if (!why_not_set.empty()) return failure(why_not_set);
     if (!shown || (best && shown->rank() >= best_rank)) continue;
     best_rank = shown->rank();
     best = fitted(text, *shown);
@@ -352,8 +355,8 @@ FittedText fit_text(const PageRequest& request, double width, double height, dou
     ScaledText text = text_at(scale);
     if (const auto shown = text.most(height)) return fitted(text, *shown);
   }
-  throw CommandError(ExitCode::invalid, fmt::format("stage \"{}\": step {} has more text than a page holds",
-                                                    request.stage.id, request.step));
+  return failure(
+      fmt::format("stage \"{}\": step {} has more text than a page holds", request.stage.id, request.step));
 }
 
 }  // namespace polhode

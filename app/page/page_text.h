@@ -20,7 +20,8 @@ struct FittedText {
 /// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a
 /// little smaller; else less of what came before (of the earliest steps first their equations alone, then
 /// nothing); else much smaller. Sets no more of the earlier steps than a page can hold.
-/// @throws CommandError invalid if a text cannot be set, or the step has more than a page holds
-FittedText fit_text(const PageRequest& request, double width, double height, double em, const Fonts& fonts);
+/// The error says which text cannot be set, or that the step has more than a page holds.
+Result<FittedText> fit_text(const PageRequest& request, double width, double height, double em,
+                            const Fonts& fonts);
 
 }  // namespace polhode

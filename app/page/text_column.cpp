@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/text_column.h"
 
-#include "app/cli/exit_codes.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,12 +31,6 @@ constexpr double kPanelPad = 0.5;
 
 std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
-}
-
-template <class T>
-T or_refuse(Result<T, std::vector<TypeError>> set) {
-  if (!set) throw CommandError(ExitCode::invalid, "this text cannot be set: " + set.error().front().message);
-  return std::move(set).value();
 }
 
 /// The list with its highest ink or line at y = 0.
@@ -101,8 +93,14 @@ TextStyle TextColumn::style(double size, Color color, double width) const {
   return style;
 }
 
+DisplayList TextColumn::noted(Result<DisplayList, std::vector<TypeError>> set) const {
+  if (set) return std::move(set).value();
+  if (failure_.empty()) failure_ = "this text cannot be set: " + set.error().front().message;
+  return {};
+}
+
 DisplayList TextColumn::set(const RichText& text, const TextStyle& style) const {
-  return or_refuse(set_text(text, style, fonts_));
+  return noted(set_text(text, style, fonts_));
 }
 
 ColumnPiece TextColumn::title(const RichText& title) const {
@@ -126,11 +124,11 @@ TextColumn::Formula TextColumn::formula(const Equation& equation, double size, d
                   .strike = colors().accent,
                   .line_width = room,
                   .symbols = &symbols_};
-  DisplayList list = or_refuse(set_math(equation.math, style, fonts_));
+  DisplayList list = noted(set_math(equation.math, style, fonts_));
   constexpr int kMostTries = 8;  // a smaller formula may be broken elsewhere
   for (int i = 0; i < kMostTries && list.width > room; ++i) {
     style.size *= 0.999 * room / list.width;
-    list = or_refuse(set_math(equation.math, style, fonts_));
+    list = noted(set_math(equation.math, style, fonts_));
   }
   return {std::move(list), style.size / size};
 }

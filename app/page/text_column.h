@@ -49,10 +49,11 @@ enum class Focus { none, now, before };
 
 class TextColumn {
  public:
-  /// `size` is the em of prose. All are kept by reference.
+  /// `size` is the em of prose. Why the first text cannot be set that cannot is left in `failure`, which is
+  /// empty before; nothing stands in its place. All are kept by reference.
   TextColumn(double width, double size, Theme theme, const std::vector<MathSymbol>& symbols,
-             const Fonts& fonts)
-      : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts) {}
+             const Fonts& fonts, std::string& failure)
+      : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts), failure_(failure) {}
 
   ColumnPiece title(const RichText& title) const;
   /// With the verdicts on what it claims below it. Terms of these names are marked.
@@ -70,6 +71,7 @@ class TextColumn {
  private:
   const PageColors& colors() const { return colors_of(theme_); }
   TextStyle style(double size, Color color, double width) const;
+  DisplayList noted(Result<DisplayList, std::vector<TypeError>> set) const;
   DisplayList set(const RichText& text, const TextStyle& style) const;
   struct Formula {
     DisplayList list;
@@ -83,6 +85,7 @@ class TextColumn {
   Theme theme_;
   const std::vector<MathSymbol>& symbols_;
   const Fonts& fonts_;
+  std::string& failure_;
 };
 
 /// Pieces one below the other, each in its place; the height they take together.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/page_view.h"
 
-#include "app/cli/exit_codes.h"
-
 namespace polhode {
 
 namespace {
@@ -35,7 +33,7 @@ PageView::PageKey PageView::key_of(const Companion& companion, const PageLook& l
           companion.lit()};
 }
 
-void PageView::compose(const Companion& companion, const PageKey& key) {
+Status PageView::compose(const Companion& companion, const PageKey& key) {
   PageRequest request = request_of(companion, key.look.size);
   const Fonts& fonts = renderer_.fonts();
   const bool may_keep = text_ && key.look.keep_text && text_key_->place == key.text.place &&
@@ -44,9 +42,10 @@ void PageView::compose(const Companion& companion, const PageKey& key) {
     if (!text_key_ || text_key_->loaded != key.text.loaded) still_numbers_ = StillNumbers(companion.effort());
     request.still_numbers = &still_numbers_;
     request.effort = companion.effort();
-    FittedText text = text_of_page(request, fonts);  // may throw: what there is stays whole
+    Result<FittedText> text = text_of_page(request, fonts);
+    if (!text) return failure(text.error());  // what there is stays whole
     from_ = text_ && is_step_before(*text_key_, key.text) ? std::move(text_) : std::nullopt;
-    text_ = std::move(text);
+    text_ = std::move(text).value();
     text_key_ = key.text;
   }
   if (companion.travel() < 1) {
@@ -63,6 +62,7 @@ void PageView::compose(const Companion& companion, const PageKey& key) {
     inset.resolution = key.look.resolution;
     inset.figure.caption_px *= key.look.resolution;  // enlarged again
   }
+  return success();
 }
 
 bool PageView::is_step_before(const TextKey& before, const TextKey& now) {
@@ -74,11 +74,7 @@ bool PageView::is_step_before(const TextKey& before, const TextKey& now) {
 Result<bool> PageView::show(const Companion& companion, const PageLook& look) {
   const PageKey key = key_of(companion, look);
   if (shown_ == key && picture_) return false;
-  try {
-    compose(companion, key);
-  } catch (const CommandError& error) {
-    return failure(error.what());
-  }
+  if (Status composed = compose(companion, key); !composed) return failure(composed.error());
   if (!picture_ || picture_->size() != look.size) {
     picture_.reset();
     auto made = Framebuffer::create(gl_, look.size, 0);

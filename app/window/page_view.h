@@ -57,7 +57,7 @@ class PageView {
   };
   PageKey key_of(const Companion& companion, const PageLook& look) const;
   static bool is_step_before(const TextKey& before, const TextKey& now);
-  void compose(const Companion& companion, const PageKey& key);
+  Status compose(const Companion& companion, const PageKey& key);
 
   const Gl& gl_;
   Renderer& renderer_;

@@ -44,7 +44,7 @@ double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& contex
                             .model = &model,
                             .t_s = step.scene->at_s,
                             .size = kPage};
-  const Inset inset = compose_page(request, renderer->fonts()).insets.front();
+  const Inset inset = compose_page(request, renderer->fonts()).value().insets.front();
   const Size size{inset.place.width, inset.place.height};
   const auto draw_figure = [&] {
     const double aspect = static_cast<double>(size.width) / size.height;
@@ -55,7 +55,7 @@ double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& contex
   const double figure = spread_of({cpu_s(draw_figure), cpu_s(draw_figure), cpu_s(draw_figure)}).median;
   value_of(renderer->draw(sheet_of_all_kinds(), kPage, {}));
   const double page = cpu_s([&] {
-    const Page made = compose_page(request, renderer->fonts());
+    const Page made = compose_page(request, renderer->fonts()).value();
     value_of(renderer->draw(made.sheet, made.insets, kPage, {Background::Kind::paper, {}}));
   });
   return 1e3 * (page - figure);

@@ -92,7 +92,8 @@ Image page_picture(const Asked& asked, const Lesson& lesson) {
                                   .t_s = scene.at_s + asked.later_s,
                                   .size = asked.size,
                                   .theme = asked.theme},
-                                 renderer().fonts());
+                                 renderer().fonts())
+                        .value();
   return or_throw(renderer().draw(page.sheet, page.insets, asked.size,
                                   {Background::Kind::color, colors_of(asked.theme).paper}));
 }

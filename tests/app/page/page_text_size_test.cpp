@@ -72,10 +72,10 @@ TEST_P(TextSize, KeepsPagesValid) {
     for (const double text_scale : {kLeastTextScale, 1.4, kMostTextScale}) {
       SCOPED_TRACE(fmt::format("{}x{} at {}", size.width, size.height, text_scale));
       const PageRequest request = request_for(stage, step.scene ? &model : nullptr, size, text_scale);
-      const Page page = compose_page(request, test_fonts());
+      const Page page = compose_page(request, test_fonts()).value();
       const PageRequest normal = request_for(stage, request.model, size, 1.0);
       const double em =
-          compose_page(normal, test_fonts()).column.width() / 28.0;  // kMeasure of app/page/page.cpp
+          compose_page(normal, test_fonts()).value().column.width() / 28.0;  // kMeasure of app/page/page.cpp
       expect_valid(page, size, text_scale * em * page.scale);
       if (request.model && size.width > size.height) {
         EXPECT_LE(page.column.x1, 0.62 * size.width);
@@ -103,7 +103,8 @@ TEST(TextSize, IsThatOfTheTypeWhereThereIsRoom) {
                          .model = shown,
                          .size = size,
                          .text_scale = text_scale},
-                        test_fonts());
+                        test_fonts())
+        .value();
   };
   for (const Size& size : {Size{1280, 800}, Size{1080, 1920}})
     for (const SceneModel* shown : {&model, static_cast<const SceneModel*>(nullptr)}) {
@@ -135,6 +136,7 @@ TEST(TextSize, OfAPageThatNoneFitsIsThatOfTheNormalPage) {
                                       .size = {1024, 768},
                                       .text_scale = text_scale},
                                      test_fonts())
+                            .value()
                             .scale;
   };
   const double normal = size_at(1);

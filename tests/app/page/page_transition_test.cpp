@@ -50,23 +50,26 @@ a - x = \frac{b}{e}
 class Pages {
  public:
   explicit Pages(const Lesson& lesson, int step = 2, Size size = {800, 600})
-      : lesson_(lesson), step_(step), size_(size), from_(text_of_page(request(step - 1), test_fonts())) {}
+      : lesson_(lesson),
+        step_(step),
+        size_(size),
+        from_(text_of_page(request(step - 1), test_fonts()).value()) {}
 
   PageRequest request(int step) const {
     return {.lesson = lesson_, .stage = lesson_.stages[0], .step = step, .size = size_};
   }
-  Sheet before() const { return compose_page(request(step_ - 1), test_fonts()).sheet; }
-  Sheet after() const { return compose_page(request(step_), test_fonts()).sheet; }
+  Sheet before() const { return compose_page(request(step_ - 1), test_fonts()).value().sheet; }
+  Sheet after() const { return compose_page(request(step_), test_fonts()).value().sheet; }
   Sheet at(double travel) const {
     PageRequest moving = request(step_);
     moving.travel = travel;
     moving.from = &from_;
-    return compose_page(moving, test_fonts()).sheet;
+    return compose_page(moving, test_fonts()).value().sheet;
   }
   Sheet fading_at(double travel) const {
     PageRequest fading = request(step_);
     fading.travel = travel;
-    return compose_page(fading, test_fonts()).sheet;
+    return compose_page(fading, test_fonts()).value().sheet;
   }
 
  private:
@@ -170,8 +173,10 @@ Lesson lesson_with_smaller_type() {
     text += "---\n";
     for (int i = 0; i < lines; ++i) text += "Other words.\n\n";
     Lesson lesson = lesson_of(text);
-    const FittedText fitted = text_of_page(
-        {.lesson = lesson, .stage = lesson.stages[0], .step = 2, .size = {640, 480}}, test_fonts());
+    const FittedText fitted =
+        text_of_page({.lesson = lesson, .stage = lesson.stages[0], .step = 2, .size = {640, 480}},
+                     test_fonts())
+            .value();
     if (fitted.scale < 1 && fitted.whole_from == 1) return lesson;
   }
   throw std::runtime_error("there is none");

@@ -146,8 +146,9 @@ const Lesson& lecture() {
 
 Page page_of(const Stage& stage, std::size_t step) {
   return compose_page(
-      {.lesson = lecture(), .stage = stage, .step = static_cast<int>(step), .size = {1280, 800}},
-      test_fonts());
+             {.lesson = lecture(), .stage = stage, .step = static_cast<int>(step), .size = {1280, 800}},
+             test_fonts())
+      .value();
 }
 
 TEST(PageSymbols, OfTheLectureAreOfItsLesson) {

@@ -36,9 +36,11 @@ Image figure_of(const SceneModel& model, double t_s) {
 }
 
 Image page_of(const Lesson& lesson, const Stage& stage, int step, const SceneModel* model, double t_s) {
-  const Page page = compose_page(
-      {.lesson = lesson, .stage = stage, .step = step, .model = model, .t_s = t_s, .size = kPage},
-      drawn().fonts());
+  const Page page =
+      compose_page(
+          {.lesson = lesson, .stage = stage, .step = step, .model = model, .t_s = t_s, .size = kPage},
+          drawn().fonts())
+          .value();
   return drawn().renderer->draw(page.sheet, page.insets, kPage, background_from("paper").value()).value();
 }
 
