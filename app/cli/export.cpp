@@ -67,7 +67,11 @@ FilmRequest film_of(const PictureExport& e) {
 void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
   if (!e.out.film.empty()) {
     const FilmRequest film = film_of(e);
-    write_film(film, watch);
+    {
+      const ProgressBar progress(std::ssize(film.pictures));
+      const auto show = [&](std::int64_t done) { progress.show(done, film.file.filename().string()); };
+      or_fail(write_film(film, watch, show));
+    }
     say("film of {} pictures: {}\n", film.pictures.size(), e.out.film);
   }
   if (!e.out.deck.empty()) make_deck(e, watch);

@@ -2,7 +2,7 @@
 #include "app/cli/lesson_lookup.h"
 
 #include "app/cli/exit_codes.h"
-#include "app/cli/interrupt.h"
+#include "base/interrupt.h"
 #include "app/page/page_lint.h"
 #include "base/sha256.h"
 #include "base/spelling.h"

@@ -2,7 +2,7 @@
 // Parts of one work in processes of their own, on this machine.
 #pragma once
 
-#include "app/cli/interrupt.h"
+#include "base/interrupt.h"
 
 #include <cstddef>
 #include <functional>

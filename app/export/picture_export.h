@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/export_options.h"
-#include "app/cli/interrupt.h"
+#include "base/interrupt.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/export/export_folder.h"
 

@@ -2,7 +2,7 @@
 // ffmpeg as a child process that reads what we write to it.
 #pragma once
 
-#include "app/cli/interrupt.h"
+#include "base/interrupt.h"
 #include "base/result.h"
 
 #include <sys/types.h>

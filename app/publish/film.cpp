@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/film.h"
 
-#include "app/cli/or_fail.h"
-#include "app/cli/progress.h"
 #include "app/publish/ffmpeg.h"
 #include "base/files/atomic_file.h"
 #include "base/files/temporary_file.h"
@@ -33,10 +31,6 @@ constexpr const char *kMp4Quality = "17", *kWebmQuality = "24";
 
 fs::path folder_of(const fs::path& file) {
   return file.parent_path().empty() ? fs::path(".") : file.parent_path();
-}
-
-CommandError failed(const FilmRequest& request, const std::string& why) {
-  return {ExitCode::failed, fmt::format("cannot make the film {}: {}", request.file.string(), why)};
 }
 
 /// A file that goes away with it, unless it is given its final name.
@@ -75,26 +69,27 @@ struct Header {
   bool has_alpha = false;
 };
 
-Header header_of(const fs::path& picture) {
+Result<Header> header_of(const fs::path& picture) {
   std::array<std::uint8_t, 26> bytes{};
   std::ifstream file(picture, std::ios::binary);
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!file || std::memcmp(&bytes[12], "IHDR", 4) != 0)
-    throw CommandError(ExitCode::failed, "cannot read the picture " + picture.string());
+    return failure("cannot read the picture " + picture.string());
   const auto number = [&](std::size_t at) {
     return bytes[at] << 24 | bytes[at + 1] << 16 | bytes[at + 2] << 8 | bytes[at + 3];
   };
   constexpr std::uint8_t kRgba = 6;
-  return {{number(16), number(20)}, bytes[25] == kRgba};
+  return Header{{number(16), number(20)}, bytes[25] == kRgba};
 }
 
 /// What holds all pictures.
-Header frame_of(const FilmRequest& request) {
+Result<Header> frame_of(const FilmRequest& request) {
   Header all;
   for (const fs::path& picture : request.pictures) {
-    const Header header = header_of(picture);
-    all.size = {std::max(all.size.width, header.size.width), std::max(all.size.height, header.size.height)};
-    all.has_alpha = all.has_alpha || header.has_alpha;
+    const Result<Header> header = header_of(picture);
+    if (!header) return header;
+    all.size = {std::max(all.size.width, header->size.width), std::max(all.size.height, header->size.height)};
+    all.has_alpha = all.has_alpha || header->has_alpha;
   }
   return all;
 }
@@ -136,20 +131,24 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 class Film {
  public:
-  Film(const FilmRequest& request, const InterruptWatch& watch)
+  Film(const FilmRequest& request, const Header& frame, const InterruptWatch& watch,
+       const std::function<void(std::int64_t)>& show)
       : request_(request),
         watch_(watch),
+        show_(show),
         kind_(*film_kind_of(request.file)),
-        frame_(frame_of(request)),
+        frame_(frame),
         made_(folder_of(request.file) / temporary_name(0)),
         palette_(folder_of(request.file) / temporary_name(1)) {
     if (kind_ == FilmKind::mp4 || kind_ == FilmKind::webm) frame_.size = even(frame_.size);
   }
 
-  void make() {
-    if (kind_ == FilmKind::gif) run(join({input(), {"-vf", "palettegen"}, palette_output()}));
-    run(join({input(), encoding(), {made_.url()}}));
-    if (const Status named = made_.rename_to(request_.file); !named) throw failed(request_, named.error());
+  Status make() {
+    if (kind_ == FilmKind::gif)
+      if (Status status = run(join({input(), {"-vf", "palettegen"}, palette_output()})); !status)
+        return status;
+    if (Status status = run(join({input(), encoding(), {made_.url()}})); !status) return status;
+    return made_.rename_to(request_.file);
   }
 
  private:
@@ -218,34 +217,36 @@ class Film {
   /// That of a GIF has one bit, which would fray all edges.
   bool keeps_alpha() const { return kind_ == FilmKind::webm || kind_ == FilmKind::apng; }
 
-  Image frame(const fs::path& picture) const {
+  Result<Image> frame(const fs::path& picture) const {
     Result<PngFile> file = read_png(picture);
-    if (!file) throw failed(request_, file.error());
+    if (!file) return failure(file.error());
     Image image = extended(file->image, frame_.size);
     if (frame_.has_alpha && !keeps_alpha()) lay_on_white(image);
     return image;
   }
 
-  void run(const Words& arguments) const {
+  Status run(const Words& arguments) const {
     Result<Ffmpeg> ffmpeg = Ffmpeg::start(arguments, watch_);
-    if (!ffmpeg) throw failed(request_, ffmpeg.error());
-    const ProgressBar progress(static_cast<std::int64_t>(request_.pictures.size()));
+    if (!ffmpeg) return failure(ffmpeg.error());
     const fs::path* before = nullptr;
-    Image image;
+    Result<Image> image = Image();
     std::int64_t count = 0;
     for (const fs::path& picture : request_.pictures) {
-      progress.show(count, request_.file.filename().string());
+      show_(count);
       if (!before || !same_file(*before, picture)) image = frame(picture);
+      if (!image) return failure(image.error());
       before = &picture;
-      if (!ffmpeg->feed(image.rgba)) break;
+      if (!ffmpeg->feed(image->rgba)) break;
       ++count;
     }
-    if (const Status ended = ffmpeg->finish(); !ended) throw failed(request_, ended.error());
-    if (count < std::ssize(request_.pictures)) throw failed(request_, "ffmpeg ended before the last picture");
+    if (Status ended = ffmpeg->finish(); !ended) return ended;
+    if (count < std::ssize(request_.pictures)) return failure("ffmpeg ended before the last picture");
+    return success();
   }
 
   const FilmRequest& request_;
   const InterruptWatch& watch_;
+  const std::function<void(std::int64_t)>& show_;
   FilmKind kind_;
   Header frame_;
   UnfinishedFile made_, palette_;
@@ -262,12 +263,19 @@ std::optional<FilmKind> film_kind_of(const fs::path& file) {
   return std::nullopt;
 }
 
-void write_film(const FilmRequest& request, const InterruptWatch& watch) {
+Status write_film(const FilmRequest& request, const InterruptWatch& watch,
+                  const std::function<void(std::int64_t)>& show) {
+  const auto cannot = [&](const std::string& why) {
+    return failure(fmt::format("cannot make the film {}: {}", request.file.string(), why));
+  };
   std::error_code error;
   fs::create_directories(folder_of(request.file), error);
-  if (error) throw failed(request, error.message());
+  if (error) return cannot(error.message());
   for (const fs::path& unfinished : left_behind_in(folder_of(request.file))) fs::remove(unfinished, error);
-  Film(request, watch).make();
+  const Result<Header> frame = frame_of(request);
+  if (!frame) return cannot(frame.error());
+  const Status made = Film(request, *frame, watch, show).make();
+  return made ? success() : Status(cannot(made.error()));
 }
 
 }  // namespace polhode

@@ -2,10 +2,13 @@
 // A film of pictures that lie in files, made by ffmpeg.
 #pragma once
 
-#include "app/cli/interrupt.h"
 #include "app/export/timeline.h"
+#include "base/interrupt.h"
+#include "base/result.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,7 +40,10 @@ struct FilmRequest {
 /// transparent becomes white in MP4 and GIF. `file` appears whole or not at all; folders above it are made,
 /// and what killed processes left unfinished beside it goes. One picture is in memory at a time, besides what
 /// ffmpeg holds.
-/// @throws CommandError failed: no ffmpeg, what ffmpeg says, unreadable pictures, a full disk; Interrupted
-void write_film(const FilmRequest& request, const InterruptWatch& watch);
+/// `show(n)` is called before the n-th picture is read, from 0, in each pass; a GIF has two. The error says
+/// why there is no film: no ffmpeg, what ffmpeg says, unreadable pictures, a full disk.
+/// @throws Interrupted
+Status write_film(const FilmRequest& request, const InterruptWatch& watch,
+                  const std::function<void(std::int64_t)>& show);
 
 }  // namespace polhode

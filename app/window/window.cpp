@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/window.h"
 
-#include "app/cli/interrupt.h"
+#include "base/interrupt.h"
 #include "app/window/controls/control_input.h"
 #include "app/window/display.h"
 #include "app/window/frame_log.h"

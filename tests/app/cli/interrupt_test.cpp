@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ctrl-C while a motion is computed: it is obeyed at once, whatever the command is.
-#include "app/cli/interrupt.h"
+#include "base/interrupt.h"
 
 #include "app/export/export_folder.h"
 #include "tests/app/run_program.h"

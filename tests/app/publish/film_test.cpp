@@ -2,7 +2,6 @@
 // Films, read again by ffmpeg and ffprobe.
 #include "app/publish/film.h"
 
-#include "app/cli/exit_codes.h"
 #include "app/publish/ffmpeg.h"
 #include "render/image/png.h"
 #include "tests/app/run_program.h"
@@ -25,6 +24,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 namespace fs = std::filesystem;
+
+void make_film(const FilmRequest& request, const InterruptWatch& watch) {
+  std::int64_t shown = 0;
+  const Status made = write_film(request, watch, [&](std::int64_t) { ++shown; });
+  EXPECT_TRUE(made) << made.error();
+  EXPECT_GE(shown, std::ssize(request.pictures));
+}
 
 /// A bright block on a gradient that moves from frame to frame; its edges are sharp, as those of text are.
 Image block(Size size, int frame, std::uint8_t alpha = 255) {
@@ -120,7 +126,7 @@ TEST_F(Film, HasEveryPictureAtItsRateAndOnlyItsOwnFile) {
   const Size size{96, 64};
   const auto pictures = written(scratch, blocks(10, size));
   for (const char* name : {"f.mp4", "f.webm", "f.gif", "f.apng"}) {
-    write_film({other / name, pictures, {30000, 1001}, 1, "Spin & \"roll\""}, watch);
+    make_film({other / name, pictures, {30000, 1001}, 1, "Spin & \"roll\""}, watch);
     const std::string said = entries(other / name,
                                      "stream=width,height,nb_read_frames,avg_frame_rate,color_space,color_"
                                      "transfer,color_primaries:format_tags",
@@ -145,7 +151,7 @@ TEST_F(Film, ShowsThePictures) {
   // 28 dB.
   const std::map<std::string, double> least = {{"f.mp4", 31}, {"f.webm", 31}, {"f.gif", 31}, {"f.apng", 999}};
   for (const auto& [name, dB] : least) {
-    write_film({other / name, pictures, {25, 1}, 1, ""}, watch);
+    make_film({other / name, pictures, {25, 1}, 1, ""}, watch);
     const std::vector<Image> frames = frames_of(other / name, size, scratch);
     ASSERT_EQ(frames.size(), images.size()) << name;
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -163,7 +169,7 @@ TEST_F(Film, OfOddAndUnequalSizesLosesNoRow) {
   const auto pictures = written(scratch, {block({61, 41}, 0), block({97, 33}, 1), block({20, 63}, 2)});
   for (const auto& [name, size] :
        {std::pair{"f.mp4", Size{98, 64}}, {"f.gif", Size{97, 63}}, {"f.apng", {97, 63}}}) {
-    write_film({other / name, pictures, {10, 1}, 1, ""}, watch);
+    make_film({other / name, pictures, {10, 1}, 1, ""}, watch);
     EXPECT_THAT(entries(other / name, "stream=width,height,nb_read_frames", scratch),
                 AllOf(HasSubstr("width=" + std::to_string(size.width)),
                       HasSubstr("height=" + std::to_string(size.height)), HasSubstr("nb_read_frames=3")))
@@ -179,7 +185,7 @@ TEST_F(Film, TransparentPicturesStayWhereTheKindCanAndBecomeWhiteElsewhere) {
   const Size size{64, 64};
   const auto pictures = written(scratch, blocks(3, size, 0));
   for (const char* name : {"f.mp4", "f.gif", "f.apng", "f.webm"})
-    write_film({other / name, pictures, {10, 1}, 1, ""}, watch);
+    make_film({other / name, pictures, {10, 1}, 1, ""}, watch);
   for (const char* name : {"f.mp4", "f.gif"}) {
     const Image solid = frames_of(other / name, size, scratch).at(0);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(solid.pixel(60, 2)[c], 255, 3) << name;
@@ -192,11 +198,11 @@ TEST_F(Film, TransparentPicturesStayWhereTheKindCanAndBecomeWhiteElsewhere) {
 TEST_F(Film, ShowsStillsForAWhile) {
   const auto pictures = written(scratch, blocks(3, {64, 64}));
   for (const char* name : {"f.mp4", "f.webm"}) {
-    write_film({other / name, pictures, {30, 1}, 45, ""}, watch);
+    make_film({other / name, pictures, {30, 1}, 45, ""}, watch);
     EXPECT_THAT(entries(other / name, "stream=nb_read_frames,r_frame_rate", scratch),
                 AllOf(HasSubstr("nb_read_frames=135"), HasSubstr("r_frame_rate=30/1")));
   }
-  write_film({other / "f.gif", pictures, {30, 1}, 45, ""}, watch);
+  make_film({other / "f.gif", pictures, {30, 1}, 45, ""}, watch);
   EXPECT_THAT(entries(other / "f.gif", "stream=nb_read_frames:format=duration", scratch),
               AllOf(HasSubstr("nb_read_frames=3"), HasSubstr("duration=4.5")));
 }
@@ -204,22 +210,16 @@ TEST_F(Film, ShowsStillsForAWhile) {
 TEST_F(Film, AnyFileNameIsAFileName) {
   const auto pictures = written(scratch, blocks(2, {32, 32}));
   const std::string name = "made/on the way/-i http:%d 'q'.mp4";
-  write_film({other / name, pictures, {10, 1}, 1, "-title=$HOME"}, watch);
+  make_film({other / name, pictures, {10, 1}, 1, "-title=$HOME"}, watch);
   EXPECT_THAT(names_in(other / "made/on the way"), ElementsAre("-i http:%d 'q'.mp4"));
 }
 
 /// The error of a film, whose folder is as it was.
 std::string error_of(const FilmRequest& request, const InterruptWatch& watch) {
   const auto before = names_in(request.file.parent_path());
-  std::string said = "made";
-  try {
-    write_film(request, watch);
-  } catch (const CommandError& error) {
-    EXPECT_EQ(error.code, ExitCode::failed);
-    said = error.what();
-  }
+  const Status made = write_film(request, watch, [](std::int64_t) {});
   EXPECT_EQ(names_in(request.file.parent_path()), before);
-  return said;
+  return made ? "made" : made.error();
 }
 
 TEST_F(Film, DamagedAndMissingPicturesAreNamed) {
@@ -283,7 +283,9 @@ TEST_F(Film, InterruptedLeavesNothingNotEvenFfmpeg) {
       while (text_of(scratch / "pid").empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
       ::raise(SIGINT);
     });
-    EXPECT_THROW(write_film({other / "f.mp4", pictures, {10, 1}, 1, ""}, mine), Interrupted);
+    EXPECT_THROW(
+        static_cast<void>(write_film({other / "f.mp4", pictures, {10, 1}, 1, ""}, mine, [](std::int64_t) {})),
+        Interrupted);
     impatient.join();
     EXPECT_THAT(names_in(other.path()), IsEmpty());
     EXPECT_EQ(::kill(std::stoi(text_of(scratch / "pid")), 0), -1) << "it still runs";

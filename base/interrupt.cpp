@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/interrupt.h"
+#include "base/interrupt.h"
 
 namespace polhode {
 
@@ -32,7 +32,7 @@ InterruptWatch::~InterruptWatch() {
 
 bool InterruptWatch::interrupted() const { return interrupt_seen != 0; }
 
-Effort until_interrupted() {
+std::function<void(std::int64_t)> until_interrupted() {
   return [](std::int64_t) {
     if (interrupt_seen != 0) throw Interrupted();
   };

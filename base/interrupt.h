@@ -3,10 +3,10 @@
 // are being written: finish the current one, then stop.
 #pragma once
 
-#include "physics/effort.h"
-
 #include <array>
 #include <csignal>
+#include <cstdint>
+#include <functional>
 
 namespace polhode {
 
@@ -29,7 +29,8 @@ class InterruptWatch {
 /// Thrown out of what takes long, or waits, when someone interrupts.
 struct Interrupted {};
 
-/// For motions: throws Interrupted once the watch that lives has seen an interruption; never without a watch.
-Effort until_interrupted();
+/// For what takes long and tells how much it has done (physics/effort.h): throws Interrupted once the watch
+/// that lives has seen an interruption; never without a watch.
+std::function<void(std::int64_t)> until_interrupted();
 
 }  // namespace polhode
