@@ -144,7 +144,7 @@ ExitCode measure_motion(const TypedOptions& typed) {
 
   print_result(report, typed);
   if (!typed.csv.empty()) write_text_file(typed.csv, csv_text(report.rows));
-  if (!typed.plot.empty()) write_plot(typed.plot, plot_of(report, problem));
+  if (!typed.plot.empty()) or_fail(write_plot(typed.plot, plot_of(report, problem)));
   return ExitCode::done;
 }
 

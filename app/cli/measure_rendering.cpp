@@ -262,7 +262,7 @@ ExitCode measure_rendering(const RenderingRequest& request) {
         "pixel\n{}",
         table_text(rows, recommended), advice_text(request, rows, recommended));
   if (!request.csv.empty()) write_text(request.csv, csv_text(rows));
-  if (!request.plot.empty()) write_plot(request.plot, plot_of(request, rows, recommended));
+  if (!request.plot.empty()) or_fail(write_plot(request.plot, plot_of(request, rows, recommended)));
   return ExitCode::done;
 }
 

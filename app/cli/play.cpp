@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // polhode play: a lesson in a window.
 #include "app/cli/commands.h"
-#include "base/interrupt.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "app/session/saved_progress.h"
 #include "app/session/state_file.h"
 #include "app/window/window.h"
+#include "base/interrupt.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -80,9 +80,9 @@ ExitCode play(const Options& options) {
   LessonWatch watch(*loaded);
   if (options.watch)
     window.look_for_changes = [&](Companion& now, std::string& errors) { watch.look(now, errors); };
-  const ExitCode code = run_window(companion, window);
+  const WindowEnd end = or_fail(run_window(companion, window));
   if (const std::string news = memory.keep_at_last(companion); !news.empty()) say("polhode: {}\n", news);
-  return code;
+  return end == WindowEnd::interrupted ? ExitCode::interrupted : ExitCode::done;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/plot_file.h"
 
-#include "app/cli/or_fail.h"
 #include "app/export/picture_metadata.h"
 #include "render/gl/renderer.h"
 
@@ -26,16 +25,19 @@ std::string description_of(const WorkPrecisionPlot& plot) {
   return text;
 }
 
-void write_plot(const std::filesystem::path& path, const WorkPrecisionPlot& plot) {
-  const std::unique_ptr<GlContext> context = or_fail(open_context(ContextKind::any));
-  const std::unique_ptr<Renderer> renderer = or_fail(Renderer::create(*context));
-  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, renderer->fonts());
-  const Image image = or_fail(renderer->draw(sheet, kPlotSize, {Background::Kind::paper, {}}));
+Status write_plot(const std::filesystem::path& path, const WorkPrecisionPlot& plot) {
+  const auto context = open_context(ContextKind::any);
+  if (!context) return failure(context.error());
+  const auto renderer = Renderer::create(**context);
+  if (!renderer) return failure(renderer.error());
+  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, (*renderer)->fonts());
+  const Result<Image> image = (*renderer)->draw(sheet, kPlotSize, {Background::Kind::paper, {}});
+  if (!image) return failure(image.error());
   const PngMetadata metadata{{{"Title", plot.title},
                               {"Description", description_of(plot)},
                               {"Software", program_name_and_version()}},
                              0};
-  or_fail(write_png(path, image, metadata));
+  return write_png(path, *image, metadata);
 }
 
 }  // namespace polhode

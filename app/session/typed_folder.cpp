@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/typed_folder.h"
 
-#include "app/cli/exit_codes.h"
-
 #include <fmt/format.h>
 #include <pwd.h>
 #include <unistd.h>
@@ -17,19 +15,21 @@ namespace polhode {
 namespace {
 
 /// What is to be said of a beginning that means nothing.
-CommandError refusal(const std::string& reason, const std::string& beginning) {
-  return {ExitCode::usage, fmt::format("{}; a folder of this name is ./{}", reason, beginning)};
+Failure<std::string> refusal(const std::string& reason, const std::string& beginning) {
+  return failure(fmt::format("{}; a folder of this name is ./{}", reason, beginning));
 }
 
-std::string home() {
-  if (const char* set = std::getenv("HOME"); set && *set) return set;
+Result<std::string> home() {
+  if (const char* set = std::getenv("HOME"); set && *set) return std::string(set);
   const passwd* user = getpwuid(getuid());
-  return user ? user->pw_dir : throw refusal("HOME is not set", "~");
+  if (!user) return refusal("HOME is not set", "~");
+  return std::string(user->pw_dir);
 }
 
-std::string home_of(const std::string& name) {
+Result<std::string> home_of(const std::string& name) {
   const passwd* user = getpwnam(name.c_str());
-  return user ? user->pw_dir : throw refusal(fmt::format("there is no user called {}", name), '~' + name);
+  if (!user) return refusal(fmt::format("there is no user called {}", name), '~' + name);
+  return std::string(user->pw_dir);
 }
 
 /// How many characters of a text are the name of a variable, as a shell takes it: the longest beginning of
@@ -57,17 +57,21 @@ std::optional<Variable> variable_in(std::string_view beginning) {
 
 }  // namespace
 
-std::filesystem::path typed_folder(const std::string& typed) {
-  if (typed.empty()) return ".";
+Result<std::filesystem::path> typed_folder(const std::string& typed) {
+  using Path = std::filesystem::path;
+  if (typed.empty()) return Path(".");
   const std::string beginning = typed.substr(0, typed.find('/'));
   const std::string rest = typed.substr(beginning.size());
-  if (beginning == "~") return home() + rest;
-  if (beginning.starts_with('~')) return home_of(beginning.substr(1)) + rest;
+  if (beginning.starts_with('~')) {
+    const Result<std::string> found = beginning == "~" ? home() : home_of(beginning.substr(1));
+    if (!found) return failure(found.error());
+    return Path(*found + rest);
+  }
   const std::optional<Variable> variable = variable_in(beginning);
-  if (!variable) return typed;
+  if (!variable) return Path(typed);
   const char* value = std::getenv(variable->name.c_str());
-  if (!value || !*value) throw refusal(fmt::format("{} is not set", variable->name), beginning);
-  return value + variable->rest + rest;
+  if (!value || !*value) return refusal(fmt::format("{} is not set", variable->name), beginning);
+  return Path(value + variable->rest + rest);
 }
 
 }  // namespace polhode

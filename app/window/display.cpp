@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/display.h"
 
-#include "app/cli/exit_codes.h"
 #include "app/window/window_context.h"
 
 #define GLFW_INCLUDE_NONE
@@ -55,7 +54,7 @@ GLFWmonitor* monitor_at(int x, int y) {
 
 }  // namespace
 
-Glfw::Glfw() {
+Result<std::unique_ptr<Glfw>> Glfw::start() {
 #ifdef GLFW_PLATFORM
   // From version 3.4 on GLFW looks for Wayland before X11, and Wayland's library complains on stderr where it
   // is not.
@@ -63,37 +62,38 @@ Glfw::Glfw() {
     glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
   if (glfwInit() != GLFW_TRUE)
-    throw CommandError(
-        ExitCode::failed,
+    return failure(
         fmt::format("no window can be opened here ({}); without a display, write the pages to files: "
                     "polhode export LESSON -o DIR",
                     last_glfw_error()));
+  return std::unique_ptr<Glfw>(new Glfw);
 }
 
 Glfw::~Glfw() { glfwTerminate(); }
 
 void WindowDeleter::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 
-Display::Display() {
-  const std::string why = open_with_opengl();
-  if (!screen_) fall_back(why);
+Result<std::unique_ptr<Display>> Display::open() {
+  std::unique_ptr<Display> display(new Display);
+  if (const Status opened = display->open_with_opengl(); !opened)
+    if (const Status fallen = display->fall_back(opened.error()); !fallen) return failure(fallen.error());
+  return display;
 }
 
-/// Or says why not.
-std::string Display::open_with_opengl() {
+Status Display::open_with_opengl() {
   window_ = make_glfw_window(true);
-  if (!window_) return last_glfw_error();
+  if (!window_) return failure(last_glfw_error());
   auto context = context_of_window(window_.get());
-  if (!context) return context.error();
+  if (!context) return failure(context.error());
   auto screen = Screen::create(**context);
-  if (!screen) return screen.error();
+  if (!screen) return failure(screen.error());
   auto table = Gl::load(**context);
-  if (!table) return table.error();
+  if (!table) return failure(table.error());
   glfwSwapInterval(1);
   context_ = std::move(context).value();
   screen_ = std::move(screen).value();
   gl_ = *table;
-  return {};
+  return success();
 }
 
 void Display::present() {
@@ -108,28 +108,28 @@ void Display::present() {
 
 /// Off-screen, and the pictures in a plain window. The off-screen context may be on this thread: GLFW calls
 /// no OpenGL then.
-void Display::fall_back(const std::string& why) {
+Status Display::fall_back(const std::string& why) {
   window_ = make_glfw_window(false);
   if (!window_)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("no window can be opened here ({}); pages can be written to files: "
-                                   "polhode export LESSON -o DIR",
-                                   last_glfw_error()));
+    return failure(fmt::format(
+        "no window can be opened here ({}); pages can be written to files: polhode export LESSON -o "
+        "DIR",
+        last_glfw_error()));
   auto plain = PlainWindow::create(window_.get());
   auto context = plain ? open_context(ContextKind::any)
                        : Result<std::unique_ptr<GlContext>>(failure("no plain window: " + plain.error()));
   if (!context)
-    throw CommandError(
-        ExitCode::failed,
+    return failure(
         fmt::format("the window has no OpenGL 3.3 ({}), and there is nothing else to draw with: {} Pages "
                     "can be written to files where there is: polhode export LESSON -o DIR",
                     why, context.error()));
   auto screen = Screen::create(**context);
-  if (!screen) throw CommandError(ExitCode::failed, screen.error());
+  if (!screen) return failure(screen.error());
   plain_ = std::move(plain).value();
   context_ = std::move(context).value();
   screen_ = std::move(screen).value();
   fallback_ = why;
+  return success();
 }
 
 bool FullScreen::is_on() const { return glfwGetWindowMonitor(window_) != nullptr; }

@@ -14,11 +14,14 @@ namespace polhode {
 /// GLFW while it lives; one at a time.
 class Glfw {
  public:
-  /// @throws CommandError failed: no display; names `export`
-  Glfw();
+  /// An error where there is no display; names `export`.
+  static Result<std::unique_ptr<Glfw>> start();
   ~Glfw();
   Glfw(const Glfw&) = delete;
   Glfw& operator=(const Glfw&) = delete;
+
+ private:
+  Glfw() = default;
 };
 
 struct WindowDeleter {
@@ -29,8 +32,8 @@ using WindowPointer = std::unique_ptr<GLFWwindow, WindowDeleter>;
 /// With the display's OpenGL; where that is not 3.3, off-screen in a plain window. Needs a Glfw.
 class Display {
  public:
-  /// @throws CommandError failed: neither is possible; says why
-  Display();
+  /// The error says why neither is possible.
+  static Result<std::unique_ptr<Display>> open();
 
   GLFWwindow* window() const { return window_.get(); }
   Screen& screen() { return *screen_; }
@@ -40,8 +43,9 @@ class Display {
   void present();
 
  private:
-  std::string open_with_opengl();
-  void fall_back(const std::string& why);
+  Display() = default;
+  Status open_with_opengl();
+  Status fall_back(const std::string& why);
 
   WindowPointer window_;
   std::unique_ptr<PlainWindow> plain_;

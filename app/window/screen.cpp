@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen.h"
 
-#include "app/cli/exit_codes.h"
 #include "app/session/command.h"
 #include "app/session/figure_interaction.h"
 #include "app/session/symbol_note.h"
@@ -419,15 +418,16 @@ void Screen::use_figure(Companion& companion, bool on_page) {
 void Screen::take(Companion& companion) {
   const std::string lit = companion.lit();
   companion.light("");
-  try {
-    const auto path =
-        take_away(companion, *wishes_.take_away, memory_.take_away, typed_folder(memory_.folder), *renderer_);
-    std::error_code unknown;
-    const auto real = std::filesystem::canonical(path, unknown);
-    tell("saved: " + (unknown ? path : real).string());
-  } catch (const std::exception& error) {  // also those of file systems
-    tell(std::string("not saved: ") + error.what());
-  }
+  const Result<std::filesystem::path> folder = typed_folder(memory_.folder);
+  if (!folder) tell("not saved: " + folder.error());
+  if (folder) try {
+      const auto path = take_away(companion, *wishes_.take_away, memory_.take_away, *folder, *renderer_);
+      std::error_code unknown;
+      const auto real = std::filesystem::canonical(path, unknown);
+      tell("saved: " + (unknown ? path : real).string());
+    } catch (const std::exception& error) {  // also those of file systems
+      tell(std::string("not saved: ") + error.what());
+    }
   companion.light(lit);
   wishes_.take_away.reset();
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/window.h"
 
-#include "base/interrupt.h"
 #include "app/window/controls/control_input.h"
 #include "app/window/display.h"
 #include "app/window/frame_log.h"
+#include "base/interrupt.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -31,9 +31,10 @@ std::string title_of(const Companion& companion, const std::string& stage) {
 /// The loop of events and frames.
 class Loop {
  public:
-  Loop(Companion& companion, const WindowOptions& options)
+  Loop(Companion& companion, const WindowOptions& options, Display& display)
       : companion_(companion),
         options_(options),
+        display_(display),
         control_input_(display_.window(), companion, display_.screen()),
         full_screen_(display_.window()) {
     listen(display_.window(), input_);
@@ -46,19 +47,19 @@ class Loop {
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
-  ExitCode run() {
+  Result<WindowEnd> run() {
     const InterruptWatch watch;
     try {
       while (!glfwWindowShouldClose(display_.window()) && !screen().wishes().quit && !watch.interrupted()) {
         wait();
         look_for_changes();
         if (!must_draw()) continue;
-        draw();
+        if (Status drawn = draw(); !drawn) return failure(drawn.error());
         keep();
       }
     } catch (const Interrupted&) {  // while a motion was computed
     }
-    return watch.interrupted() ? ExitCode::interrupted : ExitCode::done;
+    return watch.interrupted() ? WindowEnd::interrupted : WindowEnd::closed;
   }
 
  private:
@@ -100,20 +101,20 @@ class Loop {
     input_.settling = kSettlingFrames;
   }
 
-  void draw() {
+  Status draw() {
     const double now_s = glfwGetTime();
     ImGui_ImplGlfw_NewFrame();
     control_input_.feed(input_.waiting);
     const ScreenFrame frame = measured_frame(now_s);
     drawn_s_ = now_s;
-    if (Status drawn = screen().draw(companion_, frame); !drawn)
-      throw CommandError(ExitCode::failed, drawn.error());
+    if (Status drawn = screen().draw(companion_, frame); !drawn) return drawn;
     display_.present();
     frame_log_.note(companion_.is_moving(), screen().is_full());
     input_.settling = input_.waiting.empty() ? std::max(0, input_.settling - 1) : kSettlingFrames;
     wake_s_ = now_s + screen().seconds_to_wake(companion_);
     follow_wishes();
     update_title();
+    return success();
   }
 
   ScreenFrame measured_frame(double now_s) {
@@ -149,8 +150,7 @@ class Loop {
 
   Companion& companion_;
   const WindowOptions& options_;
-  Glfw glfw_;
-  Display display_;
+  Display& display_;
   Input input_;
   ControlInput control_input_;
   FullScreen full_screen_;
@@ -162,8 +162,12 @@ class Loop {
 
 }  // namespace
 
-ExitCode run_window(Companion& companion, const WindowOptions& options) {
-  return Loop(companion, options).run();
+Result<WindowEnd> run_window(Companion& companion, const WindowOptions& options) {
+  const auto glfw = Glfw::start();
+  if (!glfw) return failure(glfw.error());
+  const auto display = Display::open();
+  if (!display) return failure(display.error());
+  return Loop(companion, options, **display).run();
 }
 
 }  // namespace polhode

@@ -2,8 +2,8 @@
 // The window of `polhode play`: GLFW's events go to the screen, its picture goes to the display.
 #pragma once
 
-#include "app/cli/exit_codes.h"
 #include "app/session/lesson_session.h"
+#include "base/result.h"
 
 #include <filesystem>
 #include <functional>
@@ -21,9 +21,11 @@ struct WindowOptions {
   std::string news{};  ///< to be told at the beginning
 };
 
+enum class WindowEnd { closed, interrupted };
+
 /// Until the user closes it, or a signal: then interrupted. Draws with the display's OpenGL; where it has
-/// no 3.3, off-screen, and shows the pictures in a plain window. @throws CommandError failed: no display, or
-/// nothing to draw with; says what to do
-ExitCode run_window(Companion& companion, const WindowOptions& options);
+/// no 3.3, off-screen, and shows the pictures in a plain window. The error, no display or nothing to draw
+/// with, says what to do.
+Result<WindowEnd> run_window(Companion& companion, const WindowOptions& options);
 
 }  // namespace polhode
