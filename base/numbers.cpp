@@ -31,9 +31,9 @@ std::optional<double> parse_number(std::string_view text) {
   return negative ? -value : value;
 }
 
-std::string digits17(double value) {
+std::string digits(double value, int most) {
   char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17);
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::general, most);
   return std::string(text, end);
 }
 

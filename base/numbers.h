@@ -14,8 +14,10 @@ namespace polhode {
 /// of double (1e400).
 std::optional<double> parse_number(std::string_view text);
 
+/// So many significant digits at most, up to 17, as %g has them.
+std::string digits(double value, int most);
 /// 17 significant digits: reads back as the same double.
-std::string digits17(double value);
+inline std::string digits17(double value) { return digits(value, 17); }
 
 /// The parts of a text between separators; "a,,b" has three, "" has one.
 std::vector<std::string_view> split(std::string_view text, char separator);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // polhode info: what each scene requires, the motion chosen and why, and what both cost.
 #include "app/cli/commands.h"
-#include "app/cli/horizon.h"
 #include "app/cli/lesson_lookup.h"
 #include "base/printable.h"
 #include "base/stopwatch.h"
+#include "physics/analysis/horizon.h"
 #include "render/scene/model/model.h"
 
 #include <CLI/CLI.hpp>

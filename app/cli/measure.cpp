@@ -6,6 +6,7 @@
 #include "app/cli/measure_report.h"
 #include "app/cli/message.h"
 #include "app/cli/numbers.h"
+#include "app/cli/or_fail.h"
 #include "app/cli/progress.h"
 #include "app/cli/trace_motion.h"
 #include "app/cli/typed_problem.h"
@@ -14,6 +15,7 @@
 #include "app/export/plot_file.h"
 #include "base/files/atomic_file.h"
 #include "base/spelling.h"
+#include "physics/analysis/characteristic_time.h"
 #include "render/scene/model/model.h"
 
 #include <CLI/CLI.hpp>
@@ -83,7 +85,7 @@ std::vector<Method> chosen_methods(const Problem& problem, const std::vector<std
 WorkPrecisionPlan plan_of(const Problem& problem, const TypedOptions& typed) {
   const WorkPrecisionPlan usual;
   WorkPrecisionPlan plan;
-  plan.period_s = counted_period_s(problem);
+  plan.period_s = characteristic_time(problem).value_or(0);
   if (!(plan.period_s > 0)) throw usage("a body at rest has no period to count");
   plan.periods = positive("--periods", typed.periods, usual.periods);
   plan.cpu_seconds = positive("--seconds", typed.seconds, usual.cpu_seconds);
@@ -93,9 +95,9 @@ WorkPrecisionPlan plan_of(const Problem& problem, const TypedOptions& typed) {
 
 WorkPrecision measured(const Problem& problem, const WorkPrecisionPlan& plan) {
   const ProgressBar bar(static_cast<std::int64_t>(plan.methods.size()));
-  return measure_work_precision(problem, plan, [&](std::size_t i) {
+  return or_fail(measure_work_precision(problem, plan, [&](std::size_t i) {
     bar.show(static_cast<std::int64_t>(i), name_of(plan.methods[i]));
-  });
+  }));
 }
 
 void print_notes(const Problem& problem, const WorkPrecisionPlan& plan, const WorkPrecision& found) {
@@ -103,7 +105,7 @@ void print_notes(const Problem& problem, const WorkPrecisionPlan& plan, const Wo
                                     ? "the closed form"
                                     : fmt::format("dormand-prince-8 at tolerance {:g}", kReferenceTolerance);
   say("polhode: {:g} {} of {:.6g} s, against {}, itself good to about {:.0e}\n", plan.periods,
-      period_s(problem) ? "polhode periods" : "turns 2 pi/|omega|", plan.period_s, reference,
+      polhode_period(problem) ? "polhode periods" : "turns 2 pi/|omega|", plan.period_s, reference,
       found.reference_error);
   if (found.out_of_reach.empty()) return;
   std::vector<std::string_view> names;
@@ -139,7 +141,7 @@ ExitCode measure_motion(const TypedOptions& typed) {
   report.rows = found.rows;
   report.period_s = plan.period_s;
   report.periods = plan.periods;
-  report.unit = period_s(problem) ? "periods" : "turns";
+  report.unit = polhode_period(problem) ? "periods" : "turns";
   if (report.tolerance) report.recommended = cheapest_within(report.rows, *report.tolerance);
 
   print_result(report, typed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/measure_rendering.h"
 
+#include "app/cli/or_fail.h"
 #include "app/cli/progress.h"
 #include "app/export/plot_file.h"
 #include "app/page/figure_place.h"
@@ -23,12 +24,6 @@ constexpr int kFrames = 3;                  // the median counts; the first one,
 constexpr Quality kReference{0, 4, false};  // 16 samples a pixel of everything, no edge by formula
 constexpr double kReferenceChords = 0.1;    // of the usual tolerance
 constexpr double kCoarse = 10.0;
-
-template <class T>
-T or_fail(Result<T>&& result) {
-  if (!result) throw CommandError(ExitCode::failed, result.error());
-  return std::move(result).value();
-}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

@@ -10,6 +10,7 @@
 
 #include "app/cli/exit_codes.h"
 #include "render/gl/renderer.h"
+#include "render/scene/model/model.h"
 
 #include <optional>
 #include <span>

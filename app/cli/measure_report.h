@@ -2,7 +2,7 @@
 // What `measure` says of its rows: a table for a person, CSV, JSON, one sentence of advice.
 #pragma once
 
-#include "app/cli/work_precision.h"
+#include "physics/analysis/work_precision.h"
 
 #include <string>
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // polhode trace: the numbers of a motion, row by row.
 #include "app/cli/commands.h"
-#include "app/cli/horizon.h"
 #include "app/cli/message.h"
 #include "app/cli/trace_motion.h"
-#include "app/cli/trace_rows.h"
 #include "app/cli/trace_times.h"
 #include "app/cli/typed_problem.h"
 #include "app/cli/usage.h"
+#include "app/export/trace/trace_rows.h"
 #include "base/numbers.h"
+#include "physics/analysis/characteristic_time.h"
+#include "physics/analysis/horizon.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -50,10 +51,27 @@ std::optional<double> print_csv(const Problem& problem, const Motion& motion, co
 
 std::string number_or_null(double value) { return std::isfinite(value) ? digits17(value) : "null"; }
 
+/// One sentence, without a full stop; empty where there is no horizon.
+std::string sentence(const Horizon& horizon) {
+  if (!horizon.periods_1e_3 || !horizon.periods_1e_1) return "";
+  return fmt::format(
+      "prediction horizon: rounding of the inputs alone moves the phase by 1e-3 rad after {:.2g} periods, by "
+      "1e-1 rad after {:.2g}",
+      *horizon.periods_1e_3, *horizon.periods_1e_1);
+}
+
+/// `"condition":c,"horizon_periods":{"1e-3":n,"1e-1":n}`: members of a JSON object.
+std::string json_members(const Horizon& horizon) {
+  return fmt::format("\"condition\":{},\"horizon_periods\":{{\"1e-3\":{},\"1e-1\":{}}}",
+                     number_or_null(horizon.condition.value_or(NAN)),
+                     number_or_null(horizon.periods_1e_3.value_or(NAN)),
+                     number_or_null(horizon.periods_1e_1.value_or(NAN)));
+}
+
 std::optional<double> print_json(const Problem& problem, const Motion& motion, const TraceTimes& times) {
   std::optional<double> overflow_s;
   fmt::print("{{\"method\":\"{}\",\"period\":{},{},\n\"rows\":[", motion.method(),
-             number_or_null(period_s(problem).value_or(NAN)), json_members(horizon_of(problem)));
+             number_or_null(polhode_period(problem).value_or(NAN)), json_members(horizon_of(problem)));
   for (std::int64_t i = 0; i < times.count(); ++i) {
     const TraceRow row = trace_row(problem, motion, times(i));
     if (!overflow_s && overflowed(row)) overflow_s = times(i);
@@ -88,7 +106,7 @@ ExitCode trace(const TypedOptions& typed) {
   const bool json = wants_json(typed.format);
   const Problem problem = problem_from(typed.problem);
   const TracedMotion traced = traced_motion(problem, typed.method);
-  const TraceTimes times = trace_times(typed.times, counted_period_s(problem));
+  const TraceTimes times = trace_times(typed.times, characteristic_time(problem).value_or(0));
   check_reach(*traced.motion, times);
 
   print_note(traced.note);

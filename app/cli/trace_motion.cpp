@@ -4,12 +4,9 @@
 #include "app/cli/exit_codes.h"
 #include "app/cli/numbers.h"
 #include "base/spelling.h"
-#include "physics/geometry/poinsot.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <numbers>
 
 namespace polhode {
 
@@ -36,15 +33,6 @@ void check_control(const MethodFacts& facts, const TypedMethod& typed) {
 }
 
 }  // namespace
-
-std::optional<double> period_s(const Problem& problem) {
-  return problem.torque.empty() ? polhode_period(problem.I, problem.start.w_B) : std::nullopt;
-}
-
-double counted_period_s(const Problem& problem) {
-  const double speed = problem.start.w_B.stableNorm();
-  return period_s(problem).value_or(speed > 0 ? 2 * std::numbers::pi / speed : 0.0);
-}
 
 Method serving_method(const Problem& problem, const std::string& name) {
   const std::optional<Method> method = method_from(name);

@@ -20,11 +20,6 @@ struct TracedMotion {
   std::string note;  ///< what the user did not ask for but should know; may be empty
 };
 
-/// Period of the polhode; nothing with torque, in steady rotation and on a separatrix.
-std::optional<double> period_s(const Problem& problem);
-/// What --periods counts: the polhode period, or 2π/|ω₀|; 0 for a body at rest.
-double counted_period_s(const Problem& problem);
-
 /// @throws CommandError usage: unknown (with "did you mean"), or it cannot serve (naming those that can)
 Method serving_method(const Problem& problem, const std::string& name);
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/method_cost.h"
 
-#include "app/cli/exit_codes.h"
-#include "app/cli/trace_motion.h"
 #include "app/session/lesson_session.h"
 #include "base/stopwatch.h"
+#include "physics/analysis/characteristic_time.h"
 
 #include <fmt/format.h>
 
@@ -98,19 +97,18 @@ struct Stopped {};
 std::vector<ParetoStep> measured_front(const Problem& problem, double cpu_seconds,
                                        const std::atomic<bool>& stopped) {
   WorkPrecisionPlan plan;
-  plan.period_s = counted_period_s(problem);
+  plan.period_s = characteristic_time(problem).value_or(0);
   plan.periods = 10;
   plan.methods = methods_for(problem);
   plan.cpu_seconds = cpu_seconds;
   if (!(plan.period_s > 0)) return {};
   try {
-    return pareto_steps(measure_work_precision(problem, plan, [&](std::size_t) {
-                          if (stopped) throw Stopped{};
-                        }).rows);
+    const auto measured = measure_work_precision(problem, plan, [&](std::size_t) {
+      if (stopped) throw Stopped{};
+    });
+    return measured ? pareto_steps(measured->rows) : std::vector<ParetoStep>();  // nothing to measure against
   } catch (const Stopped&) {
     return {};
-  } catch (const CommandError&) {
-    return {};  // there is nothing to measure against
   }
 }
 

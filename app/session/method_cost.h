@@ -3,8 +3,8 @@
 // and what the other methods would cost, measured on the spot.
 #pragma once
 
-#include "app/cli/work_precision.h"
 #include "physics/analysis/motion_errors.h"
+#include "physics/analysis/work_precision.h"
 #include "render/scene/model/model.h"
 
 #include <atomic>

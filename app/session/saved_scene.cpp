@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/saved_scene.h"
 
-#include "app/cli/trace_rows.h"
+#include "app/export/trace/trace_rows.h"
 #include "lessons/reader/front_matter.h"
 #include "lessons/reader/markdown/markdown.h"
 #include "physics/body/torque_text.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/model.h"
 
+#include "physics/analysis/characteristic_time.h"
 #include "physics/analysis/motion_errors.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
@@ -55,8 +56,7 @@ Quat initial_attitude(const Scene& scene) {
 }
 
 double natural_span(const Scene& scene) {
-  const double speed = scene.w0_B.stableNorm();
-  const double turn_s = speed > 0.0 ? 2.0 * std::numbers::pi / speed : 1.0;
+  const double turn_s = turn_time(scene.w0_B).value_or(1.0);
   if (!scene.torque.empty()) return kTurnsWithoutPeriod * turn_s;
   return polhode_period(scene.body.moments, scene.w0_B).value_or(turn_s);
 }
@@ -113,7 +113,8 @@ void check_reach(const MethodChoice& choice, const Motion& motion, double reach_
 }
 
 void check_herpolhode(const Scene& scene, const Requirements& needs) {
-  const double turns = herpolhode_span_s(scene) * scene.w0_B.stableNorm() / (2.0 * std::numbers::pi);
+  const std::optional<double> turn_s = turn_time(scene.w0_B);
+  const double turns = turn_s ? herpolhode_span_s(scene) / *turn_s : 0.0;
   if (needs.herpolhode && turns > kMostHerpolhodeTurns)
     throw std::domain_error("a herpolhode of " + std::to_string(turns) +
                             " turns of ω is asked for, at most " + std::to_string(kMostHerpolhodeTurns) +
@@ -135,8 +136,7 @@ void check_drift(const Scene& scene) {
 /// The step of the methods side by side.
 double table_step_s(const Scene& scene) {
   constexpr double kStepsPerTurn = 64.0;
-  const double speed = scene.w0_B.stableNorm();
-  return scene.motion.step_s.value_or(2.0 * std::numbers::pi / (kStepsPerTurn * (speed > 0.0 ? speed : 1.0)));
+  return scene.motion.step_s.value_or(turn_time(scene.w0_B).value_or(2.0 * std::numbers::pi) / kStepsPerTurn);
 }
 
 void check_method_table(const Scene& scene, const Requirements& needs) {

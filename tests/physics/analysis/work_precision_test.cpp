@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/work_precision.h"
+#include "physics/analysis/work_precision.h"
 
-#include "app/cli/exit_codes.h"
 #include "base/stopwatch.h"
 #include "physics/analysis/conditioning.h"
 #include "physics/geometry/poinsot.h"
@@ -66,7 +65,7 @@ WorkPrecisionPlan plan_with(std::vector<Method> methods, double periods, int mos
 }
 
 WorkPrecision measured(const Problem& problem, const WorkPrecisionPlan& plan) {
-  return measure_work_precision(problem, plan, [](std::size_t) {});
+  return measure_work_precision(problem, plan, [](std::size_t) {}).value();
 }
 
 TEST(WorkPrecision, ErrorsFallWithTheOrder) {
@@ -151,7 +150,7 @@ TEST(WorkPrecision, EndsWithTheTimeUnderAStiffTorque) {
   WorkPrecisionPlan plan = plan_with({Method::dormand_prince_8}, 3, 40);
   plan.cpu_seconds = 0.3;
   const double start_s = cpu_time_s();
-  EXPECT_THROW(measured(stiff, plan), CommandError);
+  EXPECT_FALSE(measure_work_precision(stiff, plan, [](std::size_t) {}));
   EXPECT_LT(cpu_time_s() - start_s, 20 * plan.cpu_seconds) << "sanitizers take ten times as long";
 }
 
@@ -210,7 +209,7 @@ TEST(WorkPrecision, ASinkKeepsLInSpace) {
 }
 
 TEST(WorkPrecision, RefusesAMotionWithoutAnEnd) {
-  EXPECT_THROW(measured(kFree, plan_with({Method::exact}, 1e308, 1)), CommandError);
+  EXPECT_FALSE(measure_work_precision(kFree, plan_with({Method::exact}, 1e308, 1), [](std::size_t) {}));
 }
 
 }  // namespace

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/work_precision.h"
+#include "physics/analysis/work_precision.h"
 
-#include "app/cli/exit_codes.h"
+#include "base/numbers.h"
 #include "base/stopwatch.h"
+#include "physics/analysis/characteristic_time.h"
 #include "physics/analysis/conditioning.h"
 #include "physics/analysis/motion_errors.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace polhode {
 
@@ -47,15 +45,13 @@ Reference reference_of(const Problem& problem, double end_s, std::int64_t most) 
 }
 
 /// One that is itself no answer tells nothing of others.
-Reference checked_reference(const Problem& problem, double end_s, std::int64_t most) {
+Result<Reference> checked_reference(const Problem& problem, double end_s, std::int64_t most) {
   const bool has_end = std::isfinite(end_s);
   Reference reference = has_end ? reference_of(problem, end_s, most) : Reference{};
   const bool is_answer = reference.own.omega < kNoAnswer && reference.own.attitude_rad < kNoAnswer;
   if (!has_end || !is_finite(reference.end) || !is_answer)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("the motion cannot be computed to its end at {:.6g} s: torque or time is "
-                                   "too large; give fewer --periods, or more --seconds",
-                                   end_s));
+    return failure("the motion cannot be computed to its end at " + digits(end_s, 6) +
+                   " s: torque or time is too large; give fewer --periods, or more --seconds");
   return reference;
 }
 
@@ -124,12 +120,12 @@ class Fall {
 
 class Measurement {
  public:
-  Measurement(const Problem& problem, const WorkPrecisionPlan& plan)
+  Measurement(const Problem& problem, const WorkPrecisionPlan& plan, Reference reference)
       : problem_(problem),
         plan_(plan),
         end_s_(plan.period_s * plan.periods),
         times_s_(sample_times_s(end_s_)),
-        reference_(checked_reference(problem, end_s_, most_steps(plan))) {}
+        reference_(std::move(reference)) {}
 
   double reference_error() const { return std::max(reference_.own.omega, reference_.own.attitude_rad); }
 
@@ -154,7 +150,7 @@ class Measurement {
 
  private:
   double first_step_s() const {
-    const double turn_s = 2 * std::numbers::pi / problem_.start.w_B.stableNorm();
+    const double turn_s = turn_time(problem_.start.w_B).value();
     double step_s = std::min(plan_.period_s / kFirstStepsPerPeriod, end_s_);
     while (step_s > turn_s / kFewestStepsPerTurn) step_s /= 2;
     return step_s;
@@ -229,10 +225,12 @@ double WorkPrecisionRow::error() const {
   return std::isnan(error_omega) ? kNaN : error_attitude_rad < error_omega ? error_omega : error_attitude_rad;
 }
 
-WorkPrecision measure_work_precision(const Problem& problem, const WorkPrecisionPlan& plan,
-                                     const std::function<void(std::size_t)>& progress) {
+Result<WorkPrecision> measure_work_precision(const Problem& problem, const WorkPrecisionPlan& plan,
+                                             const std::function<void(std::size_t)>& progress) {
   const double start_s = cpu_time_s();
-  const Measurement measurement(problem, plan);
+  Result<Reference> reference = checked_reference(problem, plan.period_s * plan.periods, most_steps(plan));
+  if (!reference) return failure(reference.error());
+  const Measurement measurement(problem, plan, std::move(reference).value());
   WorkPrecision found;
   found.reference_error = measurement.reference_error();
   for (std::size_t i = 0; i < plan.methods.size(); ++i) {

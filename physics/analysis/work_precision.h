@@ -9,6 +9,7 @@
 // long ones a single run.
 #pragma once
 
+#include "base/result.h"
 #include "physics/method.h"
 
 #include <cstdint>
@@ -55,9 +56,9 @@ struct WorkPrecision {
 /// Steps are halved from a tenth of a period (from less, where ω turns faster than that), tolerances divided
 /// by ten from 1e-3, until rounding stops the fall of both errors, or the time is spent. `progress` is called
 /// before each method with its place in the plan.
-/// @throws CommandError failed: the reference cannot be computed
-WorkPrecision measure_work_precision(const Problem& problem, const WorkPrecisionPlan& plan,
-                                     const std::function<void(std::size_t)>& progress);
+/// The error: the reference cannot be computed. @throws what `progress` throws
+Result<WorkPrecision> measure_work_precision(const Problem& problem, const WorkPrecisionPlan& plan,
+                                             const std::function<void(std::size_t)>& progress);
 
 /// An error of this much, relative or in rad, is no answer.
 inline constexpr double kNoAnswer = 0.1;

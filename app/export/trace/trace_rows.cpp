@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/trace_rows.h"
+#include "app/export/trace/trace_rows.h"
 
 #include "physics/body/euler.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How far ahead a motion can be told: what `trace` and `info` say of it.
+// How far ahead a motion can be told.
 #pragma once
 
 #include "physics/body/problem.h"
 
 #include <optional>
-#include <string>
 
 namespace polhode {
 
@@ -18,11 +17,5 @@ struct Horizon {
   std::optional<double> periods_1e_1;  ///< ... by 0.1 rad
 };
 Horizon horizon_of(const Problem& problem);
-
-/// One sentence, without a full stop; empty where there is no horizon.
-std::string sentence(const Horizon& horizon);
-
-/// `"condition":c,"horizon_periods":{"1e-3":n,"1e-1":n}`: members of a JSON object.
-std::string json_members(const Horizon& horizon);
 
 }  // namespace polhode
