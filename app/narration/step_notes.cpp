@@ -7,7 +7,7 @@ namespace polhode {
 
 namespace {
 
-using Kind = DeckNote::Kind;
+using Kind = StepNote::Kind;
 
 class Notes {
  public:
@@ -29,7 +29,7 @@ class Notes {
   }
   void add_caption(const RichText& caption) { add(Kind::figure, "Figure: " + speaker_.words(caption)); }
 
-  std::vector<DeckNote> take() { return std::move(notes_); }
+  std::vector<StepNote> take() { return std::move(notes_); }
 
  private:
   void add(Kind kind, std::string text) {
@@ -37,12 +37,12 @@ class Notes {
   }
 
   const Speaker& speaker_;
-  std::vector<DeckNote> notes_;
+  std::vector<StepNote> notes_;
 };
 
 }  // namespace
 
-std::vector<DeckNote> notes_of(const Speaker& speaker, const Stage& stage, int first, int last) {
+std::vector<StepNote> notes_of(const Speaker& speaker, const Stage& stage, int first, int last) {
   Notes notes(speaker);
   const auto begin = static_cast<std::size_t>(first - 1), end = static_cast<std::size_t>(last);
   for (std::size_t i = begin; i < end; ++i) {

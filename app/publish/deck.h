@@ -4,6 +4,7 @@
 // pictures, and an outline. Bytes depend on the deck alone.
 #pragma once
 
+#include "app/narration/step_note.h"
 #include "app/page/page_theme.h"
 #include "base/files/atomic_file.h"
 #include "render/image/image.h"
@@ -17,20 +18,13 @@
 
 namespace polhode {
 
-/// A paragraph of what is said to a slide: plain text in one line.
-struct DeckNote {
-  enum class Kind { text, item, equation, callout, question, figure };
-  Kind kind = Kind::text;
-  std::string text;
-};
-
 struct DeckSlide {
   std::filesystem::path png;  ///< its name without folder and ending identifies the slide; no two are alike
   int stage = 1;              ///< from 1; slides of a stage follow each other
   std::string title;          ///< of the stage
   std::string part;           ///< "step 2 of 3"; empty: the slide is all of its stage
   std::string alt;            ///< what is seen
-  std::vector<DeckNote> notes;
+  std::vector<StepNote> notes;
 };
 
 struct Deck {

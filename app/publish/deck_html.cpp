@@ -52,27 +52,27 @@ std::string style_of(const Deck& deck, Size first) {
          fmt::format("@page {{ size: {:.4f}in {:.4f}in; margin: 0; }}\n", paper.width_in, paper.height_in);
 }
 
-const char* class_of(DeckNote::Kind kind) {
+const char* class_of(StepNote::Kind kind) {
   switch (kind) {
-    case DeckNote::Kind::text:
+    case StepNote::Kind::text:
       return "text";
-    case DeckNote::Kind::item:
+    case StepNote::Kind::item:
       return "item";
-    case DeckNote::Kind::equation:
+    case StepNote::Kind::equation:
       return "equation";
-    case DeckNote::Kind::callout:
+    case StepNote::Kind::callout:
       return "callout";
-    case DeckNote::Kind::question:
+    case StepNote::Kind::question:
       return "question";
-    case DeckNote::Kind::figure:
+    case StepNote::Kind::figure:
       break;
   }
   return "figure";
 }
 
-std::string notes_html(const std::vector<DeckNote>& notes) {
+std::string notes_html(const std::vector<StepNote>& notes) {
   std::string html;
-  for (const DeckNote& note : notes)
+  for (const StepNote& note : notes)
     html += fmt::format("<p class=\"{}\">{}</p>\n", class_of(note.kind), html_escaped(note.text));
   return html.empty() ? "<p class=\"text\">This slide has no notes.</p>\n" : html;
 }

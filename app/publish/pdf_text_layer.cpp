@@ -99,7 +99,7 @@ PdfTextLayer::PdfTextLayer(const Deck& deck) {
   };
   for (const DeckSlide& slide : deck.slides) {
     add(name_of(slide));
-    for (const DeckNote& note : slide.notes) add(note.text);
+    for (const StepNote& note : slide.notes) add(note.text);
   }
   found.insert(U' ');
   characters_.assign(found.begin(), found.end());
@@ -129,7 +129,7 @@ std::string PdfTextLayer::shown(std::string_view line) const {
 
 std::string PdfTextLayer::content(const DeckSlide& slide, double width, double height, int first_id) const {
   std::vector<std::vector<std::string>> paragraphs = {lines_of(wrapped(name_of(slide), ""))};
-  for (const DeckNote& note : slide.notes) paragraphs.push_back(lines_of(wrapped(note.text, "")));
+  for (const StepNote& note : slide.notes) paragraphs.push_back(lines_of(wrapped(note.text, "")));
   std::size_t lines = 0;
   for (const auto& paragraph : paragraphs) lines += paragraph.size();
   const double margin = kMargin * std::min(width, height);

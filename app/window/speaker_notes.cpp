@@ -36,7 +36,7 @@ void draw_notes(Desk& desk, const Region& page, Size window) {
   ImGui::Begin("notes", nullptr, kFixed);
   ImGui::PushTextWrapPos(0);
   const int step = static_cast<int>(companion.place().step) + 1;
-  for (const DeckNote& note : notes_of(desk.speaker, companion.stage(), step, step)) {
+  for (const StepNote& note : notes_of(desk.speaker, companion.stage(), step, step)) {
     ImGui::TextUnformatted(note.text.c_str());
     ImGui::Spacing();
   }

@@ -25,8 +25,8 @@ class DeckBrowser : public testing::Test {
     folder_ = std::make_unique<ScratchFolder>();
     Deck deck = example_deck(*folder_, {kWidth, kHeight});
     deck.title = kBad;
-    for (DeckSlide& slide : deck.slides) slide.notes.push_back({DeckNote::Kind::callout, kBad});
-    for (int i = 0; i < 60; ++i) deck.slides[5].notes.push_back({DeckNote::Kind::item, "A long list."});
+    for (DeckSlide& slide : deck.slides) slide.notes.push_back({StepNote::Kind::callout, kBad});
+    for (int i = 0; i < 60; ++i) deck.slides[5].notes.push_back({StepNote::Kind::item, "A long list."});
     ASSERT_TRUE(write_deck(file(), DeckKind::html, deck));
   }
   static void TearDownTestSuite() {

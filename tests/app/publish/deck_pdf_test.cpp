@@ -55,8 +55,8 @@ TEST_F(DeckPdf, SaysWhatItIs) {
 TEST_F(DeckPdf, TheWordsOfASlideAreOnItsPage) {
   NEED("pdftotext");
   Deck deck = example_deck(folder_);
-  deck.slides[3].notes = {{DeckNote::Kind::text, "ω² − 1 ≤ 𝐈₃ \"(5)\\\" – naïve 漢"},
-                          {DeckNote::Kind::item, "Item"}};
+  deck.slides[3].notes = {{StepNote::Kind::text, "ω² − 1 ≤ 𝐈₃ \"(5)\\\" – naïve 漢"},
+                          {StepNote::Kind::item, "Item"}};
   write(deck);
   EXPECT_EQ(said_by("pdftotext -f 4 -l 4", "-"), "Stage 2\nω² − 1 ≤ 𝐈₃ \"(5)\\\" – naïve 漢\nItem\n\n\f");
   EXPECT_EQ(said_by("pdftotext -f 6 -l 6", "-"),
@@ -70,7 +70,7 @@ TEST_F(DeckPdf, HoldsMoreCharactersThanAFontHasCodes) {
   for (char32_t c = 0x4E00; c < 0x4E00 + 600; ++c)
     all += {static_cast<char>(0xE0 | c >> 12), static_cast<char>(0x80 | (c >> 6 & 0x3F)),
             static_cast<char>(0x80 | (c & 0x3F))};
-  deck.slides[0].notes = {{DeckNote::Kind::text, all}};
+  deck.slides[0].notes = {{StepNote::Kind::text, all}};
   write(deck);
   EXPECT_THAT(said_by("pdftotext -raw -f 1 -l 1", "-"), HasSubstr(all));
 }

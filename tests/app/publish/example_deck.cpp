@@ -45,8 +45,8 @@ Deck example_deck(const ScratchFolder& folder, Size size) {
       slide.title = fmt::format("Stage {}", slide.stage);
       if (counts[stage] > 1) slide.part = fmt::format("step {} of {}", part, counts[stage]);
       slide.alt = "Alt of " + name;
-      slide.notes = {{DeckNote::Kind::text, "Words of " + name},
-                     {DeckNote::Kind::equation, "Equation (5): ω² − 1 equals 0."}};
+      slide.notes = {{StepNote::Kind::text, "Words of " + name},
+                     {StepNote::Kind::equation, "Equation (5): ω² − 1 equals 0."}};
       deck.slides.push_back(slide);
     }
   return deck;

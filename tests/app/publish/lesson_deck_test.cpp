@@ -52,9 +52,9 @@ hints   = ["Guess."]
 More.
 )";
 
-std::vector<std::string> texts(const std::vector<DeckNote>& notes) {
+std::vector<std::string> texts(const std::vector<StepNote>& notes) {
   std::vector<std::string> all;
-  for (const DeckNote& note : notes) all.push_back(note.text);
+  for (const StepNote& note : notes) all.push_back(note.text);
   return all;
 }
 
@@ -107,7 +107,7 @@ TEST(LessonDeck, WhateverIsSaidIsSaidOnce) {
       const ScratchFolder folder;
       std::vector<std::string> all;
       for (const DeckSlide& slide : deck_of_tiny(options_of(what, each), folder).slides)
-        for (const DeckNote& note : slide.notes) all.push_back(note.text);
+        for (const StepNote& note : slide.notes) all.push_back(note.text);
       for (const char* words : {"About axis 3, and it stays.", "The same, from the body.",
                                 "The ellipsoid rolls on the invariable plane."})
         EXPECT_EQ(std::count(all.begin(), all.end(), words), 1) << words;
