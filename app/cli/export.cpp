@@ -194,7 +194,7 @@ void look_into_folder(const ExportIdentity& mine, const ExportOutput& out) {
 }
 
 ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
-  const ExportPlan plan = plan_export(loaded.lesson, options);
+  const ExportPlan plan = or_usage(plan_export(loaded.lesson, options));
   note_left_out(plan, options.what);
   refuse_folders(out);
   look_into_folder(identity_of(loaded, options), out);

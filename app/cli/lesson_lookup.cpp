@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/lesson_lookup.h"
 
-#include "app/cli/exit_codes.h"
-#include "base/interrupt.h"
+#include "app/cli/or_fail.h"
 #include "app/page/page_lint.h"
+#include "base/interrupt.h"
 #include "base/sha256.h"
 #include "base/spelling.h"
 #include "lessons/reader/lint_budget.h"
@@ -185,12 +185,6 @@ void check_pages_of(const LoadedLesson& loaded, const Fonts& fonts) {
   if (!found.empty()) throw has_errors(loaded.path, found);
 }
 
-const Stage& stage_of(const Lesson& lesson, std::string_view id) {
-  if (const Stage* stage = lesson.find_stage(id)) return *stage;
-  std::vector<std::string> known;
-  for (const Stage& stage : lesson.stages) known.push_back(stage.id);
-  throw CommandError(ExitCode::usage, fmt::format("lesson \"{}\" has no stage \"{}\"{}", lesson.id, id,
-                                                  did_you_mean(id, known)));
-}
+const Stage& stage_of(const Lesson& lesson, std::string_view id) { return *or_usage(lesson.stage_named(id)); }
 
 }  // namespace polhode

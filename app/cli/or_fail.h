@@ -16,4 +16,11 @@ T or_fail(Result<T>&& result) {
   return std::move(result).value();
 }
 
+/// The same where what was asked for is malformed, unknown or out of range. @throws CommandError usage
+template <class T>
+T or_usage(Result<T>&& result) {
+  if (!result) throw CommandError(ExitCode::usage, result.error());
+  return std::move(result).value();
+}
+
 }  // namespace polhode

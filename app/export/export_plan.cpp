@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/export_plan.h"
 
-#include "app/cli/exit_codes.h"
-#include "app/cli/lesson_lookup.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,8 +14,9 @@ struct Place {
   std::size_t number;  // 1-based in the lesson
 };
 
-std::vector<Place> selected_stages(const Lesson& lesson, const std::vector<std::string>& ids) {
-  for (const std::string& id : ids) static_cast<void>(stage_of(lesson, id));  // throws for an unknown one
+Result<std::vector<Place>> selected_stages(const Lesson& lesson, const std::vector<std::string>& ids) {
+  for (const std::string& id : ids)
+    if (const auto stage = lesson.stage_named(id); !stage) return failure(stage.error());
   std::vector<Place> places;
   for (std::size_t i = 0; i < lesson.stages.size(); ++i) {
     const Stage& stage = lesson.stages[i];
@@ -31,7 +29,7 @@ std::vector<Place> selected_stages(const Lesson& lesson, const std::vector<std::
 /// Whether there is something of the kind to draw at a step.
 bool has(const Step& step, What what) {
   if (what == What::figure) return step.scene.has_value();
-  return what != What::equation || !equations_of(step).empty();
+  return what != What::equation || !blocks_of<Equation>(step).empty();
 }
 
 /// 0-based indices.
@@ -65,7 +63,7 @@ PlannedPicture picture_of(const Subject& subject, std::size_t step, const Equati
 
 /// A step's last equation is what it has come to.
 const Equation* result_of(const Step& step, What what) {
-  return what == What::equation ? equations_of(step).back() : nullptr;
+  return what == What::equation ? blocks_of<Equation>(step).back() : nullptr;
 }
 
 void plan_steps(const Subject& subject, What what, ExportPlan& plan) {
@@ -79,7 +77,7 @@ void plan_steps(const Subject& subject, What what, ExportPlan& plan) {
 void plan_equations(const Subject& subject, ExportPlan& plan) {
   const std::vector<Step>& steps = subject.place.stage->steps;
   for (std::size_t i = 0; i < steps.size(); ++i)
-    for (const Equation* equation : equations_of(steps[i]))
+    for (const Equation* equation : blocks_of<Equation>(steps[i]))
       plan.pictures.push_back(picture_of(subject, i, equation, "-" + equation->id));
 }
 
@@ -110,37 +108,39 @@ PlannedPicture frame_of(const Film& film, std::int64_t frame_of_stage, std::int6
   return picture;
 }
 
-FrameRange checked_range(const ExportOptions& options, std::int64_t total) {
+Result<FrameRange> checked_range(const ExportOptions& options, std::int64_t total) {
   const FrameRange range = options.frames.value_or(FrameRange{0, total});
   if (range.end > total)
-    throw CommandError(ExitCode::usage,
-                       fmt::format("--frames {}:{}: the selection has {} frames, numbered from 0",
-                                   range.begin, range.end, total));
+    return failure(fmt::format("--frames {}:{}: the selection has {} frames, numbered from 0", range.begin,
+                               range.end, total));
   return range;
 }
 
-void plan_films(const std::vector<Film>& films, const ExportOptions& options, ExportPlan& plan) {
+Status plan_films(const std::vector<Film>& films, const ExportOptions& options, ExportPlan& plan) {
   const std::int64_t each = frame_count(options.fps, options.seconds);
   const std::int64_t total = each * static_cast<std::int64_t>(films.size());
   if (each > kMaxFrames || total > kMaxFrames)
-    throw CommandError(ExitCode::usage,
-                       fmt::format("more than {} frames; shorten --seconds or choose stages", kMaxFrames));
-  const FrameRange range = checked_range(options, total);
-  for (std::int64_t frame = range.begin; frame < range.end; ++frame) {
+    return failure(fmt::format("more than {} frames; shorten --seconds or choose stages", kMaxFrames));
+  const Result<FrameRange> range = checked_range(options, total);
+  if (!range) return failure(range.error());
+  for (std::int64_t frame = range->begin; frame < range->end; ++frame) {
     const Film& film = films[static_cast<std::size_t>(frame / each)];
     PlannedPicture picture = frame_of(film, frame % each, each, "-frame" + zero_padded(frame, total - 1));
     picture.frame = frame;
     plan.pictures.push_back(std::move(picture));
   }
+  return success();
 }
 
 }  // namespace
 
-ExportPlan plan_export(const Lesson& lesson, const ExportOptions& options) {
+Result<ExportPlan> plan_export(const Lesson& lesson, const ExportOptions& options) {
+  const auto stages = selected_stages(lesson, options.stages);
+  if (!stages) return failure(stages.error());
   ExportPlan plan;
   std::vector<Film> films;
   const auto last_number = static_cast<std::int64_t>(lesson.stages.size());
-  for (const Place& place : selected_stages(lesson, options.stages)) {
+  for (const Place& place : *stages) {
     const auto number = static_cast<std::int64_t>(place.number);
     const Subject subject{place, fmt::format("{}-{}", zero_padded(number, last_number, 2), place.stage->id)};
     std::vector<std::size_t> steps = steps_with(*place.stage, options.what);
@@ -156,22 +156,9 @@ ExportPlan plan_export(const Lesson& lesson, const ExportOptions& options) {
     else
       plan.pictures.push_back(picture_of(subject, steps.back(), nullptr, ""));
   }
-  if (options.each == Each::frame) plan_films(films, options, plan);
+  if (options.each == Each::frame)
+    if (const Status planned = plan_films(films, options, plan); !planned) return failure(planned.error());
   return plan;
-}
-
-std::vector<const Equation*> equations_of(const Step& step) {
-  std::vector<const Equation*> equations;
-  for (const Block& block : step.blocks)
-    if (const auto* equation = std::get_if<Equation>(&block)) equations.push_back(equation);
-  return equations;
-}
-
-std::vector<const Equation*> equations_of(const Stage& stage) {
-  std::vector<const Equation*> equations;
-  for (const Step& step : stage.steps)
-    for (const Equation* equation : equations_of(step)) equations.push_back(equation);
-  return equations;
 }
 
 double time_of(const PlannedPicture& picture, const ExportOptions& options, double speed) {

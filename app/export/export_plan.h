@@ -56,12 +56,8 @@ struct ExportPlan {
 /// NN-<stage>-<equation>.png. A stage is shown at its last step with something of the kind to draw: a scene,
 /// an equation; pages have all steps. The frames of a stage are shared evenly among its steps, in order;
 /// those of equations belong to the last one. Not for transcripts.
-/// @throws CommandError usage: unknown stage, a range beyond the frames there are, too many frames.
-ExportPlan plan_export(const Lesson& lesson, const ExportOptions& options);
-
-/// What a step adds to the display mathematics of its stage, and what a stage has in all.
-std::vector<const Equation*> equations_of(const Step& step);
-std::vector<const Equation*> equations_of(const Stage& stage);
+/// The error: an unknown stage, a range beyond the frames there are, too many frames.
+Result<ExportPlan> plan_export(const Lesson& lesson, const ExportOptions& options);
 
 /// t of a picture that has a scene, s. @param speed simulated seconds per shown second
 double time_of(const PlannedPicture& picture, const ExportOptions& options, double speed);

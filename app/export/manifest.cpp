@@ -200,8 +200,7 @@ std::string join_renderers(const std::vector<std::string>& renderers) {
 std::vector<std::string> tex_shown(const Stage& stage, int step) {
   std::vector<std::string> tex;
   for (std::size_t i = 0; i < static_cast<std::size_t>(step) && i < stage.steps.size(); ++i)
-    for (const Block& block : stage.steps[i].blocks)
-      if (const auto* equation = std::get_if<Equation>(&block)) tex.push_back(equation->tex);
+    for (const Equation* equation : blocks_of<Equation>(stage.steps[i])) tex.push_back(equation->tex);
   return tex;
 }
 

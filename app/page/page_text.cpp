@@ -37,9 +37,8 @@ bool is_refuted(const Stage& stage, const Equation& equation) {
 /// else the first.
 const Equation* focus_of(const Stage& stage, const Step& step) {
   const Equation* focus = nullptr;
-  for (const Block& block : step.blocks) {
-    const auto* equation = std::get_if<Equation>(&block);
-    if (!equation || is_refuted(stage, *equation)) continue;
+  for (const Equation* equation : blocks_of<Equation>(step)) {
+    if (is_refuted(stage, *equation)) continue;
     if (!equation->tag.empty()) return equation;
     if (!focus) focus = equation;
   }
@@ -54,10 +53,9 @@ void add(PieceRefs& refs, const Pieces& pieces) {
 }
 
 bool has_equation(const Step& step, const std::string& id) {
-  return std::any_of(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
-    const auto* equation = std::get_if<Equation>(&block);
-    return equation && equation->id == id;
-  });
+  const auto equations = blocks_of<Equation>(step);
+  return std::any_of(equations.begin(), equations.end(),
+                     [&](const Equation* equation) { return equation->id == id; });
 }
 
 /// On the claims of the stage up to the page's step: the same at every size of type.

@@ -18,10 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 const Equation* last_equation(const Step& step) {
-  const Equation* last = nullptr;
-  for (const Block& block : step.blocks)
-    if (const auto* equation = std::get_if<Equation>(&block)) last = equation;
-  return last;
+  const auto equations = blocks_of<Equation>(step);
+  return equations.empty() ? nullptr : equations.back();
 }
 
 What what_of(TakeAway what) {

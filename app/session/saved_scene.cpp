@@ -223,9 +223,8 @@ Scene saved(const Companion& companion) {
   Scene scene = companion.model()->scene;
   std::set<std::string> terms;
   for (std::size_t i = 0; i <= companion.place().step; ++i)
-    for (const Block& block : companion.stage().steps[i].blocks)
-      if (const auto* equation = std::get_if<Equation>(&block))
-        terms.insert(equation->math.terms.begin(), equation->math.terms.end());
+    for (const Equation* equation : blocks_of<Equation>(companion.stage().steps[i]))
+      terms.insert(equation->math.terms.begin(), equation->math.terms.end());
   scene.highlight.clear();
   for (const std::string& name : companion.lesson_scene().highlight)
     if (overlay_from(name) || terms.count(name) > 0) scene.highlight.push_back(name);

@@ -79,9 +79,8 @@ const MathNode* find_term(const MathNode& node, const std::string& name) {
 
 /// The formula of the first term of this name on a step; without a root if there is none.
 Math term_on(const Step& step, const std::string& name) {
-  for (const Block& block : step.blocks) {
-    const auto* equation = std::get_if<Equation>(&block);
-    if (!equation || !equation->math.root) continue;
+  for (const Equation* equation : blocks_of<Equation>(step)) {
+    if (!equation->math.root) continue;
     const MathNode* term = find_term(*equation->math.root, name);
     Math content;
     // The tree lives as long as the part of it that is asked for.

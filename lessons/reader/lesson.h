@@ -4,6 +4,7 @@
 // places in the latter count bytes of Lesson::source.
 #pragma once
 
+#include "base/result.h"
 #include "lessons/claims/answers.h"
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
@@ -65,6 +66,15 @@ struct Step {
   std::shared_ptr<const RichText> caption;
 };
 
+/// The blocks of one kind that a step adds, in their order.
+template <class Kind>
+std::vector<const Kind*> blocks_of(const Step& step) {
+  std::vector<const Kind*> found;
+  for (const Block& block : step.blocks)
+    if (const auto* one = std::get_if<Kind>(&block)) found.push_back(one);
+  return found;
+}
+
 struct Stage {
   std::string id;
   std::string title;
@@ -91,6 +101,11 @@ struct Lesson {
   std::string source;  ///< the whole file, without a byte order mark
 
   const Stage* find_stage(std::string_view stage_id) const;
+  /// The error names the one that may have been meant.
+  Result<const Stage*> stage_named(std::string_view stage_id) const;
 };
+
+/// All display mathematics of a stage.
+std::vector<const Equation*> equations_of(const Stage& stage);
 
 }  // namespace polhode

@@ -80,7 +80,7 @@ ExportOptions options_of(What what, Each each) {
 
 Deck deck_of_tiny(const ExportOptions& options, const ScratchFolder& folder) {
   static const auto lesson = read_lesson(text_of(test_lesson("tiny.md")), "tiny.md");
-  const ExportPlan plan = plan_export(*lesson.lesson, options);
+  const ExportPlan plan = plan_export(*lesson.lesson, options).value();
   for (const PlannedPicture& picture : plan.pictures)
     slide_of(folder, std::filesystem::path(picture.file).stem(),
              Image{{2, 1}, std::vector<std::uint8_t>(8, 255)});
@@ -124,7 +124,8 @@ TEST(LessonDeck, EquationsAreNamed) {
 TEST(LessonDeck, AMissingPictureIsAnError) {
   const auto lesson = read_lesson(text_of(test_lesson("tiny.md")), "tiny.md");
   const ExportOptions options;
-  const auto deck = deck_of(*lesson.lesson, options, plan_export(*lesson.lesson, options), "/nowhere");
+  const auto deck =
+      deck_of(*lesson.lesson, options, plan_export(*lesson.lesson, options).value(), "/nowhere");
   ASSERT_FALSE(deck);
   EXPECT_THAT(deck.error(), HasSubstr("/nowhere/01-steady.png"));
 }
