@@ -8,7 +8,6 @@
 #include "base/spelling.h"
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/type_check.h"
-#include "render/scene/model/model.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +18,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <stdexcept>
 
 namespace polhode {
 
@@ -41,30 +39,6 @@ bool opens_with_front_matter(const fs::path& path) {
   char start[3] = {};
   return file && std::fread(start, 1, sizeof start, file.get()) == sizeof start &&
          std::memcmp(start, "+++", 3) == 0;
-}
-
-/// The model's objections to each scene, at the place of its stage.
-std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view file_name,
-                                          const Effort& effort) {
-  std::vector<Diagnostic> found;
-  const Scene* before = nullptr;
-  for (const Stage& stage : lesson.stages) {
-    for (const Step& step : stage.steps) {
-      if (!step.scene || (before && *before == *step.scene)) continue;
-      try {
-        check_scene(*step.scene, effort);
-        before = &*step.scene;
-      } catch (const BudgetSpent&) {
-        found.push_back(too_long_to_check(file_name, stage.place));
-        return found;
-      } catch (const std::domain_error& error) {
-        found.push_back({Severity::error, std::string(file_name), stage.place,
-                         fmt::format("the scene of stage \"{}\" cannot be: {}", stage.id, error.what()), ""});
-        break;
-      }
-    }
-  }
-  return found;
 }
 
 std::string all_lines(const std::vector<Diagnostic>& diagnostics) {
@@ -145,23 +119,6 @@ std::string read_lesson_text(const fs::path& path) {
   text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   if (std::ferror(file.get())) throw failed(errno);
   return text;
-}
-
-LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort) {
-  LessonReading reading = read_lesson(text, file_name);
-  if (!reading.lesson) return reading;
-  std::vector<Diagnostic> found = model_diagnostics(*reading.lesson, file_name, effort);
-  if (found.empty()) return reading;
-  reading.lesson.reset();
-  add_in_order(std::move(found), reading.diagnostics);
-  return reading;
-}
-
-void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all) {
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-  std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
-    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
-  });
 }
 
 LoadedLesson load_lesson(std::string_view name) {

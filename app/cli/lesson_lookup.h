@@ -2,8 +2,7 @@
 // Finds lessons on disk and reads them.
 #pragma once
 
-#include "lessons/reader/reader.h"
-#include "physics/effort.h"
+#include "app/page/loaded_lesson.h"
 #include "render/typeset/fonts.h"
 
 #include <filesystem>
@@ -34,21 +33,8 @@ std::filesystem::path find_lesson(std::string_view name, const std::vector<std::
 /// failed
 std::string read_lesson_text(const std::filesystem::path& path);
 
-/// A lesson that reads without errors and whose scenes can be modelled.
-struct LoadedLesson {
-  Lesson lesson;
-  std::filesystem::path path;
-  std::string sha256;  ///< of the text
-};
 /// With kLintBudget. @throws CommandError; of an invalid lesson all diagnostics are in its text.
 LoadedLesson load_lesson(std::string_view name);
-
-/// What the reader says of a text, and if it has no error, what the model says of its scenes. In the order of
-/// places. Where `effort` throws BudgetSpent the stage is an error, and no scene behind it is checked.
-LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort = {});
-
-/// Adds diagnostics to others, all in the order of their places.
-void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all);
 
 /// @throws CommandError invalid if the fonts lack something of what the lesson says, with all diagnostics.
 void check_type_of(const LoadedLesson& loaded, const Fonts& fonts);

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/cli/export_options.h"
-#include "base/interrupt.h"
-#include "app/cli/lesson_lookup.h"
 #include "app/export/export_folder.h"
+#include "app/page/loaded_lesson.h"
+#include "base/interrupt.h"
 
 #include <functional>
 

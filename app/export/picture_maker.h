@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/export_options.h"
-#include "app/cli/lesson_lookup.h"
+#include "app/page/loaded_lesson.h"
 #include "render/scene/model/model.h"
 
 #include <memory>

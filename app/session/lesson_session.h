@@ -4,7 +4,7 @@
 // done; a test does the same.
 #pragma once
 
-#include "app/cli/lesson_lookup.h"
+#include "app/page/loaded_lesson.h"
 #include "app/page/page_theme.h"
 #include "app/session/answer_log.h"
 #include "app/session/scene_edits.h"

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/loaded_lesson.h"
+
+#include "lessons/reader/lint_budget.h"
+#include "render/scene/model/model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+namespace polhode {
+
+namespace {
+
+/// The model's objections to each scene, at the place of its stage.
+std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view file_name,
+                                          const Effort& effort) {
+  std::vector<Diagnostic> found;
+  const Scene* before = nullptr;
+  for (const Stage& stage : lesson.stages) {
+    for (const Step& step : stage.steps) {
+      if (!step.scene || (before && *before == *step.scene)) continue;
+      try {
+        check_scene(*step.scene, effort);
+        before = &*step.scene;
+      } catch (const BudgetSpent&) {
+        found.push_back(too_long_to_check(file_name, stage.place));
+        return found;
+      } catch (const std::domain_error& error) {
+        found.push_back({Severity::error, std::string(file_name), stage.place,
+                         fmt::format("the scene of stage \"{}\" cannot be: {}", stage.id, error.what()), ""});
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort) {
+  LessonReading reading = read_lesson(text, file_name);
+  if (!reading.lesson) return reading;
+  std::vector<Diagnostic> found = model_diagnostics(*reading.lesson, file_name, effort);
+  if (found.empty()) return reading;
+  reading.lesson.reset();
+  add_in_order(std::move(found), reading.diagnostics);
+  return reading;
+}
+
+void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+  });
+}
+
+}  // namespace polhode

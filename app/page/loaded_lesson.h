@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// A lesson with all that is to be known before it is shown: that its scenes can be modelled, and of which
+// text it is.
+#pragma once
+
+#include "lessons/reader/reader.h"
+#include "physics/effort.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+/// A lesson that reads without errors and whose scenes can be modelled.
+struct LoadedLesson {
+  Lesson lesson;
+  std::filesystem::path path;
+  std::string sha256;  ///< of the text
+};
+/// What the reader says of a text, and if it has no error, what the model says of its scenes. In the order of
+/// places. Where `effort` throws BudgetSpent the stage is an error, and no scene behind it is checked.
+LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort = {});
+
+/// Adds diagnostics to others, all in the order of their places.
+void add_in_order(std::vector<Diagnostic> more, std::vector<Diagnostic>& all);
+
+}  // namespace polhode
