@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // polhode export: pictures of a lesson as PNG files, or its text.
 #include "app/cli/commands.h"
+#include "app/cli/export_options.h"
+#include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "app/cli/progress.h"

@@ -3,11 +3,13 @@
 
 #include "app/cli/exit_codes.h"
 #include "app/cli/numbers.h"
+#include "app/cli/typed_shard.h"
 #include "app/export/named_sizes.h"
 #include "app/page/page.h"
 #include "app/publish/deck.h"
 #include "app/publish/film.h"
 #include "base/spelling.h"
+#include "render/gl/passes/background.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -212,12 +214,6 @@ ExportOutput export_output(const TypedExport& typed) {
   constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
   out.context = kKinds[choice("--context", typed.context, {"auto", "osmesa", "egl"})];
   return out;
-}
-
-Background background_of(const ExportOptions& options) {
-  if (options.what != What::figure && options.background == "paper")
-    return {Background::Kind::color, colors_of(options.theme).paper};
-  return *background_from(options.background);
 }
 
 }  // namespace polhode

@@ -35,6 +35,11 @@ struct ExportOptions {
   PngPacking png = PngPacking::fast;
 };
 
+/// Of equations: 12 pt type has so many dots per inch where nothing else is said.
+inline constexpr int kDefaultEquationDpi = 300;
+/// Fewer give no legible formula.
+inline constexpr int kFewestEquationDpi = 24;
+
 struct PlannedPicture {
   const Stage* stage;
   int number;                         ///< of the stage in the lesson, from 1

@@ -76,21 +76,6 @@ class FigureMaker : public PictureMaker {
 
 }  // namespace
 
-const SceneModel& ModelOfScene::of(const Scene& scene) {
-  if (scene_ != &scene) {
-    model_ = make_model(scene, product_, effort_);
-    scene_ = &scene;
-  }
-  return model_;
-}
-
-void check_computable(const Stage& stage, const SceneModel& model, double t_s) {
-  if (!is_computable(model, t_s))
-    throw CommandError(ExitCode::failed,
-                       fmt::format("stage \"{}\": the motion cannot be computed at t = {:.6g} s: {}",
-                                   stage.id, t_s, why_no_state(*model.motion, problem_of(model.scene), t_s)));
-}
-
 std::unique_ptr<PictureMaker> make_figure_maker(const MakerContext& context) {
   return std::make_unique<FigureMaker>(context);
 }

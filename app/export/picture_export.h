@@ -2,8 +2,9 @@
 // The pictures of an export, or a shard of them: drawn, written, and listed in a manifest.
 #pragma once
 
-#include "app/cli/export_options.h"
 #include "app/export/export_folder.h"
+#include "app/export/export_output.h"
+#include "app/export/export_plan.h"
 #include "app/page/loaded_lesson.h"
 #include "base/interrupt.h"
 

@@ -2,8 +2,9 @@
 // One maker for each kind of picture that is exported.
 #pragma once
 
-#include "app/cli/export_options.h"
+#include "app/export/export_plan.h"
 #include "app/page/loaded_lesson.h"
+#include "render/gl/renderer.h"
 #include "render/scene/model/model.h"
 
 #include <memory>
@@ -58,6 +59,9 @@ class ModelOfScene {
   const Scene* scene_ = nullptr;
   SceneModel model_;
 };
+
+/// Behind the pictures of an export.
+Background background_of(const ExportOptions& options);
 
 /// A motion may overflow (a huge torque), or lie beyond the steps that its method takes.
 /// @throws CommandError failed

@@ -30,10 +30,6 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-/// "I/N" with 1 ≤ I ≤ N, or "slurm": what SLURM_ARRAY_TASK_ID, _MIN, _STEP and _COUNT say. Empty: the whole.
-/// @throws CommandError usage
-Shard shard_from(const std::string& typed);
-
 /// "manifest.2-of-4.json"
 std::string shard_manifest_name(const Shard& shard);
 bool is_shard_manifest_name(std::string_view name);
