@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode play: a lesson in a window.
 #include "app/cli/commands.h"
+#include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "app/session/saved_progress.h"
