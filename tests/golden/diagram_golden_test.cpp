@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Golden diagrams at 480x270, as figures by themselves, each proved able to fail.
-#include "app/figure_place.h"
+#include "app/page/figure_place.h"
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
 

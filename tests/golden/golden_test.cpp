@@ -4,7 +4,7 @@
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
 #include "tests/golden/scenes.h"
-#include "tests/scene/plot_examples.h"
+#include "tests/render/drawing/plots/plot_examples.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Golden pages, equations and a frame of a morph, by the golden rule, each proved able to fail.
-#include "app/page.h"
-#include "lessons/reader.h"
+#include "app/page/page.h"
+#include "lessons/reader/reader.h"
 #include "render/image/compare.h"
-#include "render/type/morph.h"
+#include "render/typeset/morph.h"
 #include "tests/golden/approval.h"
 
 #include <gtest/gtest.h>

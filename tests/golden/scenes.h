@@ -4,7 +4,7 @@
 #pragma once
 
 #include "render/gl/renderer.h"
-#include "render/scene/scene.h"
+#include "render/scene/description/scene.h"
 
 #include <string>
 #include <vector>

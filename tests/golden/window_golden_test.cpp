@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Golden windows: page, bar and panels as the screen draws them off-screen, by the golden rule, each proved
 // able to fail.
-#include "app/lesson_lookup.h"
+#include "app/cli/lesson_lookup.h"
 #include "app/window/screen.h"
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
