@@ -2,6 +2,7 @@
 // polhode answer: the verdict on a learner's answer, with the reason.
 #include "app/cli/commands.h"
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 #include "app/cli/message.h"
 #include "app/narration/speech_text.h"
 #include "app/session/answer_log.h"
@@ -91,18 +92,18 @@ class KeptAnswers {
 
   using Change = std::function<void(AnswerLog&, const std::string& name)>;
 
-  /// @throws CommandError failed if it cannot be kept
-  void change(const Change& change) const {
-    if (!path_) throw CommandError(ExitCode::failed, "neither XDG_STATE_HOME nor HOME is set");
-    const std::string warning = change_answer_log(*path_, [&](AnswerLog& log) { change(log, name_); });
-    if (!warning.empty()) say("polhode: {}\n", warning);
+  /// Fails if it cannot be kept.
+  Status change(const Change& change) const {
+    if (!path_) return failure("neither XDG_STATE_HOME nor HOME is set");
+    const auto warning = change_answer_log(*path_, [&](AnswerLog& log) { change(log, name_); });
+    if (!warning) return failure(warning.error().text);
+    if (!warning->empty()) say("polhode: {}\n", *warning);
+    return success();
   }
 
   /// A verdict, or a hint, is given also where it cannot be kept; `what_if_not` is said then.
-  void change_if_possible(const Change& wanted, const char* what_if_not) const try {
-    change(wanted);
-  } catch (const CommandError& error) {
-    say("polhode: {}: {}\n", error.what(), what_if_not);
+  void change_if_possible(const Change& wanted, const char* what_if_not) const {
+    if (const Status changed = change(wanted); !changed) say("polhode: {}: {}\n", changed.error(), what_if_not);
   }
 
  private:
@@ -161,7 +162,7 @@ ExitCode answer(const Options& options) {
   const KeptAnswers kept(loaded.lesson.id, answer_name(stage.id, ask.id));
   if (options.hint) return show_hint(ask, Speaker(loaded.lesson), kept);
   if (options.reset) {
-    kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); });
+    or_fail(kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); }));
     return ExitCode::done;
   }
   return judge_and_keep(ask, options, kept);

@@ -2,6 +2,7 @@
 // How the program ends; scripts rely on these numbers.
 #pragma once
 
+#include "base/outcome.h"
 #include "base/printable.h"
 
 #include <stdexcept>
@@ -17,6 +18,18 @@ enum class ExitCode : int {
   different = 4,     ///< compared, and not the same; a wrong answer
   interrupted = 130  ///< SIGINT
 };
+
+inline ExitCode exit_code_of(Fault fault) {
+  switch (fault) {
+    case Fault::failed:
+      break;
+    case Fault::usage:
+      return ExitCode::usage;
+    case Fault::invalid:
+      return ExitCode::invalid;
+  }
+  return ExitCode::failed;
+}
 
 /// Ends a command; main prints `what()` on stderr after "polhode: " and exits with `code`. The text is one
 /// sentence for a user: what was found, what was expected, what to do. Empty: the command has said all

@@ -38,20 +38,22 @@ void write_text(const std::string& name, const std::string& text, const ExportOu
 }
 
 /// With the pictures that are there. @throws Interrupted
-void make_deck(const PictureExport& e, const InterruptWatch& watch) {
-  const Deck deck = or_fail(deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder));
-  const std::size_t count = deck.slides.size();
+Status make_deck(const PictureExport& e, const InterruptWatch& watch) {
+  const Result<Deck> deck = deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder);
+  if (!deck) return failure(deck.error());
+  const std::size_t count = deck->slides.size();
   {
     const ProgressBar progress(static_cast<std::int64_t>(count));
     const auto go_on = [&](std::size_t slide) {
       progress.show(static_cast<std::int64_t>(slide), e.out.deck);
       return !watch.interrupted();
     };
-    Status status = write_deck(e.out.deck, *deck_kind_of(e.out.deck), deck, e.out.durability, go_on);
+    Status status = write_deck(e.out.deck, *deck_kind_of(e.out.deck), *deck, e.out.durability, go_on);
     if (!status && watch.interrupted()) throw Interrupted();
-    or_fail(std::move(status));
+    if (!status) return status;
   }
   say("{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
+  return success();
 }
 
 /// Frames pass as they are; of stills each is shown for --seconds.
@@ -66,17 +68,17 @@ FilmRequest film_of(const PictureExport& e) {
 
 /// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
 /// processes drew them: what is needed of a picture is in its file, the plan and the manifest.
-void make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
+Status make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
   if (!e.out.film.empty()) {
     const FilmRequest film = film_of(e);
     {
       const ProgressBar progress(std::ssize(film.pictures));
       const auto show = [&](std::int64_t done) { progress.show(done, film.file.filename().string()); };
-      or_fail(write_film(film, watch, show));
+      if (Status written = write_film(film, watch, show); !written) return written;
     }
     say("film of {} pictures: {}\n", film.pictures.size(), e.out.film);
   }
-  if (!e.out.deck.empty()) make_deck(e, watch);
+  return e.out.deck.empty() ? success() : make_deck(e, watch);
 }
 
 /// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed; the
@@ -98,7 +100,7 @@ void note_left_out(const ExportPlan& plan, What what) {
                                    what == What::equation ? "an" : "a", missing));
 }
 
-PicturesMade make_with_progress(const PictureExport& e, const InterruptWatch& watch) {
+Outcome<PicturesMade> make_with_progress(const PictureExport& e, const InterruptWatch& watch) {
   const ProgressBar progress(static_cast<std::int64_t>(e.out.shard.size(e.plan.pictures.size())));
   return make_pictures(
       e,
@@ -109,16 +111,17 @@ PicturesMade make_with_progress(const PictureExport& e, const InterruptWatch& wa
 }
 
 /// Each process makes a shard of this shard; the last of them to finish writes the manifest.
-PicturesMade make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
+Outcome<PicturesMade> make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
   const std::size_t total = e.out.shard.size(e.plan.pictures.size());
-  const auto job = [&](int number, const TellJob& tell) {
+  const auto job = [&](int number, const TellJob& tell) -> Outcome<JobEnd> {
     ::setenv("LP_NUM_THREADS", "1", 1);  // the processes share the cores; each drawing in threads costs more
     ExportOutput out = e.out;
     out.shard = e.out.shard.part(number, e.out.jobs);
     const PictureExport part{e.loaded, e.options, out, e.plan};
-    const PicturesMade made = make_pictures(
+    const Outcome<PicturesMade> made = make_pictures(
         part, [&](std::size_t, const std::string&) { tell(); }, watch);
-    return made.interrupted ? JobEnd::interrupted : JobEnd::done;
+    if (!made) return passed_on(made);
+    return made->interrupted ? JobEnd::interrupted : JobEnd::done;
   };
   PicturesMade made;
   {
@@ -127,13 +130,15 @@ PicturesMade make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
       made.count = begun;
       progress.show(static_cast<std::int64_t>(begun), fmt::format("in {} processes", e.out.jobs));
     };
-    made.interrupted = run_jobs(e.out.jobs, job, show, watch) == JobEnd::interrupted;
+    const Outcome<JobEnd> end = run_jobs(e.out.jobs, job, show, watch);
+    if (!end) return passed_on(end);
+    made.interrupted = *end == JobEnd::interrupted;
   }
   const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
   made.finished = !made.interrupted && folder && folder->finished;
   if (!made.interrupted && !made.finished && e.out.shard.whole())
-    throw CommandError(ExitCode::failed,
-                       fmt::format("--jobs: {} lost files of its processes", e.out.folder.string()));
+    return failure_of(Fault::failed,
+                      fmt::format("--jobs: {} lost files of its processes", e.out.folder.string()));
   return made;
 }
 
@@ -163,11 +168,31 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
 }
 
 /// What failed may be mended: a full disk, a lost connection.
-[[noreturn]] void fail_with_advice(const PictureExport& e, const CommandError& error) {
+Error with_advice(const PictureExport& e, Error error) {
   const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
-  if (error.code != ExitCode::failed || !folder || !folder->ours) throw error;
-  throw CommandError(error.code,
-                     fmt::format("{}\nWhat is whole is kept; {}", error.what(), go_on_with(e.out.resume)));
+  if (error.fault == Fault::failed && folder && folder->ours)
+    error.text += fmt::format("\nWhat is whole is kept; {}", go_on_with(e.out.resume));
+  return error;
+}
+
+/// Pictures, film and deck, and what is said of them. @throws Interrupted
+Outcome<ExitCode> make_all(const PictureExport& e, const InterruptWatch& watch) {
+  if (!e.out.deck.empty())
+    if (const Status folder = make_folder(fs::absolute(e.out.deck).parent_path()); !folder)
+      return failed(folder);
+  const Outcome<PicturesMade> made = e.out.jobs > 1 ? make_in_jobs(e, watch) : make_with_progress(e, watch);
+  if (!made) return passed_on(made);
+  if (made->interrupted) {
+    report_interruption(e, *made);
+    return ExitCode::interrupted;
+  }
+  if (made->finished)
+    if (const Status published = make_film_and_deck(e, watch); !published) return failed(published);
+  if (e.out.keep_folder)
+    report_pictures(e, *made);
+  else
+    remove_parts(e);
+  return ExitCode::done;
 }
 
 /// Before all is drawn for nothing.
@@ -203,24 +228,13 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
   try {
-    if (!out.deck.empty()) make_folder(fs::absolute(out.deck).parent_path());
-    const PicturesMade made = out.jobs > 1 ? make_in_jobs(e, watch) : make_with_progress(e, watch);
-    if (made.interrupted) {
-      report_interruption(e, made);
-      return ExitCode::interrupted;
-    }
-    if (made.finished) make_film_and_deck(e, watch);
-    if (out.keep_folder)
-      report_pictures(e, made);
-    else
-      remove_parts(e);
+    Outcome<ExitCode> end = make_all(e, watch);
+    if (!end) end = Failure{with_advice(e, end.error())};
+    return or_fail(std::move(end));
   } catch (const Interrupted&) {
     say("polhode: interrupted; the pictures are in {}; {}\n", out.folder.string(), go_on_with(out.resume));
     return ExitCode::interrupted;
-  } catch (const CommandError& error) {
-    fail_with_advice(e, error);
   }
-  return ExitCode::done;
 }
 
 ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& options,
@@ -228,7 +242,7 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
   for (const std::string& id : options.stages) static_cast<void>(stage_of(loaded.lesson, id));
   const ExportIdentity identity = identity_of(loaded, options);
   or_fail(look_into(out.folder, identity));
-  make_folder(out.folder);
+  or_fail(make_folder(out.folder));
   ManifestFile file;
   file.file = loaded.lesson.id + ".txt";
   const std::string text = transcript_of(loaded.lesson, options.stages);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/exit_codes.h"
-#include "base/result.h"
+#include "base/outcome.h"
 
 #include <utility>
 
@@ -14,6 +14,13 @@ template <class T>
 T or_fail(Result<T>&& result) {
   if (!result) throw CommandError(ExitCode::failed, result.error());
   return std::move(result).value();
+}
+
+/// The same, with the exit code of whose fault it is. @throws CommandError
+template <class T>
+T or_fail(Outcome<T>&& outcome) {
+  if (!outcome) throw CommandError(exit_code_of(outcome.error().fault), outcome.error().text);
+  return std::move(outcome).value();
 }
 
 /// The same where what was asked for is malformed, unknown or out of range. @throws CommandError usage

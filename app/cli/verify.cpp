@@ -70,7 +70,7 @@ void print_words(const FolderCheck& found, const std::string& folder_name) {
 }
 
 ExitCode verify(const Options& options) {
-  const FolderCheck found = check_folder(options.folder);
+  const FolderCheck found = or_fail(check_folder(options.folder));
   if (options.json)
     print_json(found, options.folder);
   else

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/or_fail.h"
 #include "app/export/manifest.h"
 #include "app/export/picture_maker.h"
 #include "app/narration/speech_text.h"
@@ -72,33 +71,38 @@ class EquationMaker : public PictureMaker {
         symbols_(symbols_of(context.lesson, context.options.theme)),
         em_(kTypePoints / kPointsPerInch * context.options.dpi) {}
 
-  void check(const PlannedPicture& picture) override {
-    const Size size = canvas_of(picture).size;
-    if (std::max(size.width, size.height) > kMaxImageSide)
-      throw CommandError(
-          ExitCode::usage,
-          fmt::format("stage \"{}\": at --dpi {} the equation would be {}x{} pixels, at most {} are made",
-                      picture.stage->id, context_.options.dpi, size.width, size.height, kMaxImageSide));
+  Done check(const PlannedPicture& picture) override {
+    const auto canvas = canvas_of(picture);
+    if (!canvas) return passed_on(canvas);
+    const Size size = canvas->size;
+    if (std::max(size.width, size.height) <= kMaxImageSide) return done();
+    return failure_of(
+        Fault::usage,
+        fmt::format("stage \"{}\": at --dpi {} the equation would be {}x{} pixels, at most {} are made",
+                    picture.stage->id, context_.options.dpi, size.width, size.height, kMaxImageSide));
   }
 
-  PictureDescription describe(const PlannedPicture& picture) override {
+  Outcome<PictureDescription> describe(const PlannedPicture& picture) override {
+    const auto canvas = canvas_of(picture);
+    if (!canvas) return passed_on(canvas);
     const auto [line, next, way] = shown_in(picture);
-    if (way == 0.0) return {speaker_.words(*line), {line->tex}, {}, {}, canvas_of(picture).size};
-    return {fmt::format("Between two lines. {} {}", speaker_.words(*line), speaker_.words(*next)),
-            {line->tex, next->tex},
-            {},
-            {},
-            canvas_of(picture).size};
+    PictureDescription description{speaker_.words(*line), {line->tex}, {}, {}, canvas->size};
+    if (way == 0.0) return description;
+    description.alt = fmt::format("Between two lines. {} {}", description.alt, speaker_.words(*next));
+    description.tex.push_back(next->tex);
+    return description;
   }
 
-  Image draw(const PlannedPicture& picture) override {
+  Outcome<Image> draw(const PlannedPicture& picture) override {
+    const auto canvas = canvas_of(picture);
+    if (!canvas) return passed_on(canvas);
     const auto [line, next, way] = shown_in(picture);
-    const Canvas canvas = canvas_of(picture);
     Sheet sheet;
-    sheet.texts.push_back({.list = way == 0.0 ? list_of(*line) : morph(list_of(*line), list_of(*next), way),
-                           .at = {canvas.x, canvas.y},
+    const DisplayList& list = lists_.at(line);
+    sheet.texts.push_back({.list = way == 0.0 ? list : morph(list, lists_.at(next), way),
+                           .at = {canvas->x, canvas->y},
                            .moving = picture.equation == nullptr});
-    return or_fail(context_.renderer.draw(sheet, canvas.size, background_of(context_.options)));
+    return outcome_of(context_.renderer.draw(sheet, canvas->size, background_of(context_.options)));
   }
 
   bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {
@@ -127,21 +131,21 @@ class EquationMaker : public PictureMaker {
     return equations_of(*picture.stage);
   }
 
-  const DisplayList& list_of(const Equation& equation) {
-    const auto known = lists_.find(&equation);
-    if (known != lists_.end()) return known->second;
+  Done set(const Equation& equation) {
+    if (lists_.contains(&equation)) return done();
     MathStyle style;
     style.size = em_;
     style.display = true;
     style.color = colors_of(context_.options.theme).ink;
     style.strike = colors_of(context_.options.theme).accent;
     style.symbols = &symbols_;
-    auto set = set_math(equation.math, style, context_.renderer.fonts());
-    if (!set)
-      throw CommandError(ExitCode::invalid, fmt::format("equation \"{}\" cannot be set: {}", equation.id,
-                                                        set.error().front().message));
-    put_live_numbers_in(*set, equation);
-    return lists_.emplace(&equation, centred(*set)).first->second;
+    auto list = set_math(equation.math, style, context_.renderer.fonts());
+    if (!list)
+      return failure_of(Fault::invalid, fmt::format("equation \"{}\" cannot be set: {}", equation.id,
+                                                    list.error().front().message));
+    put_live_numbers_in(*list, equation);
+    lists_.emplace(&equation, centred(*list));
+    return done();
   }
 
   /// At the `at` of the scene beside it.
@@ -165,10 +169,13 @@ class EquationMaker : public PictureMaker {
     return nullptr;
   }
 
-  Canvas canvas_of(const PlannedPicture& picture) {
+  /// Sets all lines of the picture.
+  Outcome<Canvas> canvas_of(const PlannedPicture& picture) {
     TypeBox ink;
-    for (const Equation* equation : lines_of(picture))
-      unite(ink, ink_box(list_of(*equation), context_.renderer.fonts()));
+    for (const Equation* equation : lines_of(picture)) {
+      if (const Done is_set = set(*equation); !is_set) return passed_on(is_set);
+      unite(ink, ink_box(lists_.at(equation), context_.renderer.fonts()));
+    }
     return canvas_around(ink, kMargin * em_);
   }
 

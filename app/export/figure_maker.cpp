@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/or_fail.h"
 #include "app/export/manifest.h"
 #include "app/export/picture_maker.h"
 #include "app/narration/alt_text.h"
@@ -18,43 +17,53 @@ class FigureMaker : public PictureMaker {
  public:
   explicit FigureMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
 
-  void check(const PlannedPicture& picture) override { static_cast<void>(moment_of(picture)); }
-
-  PictureDescription describe(const PlannedPicture& picture) override {
-    const auto [model, t_s] = moment_of(picture);
-    const std::string alt = speaker_.words_of_title(*picture.stage) + ' ' +
-                            alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
-                                     model.motion->w_B_at(t_s), t_s);
-    return {alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model.motion->method()),
-            context_.options.size};
+  Done check(const PlannedPicture& picture) override {
+    const auto shown = shown_in(picture);
+    if (!shown) return passed_on(shown);
+    return done();
   }
 
-  Image draw(const PlannedPicture& picture) override {
-    const auto [model, t_s] = moment_of(picture);
+  Outcome<PictureDescription> describe(const PlannedPicture& picture) override {
+    const auto shown = shown_in(picture);
+    if (!shown) return passed_on(shown);
+    const auto& [model, t_s] = *shown;
+    const std::string alt = speaker_.words_of_title(*picture.stage) + ' ' +
+                            alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
+                                     model->motion->w_B_at(t_s), t_s);
+    return {{alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model->motion->method()),
+             context_.options.size}};
+  }
+
+  Outcome<Image> draw(const PlannedPicture& picture) override {
+    const auto shown = shown_in(picture);
+    if (!shown) return passed_on(shown);
+    const auto& [model, t_s] = *shown;
     const Size size = context_.options.size;
     const Background background = background_of(context_.options);
     const Quality quality = quality_of(context_.options.quality.value_or(picture.scene->quality));
-    if (!diagrams_in(model.drawn).empty()) return draw_with_diagrams(model, t_s, background, quality);
+    if (!diagrams_in(model->drawn).empty())
+      return outcome_of(draw_with_diagrams(*model, t_s, background, quality));
     const double aspect = static_cast<double>(size.width) / size.height;
-    return or_fail(context_.renderer.draw(make_figure(model, t_s, aspect), size, background, quality));
+    return outcome_of(context_.renderer.draw(make_figure(*model, t_s, aspect), size, background, quality));
   }
 
  private:
-  struct Moment {
-    const SceneModel& model;
+  struct Shown {
+    const SceneModel* model;
     double t_s;
   };
 
-  Moment moment_of(const PlannedPicture& picture) {
+  Outcome<Shown> shown_in(const PlannedPicture& picture) {
     const SceneModel& model = models_.of(*picture.scene);
     const double t_s = time_of(picture, context_.options, model.rate);
-    check_computable(*picture.stage, model, t_s);
-    return {model, t_s};
+    if (const Done computable = check_computable(*picture.stage, model, t_s); !computable)
+      return passed_on(computable);
+    return Shown{&model, t_s};
   }
 
   /// Diagrams stand on a plain ground: paper instead of the studio.
-  Image draw_with_diagrams(const SceneModel& model, double t_s, const Background& background,
-                           const Quality& quality) {
+  Result<Image> draw_with_diagrams(const SceneModel& model, double t_s, const Background& background,
+                                   const Quality& quality) {
     using Kind = Background::Kind;
     const Size size = context_.options.size;
     const Background ground = background.kind == Kind::studio ? Background{Kind::paper, {}} : background;
@@ -66,7 +75,7 @@ class FigureMaker : public PictureMaker {
                       .quality = quality};
     if (ground.kind != Kind::transparent) place.ground = sky_of(ground);
     const PlacedFigure placed = place_figure(model, t_s, place, context_.renderer.fonts());
-    return or_fail(context_.renderer.draw(placed.sheet, placed.insets, size, ground));
+    return context_.renderer.draw(placed.sheet, placed.insets, size, ground);
   }
 
   MakerContext context_;

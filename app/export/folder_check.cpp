@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/folder_check.h"
 
-#include "app/cli/exit_codes.h"
 #include "app/export/export_folder.h"
 #include "app/export/picture_check.h"
 #include "base/files/file_bytes.h"
@@ -55,9 +54,10 @@ Json record_in(const fs::path& path) {
 /// The files of a folder, with what is expected of each.
 class Check {
  public:
-  explicit Check(const fs::path& folder) : folder_(folder) { list(); }
+  explicit Check(const fs::path& folder) : folder_(folder) {}
 
-  FolderCheck run() {
+  Result<FolderCheck> run() {
+    if (const Status listed = list(); !listed) return Failure{listed.error()};
     const bool marked = names_.count(kMarkerName) > 0, has_manifest = names_.count(kManifestName) > 0;
     const Json manifest = has_manifest ? record_in(folder_ / kManifestName) : Json(nullptr);
     const Json marker = marked ? record_in(folder_ / kMarkerName) : Json(nullptr);
@@ -80,13 +80,13 @@ class Check {
   }
 
  private:
-  void list() {
+  Status list() {
     std::error_code error;
     for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error))
       names_.insert(entry->path().filename().string());
     if (error)
-      throw CommandError(ExitCode::failed,
-                         fmt::format("cannot read folder {}: {}", folder_.string(), error.message()));
+      return failure(fmt::format("cannot read folder {}: {}", folder_.string(), error.message()));
+    return success();
   }
 
   /// Of several reasons the first is told.
@@ -243,6 +243,6 @@ class Check {
 
 }  // namespace
 
-FolderCheck check_folder(const fs::path& folder) { return Check(folder).run(); }
+Result<FolderCheck> check_folder(const fs::path& folder) { return Check(folder).run(); }
 
 }  // namespace polhode

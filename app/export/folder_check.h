@@ -3,6 +3,8 @@
 // promises.
 #pragma once
 
+#include "base/result.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <map>
@@ -27,7 +29,7 @@ struct FolderCheck {
   }
 };
 
-/// Reads every file. @throws CommandError failed if the folder cannot be read
-FolderCheck check_folder(const std::filesystem::path& folder);
+/// Reads every file; fails if the folder cannot be read.
+Result<FolderCheck> check_folder(const std::filesystem::path& folder);
 
 }  // namespace polhode

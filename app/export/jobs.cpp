@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/jobs.h"
 
-#include "app/cli/exit_codes.h"
-
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -20,8 +18,8 @@ namespace polhode {
 
 namespace {
 
-// What a job writes into its pipe: a byte for each piece of work; at the end how it ended, or an error: its
-// code and, until the pipe closes, its text.
+// What a job writes into its pipe: a byte for each piece of work; at the end how it ended, or an error: whose
+// fault it is and, until the pipe closes, its text.
 enum Said : char { kBegun = '.', kDone = 'd', kInterrupted = 'i', kError = 'e' };
 
 struct Job {
@@ -39,26 +37,27 @@ void say(int pipe, std::string_view text) {
   }
 }
 
-void say_error(int pipe, ExitCode code, const char* text) {
-  say(pipe, {std::string{kError, static_cast<char>(code)} + text});
+void say_error(int pipe, const Error& error) {
+  say(pipe, {std::string{kError, static_cast<char>(error.fault)} + error.text});
 }
 
 /// In the child.
-[[noreturn]] void run_job(int pipe, pid_t parent, const std::function<JobEnd(const TellJob&)>& job) {
+[[noreturn]] void run_job(int pipe, pid_t parent, const std::function<Outcome<JobEnd>(const TellJob&)>& job) {
   // A group of its own: Ctrl-C reaches the parent alone, which passes it on once.
   ::setpgid(0, 0);
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) std::_Exit(1);
   ::signal(SIGPIPE, SIG_IGN);
   try {
-    const JobEnd end = job([&] { say(pipe, std::string{kBegun}); });
-    say(pipe, std::string{end == JobEnd::done ? kDone : kInterrupted});
-  } catch (const CommandError& error) {
-    say_error(pipe, error.code, error.what());
-  } catch (const std::domain_error& error) {
-    say_error(pipe, ExitCode::invalid, error.what());
+    const Outcome<JobEnd> end = job([&] { say(pipe, std::string{kBegun}); });
+    if (end)
+      say(pipe, std::string{*end == JobEnd::done ? kDone : kInterrupted});
+    else
+      say_error(pipe, end.error());
+  } catch (const std::domain_error& error) {  // a body that cannot be
+    say_error(pipe, {error.what(), Fault::invalid});
   } catch (const std::exception& error) {
-    say_error(pipe, ExitCode::failed, error.what());
+    say_error(pipe, {error.what()});
   }
   std::_Exit(0);  // what the parent had open is the parent's to close
 }
@@ -67,9 +66,9 @@ class Jobs {
  public:
   ~Jobs() { stop(), wait(); }
 
-  void start(const std::function<JobEnd(const TellJob&)>& job) {
+  Done start(const std::function<Outcome<JobEnd>(const TellJob&)>& job) {
     int ends[2];
-    if (::pipe(ends) != 0) fail_to_start(errno);
+    if (::pipe(ends) != 0) return cannot_start(errno);
     const pid_t parent = ::getpid();
     const pid_t process = ::fork();
     if (process == 0) {
@@ -79,8 +78,12 @@ class Jobs {
     }
     const int error = errno;
     ::close(ends[1]);
-    if (process < 0) ::close(ends[0]), fail_to_start(error);
+    if (process < 0) {
+      ::close(ends[0]);
+      return cannot_start(error);
+    }
     jobs_.push_back({process, ends[0], {}});
+    return done();
   }
 
   void stop() {
@@ -105,13 +108,13 @@ class Jobs {
   }
 
   /// The first error, if any job has said all of one or was killed.
-  std::optional<CommandError> error() const { return error_; }
+  const std::optional<Error>& error() const { return error_; }
   bool interrupted() const { return interrupted_; }
 
  private:
-  [[noreturn]] static void fail_to_start(int error) {
-    throw CommandError(ExitCode::failed, fmt::format("--jobs: no process can be started: {}",
-                                                     std::generic_category().message(error)));
+  static Done cannot_start(int error) {
+    return failure_of(Fault::failed, fmt::format("--jobs: no process can be started: {}",
+                                                 std::generic_category().message(error)));
   }
 
   std::size_t hear(Job& job) {
@@ -142,13 +145,11 @@ class Jobs {
     interrupted_ = interrupted_ || how == kInterrupted;
     if (how == kDone || how == kInterrupted || error_) return;
     if (how == kError && job.said.size() > 1)
-      error_ =
-          CommandError(static_cast<ExitCode>(static_cast<unsigned char>(job.said[1])), job.said.substr(2));
+      error_ = Error{job.said.substr(2), static_cast<Fault>(job.said[1])};
     else
-      error_ = CommandError(ExitCode::failed,
-                            WIFSIGNALED(status)
-                                ? fmt::format("--jobs: a process was ended by signal {}", WTERMSIG(status))
-                                : std::string("--jobs: a process ended without a word"));
+      error_ = Error{WIFSIGNALED(status)
+                         ? fmt::format("--jobs: a process was ended by signal {}", WTERMSIG(status))
+                         : std::string("--jobs: a process ended without a word")};
   }
 
   void wait() {
@@ -159,22 +160,24 @@ class Jobs {
   std::vector<Job> jobs_;
   bool stopped_ = false;
   bool interrupted_ = false;
-  std::optional<CommandError> error_;
+  std::optional<Error> error_;
 };
 
 }  // namespace
 
-JobEnd run_jobs(int jobs, const std::function<JobEnd(int job, const TellJob&)>& job,
-                const std::function<void(std::size_t)>& told, const InterruptWatch& watch) {
+Outcome<JobEnd> run_jobs(int jobs, const std::function<Outcome<JobEnd>(int job, const TellJob&)>& job,
+                         const std::function<void(std::size_t)>& told, const InterruptWatch& watch) {
   std::fflush(nullptr);  // or every child would write it again
   Jobs running;
-  for (int i = 0; i < jobs; ++i) running.start([&](const TellJob& tell) { return job(i, tell); });
+  for (int i = 0; i < jobs; ++i)
+    if (const Done started = running.start([&](const TellJob& tell) { return job(i, tell); }); !started)
+      return passed_on(started);
   std::size_t begun = 0;
   while (running.listen(begun)) {
     told(begun);
     if (watch.interrupted() || running.error()) running.stop();
   }
-  if (running.error()) throw *running.error();
+  if (running.error()) return Failure{*running.error()};
   return running.interrupted() ? JobEnd::interrupted : JobEnd::done;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/interrupt.h"
+#include "base/outcome.h"
 
 #include <cstddef>
 #include <functional>
@@ -13,15 +14,14 @@ namespace polhode {
 /// Told by a job before each piece of its work.
 using TellJob = std::function<void()>;
 
-/// How a job ended; more is said by what it threw.
+/// How a job ended that did not fail.
 enum class JobEnd : unsigned char { done, interrupted };
 
 /// Runs job(0) … job(jobs − 1), each in a forked process; waits for all of them. Call before this process has
 /// threads or OpenGL. `told(n)` is called here when n pieces were begun in all. An interruption is passed on
 /// to all jobs, and so is the death of this process. If a job fails or is killed, the others are interrupted.
-/// @returns interrupted if a job was
-/// @throws CommandError that of the first job that threw one
-JobEnd run_jobs(int jobs, const std::function<JobEnd(int job, const TellJob&)>& job,
-                const std::function<void(std::size_t)>& told, const InterruptWatch& watch);
+/// @returns interrupted if a job was; fails with the error of the first job that did
+Outcome<JobEnd> run_jobs(int jobs, const std::function<Outcome<JobEnd>(int job, const TellJob&)>& job,
+                         const std::function<void(std::size_t)>& told, const InterruptWatch& watch);
 
 }  // namespace polhode

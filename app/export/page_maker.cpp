@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/or_fail.h"
 #include "app/export/manifest.h"
 #include "app/export/picture_maker.h"
 #include "app/narration/alt_text.h"
@@ -20,14 +19,17 @@ class PageMaker : public PictureMaker {
  public:
   explicit PageMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
 
-  void check(const PlannedPicture& picture) override {
-    static_cast<void>(text_of(picture, shown_in(picture)));
+  Done check(const PlannedPicture& picture) override {
+    const auto content = content_of(picture);
+    if (!content) return passed_on(content);
+    return done();
   }
 
-  PictureDescription describe(const PlannedPicture& picture) override {
-    const Shown shown = shown_in(picture);
-    const StepText& words = text_of(picture, shown);
-    PictureDescription description{words.alt, words.tex, {}, {}, context_.options.size};
+  Outcome<PictureDescription> describe(const PlannedPicture& picture) override {
+    const auto content = content_of(picture);
+    if (!content) return passed_on(content);
+    const auto& [shown, words] = *content;
+    PictureDescription description{words->alt, words->tex, {}, {}, context_.options.size};
     if (!shown.model) return description;
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();
@@ -37,11 +39,13 @@ class PageMaker : public PictureMaker {
     return description;
   }
 
-  Image draw(const PlannedPicture& picture) override {
-    const Shown shown = shown_in(picture);
-    const Page page = compose_page(request_of(picture, shown), text_of(picture, shown).set, fonts());
-    return or_fail(context_.renderer.draw(page.sheet, page.insets, context_.options.size,
-                                          background_of(context_.options)));
+  Outcome<Image> draw(const PlannedPicture& picture) override {
+    const auto content = content_of(picture);
+    if (!content) return passed_on(content);
+    const auto& [shown, words] = *content;
+    const Page page = compose_page(request_of(picture, shown), words->set, fonts());
+    return outcome_of(context_.renderer.draw(page.sheet, page.insets, context_.options.size,
+                                        background_of(context_.options)));
   }
 
   bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {
@@ -63,24 +67,37 @@ class PageMaker : public PictureMaker {
     std::vector<std::string> tex;
   };
 
-  const StepText& text_of(const PlannedPicture& picture, const Shown& shown) {
-    if (text_.stage == picture.stage && text_.step == picture.step) return text_;
+  struct Content {
+    Shown shown;
+    const StepText* words;  ///< until the next picture
+  };
+
+  Outcome<Content> content_of(const PlannedPicture& picture) {
+    const auto shown = shown_in(picture);
+    if (!shown) return passed_on(shown);
+    if (const Done set = set_text(picture, *shown); !set) return passed_on(set);
+    return Content{*shown, &text_};
+  }
+
+  Done set_text(const PlannedPicture& picture, const Shown& shown) {
+    if (text_.stage == picture.stage && text_.step == picture.step) return done();
     Result<FittedText> fitted = text_of_page(request_of(picture, shown), fonts());
-    if (!fitted) throw CommandError(ExitCode::invalid, fitted.error());
+    if (!fitted) return failure_of(Fault::invalid, fitted.error());
     FittedText set = std::move(fitted).value();
     std::vector<std::string> tex;
     for (const Equation* equation : set.equations) tex.push_back(equation->tex);
     std::string alt = speaker_.words_of_page(*picture.stage, set.whole_from, picture.step);
     text_ = {picture.stage, picture.step, std::move(set), std::move(alt), std::move(tex)};
-    return text_;
+    return done();
   }
 
-  Shown shown_in(const PlannedPicture& picture) {
-    if (!picture.scene) return {};
+  Outcome<Shown> shown_in(const PlannedPicture& picture) {
+    if (!picture.scene) return Shown{};
     const SceneModel& model = models_.of(*picture.scene);
     const double t_s = time_of(picture, context_.options, model.rate);
-    check_computable(*picture.stage, model, t_s);
-    return {&model, t_s};
+    if (const Done computable = check_computable(*picture.stage, model, t_s); !computable)
+      return passed_on(computable);
+    return Shown{&model, t_s};
   }
 
   /// Frame by frame, what a step adds comes softly; a stage begins with its first step whole.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/picture_export.h"
 
-#include "app/cli/or_fail.h"
 #include "app/export/picture_check.h"
 #include "app/export/picture_maker.h"
 #include "app/export/picture_metadata.h"
@@ -16,14 +15,6 @@ namespace polhode {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// What all makers draw with.
-struct Studio {
-  explicit Studio(ContextKind kind)
-      : context(or_fail(open_context(kind))), renderer(or_fail(Renderer::create(*context))) {}
-  std::unique_ptr<GlContext> context;
-  std::unique_ptr<Renderer> renderer;  // after the context it draws with
-};
 
 std::unique_ptr<PictureMaker> maker_of(const MakerContext& context) {
   switch (context.options.what) {
@@ -40,7 +31,7 @@ std::unique_ptr<PictureMaker> maker_of(const MakerContext& context) {
 
 /// What can fail without drawing fails before anything is written: of neighbours that differ in time alone,
 /// the first and the last are checked.
-void check_pictures(const ExportPlan& plan, PictureMaker& maker) {
+Done check_pictures(const ExportPlan& plan, PictureMaker& maker) {
   const auto same_but_time = [&](std::size_t i, std::size_t k) {
     const PlannedPicture &a = plan.pictures[i], &b = plan.pictures[k];
     return a.stage == b.stage && a.step == b.step && a.equation == b.equation;
@@ -48,15 +39,17 @@ void check_pictures(const ExportPlan& plan, PictureMaker& maker) {
   for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
     const bool first = i == 0 || !same_but_time(i - 1, i);
     const bool last = i + 1 == plan.pictures.size() || !same_but_time(i, i + 1);
-    if (first || last) maker.check(plan.pictures[i]);
+    if (!first && !last) continue;
+    if (Done checked = maker.check(plan.pictures[i]); !checked) return checked;
   }
+  return done();
 }
 
-FolderState begin(const PictureExport& e, const std::string& renderer) {
+Result<FolderState> begin(const PictureExport& e, const std::string& renderer) {
   Marker marker{identity_of(e.loaded, e.options), renderer, e.out.resume_all, {}};
   for (const PlannedPicture& picture : e.plan.pictures) marker.files.push_back(picture.file);
-  make_folder(e.out.folder);
-  return or_fail(begin_in(e.out.folder, marker));
+  if (const Status made = make_folder(e.out.folder); !made) return Failure{made.error()};
+  return begin_in(e.out.folder, marker);
 }
 
 /// Pictures that are there already.
@@ -72,13 +65,15 @@ struct Keepable {
   }
 };
 
-Keepable keepable(const PictureExport& e, const FolderState& before) {
-  if (!e.out.skip_existing || !before.ours) return {};
-  return {true, or_fail(recorded_checksums(e.out.folder, identity_of(e.loaded, e.options)))};
+Result<Keepable> keepable(const PictureExport& e, const FolderState& before) {
+  if (!e.out.skip_existing || !before.ours) return Keepable{};
+  Result<Checksums> recorded = recorded_checksums(e.out.folder, identity_of(e.loaded, e.options));
+  if (!recorded) return Failure{recorded.error()};
+  return Keepable{true, std::move(recorded).value()};
 }
 
 /// Draws and puts. @throws Interrupted
-void put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& keepable,
+Done put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& keepable,
                   const TellProgress& tell, const InterruptWatch& watch, PictureWriter& writer,
                   PicturesMade& made) {
   const PlannedPicture* before = nullptr;  // the one put last
@@ -86,11 +81,12 @@ void put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& k
     if (!e.out.shard.takes(place)) continue;
     const PlannedPicture& picture = e.plan.pictures[place];
     tell(made.count, picture.file);
-    const PictureDescription description = maker.describe(picture);
-    PngMetadata metadata =
-        picture_metadata(e.loaded.lesson, *picture.stage, description.alt, description.t_s, e.options.dpi);
+    const Outcome<PictureDescription> description = maker.describe(picture);
+    if (!description) return passed_on(description);
+    PngMetadata metadata = picture_metadata(e.loaded.lesson, *picture.stage, description->alt,
+                                            description->t_s, e.options.dpi);
     if (keepable.any) {
-      PictureCheck there = check_picture(e.out.folder / picture.file, description.size, metadata);
+      PictureCheck there = check_picture(e.out.folder / picture.file, description->size, metadata);
       if (keepable.takes(picture.file, there)) {
         made.checksums[picture.file] = std::move(there.sha256);
         ++made.count;
@@ -98,48 +94,57 @@ void put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& k
         continue;
       }
     }
-    const bool repeats = before && maker.same_bytes(*before, picture);
-    or_fail(writer.put(
-        {picture.file, repeats ? std::nullopt : std::optional(maker.draw(picture)), std::move(metadata)}));
+    std::optional<Image> image;  // none: that of the picture before
+    if (!before || !maker.same_bytes(*before, picture)) {
+      Outcome<Image> drawn = maker.draw(picture);
+      if (!drawn) return passed_on(drawn);
+      image = std::move(drawn).value();
+    }
+    const Status put = writer.put({picture.file, std::move(image), std::move(metadata)});
+    if (!put) return failed(put);
     ++made.count;
     before = &picture;
   }
+  return done();
 }
 
 /// Draws and writes until all are there or someone interrupts.
-PicturesMade write_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& keepable,
-                            const TellProgress& tell, const InterruptWatch& watch) {
+Outcome<PicturesMade> write_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& keepable,
+                                     const TellProgress& tell, const InterruptWatch& watch) {
   PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
   PicturesMade made;
   try {
-    put_pictures(e, maker, keepable, tell, watch, writer, made);
+    const Done put = put_pictures(e, maker, keepable, tell, watch, writer, made);
+    if (!put) return passed_on(put);
   } catch (const Interrupted&) {  // what was put is written
   }
-  or_fail(writer.finish());
+  if (const Status finished = writer.finish(); !finished) return failed(finished);
   made.checksums.insert(writer.checksums().begin(), writer.checksums().end());
   made.interrupted = made.count < e.out.shard.size(e.plan.pictures.size());
   return made;
 }
 
-ManifestFile manifest_file(const PlannedPicture& picture, PictureMaker& maker, const Checksums& checksums) {
-  PictureDescription made = maker.describe(picture);
+Outcome<ManifestFile> manifest_file(const PlannedPicture& picture, PictureMaker& maker,
+                                    const Checksums& checksums) {
+  Outcome<PictureDescription> made = maker.describe(picture);
+  if (!made) return passed_on(made);
   const auto checksum = checksums.find(picture.file);
-  return {picture.file,
-          picture.stage->id,
-          picture.step,
-          picture.frame,
-          made.t_s,
-          made.size,
-          std::move(made.tex),
-          std::move(made.alt),
-          std::move(made.method),
-          checksum == checksums.end() ? "" : checksum->second};
+  return ManifestFile{picture.file,
+                      picture.stage->id,
+                      picture.step,
+                      picture.frame,
+                      made->t_s,
+                      made->size,
+                      std::move(made->tex),
+                      std::move(made->alt),
+                      std::move(made->method),
+                      checksum == checksums.end() ? "" : checksum->second};
 }
 
 /// Of the pictures of a shard. Needs nothing remembered of their drawing but checksums, which are also in the
 /// manifests of shards, so that anyone can write the manifest of all.
-void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& shard,
-                    const std::string& renderer, const Checksums& checksums, const std::string& name) {
+Status write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& shard,
+                      const std::string& renderer, const Checksums& checksums, const std::string& name) {
   const auto fill = [&](const AppendBytes& append) -> Status {
     std::string text = manifest_head(identity_of(e.loaded, e.options), renderer);
     const auto flush = [&] {
@@ -150,8 +155,10 @@ void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& sh
     bool empty = true;
     for (std::size_t place = 0; place < e.plan.pictures.size(); ++place) {
       if (!shard.takes(place)) continue;
+      const Outcome<ManifestFile> file = manifest_file(e.plan.pictures[place], maker, checksums);
+      if (!file) return failure(file.error().text);
       if (!empty) text += kManifestComma;
-      text += manifest_entry(manifest_file(e.plan.pictures[place], maker, checksums));
+      text += manifest_entry(*file);
       empty = false;
       constexpr std::size_t kPiece = 1 << 16;
       if (text.size() < kPiece) continue;
@@ -160,31 +167,18 @@ void write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& sh
     text += manifest_end(empty);
     return flush();
   };
-  bool interrupted = false;
-  const auto fill_or_say = [&](const AppendBytes& append) -> Status {
-    try {
-      return fill(append);
-    } catch (const std::exception& error) {
-      return failure(error.what());
-    } catch (const Interrupted&) {
-      interrupted = true;
-      return failure("interrupted");
-    }
-  };
-  Status written = replace_file_in_pieces(e.out.folder / name, fill_or_say, Durability::sync);
-  if (interrupted) throw Interrupted();
-  or_fail(std::move(written));
+  return replace_file_in_pieces(e.out.folder / name, fill, Durability::sync);
 }
 
 /// A manifest promises the pictures: someone may have removed some, or the folder, meanwhile.
-void check_all_are_there(const PictureExport& e, const Shard& shard) {
+Status check_all_are_there(const PictureExport& e, const Shard& shard) {
   for (std::size_t place = 0; place < e.plan.pictures.size(); ++place) {
     const fs::path file = e.out.folder / e.plan.pictures[place].file;
     std::error_code error;
     if (shard.takes(place) && !fs::is_regular_file(file, error))
-      throw CommandError(ExitCode::failed,
-                         fmt::format("{} is gone: it was removed while the export went on", file.string()));
+      return failure(fmt::format("{} is gone: it was removed while the export went on", file.string()));
   }
+  return success();
 }
 
 bool has_manifest_of_this(const PictureExport& e) {
@@ -193,89 +187,105 @@ bool has_manifest_of_this(const PictureExport& e) {
 }
 
 /// A shard's manifest; and that of all, if this is the last.
-void finish_shard(const PictureExport& e, PictureMaker& maker, PicturesMade& made) {
-  write_manifest(e, maker, e.out.shard, made.renderer, made.checksums, shard_manifest_name(e.out.shard));
-  const auto of_all = or_fail(summarize_shards(e.out.folder, identity_of(e.loaded, e.options),
-                                               e.out.shard.count, e.plan.pictures.size()));
+Status finish_shard(const PictureExport& e, PictureMaker& maker, PicturesMade& made) {
+  Status written =
+      write_manifest(e, maker, e.out.shard, made.renderer, made.checksums, shard_manifest_name(e.out.shard));
+  if (!written) return written;
+  const auto summary = summarize_shards(e.out.folder, identity_of(e.loaded, e.options), e.out.shard.count,
+                                        e.plan.pictures.size());
+  if (!summary) return failure(summary.error());
+  const auto& of_all = *summary;
   // Some may be missing because another shard found all of them, or a process without shards came by.
   made.finished = of_all || has_manifest_of_this(e);
-  if (!of_all) return;
+  if (!of_all) return success();
   made.renderer = of_all->renderer;
-  check_all_are_there(e, Shard{});
-  write_manifest(e, maker, Shard{}, made.renderer, of_all->checksums, kManifestName);
+  if (Status there = check_all_are_there(e, Shard{}); !there) return there;
+  return write_manifest(e, maker, Shard{}, made.renderer, of_all->checksums, kManifestName);
 }
 
 /// After a shard was made again in a folder that was finished. Other bytes come from another driver. It
 /// vouches for its own pictures alone: what the manifest says of the others stays, even where they are
 /// damaged.
-void refresh_manifest(const PictureExport& e, PictureMaker& maker, const PicturesMade& made) {
+Status refresh_manifest(const PictureExport& e, PictureMaker& maker, const PicturesMade& made) {
   const FolderLock lock(e.out.folder);
   const fs::path path = e.out.folder / kManifestName;
-  const auto there = or_fail(summarize_manifest(path));
-  Checksums of_all = or_fail(checksums_in_manifest(path));
+  const auto there = summarize_manifest(path);
+  if (!there) return failure(there.error());
+  auto of_all = checksums_in_manifest(path);
+  if (!of_all) return failure(of_all.error());
   const auto is_listed = [&](const auto& file) {
-    const auto listed = of_all.find(file.first);
-    return listed != of_all.end() && listed->second == file.second;
+    const auto listed = of_all->find(file.first);
+    return listed != of_all->end() && listed->second == file.second;
   };
-  if (std::all_of(made.checksums.begin(), made.checksums.end(), is_listed)) return;
-  for (const auto& [file, sha256] : made.checksums) of_all[file] = sha256;
-  write_manifest(e, maker, Shard{}, join_renderers({there ? there->renderer : "", made.renderer}), of_all,
-                 kManifestName);
+  if (std::all_of(made.checksums.begin(), made.checksums.end(), is_listed)) return success();
+  for (const auto& [file, sha256] : made.checksums) (*of_all)[file] = sha256;
+  return write_manifest(e, maker, Shard{}, join_renderers({*there ? (*there)->renderer : "", made.renderer}),
+                        *of_all, kManifestName);
 }
 
-void finish(const PictureExport& e, PictureMaker& maker, const FolderState& before, PicturesMade& made) {
-  check_all_are_there(e, e.out.shard);
-  or_fail(sync_folder(e.out.folder));                                  // a manifest promises the pictures
-  or_fail(look_into(e.out.folder, identity_of(e.loaded, e.options)));  // and that nobody else is at them
+Status finish(const PictureExport& e, PictureMaker& maker, const FolderState& before, PicturesMade& made) {
+  if (Status there = check_all_are_there(e, e.out.shard); !there) return there;
+  if (Status synced = sync_folder(e.out.folder); !synced) return synced;  // before they are promised
+  const auto still_ours = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  if (!still_ours) return failure(still_ours.error());
   // A folder that was finished still is after a shard of it was made again.
   made.finished = e.out.shard.whole() || before.finished;
-  if (e.out.shard.whole())
-    write_manifest(e, maker, Shard{}, made.renderer, made.checksums, kManifestName);
-  else if (before.finished)
-    refresh_manifest(e, maker, made);
-  else
-    finish_shard(e, maker, made);
-  if (made.finished) remove_traces(e.out.folder);
+  Status listed = e.out.shard.whole()
+                      ? write_manifest(e, maker, Shard{}, made.renderer, made.checksums, kManifestName)
+                  : before.finished ? refresh_manifest(e, maker, made)
+                                    : finish_shard(e, maker, made);
+  if (listed && made.finished) remove_traces(e.out.folder);
+  return listed;
 }
 
 /// `made` is told what there is also where this throws. @throws Interrupted
-void make_pictures(const PictureExport& e, const TellProgress& tell, const InterruptWatch& watch,
+Done make_pictures(const PictureExport& e, const TellProgress& tell, const InterruptWatch& watch,
                    PicturesMade& made) {
-  const Studio studio(e.out.context);
-  const auto maker = maker_of({e.loaded.lesson, e.options, *studio.renderer, until_interrupted()});
-  check_pictures(e.plan, *maker);
-  const std::string mine = studio.renderer->driver();
-  const FolderState before = begin(e, mine);
-  made = write_pictures(e, *maker, keepable(e, before), tell, watch);
-  if (made.interrupted) return;
+  const auto context = open_context(e.out.context);
+  if (!context) return failed(context);
+  const auto renderer = Renderer::create(**context);
+  if (!renderer) return failed(renderer);
+  const auto maker = maker_of({e.loaded.lesson, e.options, **renderer, until_interrupted()});
+  if (Done checked = check_pictures(e.plan, *maker); !checked) return checked;
+  const std::string mine = (*renderer)->driver();
+  const Result<FolderState> before = begin(e, mine);
+  if (!before) return failed(before);
+  const Result<Keepable> kept = keepable(e, *before);
+  if (!kept) return failed(kept);
+  Outcome<PicturesMade> written = write_pictures(e, *maker, *kept, tell, watch);
+  if (!written) return passed_on(written);
+  made = std::move(written).value();
+  if (made.interrupted) return done();
   const bool kept_all = made.kept == made.count, kept_none = made.kept == 0;
   made.renderer = made.count == 0 ? ""
                   : kept_none     ? mine
-                  : kept_all      ? before.renderer
-                                  : join_renderers({before.renderer, mine});
-  finish(e, *maker, before, made);
+                  : kept_all      ? before->renderer
+                                  : join_renderers({before->renderer, mine});
+  if (const Status finished = finish(e, *maker, *before, made); !finished) return failed(finished);
+  return done();
 }
 
 }  // namespace
 
-void make_folder(const fs::path& folder) {
+Status make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error && !fs::is_directory(folder, error) && !error)
     error = std::make_error_code(std::errc::not_a_directory);
-  if (error)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("cannot make folder {}: {}", folder.string(), error.message()));
+  if (error) return failure(fmt::format("cannot make folder {}: {}", folder.string(), error.message()));
+  return success();
 }
 
 ExportIdentity identity_of(const LoadedLesson& loaded, const ExportOptions& options) {
   return {loaded.lesson.id, loaded.sha256, to_json(options)};
 }
 
-PicturesMade make_pictures(const PictureExport& e, const TellProgress& tell, const InterruptWatch& watch) {
+Outcome<PicturesMade> make_pictures(const PictureExport& e, const TellProgress& tell,
+                                    const InterruptWatch& watch) {
   PicturesMade made;
   try {
-    make_pictures(e, tell, watch, made);
+    const Done all = make_pictures(e, tell, watch, made);
+    if (!all) return passed_on(all);
   } catch (const Interrupted&) {
     made.interrupted = true;
   }

@@ -7,6 +7,7 @@
 #include "app/export/export_plan.h"
 #include "app/page/loaded_lesson.h"
 #include "base/interrupt.h"
+#include "base/outcome.h"
 
 #include <functional>
 
@@ -22,8 +23,8 @@ struct PictureExport {
 
 ExportIdentity identity_of(const LoadedLesson& loaded, const ExportOptions& options);
 
-/// With the folders above it. @throws CommandError
-void make_folder(const std::filesystem::path& folder);
+/// With the folders above it.
+Status make_folder(const std::filesystem::path& folder);
 
 /// Told before each picture: how many are there, and which comes next.
 using TellProgress = std::function<void(std::size_t done, const std::string& next)>;
@@ -41,7 +42,7 @@ struct PicturesMade {
 /// In this process: opens OpenGL, checks everything that can be checked without drawing, and only then
 /// writes. Two pictures are in the making at a time (a third waits), so memory does not depend on their
 /// number.
-/// @throws CommandError
-PicturesMade make_pictures(const PictureExport& e, const TellProgress& tell, const InterruptWatch& watch);
+Outcome<PicturesMade> make_pictures(const PictureExport& e, const TellProgress& tell,
+                                    const InterruptWatch& watch);
 
 }  // namespace polhode

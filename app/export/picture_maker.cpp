@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/picture_maker.h"
 
-#include "app/cli/exit_codes.h"
 #include "app/page/page_theme.h"
 #include "physics/method.h"
 
@@ -17,11 +16,11 @@ const SceneModel& ModelOfScene::of(const Scene& scene) {
   return model_;
 }
 
-void check_computable(const Stage& stage, const SceneModel& model, double t_s) {
-  if (!is_computable(model, t_s))
-    throw CommandError(ExitCode::failed,
-                       fmt::format("stage \"{}\": the motion cannot be computed at t = {:.6g} s: {}",
-                                   stage.id, t_s, why_no_state(*model.motion, problem_of(model.scene), t_s)));
+Done check_computable(const Stage& stage, const SceneModel& model, double t_s) {
+  if (is_computable(model, t_s)) return done();
+  return failure_of(Fault::failed,
+                    fmt::format("stage \"{}\": the motion cannot be computed at t = {:.6g} s: {}", stage.id,
+                                t_s, why_no_state(*model.motion, problem_of(model.scene), t_s)));
 }
 
 Background background_of(const ExportOptions& options) {

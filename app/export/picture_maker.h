@@ -4,6 +4,7 @@
 
 #include "app/export/export_plan.h"
 #include "app/page/loaded_lesson.h"
+#include "base/outcome.h"
 #include "render/gl/renderer.h"
 #include "render/scene/model/model.h"
 
@@ -20,15 +21,15 @@ struct PictureDescription {
   Size size;
 };
 
-/// Any picture in any order; neighbours in the plan are cheaper. @throws CommandError
+/// Any picture in any order; neighbours in the plan are cheaper.
 class PictureMaker {
  public:
   virtual ~PictureMaker() = default;
   /// Does what can fail without drawing.
-  virtual void check(const PlannedPicture& picture) = 0;
+  virtual Done check(const PlannedPicture& picture) = 0;
   /// Draws nothing: a manifest can be written by who did not draw its pictures.
-  virtual PictureDescription describe(const PlannedPicture& picture) = 0;
-  virtual Image draw(const PlannedPicture& picture) = 0;
+  virtual Outcome<PictureDescription> describe(const PlannedPicture& picture) = 0;
+  virtual Outcome<Image> draw(const PlannedPicture& picture) = 0;
   /// Whether two pictures are known, without drawing, to have the same bytes as files. Frames of a scene
   /// never are, even where nothing in it moves: each file has its t.
   virtual bool same_bytes(const PlannedPicture&, const PlannedPicture&) const { return false; }
@@ -64,7 +65,6 @@ class ModelOfScene {
 Background background_of(const ExportOptions& options);
 
 /// A motion may overflow (a huge torque), or lie beyond the steps that its method takes.
-/// @throws CommandError failed
-void check_computable(const Stage& stage, const SceneModel& model, double t_s);
+Done check_computable(const Stage& stage, const SceneModel& model, double t_s);
 
 }  // namespace polhode

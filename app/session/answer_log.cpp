@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/answer_log.h"
 
-#include "app/session/state_file.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,28 +58,33 @@ fs::path answer_log_path(const fs::path& folder, const std::string& lesson_id) {
   return folder / (lesson_id + ".answers.json");
 }
 
-AnswerLogReading read_answer_log(const fs::path& path) {
+StateResult<AnswerLogReading> read_answer_log(const fs::path& path) {
   AnswerLog log;
-  std::string warning = read_state_file(path, "the log of answers", [&](const Json& json) {
+  const auto warning = read_state_file(path, "the log of answers", [&](const Json& json) {
     for (const auto& [name, entry] : json.at("answers").items())
       log[name] = {entry.at("right").get<bool>() ? 1 : 0, count_from(entry.at("tries")),
                    count_from(entry.at("hints")), entry.at("last").get<std::string>()};
   });
-  if (!warning.empty()) return {{}, std::move(warning)};
-  return {std::move(log), {}};
+  if (!warning) return Failure{warning.error()};
+  if (!warning->empty()) log.clear();
+  return AnswerLogReading{std::move(log), *warning};
 }
 
-std::string change_answer_log(const fs::path& path, const std::function<void(AnswerLog&)>& change,
-                              std::chrono::milliseconds patience) {
-  const StateLock lock(path, patience);
-  AnswerLogReading reading = read_answer_log(path);
-  change(reading.log);
+StateResult<std::string> change_answer_log(const fs::path& path,
+                                           const std::function<void(AnswerLog&)>& change,
+                                           std::chrono::milliseconds patience) {
+  const auto lock = StateLock::take(path, patience);
+  if (!lock) return Failure{lock.error()};
+  auto reading = read_answer_log(path);
+  if (!reading) return Failure{reading.error()};
+  change(reading->log);
   Json answers = Json::object();
-  for (const auto& [name, record] : reading.log)
+  for (const auto& [name, record] : reading->log)
     answers[name] = {
         {"right", record.right > 0}, {"tries", record.tries}, {"hints", record.hints}, {"last", record.last}};
-  write_state_file(path, {{"answers", answers}});
-  return std::move(reading.warning);
+  if (const auto written = write_state_file(path, {{"answers", answers}}); !written)
+    return Failure{written.error()};
+  return std::move(reading->warning);
 }
 
 }  // namespace polhode

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/bookmark.h"
 
-#include "app/session/state_file.h"
-
 #include <algorithm>
 #include <stdexcept>
 
@@ -35,35 +33,40 @@ double text_scale_from(const Json& json) {
 
 }  // namespace
 
-BookmarkReading read_bookmark(const fs::path& folder, const std::string& lesson_id) {
+StateResult<BookmarkReading> read_bookmark(const fs::path& folder, const std::string& lesson_id) {
   Bookmark bookmark;
-  std::string warning =
+  const auto warning =
       read_state_file(bookmark_path(folder, lesson_id), "the bookmark", [&](const Json& json) {
         bookmark = {json.at("stage").get<std::string>(), step_from(json.at("step")),
                     json.at("visited").get<std::set<std::string>>()};
       });
-  return {std::move(bookmark), std::move(warning)};
+  if (!warning) return Failure{warning.error()};
+  return BookmarkReading{std::move(bookmark), *warning};
 }
 
-void write_bookmark(const fs::path& folder, const std::string& lesson_id, const Bookmark& bookmark) {
-  write_state_file(bookmark_path(folder, lesson_id),
-                   {{"stage", bookmark.stage}, {"step", bookmark.step}, {"visited", Json(bookmark.visited)}});
+StateResult<std::monostate> write_bookmark(const fs::path& folder, const std::string& lesson_id,
+                                           const Bookmark& bookmark) {
+  return write_state_file(
+      bookmark_path(folder, lesson_id),
+      {{"stage", bookmark.stage}, {"step", bookmark.step}, {"visited", Json(bookmark.visited)}});
 }
 
-PreferencesReading read_preferences(const fs::path& folder) {
+StateResult<PreferencesReading> read_preferences(const fs::path& folder) {
   Preferences preferences;
-  std::string warning =
+  const auto warning =
       read_state_file(preferences_path(folder), "the file of preferences", [&](const Json& json) {
         preferences = {theme_from(json.at("theme").get<std::string>()),
                        text_scale_from(json.at("text_scale")), json.at("reduced_motion").get<bool>()};
       });
-  return {preferences, std::move(warning)};
+  if (!warning) return Failure{warning.error()};
+  return PreferencesReading{preferences, *warning};
 }
 
-void write_preferences(const fs::path& folder, const Preferences& preferences) {
-  write_state_file(preferences_path(folder), {{"theme", preferences.theme == Theme::dark ? "dark" : "paper"},
-                                              {"text_scale", preferences.text_scale},
-                                              {"reduced_motion", preferences.reduced_motion}});
+StateResult<std::monostate> write_preferences(const fs::path& folder, const Preferences& preferences) {
+  return write_state_file(preferences_path(folder),
+                          {{"theme", preferences.theme == Theme::dark ? "dark" : "paper"},
+                           {"text_scale", preferences.text_scale},
+                           {"reduced_motion", preferences.reduced_motion}});
 }
 
 Bookmark bookmark_of(const Companion& companion) {

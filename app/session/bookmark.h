@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/session/lesson_session.h"
+#include "app/session/state_file.h"
 
 #include <filesystem>
 #include <set>
@@ -23,21 +24,22 @@ struct BookmarkReading {
   Bookmark bookmark;
   std::string warning;  ///< of a file that was set aside
 };
-/// An absent file is an empty bookmark. @throws CommandError as read_state_file
-BookmarkReading read_bookmark(const std::filesystem::path& folder, const std::string& lesson_id);
-/// Whole or not at all; makes the folder. @throws CommandError failed
-void write_bookmark(const std::filesystem::path& folder, const std::string& lesson_id,
-                    const Bookmark& bookmark);
+/// An absent file is an empty bookmark. Fails as read_state_file.
+StateResult<BookmarkReading> read_bookmark(const std::filesystem::path& folder, const std::string& lesson_id);
+/// As write_state_file.
+StateResult<std::monostate> write_bookmark(const std::filesystem::path& folder, const std::string& lesson_id,
+                                           const Bookmark& bookmark);
 
 /// preferences.json
 struct PreferencesReading {
   Preferences preferences;
   std::string warning;
 };
-/// @throws CommandError as read_state_file
-PreferencesReading read_preferences(const std::filesystem::path& folder);
-/// @throws CommandError failed
-void write_preferences(const std::filesystem::path& folder, const Preferences& preferences);
+/// Fails as read_state_file.
+StateResult<PreferencesReading> read_preferences(const std::filesystem::path& folder);
+/// As write_state_file.
+StateResult<std::monostate> write_preferences(const std::filesystem::path& folder,
+                                              const Preferences& preferences);
 
 Bookmark bookmark_of(const Companion& companion);
 /// What no longer exists in the lesson is passed over.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/save_as.h"
 
-#include "app/cli/or_fail.h"
 #include "app/export/picture_export.h"
 #include "app/export/picture_maker.h"
 #include "app/export/picture_metadata.h"
@@ -42,8 +41,10 @@ fs::path free_name(const fs::path& folder, const std::string& stem, const std::s
   return path;
 }
 
-fs::path write_text(const fs::path& path, const std::string& text) {
-  or_fail(write_file_atomically(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}));
+Result<fs::path> write_text(const fs::path& path, const std::string& text) {
+  const Status written =
+      write_file_atomically(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  if (!written) return failure(written.error());
   return path;
 }
 
@@ -61,8 +62,8 @@ ExportOptions export_options_of(const Companion& companion, TakeAway what, const
 }
 
 /// Made by export's own maker.
-fs::path take_picture(const Companion& companion, TakeAway what, const TakeAwayOptions& chosen,
-                      const fs::path& folder, Renderer& renderer) {
+Outcome<fs::path> take_picture(const Companion& companion, TakeAway what, const TakeAwayOptions& chosen,
+                               const fs::path& folder, Renderer& renderer) {
   const ExportOptions options = export_options_of(companion, what, chosen);
   const Equation* equation = what == TakeAway::equation ? last_equation(companion.step()) : nullptr;
   const PlannedPicture picture{.stage = &companion.stage(),
@@ -76,13 +77,16 @@ fs::path take_picture(const Companion& companion, TakeAway what, const TakeAwayO
   const auto maker = what == TakeAway::figure     ? make_figure_maker(context)
                      : what == TakeAway::equation ? make_equation_maker(context)
                                                   : make_page_maker(context);
-  maker->check(picture);
-  const PictureDescription words = maker->describe(picture);
+  if (const Done checked = maker->check(picture); !checked) return passed_on(checked);
+  const auto words = maker->describe(picture);
+  if (!words) return passed_on(words);
   const PngMetadata metadata =
-      picture_metadata(companion.lesson(), companion.stage(), words.alt, words.t_s, options.dpi);
+      picture_metadata(companion.lesson(), companion.stage(), words->alt, words->t_s, options.dpi);
   const std::string kind = what == TakeAway::figure ? "-figure" : equation ? "-" + equation->id : "";
   const fs::path path = free_name(folder, stem_of(companion) + kind, ".png");
-  or_fail(write_png(path, maker->draw(picture), metadata));
+  const auto image = maker->draw(picture);
+  if (!image) return passed_on(image);
+  if (const Status written = write_png(path, *image, metadata); !written) return failed(written);
   return path;
 }
 
@@ -94,17 +98,18 @@ bool can_take_away(const Companion& companion, TakeAway what) {
   return companion.model() != nullptr;
 }
 
-fs::path take_away(const Companion& companion, TakeAway what, const TakeAwayOptions& options,
-                   const fs::path& folder, Renderer& renderer) {
+Result<fs::path> take_away(const Companion& companion, TakeAway what, const TakeAwayOptions& options,
+                           const fs::path& folder, Renderer& renderer) {
   if (!can_take_away(companion, what))
-    throw CommandError(ExitCode::usage,
-                       what == TakeAway::equation ? "this step has no equation" : "this step has no figure");
-  make_folder(folder);
+    return failure(what == TakeAway::equation ? "this step has no equation" : "this step has no figure");
+  if (const Status made = make_folder(folder); !made) return failure(made.error());
   if (what == TakeAway::trace)
     return write_text(free_name(folder, stem_of(companion), ".csv"), trace_of(companion));
   if (what == TakeAway::scene)
     return write_text(free_name(folder, stem_of(companion) + "-scene", ".md"), lesson_of(companion));
-  return take_picture(companion, what, options, folder, renderer);
+  const auto picture = take_picture(companion, what, options, folder, renderer);
+  if (!picture) return failure(picture.error().text);
+  return *picture;
 }
 
 }  // namespace polhode

@@ -24,8 +24,9 @@ bool can_take_away(const Companion& companion, TakeAway what);
 /// Writes it into the folder, which is made if need be, whole or not at all, under the name that export gives
 /// (07-poinsot-step3.png; figures, traces and scenes with their kind), with a number behind it where that is
 /// taken: nothing is overwritten. A picture is the one that `polhode export` makes of the same state, byte
-/// for byte on the same driver. Of several equations the last. @throws CommandError
-std::filesystem::path take_away(const Companion& companion, TakeAway what, const TakeAwayOptions& options,
-                                const std::filesystem::path& folder, Renderer& renderer);
+/// for byte on the same driver. Of several equations the last.
+Result<std::filesystem::path> take_away(const Companion& companion, TakeAway what,
+                                        const TakeAwayOptions& options, const std::filesystem::path& folder,
+                                        Renderer& renderer);
 
 }  // namespace polhode

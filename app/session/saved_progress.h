@@ -26,8 +26,10 @@ class Memory {
   std::string keep_at_last(const Companion& companion);
 
  private:
-  std::string keep_within(const Companion& companion, std::chrono::milliseconds patience);
-  std::string keep_answers(const Companion& companion, std::chrono::milliseconds patience);
+  StateResult<std::string> keep_within(const Companion& companion, std::chrono::milliseconds patience);
+  StateResult<std::string> keep_answers(const Companion& companion, std::chrono::milliseconds patience);
+  /// From now on nothing is kept.
+  std::string given_up(const StateError& error);
 
   std::optional<std::filesystem::path> folder_;
   std::string news_;

@@ -3,7 +3,7 @@
 // Specification 0.8): what is kept from one run to the next.
 #pragma once
 
-#include "app/cli/exit_codes.h"
+#include "base/result.h"
 
 #include <nlohmann/json.hpp>
 #include <sys/file.h>
@@ -13,16 +13,20 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace polhode {
 
 /// Nothing where neither XDG_STATE_HOME (absolute) nor HOME says where.
 std::optional<std::filesystem::path> state_folder();
 
-/// Another process has a StateLock, and keeps it.
-struct StateIsHeld : CommandError {
-  using CommandError::CommandError;
+/// Why a state file can be neither read nor written.
+struct StateError {
+  std::string text;      ///< as that of a Result
+  bool is_held = false;  ///< another process has its StateLock, and keeps it
 };
+template <class T>
+using StateResult = Result<T, StateError>;
 
 /// Held by one process at a time while it reads a state file, changes what it read and writes it again. It is
 /// an advisory lock (flock) on a file beside it, NAME.lock, which stays there; a process that dies gives it
@@ -31,14 +35,16 @@ class StateLock {
  public:
   /// Makes the folder, and waits for others, but not for longer than `patience`; 0: looks once.
   /// @param lock_file stands in for flock
-  /// @throws StateIsHeld; CommandError failed if the lock cannot be had for another reason
-  StateLock(const std::filesystem::path& state_file, std::chrono::milliseconds patience,
-            int (*lock_file)(int file, int operation) = ::flock);
+  static StateResult<StateLock> take(const std::filesystem::path& state_file,
+                                     std::chrono::milliseconds patience,
+                                     int (*lock_file)(int file, int operation) = ::flock);
   ~StateLock();
-  StateLock(const StateLock&) = delete;
-  StateLock& operator=(const StateLock&) = delete;
+  StateLock(StateLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  StateLock& operator=(StateLock&&) = delete;
 
  private:
+  explicit StateLock(int file) : file_(file) {}
+
   int file_ = -1;
 };
 
@@ -47,12 +53,12 @@ using TakeState = std::function<void(const nlohmann::ordered_json&)>;
 
 /// Hands over what the file says; an absent one is passed over. One that is damaged is set aside as
 /// NAME.damaged: the answer says so, and is empty otherwise. `what` names the file in a sentence: "the log of
-/// answers". What `take` has taken of a damaged file is to be forgotten.
-/// @throws CommandError failed if it is there and cannot be read, or is of another "format" than 1
-std::string read_state_file(const std::filesystem::path& path, const std::string& what,
-                            const TakeState& take);
+/// answers". What `take` has taken of a damaged file is to be forgotten. Fails if the file is there and cannot
+/// be read, or is of another "format" than 1.
+StateResult<std::string> read_state_file(const std::filesystem::path& path, const std::string& what,
+                                         const TakeState& take);
 
-/// Whole or not at all; makes the folder, and puts "format" first. @throws CommandError failed
-void write_state_file(const std::filesystem::path& path, const nlohmann::ordered_json& members);
+/// Whole or not at all; makes the folder, and puts "format" first.
+StateResult<std::monostate> write_state_file(const std::filesystem::path& path, const nlohmann::ordered_json& members);
 
 }  // namespace polhode

@@ -420,14 +420,12 @@ void Screen::take(Companion& companion) {
   companion.light("");
   const Result<std::filesystem::path> folder = typed_folder(memory_.folder);
   if (!folder) tell("not saved: " + folder.error());
-  if (folder) try {
-      const auto path = take_away(companion, *wishes_.take_away, memory_.take_away, *folder, *renderer_);
-      std::error_code unknown;
-      const auto real = std::filesystem::canonical(path, unknown);
-      tell("saved: " + (unknown ? path : real).string());
-    } catch (const std::exception& error) {  // also those of file systems
-      tell(std::string("not saved: ") + error.what());
-    }
+  if (folder) {
+    const auto path = take_away(companion, *wishes_.take_away, memory_.take_away, *folder, *renderer_);
+    std::error_code unknown;
+    const auto real = path ? std::filesystem::canonical(*path, unknown) : "";
+    tell(path ? "saved: " + (unknown ? *path : real).string() : "not saved: " + path.error());
+  }
   companion.light(lit);
   wishes_.take_away.reset();
 }

@@ -54,11 +54,18 @@ int close_file(FileOps& files, int file) {
 // Writes and closes an open file; the first error is the reason alone.
 Status fill_and_close(FileOps& files, int file, const FillFile& fill, bool sync) {
   int error = 0;
-  Status filled = fill([&](std::span<const std::uint8_t> bytes) -> Status {
+  const AppendBytes append = [&](std::span<const std::uint8_t> bytes) -> Status {
     if (error == 0) error = write_all(files, file, bytes);
     if (error != 0) return failure(reason_of(error));
     return success();
-  });
+  };
+  Status filled = success();
+  try {
+    filled = fill(append);
+  } catch (...) {
+    close_file(files, file);
+    throw;
+  }
   if (filled && error == 0 && sync && retry([&] { return files.fsync(file); }) != 0) error = errno;
   const int close_error = close_file(files, file);
   if (error == 0 && filled) error = close_error;
@@ -114,7 +121,13 @@ Status replace(FileOps& files, const fs::path& path, const FillFile& fill, Durab
   const bool sync = durability == Durability::sync;
   const Temporary temporary = create_temporary(files, folder_of(path));
   if (temporary.file < 0) return cannot_write(path, reason_of(temporary.error));
-  const Status filled = fill_and_close(files, temporary.file, fill, sync);
+  Status filled = success();
+  try {
+    filled = fill_and_close(files, temporary.file, fill, sync);
+  } catch (...) {
+    files.unlink(temporary.path.c_str());
+    throw;
+  }
   if (!filled) return give_up(files, path, temporary.path, filled.error());
   if (retry([&] { return files.rename(temporary.path.c_str(), path.c_str()); }) != 0)
     return give_up(files, path, temporary.path, reason_of(errno));

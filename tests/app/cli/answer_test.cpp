@@ -145,7 +145,8 @@ TEST_F(Answer, AHintThatCannotBeNotedIsGivenAllTheSame) {
 TEST_F(Answer, NobodyWaitsForTheVerdictWhileAnotherHoldsTheLog) {
   using namespace std::chrono_literals;
   std::filesystem::create_directories(log().parent_path());
-  std::optional<StateLock> held(std::in_place, log(), 0ms);
+  std::optional held(StateLock::take(log(), 0ms));
+  ASSERT_TRUE(*held);
   RunOptions options;
   options.stdout_to = (folder_ / "out").string();
   options.while_running = [&](pid_t) {

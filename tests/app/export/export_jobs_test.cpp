@@ -25,49 +25,44 @@ TEST(Jobs, AreAllRunAndCounted) {
   std::size_t last = 0;
   const auto end = run_jobs(
       5,
-      [](int number, const TellJob& tell) {
+      [](int number, const TellJob& tell) -> Outcome<JobEnd> {
         for (int i = 0; i <= number; ++i) tell();
         return JobEnd::done;
       },
       [&](std::size_t told) { last = told; }, watch);
-  EXPECT_EQ(end, JobEnd::done);
+  ASSERT_TRUE(end);
+  EXPECT_EQ(*end, JobEnd::done);
   EXPECT_EQ(last, 1 + 2 + 3 + 4 + 5u);
 }
 
-TEST(Jobs, AnErrorStopsTheOthersAndIsThrownOnce) {
+TEST(Jobs, AnErrorStopsTheOthersAndIsToldOnce) {
   const InterruptWatch watch;
-  const auto job = [&](int number, const TellJob&) {
-    if (number == 1) throw CommandError(ExitCode::invalid, "no such body.\nSecond line: dii.");
+  const auto job = [&](int number, const TellJob&) -> Outcome<JobEnd> {
+    if (number == 1) return failure_of(Fault::invalid, "no such body.\nSecond line: dii.");
     for (int i = 0; i < 3000 && !watch.interrupted(); ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return watch.interrupted() ? JobEnd::interrupted : JobEnd::done;
   };
   const auto start = std::chrono::steady_clock::now();
-  try {
-    run_jobs(
-        3, job, [](std::size_t) {}, watch);
-    FAIL() << "nothing thrown";
-  } catch (const CommandError& error) {
-    EXPECT_EQ(error.code, ExitCode::invalid);
-    EXPECT_STREQ(error.what(), "no such body.\nSecond line: dii.");
-  }
+  const auto end = run_jobs(
+      3, job, [](std::size_t) {}, watch);
+  ASSERT_FALSE(end);
+  EXPECT_EQ(end.error().fault, Fault::invalid);
+  EXPECT_EQ(end.error().text, "no such body.\nSecond line: dii.");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20)) << "the others went on";
 }
 
 TEST(Jobs, OneThatIsKilledIsAnError) {
   const InterruptWatch watch;
-  const auto job = [](int, const TellJob&) -> JobEnd {
+  const auto job = [](int, const TellJob&) -> Outcome<JobEnd> {
     ::kill(::getpid(), SIGKILL);
     return JobEnd::done;
   };
-  try {
-    run_jobs(
-        2, job, [](std::size_t) {}, watch);
-    FAIL() << "nothing thrown";
-  } catch (const CommandError& error) {
-    EXPECT_EQ(error.code, ExitCode::failed);
-    EXPECT_THAT(error.what(), HasSubstr("signal 9"));
-  }
+  const auto end = run_jobs(
+      2, job, [](std::size_t) {}, watch);
+  ASSERT_FALSE(end);
+  EXPECT_EQ(end.error().fault, Fault::failed);
+  EXPECT_THAT(end.error().text, HasSubstr("signal 9"));
 }
 
 TEST(ExportJobs, MakeTheBytesOfOneProcess) {

@@ -33,7 +33,7 @@ struct Window {
 class MemoryOfAWindow : public ::testing::Test {
  protected:
   std::filesystem::path log() const { return answer_log_path(scratch_.path(), test::example()->lesson.id); }
-  AnswerLog logged() const { return read_answer_log(log()).log; }
+  AnswerLog logged() const { return read_answer_log(log())->log; }
   ScratchFolder scratch_;
 };
 
@@ -57,7 +57,7 @@ TEST_F(MemoryOfAWindow, DoesNotBringBackWhatAResetForgot) {
   Window window(scratch_);
   window.answer("B");
   window.memory.keep(window.companion);
-  change_answer_log(log(), [](AnswerLog& log) { log.erase(kAxis); });
+  ASSERT_TRUE(change_answer_log(log(), [](AnswerLog& log) { log.erase(kAxis); }));
   AnswerLog more = window.companion.answers();
   more["free/other"] = {1, 1, 0, "w1"};
   window.companion.set_answers(more);
@@ -79,7 +79,8 @@ TEST_F(MemoryOfAWindow, TellsOfALogThatWasDamagedMeanwhile) {
 
 TEST_F(MemoryOfAWindow, WaitsForNobodyAndTriesAgain) {
   Window window(scratch_);
-  std::optional<StateLock> held(std::in_place, log(), 0ms);
+  std::optional held(StateLock::take(log(), 0ms));
+  ASSERT_TRUE(*held);
   window.answer("B");
   const auto begin = std::chrono::steady_clock::now();
   EXPECT_THAT(window.memory.keep(window.companion), IsEmpty());
@@ -92,7 +93,8 @@ TEST_F(MemoryOfAWindow, WaitsForNobodyAndTriesAgain) {
 
 TEST_F(MemoryOfAWindow, AtLastSaysWhatIsNotKept) {
   Window window(scratch_);
-  const StateLock held(log(), 0ms);
+  const auto held = StateLock::take(log(), 0ms);
+  ASSERT_TRUE(held);
   window.answer("B");
   EXPECT_THAT(window.memory.keep_at_last(window.companion),
               HasSubstr("another polhode has held it for 0.5 s: the last answers are not kept"));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/state_file.h"
 
-#include "app/cli/exit_codes.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>
@@ -20,37 +19,31 @@ using ::testing::HasSubstr;
 TEST(StateLock, IsHeldByOneAtATime) {
   const ScratchFolder scratch;
   const auto file = scratch / "polhode" / "quiz.answers.json";
-  std::optional<StateLock> first(std::in_place, file, 0ms);
-  try {
-    const StateLock second(file, 20ms);
-    FAIL() << "two hold it";
-  } catch (const StateIsHeld& error) {
-    EXPECT_EQ(error.code, ExitCode::failed);
-    EXPECT_THAT(error.what(), HasSubstr("cannot lock " + file.string() +
-                                        ".lock: another polhode has held it "
-                                        "for 0.02 s"));
-  }
+  std::optional first(StateLock::take(file, 0ms));
+  ASSERT_TRUE(*first);
+  const auto second = StateLock::take(file, 20ms);
+  ASSERT_FALSE(second) << "two hold it";
+  EXPECT_TRUE(second.error().is_held);
+  EXPECT_THAT(second.error().text, HasSubstr("cannot lock " + file.string() +
+                                             ".lock: another polhode has held it for 0.02 s"));
   first.reset();
-  EXPECT_NO_THROW(StateLock(file, 0ms));
+  EXPECT_TRUE(StateLock::take(file, 0ms));
 }
 
 // Of Lustre without -o flock, of some FUSE and 9P file systems, of NFS without its lock daemon.
 TEST(StateLock, WhereThereAreNoLocksNobodyIsLockedOut) {
   const ScratchFolder scratch;
-  EXPECT_NO_THROW(StateLock(scratch / "a", 0ms, [](int, int) { return errno = ENOSYS, -1; }));
-  EXPECT_NO_THROW(StateLock(scratch / "a", 0ms, [](int, int) { return errno = ENOLCK, -1; }));
-  EXPECT_NO_THROW(StateLock(scratch / "a", 0ms, [](int, int) { return errno = EOPNOTSUPP, -1; }));
+  EXPECT_TRUE(StateLock::take(scratch / "a", 0ms, [](int, int) { return errno = ENOSYS, -1; }));
+  EXPECT_TRUE(StateLock::take(scratch / "a", 0ms, [](int, int) { return errno = ENOLCK, -1; }));
+  EXPECT_TRUE(StateLock::take(scratch / "a", 0ms, [](int, int) { return errno = EOPNOTSUPP, -1; }));
 }
 
 TEST(StateLock, AnyOtherFailureIsSaid) {
   const ScratchFolder scratch;
-  try {
-    const StateLock lock(scratch / "a", 1h, [](int, int) { return errno = EIO, -1; });
-    FAIL();
-  } catch (const CommandError& error) {
-    EXPECT_EQ(dynamic_cast<const StateIsHeld*>(&error), nullptr);
-    EXPECT_THAT(error.what(), HasSubstr("a.lock: Input/output error"));
-  }
+  const auto lock = StateLock::take(scratch / "a", 1h, [](int, int) { return errno = EIO, -1; });
+  ASSERT_FALSE(lock);
+  EXPECT_FALSE(lock.error().is_held);
+  EXPECT_THAT(lock.error().text, HasSubstr("a.lock: Input/output error"));
 }
 
 }  // namespace

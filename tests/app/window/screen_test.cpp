@@ -92,7 +92,7 @@ TEST_F(ScreenTest, ThePageIsTheOneThatExportMakes) {
                                .frame = {},
                                .file = {}};
   const auto maker = make_page_maker({companion.lesson(), options, screen->renderer()});
-  EXPECT_EQ(maker->draw(picture).rgba, shown.rgba);
+  EXPECT_EQ(maker->draw(picture).value().rgba, shown.rgba);
 }
 
 TEST_F(ScreenTest, APanelMakesRoomForItself) {
