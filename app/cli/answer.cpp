@@ -2,8 +2,8 @@
 // polhode answer: the verdict on a learner's answer, with the reason.
 #include "app/cli/commands.h"
 #include "app/cli/lesson_lookup.h"
-#include "app/cli/or_fail.h"
 #include "app/cli/message.h"
+#include "app/cli/or_fail.h"
 #include "app/narration/speech_text.h"
 #include "app/session/answer_log.h"
 #include "app/session/state_file.h"
@@ -111,7 +111,7 @@ class KeptAnswers {
   std::optional<std::filesystem::path> path_;
 };
 
-ExitCode show_hint(const Ask& ask, const Speaker& speaker, const KeptAnswers& kept) {
+ExitCode show_hint(const Ask& ask, const SpeechText& speech, const KeptAnswers& kept) {
   AnswerRecord unseen;
   std::optional<std::size_t> next = note_hint(unseen, ask.hints.size());  // where no log can be read
   if (!ask.hints.empty())
@@ -119,7 +119,7 @@ ExitCode show_hint(const Ask& ask, const Speaker& speaker, const KeptAnswers& ke
         [&](AnswerLog& log, const std::string& name) { next = note_hint(log[name], ask.hints.size()); },
         "the hint is not noted");
   if (next)
-    fmt::print("Hint {} of {}: {}\n", *next + 1, ask.hints.size(), speaker.words(ask.hint_texts[*next]));
+    fmt::print("Hint {} of {}: {}\n", *next + 1, ask.hints.size(), speech.words(ask.hint_texts[*next]));
   else
     fmt::print("{}\n", ask.hints.empty() ? "There is no hint." : "There are no more hints.");
   return ExitCode::done;
@@ -160,7 +160,7 @@ ExitCode answer(const Options& options) {
   const Stage& stage = stage_of(loaded.lesson, options.stage);
   const Ask& ask = ask_of(stage, options.ask);
   const KeptAnswers kept(loaded.lesson.id, answer_name(stage.id, ask.id));
-  if (options.hint) return show_hint(ask, Speaker(loaded.lesson), kept);
+  if (options.hint) return show_hint(ask, SpeechText(loaded.lesson), kept);
   if (options.reset) {
     or_fail(kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); }));
     return ExitCode::done;

@@ -134,7 +134,7 @@ Outcome<PicturesMade> make_in_jobs(const PictureExport& e, const InterruptWatch&
     if (!end) return passed_on(end);
     made.interrupted = *end == JobEnd::interrupted;
   }
-  const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  const auto folder = inspect_folder(e.out.folder, identity_of(e.loaded, e.options));
   made.finished = !made.interrupted && folder && folder->finished;
   if (!made.interrupted && !made.finished && e.out.shard.whole())
     return failure_of(Fault::failed,
@@ -169,7 +169,7 @@ void report_pictures(const PictureExport& e, const PicturesMade& made) {
 
 /// What failed may be mended: a full disk, a lost connection.
 Error with_advice(const PictureExport& e, Error error) {
-  const auto folder = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  const auto folder = inspect_folder(e.out.folder, identity_of(e.loaded, e.options));
   if (error.fault == Fault::failed && folder && folder->ours)
     error.text += fmt::format("\nWhat is whole is kept; {}", go_on_with(e.out.resume));
   return error;
@@ -212,7 +212,7 @@ void look_into_folder(const ExportIdentity& mine, const ExportOutput& out) {
   const std::string folder = out.folder.string();
   if (!out.keep_folder && fs::is_symlink(out.folder, error))
     throw CommandError(ExitCode::failed, fmt::format("{} is a link; {}", folder, kAdvice));
-  const FolderState state = or_fail(look_into(out.folder, mine));
+  const FolderState state = or_fail(inspect_folder(out.folder, mine));
   if (out.keep_folder || state.ours) return;
   for (fs::directory_iterator entry(out.folder, error), end; !error && entry != end; entry.increment(error))
     if (!is_temporary_name(entry->path().filename().string()))
@@ -241,7 +241,7 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
                            const ExportOutput& out) {
   for (const std::string& id : options.stages) static_cast<void>(stage_of(loaded.lesson, id));
   const ExportIdentity identity = identity_of(loaded, options);
-  or_fail(look_into(out.folder, identity));
+  or_fail(inspect_folder(out.folder, identity));
   or_fail(make_folder(out.folder));
   ManifestFile file;
   file.file = loaded.lesson.id + ".txt";

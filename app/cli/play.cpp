@@ -37,7 +37,7 @@ class LessonWatch {
   explicit LessonWatch(const LoadedLesson& loaded)
       : path_(loaded.path), sha256_(loaded.sha256), written_(time()) {}
 
-  void look(Companion& companion, std::string& errors) {
+  void look(LessonSession& session, std::string& errors) {
     const auto now = time();
     if (now == written_) return;
     written_ = now;
@@ -46,7 +46,7 @@ class LessonWatch {
       errors.clear();
       if (loaded->sha256 == sha256_) return;
       sha256_ = loaded->sha256;
-      companion.replace_lesson(std::move(loaded));
+      session.replace_lesson(std::move(loaded));
     } catch (const CommandError& error) {
       errors = error.what();
     }
@@ -68,21 +68,21 @@ class LessonWatch {
 ExitCode play(const Options& options) {
   const auto loaded = load(options.lesson);
   if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
-  Companion companion(loaded, until_interrupted());
+  LessonSession session(loaded, until_interrupted());
   WindowOptions window;
-  Memory memory(companion, state_folder());
-  window.news = memory.news();
-  if (!window.news.empty()) say("polhode: {}\n", window.news);
+  SavedProgress progress(session, state_folder());
+  window.notice = progress.notice();
+  if (!window.notice.empty()) say("polhode: {}\n", window.notice);
   if (!options.stage.empty()) {
     const Stage& stage = stage_of(loaded->lesson, options.stage);
-    companion.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
+    session.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
   }
-  window.keep = [&](const Companion& now) { return memory.keep(now); };
+  window.keep = [&](const LessonSession& now) { return progress.keep(now); };
   LessonWatch watch(*loaded);
   if (options.watch)
-    window.look_for_changes = [&](Companion& now, std::string& errors) { watch.look(now, errors); };
-  const WindowEnd end = or_fail(run_window(companion, window));
-  if (const std::string news = memory.keep_at_last(companion); !news.empty()) say("polhode: {}\n", news);
+    window.look_for_changes = [&](LessonSession& now, std::string& errors) { watch.look(now, errors); };
+  const WindowEnd end = or_fail(run_window(session, window));
+  if (const std::string notice = progress.keep_at_last(session); !notice.empty()) say("polhode: {}\n", notice);
   return end == WindowEnd::interrupted ? ExitCode::interrupted : ExitCode::done;
 }
 

@@ -67,7 +67,7 @@ class EquationMaker : public PictureMaker {
  public:
   explicit EquationMaker(const MakerContext& context)
       : context_(context),
-        speaker_(context.lesson),
+        speech_(context.lesson),
         symbols_(symbols_of(context.lesson, context.options.theme)),
         em_(kTypePoints / kPointsPerInch * context.options.dpi) {}
 
@@ -86,9 +86,9 @@ class EquationMaker : public PictureMaker {
     const auto canvas = canvas_of(picture);
     if (!canvas) return passed_on(canvas);
     const auto [line, next, way] = shown_in(picture);
-    PictureDescription description{speaker_.words(*line), {line->tex}, {}, {}, canvas->size};
+    PictureDescription description{speech_.words(*line), {line->tex}, {}, {}, canvas->size};
     if (way == 0.0) return description;
-    description.alt = fmt::format("Between two lines. {} {}", description.alt, speaker_.words(*next));
+    description.alt = fmt::format("Between two lines. {} {}", description.alt, speech_.words(*next));
     description.tex.push_back(next->tex);
     return description;
   }
@@ -180,7 +180,7 @@ class EquationMaker : public PictureMaker {
   }
 
   MakerContext context_;
-  Speaker speaker_;
+  SpeechText speech_;
   std::vector<MathSymbol> symbols_;
   double em_;                                     ///< px
   std::map<const Equation*, DisplayList> lists_;  ///< looked up only: its order is never used

@@ -100,7 +100,7 @@ std::vector<fs::path> shard_manifests_in(const fs::path& folder) {
 
 }  // namespace
 
-Result<FolderState> look_into(const fs::path& folder, const ExportIdentity& mine) {
+Result<FolderState> inspect_folder(const fs::path& folder, const ExportIdentity& mine) {
   FolderState state;
   std::vector<std::string> renderers;
   for (const char* name : {kMarkerName, kManifestName}) {
@@ -120,13 +120,13 @@ Result<FolderState> look_into(const fs::path& folder, const ExportIdentity& mine
 Result<FolderState> begin_in(const fs::path& folder, const Marker& mine) {
   std::error_code ignored;
   for (const fs::path& file : left_behind_in(folder)) fs::remove(file, ignored);
-  auto state = look_into(folder, mine.of);
+  auto state = inspect_folder(folder, mine.of);
   if (!state || state->finished) return state;
   PosixFileOps files;
   const auto made = create_file_atomically(files, folder / kMarkerName, bytes_of(text_of(mine)));
   if (!made) return failure(made.error());
   if (*made) return state;
-  state = look_into(folder, mine.of);  // whoever made it came first
+  state = inspect_folder(folder, mine.of);  // whoever made it came first
   if (!state) return state;
   Marker both = mine;
   both.renderer = join_renderers({state->renderer, mine.renderer});

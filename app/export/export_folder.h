@@ -31,7 +31,7 @@ struct FolderState {
 /// An error if the folder holds, or is about to hold, an export of other options or another lesson text: it
 /// says what differs. Of a finished export of other frames of the same selection it is none if these are
 /// among those of the new one.
-Result<FolderState> look_into(const std::filesystem::path& folder, const ExportIdentity& mine);
+Result<FolderState> inspect_folder(const std::filesystem::path& folder, const ExportIdentity& mine);
 
 /// What the marker says to `polhode verify`.
 struct Marker {
@@ -42,13 +42,13 @@ struct Marker {
 };
 
 /// Removes what killed processes left unfinished, and puts the marker, if the folder has neither marker nor
-/// manifest of this export. `mine.renderer` is added to a marker that has others. Call after look_into: an
+/// manifest of this export. `mine.renderer` is added to a marker that has others. Call after inspect_folder: an
 /// exporter that came in between is noticed here, with the same errors.
 Result<FolderState> begin_in(const std::filesystem::path& folder, const Marker& mine);
 
 /// What the files are, as far as manifest.json and manifests of shards in the folder say; of files that none
 /// of them lists, and of manifests of before there were checksums, nothing. An empty one is confirmed by no
-/// file. Call where look_into takes the folder for ours, before anything is made there.
+/// file. Call where inspect_folder takes the folder for ours, before anything is made there.
 Result<Checksums> recorded_checksums(const std::filesystem::path& folder, const ExportIdentity& mine);
 
 /// What the manifests of all shards say together.

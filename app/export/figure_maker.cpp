@@ -15,7 +15,7 @@ namespace {
 
 class FigureMaker : public PictureMaker {
  public:
-  explicit FigureMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
+  explicit FigureMaker(const MakerContext& context) : context_(context), speech_(context.lesson) {}
 
   Done check(const PlannedPicture& picture) override {
     const auto shown = shown_in(picture);
@@ -27,8 +27,8 @@ class FigureMaker : public PictureMaker {
     const auto shown = shown_in(picture);
     if (!shown) return passed_on(shown);
     const auto& [model, t_s] = *shown;
-    const std::string alt = speaker_.words_of_title(*picture.stage) + ' ' +
-                            alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
+    const std::string alt = speech_.words_of_title(*picture.stage) + ' ' +
+                            alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
                                      model->motion->w_B_at(t_s), t_s);
     return {{alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model->motion->method()),
              context_.options.size}};
@@ -79,7 +79,7 @@ class FigureMaker : public PictureMaker {
   }
 
   MakerContext context_;
-  Speaker speaker_;
+  SpeechText speech_;
   ModelOfScene models_{Product::figure, context_.effort};
 };
 

@@ -17,7 +17,7 @@ constexpr double kFadeSeconds = 0.4;
 
 class PageMaker : public PictureMaker {
  public:
-  explicit PageMaker(const MakerContext& context) : context_(context), speaker_(context.lesson) {}
+  explicit PageMaker(const MakerContext& context) : context_(context), speech_(context.lesson) {}
 
   Done check(const PlannedPicture& picture) override {
     const auto content = content_of(picture);
@@ -34,7 +34,7 @@ class PageMaker : public PictureMaker {
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();
     description.alt +=
-        " Figure: " + alt_text(*picture.scene, speaker_.words_of_caption(*picture.stage, picture.step),
+        " Figure: " + alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
                                shown.model->motion->w_B_at(shown.t_s), shown.t_s);
     return description;
   }
@@ -49,7 +49,7 @@ class PageMaker : public PictureMaker {
   }
 
   bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {
-    return !a.scene && a.stage == b.stage && a.step == b.step && news_in(a) == news_in(b);
+    return !a.scene && a.stage == b.stage && a.step == b.step && opacity_in(a) == opacity_in(b);
   }
 
  private:
@@ -86,7 +86,7 @@ class PageMaker : public PictureMaker {
     FittedText set = std::move(fitted).value();
     std::vector<std::string> tex;
     for (const Equation* equation : set.equations) tex.push_back(equation->tex);
-    std::string alt = speaker_.words_of_page(*picture.stage, set.whole_from, picture.step);
+    std::string alt = speech_.words_of_page(*picture.stage, set.whole_from, picture.step);
     text_ = {picture.stage, picture.step, std::move(set), std::move(alt), std::move(tex)};
     return done();
   }
@@ -101,7 +101,7 @@ class PageMaker : public PictureMaker {
   }
 
   /// Frame by frame, what a step adds comes softly; a stage begins with its first step whole.
-  std::optional<double> news_in(const PlannedPicture& picture) const {
+  std::optional<double> opacity_in(const PlannedPicture& picture) const {
     if (!picture.frame) return std::nullopt;
     if (picture.frame_of_step == picture.frame_of_stage) return 1.0;
     const FrameRate& fps = context_.options.fps;
@@ -109,6 +109,11 @@ class PageMaker : public PictureMaker {
         static_cast<double>((picture.frame_of_step + 1) * fps.seconds) / static_cast<double>(fps.frames);
     const double u = std::min(1.0, shown_s / kFadeSeconds);
     return u * u * (3.0 - 2.0 * u);
+  }
+
+  static PageEntrance entrance_of(std::optional<double> opacity) {
+    if (!opacity) return Standing{};
+    return FadingIn{*opacity};
   }
 
   PageRequest request_of(const PlannedPicture& picture, const Shown& shown) {
@@ -121,8 +126,8 @@ class PageMaker : public PictureMaker {
             .size = context_.options.size,
             .theme = context_.options.theme,
             .quality = context_.options.quality,
-            .news = news_in(picture),
             .text_scale = context_.options.text_scale,
+            .entrance = entrance_of(opacity_in(picture)),
             .still_numbers = &still_numbers_,
             .effort = context_.effort};
   }
@@ -130,7 +135,7 @@ class PageMaker : public PictureMaker {
   const Fonts& fonts() const { return context_.renderer.fonts(); }
 
   MakerContext context_;
-  Speaker speaker_;
+  SpeechText speech_;
   ModelOfScene models_{Product::page, context_.effort};
   StillNumbers still_numbers_{context_.effort};
   StepText text_;  ///< of the picture seen last

@@ -182,7 +182,7 @@ Status check_all_are_there(const PictureExport& e, const Shard& shard) {
 }
 
 bool has_manifest_of_this(const PictureExport& e) {
-  const auto state = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  const auto state = inspect_folder(e.out.folder, identity_of(e.loaded, e.options));
   return state && state->finished;
 }
 
@@ -226,7 +226,7 @@ Status refresh_manifest(const PictureExport& e, PictureMaker& maker, const Pictu
 Status finish(const PictureExport& e, PictureMaker& maker, const FolderState& before, PicturesMade& made) {
   if (Status there = check_all_are_there(e, e.out.shard); !there) return there;
   if (Status synced = sync_folder(e.out.folder); !synced) return synced;  // before they are promised
-  const auto still_ours = look_into(e.out.folder, identity_of(e.loaded, e.options));
+  const auto still_ours = inspect_folder(e.out.folder, identity_of(e.loaded, e.options));
   if (!still_ours) return failure(still_ours.error());
   // A folder that was finished still is after a shard of it was made again.
   made.finished = e.out.shard.whole() || before.finished;

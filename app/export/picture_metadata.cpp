@@ -10,7 +10,7 @@ std::string program_name_and_version() { return "polhode " POLHODE_VERSION; }
 
 PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt,
                              const std::optional<double>& t_s, int dpi) {
-  PngMetadata metadata{{{"Title", Speaker(lesson).words(stage.title_text) + " \u2013 " + lesson.title},
+  PngMetadata metadata{{{"Title", SpeechText(lesson).words(stage.title_text) + " \u2013 " + lesson.title},
                         {"Description", alt},
                         {"Software", program_name_and_version()},
                         {"polhode:lesson", lesson.id},

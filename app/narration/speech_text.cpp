@@ -65,18 +65,18 @@ std::string_view words_of(Callout::Kind kind) {
   return kind == Callout::Kind::said ? "The lecture said" : "What it meant";
 }
 
-Speaker::Speaker(const Lesson& lesson) : lesson_(lesson) {
+SpeechText::SpeechText(const Lesson& lesson) : lesson_(lesson) {
   for (const auto& [name, symbol] : lesson.symbols) symbols_.push_back({name, symbol.math, {}});
 }
 
-std::string Speaker::words(const Math& math) const {
+std::string SpeechText::words(const Math& math) const {
   return spoken(math, symbols_, [this](std::string_view name) {
     const auto found = lesson_.symbols.find(std::string(name));
     return found == lesson_.symbols.end() ? std::string() : found->second.say;
   });
 }
 
-std::string Speaker::words(const TextBlock& block) const {
+std::string SpeechText::words(const TextBlock& block) const {
   std::string text;
   for (const TextSpan& span : block.spans) {
     if (span.kind == TextSpan::Kind::math)
@@ -88,44 +88,44 @@ std::string Speaker::words(const TextBlock& block) const {
   return text;
 }
 
-std::string Speaker::words(const RichText& text) const {
+std::string SpeechText::words(const RichText& text) const {
   std::string all;
   for (const TextBlock& block : text) add(all, words(block));
   return all;
 }
 
-std::string Speaker::words(const Equation& equation) const {
+std::string SpeechText::words(const Equation& equation) const {
   const std::string formula = sentence(words(equation.math));
   return equation.tag.empty() ? "Equation: " + formula
                               : fmt::format("Equation ({}): {}", equation.tag, formula);
 }
 
-std::string Speaker::words(const Claim& claim) const {
-  const VerdictRow row = verdict_row(claim, prover_, nullptr, nullptr);
+std::string SpeechText::words(const Claim& claim) const {
+  const VerdictRow row = verdict_row(claim, nullptr, nullptr);
   std::string word(name_of(claim.kind));
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
   return row.note.empty() ? word + '.' : word + ": " + row.note + '.';
 }
 
-std::string Speaker::words(const Callout& callout) const {
+std::string SpeechText::words(const Callout& callout) const {
   return fmt::format("{}: {}", words_of(callout.kind), sentence(words(callout.text)));
 }
 
-std::string Speaker::words(const Ask& ask) const {
+std::string SpeechText::words(const Ask& ask) const {
   std::string text = "Question: " + sentence(words(ask.prompt_text));
   for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
     add(text, fmt::format("Choice {}: {}", letter_of_choice(i), sentence(words(ask.choice_texts[i]))));
   return text;
 }
 
-std::string Speaker::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
+std::string SpeechText::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
 
-std::string Speaker::words_of_caption(const Stage& stage, int step) const {
+std::string SpeechText::words_of_caption(const Stage& stage, int step) const {
   const auto& caption = stage.steps[static_cast<std::size_t>(step - 1)].caption;
   return caption ? words(*caption) : std::string();
 }
 
-std::string Speaker::words_of_page(const Stage& stage, int first, int last) const {
+std::string SpeechText::words_of_page(const Stage& stage, int first, int last) const {
   std::string text = words_of_title(stage);
   for (int step = first; step <= last; ++step)
     for (const Block& block : stage.steps[static_cast<std::size_t>(step - 1)].blocks) {

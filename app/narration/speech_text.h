@@ -3,7 +3,6 @@
 // as the lesson's `say` has them.
 #pragma once
 
-#include "lessons/claims/proof.h"
 #include "lessons/reader/lesson.h"
 
 #include <string>
@@ -11,10 +10,10 @@
 
 namespace polhode {
 
-class Speaker {
+class SpeechText {
  public:
   /// `lesson` must outlive it.
-  explicit Speaker(const Lesson& lesson);
+  explicit SpeechText(const Lesson& lesson);
 
   std::string words(const Math& math) const;
   /// Paragraphs and items of lists one after the other, in one line.
@@ -37,7 +36,6 @@ class Speaker {
  private:
   const Lesson& lesson_;
   std::vector<MathSymbol> symbols_;
-  Prover prover_;
 };
 
 /// "The lecture said", "What it meant"

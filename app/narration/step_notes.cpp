@@ -11,23 +11,23 @@ using Kind = StepNote::Kind;
 
 class Notes {
  public:
-  explicit Notes(const Speaker& speaker) : speaker_(speaker) {}
+  explicit Notes(const SpeechText& speech) : speech_(speech) {}
 
   void add(const Prose& prose) {
     for (const TextBlock& block : prose.text) {
       const bool item = !block.marker.empty();
-      add(item ? Kind::item : Kind::text, (item ? block.marker + ' ' : "") + speaker_.words(block));
+      add(item ? Kind::item : Kind::text, (item ? block.marker + ' ' : "") + speech_.words(block));
     }
   }
-  void add(const Equation& equation) { add(Kind::equation, speaker_.words(equation)); }
-  void add(const Callout& callout) { add(Kind::callout, speaker_.words(callout)); }
+  void add(const Equation& equation) { add(Kind::equation, speech_.words(equation)); }
+  void add(const Callout& callout) { add(Kind::callout, speech_.words(callout)); }
   void add(const Claim&) {}
   void add(const Ask& ask) {
-    add(Kind::question, "Question: " + speaker_.words(ask.prompt_text));
+    add(Kind::question, "Question: " + speech_.words(ask.prompt_text));
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
-      add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speaker_.words(ask.choice_texts[i])));
+      add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speech_.words(ask.choice_texts[i])));
   }
-  void add_caption(const RichText& caption) { add(Kind::figure, "Figure: " + speaker_.words(caption)); }
+  void add_caption(const RichText& caption) { add(Kind::figure, "Figure: " + speech_.words(caption)); }
 
   std::vector<StepNote> take() { return std::move(notes_); }
 
@@ -36,14 +36,14 @@ class Notes {
     if (!text.empty()) notes_.push_back({kind, std::move(text)});
   }
 
-  const Speaker& speaker_;
+  const SpeechText& speech_;
   std::vector<StepNote> notes_;
 };
 
 }  // namespace
 
-std::vector<StepNote> notes_of(const Speaker& speaker, const Stage& stage, int first, int last) {
-  Notes notes(speaker);
+std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int first, int last) {
+  Notes notes(speech);
   const auto begin = static_cast<std::size_t>(first - 1), end = static_cast<std::size_t>(last);
   for (std::size_t i = begin; i < end; ++i) {
     const Step& step = stage.steps[i];

@@ -9,6 +9,6 @@ namespace polhode {
 
 /// What the steps from `first` to `last` (from 1) of a stage add, as a reader says it, with the caption of
 /// each new figure; as in the lesson's transcript without hints and answers.
-std::vector<StepNote> notes_of(const Speaker& speaker, const Stage& stage, int first, int last);
+std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int first, int last);
 
 }  // namespace polhode

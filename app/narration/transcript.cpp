@@ -22,17 +22,17 @@ std::string underlined(const std::string& heading, char line) {
 
 class Transcript {
  public:
-  explicit Transcript(const Lesson& lesson) : lesson_(lesson), speaker_(lesson) {
+  explicit Transcript(const Lesson& lesson) : lesson_(lesson), speech_(lesson) {
     text_ = underlined(lesson.title, '=');
   }
 
   void add(const Stage& stage, std::size_t number) {
-    text_ += '\n' + underlined(fmt::format("{}. {}", number, speaker_.words(stage.title_text)), '-');
+    text_ += '\n' + underlined(fmt::format("{}. {}", number, speech_.words(stage.title_text)), '-');
     for (const Step& step : stage.steps) {
       for (const Block& block : step.blocks) std::visit([this](const auto& b) { add(b); }, block);
       if (step.caption && step.scene->caption != caption_) {
         caption_ = step.scene->caption;
-        add_paragraph(speaker_.words(*step.caption), "Figure: ");
+        add_paragraph(speech_.words(*step.caption), "Figure: ");
       }
     }
   }
@@ -47,18 +47,18 @@ class Transcript {
       if (!(in_list && !block.marker.empty())) text_ += '\n';
       in_list = !block.marker.empty();
       const std::string blanks(2 * static_cast<std::size_t>(std::max(0, block.indent)), ' ');
-      text_ += wrapped(speaker_.words(block), in_list ? blanks + block.marker + ' ' : blanks);
+      text_ += wrapped(speech_.words(block), in_list ? blanks + block.marker + ' ' : blanks);
     }
   }
 
-  void add(const Equation& equation) { add_paragraph(speaker_.words(equation), "    "); }
-  void add(const Callout& callout) { add_paragraph(speaker_.words(callout), "  > "); }
-  void add(const Claim& claim) { text_ += wrapped(speaker_.words(claim), "      "); }
+  void add(const Equation& equation) { add_paragraph(speech_.words(equation), "    "); }
+  void add(const Callout& callout) { add_paragraph(speech_.words(callout), "  > "); }
+  void add(const Claim& claim) { text_ += wrapped(speech_.words(claim), "      "); }
 
   void add(const Ask& ask) {
-    add_paragraph(speaker_.words(ask.prompt_text), "Question: ");
+    add_paragraph(speech_.words(ask.prompt_text), "Question: ");
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
-      text_ += wrapped(speaker_.words(ask.choice_texts[i]), fmt::format("  {}. ", letter_of_choice(i)));
+      text_ += wrapped(speech_.words(ask.choice_texts[i]), fmt::format("  {}. ", letter_of_choice(i)));
   }
 
   void add_paragraph(const std::string& words, const std::string& first) {
@@ -66,7 +66,7 @@ class Transcript {
   }
 
   const Lesson& lesson_;
-  Speaker speaker_;
+  SpeechText speech_;
   std::string text_;
   std::string caption_;  ///< the last one: steps inherit it
 };

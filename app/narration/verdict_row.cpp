@@ -119,8 +119,7 @@ std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel
 
 }  // namespace
 
-VerdictRow verdict_row(const Claim& claim, const Prover& prover, const Scene* scene,
-                       const SceneModel* model) {
+VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model) {
   VerdictRow row{.claim = &claim,
                  .word = upper(name_of(claim.kind)),
                  .note = {},
@@ -128,9 +127,8 @@ VerdictRow verdict_row(const Claim& claim, const Prover& prover, const Scene* sc
                  .proved = true};
   std::optional<Counterexample> counter;
   for (const ClaimLine& line : claim.lines) {
-    const Judgement judgement = judge(line, claim.kind, prover);
-    row.proved = row.proved && judgement.verdict == Verdict::holds;
-    if (!counter) counter = judgement.counterexample;
+    row.proved = row.proved && line.judgement && line.judgement->verdict == Verdict::holds;
+    if (!counter && line.judgement) counter = line.judgement->counterexample;
   }
   row.note = note_of(claim.kind, counter, scene);
   if (!row.proved) row.note = counter ? "does not hold: " + to_string(*counter) : "not proved";

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "lessons/claims/live_claims.h"
-#include "lessons/claims/proof.h"
 
 #include <string>
 
@@ -22,8 +21,8 @@ struct VerdictRow {
   bool proved = true;    ///< the claim is what its kind says
 };
 /// `scene` is that of the claim's own step and says how its motion is computed; null where there is none.
-/// With a model of it, measured claims are measured.
-VerdictRow verdict_row(const Claim& claim, const Prover& prover, const Scene* scene, const SceneModel* model);
+/// With a model of it, measured claims are measured. A claim that nobody has proved is "not proved".
+VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model);
 
 /// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13), apart 2·10⁻¹⁵ ≤ 4·10⁻¹³", as set_line sets it: what the two
 /// sides of the equation come to. Of a claim of several lines only how far the worst of them is off. No

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/loaded_lesson.h"
 
+#include "lessons/reader/claim_check.h"
 #include "lessons/reader/lint_budget.h"
 #include "render/scene/model/model.h"
 
@@ -45,6 +46,9 @@ LessonReading check_lesson(std::string_view text, std::string_view file_name, co
   LessonReading reading = read_lesson(text, file_name);
   if (!reading.lesson) return reading;
   std::vector<Diagnostic> found = model_diagnostics(*reading.lesson, file_name, effort);
+  if (found.empty())
+    if (const auto unproved = prove_claims(*reading.lesson, effort))
+      found.push_back(too_long_to_check(file_name, *unproved));
   if (found.empty()) return reading;
   reading.lesson.reset();
   add_in_order(std::move(found), reading.diagnostics);

@@ -189,16 +189,18 @@ Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& f
 
 void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet, const Fonts& fonts) {
   const Sheet values = live_values(request, text.stack, fonts);
-  if (request.travel && *request.travel < 1.0) {
-    append(sheet, column_on_its_way(request.from, text, *request.travel), {0, 0});
-    append(sheet, faded(values, appeared(*request.travel)), text.corner);
+  const auto* turning = std::get_if<TurningInto>(&request.entrance);
+  if (turning && turning->progress < 1.0) {
+    append(sheet, column_on_its_way(turning->from, text, turning->progress), {0, 0});
+    append(sheet, faded(values, appeared(turning->progress)), text.corner);
     return;
   }
-  const double news = request.news.value_or(1.0);
+  const auto* fading = std::get_if<FadingIn>(&request.entrance);
+  const double opacity = fading ? fading->opacity : 1.0;
   const std::size_t old = text.stack.pieces.size() - text.stack.newest;
   for (std::size_t i = 0; i < text.stack.pieces.size(); ++i)
-    append(sheet, faded(text.stack.pieces[i].sheet, i < old ? 1.0 : news), text.corner);
-  append(sheet, faded(values, news), text.corner);
+    append(sheet, faded(text.stack.pieces[i].sheet, i < old ? 1.0 : opacity), text.corner);
+  append(sheet, faded(values, opacity), text.corner);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "render/scene/model/model.h"
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace polhode {
@@ -17,6 +18,23 @@ inline constexpr Size kSmallestPage{320, 240};
 
 struct FittedText;
 class StillNumbers;
+
+/// A page by itself.
+struct Standing {};
+/// In a sequence of pages of one stage: the opacity of the text that the step adds. Its room is there from
+/// the start, and what was in focus before keeps the room it had.
+struct FadingIn {
+  double opacity = 1;
+};
+/// From the page before to this one: what stands on both goes from place to place; the equation in focus, with
+/// panel and bar, comes out of the one in focus before (render/typeset/morph.h); what else is new appears, what
+/// is gone vanishes (page_transition.h). Figure and plots are those of this page.
+struct TurningInto {
+  const FittedText* from = nullptr;  ///< text of the page before, of the same lesson; null: all that is new fades in
+  double progress = 1;               ///< 0…1 in proportion to time; 1: arrived
+};
+
+using PageEntrance = std::variant<Standing, FadingIn, TurningInto>;
 
 struct PageRequest {
   const Lesson& lesson;
@@ -28,20 +46,11 @@ struct PageRequest {
   Size size;
   Theme theme = Theme::paper;
   std::optional<QualityLevel> quality{};  ///< of the figure; absent: the scene's
-  /// In a sequence the opacity of the text that the step adds: its room is there from the start, and what was
-  /// in focus before keeps the room it had. Absent: a page by itself.
-  std::optional<double> news{};
   /// Of all type, kLeastTextScale … kMostTextScale. The text column is wider or narrower with it, up to 0.62
   /// of a wide page; labels, captions and plots follow by half. Where there is less room than that needs,
   /// type is set smaller as ever.
   double text_scale = 1;
-  /// On the way from the page before to this one, 0…1 in proportion to time (page_travel.h): what stands on
-  /// both goes from place to place; the equation in focus, with panel and bar, comes out of the one in focus
-  /// before (render/typeset/morph.h); what else is new appears, what is gone vanishes. At 1, or absent:
-  /// arrived. Figure and plots are those of this page. Not together with `news`.
-  std::optional<double> travel{};
-  const FittedText* from =
-      nullptr;  ///< of the page before, of the same lesson; null: all that is new fades in
+  PageEntrance entrance{};
   /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
   StillNumbers* still_numbers = nullptr;
   /// Told what laying the text out costs, as if it were evaluations of a motion
@@ -69,7 +78,7 @@ inline constexpr double kLeastScale = 0.86;
 /// A display set smaller than this part of its size is hard to read.
 inline constexpr double kLeastFormulaScale = 0.6;
 
-/// The text column (page_text.h), which is the same at all times, opacities and on all ways; most of what a
+/// The text column (page_text.h), which is the same at all times and throughout an entrance; most of what a
 /// page costs.
 /// The error says which text cannot be set, or that the step has more than a page holds (lint says where).
 Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts);
@@ -77,7 +86,7 @@ Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts);
 /// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
 /// Errors as of text_of_page.
 Result<Page> compose_page(const PageRequest& request, const Fonts& fonts);
-/// The same with a text that is there: of this request, whatever its time, opacity and way.
+/// The same with a text that is there: of this request, whatever its time and entrance.
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts);
 
 }  // namespace polhode

@@ -62,14 +62,13 @@ bool has_equation(const Step& step, const std::string& id) {
 using Verdicts = std::map<const Claim*, VerdictRow>;
 
 Verdicts verdicts_of(const PageRequest& request) {
-  const Prover prover;
   Verdicts verdicts;
   for (int i = 0; i < request.step; ++i) {
     const Step& step = request.stage.steps[static_cast<std::size_t>(i)];
     const SceneModel* model = i + 1 == request.step ? request.model : nullptr;
     for (const Block& block : step.blocks)
       if (const auto* claim = std::get_if<Claim>(&block))
-        verdicts.emplace(claim, verdict_row(*claim, prover, step.scene ? &*step.scene : nullptr, model));
+        verdicts.emplace(claim, verdict_row(*claim, step.scene ? &*step.scene : nullptr, model));
   }
   return verdicts;
 }
@@ -231,7 +230,7 @@ class ScaledText {
     const Equation* first = focus_of(request_.stage, step);
     const auto focus_on = [&](const Equation& equation) {
       if (&equation != first) return Focus::none;
-      return is_present ? Focus::now : request_.news ? Focus::before : Focus::none;
+      return is_present ? Focus::now : std::holds_alternative<FadingIn>(request_.entrance) ? Focus::before : Focus::none;
     };
     const std::vector<std::string> marked =
         is_present && step.scene ? step.scene->highlight : std::vector<std::string>();

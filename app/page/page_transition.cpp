@@ -108,9 +108,9 @@ FlatShape between(const FlatShape& a, const Vec2& a_corner, FlatShape b, const V
 }
 
 /// Draws the way; `way` is the same for all.
-class Way {
+class PageTransition {
  public:
-  Way(const FittedText& from, const FittedText& to, double way)
+  PageTransition(const FittedText& from, const FittedText& to, double way)
       : from_(from), to_(to), way_(way), main_before_(main_of(from)), main_(main_of(to)) {
     if (!main_before_ || !main_ || piece_of(from, main_.piece->of)) main_before_ = main_ = {};
   }
@@ -225,7 +225,7 @@ Sheet fading_in(const FittedText& text, double way) {
 double appeared(double way) { return eased(way, 0.45, 1.0); }
 
 Sheet column_on_its_way(const FittedText* from, const FittedText& to, double way) {
-  return from ? Way(*from, to, way).draw() : fading_in(to, way);
+  return from ? PageTransition(*from, to, way).draw() : fading_in(to, way);
 }
 
 }  // namespace polhode

@@ -46,7 +46,7 @@ Steps steps_said(const ExportPlan& plan, std::size_t i) {
 
 Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const ExportPlan& plan,
                      const std::filesystem::path& folder) {
-  const Speaker speaker(lesson);
+  const SpeechText speech(lesson);
   Deck deck;
   deck.title = lesson.title;
   deck.theme = options.theme;
@@ -56,13 +56,13 @@ Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const E
     DeckSlide slide;
     slide.png = folder / picture.file;
     slide.stage = picture.number;
-    slide.title = speaker.words(picture.stage->title_text);
+    slide.title = speech.words(picture.stage->title_text);
     slide.part = part_of(picture, options);
     Result<std::string> alt = description_in(slide.png);
     if (!alt) return failure(alt.error());
     slide.alt = std::move(*alt);
     const Steps said = steps_said(plan, i);
-    slide.notes = notes_of(speaker, *picture.stage, said.first, said.last);
+    slide.notes = notes_of(speech, *picture.stage, said.first, said.last);
     deck.slides.push_back(std::move(slide));
   }
   return deck;

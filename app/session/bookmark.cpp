@@ -69,18 +69,18 @@ StateResult<std::monostate> write_preferences(const fs::path& folder, const Pref
                            {"reduced_motion", preferences.reduced_motion}});
 }
 
-Bookmark bookmark_of(const Companion& companion) {
-  return {companion.stage().id, static_cast<int>(companion.place().step) + 1, companion.visited()};
+Bookmark bookmark_of(const LessonSession& session) {
+  return {session.stage().id, static_cast<int>(session.place().step) + 1, session.visited()};
 }
 
-void restore(Companion& companion, const Bookmark& bookmark) {
-  const auto& stages = companion.lesson().stages;
+void restore(LessonSession& session, const Bookmark& bookmark) {
+  const auto& stages = session.lesson().stages;
   const auto stage = std::find_if(stages.begin(), stages.end(),
                                   [&](const Stage& known) { return known.id == bookmark.stage; });
   if (stage != stages.end())
-    companion.go_to({static_cast<std::size_t>(stage - stages.begin()),
+    session.go_to({static_cast<std::size_t>(stage - stages.begin()),
                      static_cast<std::size_t>(std::max(1, bookmark.step)) - 1});
-  companion.set_visited(bookmark.visited);
+  session.set_visited(bookmark.visited);
 }
 
 }  // namespace polhode

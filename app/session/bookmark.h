@@ -41,8 +41,8 @@ StateResult<PreferencesReading> read_preferences(const std::filesystem::path& fo
 StateResult<std::monostate> write_preferences(const std::filesystem::path& folder,
                                               const Preferences& preferences);
 
-Bookmark bookmark_of(const Companion& companion);
+Bookmark bookmark_of(const LessonSession& session);
 /// What no longer exists in the lesson is passed over.
-void restore(Companion& companion, const Bookmark& bookmark);
+void restore(LessonSession& session, const Bookmark& bookmark);
 
 }  // namespace polhode

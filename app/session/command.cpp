@@ -80,46 +80,46 @@ bool has_key(std::string_view keys, std::string_view key) {
   }
 }
 
-void toggle(Companion& companion, Panel panel) {
-  companion.panel = companion.panel == panel ? Panel::none : panel;
+void toggle(LessonSession& session, Panel panel) {
+  session.panel = session.panel == panel ? Panel::none : panel;
 }
 
-void leave(Companion& companion) {
-  if (companion.are_notes_shown())
-    companion.show_notes(false);
-  else if (companion.is_presenting())
-    companion.set_presenting(false);
-  else if (companion.panel != Panel::none)
-    companion.panel = Panel::none;
-  else if (!companion.lit().empty())
-    companion.light({});
+void leave(LessonSession& session) {
+  if (session.are_notes_shown())
+    session.show_notes(false);
+  else if (session.is_presenting())
+    session.set_presenting(false);
+  else if (session.panel != Panel::none)
+    session.panel = Panel::none;
+  else if (!session.lit().empty())
+    session.light({});
 }
 
 /// From space, from the body, both.
-void show_next_view(Companion& companion) {
-  if (!companion.has_scene()) return;
+void show_next_view(LessonSession& session) {
+  if (!session.has_scene()) return;
   const std::vector<View> space{View::space}, body{View::body}, both{View::space, View::body};
-  const std::vector<View>& shown = companion.model()->scene.views;
-  SceneEdits edits = companion.edits();
+  const std::vector<View>& shown = session.model()->scene.views;
+  SceneEdits edits = session.edits();
   edits.views = shown == space ? body : shown == body ? both : space;
-  static_cast<void>(companion.set_edits(edits));
+  static_cast<void>(session.set_edits(edits));
 }
 
 /// By a drag over this part of the picture's height.
-void turn_camera(Companion& companion, double right, double down) {
-  if (companion.has_scene()) companion.set_camera(orbited(companion.model()->scene.camera, right, down, 1.0));
+void turn_camera(LessonSession& session, double right, double down) {
+  if (session.has_scene()) session.set_camera(orbited(session.model()->scene.camera, right, down, 1.0));
 }
 
-void zoom_camera(Companion& companion, double notches) {
-  if (companion.has_scene()) companion.set_camera(zoomed(companion.model()->scene.camera, notches));
+void zoom_camera(LessonSession& session, double notches) {
+  if (session.has_scene()) session.set_camera(zoomed(session.model()->scene.camera, notches));
 }
 
-void toggle_ghost(Companion& companion) {
-  if (!companion.has_scene()) return;
-  SceneEdits edits = companion.edits();
-  edits.motion = companion.model()->scene.motion;
+void toggle_ghost(LessonSession& session) {
+  if (!session.has_scene()) return;
+  SceneEdits edits = session.edits();
+  edits.motion = session.model()->scene.motion;
   edits.motion->ghost = !edits.motion->ghost;
-  static_cast<void>(companion.set_edits(edits));
+  static_cast<void>(session.set_edits(edits));
 }
 
 void toggle_theme(Preferences& preferences) {
@@ -143,115 +143,115 @@ bool repeats(Command command) {
   return facts != kCommands.end() && facts->repeats;
 }
 
-bool do_command(Companion& companion, Command command) {
+bool do_command(LessonSession& session, Command command) {
   switch (command) {
     case C::next_step:
-      companion.next_step();
+      session.next_step();
       return true;
     case C::previous_step:
-      companion.previous_step();
+      session.previous_step();
       return true;
     case C::next_stage:
-      companion.next_stage();
+      session.next_stage();
       return true;
     case C::previous_stage:
-      companion.previous_stage();
+      session.previous_stage();
       return true;
     case C::first_stage:
-      companion.go_to({});
+      session.go_to({});
       return true;
     case C::last_stage:
-      companion.go_to({companion.lesson().stages.size() - 1, 0});
+      session.go_to({session.lesson().stages.size() - 1, 0});
       return true;
     case C::play_pause:
-      companion.set_playing(!companion.is_playing());
+      session.set_playing(!session.is_playing());
       return true;
     case C::frame_forward:
-      companion.step_frames(1);
+      session.step_frames(1);
       return true;
     case C::frame_back:
-      companion.step_frames(-1);
+      session.step_frames(-1);
       return true;
     case C::reset_time:
-      companion.reset_time();
+      session.reset_time();
       return true;
     case C::faster:
-      companion.set_speed(2 * companion.speed());
+      session.set_speed(2 * session.speed());
       return true;
     case C::slower:
-      companion.set_speed(companion.speed() / 2);
+      session.set_speed(session.speed() / 2);
       return true;
     case C::leave:
-      leave(companion);
+      leave(session);
       return true;
     case C::outline:
-      toggle(companion, Panel::outline);
+      toggle(session, Panel::outline);
       return true;
     case C::body:
-      toggle(companion, Panel::body);
+      toggle(session, Panel::body);
       return true;
     case C::method:
-      toggle(companion, Panel::method);
+      toggle(session, Panel::method);
       return true;
     case C::show:
-      toggle(companion, Panel::show);
+      toggle(session, Panel::show);
       return true;
     case C::question:
-      toggle(companion, Panel::question);
+      toggle(session, Panel::question);
       return true;
     case C::save:
-      toggle(companion, Panel::save);
+      toggle(session, Panel::save);
       return true;
     case C::settings:
-      toggle(companion, Panel::settings);
+      toggle(session, Panel::settings);
       return true;
     case C::help:
-      toggle(companion, Panel::help);
+      toggle(session, Panel::help);
       return true;
     case C::reset_scene:
-      companion.reset_edits();
+      session.reset_edits();
       return true;
     case C::follow:
-      companion.set_following(!companion.is_following());
+      session.set_following(!session.is_following());
       return true;
     case C::turn_left:
-      turn_camera(companion, -kTurn, 0);
+      turn_camera(session, -kTurn, 0);
       return true;
     case C::turn_right:
-      turn_camera(companion, kTurn, 0);
+      turn_camera(session, kTurn, 0);
       return true;
     case C::turn_up:
-      turn_camera(companion, 0, -kTurn);
+      turn_camera(session, 0, -kTurn);
       return true;
     case C::turn_down:
-      turn_camera(companion, 0, kTurn);
+      turn_camera(session, 0, kTurn);
       return true;
     case C::nearer:
-      zoom_camera(companion, 1);
+      zoom_camera(session, 1);
       return true;
     case C::farther:
-      zoom_camera(companion, -1);
+      zoom_camera(session, -1);
       return true;
     case C::next_view:
-      show_next_view(companion);
+      show_next_view(session);
       return true;
     case C::ghost:
-      toggle_ghost(companion);
+      toggle_ghost(session);
       return true;
     case C::larger_text:
-      companion.change_text_scale(1);
+      session.change_text_scale(1);
       return true;
     case C::smaller_text:
-      companion.change_text_scale(-1);
+      session.change_text_scale(-1);
       return true;
     case C::theme:
-      toggle_theme(companion.preferences);
+      toggle_theme(session.preferences);
       return true;
     case C::present:
-      companion.set_presenting(!companion.is_presenting());
+      session.set_presenting(!session.is_presenting());
       return true;
     case C::notes:
-      companion.show_notes(!companion.are_notes_shown());
+      session.show_notes(!session.are_notes_shown());
       return true;
     case C::switch_focus:
     case C::next_symbol:

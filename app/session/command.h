@@ -72,8 +72,8 @@ std::optional<Command> command_of(std::string_view key);
 
 bool repeats(Command command);
 
-/// What is done to the companion alone. False for what only a window can do (full_screen, save_page, quit,
+/// What is done to the session alone. False for what only a window can do (full_screen, save_page, quit,
 /// explain, next_symbol, previous_symbol, switch_focus), with nothing changed.
-bool do_command(Companion& companion, Command command);
+bool do_command(LessonSession& session, Command command);
 
 }  // namespace polhode

@@ -68,61 +68,61 @@ bool is_seen_from_space(const Scene& scene) {
 
 }  // namespace
 
-Companion::Companion(std::shared_ptr<const LoadedLesson> loaded, Effort effort)
+LessonSession::LessonSession(std::shared_ptr<const LoadedLesson> loaded, Effort effort)
     : loaded_(std::move(loaded)), effort_(std::move(effort)) {
   assert(loaded_ != nullptr && !lesson().stages.empty());
   visited_.insert(stage().id);
   show_lesson_scene();
 }
 
-Companion::~Companion() = default;
+LessonSession::~LessonSession() = default;
 
-std::optional<Place> Companion::next_place() const {
+std::optional<Place> LessonSession::next_place() const {
   if (place_.step + 1 < stage().steps.size()) return Place{place_.stage, place_.step + 1};
   if (place_.stage + 1 < lesson().stages.size()) return Place{place_.stage + 1, 0};
   return std::nullopt;
 }
 
-std::optional<Place> Companion::previous_place() const {
+std::optional<Place> LessonSession::previous_place() const {
   if (place_.step > 0) return Place{place_.stage, place_.step - 1};
   if (place_.stage == 0) return std::nullopt;
   return Place{place_.stage - 1, lesson().stages[place_.stage - 1].steps.size() - 1};
 }
 
-bool Companion::next_step() {
+bool LessonSession::next_step() {
   const auto next = next_place();
   if (next) go_to(*next);
   return next.has_value();
 }
 
-bool Companion::previous_step() {
+bool LessonSession::previous_step() {
   const auto previous = previous_place();
   if (previous) go_to(*previous);
   return previous.has_value();
 }
 
-bool Companion::next_stage() {
+bool LessonSession::next_stage() {
   if (place_.stage + 1 == lesson().stages.size()) return false;
   go_to({place_.stage + 1, 0});
   return true;
 }
 
-bool Companion::previous_stage() {
+bool LessonSession::previous_stage() {
   if (place_ == Place{}) return false;
   go_to({place_.step > 0 ? place_.stage : place_.stage - 1, 0});
   return true;
 }
 
-void Companion::go_to(Place place) {
+void LessonSession::go_to(Place place) {
   place.stage = std::min(place.stage, lesson().stages.size() - 1);
   place.step = std::min(place.step, lesson().stages[place.stage].steps.size() - 1);
   if (place != place_) arrive(place);
 }
 
-void Companion::arrive(Place place) {
+void LessonSession::arrive(Place place) {
   const bool same_stage = place.stage == place_.stage;
   const std::optional<Scene> left = step().scene;
-  travel_ = same_stage && place.step == place_.step + 1 && !preferences.reduced_motion ? 0 : 1;
+  transition_ = same_stage && place.step == place_.step + 1 && !preferences.reduced_motion ? 0 : 1;
   place_ = place;
   visited_.insert(stage().id);
   judged_.clear();
@@ -146,13 +146,13 @@ void Companion::arrive(Place place) {
   if (turned) set_camera(*turned);
 }
 
-void Companion::set_visited(const std::set<std::string>& stages) {
+void LessonSession::set_visited(const std::set<std::string>& stages) {
   visited_ = {stage().id};
   for (const Stage& known : lesson().stages)
     if (stages.count(known.id) > 0) visited_.insert(known.id);
 }
 
-void Companion::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
+void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   assert(loaded != nullptr && !loaded->lesson.stages.empty());
   const std::string id = stage().id;
   const bool had_scene = has_scene();
@@ -164,7 +164,7 @@ void Companion::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   place_.step = std::min(place_.step, stage().steps.size() - 1);
   set_visited(visited_);
   judged_.clear();
-  travel_ = 1;
+  transition_ = 1;
 
   const SceneEdits kept = edits_;
   const double t_s = t_s_;
@@ -176,7 +176,7 @@ void Companion::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   playing_ = playing;
 }
 
-void Companion::show_lesson_scene() {
+void LessonSession::show_lesson_scene() {
   playing_ = false;
   edits_ = {};
   t_s_ = loop_ = 0;
@@ -188,13 +188,13 @@ void Companion::show_lesson_scene() {
   patch_model();
 }
 
-void Companion::make_model_of(const SceneEdits& edits) {
+void LessonSession::make_model_of(const SceneEdits& edits) {
   model_ = std::make_unique<SceneModel>(make_model(edited(lesson_scene(), edits), Product::page, effort_));
   edits_ = edits;
   ++model_number_;
 }
 
-void Companion::patch_model() {
+void LessonSession::patch_model() {
   if (!model_) return;
   Scene& scene = model_->scene;
   scene.camera = camera();
@@ -207,7 +207,7 @@ void Companion::patch_model() {
 
 // Time.
 
-void Companion::set_time(double t_s) {
+void LessonSession::set_time(double t_s) {
   if (!model_ || !std::isfinite(t_s)) return;
   t_s = std::clamp(t_s, -model_->reach_s, model_->reach_s);
   if (!is_computable(*model_, t_s)) return;
@@ -217,29 +217,29 @@ void Companion::set_time(double t_s) {
   if (following_) patch_model();
 }
 
-void Companion::set_playing(bool playing) { playing_ = playing && model_; }
+void LessonSession::set_playing(bool playing) { playing_ = playing && model_; }
 
-void Companion::set_speed(double speed) {
+void LessonSession::set_speed(double speed) {
   if (!std::isnan(speed)) speed_ = std::clamp(speed, kSlowest, kFastest);
 }
 
-void Companion::scrub_to(double t_s) { set_time(t_s); }
+void LessonSession::scrub_to(double t_s) { set_time(t_s); }
 
-void Companion::step_frames(int frames) {
+void LessonSession::step_frames(int frames) {
   if (!model_) return;
   playing_ = false;
   set_time(t_s_ + frames * kFrameSeconds * model_->rate);
 }
 
-void Companion::reset_time() {
+void LessonSession::reset_time() {
   if (!has_scene()) return;
   loop_ = 0;  // of the first loop the end is its end, not the beginning of the next
   set_time(still_time_s(lesson_scene()));
 }
 
-void Companion::advance(double seconds) {
+void LessonSession::advance(double seconds) {
   if (!(seconds > 0)) return;
-  travel_ = preferences.reduced_motion ? 1 : std::min(1.0, travel_ + seconds / kMorphSeconds);
+  transition_ = preferences.reduced_motion ? 1 : std::min(1.0, transition_ + seconds / kMorphSeconds);
   if (!playing_) return;
   double next_s = t_s_ + model_->rate * speed_ * seconds;
   const Interval loop = time_line();
@@ -249,12 +249,12 @@ void Companion::advance(double seconds) {
   if (t_s_ != next_s) playing_ = false;
 }
 
-Companion::Interval Companion::time_line() const {
+LessonSession::Interval LessonSession::time_line() const {
   assert(model_);
   return {loop_ * model_->span_s, (loop_ + 1) * model_->span_s};
 }
 
-const std::vector<double>& Companion::flips() const {
+const std::vector<double>& LessonSession::flips() const {
   if (model_ && flips_.model_number == model_number_ && flips_.loop == loop_) return flips_.times_s;
   flips_ = {model_number_, loop_, {}};
   if (!model_ || !model_->needs.omega) return flips_.times_s;
@@ -266,7 +266,7 @@ const std::vector<double>& Companion::flips() const {
 
 // The scene.
 
-Status Companion::set_edits(const SceneEdits& edits) {
+Status LessonSession::set_edits(const SceneEdits& edits) {
   if (!has_scene()) return failure("this step has no scene");
   SceneEdits wanted = edits;
   if (following_ && wanted.camera == edits_.camera) wanted.camera = camera();
@@ -288,7 +288,7 @@ Status Companion::set_edits(const SceneEdits& edits) {
   return success();
 }
 
-void Companion::reset_edits() {
+void LessonSession::reset_edits() {
   if (!has_scene() || (edits_.empty() && !following_)) return;
   const bool another = starts_another_motion(edits_, SceneEdits{});
   following_ = false;
@@ -297,21 +297,21 @@ void Companion::reset_edits() {
   patch_model();
 }
 
-void Companion::go_on_from(double t_s) {
+void LessonSession::go_on_from(double t_s) {
   if (t_s != t_s_) loop_ = 0;
   t_s_ = 0;  // the motion can be computed there at least
   set_time(t_s);
   if (t_s_ != t_s) playing_ = false;
 }
 
-void Companion::set_camera(const CameraSpec& camera) {
+void LessonSession::set_camera(const CameraSpec& camera) {
   if (!has_scene()) return;
   edits_.camera = writable(camera);
   heading_rad_ = heading_at(t_s_);
   patch_model();
 }
 
-void Companion::set_following(bool following) {
+void LessonSession::set_following(bool following) {
   if (!model_ || following == following_) return;
   const CameraSpec shown = camera();
   if (following_) edits_.camera = shown;
@@ -320,13 +320,13 @@ void Companion::set_following(bool following) {
   patch_model();
 }
 
-double Companion::heading_at(double t_s) const {
+double LessonSession::heading_at(double t_s) const {
   if (!model_ || !following_ || !is_seen_from_space(model_->scene)) return 0;
   const Vec3 axis_S = model_->motion->at(t_s).q_SB * heading_axis_B(model_->scene);
   return std::atan2(axis_S.y(), axis_S.x());
 }
 
-CameraSpec Companion::camera() const {
+CameraSpec LessonSession::camera() const {
   if (!has_scene()) return {};
   CameraSpec camera = edits_.camera.value_or(lesson_scene().camera);
   if (!following_ || !model_) return camera;
@@ -336,7 +336,7 @@ CameraSpec Companion::camera() const {
   return writable(camera);
 }
 
-void Companion::light(const std::string& name) {
+void LessonSession::light(const std::string& name) {
   if (name == lit_) return;
   lit_ = name;
   patch_model();
@@ -344,14 +344,14 @@ void Companion::light(const std::string& name) {
 
 // Questions.
 
-std::vector<const Ask*> Companion::questions() const {
+std::vector<const Ask*> LessonSession::questions() const {
   std::vector<const Ask*> found;
   for (const Block& block : step().blocks)
     if (const auto* ask = std::get_if<Ask>(&block)) found.push_back(ask);
   return found;
 }
 
-const AnswerJudgement& Companion::answer(const Ask& ask, std::string_view text) {
+const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view text) {
   using Outcome = AnswerJudgement::Outcome;
   JudgedAnswer& judged = judged_[ask.id] = {std::string(text), judge_answer(ask, text, Prover())};
   const Outcome outcome = judged.judgement.outcome;
@@ -360,39 +360,39 @@ const AnswerJudgement& Companion::answer(const Ask& ask, std::string_view text) 
   return judged.judgement;
 }
 
-const JudgedAnswer* Companion::judged(const Ask& ask) const {
+const JudgedAnswer* LessonSession::judged(const Ask& ask) const {
   const auto found = judged_.find(ask.id);
   return found == judged_.end() ? nullptr : &found->second;
 }
 
-const AnswerRecord* Companion::record(const Ask& ask) const {
+const AnswerRecord* LessonSession::record(const Ask& ask) const {
   const auto found = answers_.find(answer_name(stage().id, ask.id));
   return found == answers_.end() ? nullptr : &found->second;
 }
 
-void Companion::show_hint(const Ask& ask) {
+void LessonSession::show_hint(const Ask& ask) {
   if (!ask.hints.empty()) note_hint(answers_[answer_name(stage().id, ask.id)], ask.hints.size());
 }
 
-void Companion::forget_answer(const Ask& ask) {
+void LessonSession::forget_answer(const Ask& ask) {
   answers_.erase(answer_name(stage().id, ask.id));
   judged_.erase(ask.id);
 }
 
 // How it is shown.
 
-void Companion::change_text_scale(int steps) {
+void LessonSession::change_text_scale(int steps) {
   preferences.text_scale =
       std::clamp(preferences.text_scale * std::pow(kTextScaleFactor, steps), kLeastTextScale, kMostTextScale);
 }
 
-void Companion::set_presenting(bool presenting) {
+void LessonSession::set_presenting(bool presenting) {
   if (presenting != presenting_) notes_shown_ = false;
   presenting_ = presenting;
 }
 
-void Companion::show_notes(bool shown) { notes_shown_ = presenting_ && shown; }
+void LessonSession::show_notes(bool shown) { notes_shown_ = presenting_ && shown; }
 
-bool Companion::is_moving() const { return playing_ || travel() < 1; }
+bool LessonSession::is_moving() const { return playing_ || transition() < 1; }
 
 }  // namespace polhode

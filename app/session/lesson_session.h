@@ -51,12 +51,12 @@ inline constexpr double kFrameSeconds = 1.0 / 25;
 /// How long one line of a derivation takes to become the next, shown seconds.
 inline constexpr double kMorphSeconds = 0.7;
 
-class Companion {
+class LessonSession {
  public:
   /// At the first step, at rest. `loaded` is never null. Motions are computed with `effort`: what that throws
   /// comes out of whatever asks for one.
-  explicit Companion(std::shared_ptr<const LoadedLesson> loaded, Effort effort = {});
-  ~Companion();
+  explicit LessonSession(std::shared_ptr<const LoadedLesson> loaded, Effort effort = {});
+  ~LessonSession();
   const Effort& effort() const { return effort_; }
 
   // The lesson, and where we are in it.
@@ -165,7 +165,7 @@ class Companion {
   void show_notes(bool shown);
 
   /// From the step before to this one, 0…1; 1: arrived. Only a step forward within a stage travels.
-  double travel() const { return preferences.reduced_motion ? 1 : travel_; }
+  double transition() const { return preferences.reduced_motion ? 1 : transition_; }
   /// Whether something changes by itself: playing, or a line on its way.
   bool is_moving() const;
 
@@ -182,7 +182,7 @@ class Companion {
   Effort effort_;
   Place place_{};
   std::set<std::string> visited_;
-  double t_s_ = 0, speed_ = 1, travel_ = 1;
+  double t_s_ = 0, speed_ = 1, transition_ = 1;
   double loop_ = 0;         ///< number of the loop that the time line shows
   double heading_rad_ = 0;  ///< of the body where the camera has the azimuth of the scene, while following
   bool playing_ = false, following_ = false;

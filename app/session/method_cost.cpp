@@ -114,22 +114,22 @@ std::vector<ParetoStep> measured_front(const Problem& problem, double cpu_second
 
 }  // namespace
 
-TradeMeter::TradeMeter(const SceneModel& model)
+AccuracyMeter::AccuracyMeter(const SceneModel& model)
     : problem_(problem_of(model.scene)), choice_(choice_of(model, problem_)) {
   if (problem_.torque.empty() && goes_step_by_step(choice_.method))
     exact_ = make_motion(problem_, {Method::exact});
 }
 
-TradeMeter::~TradeMeter() = default;
+AccuracyMeter::~AccuracyMeter() = default;
 
-LiveTrade TradeMeter::at(const SceneModel& model, double t_s) const {
+AccuracyReading AccuracyMeter::at(const SceneModel& model, double t_s) const {
   const auto states = states_until(*model.motion, choice_.method, t_s);
   const RigidBodyState& now = states.back();
-  LiveTrade trade;
-  if (exact_) trade.error = error_of(now, exact_->at(t_s));
-  trade.drift = drift_along(problem_, states);
-  trade.ns_per_frame = ns_per_frame(model, problem_, choice_, now);
-  return trade;
+  AccuracyReading reading;
+  if (exact_) reading.error = error_of(now, exact_->at(t_s));
+  reading.drift = drift_along(problem_, states);
+  reading.ns_per_frame = ns_per_frame(model, problem_, choice_, now);
+  return reading;
 }
 
 std::vector<ParetoStep> pareto_steps(const std::vector<WorkPrecisionRow>& rows) {

@@ -17,7 +17,7 @@
 namespace polhode {
 
 /// Of the present motion at t. Numbers are NaN where the motion cannot reach t.
-struct LiveTrade {
+struct AccuracyReading {
   std::optional<StateError>
       error;                ///< against the exact motion; absent with torque, and of what is exact itself
   InvariantDrift drift;     ///< from the start to t, over at most 64 times; NaN where nothing is kept
@@ -25,12 +25,12 @@ struct LiveTrade {
 };
 
 /// Of one model. at() takes some 0.1 ms of CPU time (Dormand-Prince: 0.4 ms) once the way to t is known.
-class TradeMeter {
+class AccuracyMeter {
  public:
-  explicit TradeMeter(const SceneModel& model);
-  ~TradeMeter();
+  explicit AccuracyMeter(const SceneModel& model);
+  ~AccuracyMeter();
   /// `model` is the one it was made for, or the same made anew.
-  LiveTrade at(const SceneModel& model, double t_s) const;
+  AccuracyReading at(const SceneModel& model, double t_s) const;
 
  private:
   Problem problem_;

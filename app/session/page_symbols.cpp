@@ -30,7 +30,7 @@ TypeBox box_of(const Rule& r, const Vec2& at) {
                half);
 }
 
-/// Terms, or symbols, of one text: glyph after glyph.
+/// EulerTerms, or symbols, of one text: glyph after glyph.
 class Runs {
  public:
   Runs(bool of_terms, std::vector<PageSymbol>& found) : of_terms_(of_terms), found_(found) {}

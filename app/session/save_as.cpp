@@ -21,15 +21,15 @@ const Equation* last_equation(const Step& step) {
   return equations.empty() ? nullptr : equations.back();
 }
 
-What what_of(TakeAway what) {
-  if (what == TakeAway::figure) return What::figure;
-  return what == TakeAway::equation ? What::equation : What::page;
+What what_of(SaveAs what) {
+  if (what == SaveAs::figure) return What::figure;
+  return what == SaveAs::equation ? What::equation : What::page;
 }
 
 /// "07-poinsot-step3", as export names it.
-std::string stem_of(const Companion& companion) {
-  return fmt::format("{:02}-{}-step{}", companion.place().stage + 1, companion.stage().id,
-                     companion.place().step + 1);
+std::string stem_of(const LessonSession& session) {
+  return fmt::format("{:02}-{}-step{}", session.place().stage + 1, session.stage().id,
+                     session.place().step + 1);
 }
 
 /// A name that is not taken yet; one that cannot be looked at is left to the writing to refuse.
@@ -48,42 +48,42 @@ Result<fs::path> write_text(const fs::path& path, const std::string& text) {
   return path;
 }
 
-ExportOptions export_options_of(const Companion& companion, TakeAway what, const TakeAwayOptions& chosen) {
+ExportOptions export_options_of(const LessonSession& session, SaveAs what, const SaveOptions& chosen) {
   ExportOptions options;
   options.what = what_of(what);
   options.each = Each::step;
   options.size = chosen.size;
-  options.at_s = companion.t_s();
-  options.theme = companion.preferences.theme;
-  options.text_scale = companion.preferences.text_scale;
-  if (what == TakeAway::equation) options.dpi = kDefaultEquationDpi;
-  options.background = chosen.transparent ? "transparent" : what == TakeAway::figure ? "studio" : "paper";
+  options.at_s = session.t_s();
+  options.theme = session.preferences.theme;
+  options.text_scale = session.preferences.text_scale;
+  if (what == SaveAs::equation) options.dpi = kDefaultEquationDpi;
+  options.background = chosen.transparent ? "transparent" : what == SaveAs::figure ? "studio" : "paper";
   return options;
 }
 
 /// Made by export's own maker.
-Outcome<fs::path> take_picture(const Companion& companion, TakeAway what, const TakeAwayOptions& chosen,
+Outcome<fs::path> save_picture(const LessonSession& session, SaveAs what, const SaveOptions& chosen,
                                const fs::path& folder, Renderer& renderer) {
-  const ExportOptions options = export_options_of(companion, what, chosen);
-  const Equation* equation = what == TakeAway::equation ? last_equation(companion.step()) : nullptr;
-  const PlannedPicture picture{.stage = &companion.stage(),
-                               .number = static_cast<int>(companion.place().stage) + 1,
-                               .step = static_cast<int>(companion.place().step) + 1,
-                               .scene = companion.model() ? &companion.model()->scene : nullptr,
+  const ExportOptions options = export_options_of(session, what, chosen);
+  const Equation* equation = what == SaveAs::equation ? last_equation(session.step()) : nullptr;
+  const PlannedPicture picture{.stage = &session.stage(),
+                               .number = static_cast<int>(session.place().stage) + 1,
+                               .step = static_cast<int>(session.place().step) + 1,
+                               .scene = session.model() ? &session.model()->scene : nullptr,
                                .equation = equation,
                                .frame = {},
                                .file = {}};
-  const MakerContext context{companion.lesson(), options, renderer};
-  const auto maker = what == TakeAway::figure     ? make_figure_maker(context)
-                     : what == TakeAway::equation ? make_equation_maker(context)
+  const MakerContext context{session.lesson(), options, renderer};
+  const auto maker = what == SaveAs::figure     ? make_figure_maker(context)
+                     : what == SaveAs::equation ? make_equation_maker(context)
                                                   : make_page_maker(context);
   if (const Done checked = maker->check(picture); !checked) return passed_on(checked);
   const auto words = maker->describe(picture);
   if (!words) return passed_on(words);
   const PngMetadata metadata =
-      picture_metadata(companion.lesson(), companion.stage(), words->alt, words->t_s, options.dpi);
-  const std::string kind = what == TakeAway::figure ? "-figure" : equation ? "-" + equation->id : "";
-  const fs::path path = free_name(folder, stem_of(companion) + kind, ".png");
+      picture_metadata(session.lesson(), session.stage(), words->alt, words->t_s, options.dpi);
+  const std::string kind = what == SaveAs::figure ? "-figure" : equation ? "-" + equation->id : "";
+  const fs::path path = free_name(folder, stem_of(session) + kind, ".png");
   const auto image = maker->draw(picture);
   if (!image) return passed_on(image);
   if (const Status written = write_png(path, *image, metadata); !written) return failed(written);
@@ -92,22 +92,22 @@ Outcome<fs::path> take_picture(const Companion& companion, TakeAway what, const 
 
 }  // namespace
 
-bool can_take_away(const Companion& companion, TakeAway what) {
-  if (what == TakeAway::page) return true;
-  if (what == TakeAway::equation) return last_equation(companion.step()) != nullptr;
-  return companion.model() != nullptr;
+bool can_save_as(const LessonSession& session, SaveAs what) {
+  if (what == SaveAs::page) return true;
+  if (what == SaveAs::equation) return last_equation(session.step()) != nullptr;
+  return session.model() != nullptr;
 }
 
-Result<fs::path> take_away(const Companion& companion, TakeAway what, const TakeAwayOptions& options,
+Result<fs::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
                            const fs::path& folder, Renderer& renderer) {
-  if (!can_take_away(companion, what))
-    return failure(what == TakeAway::equation ? "this step has no equation" : "this step has no figure");
+  if (!can_save_as(session, what))
+    return failure(what == SaveAs::equation ? "this step has no equation" : "this step has no figure");
   if (const Status made = make_folder(folder); !made) return failure(made.error());
-  if (what == TakeAway::trace)
-    return write_text(free_name(folder, stem_of(companion), ".csv"), trace_of(companion));
-  if (what == TakeAway::scene)
-    return write_text(free_name(folder, stem_of(companion) + "-scene", ".md"), lesson_of(companion));
-  const auto picture = take_picture(companion, what, options, folder, renderer);
+  if (what == SaveAs::trace)
+    return write_text(free_name(folder, stem_of(session), ".csv"), trace_of(session));
+  if (what == SaveAs::scene)
+    return write_text(free_name(folder, stem_of(session) + "-scene", ".md"), lesson_of(session));
+  const auto picture = save_picture(session, what, options, folder, renderer);
   if (!picture) return failure(picture.error().text);
   return *picture;
 }

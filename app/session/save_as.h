@@ -10,23 +10,23 @@
 
 namespace polhode {
 
-enum class TakeAway { page, figure, equation, trace, scene };
+enum class SaveAs { page, figure, equation, trace, scene };
 
-struct TakeAwayOptions {
+struct SaveOptions {
   Size size{1920, 1080};     ///< of pages and figures
   bool transparent = false;  ///< background of pictures
-  bool operator==(const TakeAwayOptions&) const = default;
+  bool operator==(const SaveOptions&) const = default;
 };
 
 /// Whether there is something of the kind on this step.
-bool can_take_away(const Companion& companion, TakeAway what);
+bool can_save_as(const LessonSession& session, SaveAs what);
 
 /// Writes it into the folder, which is made if need be, whole or not at all, under the name that export gives
 /// (07-poinsot-step3.png; figures, traces and scenes with their kind), with a number behind it where that is
 /// taken: nothing is overwritten. A picture is the one that `polhode export` makes of the same state, byte
 /// for byte on the same driver. Of several equations the last.
-Result<std::filesystem::path> take_away(const Companion& companion, TakeAway what,
-                                        const TakeAwayOptions& options, const std::filesystem::path& folder,
+Result<std::filesystem::path> save_as(const LessonSession& session, SaveAs what,
+                                        const SaveOptions& options, const std::filesystem::path& folder,
                                         Renderer& renderer);
 
 }  // namespace polhode

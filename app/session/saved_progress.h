@@ -12,27 +12,27 @@
 namespace polhode {
 
 /// Written when something of it changes. What cannot be kept does not stop a lesson: it is said once.
-class Memory {
+class SavedProgress {
  public:
   /// Brings back what there is. @param folder state_folder(); nothing: nothing is kept
-  Memory(Companion& companion, std::optional<std::filesystem::path> folder);
+  SavedProgress(LessonSession& session, std::optional<std::filesystem::path> folder);
   /// What is to be told of the reading; empty: nothing.
-  const std::string& news() const { return news_; }
+  const std::string& notice() const { return notice_; }
 
   /// Writes what has changed, and waits for nobody: while another process has the answers, they are for the
   /// next time. @returns what is to be told; empty: nothing
-  std::string keep(const Companion& companion);
+  std::string keep(const LessonSession& session);
   /// The same where there is no next time: waits a moment for others.
-  std::string keep_at_last(const Companion& companion);
+  std::string keep_at_last(const LessonSession& session);
 
  private:
-  StateResult<std::string> keep_within(const Companion& companion, std::chrono::milliseconds patience);
-  StateResult<std::string> keep_answers(const Companion& companion, std::chrono::milliseconds patience);
+  StateResult<std::string> keep_within(const LessonSession& session, std::chrono::milliseconds patience);
+  StateResult<std::string> keep_answers(const LessonSession& session, std::chrono::milliseconds patience);
   /// From now on nothing is kept.
   std::string given_up(const StateError& error);
 
   std::optional<std::filesystem::path> folder_;
-  std::string news_;
+  std::string notice_;
   Bookmark bookmark_;
   AnswerLog answers_;
   Preferences preferences_;

@@ -219,14 +219,14 @@ std::string macros_of(const Lesson& lesson) {
 // The stage.
 
 /// The scene as it is saved: nothing is pointed at, and only what the saved steps have is highlighted.
-Scene saved(const Companion& companion) {
-  Scene scene = companion.model()->scene;
+Scene saved(const LessonSession& session) {
+  Scene scene = session.model()->scene;
   std::set<std::string> terms;
-  for (std::size_t i = 0; i <= companion.place().step; ++i)
-    for (const Equation* equation : blocks_of<Equation>(companion.stage().steps[i]))
+  for (std::size_t i = 0; i <= session.place().step; ++i)
+    for (const Equation* equation : blocks_of<Equation>(session.stage().steps[i]))
       terms.insert(equation->math.terms.begin(), equation->math.terms.end());
   scene.highlight.clear();
-  for (const std::string& name : companion.lesson_scene().highlight)
+  for (const std::string& name : session.lesson_scene().highlight)
     if (overlay_from(name) || terms.count(name) > 0) scene.highlight.push_back(name);
   return scene;
 }
@@ -259,10 +259,10 @@ std::vector<MarkdownBlock> blocks_of(const Stage& stage, std::size_t step, const
 }
 
 /// The scene stands where the stage's first one stood; later ones change nothing.
-std::string steps_of(const Companion& companion, std::string scene_keys) {
-  const SourceText source(companion.lesson().source);
+std::string steps_of(const LessonSession& session, std::string scene_keys) {
+  const SourceText source(session.lesson().source);
   std::string text;
-  for (const MarkdownBlock& block : blocks_of(companion.stage(), companion.place().step, source)) {
+  for (const MarkdownBlock& block : blocks_of(session.stage(), session.place().step, source)) {
     if (is_scene(source, block))
       text += fmt::format("\n```scene\n{}```\n", std::exchange(scene_keys, {}));
     else
@@ -315,25 +315,25 @@ std::string own_body_of(const Body& body, const Torque& torque) {
   return body.shape == equivalent_box(body.moments) ? lines + "draw = \"box\"\n" : lines;
 }
 
-std::string lesson_of(const Companion& companion) {
-  const Lesson& lesson = companion.lesson();
-  const Stage& stage = companion.stage();
+std::string lesson_of(const LessonSession& session) {
+  const Lesson& lesson = session.lesson();
+  const Stage& stage = session.stage();
   std::string text = fmt::format("+++\nformat = 1\nid = \"{}\"\ntitle = {}\n", stage.id, toml(lesson.title)),
               keys;
-  if (companion.has_scene()) {
-    const Scene scene = saved(companion);
-    keys = scene_keys_of(scene, companion.t_s());
+  if (session.has_scene()) {
+    const Scene scene = saved(session);
+    keys = scene_keys_of(scene, session.t_s());
     text += own_body_of(scene.body, scene.torque);
   }
   text += macros_of(lesson) + symbols_of(lesson) + "+++\n\n";
   const SourceText source(lesson.source);
-  return text + fmt::format("{}\n", source.line(stage.place.line)) + steps_of(companion, keys);
+  return text + fmt::format("{}\n", source.line(stage.place.line)) + steps_of(session, keys);
 }
 
-std::string trace_of(const Companion& companion) {
-  const SceneModel* model = companion.model();
+std::string trace_of(const LessonSession& session) {
+  const SceneModel* model = session.model();
   if (!model) return {};
-  const auto [from_s, to_s] = companion.time_line();
+  const auto [from_s, to_s] = session.time_line();
   const Problem problem = problem_of(model->scene);
   const double frames = std::round((to_s - from_s) / (model->rate * kFrameSeconds));
   const int lines = static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(kMostTraceLines - 1)));

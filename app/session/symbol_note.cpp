@@ -109,7 +109,7 @@ SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneMod
   const auto found = lesson.symbols.find(name);
   if (found == lesson.symbols.end()) {
     const Math term = term_seen_last(lesson, name, stage_id, step);
-    if (term.root) note.meaning = Speaker(lesson).words(term);
+    if (term.root) note.meaning = SpeechText(lesson).words(term);
     return note;
   }
   note.meaning = found->second.say;

@@ -5,53 +5,49 @@ namespace polhode {
 
 namespace {
 
-PageRequest request_of(const Companion& companion, Size size) {
-  return {.lesson = companion.lesson(),
-          .stage = companion.stage(),
-          .number = static_cast<int>(companion.place().stage) + 1,
-          .step = static_cast<int>(companion.place().step) + 1,
-          .model = companion.model(),
-          .t_s = companion.t_s(),
+PageRequest request_of(const LessonSession& session, Size size) {
+  return {.lesson = session.lesson(),
+          .stage = session.stage(),
+          .number = static_cast<int>(session.place().stage) + 1,
+          .step = static_cast<int>(session.place().step) + 1,
+          .model = session.model(),
+          .t_s = session.t_s(),
           .size = size,
-          .theme = companion.preferences.theme,
+          .theme = session.preferences.theme,
           .quality = {},
-          .news = {},
-          .text_scale = companion.preferences.text_scale};
+          .text_scale = session.preferences.text_scale};
 }
 
 }  // namespace
 
-PageView::PageKey PageView::key_of(const Companion& companion, const PageLook& look) const {
-  const SceneModel* model = companion.model();
-  return {{companion.loaded_pointer(), companion.place(), companion.model_number(), look.size,
-           companion.preferences},
+PageView::PageKey PageView::key_of(const LessonSession& session, const PageLook& look) const {
+  const SceneModel* model = session.model();
+  return {{session.loaded_pointer(), session.place(), session.model_number(), look.size,
+           session.preferences},
           look,
-          companion.t_s(),
-          companion.travel(),
-          companion.camera(),
+          session.t_s(),
+          session.transition(),
+          session.camera(),
           model ? model->scene.quality : QualityLevel::normal,
-          companion.lit()};
+          session.lit()};
 }
 
-Status PageView::compose(const Companion& companion, const PageKey& key) {
-  PageRequest request = request_of(companion, key.look.size);
+Status PageView::compose(const LessonSession& session, const PageKey& key) {
+  PageRequest request = request_of(session, key.look.size);
   const Fonts& fonts = renderer_.fonts();
   const bool may_keep = text_ && key.look.keep_text && text_key_->place == key.text.place &&
                         text_key_->loaded == key.text.loaded && text_key_->size == key.text.size;
   if (!may_keep && !(text_ && text_key_ == key.text)) {
-    if (!text_key_ || text_key_->loaded != key.text.loaded) still_numbers_ = StillNumbers(companion.effort());
+    if (!text_key_ || text_key_->loaded != key.text.loaded) still_numbers_ = StillNumbers(session.effort());
     request.still_numbers = &still_numbers_;
-    request.effort = companion.effort();
+    request.effort = session.effort();
     Result<FittedText> text = text_of_page(request, fonts);
     if (!text) return failure(text.error());  // what there is stays whole
     from_ = text_ && is_step_before(*text_key_, key.text) ? std::move(text_) : std::nullopt;
     text_ = std::move(text).value();
     text_key_ = key.text;
   }
-  if (companion.travel() < 1) {
-    request.travel = companion.travel();
-    request.from = from_ ? &*from_ : nullptr;
-  }
+  if (session.transition() < 1) request.entrance = TurningInto{from_ ? &*from_ : nullptr, session.transition()};
   page_ = compose_page(request, *text_, fonts);
   symbols_ = symbols_on(page_.sheet, fonts);
   const PageColors& colors = colors_of(request.theme);
@@ -71,17 +67,17 @@ bool PageView::is_step_before(const TextKey& before, const TextKey& now) {
          before.preferences == now.preferences;
 }
 
-Result<bool> PageView::show(const Companion& companion, const PageLook& look) {
-  const PageKey key = key_of(companion, look);
+Result<bool> PageView::show(const LessonSession& session, const PageLook& look) {
+  const PageKey key = key_of(session, look);
   if (shown_ == key && picture_) return false;
-  if (Status composed = compose(companion, key); !composed) return failure(composed.error());
+  if (Status composed = compose(session, key); !composed) return failure(composed.error());
   if (!picture_ || picture_->size() != look.size) {
     picture_.reset();
     auto made = Framebuffer::create(gl_, look.size, 0);
     if (!made) return failure(made.error());
     picture_ = std::move(made).value();
   }
-  const Background paper{Background::Kind::color, colors_of(companion.preferences.theme).paper};
+  const Background paper{Background::Kind::color, colors_of(session.preferences.theme).paper};
   if (Status painted = renderer_.paint(page_.sheet, page_.insets, paper, *picture_); !painted)
     return failure(painted.error());
   shown_ = key;

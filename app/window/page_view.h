@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page of a companion in a framebuffer: the page that export writes, drawn anew only where something has
+// The page of a session in a framebuffer: the page that export writes, drawn anew only where something has
 // changed.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-/// What decides a page's pixels apart from the companion.
+/// What decides a page's pixels apart from the session.
 struct PageLook {
   Size size;
   std::optional<std::size_t> focus{};  ///< place among symbols(): has a ring
@@ -28,7 +28,7 @@ class PageView {
 
   /// Draws what has changed; false: nothing has. Text that cannot be set (a symbol that no font has) is an
   /// error.
-  Result<bool> show(const Companion& companion, const PageLook& look);
+  Result<bool> show(const LessonSession& session, const PageLook& look);
 
   const Framebuffer& picture() const { return *picture_; }  ///< precondition: shown
   const std::vector<PageSymbol>& symbols() const { return symbols_; }
@@ -49,15 +49,15 @@ class PageView {
   struct PageKey {
     TextKey text;
     PageLook look;
-    double t_s = 0, travel = 1;
+    double t_s = 0, transition = 1;
     CameraSpec camera;
     QualityLevel quality = QualityLevel::normal;
     std::string lit;
     bool operator==(const PageKey&) const = default;
   };
-  PageKey key_of(const Companion& companion, const PageLook& look) const;
+  PageKey key_of(const LessonSession& session, const PageLook& look) const;
   static bool is_step_before(const TextKey& before, const TextKey& now);
-  Status compose(const Companion& companion, const PageKey& key);
+  Status compose(const LessonSession& session, const PageKey& key);
 
   const Gl& gl_;
   Renderer& renderer_;

@@ -19,7 +19,7 @@ namespace polhode {
 
 namespace {
 
-constexpr double kNewsSeconds = 6;
+constexpr double kNoticeSeconds = 6;
 constexpr std::size_t kMostWords = 60;    // of a term read aloud: a longer one is no help
 constexpr double kLongestFrame_s = 0.25;  // a window that was stopped does not jump
 constexpr double kTipReach = 16;          // px of the display at scale 1: so near the tip of ω is taken
@@ -38,10 +38,10 @@ bool holds(const PixelRect& rect, const Vec2& at) {
 
 /// Controls grow with the window, half as fast as the page does, and with the text for those who want it
 /// large.
-double control_scale(const Companion& companion, const ScreenFrame& frame) {
+double control_scale(const LessonSession& session, const ScreenFrame& frame) {
   const double room = std::min(frame.size.width / 1280.0, frame.size.height / 800.0) / frame.scale;
   return frame.scale * std::clamp(0.5 + 0.5 * room, 1.0, 1.6) *
-         std::clamp(companion.preferences.text_scale, 0.9, 1.5);
+         std::clamp(session.preferences.text_scale, 0.9, 1.5);
 }
 
 Size whole(const Region& region) {
@@ -90,14 +90,14 @@ Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
 
 Screen::~Screen() { ImGui::DestroyContext(imgui_); }
 
-void Screen::tell(const std::string& news) {
-  news_ = news;
-  news_until_s_ = clock_s_ + kNewsSeconds;
+void Screen::tell(const std::string& notice) {
+  notice_ = notice;
+  notice_until_s_ = clock_s_ + kNoticeSeconds;
 }
 
-void Screen::adopt_style(const Companion& companion, const ScreenFrame& frame) {
-  const ControlSizes sizes = control_sizes(control_scale(companion, frame));
-  const Theme theme = companion.preferences.theme;
+void Screen::adopt_style(const LessonSession& session, const ScreenFrame& frame) {
+  const ControlSizes sizes = control_sizes(control_scale(session, frame));
+  const Theme theme = session.preferences.theme;
   if (sizes_ != sizes) {
     load_control_fonts(sizes, renderer_->fonts());
     controls_->load_fonts();
@@ -105,26 +105,26 @@ void Screen::adopt_style(const Companion& companion, const ScreenFrame& frame) {
   if (sizes_ != sizes || theme_ != theme) set_control_style(theme, sizes);
   sizes_ = sizes;
   theme_ = theme;
-  if (spoken_ != &companion.lesson()) {
-    speaker_ = std::make_unique<Speaker>(companion.lesson());
-    spoken_ = &companion.lesson();
+  if (spoken_ != &session.lesson()) {
+    speech_ = std::make_unique<SpeechText>(session.lesson());
+    spoken_ = &session.lesson();
   }
 }
 
 /// What bar and panel leave.
-Region Screen::page_region(const Companion& companion, Size size) const {
+Region Screen::page_region(const LessonSession& session, Size size) const {
   Region region{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-  if (companion.is_presenting()) {
-    if (companion.are_notes_shown()) region.width = std::round(0.68F * region.width);
+  if (session.is_presenting()) {
+    if (session.are_notes_shown()) region.width = std::round(0.68F * region.width);
     return region;
   }
   region.height -= bar_height(*sizes_, region.width);
-  if (companion.panel != Panel::none)
+  if (session.panel != Panel::none)
     region.width -= std::min(sizes_->panel, std::round(0.45F * region.width));
   return region;
 }
 
-bool Screen::press(Companion& companion, std::string_view key, bool is_repeated) {
+bool Screen::press(LessonSession& session, std::string_view key, bool is_repeated) {
   static constexpr std::array<std::string_view, 13> kOfPanels = {
       "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
       "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
@@ -137,9 +137,9 @@ bool Screen::press(Companion& companion, std::string_view key, bool is_repeated)
   const auto command = command_of(key);
   if (!command) return false;
   if (is_repeated && !repeats(*command)) return true;
-  const Panel before = companion.panel;
-  if (do_command(companion, *command)) {
-    panel_takes_focus_ = companion.panel != before && companion.panel != Panel::none;
+  const Panel before = session.panel;
+  if (do_command(session, *command)) {
+    panel_takes_focus_ = session.panel != before && session.panel != Panel::none;
     if (*command == Command::leave) {
       focus_.reset();
       explains_ = false;
@@ -149,25 +149,25 @@ bool Screen::press(Companion& companion, std::string_view key, bool is_repeated)
   }
   switch (*command) {
     case Command::switch_focus:
-      ImGui::SetWindowFocus(memory_.panel_has_focus || companion.panel == Panel::none ? nullptr : "panel");
+      ImGui::SetWindowFocus(memory_.panel_has_focus || session.panel == Panel::none ? nullptr : "panel");
       break;
     case Command::next_symbol:
-      move_focus(companion, 1);
+      move_focus(session, 1);
       break;
     case Command::previous_symbol:
-      move_focus(companion, -1);
+      move_focus(session, -1);
       break;
     case Command::explain:
       explains_ = !explains_ && focus_.has_value();
       break;
     case Command::save_page:
-      wishes_.take_away = TakeAway::page;
+      requests_.save_as = SaveAs::page;
       break;
     case Command::full_screen:
-      wishes_.full_screen = true;
+      requests_.full_screen = true;
       break;
     case Command::quit:
-      wishes_.quit = true;
+      requests_.quit = true;
       break;
     default:
       return false;
@@ -176,7 +176,7 @@ bool Screen::press(Companion& companion, std::string_view key, bool is_repeated)
 }
 
 /// Among the symbols of the page; beyond the last comes none.
-void Screen::move_focus(Companion& companion, int by) {
+void Screen::move_focus(LessonSession& session, int by) {
   const auto count = static_cast<int>(page_->symbols().size());
   if (count == 0) return;
   const int none = by > 0 ? -1 : count;
@@ -184,35 +184,35 @@ void Screen::move_focus(Companion& companion, int by) {
   focus_.reset();
   if (next >= 0 && next < count) focus_ = static_cast<std::size_t>(next);
   explains_ = focus_.has_value();
-  companion.light(focus_ ? page_->symbols()[*focus_].name : "");
+  session.light(focus_ ? page_->symbols()[*focus_].name : "");
 }
 
-Status Screen::draw(Companion& companion, const ScreenFrame& frame) {
+Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   const double begun_s = now_s();
   ImGui::SetCurrentContext(imgui_);
   clock_s_ += frame.seconds;
-  companion.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s)
+  session.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s)
                                 : 0);  // rest is no time that passes
-  adopt_style(companion, frame);
-  if (shown_place_ != companion.place()) {
-    shown_place_ = companion.place();
+  adopt_style(session, frame);
+  if (shown_place_ != session.place()) {
+    shown_place_ = session.place();
     focus_.reset();
     hovered_.reset();
     explains_ = false;
-    companion.light("");
+    session.light("");
   }
-  stage_title_ = speaker_->words_of_title(companion.stage());
+  stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)};
   io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
   ImGui::NewFrame();
-  lay_out_controls(companion, page_region(companion, frame.size), frame.size);
-  use_pointer(companion, page_region(companion, frame.size));
-  if (!wishes_.clipboard.empty()) copy();
-  if (wishes_.take_away) take(companion);
-  draw_note(companion);
-  draw_strip(page_region(companion, frame.size));
+  lay_out_controls(session, page_region(session, frame.size), frame.size);
+  use_pointer(session, page_region(session, frame.size));
+  if (!requests_.clipboard.empty()) copy();
+  if (requests_.save_as) take(session);
+  draw_note(session);
+  draw_strip(page_region(session, frame.size));
   ImGui::Render();
 
   if (!picture_ || picture_->size() != frame.size) {
@@ -222,9 +222,9 @@ Status Screen::draw(Companion& companion, const ScreenFrame& frame) {
     picture_ = std::move(made).value();
   }
   const bool is_dragging = hold_ != Hold::nothing && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
-  const bool moving = companion.is_moving() || is_dragging;
+  const bool moving = session.is_moving() || is_dragging;
   const double resolution = moving ? pace_.resolution() : 1.0;
-  const auto painted = show_page(companion, page_region(companion, frame.size), resolution);
+  const auto painted = show_page(session, page_region(session, frame.size), resolution);
   if (!painted) return failure(painted.error());
   controls_->draw(*ImGui::GetDrawData(), *picture_);
   gl_->Finish();
@@ -232,34 +232,34 @@ Status Screen::draw(Companion& companion, const ScreenFrame& frame) {
   if (*painted) page_s_ = frame_s_;
   if (*painted && moving) pace_.drew(frame_s_);
   is_full_ = resolution == 1.0;
-  was_moving_ = companion.is_moving();
+  was_moving_ = session.is_moving();
   return success();
 }
 
-Result<bool> Screen::show_page(Companion& companion, const Region& region, double resolution) {
+Result<bool> Screen::show_page(LessonSession& session, const Region& region, double resolution) {
   const PageLook look{
       .size = whole(region), .focus = focus_, .resolution = resolution, .keep_text = hold_ == Hold::omega};
-  auto painted = page_->show(companion, look);
+  auto painted = page_->show(session, look);
   page_error_ = painted ? "" : painted.error();
   picture_->bind();
   const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
   gl_->ClearColor(ground.x, ground.y, ground.z, 1);
   gl_->Clear(GL_COLOR_BUFFER_BIT);
   if (painted) page_->picture().copy_to(*picture_, 0, picture_->size().height - look.size.height);
-  if (companion.are_notes_shown()) show_preview(companion, region);
+  if (session.are_notes_shown()) show_preview(session, region);
   return painted ? *painted : true;
 }
 
 /// The step that comes next, small, in the upper right corner. Its place is left empty if it cannot be set:
 /// that is told when it is reached.
-void Screen::show_preview(const Companion& companion, const Region& page) {
-  const auto next = companion.next_place();
+void Screen::show_preview(const LessonSession& session, const Region& page) {
+  const auto next = session.next_place();
   if (!next) return;
-  if (!next_ || next_->place() != *next || &next_->lesson() != &companion.lesson()) {
-    next_ = std::make_unique<Companion>(companion.loaded_pointer());
+  if (!next_ || next_->place() != *next || &next_->lesson() != &session.lesson()) {
+    next_ = std::make_unique<LessonSession>(session.loaded_pointer());
     next_->go_to(*next);
   }
-  next_->preferences = companion.preferences;
+  next_->preferences = session.preferences;
   next_->preferences.reduced_motion = true;
   const Region at = preview_region(page, picture_->size());
   if (!preview_->show(*next_, {.size = whole(at)})) return;
@@ -267,31 +267,31 @@ void Screen::show_preview(const Companion& companion, const Region& page) {
                               picture_->size().height - static_cast<int>(at.y) - whole(at).height);
 }
 
-void Screen::lay_out_controls(Companion& companion, const Region& page, Size size) {
+void Screen::lay_out_controls(LessonSession& session, const Region& page, Size size) {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
-  Desk desk{.companion = companion,
-            .speaker = *speaker_,
+  PanelContext context{.session = session,
+            .speech = *speech_,
             .sizes = *sizes_,
             .memory = memory_,
-            .wishes = wishes_,
+            .requests = requests_,
             .frame_ms = 1e3 * page_s_,
             .clock_s = clock_s_,
             .take_focus = std::exchange(panel_takes_focus_, false)};
   memory_.front_frames = std::max(0, memory_.front_frames - 1);
   memory_.panel_has_focus = false;  // unless it says so
-  if (companion.is_presenting()) {
-    if (companion.are_notes_shown()) draw_notes(desk, page, size);
+  if (session.is_presenting()) {
+    if (session.are_notes_shown()) draw_notes(context, page, size);
     return;
   }
-  if (companion.panel != Panel::none) draw_panel(desk, {page.width, 0, width - page.width, page.height});
-  draw_bar(desk, {0, page.height, width, height - page.height});
+  if (session.panel != Panel::none) draw_panel(context, {page.width, 0, width - page.width, page.height});
+  draw_bar(context, {0, page.height, width, height - page.height});
 }
 
 /// Errors of the lesson stay, news go; above the bar, and no wider than they are.
 void Screen::draw_strip(const Region& page) {
-  const bool news = !news_.empty() && clock_s_ < news_until_s_;
+  const bool notice = !notice_.empty() && clock_s_ < notice_until_s_;
   std::string text = page_error_.empty() ? lesson_errors_ : page_error_;
-  if (news) text += (text.empty() ? "" : "\n\n") + news_;
+  if (notice) text += (text.empty() ? "" : "\n\n") + notice_;
   if (text.empty()) return;
   const bool is_error = !page_error_.empty() || !lesson_errors_.empty();
   const PageColors& colors = colors_of(*theme_);
@@ -316,12 +316,12 @@ void Screen::draw_strip(const Region& page) {
 }
 
 /// Beside the symbol under the pointer, or in focus.
-void Screen::draw_note(const Companion& companion) {
+void Screen::draw_note(const LessonSession& session) {
   const auto shown = hovered_ ? hovered_ : explains_ ? focus_ : std::nullopt;
   if (!shown || *shown >= page_->symbols().size()) return;
   const PageSymbol& symbol = page_->symbols()[*shown];
-  const SymbolNote note = note_of(companion.lesson(), symbol.name, companion.model(), companion.t_s(),
-                                  companion.stage().id, companion.place().step);
+  const SymbolNote note = note_of(session.lesson(), symbol.name, session.model(), session.t_s(),
+                                  session.stage().id, session.place().step);
   if (note.value.empty() && (note.meaning.empty() || (symbol.is_term && note.meaning.size() > kMostWords)))
     return;
   const TypeBox& box = symbol.box;
@@ -349,7 +349,7 @@ void Screen::draw_note(const Companion& companion) {
   ImGui::PopStyleVar();
 }
 
-void Screen::use_pointer(Companion& companion, const Region& page) {
+void Screen::use_pointer(LessonSession& session, const Region& page) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
@@ -358,21 +358,21 @@ void Screen::use_pointer(Companion& companion, const Region& page) {
   if (on_page && hold_ == Hold::nothing && !io.MouseDown[0])
     hovered_ = symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach);
   if (hovered_)
-    companion.light(page_->symbols()[*hovered_].name);
+    session.light(page_->symbols()[*hovered_].name);
   else if (before)
-    companion.light(focus_ && *focus_ < page_->symbols().size() ? page_->symbols()[*focus_].name : "");
+    session.light(focus_ && *focus_ < page_->symbols().size() ? page_->symbols()[*focus_].name : "");
   if (on_page && io.MouseClicked[0] && !hovered_) {
     ImGui::SetWindowFocus(nullptr);
     focus_.reset();
     explains_ = false;
-    companion.light("");
+    session.light("");
   }
-  if (hold_ != Hold::nothing || on_page) use_figure(companion, on_page);
+  if (hold_ != Hold::nothing || on_page) use_figure(session, on_page);
 }
 
-void Screen::use_figure(Companion& companion, bool on_page) {
+void Screen::use_figure(LessonSession& session, bool on_page) {
   const ImGuiIO& io = ImGui::GetIO();
-  const SceneModel* model = companion.model();
+  const SceneModel* model = session.model();
   if (!io.MouseDown[0] || !model) hold_ = Hold::nothing;
   if (!model) return;
   const Vec2 at(io.MousePos.x, io.MousePos.y);
@@ -382,7 +382,7 @@ void Screen::use_figure(Companion& companion, bool on_page) {
   const bool over = on_page && inset != insets.end();
   std::optional<TipOnScreen> near;
   if (over || hold_ == Hold::omega)
-    for (const TipOnScreen& tip : omega_tips(*model, companion.t_s(), insets))
+    for (const TipOnScreen& tip : omega_tips(*model, session.t_s(), insets))
       if (std::hypot(tip.x - at.x(), tip.y - at.y()) < kTipReach * sizes_->em / 15.0) near = tip;
   if (over && io.MouseClicked[0]) {
     held_inset_ = static_cast<std::size_t>(inset - insets.begin());
@@ -390,58 +390,58 @@ void Screen::use_figure(Companion& companion, bool on_page) {
     if (near) {
       held_inset_ = near->inset;
       held_pane_ = near->pane;
-      companion.set_playing(false);
+      session.set_playing(false);
     }
   }
   if (near || hold_ == Hold::omega) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  if (over && io.MouseDoubleClicked[0]) companion.set_camera(companion.lesson_scene().camera);
+  if (over && io.MouseDoubleClicked[0]) session.set_camera(session.lesson_scene().camera);
   if (over && io.MouseWheel != 0)
-    companion.set_camera(zoomed(companion.model()->scene.camera, io.MouseWheel));
+    session.set_camera(zoomed(session.model()->scene.camera, io.MouseWheel));
   if (hold_ == Hold::nothing || held_inset_ >= insets.size() ||
       (io.MouseDelta.x == 0 && io.MouseDelta.y == 0))
     return;
   const Inset& held = insets[held_inset_];
   if (hold_ == Hold::camera) {
-    companion.set_camera(
-        orbited(companion.model()->scene.camera, io.MouseDelta.x, io.MouseDelta.y, held.place.height));
+    session.set_camera(
+        orbited(session.model()->scene.camera, io.MouseDelta.x, io.MouseDelta.y, held.place.height));
     return;
   }
-  const auto grabbed = omega_at(*model, companion.t_s(), held, held_pane_, at.x(), at.y());
+  const auto grabbed = omega_at(*model, session.t_s(), held, held_pane_, at.x(), at.y());
   if (!grabbed) return;
-  SceneEdits edits = companion.edits();
+  SceneEdits edits = session.edits();
   edits.w0_B = grabbed->w0_B;
   if (grabbed->attitude) edits.attitude = grabbed->attitude;
-  if (Status made = companion.set_edits(edits); !made) tell(made.error());
+  if (Status made = session.set_edits(edits); !made) tell(made.error());
 }
 
 /// What is pointed at is lit in the window alone.
-void Screen::take(Companion& companion) {
-  const std::string lit = companion.lit();
-  companion.light("");
+void Screen::take(LessonSession& session) {
+  const std::string lit = session.lit();
+  session.light("");
   const Result<std::filesystem::path> folder = typed_folder(memory_.folder);
   if (!folder) tell("not saved: " + folder.error());
   if (folder) {
-    const auto path = take_away(companion, *wishes_.take_away, memory_.take_away, *folder, *renderer_);
+    const auto path = save_as(session, *requests_.save_as, memory_.save_as, *folder, *renderer_);
     std::error_code unknown;
     const auto real = path ? std::filesystem::canonical(*path, unknown) : "";
     tell(path ? "saved: " + (unknown ? *path : real).string() : "not saved: " + path.error());
   }
-  companion.light(lit);
-  wishes_.take_away.reset();
+  session.light(lit);
+  requests_.save_as.reset();
 }
 
 void Screen::copy() {
-  ImGui::SetClipboardText(wishes_.clipboard.c_str());
-  wishes_.clipboard.clear();
+  ImGui::SetClipboardText(requests_.clipboard.c_str());
+  requests_.clipboard.clear();
   tell("copied");
 }
 
-double Screen::seconds_to_wake(const Companion& companion) const {
-  const bool moving = companion.is_moving();
+double Screen::seconds_to_wake(const LessonSession& session) const {
+  const bool moving = session.is_moving();
   if (moving || !is_full_) return 0;
   if (ImGui::GetIO().WantTextInput) return 0.3;  // the caret blinks
   if (memory_.front_frames > 0) return memory_.front_frames == kFramesOfFront ? 0.1 : 0;
-  if (!news_.empty() && clock_s_ < news_until_s_) return news_until_s_ - clock_s_ + 0.01;
+  if (!notice_.empty() && clock_s_ < notice_until_s_) return notice_until_s_ - clock_s_ + 0.01;
   return 3600;
 }
 

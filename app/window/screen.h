@@ -30,22 +30,22 @@ class Screen {
 
   /// A key as app/session/command.h names it; repeated while it is held. False: it is for the panel that
   /// has the focus, or for nobody.
-  bool press(Companion& companion, std::string_view key, bool is_repeated = false);
+  bool press(LessonSession& session, std::string_view key, bool is_repeated = false);
   /// Lets time pass, then draws. What goes wrong with the page is shown in its place.
-  Status draw(Companion& companion, const ScreenFrame& frame);
+  Status draw(LessonSession& session, const ScreenFrame& frame);
 
   /// What the last frame asks of the window.
-  Wishes& wishes() { return wishes_; }
+  WindowRequests& requests() { return requests_; }
   /// When the next frame will differ without any input: 0 while something moves, or waits to be drawn in
   /// full.
-  double seconds_to_wake(const Companion& companion) const;
+  double seconds_to_wake(const LessonSession& session) const;
   /// Of the last frame: whether a page was drawn, and whether with all its pixels; wall time, s.
   bool is_full() const { return is_full_; }
   double frame_s() const { return frame_s_; }
 
   /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
-  void tell(const std::string& news);
-  const std::string& news() const { return news_; }  ///< told last
+  void tell(const std::string& notice);
+  const std::string& notice() const { return notice_; }  ///< told last
   void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
 
   /// Where things are saved.
@@ -62,17 +62,17 @@ class Screen {
  private:
   Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
          std::unique_ptr<ControlPass> controls, ImGuiContext* imgui);
-  void adopt_style(const Companion& companion, const ScreenFrame& frame);
-  Region page_region(const Companion& companion, Size size) const;
-  Result<bool> show_page(Companion& companion, const Region& region, double resolution);
-  void show_preview(const Companion& companion, const Region& region);
-  void lay_out_controls(Companion& companion, const Region& page, Size size);
+  void adopt_style(const LessonSession& session, const ScreenFrame& frame);
+  Region page_region(const LessonSession& session, Size size) const;
+  Result<bool> show_page(LessonSession& session, const Region& region, double resolution);
+  void show_preview(const LessonSession& session, const Region& region);
+  void lay_out_controls(LessonSession& session, const Region& page, Size size);
   void draw_strip(const Region& page);
-  void draw_note(const Companion& companion);
-  void use_pointer(Companion& companion, const Region& page);
-  void use_figure(Companion& companion, bool on_page);
-  void move_focus(Companion& companion, int by);
-  void take(Companion& companion);
+  void draw_note(const LessonSession& session);
+  void use_pointer(LessonSession& session, const Region& page);
+  void use_figure(LessonSession& session, bool on_page);
+  void move_focus(LessonSession& session, int by);
+  void take(LessonSession& session);
   void copy();
 
   std::unique_ptr<const Gl> gl_;
@@ -82,15 +82,15 @@ class Screen {
   std::unique_ptr<PageView> page_, preview_;
   std::optional<Framebuffer> picture_;
   Pace pace_;
-  Wishes wishes_;
+  WindowRequests requests_;
   PanelMemory memory_;
-  std::unique_ptr<Speaker> speaker_;
-  const Lesson* spoken_ = nullptr;  ///< the lesson of speaker_
+  std::unique_ptr<SpeechText> speech_;
+  const Lesson* spoken_ = nullptr;  ///< the lesson of speech_
   std::optional<ControlSizes> sizes_;
   std::optional<Theme> theme_;
-  std::unique_ptr<Companion> next_;  ///< at the step after this one, for its preview
-  std::string news_, lesson_errors_, page_error_, stage_title_;
-  double clock_s_ = 0, news_until_s_ = 0, page_s_ = 0, frame_s_ = 0;
+  std::unique_ptr<LessonSession> next_;  ///< at the step after this one, for its preview
+  std::string notice_, lesson_errors_, page_error_, stage_title_;
+  double clock_s_ = 0, notice_until_s_ = 0, page_s_ = 0, frame_s_ = 0;
   bool is_full_ = true, was_moving_ = false;
   std::optional<std::size_t> focus_, hovered_;  ///< among the page's symbols
   bool explains_ = false;                       ///< the symbol in focus

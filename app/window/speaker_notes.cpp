@@ -16,12 +16,12 @@ Region preview_region(const Region& page, Size window) {
   return {page.width + gap, 3 * gap, width, std::round(width * 0.625F)};
 }
 
-void draw_notes(Desk& desk, const Region& page, Size window) {
-  Companion& companion = desk.companion;
+void draw_notes(PanelContext& context, const Region& page, Size window) {
+  LessonSession& session = context.session;
   const Region picture = preview_region(page, window);
   const float width = static_cast<float>(window.width) - page.width,
               height = static_cast<float>(window.height);
-  const bool last = !companion.next_place();
+  const bool last = !session.next_place();
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
@@ -35,8 +35,8 @@ void draw_notes(Desk& desk, const Region& page, Size window) {
   ImGui::SetNextWindowSize({width, height - below});
   ImGui::Begin("notes", nullptr, kFixed);
   ImGui::PushTextWrapPos(0);
-  const int step = static_cast<int>(companion.place().step) + 1;
-  for (const StepNote& note : notes_of(desk.speaker, companion.stage(), step, step)) {
+  const int step = static_cast<int>(session.place().step) + 1;
+  for (const StepNote& note : notes_of(context.speech, session.stage(), step, step)) {
     ImGui::TextUnformatted(note.text.c_str());
     ImGui::Spacing();
   }

@@ -11,6 +11,6 @@ namespace polhode {
 Region preview_region(const Region& page, Size window);
 
 /// The words round it and below it.
-void draw_notes(Desk& desk, const Region& page, Size window);
+void draw_notes(PanelContext& context, const Region& page, Size window);
 
 }  // namespace polhode

@@ -22,26 +22,26 @@ constexpr double kLeastFrame_s = 1.0 / 60, kClock_s = 1e-3;
 /// So long at most nothing is looked at: signals, changes of the lesson.
 constexpr double kLongestWait_s = 0.5, kWatchEvery_s = 0.25;
 
-std::string title_of(const Companion& companion, const std::string& stage) {
-  return fmt::format("{} — stage {} of {}, step {} of {} — polhode", stage, companion.place().stage + 1,
-                     companion.lesson().stages.size(), companion.place().step + 1,
-                     companion.stage().steps.size());
+std::string title_of(const LessonSession& session, const std::string& stage) {
+  return fmt::format("{} — stage {} of {}, step {} of {} — polhode", stage, session.place().stage + 1,
+                     session.lesson().stages.size(), session.place().step + 1,
+                     session.stage().steps.size());
 }
 
 /// The loop of events and frames.
 class Loop {
  public:
-  Loop(Companion& companion, const WindowOptions& options, Display& display)
-      : companion_(companion),
+  Loop(LessonSession& session, const WindowOptions& options, Display& display)
+      : session_(session),
         options_(options),
         display_(display),
-        control_input_(display_.window(), companion, display_.screen()),
+        control_input_(display_.window(), session, display_.screen()),
         full_screen_(display_.window()) {
     listen(display_.window(), input_);
     ImGui_ImplGlfw_InitForOther(display_.window(), false);
     if (!display_.fallback().empty())
       screen().tell("This display has no OpenGL 3.3 (" + display_.fallback() + "): drawn off-screen.");
-    if (!options.news.empty()) screen().tell(options.news);
+    if (!options.notice.empty()) screen().tell(options.notice);
   }
   ~Loop() { ImGui_ImplGlfw_Shutdown(); }
   Loop(const Loop&) = delete;
@@ -50,7 +50,7 @@ class Loop {
   Result<WindowEnd> run() {
     const InterruptWatch watch;
     try {
-      while (!glfwWindowShouldClose(display_.window()) && !screen().wishes().quit && !watch.interrupted()) {
+      while (!glfwWindowShouldClose(display_.window()) && !screen().requests().quit && !watch.interrupted()) {
         wait();
         look_for_changes();
         if (!must_draw()) continue;
@@ -75,7 +75,7 @@ class Loop {
 
   void keep() {
     if (!options_.keep) return;
-    if (const std::string news = options_.keep(companion_); !news.empty()) screen().tell(news);
+    if (const std::string notice = options_.keep(session_); !notice.empty()) screen().tell(notice);
   }
 
   void wait() {
@@ -93,9 +93,9 @@ class Loop {
     if (!options_.look_for_changes || glfwGetTime() - looked_s_ < kWatchEvery_s) return;
     looked_s_ = glfwGetTime();
     std::string errors = lesson_errors_;
-    const LoadedLesson* before = &companion_.loaded();
-    options_.look_for_changes(companion_, errors);
-    if (errors == lesson_errors_ && before == &companion_.loaded()) return;
+    const LoadedLesson* before = &session_.loaded();
+    options_.look_for_changes(session_, errors);
+    if (errors == lesson_errors_ && before == &session_.loaded()) return;
     lesson_errors_ = errors;
     screen().set_lesson_errors(errors);
     input_.settling = kSettlingFrames;
@@ -107,11 +107,11 @@ class Loop {
     control_input_.feed(input_.waiting);
     const ScreenFrame frame = measured_frame(now_s);
     drawn_s_ = now_s;
-    if (Status drawn = screen().draw(companion_, frame); !drawn) return drawn;
+    if (Status drawn = screen().draw(session_, frame); !drawn) return drawn;
     display_.present();
-    frame_log_.note(companion_.is_moving(), screen().is_full());
+    frame_log_.note(session_.is_moving(), screen().is_full());
     input_.settling = input_.waiting.empty() ? std::max(0, input_.settling - 1) : kSettlingFrames;
-    wake_s_ = now_s + screen().seconds_to_wake(companion_);
+    wake_s_ = now_s + screen().seconds_to_wake(session_);
     follow_wishes();
     update_title();
     return success();
@@ -130,25 +130,25 @@ class Loop {
   }
 
   void follow_wishes() {
-    if (screen().wishes().full_screen) {
+    if (screen().requests().full_screen) {
       full_screen_.set(!full_screen_.is_on());
-      screen().wishes().full_screen = false;
+      screen().requests().full_screen = false;
     }
-    if (companion_.is_presenting() != presenting_) {
-      presenting_ = companion_.is_presenting();
+    if (session_.is_presenting() != presenting_) {
+      presenting_ = session_.is_presenting();
       if (presenting_) was_full_ = full_screen_.is_on();
       full_screen_.set(presenting_ || was_full_);
     }
   }
 
   void update_title() {
-    const std::string title = title_of(companion_, screen().stage_title());
+    const std::string title = title_of(session_, screen().stage_title());
     if (title == title_) return;
     title_ = title;
     glfwSetWindowTitle(display_.window(), title.c_str());
   }
 
-  Companion& companion_;
+  LessonSession& session_;
   const WindowOptions& options_;
   Display& display_;
   Input input_;
@@ -162,12 +162,12 @@ class Loop {
 
 }  // namespace
 
-Result<WindowEnd> run_window(Companion& companion, const WindowOptions& options) {
+Result<WindowEnd> run_window(LessonSession& session, const WindowOptions& options) {
   const auto glfw = Glfw::start();
   if (!glfw) return failure(glfw.error());
   const auto display = Display::open();
   if (!display) return failure(display.error());
-  return Loop(companion, options, **display).run();
+  return Loop(session, options, **display).run();
 }
 
 }  // namespace polhode

@@ -14,11 +14,11 @@ namespace polhode {
 struct WindowOptions {
   /// A new reading of the lesson if its file has changed, or what is wrong with it; called a few times a
   /// second. Empty: the lesson is not watched.
-  std::function<void(Companion&, std::string& errors)> look_for_changes{};
+  std::function<void(LessonSession&, std::string& errors)> look_for_changes{};
   /// Called after each frame: place, answers or preferences may have changed. It must not wait. The answer is
   /// to be told. What changed after the last frame is for the caller of run_window to keep.
-  std::function<std::string(const Companion&)> keep{};
-  std::string news{};  ///< to be told at the beginning
+  std::function<std::string(const LessonSession&)> keep{};
+  std::string notice{};  ///< to be told at the beginning
 };
 
 enum class WindowEnd { closed, interrupted };
@@ -26,6 +26,6 @@ enum class WindowEnd { closed, interrupted };
 /// Until the user closes it, or a signal: then interrupted. Draws with the display's OpenGL; where it has
 /// no 3.3, off-screen, and shows the pictures in a plain window. The error, no display or nothing to draw
 /// with, says what to do.
-Result<WindowEnd> run_window(Companion& companion, const WindowOptions& options);
+Result<WindowEnd> run_window(LessonSession& session, const WindowOptions& options);
 
 }  // namespace polhode

@@ -22,4 +22,9 @@ std::optional<ClaimKind> claim_kind_from(std::string_view name) {
 
 std::vector<std::string> claim_kind_names() { return {kKindNames.begin(), kKindNames.end()}; }
 
+std::string to_string(const Counterexample& counterexample) {
+  return "at " + counterexample.state + " the left side is " + counterexample.left + ", the right side " +
+         counterexample.right;
+}
+
 }  // namespace polhode

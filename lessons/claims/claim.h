@@ -18,12 +18,31 @@ std::string_view name_of(ClaimKind kind);
 std::optional<ClaimKind> claim_kind_from(std::string_view name);
 std::vector<std::string> claim_kind_names();
 
+enum class Verdict { holds, fails, undecided };  ///< undecided: too seldom defined, or its numbers too large
+
+/// A possible body in a state of small whole numbers; axes of body and space coincide.
+struct Counterexample {
+  std::string state;        ///< "I = (2, 3, 4), ω = (1, 1, 0)"
+  std::string left, right;  ///< values of both sides; of a non-sequitur those of the conclusion
+};
+/// "at I = …: left …, right …"
+std::string to_string(const Counterexample& counterexample);
+
+/// What is to be said of a line of a claim.
+struct Judgement {
+  Verdict verdict = Verdict::holds;  ///< whether the line is what its kind says
+  std::string message, hint;         ///< of what is not
+  /// Of what does not hold; of the kinds false and non-sequitur, where it is what is claimed.
+  std::optional<Counterexample> counterexample;
+};
+
 /// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. proof.h settles it.
 struct ClaimLine {
   Equality equality;                   ///< of a non-sequitur the premise
   std::optional<Equality> conclusion;  ///< of a non-sequitur
   std::optional<double> within;        ///< of `measured`: relative tolerance after the word
   SourcePlace place;
+  std::optional<Judgement> judgement{};  ///< once it is proved (lessons/reader/claim_check.h)
 };
 struct Claim {
   std::string equation;  ///< id of an equation of the same stage

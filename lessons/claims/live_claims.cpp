@@ -36,7 +36,7 @@ Moving moving(const SceneModel& model, double t_s, const RigidBodyState& state) 
   const Mat3 R_SB = state.q_SB.toRotationMatrix();
   Moving all;
   all << R_SB.row(0).transpose(), R_SB.row(1).transpose(), R_SB.row(2).transpose(), state.w_B,
-      arrow_A_S(model, t_s, state.q_SB), drift_at(model.scene, t_s).v_S;
+      arrow_A_S(model, t_s, state.q_SB), translation_at(model.scene, t_s).v_S;
   return all;
 }
 
@@ -130,10 +130,10 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
   s.w_B = turning(3);
   s.A_S = turning(4);
   s.v_S = turning(5);
-  const Drift drift = drift_at(model.scene, t_s);
+  const Translation translation = translation_at(model.scene, t_s);
   const PrincipalMoments& I = model.scene.body.moments;
-  s.F_S = sized(drift.F_S);
-  s.m = drift.mass_kg;
+  s.F_S = sized(translation.F_S);
+  s.m = translation.mass_kg;
   s.N_B = sized(torque_B(model.scene.torque, I, state));
   for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = I.vector()[i];
   const Mat3 J = on_turned_axes(I);

@@ -152,11 +152,6 @@ Judgement judge_inference(const ClaimLine& line, const Prover& prover) {
 
 }  // namespace
 
-std::string to_string(const Counterexample& counterexample) {
-  return "at " + counterexample.state + " the left side is " + counterexample.left + ", the right side " +
-         counterexample.right;
-}
-
 Prover::Prover() {
   std::mt19937_64 random(kSeed);
   for (std::size_t assumption = 0; assumption < samples_.size(); ++assumption)

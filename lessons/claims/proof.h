@@ -19,8 +19,8 @@
 // Lengths, norm(a) = norm(b), are compared by their squares: neither is negative.
 #pragma once
 
-#include "lessons/claims/claim_state.h"
 #include "lessons/claims/claim.h"
+#include "lessons/claims/claim_state.h"
 
 #include <optional>
 #include <string>
@@ -31,16 +31,6 @@ namespace polhode {
 inline constexpr int kSamples = 8;
 /// States that are tried for kSamples at which both sides are defined.
 inline constexpr int kMostSamples = 16;
-
-enum class Verdict { holds, fails, undecided };  ///< undecided: too seldom defined, or its numbers too large
-
-/// A possible body in a state of small whole numbers; axes of body and space coincide.
-struct Counterexample {
-  std::string state;        ///< "I = (2, 3, 4), ω = (1, 1, 0)"
-  std::string left, right;  ///< values of both sides; of a non-sequitur those of the conclusion
-};
-/// "at I = …: left …, right …"
-std::string to_string(const Counterexample& counterexample);
 
 /// Draws its states once (90 µs). A claim of the lecture then costs some 5 to 20 µs, one of 4096 bytes up to
 /// 10 ms; the search for a counterexample up to some 50 ms (tests/bench/claims_bench.cpp).
@@ -63,14 +53,6 @@ class Prover {
 
   std::array<std::vector<ClaimState<FieldElement>>, 3> samples_;
   std::array<ClaimState<WideFieldElement>, 3> wide_;
-};
-
-/// What is to be said of a line of a claim.
-struct Judgement {
-  Verdict verdict = Verdict::holds;  ///< whether the line is what its kind says
-  std::string message, hint;         ///< of what is not
-  /// Of what does not hold; of the kinds false and non-sequitur, where it is what is claimed.
-  std::optional<Counterexample> counterexample;
 };
 
 /// Of any kind but measured, which is a matter of the scene: live_claims.h.

@@ -20,6 +20,23 @@ std::string short_number(double value) {
   return {text.data(), end.ptr};
 }
 
+std::int64_t nodes_in(const ClaimLine& line) {
+  const auto nodes = [](const Equality& equality) {
+    return equality.left.nodes.size() + equality.right.nodes.size();
+  };
+  return static_cast<std::int64_t>(nodes(line.equality) + (line.conclusion ? nodes(*line.conclusion) : 0));
+}
+
+void prove(Claim& claim, const Prover& prover, const Effort& effort) {
+  for (ClaimLine& line : claim.lines) {
+    spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
+    Judgement judgement = judge(line, claim.kind, prover);
+    const bool searched = judgement.verdict == Verdict::fails || claim.kind == ClaimKind::is_false;
+    if (searched && !judgement.counterexample) spend(effort, kVainSearchEvaluations);
+    line.judgement = std::move(judgement);
+  }
+}
+
 class ClaimCheck {
  public:
   ClaimCheck(const Lesson& lesson, std::string_view file, const Effort& effort)
@@ -78,26 +95,13 @@ class ClaimCheck {
   void check(const Claim& claim, const Step& step) {
     for (const ClaimLine& line : claim.lines) {
       if (report_.is_full()) return;
-      spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
-      if (claim.kind == ClaimKind::measured) {
+      if (claim.kind == ClaimKind::measured)
         check_measured(line, step);
-        continue;
-      }
-      const Judgement judgement = judge(line, claim.kind, prover_);
-      const bool searched = judgement.verdict == Verdict::fails || claim.kind == ClaimKind::is_false;
-      if (searched && !judgement.counterexample) spend(effort_, kVainSearchEvaluations);
-      if (judgement.verdict != Verdict::holds)
+      else if (const auto& judgement = line.judgement; judgement && judgement->verdict != Verdict::holds)
         report_.error(line.place,
-                      "the claim (" + std::string(name_of(claim.kind)) + ") fails: " + judgement.message,
-                      judgement.hint);
+                      "the claim (" + std::string(name_of(claim.kind)) + ") fails: " + judgement->message,
+                      judgement->hint);
     }
-  }
-
-  static std::int64_t nodes_in(const ClaimLine& line) {
-    const auto nodes = [](const Equality& equality) {
-      return equality.left.nodes.size() + equality.right.nodes.size();
-    };
-    return static_cast<std::int64_t>(nodes(line.equality) + (line.conclusion ? nodes(*line.conclusion) : 0));
   }
 
   void check_measured(const ClaimLine& line, const Step& step) {
@@ -140,6 +144,19 @@ class ClaimCheck {
 };
 
 }  // namespace
+
+std::optional<SourcePlace> prove_claims(Lesson& lesson, const Effort& effort) {
+  const Prover prover;
+  for (Stage& stage : lesson.stages)
+    for (Step& step : stage.steps)
+      for (Block& block : step.blocks)
+        if (auto* claim = std::get_if<Claim>(&block)) try {
+            prove(*claim, prover, effort);
+          } catch (const BudgetSpent&) {
+            return claim->place;
+          }
+  return std::nullopt;
+}
 
 std::vector<Diagnostic> check_claims(const Lesson& lesson, std::string_view file_name, const Effort& effort) {
   return ClaimCheck(lesson, file_name, effort).run();

@@ -63,7 +63,7 @@ class AsymmetricMotion final : public Motion {
   /// How the theta functions are summed: in the nome q of k, in that of k' (k² > 0.99), or k = 1.
   enum class Series { in_nome, in_complementary_nome, separatrix };
   Series series() const { return f_.series; }
-  using Terms = std::array<double, 5>;  ///< coefficients n = 0 … 4 of a theta function
+  using ThetaSeries = std::array<double, 5>;  ///< coefficients n = 0 … 4 of a theta function
 
  private:
   // Rates in units of 2^e_w, exact. Arrays of three go along the axes a, b, c.
@@ -83,9 +83,9 @@ class AsymmetricMotion final : public Motion {
     double X_per_v = 1;              // X = πu/2K' = πK/K' · v
     double nome = 0, nome_squared = 0, root_nome = 0;  // q', q'², √q'
     double cn_over_root_p_sn = 0;                      // factor that turns θ_2/θ_1 into cn/(√p sn)
-    Terms E{};                                         // θ_1/sin x = E(sin²x), θ_2/cos x = E(cos²x)
-    Terms F{};                                         // θ_4 = F(sin²x), θ_3 = F(cos²x)
-    Terms im{}, re{};                        // i θ_1(x − iy) = cos x re(cos²x) + i sin x im(sin²x)
+    ThetaSeries E{};                                         // θ_1/sin x = E(sin²x), θ_2/cos x = E(cos²x)
+    ThetaSeries F{};                                         // θ_4 = F(sin²x), θ_3 = F(cos²x)
+    ThetaSeries im{}, re{};                        // i θ_1(x − iy) = cos x re(cos²x) + i sin x im(sin²x)
     std::array<double, 3> sin_Y{}, cos_Y{};  // (−1)ⁿ sin, cos (2n + 1)Y, Y = πα/2K'
     std::array<double, 4> q0{1, 0, 0, 0};    // q_SB(0) ⊗ [q_c(Ψ_0) q_P0]⁻¹: w, a, b, c
   };

@@ -12,13 +12,13 @@ namespace {
 constexpr Extended kPi = std::numbers::pi_v<Extended>;
 
 // Σ c_n sin((2n+1)x)/sin x as a polynomial in sin²x; Σ (−1)ⁿ c_n cos((2n+1)x)/cos x in cos²x. DLMF 18.5.2
-AsymmetricMotion::Terms odd_harmonics(const AsymmetricMotion::Terms& c) {
+AsymmetricMotion::ThetaSeries odd_harmonics(const AsymmetricMotion::ThetaSeries& c) {
   return {c[0] + 3 * c[1] + 5 * c[2] + 7 * c[3] + 9 * c[4], -4 * c[1] - 20 * c[2] - 56 * c[3] - 120 * c[4],
           16 * c[2] + 112 * c[3] + 432 * c[4], -64 * c[3] - 576 * c[4], 256 * c[4]};
 }
 
 // Σ c_n cos(2nx) as a polynomial in sin²x; Σ (−1)ⁿ c_n cos(2nx) in cos²x. DLMF 18.5.1
-AsymmetricMotion::Terms even_harmonics(const AsymmetricMotion::Terms& c) {
+AsymmetricMotion::ThetaSeries even_harmonics(const AsymmetricMotion::ThetaSeries& c) {
   return {c[0] + c[1] + c[2] + c[3] + c[4], -2 * c[1] - 8 * c[2] - 18 * c[3] - 32 * c[4],
           8 * c[2] + 48 * c[3] + 160 * c[4], -32 * c[3] - 256 * c[4], 128 * c[4]};
 }
@@ -120,7 +120,7 @@ void AsymmetricMotion::Setup::set_series_in_nome(Formula& f, double nome) const 
   const double g = std::exp(double(kPi * (alpha - Kp) / K));  // q e^{2y} ≤ 1
   const double e = std::exp(-2 * y);
   const double one_minus_e = -std::expm1(-2 * y);
-  Terms theta1{}, theta4{}, im{}, re{};
+  ThetaSeries theta1{}, theta4{}, im{}, re{};
   double sign = 1, q_n = 1, q_nn = 1, g_n = 1;  // (−1)ⁿ, qⁿ, q^{n²}, gⁿ
   double e_odd = e, e_sum = 1;                  // e^{2n+1}, 1 + e + … + e^{2n}
   for (std::size_t n = 0; n < theta1.size(); ++n) {
@@ -162,8 +162,8 @@ struct ThetaConstants {
   Extended sn_K, cn_0, dn_0;
 };
 
-ThetaConstants constants_in_nome(const AsymmetricMotion::Terms& E, const AsymmetricMotion::Terms& F) {
-  const auto at_1 = [](const AsymmetricMotion::Terms& c) {
+ThetaConstants constants_in_nome(const AsymmetricMotion::ThetaSeries& E, const AsymmetricMotion::ThetaSeries& F) {
+  const auto at_1 = [](const AsymmetricMotion::ThetaSeries& c) {
     return std::accumulate(c.rbegin(), c.rend(), Extended{0});
   };
   return {at_1(E) / at_1(F), at_1(E) / F[0], at_1(F) / F[0]};

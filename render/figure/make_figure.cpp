@@ -53,24 +53,24 @@ double L_length_of(const Scene& scene, double omega_scale, double L_scale) {
 
 }  // namespace
 
-Vec3 Moment::L_drawn_B(const Vec3& any_L_B) const {
+Vec3 Snapshot::L_drawn_B(const Vec3& any_L_B) const {
   if (model.L_reference == 0.0) return Vec3::Zero();
   return any_L_B * (L_length / model.L_reference);
 }
 
-double Moment::emphasis(Overlay o) const {
+double Snapshot::emphasis(Overlay o) const {
   const std::vector<std::string>& stressed = model.scene.highlight;
   return std::find(stressed.begin(), stressed.end(), name_of(o)) == stressed.end() ? 1.0 : 1.5;
 }
 
 namespace {
 
-Moment moment_in(const SceneModel& model, double t_s, View view, const RigidBodyState& state) {
+Snapshot moment_in(const SceneModel& model, double t_s, View view, const RigidBodyState& state) {
   const Scene& scene = model.scene;
   const bool space = view == View::space;
   const double omega_scale = omega_scale_of(scene);
   const double L_scale = L_scale_of(scene);
-  Moment m{.model = model,
+  Snapshot m{.model = model,
            .t_s = t_s,
            .view = view,
            .state = state,
@@ -89,7 +89,7 @@ Moment moment_in(const SceneModel& model, double t_s, View view, const RigidBody
 
 }  // namespace
 
-Moment moment_at(const SceneModel& model, double t_s, View view) {
+Snapshot snapshot_at(const SceneModel& model, double t_s, View view) {
   RigidBodyState state{Quat::Identity(), model.scene.w0_B};
   if (model.needs.attitude)
     state = model.motion->at(t_s);
@@ -103,7 +103,7 @@ Moment moment_at(const SceneModel& model, double t_s, View view) {
 namespace {
 
 /// How far from the centre there is something to see, with its label.
-double reach_of(const builders::Moment& m) {
+double reach_of(const builders::Snapshot& m) {
   constexpr double kLabel = 0.1;
   double reach = 1.0;
   if (m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body)) reach = builders::kTriadLength + kLabel;
@@ -148,7 +148,7 @@ Camera camera_holding(const std::vector<Held>& places, const CameraSpec& spec, d
 
 /// The way of the centre of mass with the body round it, the arrows on it, and the origin of S; or the body
 /// and the way of the puck. Space axes.
-std::vector<Held> places_of_translation(const builders::Moment& m, double reach) {
+std::vector<Held> places_of_translation(const builders::Snapshot& m, double reach) {
   constexpr double kLabel = 0.14, kRoundPuck = 0.42;
   const bool puck = m.shows(Overlay::puck);
   std::vector<Held> places;
@@ -160,7 +160,7 @@ std::vector<Held> places_of_translation(const builders::Moment& m, double reach)
   return places;
 }
 
-bool translates(const builders::Moment& m) {
+bool translates(const builders::Snapshot& m) {
   return m.view == View::space && (m.shows(Overlay::puck) || drifts(m.model.scene));
 }
 
@@ -173,7 +173,7 @@ Camera seen_from_center(Camera camera, const Vec3& center_V) {
 
 /// Enough room for what is shown, and the floor below. Nothing here depends on t, so that the camera stands
 /// still.
-Camera camera_for(const builders::Moment& m, double aspect) {
+Camera camera_for(const builders::Snapshot& m, double aspect) {
   constexpr double kNarrowest = 1.15;  // a pane narrower than this needs more distance to hold the figure
   const Scene& scene = m.model.scene;
   const bool floor = m.view == View::space && m.shows(Overlay::plane);
@@ -193,7 +193,7 @@ Camera camera_for(const builders::Moment& m, double aspect) {
   return orbit(spec, target, std::max(1.0, (floor ? above : reach) / kFilled));
 }
 
-Pane make_pane(const builders::Moment& m, double aspect) {
+Pane make_pane(const builders::Snapshot& m, double aspect) {
   Pane pane;
   pane.camera = camera_for(m, aspect);
   builders::add_surfaces(m, pane.list);
@@ -216,8 +216,8 @@ Pane make_pane(const builders::Moment& m, double aspect) {
 std::string title_of(View view) { return view == View::space ? "space frame $S$" : "body frame $S^*$"; }
 
 /// The body in its first attitude, turned by two quarters in this order over the scene's span.
-builders::Moment turned_moment(const SceneModel& model, double t_s, TurnOrder order) {
-  builders::Moment m = builders::moment_at(model, t_s, View::space);
+builders::Snapshot turned_moment(const SceneModel& model, double t_s, TurnOrder order) {
+  builders::Snapshot m = builders::snapshot_at(model, t_s, View::space);
   const TurnedBody body = turned(order, model.q0_SB, t_s / model.span_s);
   m.state.q_SB = m.q_VB = body.q_SB;
   m.turn = body.present;
@@ -246,7 +246,7 @@ std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, doubl
   const std::vector<View>& views = model.scene.views;
   for (View view : views) {
     panes.push_back(
-        make_pane(builders::moment_at(model, t_s, view), aspect / static_cast<double>(views.size())));
+        make_pane(builders::snapshot_at(model, t_s, view), aspect / static_cast<double>(views.size())));
     panes.back().x = static_cast<double>(panes.size() - 1) / static_cast<double>(views.size());
     panes.back().width = 1.0 / static_cast<double>(views.size());
     if (views.size() > 1) panes.back().title = title_of(view);
@@ -262,7 +262,7 @@ Figure make_figure(const SceneModel& model, double t_s, double aspect) {
   figure.panes = model.drawn.contains(Overlay::turn_orders) ? make_panes_of_orders(model, t_s, aspect)
                                                             : make_panes_of_views(model, t_s, aspect);
   if (!figure.panes.empty() && model.drawn.contains(Overlay::values))
-    builders::add_values(builders::moment_at(model, t_s, model.scene.views.front()),
+    builders::add_values(builders::snapshot_at(model, t_s, model.scene.views.front()),
                          figure.panes.front().list);
   return figure;
 }
@@ -270,7 +270,7 @@ Figure make_figure(const SceneModel& model, double t_s, double aspect) {
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect) {
   const std::vector<View>& views = model.scene.views;
   if (!model.drawn.contains(Overlay::omega) || pane >= views.size()) return std::nullopt;
-  const builders::Moment m = builders::moment_at(model, t_s, views[pane]);
+  const builders::Snapshot m = builders::snapshot_at(model, t_s, views[pane]);
   if (m.state.w_B.isZero(0.0)) return std::nullopt;
   return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect / static_cast<double>(views.size()))};
 }
@@ -294,7 +294,7 @@ std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
     return std::nullopt;
   RigidBodyState start{Quat::Identity(), w0_B};
   if (trial_.needs.attitude) start.q_SB = problem_of(trial_.scene).start.q_SB;
-  const builders::Moment m = builders::moment_in(trial_, 0.0, views[pane_], start);
+  const builders::Snapshot m = builders::moment_in(trial_, 0.0, views[pane_], start);
   return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect_ / static_cast<double>(views.size()))};
 }
 

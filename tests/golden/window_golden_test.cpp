@@ -15,13 +15,13 @@
 namespace polhode::golden {
 namespace {
 
-/// What is done to a companion, and where the pointer rests; then frames are drawn until all has settled.
+/// What is done to a session, and where the pointer rests; then frames are drawn until all has settled.
 struct Asked {
   Size size{1280, 800};
   std::size_t step = 0;
   double scale = 1;
   float x = -1, y = -1;
-  std::vector<std::function<void(Companion&)>> changes{};
+  std::vector<std::function<void(LessonSession&)>> changes{};
 };
 
 struct Row {
@@ -29,22 +29,22 @@ struct Row {
   Asked asked;
 };
 
-void open(Companion& companion, Panel panel) { companion.panel = panel; }
+void open(LessonSession& session, Panel panel) { session.panel = panel; }
 
 /// The panel of methods shows times, which no two runs share: that is looked at under Xvfb.
 const std::vector<Row>& rows() {
   static const std::vector<Row> kRows = {
       {"window-plain", {.step = 0}},
-      {"window-outline", {.step = 0, .changes = {[](Companion& c) { open(c, Panel::outline); }}}},
-      {"window-body", {.step = 0, .changes = {[](Companion& c) { open(c, Panel::body); }}}},
-      {"window-answer-dark", {.step = 1, .changes = {[](Companion& c) {
+      {"window-outline", {.step = 0, .changes = {[](LessonSession& c) { open(c, Panel::outline); }}}},
+      {"window-body", {.step = 0, .changes = {[](LessonSession& c) { open(c, Panel::body); }}}},
+      {"window-answer-dark", {.step = 1, .changes = {[](LessonSession& c) {
                                            c.preferences.theme = Theme::dark;
                                            open(c, Panel::question);
                                            c.answer(*c.questions().front(), "1");
                                            c.show_hint(*c.questions().front());
                                          }}}},
       {"window-note", {.step = 0, .x = 160, .y = 155}},
-      {"window-narrow-large", {.size = {1400, 1000}, .step = 0, .scale = 1.5, .changes = {[](Companion& c) {
+      {"window-narrow-large", {.size = {1400, 1000}, .step = 0, .scale = 1.5, .changes = {[](LessonSession& c) {
                                                                                 open(c, Panel::show);
                                                                               }}}},
   };
@@ -60,15 +60,15 @@ std::shared_ptr<const LoadedLesson> lesson() {
 Image picture(const Asked& asked) {
   auto screen = Screen::create(context());
   if (!screen) throw std::runtime_error(screen.error());
-  Companion companion(lesson());
-  companion.preferences.reduced_motion = true;
-  companion.go_to({0, asked.step});
-  for (const auto& change : asked.changes) change(companion);
+  LessonSession session(lesson());
+  session.preferences.reduced_motion = true;
+  session.go_to({0, asked.step});
+  for (const auto& change : asked.changes) change(session);
   constexpr int kSettled = 4;
   for (int i = 0; i < kSettled; ++i) {
     ImGui::GetIO().MousePos = {asked.x, asked.y};
     const Status drawn =
-        (*screen)->draw(companion, {.size = asked.size, .scale = asked.scale, .seconds = 0.02});
+        (*screen)->draw(session, {.size = asked.size, .scale = asked.scale, .seconds = 0.02});
     if (!drawn) throw std::runtime_error(drawn.error());
   }
   return (*screen)->read();
@@ -84,26 +84,26 @@ const std::vector<Mutation>& mutations() {
   static const std::vector<Mutation> kMutations = {
       {"the other step", [](Asked& a) { a.step = 1 - a.step, a.changes.clear(); }},
       {"a frame later",
-       [](Asked& a) { a.changes.push_back([](Companion& c) { c.scrub_to(c.t_s() + 0.04); }); }},
+       [](Asked& a) { a.changes.push_back([](LessonSession& c) { c.scrub_to(c.t_s() + 0.04); }); }},
       {"another panel",
-       [](Asked& a) { a.changes.push_back([](Companion& c) { open(c, Panel::settings); }); }},
+       [](Asked& a) { a.changes.push_back([](LessonSession& c) { open(c, Panel::settings); }); }},
       {"the other theme",
        [](Asked& a) {
-         a.changes.push_back([](Companion& c) {
+         a.changes.push_back([](LessonSession& c) {
            c.preferences.theme = c.preferences.theme == Theme::paper ? Theme::dark : Theme::paper;
          });
        }},
-      {"larger text", [](Asked& a) { a.changes.push_back([](Companion& c) { c.change_text_scale(1); }); }},
+      {"larger text", [](Asked& a) { a.changes.push_back([](LessonSession& c) { c.change_text_scale(1); }); }},
       {"a camera turned by half a degree",
        [](Asked& a) {
-         a.changes.push_back([](Companion& c) {
+         a.changes.push_back([](LessonSession& c) {
            CameraSpec camera = c.model()->scene.camera;
            camera.azimuth_rad += 0.5 * static_cast<double>(EIGEN_PI) / 180;
            c.set_camera(camera);
          });
        }},
       {"the pointer elsewhere", [](Asked& a) { a.x = a.y = -1; }, [](const Asked& a) { return a.x >= 0; }},
-      {"another speed", [](Asked& a) { a.changes.push_back([](Companion& c) { c.set_speed(1.0 / 16); }); }},
+      {"another speed", [](Asked& a) { a.changes.push_back([](LessonSession& c) { c.set_speed(1.0 / 16); }); }},
   };
   return kMutations;
 }

@@ -57,11 +57,11 @@ class Now {
     return ddt([](const Now& now) { return now.star_w()[0]; });
   }
 
-  double m() const { return drift().mass_kg; }
-  Vec3 v() const { return to_body(drift().v_S); }
-  Vec3 F() const { return to_body(drift().F_S); }
+  double m() const { return translation().mass_kg; }
+  Vec3 v() const { return to_body(translation().v_S); }
+  Vec3 F() const { return to_body(translation().F_S); }
   Vec3 ddt_v() const {
-    return to_body(rate([](const Now& now) { return now.drift().v_S; }));
+    return to_body(rate([](const Now& now) { return now.translation().v_S; }));
   }
   Vec3 A() const { return to_body(A_S()); }
   Vec3 ddt_A() const {
@@ -91,7 +91,7 @@ class Now {
             (f(Now(model_, t_s_ + 2 * h)) - f(Now(model_, t_s_ - 2 * h)))) /
            (12 * h);
   }
-  Drift drift() const { return drift_at(model_.scene, t_s_); }
+  Translation translation() const { return translation_at(model_.scene, t_s_); }
   Vec3 A_S() const { return arrow_A_S(model_, t_s_, at_.q_SB); }
 
   const SceneModel& model_;

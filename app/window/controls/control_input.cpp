@@ -119,7 +119,7 @@ bool ControlInput::is_command(const InputEvent& event) {
     const char* letter = glfwGetKeyName(event.code, event.scancode);
     name = key_name(event.code, event.modifiers, letter ? letter : "");
   }
-  return !name.empty() && screen_.press(companion_, name, is_repeated_);
+  return !name.empty() && screen_.press(session_, name, is_repeated_);
 }
 
 void ControlInput::give(const InputEvent& event) {

@@ -31,8 +31,8 @@ void listen(GLFWwindow* window, Input& input);
 /// Keyboard and mouse as the controls are told of them: as much as they can see in one frame.
 class ControlInput {
  public:
-  ControlInput(GLFWwindow* window, Companion& companion, Screen& screen)
-      : window_(window), companion_(companion), screen_(screen) {}
+  ControlInput(GLFWwindow* window, LessonSession& session, Screen& screen)
+      : window_(window), session_(session), screen_(screen) {}
 
   /// After the back end has told what it knows, which is where they are by now.
   void feed(std::deque<InputEvent>& waiting);
@@ -44,7 +44,7 @@ class ControlInput {
   ImVec2 pointer_in_pixels() const;
 
   GLFWwindow* window_;
-  Companion& companion_;
+  LessonSession& session_;
   Screen& screen_;
   int wait_ = 0;  ///< frames
   bool is_repeated_ = false;

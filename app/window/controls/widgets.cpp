@@ -127,7 +127,7 @@ bool radio_button(const char* words, bool is_on) {
   return pressed;
 }
 
-std::optional<double> time_line(const Companion::Interval& interval, double t_s,
+std::optional<double> time_line(const LessonSession::Interval& interval, double t_s,
                                 const std::vector<double>& flips, float width) {
   const float em = ImGui::GetFontSize(), height = ImGui::GetFrameHeight();
   ImGui::InvisibleButton("##time line", {width, height});

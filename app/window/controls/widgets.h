@@ -28,7 +28,7 @@ void tooltip_of_last(const std::string& text);
 
 /// A line of time with a knob, and a mark at each flip. The time that was pointed at while the button is
 /// down.
-std::optional<double> time_line(const Companion::Interval& interval, double t_s,
+std::optional<double> time_line(const LessonSession::Interval& interval, double t_s,
                                 const std::vector<double>& flips, float width);
 
 /// A heading within a panel.

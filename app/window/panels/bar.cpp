@@ -32,66 +32,66 @@ Command command_of(Panel panel) {
   return kCommands[static_cast<std::size_t>(panel)];
 }
 
-void draw_walk(Desk& desk) {
-  Companion& companion = desk.companion;
-  const float em = desk.sizes.em;
-  ImGui::BeginDisabled(!companion.previous_place());
+void draw_walk(PanelContext& context) {
+  LessonSession& session = context.session;
+  const float em = context.sizes.em;
+  ImGui::BeginDisabled(!session.previous_place());
   if (icon_button("back", Icon::back, "Back", told(Command::previous_step), 4.9F * em))
-    companion.previous_step();
+    session.previous_step();
   ImGui::EndDisabled();
   ImGui::SameLine();
-  ImGui::BeginDisabled(!companion.next_place());
-  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em)) companion.next_step();
+  ImGui::BeginDisabled(!session.next_place());
+  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em)) session.next_step();
   ImGui::EndDisabled();
 }
 
-void draw_speed(Companion& companion, float width) {
+void draw_speed(LessonSession& session, float width) {
   ImGui::SetNextItemWidth(width);
-  if (ImGui::BeginCombo("##speed", speed_text(companion.speed()).c_str())) {
+  if (ImGui::BeginCombo("##speed", speed_text(session.speed()).c_str())) {
     for (const double speed : kSpeeds)
-      if (ImGui::Selectable(speed_text(speed).c_str(), speed == companion.speed()))
-        companion.set_speed(speed);
+      if (ImGui::Selectable(speed_text(speed).c_str(), speed == session.speed()))
+        session.set_speed(speed);
     ImGui::EndCombo();
   }
   tooltip_of_last("Speed. " + told(Command::faster) + "; " + told(Command::slower));
 }
 
 /// `width` is that of all together.
-void draw_time(Desk& desk, float width) {
-  Companion& companion = desk.companion;
-  const float em = desk.sizes.em, gap = ImGui::GetStyle().ItemSpacing.x;
+void draw_time(PanelContext& context, float width) {
+  LessonSession& session = context.session;
+  const float em = context.sizes.em, gap = ImGui::GetStyle().ItemSpacing.x;
   const float icon = 2.1F * em, number = 6.2F * em, speed = 4.6F * em;
-  if (icon_button("reset", Icon::reset, "", told(Command::reset_time), icon)) companion.reset_time();
+  if (icon_button("reset", Icon::reset, "", told(Command::reset_time), icon)) session.reset_time();
   ImGui::SameLine(0, 0.3F * gap);
   if (icon_button("frame back", Icon::frame_back, "", told(Command::frame_back), icon))
-    companion.step_frames(-1);
+    session.step_frames(-1);
   ImGui::SameLine(0, 0.3F * gap);
-  const bool playing = companion.is_playing();
+  const bool playing = session.is_playing();
   if (icon_button("play", playing ? Icon::pause : Icon::play, "", told(Command::play_pause), icon))
-    companion.set_playing(!playing);
+    session.set_playing(!playing);
   ImGui::SameLine(0, 0.3F * gap);
   if (icon_button("frame forward", Icon::frame_forward, "", told(Command::frame_forward), icon))
-    companion.step_frames(1);
+    session.step_frames(1);
   ImGui::SameLine();
   const float line = width - 4 * icon - 0.9F * gap - number - speed - 3 * gap;
   if (const auto t =
-          time_line(companion.time_line(), companion.t_s(), companion.flips(), std::max(4 * em, line))) {
-    companion.set_playing(false);
-    companion.scrub_to(*t);
+          time_line(session.time_line(), session.t_s(), session.flips(), std::max(4 * em, line))) {
+    session.set_playing(false);
+    session.scrub_to(*t);
   }
   ImGui::SameLine();
   const float x = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
-  const double t_s = companion.t_s();
+  const double t_s = session.t_s();
   ImGui::TextUnformatted(fmt::format("t = {}{:.3f} s", t_s < 0 ? "−" : "", std::abs(t_s)).c_str());
   ImGui::SameLine(x + number + gap);
-  draw_speed(companion, speed);
+  draw_speed(session, speed);
 }
 
-bool waits_for_answer(const Companion& companion) {
-  const std::vector<const Ask*> questions = companion.questions();
+bool waits_for_answer(const LessonSession& session) {
+  const std::vector<const Ask*> questions = session.questions();
   return std::any_of(questions.begin(), questions.end(), [&](const Ask* ask) {
-    const AnswerRecord* record = companion.record(*ask);
+    const AnswerRecord* record = session.record(*ask);
     return !record || !record->right;
   });
 }
@@ -104,18 +104,18 @@ void mark_last() {
                                               ImGui::GetColorU32(ImGuiCol_NavHighlight), 16);
 }
 
-void draw_panel_buttons(Desk& desk) {
-  Companion& companion = desk.companion;
+void draw_panel_buttons(PanelContext& context) {
+  LessonSession& session = context.session;
   bool first = true;
   for (const Panel panel : kPanels) {
     if (!first) ImGui::SameLine(0, 0.5F * ImGui::GetStyle().ItemSpacing.x);
     first = false;
-    const bool is_on = companion.panel == panel;
-    ImGui::BeginDisabled(panel == Panel::question && companion.questions().empty());
+    const bool is_on = session.panel == panel;
+    ImGui::BeginDisabled(panel == Panel::question && session.questions().empty());
     if (toggle_button(name_of(panel), is_on, told(command_of(panel))))
-      companion.panel = is_on ? Panel::none : panel;
+      session.panel = is_on ? Panel::none : panel;
     ImGui::EndDisabled();
-    if (panel == Panel::question && waits_for_answer(companion)) mark_last();
+    if (panel == Panel::question && waits_for_answer(session)) mark_last();
   }
 }
 
@@ -139,15 +139,15 @@ float bar_height(const ControlSizes& sizes, float width) {
   return is_narrow(sizes, width) ? std::round(1.8F * sizes.bar) : sizes.bar;
 }
 
-void draw_bar(Desk& desk, const Region& region) {
+void draw_bar(PanelContext& context, const Region& region) {
   const ImGuiStyle& style = ImGui::GetStyle();
   ImGui::SetNextWindowPos({region.x, region.y});
   ImGui::SetNextWindowSize({region.width, region.height});
   const float frame = ImGui::GetFontSize() + 2 * style.FramePadding.y;
-  const bool narrow = is_narrow(desk.sizes, region.width);
+  const bool narrow = is_narrow(context.sizes, region.width);
   const float above =
       narrow ? 0.5F * (region.height - 2 * frame - style.ItemSpacing.y) : 0.5F * (region.height - frame);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(desk.sizes.padding * 1.4F, std::round(above)));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(context.sizes.padding * 1.4F, std::round(above)));
   ImGui::Begin("bar", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
@@ -158,16 +158,16 @@ void draw_bar(Desk& desk, const Region& region) {
   list.AddLine({region.x, region.y + 0.5F}, {region.x + region.width, region.y + 0.5F},
                ImGui::GetColorU32(ImGuiCol_Border));
   list.PopClipRect();
-  draw_walk(desk);
+  draw_walk(context);
   const float gap = 2 * style.ItemSpacing.x, left = ImGui::GetItemRectMax().x + gap;
   const float right =
-      region.x + region.width - desk.sizes.padding * 1.4F - (narrow ? 0 : panel_buttons_width() + gap);
-  if (desk.companion.has_scene()) {
+      region.x + region.width - context.sizes.padding * 1.4F - (narrow ? 0 : panel_buttons_width() + gap);
+  if (context.session.has_scene()) {
     ImGui::SameLine(0, gap);
-    draw_time(desk, right - left);
+    draw_time(context, right - left);
   }
   if (!narrow) ImGui::SameLine(right + gap - region.x);
-  draw_panel_buttons(desk);
+  draw_panel_buttons(context);
   ImGui::End();
 }
 

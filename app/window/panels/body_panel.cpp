@@ -13,44 +13,44 @@ namespace polhode {
 
 namespace {
 
-void choose_body(Desk& desk, const Scene& scene) {
+void choose_body(PanelContext& context, const Scene& scene) {
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##body", scene.body.name.empty() ? "own moments" : scene.body.name.c_str())) return;
-  const std::string& of_lesson = desk.companion.lesson_scene().body.name;
-  SceneEdits edits = desk.companion.edits();
+  const std::string& of_lesson = context.session.lesson_scene().body.name;
+  SceneEdits edits = context.session.edits();
   if (ImGui::Selectable(fmt::format("{} (the lesson's)", of_lesson).c_str(), !edits.body)) {
     edits.body.reset();
-    ask_for_edits(desk, edits);
+    ask_for_edits(context, edits);
   }
   for (const std::string& name : named_bodies()) {
     if (!ImGui::Selectable(name.c_str(), scene.body.name == name)) continue;
     edits.body = find_body(name);
-    ask_for_edits(desk, edits);
+    ask_for_edits(context, edits);
   }
   ImGui::EndCombo();
 }
 
 /// What cannot be is not set, and says why.
-void set_moments(Desk& desk, const Vec3& moments) {
+void set_moments(PanelContext& context, const Vec3& moments) {
   const auto body = body_with_moments(moments);
-  desk.memory.refusal = body ? "" : body.error();
+  context.memory.refusal = body ? "" : body.error();
   if (!body) return;
-  SceneEdits edits = desk.companion.edits();
+  SceneEdits edits = context.session.edits();
   edits.body = *body;
-  ask_for_edits(desk, edits);
+  ask_for_edits(context, edits);
 }
 
-void edit_moments(Desk& desk, const Scene& scene) {
+void edit_moments(PanelContext& context, const Scene& scene) {
   static constexpr std::array kNames = {"I1", "I2", "I3"};
   const Vec3 present = scene.body.moments.vector();
-  const double high = desk.memory.most_moment, low = 1e-4 * high;
+  const double high = context.memory.most_moment, low = 1e-4 * high;
   for (int i = 0; i < 3; ++i) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
     Vec3 moments = present;
     if (ImGui::SliderScalar(fmt::format("{} kg m²", kNames[static_cast<std::size_t>(i)]).c_str(),
                             ImGuiDataType_Double, &moments[i], &low, &high, "%.4g",
                             ImGuiSliderFlags_Logarithmic))
-      set_moments(desk, moments);
+      set_moments(context, moments);
   }
 }
 
@@ -60,19 +60,19 @@ void set_ranges(PanelMemory& memory, const Scene& scene) {
   memory.most_omega = scene.w0_B.isZero(0) ? 1 : 2 * scene.w0_B.norm();
 }
 
-void edit_omega(Desk& desk, const Scene& scene) {
+void edit_omega(PanelContext& context, const Scene& scene) {
   static constexpr std::array kNames = {"ω1", "ω2", "ω3"};
-  const double most = desk.memory.most_omega, least = -most;
+  const double most = context.memory.most_omega, least = -most;
   for (int i = 0; i < 3; ++i) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
     double component = scene.w0_B[i];
     if (!ImGui::SliderScalar(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]).c_str(),
                              ImGuiDataType_Double, &component, &least, &most, "%.4f"))
       continue;
-    SceneEdits edits = desk.companion.edits();
+    SceneEdits edits = context.session.edits();
     edits.w0_B = scene.w0_B;
     (*edits.w0_B)[i] = component;
-    ask_for_edits(desk, edits);
+    ask_for_edits(context, edits);
   }
   quiet_words("Body axes, at t = 0. Or take the tip of ω in the figure.");
 }
@@ -90,21 +90,21 @@ void show_state(const SceneModel& model, double t_s) {
 
 }  // namespace
 
-void draw_body(Desk& desk) {
-  Companion& companion = desk.companion;
-  if (!companion.model()) return quiet_words("This step has no figure.");
+void draw_body(PanelContext& context) {
+  LessonSession& session = context.session;
+  if (!session.model()) return quiet_words("This step has no figure.");
   heading("Body");
-  set_ranges(desk.memory, companion.model()->scene);
-  choose_body(desk, companion.model()->scene);
-  edit_moments(desk, companion.model()->scene);
-  if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
+  set_ranges(context.memory, session.model()->scene);
+  choose_body(context, session.model()->scene);
+  edit_moments(context, session.model()->scene);
+  if (!context.memory.refusal.empty()) warning_words(context.memory.refusal);
   heading("Angular velocity");
-  edit_omega(desk, companion.model()->scene);
+  edit_omega(context, session.model()->scene);
   heading("Now");
-  show_state(*companion.model(), companion.t_s());
+  show_state(*session.model(), session.t_s());
   ImGui::Dummy({0, 0.4F * ImGui::GetFontSize()});
-  ImGui::BeginDisabled(companion.edits().empty());
-  if (ImGui::Button("Back to the lesson's scene", {-1, 0})) companion.reset_edits();
+  ImGui::BeginDisabled(session.edits().empty());
+  if (ImGui::Button("Back to the lesson's scene", {-1, 0})) session.reset_edits();
   ImGui::EndDisabled();
   tooltip_of_last(told(Command::reset_scene));
 }

@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-void draw_help(Desk&) {
+void draw_help(PanelContext&) {
   std::string_view group;
   for (const CommandFacts& facts : all_commands()) {
     if (facts.group != group) heading(std::string(group = facts.group).c_str());

@@ -28,10 +28,10 @@ std::string short_number(double value, const char* unit) {
                                                     : fmt::format("{:.1e}{}", value, unit);
 }
 
-void set_motion(Desk& desk, const MotionSpec& motion) {
-  SceneEdits edits = desk.companion.edits();
+void set_motion(PanelContext& context, const MotionSpec& motion) {
+  SceneEdits edits = context.session.edits();
   edits.motion = motion;
-  ask_for_edits(desk, edits);
+  ask_for_edits(context, edits);
 }
 
 std::string time_text(double ns) {
@@ -44,7 +44,7 @@ Method method_of(const SceneModel& model) {
 }
 
 /// What cannot serve is there, and says why.
-void choose_method(Desk& desk, const SceneModel& model) {
+void choose_method(PanelContext& context, const SceneModel& model) {
   const Problem problem = problem_of(model.scene);
   const Method present = method_of(model);
   ImGui::SetNextItemWidth(-1);
@@ -58,14 +58,14 @@ void choose_method(Desk& desk, const SceneModel& model) {
           .method = facts.method, .step_s = {}, .tolerance = {}, .ghost = model.scene.motion.ghost};
       if (facts.control == StepControl::fixed)
         motion.step_s = model.scene.motion.step_s.value_or(usual_step_s(model));
-      set_motion(desk, motion);
+      set_motion(context, motion);
     }
     tooltip_of_last(reason ? *reason : fmt::format("{}; keeps {}", facts.term, facts.keeps));
   }
   ImGui::EndCombo();
 }
 
-void choose_step(Desk& desk, const SceneModel& model) {
+void choose_step(PanelContext& context, const SceneModel& model) {
   const MethodFacts& facts = facts_of(method_of(model));
   MotionSpec motion = model.scene.motion;
   if (facts.control == StepControl::none) return quiet_words("A closed form: any t at once, no step.");
@@ -76,7 +76,7 @@ void choose_step(Desk& desk, const SceneModel& model) {
     if (ImGui::SliderScalar("step, s", ImGuiDataType_Double, &step, &low, &high, "%.4g",
                             ImGuiSliderFlags_Logarithmic)) {
       motion.step_s = step;
-      set_motion(desk, motion);
+      set_motion(context, motion);
     }
   } else {
     double tolerance = motion.tolerance.value_or(kDefaultTolerance);
@@ -85,7 +85,7 @@ void choose_step(Desk& desk, const SceneModel& model) {
                             ImGuiSliderFlags_Logarithmic)) {
       motion.method = facts.method;
       motion.tolerance = tolerance;
-      set_motion(desk, motion);
+      set_motion(context, motion);
     }
   }
 }
@@ -115,8 +115,8 @@ std::optional<int> place_on(const std::vector<ParetoStep>& steps, const SceneMod
 }
 
 /// Measured when the panel opens, and again for another motion.
-void choose_from_front(Desk& desk, const SceneModel& model) {
-  PanelMemory& memory = desk.memory;
+void choose_from_front(PanelContext& context, const SceneModel& model) {
+  PanelMemory& memory = context.memory;
   if (!(memory.front_of && same_problem(*memory.front_of, model.scene)) && !ImGui::IsAnyItemActive()) {
     memory.front.reset();
     memory.front = std::make_unique<FrontMeasurement>(problem_of(model.scene));
@@ -133,7 +133,7 @@ void choose_from_front(Desk& desk, const SceneModel& model) {
   ImGui::SetNextItemWidth(-1);
   if (ImGui::SliderInt("##front", &chosen, 0, static_cast<int>(steps.size()) - 1, "")) {
     const MethodChoice& choice = steps[static_cast<std::size_t>(chosen)].choice;
-    set_motion(desk, {.method = choice.method,
+    set_motion(context, {.method = choice.method,
                       .step_s = choice.step_s,
                       .tolerance = choice.tolerance,
                       .ghost = model.scene.motion.ghost});
@@ -156,21 +156,21 @@ const char* why_no_error(const SceneModel& model) {
   return facts_of(method_of(model)).control == StepControl::none ? "the reference" : "no closed form";
 }
 
-void show_trade(Desk& desk, const SceneModel& model) {
-  PanelMemory& memory = desk.memory;
-  if (!memory.trade || memory.trade_of != desk.companion.model_number()) {
-    memory.trade = std::make_unique<TradeMeter>(model);
-    memory.trade_of = desk.companion.model_number();
+void show_accuracy(PanelContext& context, const SceneModel& model) {
+  PanelMemory& memory = context.memory;
+  if (!memory.meter || memory.meter_of != context.session.model_number()) {
+    memory.meter = std::make_unique<AccuracyMeter>(model);
+    memory.meter_of = context.session.model_number();
     memory.live_shown_at = -1;
   }
   constexpr double kReadable_s = 0.2;
-  const bool at_rest = !desk.companion.is_moving() && memory.live_of_t != desk.companion.t_s();
-  if (at_rest || desk.clock_s - memory.live_shown_at > kReadable_s || memory.live_shown_at < 0) {
-    memory.live = memory.trade->at(model, desk.companion.t_s());
-    memory.live_shown_at = desk.clock_s;
-    memory.live_of_t = desk.companion.t_s();
+  const bool at_rest = !context.session.is_moving() && memory.live_of_t != context.session.t_s();
+  if (at_rest || context.clock_s - memory.live_shown_at > kReadable_s || memory.live_shown_at < 0) {
+    memory.live = memory.meter->at(model, context.session.t_s());
+    memory.live_shown_at = context.clock_s;
+    memory.live_of_t = context.session.t_s();
   }
-  const LiveTrade& live = memory.live;
+  const AccuracyReading& live = memory.live;
   value_row("error of ω", live.error ? short_number(live.error->omega, "") : why_no_error(model));
   value_row("error of attitude", live.error ? short_number(live.error->attitude_rad, " rad") : "");
   value_row("drift of T", short_number(live.drift.T, ""));
@@ -179,15 +179,15 @@ void show_trade(Desk& desk, const SceneModel& model) {
   value_row("motion, per frame", time_text(live.ns_per_frame));
 }
 
-void choose_quality(Desk& desk, const SceneModel& model) {
+void choose_quality(PanelContext& context, const SceneModel& model) {
   for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine}) {
     if (level != QualityLevel::draft) ImGui::SameLine();
     if (!radio_button(name_of(level), model.scene.quality == level)) continue;
-    SceneEdits edits = desk.companion.edits();
+    SceneEdits edits = context.session.edits();
     edits.quality = level;
-    ask_for_edits(desk, edits);
+    ask_for_edits(context, edits);
   }
-  value_row("picture, per frame", fmt::format("{:.0f} ms", desk.frame_ms));
+  value_row("picture, per frame", fmt::format("{:.0f} ms", context.frame_ms));
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -198,28 +198,28 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-void draw_method(Desk& desk) {
-  Companion& companion = desk.companion;
-  if (!companion.model()) return quiet_words("This step has no figure.");
+void draw_method(PanelContext& context) {
+  LessonSession& session = context.session;
+  if (!session.model()) return quiet_words("This step has no figure.");
   heading("From fast to accurate");
-  choose_from_front(desk, *companion.model());
+  choose_from_front(context, *session.model());
   heading("Method");
-  choose_method(desk, *companion.model());
-  choose_step(desk, *companion.model());
-  if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
-  bool ghost = companion.model()->scene.motion.ghost;
+  choose_method(context, *session.model());
+  choose_step(context, *session.model());
+  if (!context.memory.refusal.empty()) warning_words(context.memory.refusal);
+  bool ghost = session.model()->scene.motion.ghost;
   if (ImGui::Checkbox("the exact body beside it, as a ghost", &ghost)) {
-    MotionSpec motion = companion.model()->scene.motion;
+    MotionSpec motion = session.model()->scene.motion;
     motion.ghost = ghost;
-    set_motion(desk, motion);
+    set_motion(context, motion);
   }
   heading("Now");
-  show_trade(desk, *companion.model());
+  show_accuracy(context, *session.model());
   heading("Picture");
-  choose_quality(desk, *companion.model());
+  choose_quality(context, *session.model());
   heading("What the scene requires");
-  const RequirementWords words = requirement_words(*companion.model());
-  quiet_words(fmt::format("{}: {}", companion.model()->motion->method(), companion.model()->why));
+  const RequirementWords words = requirement_words(*session.model());
+  quiet_words(fmt::format("{}: {}", session.model()->motion->method(), session.model()->why));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(("Computed: " + joined(words.computed)).c_str());
   ImGui::TextUnformatted(("Not computed: " + joined(words.left_out)).c_str());

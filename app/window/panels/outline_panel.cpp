@@ -44,10 +44,10 @@ bool stage_row(const std::string& title, std::size_t number, bool is_here, bool 
 }
 
 /// The steps of the present stage, as many as fit in a row.
-void step_row(Desk& desk) {
-  Companion& companion = desk.companion;
+void step_row(PanelContext& context) {
+  LessonSession& session = context.session;
   const float em = ImGui::GetFontSize(), width = 1.9F * em;
-  const std::size_t steps = companion.stage().steps.size();
+  const std::size_t steps = session.stage().steps.size();
   if (steps < 2) return;
   const float left = 2.9F * em;
   for (std::size_t i = 0; i < steps; ++i) {
@@ -57,40 +57,40 @@ void step_row(Desk& desk) {
       ImGui::SameLine(0, 0.25F * em);
     else
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
-    const bool here = i == companion.place().step;
+    const bool here = i == session.place().step;
     if (here) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_Header));
     if (ImGui::Button(fmt::format("{}##step", i + 1).c_str(), {width, 0}))
-      companion.go_to({companion.place().stage, i});
+      session.go_to({session.place().stage, i});
     if (here) ImGui::PopStyleColor();
   }
 }
 
 }  // namespace
 
-void draw_outline(Desk& desk) {
-  Companion& companion = desk.companion;
+void draw_outline(PanelContext& context) {
+  LessonSession& session = context.session;
   const float wheel = ImGui::GetIO().MouseWheel;
   if (wheel != 0 && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                            ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
-    const Place here = companion.place();
-    if (wheel > 0 && here.stage > 0) companion.go_to({here.stage - 1, 0});
-    if (wheel < 0) companion.next_stage();
+    const Place here = session.place();
+    if (wheel > 0 && here.stage > 0) session.go_to({here.stage - 1, 0});
+    if (wheel < 0) session.next_stage();
   }
-  const std::vector<Stage>& stages = companion.lesson().stages;
-  quiet_words(fmt::format("{} of {} stages seen", companion.visited().size(), stages.size()));
+  const std::vector<Stage>& stages = session.lesson().stages;
+  quiet_words(fmt::format("{} of {} stages seen", session.visited().size(), stages.size()));
   ImGui::BeginChild("stages", {0, 0}, false,
                     ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollWithMouse);
   for (std::size_t i = 0; i < stages.size(); ++i) {
-    std::string title = desk.speaker.words_of_title(stages[i]);
+    std::string title = context.speech.words_of_title(stages[i]);
     if (!title.empty() && title.back() == '.') title.pop_back();
-    const bool here = i == companion.place().stage;
-    if (stage_row(title, i + 1, here, companion.visited().contains(stages[i].id))) companion.go_to({i, 0});
+    const bool here = i == session.place().stage;
+    if (stage_row(title, i + 1, here, session.visited().contains(stages[i].id))) session.go_to({i, 0});
     if (!here) continue;
-    if (desk.memory.outlined != companion.place()) {
+    if (context.memory.outlined != session.place()) {
       ImGui::SetScrollHereY(0.4F);
-      desk.memory.outlined = companion.place();
+      context.memory.outlined = session.place();
     }
-    step_row(desk);
+    step_row(context);
   }
   ImGui::EndChild();
 }

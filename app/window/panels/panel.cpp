@@ -31,78 +31,78 @@ const char* title_of(Panel panel) {
   }
 }
 
-void draw_contents(Desk& desk) {
-  switch (desk.companion.panel) {
+void draw_contents(PanelContext& context) {
+  switch (context.session.panel) {
     case Panel::outline:
-      return draw_outline(desk);
+      return draw_outline(context);
     case Panel::body:
-      return draw_body(desk);
+      return draw_body(context);
     case Panel::method:
-      return draw_method(desk);
+      return draw_method(context);
     case Panel::show:
-      return draw_show(desk);
+      return draw_show(context);
     case Panel::question:
-      return draw_questions(desk);
+      return draw_questions(context);
     case Panel::save:
-      return draw_save(desk);
+      return draw_save(context);
     case Panel::settings:
-      return draw_settings(desk);
+      return draw_settings(context);
     case Panel::help:
-      return draw_help(desk);
+      return draw_help(context);
     case Panel::none:
       return;
   }
 }
 
 /// What cannot be is not made, and the panel says why.
-void make_edits(Desk& desk) {
-  if (!desk.memory.edits) return;
-  const Status made = desk.companion.set_edits(*desk.memory.edits);
-  desk.memory.refusal = made ? "" : made.error();
-  desk.memory.edits.reset();
+void make_edits(PanelContext& context) {
+  if (!context.memory.edits) return;
+  const Status made = context.session.set_edits(*context.memory.edits);
+  context.memory.refusal = made ? "" : made.error();
+  context.memory.edits.reset();
 }
 
-void draw_contents_below_title(Desk& desk) {
+void draw_contents_below_title(PanelContext& context) {
   ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
-  draw_contents(desk);
+  draw_contents(context);
   ImGui::EndChild();
-  make_edits(desk);
+  make_edits(context);
 }
 
 }  // namespace
 
-void ask_for_edits(Desk& desk, const SceneEdits& edits) { desk.memory.edits = edits; }
+void ask_for_edits(PanelContext& context, const SceneEdits& edits) { context.memory.edits = edits; }
 
-void draw_panel(Desk& desk, const Region& region) {
+void draw_panel(PanelContext& context, const Region& region) {
   ImGui::SetNextWindowPos({region.x, region.y});
   ImGui::SetNextWindowSize({region.width, region.height});
-  if (desk.take_focus) ImGui::SetNextWindowFocus();
+  if (context.take_focus) ImGui::SetNextWindowFocus();
   ImGui::Begin("panel", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
-  desk.memory.panel_has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  context.memory.panel_has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool focused = desk.memory.panel_has_focus;
+  const bool focused = context.memory.panel_has_focus;
   list.PushClipRectFullScreen();
   list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},
                ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 2.0F : 1.0F);
   list.PopClipRect();
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(bold_control_font());
-  ImGui::TextUnformatted(title_of(desk.companion.panel));
+  ImGui::TextUnformatted(title_of(context.session.panel));
   ImGui::PopFont();
-  if (desk.memory.shown != std::pair(desk.companion.panel, desk.companion.place()))
-    desk.memory.refusal.clear();
-  desk.memory.shown = {desk.companion.panel, desk.companion.place()};
-  draw_contents_below_title(desk);
+  if (context.memory.shown != std::pair(context.session.panel, context.session.place()))
+    context.memory.refusal.clear();
+  context.memory.shown = {context.session.panel, context.session.place()};
+  draw_contents_below_title(context);
   // After the contents, so that keys come to these first.
   const float close = ImGui::GetFrameHeight();
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
   ImGui::SetCursorPos({region.width - padding.x - close, padding.y});
   const bool closed = icon_button("close", Icon::close, "", told(Command::leave), close);
   ImGui::End();
-  if (closed) desk.companion.panel = Panel::none;
+  if (closed) context.session.panel = Panel::none;
 }
 
 }  // namespace polhode

@@ -6,17 +6,17 @@
 
 namespace polhode {
 
-void draw_outline(Desk& desk);
-void draw_body(Desk& desk);
-void draw_method(Desk& desk);
-void draw_show(Desk& desk);
-void draw_questions(Desk& desk);
-void draw_save(Desk& desk);
-void draw_settings(Desk& desk);
-void draw_help(Desk& desk);
+void draw_outline(PanelContext& context);
+void draw_body(PanelContext& context);
+void draw_method(PanelContext& context);
+void draw_show(PanelContext& context);
+void draw_questions(PanelContext& context);
+void draw_save(PanelContext& context);
+void draw_settings(PanelContext& context);
+void draw_help(PanelContext& context);
 
 /// Asks for these edits once the panel is drawn: they make another model, and what is being drawn refers to
 /// the present one.
-void ask_for_edits(Desk& desk, const SceneEdits& edits);
+void ask_for_edits(PanelContext& context, const SceneEdits& edits);
 
 }  // namespace polhode

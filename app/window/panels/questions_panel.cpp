@@ -28,85 +28,85 @@ void show_verdict(const JudgedAnswer& answer) {
 }
 
 /// Typed, and checked with Enter or the button.
-void ask_for_words(Desk& desk, const Ask& ask, std::string& typed) {
+void ask_for_words(PanelContext& context, const Ask& ask, std::string& typed) {
   const float check = ImGui::CalcTextSize("Check").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - check - ImGui::GetStyle().ItemSpacing.x);
-  if (desk.take_focus) ImGui::SetKeyboardFocusHere();
+  if (context.take_focus) ImGui::SetKeyboardFocusHere();
   const std::string form = fmt::format("such as {}", form_of_answer(ask.type));
   const bool entered =
       ImGui::InputTextWithHint("##answer", form.c_str(), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   if (entered) ImGui::SetKeyboardFocusHere(-1);  // for another try
   ImGui::SameLine();
-  if ((ImGui::Button("Check") || entered) && !typed.empty()) desk.companion.answer(ask, typed);
+  if ((ImGui::Button("Check") || entered) && !typed.empty()) context.session.answer(ask, typed);
 }
 
 /// Controls set no formulas: what has some is to be read where it is set.
-void words_or_see_page(const Desk& desk, const std::string& markdown, const RichText& text) {
+void words_or_see_page(const PanelContext& context, const std::string& markdown, const RichText& text) {
   if (markdown.find('$') != markdown.npos) return quiet_words("as on the page");
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(desk.speaker.words(text).c_str());
+  ImGui::TextUnformatted(context.speech.words(text).c_str());
   ImGui::PopTextWrapPos();
 }
 
-void ask_for_choice(Desk& desk, const Ask& ask, std::string& typed) {
+void ask_for_choice(PanelContext& context, const Ask& ask, std::string& typed) {
   for (std::size_t i = 0; i < ask.choices.size(); ++i) {
     const std::string letter(1, letter_of_choice(i));
     if (toggle_button(letter.c_str(), typed == letter, "")) {
       typed = letter;
-      desk.companion.answer(ask, typed);
+      context.session.answer(ask, typed);
     }
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    words_or_see_page(desk, ask.choices[i], ask.choice_texts[i]);
+    words_or_see_page(context, ask.choices[i], ask.choice_texts[i]);
   }
 }
 
-void show_hints(Desk& desk, const Ask& ask) {
-  const AnswerRecord* record = desk.companion.record(ask);
+void show_hints(PanelContext& context, const Ask& ask) {
+  const AnswerRecord* record = context.session.record(ask);
   const auto shown = static_cast<std::size_t>(record ? record->hints : 0);
   for (std::size_t i = 0; i < std::min(shown, ask.hint_texts.size()); ++i)
-    quiet_words(fmt::format("Hint {}: {}", i + 1, desk.speaker.words(ask.hint_texts[i])));
+    quiet_words(fmt::format("Hint {}: {}", i + 1, context.speech.words(ask.hint_texts[i])));
   if (shown < ask.hints.size()) {
-    if (ImGui::Button(shown == 0 ? "A hint" : "Another hint")) desk.companion.show_hint(ask);
+    if (ImGui::Button(shown == 0 ? "A hint" : "Another hint")) context.session.show_hint(ask);
     if (record) ImGui::SameLine();
   }
-  if (record && ImGui::Button("Forget my answers")) desk.companion.forget_answer(ask);
+  if (record && ImGui::Button("Forget my answers")) context.session.forget_answer(ask);
 }
 
-void draw_question(Desk& desk, const Ask& ask, std::size_t number, std::size_t count) {
+void draw_question(PanelContext& context, const Ask& ask, std::size_t number, std::size_t count) {
   ImGui::PushID(ask.id.c_str());
   heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
-  words_or_see_page(desk, ask.prompt, ask.prompt_text);
-  std::string& typed = desk.memory.typed_answers[desk.companion.stage().id + '/' + ask.id];
+  words_or_see_page(context, ask.prompt, ask.prompt_text);
+  std::string& typed = context.memory.typed_answers[context.session.stage().id + '/' + ask.id];
   switch (ask.type) {
     case Ask::Type::expression:
-      ask_for_words(desk, ask, typed);
+      ask_for_words(context, ask, typed);
       break;
     case Ask::Type::order:
       quiet_words("Put the letters in order.");
-      ask_for_words(desk, ask, typed);
+      ask_for_words(context, ask, typed);
       break;
     case Ask::Type::choice:
     case Ask::Type::predict:
-      ask_for_choice(desk, ask, typed);
+      ask_for_choice(context, ask, typed);
       break;
   }
-  if (const JudgedAnswer* answer = desk.companion.judged(ask))
+  if (const JudgedAnswer* answer = context.session.judged(ask))
     show_verdict(*answer);
-  else if (const AnswerRecord* record = desk.companion.record(ask); record && record->right)
+  else if (const AnswerRecord* record = context.session.record(ask); record && record->right)
     quiet_words("You have answered this one right.");
-  show_hints(desk, ask);
+  show_hints(context, ask);
   ImGui::PopID();
 }
 
 }  // namespace
 
-void draw_questions(Desk& desk) {
-  const std::vector<const Ask*> questions = desk.companion.questions();
+void draw_questions(PanelContext& context) {
+  const std::vector<const Ask*> questions = context.session.questions();
   if (questions.empty()) return quiet_words("This step asks nothing.");
   for (std::size_t i = 0; i < questions.size(); ++i) {
-    draw_question(desk, *questions[i], i + 1, questions.size());
-    desk.take_focus = false;
+    draw_question(context, *questions[i], i + 1, questions.size());
+    context.take_focus = false;
   }
   heading("How to write it");
   quiet_words(

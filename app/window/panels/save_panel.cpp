@@ -12,7 +12,7 @@ namespace polhode {
 
 namespace {
 
-void choose_size(TakeAwayOptions& options) {
+void choose_size(SaveOptions& options) {
   const auto text_of = [](Size size) { return fmt::format("{}x{}", size.width, size.height); };
   ImGui::SetNextItemWidth(-1);
   if (!ImGui::BeginCombo("##size", text_of(options.size).c_str())) return;
@@ -23,34 +23,34 @@ void choose_size(TakeAwayOptions& options) {
   ImGui::EndCombo();
 }
 
-void offer(Desk& desk, const char* words, TakeAway what, const std::string& tooltip) {
-  ImGui::BeginDisabled(!can_take_away(desk.companion, what));
-  if (ImGui::Button(words, {-1, 0})) desk.wishes.take_away = what;
+void offer(PanelContext& context, const char* words, SaveAs what, const std::string& tooltip) {
+  ImGui::BeginDisabled(!can_save_as(context.session, what));
+  if (ImGui::Button(words, {-1, 0})) context.requests.save_as = what;
   ImGui::EndDisabled();
   tooltip_of_last(tooltip);
 }
 
 }  // namespace
 
-void draw_save(Desk& desk) {
+void draw_save(PanelContext& context) {
   heading("Pictures");
-  choose_size(desk.memory.take_away);
-  ImGui::Checkbox("transparent background", &desk.memory.take_away.transparent);
-  offer(desk, "Save the page", TakeAway::page, "As polhode export writes it. " + told(Command::save_page));
-  offer(desk, "Save the figure", TakeAway::figure, "Without text and plots");
-  offer(desk, "Save the equation", TakeAway::equation, "The last one of this step, at 300 dots per inch");
+  choose_size(context.memory.save_as);
+  ImGui::Checkbox("transparent background", &context.memory.save_as.transparent);
+  offer(context, "Save the page", SaveAs::page, "As polhode export writes it. " + told(Command::save_page));
+  offer(context, "Save the figure", SaveAs::figure, "Without text and plots");
+  offer(context, "Save the equation", SaveAs::equation, "The last one of this step, at 300 dots per inch");
   heading("Motion");
-  ImGui::BeginDisabled(!desk.companion.model());
-  if (ImGui::Button("Copy as CSV", {-1, 0})) desk.wishes.clipboard = trace_of(desk.companion);
+  ImGui::BeginDisabled(!context.session.model());
+  if (ImGui::Button("Copy as CSV", {-1, 0})) context.requests.clipboard = trace_of(context.session);
   ImGui::EndDisabled();
   tooltip_of_last("ω, attitude, T and L over the time line, to be pasted into a table");
-  offer(desk, "Save as CSV", TakeAway::trace, "The same as a file");
+  offer(context, "Save as CSV", SaveAs::trace, "The same as a file");
   heading("Scene");
-  offer(desk, "Save as a lesson", TakeAway::scene,
+  offer(context, "Save as a lesson", SaveAs::scene,
         "With all that was changed by hand; polhode export makes the same figure of it");
   heading("Folder");
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputText("##folder", &desk.memory.folder);
+  ImGui::InputText("##folder", &context.memory.folder);
   quiet_words("Nothing is overwritten: a name that is taken gets a number.");
 }
 

@@ -18,13 +18,13 @@ std::string words_of(Overlay overlay) {
   return words;
 }
 
-void choose_views(Companion& companion, Desk& desk) {
-  const std::vector<View>& views = companion.model()->scene.views;
+void choose_views(LessonSession& session, PanelContext& context) {
+  const std::vector<View>& views = session.model()->scene.views;
   const auto offer = [&](const char* words, const std::vector<View>& offered) {
     if (!radio_button(words, views == offered)) return;
-    SceneEdits edits = companion.edits();
+    SceneEdits edits = session.edits();
     edits.views = offered;
-    ask_for_edits(desk, edits);
+    ask_for_edits(context, edits);
   };
   offer("space", {View::space});
   ImGui::SameLine();
@@ -33,9 +33,9 @@ void choose_views(Companion& companion, Desk& desk) {
   offer("both", {View::space, View::body});
 }
 
-void choose_camera(Companion& companion) {
-  bool following = companion.is_following();
-  if (ImGui::Checkbox("follow the body", &following)) companion.set_following(following);
+void choose_camera(LessonSession& session) {
+  bool following = session.is_following();
+  if (ImGui::Checkbox("follow the body", &following)) session.set_following(following);
   tooltip_of_last(told(Command::follow));
   bool first = true;
   for (const CameraPreset& preset : camera_presets()) {
@@ -44,21 +44,21 @@ void choose_camera(Companion& companion) {
                       ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
       ImGui::SameLine();
     first = false;
-    if (ImGui::Button(preset.name.c_str())) companion.set_camera(preset.camera);
+    if (ImGui::Button(preset.name.c_str())) session.set_camera(preset.camera);
   }
-  if (ImGui::Button("the lesson's camera", {-1, 0})) companion.set_camera(companion.lesson_scene().camera);
+  if (ImGui::Button("the lesson's camera", {-1, 0})) session.set_camera(session.lesson_scene().camera);
   tooltip_of_last("Or double-click the figure; drag to turn, wheel to zoom");
 }
 
-void offer_overlay(Desk& desk, Overlay overlay) {
-  Companion& companion = desk.companion;
-  const SceneModel& model = *companion.model();
+void offer_overlay(PanelContext& context, Overlay overlay) {
+  LessonSession& session = context.session;
+  const SceneModel& model = *session.model();
   bool shown = model.scene.show.contains(overlay);
   const bool nothing_to_see = shown && !model.drawn.contains(overlay);
   if (ImGui::Checkbox(words_of(overlay).c_str(), &shown)) {
-    SceneEdits edits = companion.edits();
-    set_shown(edits, companion.lesson_scene(), overlay, shown);
-    ask_for_edits(desk, edits);
+    SceneEdits edits = session.edits();
+    set_shown(edits, session.lesson_scene(), overlay, shown);
+    ask_for_edits(context, edits);
   }
   if (!nothing_to_see) return;
   ImGui::SameLine();
@@ -67,19 +67,19 @@ void offer_overlay(Desk& desk, Overlay overlay) {
 
 }  // namespace
 
-void draw_show(Desk& desk) {
-  Companion& companion = desk.companion;
-  if (!companion.model()) return quiet_words("This step has no figure.");
+void draw_show(PanelContext& context) {
+  LessonSession& session = context.session;
+  if (!session.model()) return quiet_words("This step has no figure.");
   heading("Seen from");
-  choose_views(companion, desk);
+  choose_views(session, context);
   heading("Camera");
-  choose_camera(companion);
+  choose_camera(session);
   heading("In space");
-  if (!desk.memory.refusal.empty()) warning_words(desk.memory.refusal);
+  if (!context.memory.refusal.empty()) warning_words(context.memory.refusal);
   const auto offer_all = [&](bool diagrams) {
     for (int i = 0; i < kOverlayCount; ++i)
       if (const auto overlay = static_cast<Overlay>(i); is_diagram(overlay) == diagrams)
-        offer_overlay(desk, overlay);
+        offer_overlay(context, overlay);
   };
   offer_all(false);
   heading("On boards");

@@ -57,7 +57,7 @@ void add_wheel(const Vec2& hub, int lit, DiagramPaper& paper) {
 
 std::string index(int i) { return std::to_string(i % 3 + 1); }
 
-void add_equation(int i, const Terms& terms, bool is_free, bool is_lit, const NumberForm& form,
+void add_equation(int i, const EulerTerms& terms, bool is_free, bool is_lit, const NumberForm& form,
                   const Vec2& corner, DiagramPaper& paper) {
   const auto at = [&](double x, double y) -> Vec2 { return corner + Vec2(x, y); };
   constexpr double kFormula = 1.7, kNumber = 3.2;
@@ -86,7 +86,7 @@ void add_equations(const SceneModel& model, double t_s, int lit, const Vec2& cor
              corner + Vec2(0.6, 1.3), {.size = 1.1});
   paper.math("i = " + index(lit) + ",\\; j = " + index(lit + 1) + ",\\; k = " + index(lit + 2),
              corner + Vec2(kUnitEnd, 1.3), {.align = 1, .quiet = true});
-  const Terms terms = terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s);
+  const EulerTerms terms = euler_terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s);
   const Vec3 differences = cyclic_differences(model.scene.body.moments.vector());
   const auto gyroscopic = [&](const Vec3& w) -> Vec3 { return differences.cwiseProduct(cyclic_products(w)); };
   constexpr int kDigits = 4;  // so that the last ones are seen to add up

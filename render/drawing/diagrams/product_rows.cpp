@@ -80,7 +80,7 @@ void draw_rows(const SceneModel& model, double t_s, bool with_moments, DiagramPa
     return w.prod() * weights.cwiseProduct(cyclic_differences(I));
   };
   const Vec3 w_B = model.motion->w_B_at(t_s);
-  const Terms terms = terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s);
+  const EulerTerms terms = euler_terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s);
   const std::string unit = with_moments ? "kg² m⁴/s³" : "W";
   Block first{"The products, end to end", unit, {}, products(w_B), "\\text{sum}"};
   Block second{"The first terms, measured on the motion",

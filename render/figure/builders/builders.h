@@ -19,7 +19,7 @@ inline constexpr double kPolhodeRadius = 0.0135;
 inline constexpr double kHerpolhodeRadius = 0.0085;
 
 /// A scene at one time in one view. "V" is the view's frame: S for the space view, B for the body view.
-struct Moment {
+struct Snapshot {
   const SceneModel& model;
   double t_s;
   View view;
@@ -50,62 +50,62 @@ struct Moment {
   double emphasis(Overlay o) const;
 };
 
-Moment moment_at(const SceneModel& model, double t_s, View view);
+Snapshot snapshot_at(const SceneModel& model, double t_s, View view);
 
-void add_solid(const Moment& m, DrawList& list);
-void add_surfaces(const Moment& m, DrawList& list);  ///< ellipsoids, momentum sphere, invariable plane
-void add_curves(const Moment& m, DrawList& list);    ///< polhodes, separatrices, herpolhode
-void add_trails(const Moment& m, DrawList& list);
-void add_cones(const Moment& m, DrawList& list);
-void add_vectors(const Moment& m, DrawList& list);  ///< ω, L, N
-void add_axes(const Moment& m, DrawList& list);     ///< triads
+void add_solid(const Snapshot& m, DrawList& list);
+void add_surfaces(const Snapshot& m, DrawList& list);  ///< ellipsoids, momentum sphere, invariable plane
+void add_curves(const Snapshot& m, DrawList& list);    ///< polhodes, separatrices, herpolhode
+void add_trails(const Snapshot& m, DrawList& list);
+void add_cones(const Snapshot& m, DrawList& list);
+void add_vectors(const Snapshot& m, DrawList& list);  ///< ω, L, N
+void add_axes(const Snapshot& m, DrawList& list);     ///< triads
 
 // Figures of the lecture, with their names where the scene shows labels.
-void add_translation(const Moment& m, DrawList& list);  ///< p, v, F and the path; puck
-void add_turn(const Moment& m, DrawList& list);         ///< the axis and the sense of the present turn
-void add_transport(const Moment& m, const Camera& camera, DrawList& list);  ///< A and its triangle
-void add_terms(const Moment& m, const Camera& camera, DrawList& list);      ///< of equation (6)
-void add_pivot(const Moment& m, DrawList& list);                            ///< stand, axle and weight
+void add_translation(const Snapshot& m, DrawList& list);  ///< p, v, F and the path; puck
+void add_turn(const Snapshot& m, DrawList& list);         ///< the axis and the sense of the present turn
+void add_transport(const Snapshot& m, const Camera& camera, DrawList& list);  ///< A and its triangle
+void add_terms(const Snapshot& m, const Camera& camera, DrawList& list);      ///< of equation (6)
+void add_pivot(const Snapshot& m, DrawList& list);                            ///< stand, axle and weight
 /// The exact body, ω and L beside the computed ones.
-void add_ghost(const Moment& m, const Camera& camera, DrawList& list);
-void add_ghost_of_solid(const Moment& m, const Quat& q_SB, DrawList& list);
+void add_ghost(const Snapshot& m, const Camera& camera, DrawList& list);
+void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list);
 
-void add_labels(const Moment& m, const Camera& camera, DrawList& list);
-void add_values(const Moment& m, DrawList& list);
+void add_labels(const Snapshot& m, const Camera& camera, DrawList& list);
+void add_values(const Snapshot& m, DrawList& list);
 
 /// Scene units per metre: of the body that is drawn, and of the path of its centre.
-double scene_units_per_m(const Moment& m);
+double scene_units_per_m(const Snapshot& m);
 
 /// Where the centre of mass is drawn from S's origin.
-Vec3 center_of_mass_V(const Moment& m);
+Vec3 center_of_mass_V(const Snapshot& m);
 
 /// Tips of its arrows over the scene's span, from S's origin.
-std::vector<Vec3> tips_of_center_V(const Moment& m);
+std::vector<Vec3> tips_of_center_V(const Snapshot& m);
 
 /// Screen direction of the camera: x to the right, y up.
 Vec3 screen_direction(const Camera& camera, double x, double y);
 
 /// Whether nothing of the body is shown beside the puck: it is then in the middle.
-bool puck_alone(const Moment& m);
+bool puck_alone(const Snapshot& m);
 
 /// Places of the centre of mass over the scene's span, or of the puck's where there is one; scene units, view
 /// axes.
-std::vector<Vec3> path_of_center_V(const Moment& m);
+std::vector<Vec3> path_of_center_V(const Snapshot& m);
 
 /// The angular velocity that the surfaces and the body inside them are drawn for: without torque that of the
 /// start, so that a computed motion which does not keep T and |L| leaves them.
-const Vec3& w_B_of_surfaces(const Moment& m);
+const Vec3& w_B_of_surfaces(const Snapshot& m);
 
 /// Where the arrow of N begins and ends.
 struct Ends {
   Vec3 tail, tip;
 };
-Ends torque_ends(const Moment& m);
+Ends torque_ends(const Snapshot& m);
 
 /// Place of L²/2T between the moments: 0 at I_min, ½ at I_mid, 1 at I_max.
 double scale_place(const PrincipalMoments& I, double L2_over_2T);
 
 /// Height of the invariable plane below the centre in an L-down space view, scene units (negative).
-double plane_z(const Moment& m);
+double plane_z(const Snapshot& m);
 
 }  // namespace polhode::builders

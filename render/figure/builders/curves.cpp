@@ -14,7 +14,7 @@ namespace {
 constexpr double kFamilyRadius = 0.0062;
 
 /// Curves were computed for the energy of t = 0. ω scales with √T, and so do curves of the same L²/2T.
-double growth(const Moment& m) {
+double growth(const Snapshot& m) {
   const Vec3& w0_B = m.model.scene.w0_B;
   if (m.model.scene.torque.empty() || w0_B.isZero(0.0)) return 1.0;
   const int e = exponent_of(w0_B);  // lest the energies leave the range of double
@@ -23,12 +23,12 @@ double growth(const Moment& m) {
 }
 
 /// Body components of ω-space, or of L-space where the scene shows that, to the view.
-Vec3 place(const Moment& m, const Vec3& w_B) {
+Vec3 place(const Snapshot& m, const Vec3& w_B) {
   if (m.L_scale > 0.0) return m.q_VB * (angular_momentum_B(m.I(), w_B) * m.L_scale);
   return m.q_VB * (w_B * m.omega_scale);
 }
 
-void add_body_curve(const Moment& m, const Curve& curve, double radius, const Color& color, DrawList& list) {
+void add_body_curve(const Snapshot& m, const Curve& curve, double radius, const Color& color, DrawList& list) {
   if (curve.points.size() < 2) return;
   Tube tube{.points = {}, .closed = curve.closed, .radius = radius * m.thickness, .color = color};
   tube.points.reserve(curve.points.size());
@@ -38,12 +38,12 @@ void add_body_curve(const Moment& m, const Curve& curve, double radius, const Co
 }
 
 /// A surface of constant T and one of constant |L| meet in the polhode and in its mirror image.
-bool surfaces_meet(const Moment& m) {
+bool surfaces_meet(const Snapshot& m) {
   return m.model.needs.polhode && m.shows(Overlay::polhode) && m.shows(Overlay::momentum_sphere) &&
          (m.shows(Overlay::momentum_ellipsoid) || m.shows(Overlay::energy_ellipsoid));
 }
 
-void add_herpolhode(const Moment& m, DrawList& list) {
+void add_herpolhode(const Snapshot& m, DrawList& list) {
   Curve local;
   const Curve* curve_S = &m.model.herpolhode_S;
   const double span_s = herpolhode_span_s(m.model.scene);
@@ -68,7 +68,7 @@ double scale_place(const PrincipalMoments& I, double L2_over_2T) {
   return s[2] > s[1] ? 0.5 + 0.5 * (L2_over_2T - s[1]) / (s[2] - s[1]) : 0.5;
 }
 
-void add_curves(const Moment& m, DrawList& list) {
+void add_curves(const Snapshot& m, DrawList& list) {
   if (m.model.needs.polhode_family)
     for (const PolhodeOfFamily& member : m.model.family_B)
       for (const Curve& branch : member.branches)

@@ -17,7 +17,7 @@ constexpr float kAlpha = 0.6F;
 constexpr double kDash = 0.06;
 
 /// No name where the computed arrow, with its own, is as good as here.
-void add_arrow(const Moment& m, const Vec3& tip_V, const Vec3& computed_V, Arrow::Head head, const char* name,
+void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, Arrow::Head head, const char* name,
                const Role& role, DrawList& list) {
   Color paint = role.paint;
   paint.a = kAlpha;
@@ -93,7 +93,7 @@ void name_body(std::string_view name, const Place& place, const Camera& camera, 
 
 }  // namespace
 
-void add_ghost(const Moment& m, const Camera& camera, DrawList& list) {
+void add_ghost(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.model.needs.ghost) return;
   RigidBodyState exact{Quat::Identity(), m.model.exact->w_B_at(m.t_s)};
   if (m.model.needs.attitude) exact = m.model.exact->at(m.t_s);

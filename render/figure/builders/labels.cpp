@@ -33,7 +33,7 @@ Vec3 furthest(const std::vector<Vec3>& points, const Camera& camera, const Vec3&
                            [&](const Vec3& a, const Vec3& b) { return score(a) < score(b); });
 }
 
-void label_triads(const Moment& m, DrawList& list) {
+void label_triads(const Snapshot& m, DrawList& list) {
   constexpr std::array<const char*, 3> kSpace = {"$x$", "$y$", "$z$"};
   constexpr std::array<const char*, 3> kBody = {"1", "2", "3"};
   constexpr double kBeyond = kTriadLength + 0.06;
@@ -54,7 +54,7 @@ void label_triads(const Moment& m, DrawList& list) {
   }
 }
 
-void label_vectors(const Moment& m, DrawList& list) {
+void label_vectors(const Snapshot& m, DrawList& list) {
   if (m.state.w_B.isZero(0.0)) return;
   constexpr double kBeyond = 0.06;
   const auto beyond = [](const Vec3& tip) -> Vec3 {
@@ -73,7 +73,7 @@ const Tube* find_tube(const DrawList& list, const Color& color) {
   return nullptr;
 }
 
-void label_curves(const Moment& m, const Camera& camera, DrawList& list) {
+void label_curves(const Snapshot& m, const Camera& camera, DrawList& list) {
   const Vec3 right = screen_direction(camera, 1.0, 0.25);
   const Vec3 left = screen_direction(camera, -1.0, 0.15);
   const Vec3 low_right = screen_direction(camera, 1.0, -0.6);
@@ -89,7 +89,7 @@ void label_curves(const Moment& m, const Camera& camera, DrawList& list) {
       add_text(list, "separatrix", furthest(tube->points, camera, left), kAxesRole.ink);
 }
 
-void label_surfaces(const Moment& m, const Camera& camera, DrawList& list) {
+void label_surfaces(const Snapshot& m, const Camera& camera, DrawList& list) {
   const auto on_silhouette = [&](const GlassEllipsoid& e, const Vec3& direction) -> Vec3 {
     const Vec3 d = e.rotation.conjugate() * direction;  // support point of the ellipsoid
     const Vec3 scaled = e.semi_axes.cwiseProduct(d);
@@ -115,7 +115,7 @@ void label_surfaces(const Moment& m, const Camera& camera, DrawList& list) {
   }
 }
 
-void label_cones(const Moment& m, const Camera& camera, DrawList& list) {
+void label_cones(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::cones)) return;
   const Vec3 side = screen_direction(camera, -1.0, 0.4);
   const auto name = [&](const Color& rim, const char* text, const Color& ink) {
@@ -139,7 +139,7 @@ Vec3 screen_direction(const Camera& camera, double x, double y) {
   return x * Vec3(v(0, 0), v(0, 1), v(0, 2)) + y * Vec3(v(1, 0), v(1, 1), v(1, 2));
 }
 
-void add_labels(const Moment& m, const Camera& camera, DrawList& list) {
+void add_labels(const Snapshot& m, const Camera& camera, DrawList& list) {
   label_vectors(m, list);
   label_triads(m, list);
   label_curves(m, camera, list);
@@ -147,7 +147,7 @@ void add_labels(const Moment& m, const Camera& camera, DrawList& list) {
   label_cones(m, camera, list);
 }
 
-void add_values(const Moment& m, DrawList& list) {
+void add_values(const Snapshot& m, DrawList& list) {
   const double L = norm_of(m.L_B);
   // L²/2T, whose square may leave the range of double: |L| by the distance 2T/|L| of the plane.
   const double J = m.state.w_B.isZero(0.0) ? 0.0 : L / invariable_plane_distance(m.I(), m.state.w_B);

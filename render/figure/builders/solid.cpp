@@ -192,7 +192,7 @@ void add_cover(const Quat& q_VB, const Vec3& half, DrawList& list) {
             color_from_hex(0xF2EFE8), list);
 }
 
-Vec3 room_for(const Moment& m, const Vec3& w_B) {
+Vec3 room_for(const Snapshot& m, const Vec3& w_B) {
   if (m.shows(Overlay::energy_ellipsoid) && !w_B.isZero(0.0))
     return kInsideGlass * m.omega_scale * energy_ellipsoid_semi_axes(m.I(), w_B);
   return Vec3::Constant(kAloneRadius);
@@ -225,11 +225,11 @@ void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const Co
 
 }  // namespace
 
-double scene_units_per_m(const Moment& m) {
+double scene_units_per_m(const Snapshot& m) {
   return fit(parts_of(m.model.scene, m.shows(Overlay::pivot)), room_for(m, m.model.scene.w0_B));
 }
 
-void add_solid(const Moment& m, DrawList& list) {
+void add_solid(const Snapshot& m, DrawList& list) {
   if (!m.model.needs.solid) return;
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
   const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
@@ -238,7 +238,7 @@ void add_solid(const Moment& m, DrawList& list) {
     add_cover(m.q_VB, 0.5 * scale * m.model.solid.size_m, list);
 }
 
-void add_ghost_of_solid(const Moment& m, const Quat& q_SB, DrawList& list) {
+void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list) {
   if (!m.model.needs.solid || m.view == View::body) return;  // B is the body's own: there both would coincide
   constexpr float kAlpha = 0.38F, kEdges = 0.6F;
   constexpr double kLarger =

@@ -25,7 +25,7 @@ struct Side {
   double dash = 0.0;
 };
 
-void add_side(const Moment& m, const Side& side, const Vec3& from_V, double radius, DrawList& list) {
+void add_side(const Snapshot& m, const Side& side, const Vec3& from_V, double radius, DrawList& list) {
   if (!(side.along_V.norm() > kTooShort)) return;  // NaN too: the motion does not reach so far
   list.arrows.push_back({.head = side.head,
                          .tail = from_V,
@@ -40,7 +40,7 @@ void add_side(const Moment& m, const Side& side, const Vec3& from_V, double radi
 
 /// a from `at`, b from its end, and the sum from `at` to where b ends. Sides of a triangle that has no area
 /// lie beside one another.
-void add_triangle(const Moment& m, const Side& a, const Side& b, const Side& sum, const Vec3& at_V,
+void add_triangle(const Snapshot& m, const Side& a, const Side& b, const Side& sum, const Vec3& at_V,
                   double radius, const Camera& camera, DrawList& list) {
   const double longest = std::max({a.along_V.norm(), b.along_V.norm(), sum.along_V.norm()});
   if (!(longest > 0.0)) return;
@@ -55,7 +55,7 @@ void add_triangle(const Moment& m, const Side& a, const Side& b, const Side& sum
 }
 
 /// The part of the tip's path that has just been gone, in the frame of the view.
-void add_trail_of_tip(const Moment& m, DrawList& list) {
+void add_trail_of_tip(const Snapshot& m, DrawList& list) {
   constexpr int kPoints = 120;
   Tube trail{.points = {}, .closed = false, .radius = 0.008, .color = kTRole.paint, .fade_start = 0.0};
   for (int n = 0; n <= kPoints; ++n) {
@@ -72,7 +72,7 @@ void add_trail_of_tip(const Moment& m, DrawList& list) {
 
 }  // namespace
 
-void add_transport(const Moment& m, const Camera& camera, DrawList& list) {
+void add_transport(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::transport)) return;
   constexpr double kLongest = 1.0;  // of a rate as large as |ω₀||A|
   const ArrowRates rates = arrow_rates(m.model, m.t_s);
@@ -93,10 +93,10 @@ void add_transport(const Moment& m, const Camera& camera, DrawList& list) {
 }
 
 /// At the tip of L, where that is shown, they are its rates: d*L/dt and ω×L of equation (5).
-void add_terms(const Moment& m, const Camera& camera, DrawList& list) {
+void add_terms(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::terms) || m.model.longest_term == 0.0) return;
   constexpr double kLongest = 1.0;
-  const Terms terms = terms_at(*m.model.motion, m.I(), m.model.scene.torque, m.t_s);
+  const EulerTerms terms = euler_terms_at(*m.model.motion, m.I(), m.model.scene.torque, m.t_s);
   const double scale = kLongest / m.model.longest_term;
   const auto drawn = [&](const Vec3& term_B) -> Vec3 { return m.q_VB * (scale * term_B); };
   const double radius = kRadius * m.thickness * m.emphasis(Overlay::terms);

@@ -51,17 +51,17 @@ Curve first_round(const Curve& herpolhode_S) {
 
 }  // namespace
 
-double plane_z(const Moment& m) {
+double plane_z(const Snapshot& m) {
   if (m.model.scene.w0_B.isZero(0.0)) return -1.0;
   // From the start, not from t: it is invariable, and a drift of the motion shall show.
   return -invariable_plane_distance(m.I(), m.model.scene.w0_B) * m.omega_scale;
 }
 
-const Vec3& w_B_of_surfaces(const Moment& m) {
+const Vec3& w_B_of_surfaces(const Snapshot& m) {
   return m.model.scene.torque.empty() ? m.model.scene.w0_B : m.state.w_B;
 }
 
-void add_surfaces(const Moment& m, DrawList& list) {
+void add_surfaces(const Snapshot& m, DrawList& list) {
   const Vec3& w_B = w_B_of_surfaces(m);
   if (w_B.isZero(0.0)) return;
   const double L = norm_of(angular_momentum_B(m.I(), w_B));
@@ -83,7 +83,7 @@ void add_surfaces(const Moment& m, DrawList& list) {
   if (m.shows(Overlay::plane) && m.view == View::space) list.floors.push_back({.z = plane_z(m)});
 }
 
-void add_cones(const Moment& m, DrawList& list) {
+void add_cones(const Snapshot& m, DrawList& list) {
   if (!m.model.needs.cones) return;
   constexpr float kAlpha = 0.30F;
   const auto translucent = [&](Color c) { return Color{c.r, c.g, c.b, kAlpha}; };

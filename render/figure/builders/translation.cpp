@@ -29,23 +29,23 @@ constexpr Lengths kOfPuck{1.35, 0.9, 0.8};
 double fastest(const SceneModel& model) {  // |v| is convex in t
   double speed = 0.0;
   for (double t_s : {0.0, model.span_s, model.scene.at_s})
-    speed = std::max(speed, drift_at(model.scene, t_s).v_S.norm());
+    speed = std::max(speed, translation_at(model.scene, t_s).v_S.norm());
   return speed;
 }
 
 /// Where the centre is drawn, V axes.
-Vec3 place_V(const Moment& m, double t_s, double units_per_m) {
-  return m.q_VS * (drift_at(m.model.scene, t_s).r_S * units_per_m);
+Vec3 place_V(const Snapshot& m, double t_s, double units_per_m) {
+  return m.q_VS * (translation_at(m.model.scene, t_s).r_S * units_per_m);
 }
 
 /// The puck's place half way: on the floor, beside the body at the camera's right.
-Vec3 lane_V(const Moment& m) {
+Vec3 lane_V(const Snapshot& m) {
   const CameraSpec& camera = m.model.scene.camera;
   const Vec3 right(-std::sin(camera.azimuth_rad), std::cos(camera.azimuth_rad), 0.0);
   return (puck_alone(m) ? 0.0 : kPuckAside) * right + Vec3(0.0, 0.0, kFloor + 0.5 * kPuckHeight);
 }
 
-Vec3 puck_V(const Moment& m, double t_s, double units_per_m) {
+Vec3 puck_V(const Snapshot& m, double t_s, double units_per_m) {
   return lane_V(m) + place_V(m, t_s, units_per_m) - place_V(m, 0.5 * m.model.span_s, units_per_m);
 }
 
@@ -81,7 +81,7 @@ void add_disc(const Vec3& center, DrawList& list) {
   for (Tube& rim : rims) list.tubes.push_back(std::move(rim));
 }
 
-void add_path(const Moment& m, const std::vector<Vec3>& path_V, const Vec3& away_V, DrawList& list) {
+void add_path(const Snapshot& m, const std::vector<Vec3>& path_V, const Vec3& away_V, DrawList& list) {
   Tube line{.points = {}, .closed = false, .radius = 0.0075, .color = kAxesRole.paint, .dash = 0.06};
   for (const Vec3& p : path_V) line.points.push_back(p + away_V);
   for (int n = 0; n <= kMarks; ++n) {
@@ -92,7 +92,7 @@ void add_path(const Moment& m, const std::vector<Vec3>& path_V, const Vec3& away
   list.tubes.push_back(std::move(line));
 }
 
-void add_arrow(const Moment& m, Overlay overlay, const Arrow& arrow, const char* name, const Role& role,
+void add_arrow(const Snapshot& m, Overlay overlay, const Arrow& arrow, const char* name, const Role& role,
                DrawList& list) {
   list.arrows.push_back(arrow);
   list.arrows.back().color = role.paint;
@@ -103,9 +103,9 @@ void add_arrow(const Moment& m, Overlay overlay, const Arrow& arrow, const char*
 }
 
 /// A velocity, a momentum and a force have each the same colour and head, of translation as of rotation.
-void add_arrows(const Moment& m, const Vec3& at, const Lengths& lengths, const OverlaySet& shown,
+void add_arrows(const Snapshot& m, const Vec3& at, const Lengths& lengths, const OverlaySet& shown,
                 DrawList& list) {
-  const Drift now = drift_at(m.model.scene, m.t_s);
+  const Translation now = translation_at(m.model.scene, m.t_s);
   const double most = fastest(m.model);
   const double radius = 0.021 * m.thickness;
   const Vec3 v_V = most > 0.0 ? Vec3(m.q_VS * (now.v_S / most)) : Vec3(Vec3::Zero());
@@ -133,14 +133,14 @@ void add_arrows(const Moment& m, const Vec3& at, const Lengths& lengths, const O
 
 }  // namespace
 
-bool puck_alone(const Moment& m) {
+bool puck_alone(const Snapshot& m) {
   for (Overlay o :
        {Overlay::shape, Overlay::energy_ellipsoid, Overlay::omega, Overlay::L, Overlay::axes_body})
     if (m.shows(o)) return false;
   return true;
 }
 
-std::vector<Vec3> path_of_center_V(const Moment& m) {
+std::vector<Vec3> path_of_center_V(const Snapshot& m) {
   const double units_per_m = scene_units_per_m(m);
   std::vector<Vec3> path_V;
   for (int n = 0; n <= kPathPoints; ++n) {
@@ -150,13 +150,13 @@ std::vector<Vec3> path_of_center_V(const Moment& m) {
   return path_V;
 }
 
-std::vector<Vec3> tips_of_center_V(const Moment& m) {
+std::vector<Vec3> tips_of_center_V(const Snapshot& m) {
   const Lengths& lengths = m.shows(Overlay::puck) ? kOfPuck : kOfBody;
   const std::vector<Vec3> path_V = path_of_center_V(m);
   const double most = fastest(m.model);
   std::vector<Vec3> tips_V;
   for (int n = 0; n <= kMarks && most > 0.0; ++n) {
-    const Drift then = drift_at(m.model.scene, m.model.span_s * n / kMarks);
+    const Translation then = translation_at(m.model.scene, m.model.span_s * n / kMarks);
     const Vec3& at_V = path_V[static_cast<std::size_t>(n * kPathPoints / kMarks)];
     if (m.shows(Overlay::v)) tips_V.push_back(at_V + m.q_VS * (then.v_S * (lengths.v / most)));
     if (m.shows(Overlay::p))
@@ -166,12 +166,12 @@ std::vector<Vec3> tips_of_center_V(const Moment& m) {
   return tips_V;
 }
 
-Vec3 center_of_mass_V(const Moment& m) {
+Vec3 center_of_mass_V(const Snapshot& m) {
   if (m.view == View::body || m.shows(Overlay::puck) || !drifts(m.model.scene)) return Vec3::Zero();
   return place_V(m, m.t_s, scene_units_per_m(m));
 }
 
-void add_translation(const Moment& m, DrawList& list) {
+void add_translation(const Snapshot& m, DrawList& list) {
   const OverlaySet& shown = m.model.drawn;
   if (m.shows(Overlay::puck)) {
     if (m.view == View::body) return;

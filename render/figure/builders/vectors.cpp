@@ -29,13 +29,13 @@ void add_triad(const Quat& q_VF, const Vec3& origin_V, double emphasis, double d
 }
 
 /// Times of the past that a trail shows. Torque-free motion has no beginning; a driven one starts at t = 0.
-double trail_start_s(const Moment& m) {
+double trail_start_s(const Snapshot& m) {
   const double start = m.t_s - m.model.span_s;
   return m.model.scene.torque.empty() ? start : std::max(0.0, start);
 }
 
 /// Over the curve that it lies on, or both would show in specks.
-double trail_radius(const Moment& m, Overlay trail) {
+double trail_radius(const Snapshot& m, Overlay trail) {
   const double radius = kTrailRadius * m.emphasis(trail);
   const bool on_polhode =
       m.view == View::body && m.shows(Overlay::polhode) && (trail == Overlay::trail_L) == (m.L_scale > 0.0);
@@ -57,7 +57,7 @@ void end_behind_tip(Tube& trail) {
 }
 
 template <class TipAt>
-void add_trail(const Moment& m, Overlay overlay, const Role& role, TipAt tip_at, DrawList& list) {
+void add_trail(const Snapshot& m, Overlay overlay, const Role& role, TipAt tip_at, DrawList& list) {
   Tube trail{.points = {},
              .closed = false,
              .radius = m.thickness * trail_radius(m, overlay),
@@ -79,7 +79,7 @@ void add_trail(const Moment& m, Overlay overlay, const Role& role, TipAt tip_at,
 
 }  // namespace
 
-void add_trails(const Moment& m, DrawList& list) {
+void add_trails(const Snapshot& m, DrawList& list) {
   const auto to_view = [&](const RigidBodyState& then, const Vec3& v_B) -> Vec3 {
     return m.view == View::space ? Vec3(then.q_SB * v_B) : v_B;
   };
@@ -94,12 +94,12 @@ void add_trails(const Moment& m, DrawList& list) {
         list);
 }
 
-Ends torque_ends(const Moment& m) {
+Ends torque_ends(const Snapshot& m) {
   const Vec3 tail = m.shows(Overlay::L) ? m.L_tip_V() : Vec3::Zero();  // N is the velocity of L's tip
   return {tail, tail + m.q_VB * (m.N_B.normalized() * kTorqueLength)};
 }
 
-void add_turn(const Moment& m, DrawList& list) {
+void add_turn(const Snapshot& m, DrawList& list) {
   if (!m.turn) return;
   constexpr int kPoints = 48;
   constexpr double kPlace = 1.02, kArcRadius = 0.26, kLeast_rad = 0.15;
@@ -122,7 +122,7 @@ void add_turn(const Moment& m, DrawList& list) {
   list.tubes.push_back(std::move(arc));
 }
 
-void add_vectors(const Moment& m, DrawList& list) {
+void add_vectors(const Snapshot& m, DrawList& list) {
   const double radius = kArrowRadius * m.thickness;
   const bool turning = !m.state.w_B.isZero(0.0);
   if (m.shows(Overlay::L) && turning)
@@ -148,7 +148,7 @@ void add_vectors(const Moment& m, DrawList& list) {
     list.balls.push_back({Vec3::Zero(), 1.7 * radius, color_from_hex(0xE9ECF0)});
 }
 
-void add_axes(const Moment& m, DrawList& list) {
+void add_axes(const Snapshot& m, DrawList& list) {
   if (m.shows(Overlay::axes_space))
     add_triad(m.q_VS, -m.center_V, m.emphasis(Overlay::axes_space), 0.05, list);
   if (m.shows(Overlay::axes_body)) add_triad(m.q_VB, Vec3::Zero(), m.emphasis(Overlay::axes_body), 0.0, list);

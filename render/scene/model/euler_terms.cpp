@@ -10,9 +10,9 @@
 
 namespace polhode {
 
-double Terms::largest() const { return std::max({inertial_B.norm(), gyroscopic_B.norm(), N_B.norm()}); }
+double EulerTerms::largest() const { return std::max({inertial_B.norm(), gyroscopic_B.norm(), N_B.norm()}); }
 
-Terms terms_at(const Motion& motion, const PrincipalMoments& I, const Torque& torque, double t_s) {
+EulerTerms euler_terms_at(const Motion& motion, const PrincipalMoments& I, const Torque& torque, double t_s) {
   const RigidBodyState now = motion.at(t_s);
   const Vec3 N_B = torque_B(torque, I, now);
   // The pace at which ω changes: of its own turning, and from rest of what the torque does.

@@ -125,7 +125,7 @@ void check_drift(const Scene& scene) {
   constexpr double kMostSizes = 200;  // of the body: further off it would be a speck
   const double size_m = scene.body.shape.value_or(equivalent_box(scene.body.moments)).size_m.norm();
   for (double t_s : {scene.at_s, 0.5 * span_of(scene), span_of(scene)}) {
-    const double sizes = drift_at(scene, t_s).r_S.norm() / size_m;
+    const double sizes = translation_at(scene, t_s).r_S.norm() / size_m;
     if (!(sizes <= kMostSizes))
       throw std::domain_error("the centre of mass moves by " + std::to_string(sizes) +
                               " times the size of the body, at most " + std::to_string(kMostSizes) +
@@ -227,7 +227,7 @@ double longest_term(const SceneModel& model) {
   double longest = 0.0;
   for (int n = 0; n <= kSamples; ++n) {
     const double t_s = reach_s * n / kSamples;
-    const double term = terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s).largest();
+    const double term = euler_terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s).largest();
     if (std::isfinite(term)) longest = std::max(longest, term);
   }
   return longest;

@@ -3,7 +3,7 @@
 
 namespace polhode {
 
-Drift drift_at(const Scene& scene, double t_s) {
+Translation translation_at(const Scene& scene, double t_s) {
   const double m = scene.body.mass_kg;
   const Vec3 gained_S = scene.F_S * (t_s / m);
   const Vec3 v_S = scene.v0_S + gained_S;

@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-struct Drift {
+struct Translation {
   Vec3 r_S{0, 0, 0};  ///< m, from where the centre of mass was at t = 0
   Vec3 v_S{0, 0, 0};  ///< m/s
   Vec3 p_S{0, 0, 0};  ///< kg m/s
@@ -17,7 +17,7 @@ struct Drift {
 };
 
 /// r = v₀ t + F t²/2m, v = v₀ + F t/m, p = m v. Error: a few roundings.
-Drift drift_at(const Scene& scene, double t_s);
+Translation translation_at(const Scene& scene, double t_s);
 
 /// Whether the scene gives its centre of mass a velocity or a force.
 bool drifts(const Scene& scene);

@@ -57,27 +57,27 @@ class Folder : public testing::Test {
       ASSERT_TRUE(begin_in(scratch.path(), marker(options)).ok());
   }
   std::string error_of(const ExportIdentity& mine) {
-    const auto state = look_into(scratch.path(), mine);
+    const auto state = inspect_folder(scratch.path(), mine);
     return state ? "" : state.error();
   }
   ScratchFolder scratch;
 };
 
 TEST_F(Folder, WithNothingOrTheSameTakesAnExport) {
-  auto state = look_into(scratch.path(), identity());
+  auto state = inspect_folder(scratch.path(), identity());
   ASSERT_TRUE(state.ok());
   EXPECT_FALSE(state->ours || state->finished);
   leave({}, false);
-  state = look_into(scratch.path(), identity());
+  state = inspect_folder(scratch.path(), identity());
   ASSERT_TRUE(state.ok()) << state.error();
   EXPECT_TRUE(state->ours);
   EXPECT_FALSE(state->finished);
   leave({}, true);
-  state = look_into(scratch.path(), identity());
+  state = inspect_folder(scratch.path(), identity());
   ASSERT_TRUE(state.ok()) << state.error();
   EXPECT_TRUE(state->ours && state->finished);
   EXPECT_EQ(state->renderer, "llvmpipe");
-  EXPECT_TRUE(look_into(scratch / "none", identity()).ok());
+  EXPECT_TRUE(inspect_folder(scratch / "none", identity()).ok());
 }
 
 // Every option that decides the bytes must count, in a folder that is finished and in one that is not.
@@ -121,7 +121,7 @@ TEST_F(Folder, WithAForeignManifestIsRefused) {
 TEST_F(Folder, OfSomeFramesTakesMoreOfThem) {
   leave(frames(2, 5), true);
   for (const ExportOptions& more : {frames(2, 6), frames(0, 5), frames(0, 0)}) {
-    const auto state = look_into(scratch.path(), identity(more));
+    const auto state = inspect_folder(scratch.path(), identity(more));
     ASSERT_TRUE(state.ok()) << state.error();
     EXPECT_TRUE(state->ours);
     EXPECT_FALSE(state->finished);

@@ -77,9 +77,9 @@ TEST(Transcript, HasTheStagesAskedFor) {
   EXPECT_THAT(text, Not(HasSubstr("first stage")));
 }
 
-TEST(Speaker, SaysAPage) {
+TEST(SpeechText, SaysAPage) {
   const Lesson l = lesson();
-  EXPECT_THAT(Speaker(l).words_of_page(l.stages[0], 1, 1),
+  EXPECT_THAT(SpeechText(l).words_of_page(l.stages[0], 1, 1),
               testing::AllOf(testing::StartsWith("The first stage. The vector angular velocity is long:"),
                              HasSubstr("Equation (7): "), HasSubstr("Choice B: zero.")));
 }
@@ -90,10 +90,10 @@ std::string spoken_prose(const std::string& prose) {
   LessonReading reading = read_lesson(text, "spoken.md");
   if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
   const Lesson& l = *reading.lesson;
-  return Speaker(l).words(std::get<Prose>(l.stages[1].steps[0].blocks[0]).text);
+  return SpeechText(l).words(std::get<Prose>(l.stages[1].steps[0].blocks[0]).text);
 }
 
-TEST(Speaker, SaysAQuantityAndItsSymbolOnce) {
+TEST(SpeechText, SaysAQuantityAndItsSymbolOnce) {
   EXPECT_EQ(spoken_prose("The angular velocity $\\vec\\omega$ is."), "The angular velocity is.");
   EXPECT_EQ(spoken_prose("Angular velocity $\\vec\\omega$, too"), "Angular velocity, too");
   EXPECT_EQ(spoken_prose("An angular $\\vec\\omega$ is."), "An angular velocity is.");

@@ -20,11 +20,12 @@ Claim claim_of(const std::string& text, ClaimKind kind) {
   claim.kind = kind;
   claim.lines = read_claim_lines(source, 1, source.line_count(), kind, report);
   EXPECT_FALSE(report.has_errors()) << text;
+  for (ClaimLine& line : claim.lines) line.judgement = judge(line, kind, Prover());
   return claim;
 }
 
 VerdictRow row_of(const std::string& text, ClaimKind kind, const SceneModel* model = nullptr) {
-  return verdict_row(claim_of(text, kind), Prover(), model ? &model->scene : nullptr, model);
+  return verdict_row(claim_of(text, kind), model ? &model->scene : nullptr, model);
 }
 
 std::string live_text_of(const std::string& text, ClaimKind kind, const Scene& scene, double t_s) {

@@ -428,7 +428,7 @@ TEST(Page, WhatAStepAddsFadesWhereItWillStand) {
                       .theme = Theme::paper};
   const Sheet whole = compose_page(request, test_fonts()).value().sheet;
   const FittedText text = text_of_page(request, test_fonts()).value();
-  request.news = 0.25;
+  request.entrance = FadingIn{0.25};
   const Sheet faint = compose_page(request, text, test_fonts()).sheet;
   EXPECT_TRUE(same(faint, compose_page(request, test_fonts()).value().sheet))
       << "the text that is there is another";
@@ -449,7 +449,7 @@ TEST(Page, WhatAStepAddsFadesWhereItWillStand) {
 TEST(Page, InASequenceWhatStandsThereStaysInItsPlace) {
   const Lesson lesson = lesson_of(
       "# A stage {one}\nFirst.\n\n```math e\na = b\n```\nBetween.\n\n---\nThen.\n\n```math f\nc = d\n```\n");
-  const auto sheet_of = [&](int step, std::optional<double> news) {
+  const auto sheet_of = [&](int step, PageEntrance entrance) {
     return compose_page({.lesson = lesson,
                          .stage = lesson.stages[0],
                          .number = 1,
@@ -458,12 +458,13 @@ TEST(Page, InASequenceWhatStandsThereStaysInItsPlace) {
                          .t_s = 0,
                          .size = {800, 600},
                          .theme = Theme::paper,
-                         .news = news},
+                         .entrance = entrance},
                         test_fonts())
         .value()
         .sheet;
   };
-  const Sheet before = sheet_of(1, 1.0), after = sheet_of(2, 0.5), alone = sheet_of(2, std::nullopt);
+  const Sheet before = sheet_of(1, FadingIn{1.0}), after = sheet_of(2, FadingIn{0.5}),
+              alone = sheet_of(2, Standing{});
   ASSERT_GT(after.texts.size(), before.texts.size());
   for (std::size_t i = 1; i < before.texts.size(); ++i) {  // 0 tells the step
     EXPECT_EQ(before.texts[i].list, after.texts[i].list);

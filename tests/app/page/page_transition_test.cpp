@@ -60,15 +60,14 @@ class Pages {
   }
   Sheet before() const { return compose_page(request(step_ - 1), test_fonts()).value().sheet; }
   Sheet after() const { return compose_page(request(step_), test_fonts()).value().sheet; }
-  Sheet at(double travel) const {
+  Sheet at(double progress) const {
     PageRequest moving = request(step_);
-    moving.travel = travel;
-    moving.from = &from_;
+    moving.entrance = TurningInto{&from_, progress};
     return compose_page(moving, test_fonts()).value().sheet;
   }
-  Sheet fading_at(double travel) const {
+  Sheet fading_at(double progress) const {
     PageRequest fading = request(step_);
-    fading.travel = travel;
+    fading.entrance = TurningInto{nullptr, progress};
     return compose_page(fading, test_fonts()).value().sheet;
   }
 
@@ -96,7 +95,7 @@ TEST(PageTravel, EndsOnThePageItself) {
   const Lesson lesson = lesson_of(kDerivation);
   for (int step = 2; step <= 4; ++step) {
     const Pages pages(lesson, step);
-    for (const double travel : {1.0, 1.5}) EXPECT_TRUE(same(pages.at(travel), pages.after())) << step;
+    for (const double progress : {1.0, 1.5}) EXPECT_TRUE(same(pages.at(progress), pages.after())) << step;
     EXPECT_TRUE(same(pages.fading_at(1.0), pages.after()));
     EXPECT_EQ(seen_on(pages.at(0.999999)), seen_on(pages.after())) << "nor is there a jump just before";
   }
@@ -127,8 +126,8 @@ TEST(PageTravel, TakesTheEquationInFocusFromOneToTheNext) {
   const double first = y_of(pages.before(), 2), last = y_of(pages.after(), 1);
   ASSERT_LT(first + 20, last);
   double y = first;
-  for (const double travel : {0.2, 0.4, 0.6, 0.8}) {
-    const Sheet sheet = pages.at(travel);
+  for (const double progress : {0.2, 0.4, 0.6, 0.8}) {
+    const Sheet sheet = pages.at(progress);
     const double now = y_of(sheet, 1);
     EXPECT_GT(now, y) << "always on";
     EXPECT_LT(now, last);

@@ -61,11 +61,11 @@ std::vector<std::string> texts(const std::vector<StepNote>& notes) {
 TEST(DeckNotes, AreWhatTheStepsSay) {
   const auto lesson = read_lesson(kLesson, "notes.md");
   ASSERT_TRUE(lesson.lesson) << lesson.diagnostics[0].message;
-  const Speaker speaker(*lesson.lesson);
+  const SpeechText speech(*lesson.lesson);
   const Stage& stage = lesson.lesson->stages[0];
-  EXPECT_THAT(texts(notes_of(speaker, stage, 1, 1)),
+  EXPECT_THAT(texts(notes_of(speech, stage, 1, 1)),
               ElementsAre("First words.", "• one", "• two", "Equation (5): angular momentum equals 0."));
-  EXPECT_THAT(texts(notes_of(speaker, stage, 2, 3)),
+  EXPECT_THAT(texts(notes_of(speech, stage, 2, 3)),
               ElementsAre("The lecture said: It stops.", "Question: Why?", "A. Because.",
                           "B. For angular momentum.", "More."));
 }

@@ -80,15 +80,15 @@ TEST(Bookmark, NotesAreNotKept) {
   write_text(
       scratch / "preferences.json",
       R"({"format":1,"theme":"dark","text_scale":1,"reduced_motion":false,"notes":true,"notes_shown":true})");
-  Companion companion(test::example());
+  LessonSession session(test::example());
   const auto reading = *read_preferences(scratch.path());
   EXPECT_THAT(reading.warning, IsEmpty());
-  companion.preferences = reading.preferences;
-  companion.set_presenting(true);
-  EXPECT_FALSE(companion.are_notes_shown());
-  companion.show_notes(true);
-  ASSERT_TRUE(write_preferences(scratch.path(), companion.preferences));
-  ASSERT_TRUE(write_bookmark(scratch.path(), "example", bookmark_of(companion)));
+  session.preferences = reading.preferences;
+  session.set_presenting(true);
+  EXPECT_FALSE(session.are_notes_shown());
+  session.show_notes(true);
+  ASSERT_TRUE(write_preferences(scratch.path(), session.preferences));
+  ASSERT_TRUE(write_bookmark(scratch.path(), "example", bookmark_of(session)));
   for (const char* file : {"preferences.json", "example.place.json"})
     EXPECT_THAT(text_of(scratch / file), ::testing::Not(HasSubstr("notes"))) << file;
 }
@@ -120,30 +120,30 @@ TEST(Bookmark, WhatCannotBeWrittenIsSaid) {
 }
 
 TEST(Bookmark, BringsBackWhereWeWere) {
-  Companion companion(test::example());
-  companion.go_to({0, 3});
-  companion.go_to({2, 0});
-  companion.go_to({0, 2});
-  const Bookmark bookmark = bookmark_of(companion);
+  LessonSession session(test::example());
+  session.go_to({0, 3});
+  session.go_to({2, 0});
+  session.go_to({0, 2});
+  const Bookmark bookmark = bookmark_of(session);
   EXPECT_EQ(bookmark, kBookmark);
-  Companion next(test::example());
+  LessonSession next(test::example());
   restore(next, bookmark);
   EXPECT_EQ(next.place(), (Place{0, 2}));
   EXPECT_EQ(bookmark_of(next), bookmark);
 }
 
 TEST(Bookmark, PassesOverWhatTheLessonNoLongerHas) {
-  Companion companion(test::example());
-  restore(companion, {"gone", 3, {"gone", "words"}});
-  EXPECT_EQ(companion.place(), (Place{0, 0}));
-  EXPECT_THAT(companion.visited(), ElementsAre("free", "words"));
-  restore(companion, {"free", 99, {}});
-  EXPECT_EQ(companion.place(), (Place{0, 3}));
-  restore(companion, {"top", -5, {}});
-  EXPECT_EQ(companion.place(), (Place{2, 0}));
-  EXPECT_THAT(companion.visited(), ElementsAre("top"));
-  restore(companion, {});
-  EXPECT_EQ(companion.place(), (Place{2, 0}));
+  LessonSession session(test::example());
+  restore(session, {"gone", 3, {"gone", "words"}});
+  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_THAT(session.visited(), ElementsAre("free", "words"));
+  restore(session, {"free", 99, {}});
+  EXPECT_EQ(session.place(), (Place{0, 3}));
+  restore(session, {"top", -5, {}});
+  EXPECT_EQ(session.place(), (Place{2, 0}));
+  EXPECT_THAT(session.visited(), ElementsAre("top"));
+  restore(session, {});
+  EXPECT_EQ(session.place(), (Place{2, 0}));
 }
 
 }  // namespace

@@ -55,59 +55,59 @@ TEST(Command, HelpGoesGroupByGroup) {
 }
 
 TEST(Command, WhatOnlyAWindowCanDoIsLeftToIt) {
-  Companion companion(example());
+  LessonSession session(example());
   const std::set<Command> of_windows = {Command::next_symbol, Command::previous_symbol, Command::explain,
                                         Command::save_page,   Command::full_screen,     Command::quit,
                                         Command::switch_focus};
   for (const CommandFacts& facts : all_commands())
-    EXPECT_EQ(do_command(companion, facts.command), of_windows.count(facts.command) == 0) << facts.does;
+    EXPECT_EQ(do_command(session, facts.command), of_windows.count(facts.command) == 0) << facts.does;
 }
 
 TEST(Command, WalksAndPlays) {
-  Companion companion(example());
-  const auto press = [&](const char* key) { return do_command(companion, command_of(key).value()); };
+  LessonSession session(example());
+  const auto press = [&](const char* key) { return do_command(session, command_of(key).value()); };
   press("Right");
   press("Right");
   press("Left");
-  EXPECT_EQ(companion.place(), (Place{0, 1}));
+  EXPECT_EQ(session.place(), (Place{0, 1}));
   press("PageDown");
   press("PageDown");
-  EXPECT_EQ(companion.place(), (Place{0, 3}));
+  EXPECT_EQ(session.place(), (Place{0, 3}));
   press("PageUp");
-  EXPECT_EQ(companion.place(), (Place{0, 2}));
+  EXPECT_EQ(session.place(), (Place{0, 2}));
   for (const auto& [next, previous] : {std::pair("Down", "Up"), std::pair("Ctrl+PageDown", "Ctrl+PageUp"),
                                        std::pair("Shift+PageDown", "Shift+PageUp")}) {
     press(next);
-    EXPECT_EQ(companion.place(), (Place{1, 0})) << next;
+    EXPECT_EQ(session.place(), (Place{1, 0})) << next;
     press(previous);
-    EXPECT_EQ(companion.place(), (Place{0, 0})) << previous;
+    EXPECT_EQ(session.place(), (Place{0, 0})) << previous;
     press("Right");
     press(previous);
-    EXPECT_EQ(companion.place(), (Place{0, 0})) << "first to the beginning of this stage";
+    EXPECT_EQ(session.place(), (Place{0, 0})) << "first to the beginning of this stage";
   }
   press("End");
-  EXPECT_EQ(companion.place(), (Place{2, 0}));
+  EXPECT_EQ(session.place(), (Place{2, 0}));
   press("Up");
   press("Home");
-  EXPECT_EQ(companion.place(), (Place{0, 0}));
+  EXPECT_EQ(session.place(), (Place{0, 0}));
   press("Space");
-  EXPECT_TRUE(companion.is_playing());
+  EXPECT_TRUE(session.is_playing());
   press("Shift+Up");
-  EXPECT_EQ(companion.speed(), 2);
+  EXPECT_EQ(session.speed(), 2);
   press("Shift+Down");
   press("Shift+Right");
-  EXPECT_FALSE(companion.is_playing());
-  EXPECT_GT(companion.t_s(), 0.5);
+  EXPECT_FALSE(session.is_playing());
+  EXPECT_GT(session.t_s(), 0.5);
   press("Shift+Left");
-  EXPECT_NEAR(companion.t_s(), 0.5, 1e-15);
+  EXPECT_NEAR(session.t_s(), 0.5, 1e-15);
   press("0");
-  EXPECT_EQ(companion.t_s(), 0.5);
+  EXPECT_EQ(session.t_s(), 0.5);
 }
 
 TEST(Command, ChangesTheSceneAndGivesItBack) {
-  Companion companion(example());
-  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
-  const auto views = [&] { return companion.model()->scene.views; };
+  LessonSession session(example());
+  const auto press = [&](const char* key) { do_command(session, command_of(key).value()); };
+  const auto views = [&] { return session.model()->scene.views; };
   press("V");
   EXPECT_EQ(views(), (std::vector<View>{View::body}));
   press("V");
@@ -115,29 +115,29 @@ TEST(Command, ChangesTheSceneAndGivesItBack) {
   press("V");
   EXPECT_EQ(views(), (std::vector<View>{View::space}));
   press("G");
-  EXPECT_TRUE(companion.model()->scene.motion.ghost);
+  EXPECT_TRUE(session.model()->scene.motion.ghost);
   press("C");
-  EXPECT_TRUE(companion.is_following());
+  EXPECT_TRUE(session.is_following());
   for (const auto& [key, back] :
        {std::pair("Ctrl+Left", "Ctrl+Right"), std::pair("Ctrl+Up", "Ctrl+Down"), std::pair("Z", "X")}) {
-    const CameraSpec before = companion.camera();
+    const CameraSpec before = session.camera();
     press(key);
-    EXPECT_NE(companion.camera(), before) << key;
+    EXPECT_NE(session.camera(), before) << key;
     press(back);
-    EXPECT_NEAR(companion.camera().azimuth_rad, before.azimuth_rad, 1e-5) << key;
-    EXPECT_NEAR(companion.camera().elevation_rad, before.elevation_rad, 1e-5) << key;
-    EXPECT_NEAR(companion.camera().zoom, before.zoom, 0.02) << key;
+    EXPECT_NEAR(session.camera().azimuth_rad, before.azimuth_rad, 1e-5) << key;
+    EXPECT_NEAR(session.camera().elevation_rad, before.elevation_rad, 1e-5) << key;
+    EXPECT_NEAR(session.camera().zoom, before.zoom, 0.02) << key;
   }
   press("R");
-  EXPECT_TRUE(companion.edits().empty());
-  companion.go_to({1, 0});
+  EXPECT_TRUE(session.edits().empty());
+  session.go_to({1, 0});
   for (const char* key : {"Ctrl+Left", "Z", "V", "G", "C", "R", "Space", "0", "Shift+Right"}) press(key);
-  EXPECT_EQ(companion.model(), nullptr) << "without a scene they do nothing";
+  EXPECT_EQ(session.model(), nullptr) << "without a scene they do nothing";
 }
 
 TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
-  Companion companion(example());
-  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
+  LessonSession session(example());
+  const auto press = [&](const char* key) { do_command(session, command_of(key).value()); };
   for (const auto& [key, panel] : std::vector<std::pair<const char*, Panel>>{{"O", Panel::outline},
                                                                              {"B", Panel::body},
                                                                              {"M", Panel::method},
@@ -147,53 +147,53 @@ TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
                                                                              {"F2", Panel::settings},
                                                                              {"F1", Panel::help}}) {
     press(key);
-    EXPECT_EQ(companion.panel, panel) << key;
+    EXPECT_EQ(session.panel, panel) << key;
   }
   press("?");
-  EXPECT_EQ(companion.panel, Panel::none) << "the same key again closes it";
+  EXPECT_EQ(session.panel, Panel::none) << "the same key again closes it";
   press("P");
   press("N");
   press("B");
-  companion.light("omega");
-  EXPECT_TRUE(companion.are_notes_shown());
+  session.light("omega");
+  EXPECT_TRUE(session.are_notes_shown());
   press("Escape");
-  EXPECT_FALSE(companion.are_notes_shown()) << "they lie on the page";
-  EXPECT_TRUE(companion.is_presenting());
+  EXPECT_FALSE(session.are_notes_shown()) << "they lie on the page";
+  EXPECT_TRUE(session.is_presenting());
   press("Escape");
-  EXPECT_FALSE(companion.is_presenting()) << "the page alone shows no panel";
-  EXPECT_EQ(companion.panel, Panel::body);
+  EXPECT_FALSE(session.is_presenting()) << "the page alone shows no panel";
+  EXPECT_EQ(session.panel, Panel::body);
   press("Escape");
-  EXPECT_EQ(companion.panel, Panel::none);
-  EXPECT_EQ(companion.lit(), "omega");
+  EXPECT_EQ(session.panel, Panel::none);
+  EXPECT_EQ(session.lit(), "omega");
   press("Escape");
-  EXPECT_EQ(companion.lit(), "");
+  EXPECT_EQ(session.lit(), "");
 }
 
 // The audience sees the same screen: notes are there for as long as they were asked for, and nowhere else.
 TEST(Command, NotesAreShownOnlyWhereTheyAreAskedFor) {
-  Companion companion(example());
-  const auto press = [&](const char* key) { do_command(companion, command_of(key).value()); };
+  LessonSession session(example());
+  const auto press = [&](const char* key) { do_command(session, command_of(key).value()); };
   press("N");
-  EXPECT_FALSE(companion.are_notes_shown()) << "nobody presents";
+  EXPECT_FALSE(session.are_notes_shown()) << "nobody presents";
   press("P");
-  EXPECT_FALSE(companion.are_notes_shown()) << "they were asked for before";
+  EXPECT_FALSE(session.are_notes_shown()) << "they were asked for before";
   press("N");
-  EXPECT_TRUE(companion.are_notes_shown());
+  EXPECT_TRUE(session.are_notes_shown());
   press("N");
-  EXPECT_FALSE(companion.are_notes_shown());
+  EXPECT_FALSE(session.are_notes_shown());
   for (const char* leaving : {"P", "F5"}) {
     press("N");
     press(leaving);
-    EXPECT_FALSE(companion.are_notes_shown()) << leaving;
+    EXPECT_FALSE(session.are_notes_shown()) << leaving;
     press("P");
-    EXPECT_FALSE(companion.are_notes_shown()) << "of the last time";
+    EXPECT_FALSE(session.are_notes_shown()) << "of the last time";
   }
   for (const char* going : {"Right", "PageDown", "Left", "Down", "Up", "End", "Home"}) {
     press("N");
     press("0");
-    EXPECT_TRUE(companion.are_notes_shown()) << "the same step";
+    EXPECT_TRUE(session.are_notes_shown()) << "the same step";
     press(going);
-    EXPECT_FALSE(companion.are_notes_shown()) << going;
+    EXPECT_FALSE(session.are_notes_shown()) << going;
   }
 }
 
@@ -226,15 +226,15 @@ TEST(Command, TheSameKeysWalkThroughTheDeck) {
 }
 
 TEST(Command, ChangesHowItIsShown) {
-  Companion companion(example());
-  do_command(companion, *command_of("T"));
-  EXPECT_EQ(companion.preferences.theme, Theme::dark);
-  do_command(companion, *command_of("T"));
-  EXPECT_EQ(companion.preferences.theme, Theme::paper);
-  do_command(companion, *command_of("+"));
-  EXPECT_GT(companion.preferences.text_scale, 1);
-  do_command(companion, *command_of("-"));
-  EXPECT_NEAR(companion.preferences.text_scale, 1, 1e-15);
+  LessonSession session(example());
+  do_command(session, *command_of("T"));
+  EXPECT_EQ(session.preferences.theme, Theme::dark);
+  do_command(session, *command_of("T"));
+  EXPECT_EQ(session.preferences.theme, Theme::paper);
+  do_command(session, *command_of("+"));
+  EXPECT_GT(session.preferences.text_scale, 1);
+  do_command(session, *command_of("-"));
+  EXPECT_NEAR(session.preferences.text_scale, 1, 1e-15);
 }
 
 }  // namespace

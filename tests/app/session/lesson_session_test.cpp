@@ -23,186 +23,186 @@ std::vector<Place> all_places(const Lesson& lesson) {
   return places;
 }
 
-TEST(Companion, WalksThroughEveryStepOfEveryLessonAndBack) {
+TEST(LessonSession, WalksThroughEveryStepOfEveryLessonAndBack) {
   for (const char* id : test::kLessons) {
-    Companion companion(test::loaded_lesson(id));
-    const std::vector<Place> places = all_places(companion.lesson());
+    LessonSession session(test::loaded_lesson(id));
+    const std::vector<Place> places = all_places(session.lesson());
     for (std::size_t i = 0; i < places.size(); ++i) {
-      EXPECT_EQ(companion.place(), places[i]);
-      EXPECT_EQ(companion.model() != nullptr, companion.has_scene());
-      EXPECT_EQ(companion.next_step(), i + 1 < places.size());
+      EXPECT_EQ(session.place(), places[i]);
+      EXPECT_EQ(session.model() != nullptr, session.has_scene());
+      EXPECT_EQ(session.next_step(), i + 1 < places.size());
     }
-    EXPECT_EQ(companion.place(), places.back());
-    EXPECT_EQ(companion.visited().size(), companion.lesson().stages.size());
+    EXPECT_EQ(session.place(), places.back());
+    EXPECT_EQ(session.visited().size(), session.lesson().stages.size());
     for (std::size_t i = places.size(); i-- > 0;) {
-      EXPECT_EQ(companion.place(), places[i]);
-      EXPECT_EQ(companion.previous_step(), i > 0);
+      EXPECT_EQ(session.place(), places[i]);
+      EXPECT_EQ(session.previous_step(), i > 0);
     }
   }
 }
 
-TEST(Companion, GoesFromStageToStageByTheirBeginnings) {
-  Companion companion(example());
-  companion.go_to({0, 2});
-  EXPECT_TRUE(companion.previous_stage());
-  EXPECT_EQ(companion.place(), (Place{0, 0})) << "first to the beginning of this one";
-  EXPECT_FALSE(companion.previous_stage());
-  companion.go_to({0, 2});
-  EXPECT_TRUE(companion.next_stage());
-  EXPECT_TRUE(companion.next_stage());
-  EXPECT_EQ(companion.place(), (Place{2, 0}));
-  EXPECT_FALSE(companion.next_stage());
-  EXPECT_TRUE(companion.previous_stage());
-  EXPECT_EQ(companion.place(), (Place{1, 0}));
+TEST(LessonSession, GoesFromStageToStageByTheirBeginnings) {
+  LessonSession session(example());
+  session.go_to({0, 2});
+  EXPECT_TRUE(session.previous_stage());
+  EXPECT_EQ(session.place(), (Place{0, 0})) << "first to the beginning of this one";
+  EXPECT_FALSE(session.previous_stage());
+  session.go_to({0, 2});
+  EXPECT_TRUE(session.next_stage());
+  EXPECT_TRUE(session.next_stage());
+  EXPECT_EQ(session.place(), (Place{2, 0}));
+  EXPECT_FALSE(session.next_stage());
+  EXPECT_TRUE(session.previous_stage());
+  EXPECT_EQ(session.place(), (Place{1, 0}));
 }
 
-TEST(Companion, TakesThePlaceNearestToOneThatDoesNotExist) {
-  Companion companion(example());
-  companion.go_to({0, 99});
-  EXPECT_EQ(companion.place(), (Place{0, 3}));
-  companion.go_to({99, 99});
-  EXPECT_EQ(companion.place(), (Place{2, 0}));
+TEST(LessonSession, TakesThePlaceNearestToOneThatDoesNotExist) {
+  LessonSession session(example());
+  session.go_to({0, 99});
+  EXPECT_EQ(session.place(), (Place{0, 3}));
+  session.go_to({99, 99});
+  EXPECT_EQ(session.place(), (Place{2, 0}));
 }
 
-TEST(Companion, KnowsWhichStagesWereSeen) {
-  Companion companion(example());
-  EXPECT_THAT(companion.visited(), ElementsAre("free"));
-  companion.go_to({2, 0});
-  EXPECT_THAT(companion.visited(), ElementsAre("free", "top"));
-  companion.set_visited({"words", "gone"});
-  EXPECT_THAT(companion.visited(), ElementsAre("top", "words")) << "where we are, and what there is";
+TEST(LessonSession, KnowsWhichStagesWereSeen) {
+  LessonSession session(example());
+  EXPECT_THAT(session.visited(), ElementsAre("free"));
+  session.go_to({2, 0});
+  EXPECT_THAT(session.visited(), ElementsAre("free", "top"));
+  session.set_visited({"words", "gone"});
+  EXPECT_THAT(session.visited(), ElementsAre("top", "words")) << "where we are, and what there is";
 }
 
-TEST(Companion, TravelsForwardWithinAStageOnly) {
-  Companion companion(example());
-  EXPECT_EQ(companion.travel(), 1);
-  companion.next_step();
-  EXPECT_EQ(companion.travel(), 0);
-  EXPECT_TRUE(companion.is_moving());
-  companion.advance(kMorphSeconds / 2);
-  EXPECT_NEAR(companion.travel(), 0.5, 1e-12);
-  companion.advance(kMorphSeconds);
-  EXPECT_EQ(companion.travel(), 1);
-  EXPECT_FALSE(companion.is_moving());
+TEST(LessonSession, TravelsForwardWithinAStageOnly) {
+  LessonSession session(example());
+  EXPECT_EQ(session.transition(), 1);
+  session.next_step();
+  EXPECT_EQ(session.transition(), 0);
+  EXPECT_TRUE(session.is_moving());
+  session.advance(kMorphSeconds / 2);
+  EXPECT_NEAR(session.transition(), 0.5, 1e-12);
+  session.advance(kMorphSeconds);
+  EXPECT_EQ(session.transition(), 1);
+  EXPECT_FALSE(session.is_moving());
   for (const Place place : {Place{0, 0}, Place{0, 2}, Place{1, 0}}) {
-    companion.go_to(place);
-    EXPECT_EQ(companion.travel(), 1) << place.stage << ' ' << place.step;
+    session.go_to(place);
+    EXPECT_EQ(session.transition(), 1) << place.stage << ' ' << place.step;
   }
 }
 
-TEST(Companion, DoesNotTravelWithReducedMotion) {
-  Companion companion(example());
-  companion.preferences.reduced_motion = true;
-  companion.next_step();
-  EXPECT_EQ(companion.travel(), 1);
-  companion.preferences.reduced_motion = false;
-  companion.next_step();
-  EXPECT_LT(companion.travel(), 1);
-  companion.preferences.reduced_motion = true;
-  EXPECT_EQ(companion.travel(), 1) << "at once";
-  EXPECT_FALSE(companion.is_moving());
+TEST(LessonSession, DoesNotTravelWithReducedMotion) {
+  LessonSession session(example());
+  session.preferences.reduced_motion = true;
+  session.next_step();
+  EXPECT_EQ(session.transition(), 1);
+  session.preferences.reduced_motion = false;
+  session.next_step();
+  EXPECT_LT(session.transition(), 1);
+  session.preferences.reduced_motion = true;
+  EXPECT_EQ(session.transition(), 1) << "at once";
+  EXPECT_FALSE(session.is_moving());
 }
 
-TEST(Companion, EachQuestionHasItsOwnVerdict) {
+TEST(LessonSession, EachQuestionHasItsOwnVerdict) {
   const auto asking = [](const char* id, const char* answer) {
     return fmt::format("```ask {}\ntype = \"expression\"\nprompt = 'What?'\nanswer = \"{}\"\n```\n", id,
                        answer);
   };
-  Companion companion(
+  LessonSession session(
       test::loaded_text("+++\nformat = 1\nid = \"two\"\ntitle = \"Two\"\n+++\n# Two {two}\nAsk.\n\n" +
                         asking("first", "w1") + asking("second", "w2")));
-  const std::vector<const Ask*> asks = companion.questions();
+  const std::vector<const Ask*> asks = session.questions();
   ASSERT_EQ(asks.size(), 2u);
-  companion.answer(*asks[0], "w1*(");
-  companion.answer(*asks[1], "w2");
-  ASSERT_TRUE(companion.judged(*asks[0]) && companion.judged(*asks[1]));
-  EXPECT_EQ(companion.judged(*asks[0])->text, "w1*(");
-  EXPECT_EQ(companion.judged(*asks[0])->judgement.outcome, Outcome::unreadable);
-  EXPECT_EQ(companion.judged(*asks[1])->text, "w2");
-  EXPECT_EQ(companion.judged(*asks[1])->judgement.outcome, Outcome::right);
+  session.answer(*asks[0], "w1*(");
+  session.answer(*asks[1], "w2");
+  ASSERT_TRUE(session.judged(*asks[0]) && session.judged(*asks[1]));
+  EXPECT_EQ(session.judged(*asks[0])->text, "w1*(");
+  EXPECT_EQ(session.judged(*asks[0])->judgement.outcome, Outcome::unreadable);
+  EXPECT_EQ(session.judged(*asks[1])->text, "w2");
+  EXPECT_EQ(session.judged(*asks[1])->judgement.outcome, Outcome::right);
 }
 
-TEST(Companion, JudgesAnAnswerAndKeepsIt) {
-  Companion companion(example());
-  EXPECT_TRUE(companion.questions().empty());
-  companion.next_step();
-  ASSERT_EQ(companion.questions().size(), 1u);
-  const Ask& ask = *companion.questions()[0];
-  EXPECT_EQ(companion.judged(ask), nullptr);
-  EXPECT_EQ(companion.record(ask), nullptr);
+TEST(LessonSession, JudgesAnAnswerAndKeepsIt) {
+  LessonSession session(example());
+  EXPECT_TRUE(session.questions().empty());
+  session.next_step();
+  ASSERT_EQ(session.questions().size(), 1u);
+  const Ask& ask = *session.questions()[0];
+  EXPECT_EQ(session.judged(ask), nullptr);
+  EXPECT_EQ(session.record(ask), nullptr);
 
-  EXPECT_EQ(companion.answer(ask, "seven").outcome, Outcome::unreadable);
-  ASSERT_NE(companion.judged(ask), nullptr);
-  EXPECT_EQ(companion.record(ask), nullptr) << "it was no try";
-  EXPECT_EQ(companion.answer(ask, "1").outcome, Outcome::wrong);
-  EXPECT_EQ(companion.answer(ask, "B").outcome, Outcome::right);
-  EXPECT_EQ(companion.answer(ask, "A").outcome, Outcome::wrong);
-  EXPECT_EQ(*companion.record(ask), (AnswerRecord{true, 3, 0, "A"}));
-  EXPECT_EQ(companion.judged(ask)->text, "A");
-  EXPECT_EQ(companion.answers().count("free/axis"), 1u) << "the name that `polhode answer` uses";
+  EXPECT_EQ(session.answer(ask, "seven").outcome, Outcome::unreadable);
+  ASSERT_NE(session.judged(ask), nullptr);
+  EXPECT_EQ(session.record(ask), nullptr) << "it was no try";
+  EXPECT_EQ(session.answer(ask, "1").outcome, Outcome::wrong);
+  EXPECT_EQ(session.answer(ask, "B").outcome, Outcome::right);
+  EXPECT_EQ(session.answer(ask, "A").outcome, Outcome::wrong);
+  EXPECT_EQ(*session.record(ask), (AnswerRecord{true, 3, 0, "A"}));
+  EXPECT_EQ(session.judged(ask)->text, "A");
+  EXPECT_EQ(session.answers().count("free/axis"), 1u) << "the name that `polhode answer` uses";
 
-  companion.next_step();
-  companion.previous_step();
-  EXPECT_EQ(companion.judged(ask), nullptr) << "the place was left";
-  EXPECT_NE(companion.record(ask), nullptr);
-  companion.forget_answer(ask);
-  EXPECT_EQ(companion.record(ask), nullptr);
+  session.next_step();
+  session.previous_step();
+  EXPECT_EQ(session.judged(ask), nullptr) << "the place was left";
+  EXPECT_NE(session.record(ask), nullptr);
+  session.forget_answer(ask);
+  EXPECT_EQ(session.record(ask), nullptr);
 }
 
-TEST(Companion, ShowsOneHintAfterTheOther) {
-  Companion companion(example());
-  companion.next_step();
-  const Ask& ask = *companion.questions()[0];
+TEST(LessonSession, ShowsOneHintAfterTheOther) {
+  LessonSession session(example());
+  session.next_step();
+  const Ask& ask = *session.questions()[0];
   for (int shown : {1, 2, 2}) {
-    companion.show_hint(ask);
-    ASSERT_NE(companion.record(ask), nullptr);
-    EXPECT_EQ(companion.record(ask)->hints, shown);
+    session.show_hint(ask);
+    ASSERT_NE(session.record(ask), nullptr);
+    EXPECT_EQ(session.record(ask)->hints, shown);
   }
 }
 
-TEST(Companion, StaysWhereItWasInAnotherReadingOfTheLesson) {
-  Companion companion(example());
-  companion.go_to({0, 3});
-  ASSERT_TRUE(companion.set_edits({.w0_B = Vec3(1, 2, 3)}));
-  companion.scrub_to(0.25);
-  companion.set_playing(true);
+TEST(LessonSession, StaysWhereItWasInAnotherReadingOfTheLesson) {
+  LessonSession session(example());
+  session.go_to({0, 3});
+  ASSERT_TRUE(session.set_edits({.w0_B = Vec3(1, 2, 3)}));
+  session.scrub_to(0.25);
+  session.set_playing(true);
   const std::string text = example()->lesson.source;
   const std::string more = "\n# New {new}\n\nBefore it.\n\n# Free {free}";
   std::string longer = text;
   longer.replace(longer.find("\n# Free {free}"), 14, more);
-  companion.replace_lesson(test::loaded_text(longer));
-  EXPECT_EQ(companion.place(), (Place{1, 3}));
-  EXPECT_EQ(companion.t_s(), 0.25);
-  EXPECT_TRUE(companion.is_playing());
-  EXPECT_EQ(companion.model()->scene.w0_B, Vec3(1, 2, 3));
+  session.replace_lesson(test::loaded_text(longer));
+  EXPECT_EQ(session.place(), (Place{1, 3}));
+  EXPECT_EQ(session.t_s(), 0.25);
+  EXPECT_TRUE(session.is_playing());
+  EXPECT_EQ(session.model()->scene.w0_B, Vec3(1, 2, 3));
 
   std::string shorter = text.substr(0, text.find("\n---"));
-  companion.replace_lesson(test::loaded_text(shorter));
-  EXPECT_EQ(companion.place(), (Place{0, 0}));
-  EXPECT_THAT(companion.visited(), ElementsAre("free"));
+  session.replace_lesson(test::loaded_text(shorter));
+  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_THAT(session.visited(), ElementsAre("free"));
   std::string other = text.substr(0, text.find("\n# Free")) + "\n# Other {other}\n\nText.\n";
-  companion.replace_lesson(test::loaded_text(other));
-  EXPECT_EQ(companion.stage().id, "other");
-  EXPECT_EQ(companion.model(), nullptr);
+  session.replace_lesson(test::loaded_text(other));
+  EXPECT_EQ(session.stage().id, "other");
+  EXPECT_EQ(session.model(), nullptr);
 }
 
-TEST(Companion, DropsEditsThatANewReadingForbids) {
-  Companion companion(example());
-  ASSERT_TRUE(companion.set_edits({.motion = MotionSpec{.method = Method::rk4_projected, .step_s = 0.01}}));
+TEST(LessonSession, DropsEditsThatANewReadingForbids) {
+  LessonSession session(example());
+  ASSERT_TRUE(session.set_edits({.motion = MotionSpec{.method = Method::rk4_projected, .step_s = 0.01}}));
   std::string text = example()->lesson.source;
   text.replace(text.find("at = 0.5"), 8, "torque = \"damping:0.1\"");
-  companion.replace_lesson(test::loaded_text(text));
-  EXPECT_TRUE(companion.edits().empty()) << "rk4-projected serves no torque";
+  session.replace_lesson(test::loaded_text(text));
+  EXPECT_TRUE(session.edits().empty()) << "rk4-projected serves no torque";
 }
 
-TEST(Companion, ChangesTheSizeOfTextWithinBounds) {
-  Companion companion(example());
-  companion.change_text_scale(1);
-  EXPECT_NEAR(companion.preferences.text_scale, kTextScaleFactor, 1e-15);
-  companion.change_text_scale(100);
-  EXPECT_EQ(companion.preferences.text_scale, kMostTextScale);
-  companion.change_text_scale(-100);
-  EXPECT_EQ(companion.preferences.text_scale, kLeastTextScale);
+TEST(LessonSession, ChangesTheSizeOfTextWithinBounds) {
+  LessonSession session(example());
+  session.change_text_scale(1);
+  EXPECT_NEAR(session.preferences.text_scale, kTextScaleFactor, 1e-15);
+  session.change_text_scale(100);
+  EXPECT_EQ(session.preferences.text_scale, kMostTextScale);
+  session.change_text_scale(-100);
+  EXPECT_EQ(session.preferences.text_scale, kLeastTextScale);
 }
 
 }  // namespace

@@ -29,44 +29,44 @@ Scene scene_with(const MotionSpec& motion) {
   return scene;
 }
 
-LiveTrade trade_of(const Scene& scene, double t_s) {
+AccuracyReading meter_of(const Scene& scene, double t_s) {
   const SceneModel model = make_model(scene, Product::page);
-  return TradeMeter(model).at(model, t_s);
+  return AccuracyMeter(model).at(model, t_s);
 }
 
-TEST(TradeMeter, WhatIsExactHasNoErrorAndKeepsItsInvariants) {
-  const LiveTrade trade = trade_of(scene_with({}), 100);
-  EXPECT_FALSE(trade.error);
-  EXPECT_LT(trade.drift.T, 1e-12);
-  EXPECT_LT(trade.drift.L_direction_rad, 1e-12);
-  EXPECT_GT(trade.ns_per_frame, 0);
+TEST(AccuracyMeter, WhatIsExactHasNoErrorAndKeepsItsInvariants) {
+  const AccuracyReading meter = meter_of(scene_with({}), 100);
+  EXPECT_FALSE(meter.error);
+  EXPECT_LT(meter.drift.T, 1e-12);
+  EXPECT_LT(meter.drift.L_direction_rad, 1e-12);
+  EXPECT_GT(meter.ns_per_frame, 0);
 }
 
-TEST(TradeMeter, TheErrorIsThatAgainstTheExactMotion) {
+TEST(AccuracyMeter, TheErrorIsThatAgainstTheExactMotion) {
   const Scene scene = scene_with({.method = Method::rk4, .step_s = 0.2});
   const double t_s = 40;
-  const LiveTrade trade = trade_of(scene, t_s);
+  const AccuracyReading meter = meter_of(scene, t_s);
   const Problem problem = problem_of(scene);
   const StateError want = error_of(make_motion(problem, {Method::rk4, 0.2})->at(t_s),
                                    make_motion(problem, {Method::exact})->at(t_s));
-  ASSERT_TRUE(trade.error);
-  EXPECT_EQ(trade.error->omega, want.omega);
-  EXPECT_EQ(trade.error->attitude_rad, want.attitude_rad);
+  ASSERT_TRUE(meter.error);
+  EXPECT_EQ(meter.error->omega, want.omega);
+  EXPECT_EQ(meter.error->attitude_rad, want.attitude_rad);
   EXPECT_GT(want.omega, 1e-6);  // else nothing was compared
 }
 
-TEST(TradeMeter, ErrorAndDriftVanishAtTheStart) {
-  const LiveTrade trade = trade_of(scene_with({.method = Method::rk4, .step_s = 0.2}), 0);
-  EXPECT_EQ(trade.error.value().omega, 0);
-  EXPECT_EQ(trade.error.value().attitude_rad, 0);
-  EXPECT_LT(trade.drift.L, 1e-15);
+TEST(AccuracyMeter, ErrorAndDriftVanishAtTheStart) {
+  const AccuracyReading meter = meter_of(scene_with({.method = Method::rk4, .step_s = 0.2}), 0);
+  EXPECT_EQ(meter.error.value().omega, 0);
+  EXPECT_EQ(meter.error.value().attitude_rad, 0);
+  EXPECT_LT(meter.drift.L, 1e-15);
 }
 
 // Explicit Euler gains energy at every step, so that the largest drift is the one at the end.
-TEST(TradeMeter, TheDriftIsTheLargestOnTheWay) {
+TEST(AccuracyMeter, TheDriftIsTheLargestOnTheWay) {
   const Scene scene = scene_with({.method = Method::explicit_euler, .step_s = 0.01});
   const SceneModel model = make_model(scene, Product::page);
-  const TradeMeter meter(model);
+  const AccuracyMeter meter(model);
   const double t_s = 20;
   const RigidBodyState end = model.motion->at(t_s);
   EXPECT_EQ(meter.at(model, t_s).drift.T, drift_along(problem_of(scene), {&end, 1}).T);
@@ -74,36 +74,36 @@ TEST(TradeMeter, TheDriftIsTheLargestOnTheWay) {
   EXPECT_GT(meter.at(model, -t_s).drift.T, 0);
 }
 
-TEST(TradeMeter, TorqueLeavesNothingToCompareWith) {
+TEST(AccuracyMeter, TorqueLeavesNothingToCompareWith) {
   Scene scene = scene_with({});
   scene.torque = {LinearDamping{0.1}};
-  const LiveTrade trade = trade_of(scene, 5);
-  EXPECT_FALSE(trade.error);
-  EXPECT_TRUE(std::isnan(trade.drift.T) && std::isnan(trade.drift.L));
-  EXPECT_GT(trade.ns_per_frame, 0);
+  const AccuracyReading meter = meter_of(scene, 5);
+  EXPECT_FALSE(meter.error);
+  EXPECT_TRUE(std::isnan(meter.drift.T) && std::isnan(meter.drift.L));
+  EXPECT_GT(meter.ns_per_frame, 0);
 }
 
-TEST(TradeMeter, BeyondTheReachAllIsNaN) {
+TEST(AccuracyMeter, BeyondTheReachAllIsNaN) {
   const Scene scene = scene_with({.method = Method::rk4, .step_s = 1e-9});
   const SceneModel model = make_model(scene, Product::page);
-  const LiveTrade trade = TradeMeter(model).at(model, 100 * model.motion->max_time_s());
-  EXPECT_TRUE(std::isnan(trade.error.value().omega));
-  EXPECT_TRUE(std::isnan(trade.drift.T) && std::isnan(trade.ns_per_frame));
+  const AccuracyReading meter = AccuracyMeter(model).at(model, 100 * model.motion->max_time_s());
+  EXPECT_TRUE(std::isnan(meter.error.value().omega));
+  EXPECT_TRUE(std::isnan(meter.drift.T) && std::isnan(meter.ns_per_frame));
 }
 
-TEST(TradeMeter, ABodyAtRestHasATradeToo) {
+TEST(AccuracyMeter, ABodyAtRestHasATradeToo) {
   Scene scene = scene_with({});
   scene.w0_B = Vec3::Zero();
-  EXPECT_TRUE(std::isnan(trade_of(scene, 1).drift.T));
+  EXPECT_TRUE(std::isnan(meter_of(scene, 1).drift.T));
 }
 
 // Ten times the steps cost ten times the time; a way that is known already makes them no cheaper.
-TEST(TradeMeter, AFrameCostsWhatItsStepsCost) {
+TEST(AccuracyMeter, AFrameCostsWhatItsStepsCost) {
   const auto ns_with_step = [](double step_s) {
     const SceneModel model =
         make_model(scene_with({.method = Method::rk4_projected, .step_s = step_s}), Product::page);
     static_cast<void>(model.motion->at(2));
-    return TradeMeter(model).at(model, 1).ns_per_frame;
+    return AccuracyMeter(model).at(model, 1).ns_per_frame;
   };
   const double frame_s = make_model(scene_with({}), Product::page).rate / 25;
   const double ratio = ns_with_step(frame_s / 20'000) / ns_with_step(frame_s / 2000);
@@ -112,12 +112,12 @@ TEST(TradeMeter, AFrameCostsWhatItsStepsCost) {
 }
 
 // What the panel may take of each frame: of methods that go step by step, after 100 turns.
-TEST(TradeMeter, CostsLittle) {
+TEST(AccuracyMeter, CostsLittle) {
   for (const MotionSpec& motion : {MotionSpec{}, MotionSpec{.method = Method::rk4, .step_s = 0.02},
                                    MotionSpec{.method = Method::moser_veselov_10, .step_s = 0.05},
                                    MotionSpec{.method = Method::dormand_prince_8, .tolerance = 1e-10}}) {
     const SceneModel model = make_model(scene_with(motion), Product::page);
-    const TradeMeter meter(model);
+    const AccuracyMeter meter(model);
     const double t_s = 100 * 2 * std::numbers::pi / model.scene.w0_B.norm();
     static_cast<void>(meter.at(model, t_s));
     const double ns = median_cpu_ns(0.1, [&] { static_cast<void>(meter.at(model, t_s)); });

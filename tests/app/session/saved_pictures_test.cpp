@@ -45,65 +45,65 @@ Image page_of(const Lesson& lesson, const Stage& stage, int step, const SceneMod
 }
 
 /// As an export of the saved lesson draws it.
-void expect_same_pictures(const Companion& companion) {
-  const LessonReading reading = check_lesson(lesson_of(companion), "saved.md");
+void expect_same_pictures(const LessonSession& session) {
+  const LessonReading reading = check_lesson(lesson_of(session), "saved.md");
   ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
   const Stage& stage = reading.lesson->stages[0];
   const Scene& scene = *stage.steps.back().scene;
   const double t_s = still_time_s(scene);
-  EXPECT_TRUE(figure_of(make_model(scene), t_s).rgba == figure_of(*companion.model(), companion.t_s()).rgba)
-      << lesson_of(companion);
-  if (companion.lesson().stages.size() > 1) return;  // pages say which stage of how many, and which step
+  EXPECT_TRUE(figure_of(make_model(scene), t_s).rgba == figure_of(*session.model(), session.t_s()).rgba)
+      << lesson_of(session);
+  if (session.lesson().stages.size() > 1) return;  // pages say which stage of how many, and which step
   const SceneModel model = make_model(scene, Product::page);
-  const int step = static_cast<int>(companion.place().step) + 1;
+  const int step = static_cast<int>(session.place().step) + 1;
   EXPECT_TRUE(page_of(*reading.lesson, stage, step, &model, t_s).rgba ==
-              page_of(companion.lesson(), companion.stage(), step, companion.model(), companion.t_s()).rgba)
-      << lesson_of(companion);
+              page_of(session.lesson(), session.stage(), step, session.model(), session.t_s()).rgba)
+      << lesson_of(session);
 }
 
 TEST(SavedPictures, OfAFreeBodyThatWasChanged) {
-  Companion companion(test::example());
-  ASSERT_TRUE(companion.set_edits({.body = body_with_moments({1.1, 2.3, 3.0}).value(),
+  LessonSession session(test::example());
+  ASSERT_TRUE(session.set_edits({.body = body_with_moments({1.1, 2.3, 3.0}).value(),
                                    .w0_B = Vec3(0.3, 1.7, 0.2),
                                    .motion = MotionSpec{.method = Method::rk4, .step_s = 0.05, .ghost = true},
                                    .on = {Overlay::shape, Overlay::values},
                                    .views = {{View::space, View::body}}}));
-  companion.set_camera({.azimuth_rad = 1.23456, .elevation_rad = 0.54321, .distance = 5, .zoom = 1.3});
-  companion.scrub_to(0.777);
-  expect_same_pictures(companion);
-  const SceneModel& model = *companion.model();
+  session.set_camera({.azimuth_rad = 1.23456, .elevation_rad = 0.54321, .distance = 5, .zoom = 1.3});
+  session.scrub_to(0.777);
+  expect_same_pictures(session);
+  const SceneModel& model = *session.model();
   EXPECT_FALSE(figure_of(model, 0.777).rgba == figure_of(model, 0.778).rgba) << "it can fail";
 }
 
 TEST(SavedPictures, UnderATorqueAtAnotherTimeThanTheLessons) {
-  Companion companion(test::example());
-  companion.go_to({2, 0});
-  companion.set_following(true);
-  companion.scrub_to(0.31);
-  expect_same_pictures(companion);
+  LessonSession session(test::example());
+  session.go_to({2, 0});
+  session.set_following(true);
+  session.scrub_to(0.31);
+  expect_same_pictures(session);
 }
 
 TEST(SavedPictures, OfDiagramsAndTables) {
-  Companion companion(test::loaded_lesson("numerical-lab"));
+  LessonSession session(test::loaded_lesson("numerical-lab"));
   bool has_table = false;
-  for (std::size_t stage = 0; stage < companion.lesson().stages.size() && !has_table; ++stage) {
-    companion.go_to({stage, 0});
-    has_table = companion.has_scene() && companion.model()->needs.methods;
+  for (std::size_t stage = 0; stage < session.lesson().stages.size() && !has_table; ++stage) {
+    session.go_to({stage, 0});
+    has_table = session.has_scene() && session.model()->needs.methods;
   }
   ASSERT_TRUE(has_table);
-  companion.scrub_to(companion.t_s() + 0.123);
-  expect_same_pictures(companion);
+  session.scrub_to(session.t_s() + 0.123);
+  expect_same_pictures(session);
 }
 
 TEST(SavedPictures, ExportDrawsWhatItDrawsOfTheLessonAtThatTime) {
   const std::string lesson = std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md";
-  Companion companion(test::loaded_lesson("euler-equations"));
+  LessonSession session(test::loaded_lesson("euler-equations"));
   std::size_t stage = 0;
-  while (companion.lesson().stages[stage].id != "rotation-law") ++stage;
-  companion.go_to({stage, kMaxStepsPerStage});
-  companion.scrub_to(0.625);
+  while (session.lesson().stages[stage].id != "rotation-law") ++stage;
+  session.go_to({stage, kMaxStepsPerStage});
+  session.scrub_to(0.625);
   const ScratchFolder scratch;
-  write_text(scratch / "rotation-law.md", lesson_of(companion));
+  write_text(scratch / "rotation-law.md", lesson_of(session));
   const auto exported = [&](const std::string& from, const char* to, std::vector<std::string> more) {
     more.insert(more.begin(),
                 {"export", from, "-o", (scratch / to).string(), "--what", "figure", "--size", "160x120"});
@@ -123,11 +123,11 @@ TEST(SavedPictures, ExportDrawsWhatItDrawsOfTheLessonAtThatTime) {
 
 TEST(SavedPictures, OfAWholePage) {
   std::string text = test::example()->lesson.source;
-  Companion companion(test::loaded_text(text.substr(0, text.find("\n# Words"))));
-  companion.go_to({0, 3});
-  companion.set_camera({.azimuth_rad = 1.0});
-  companion.scrub_to(0.9);
-  expect_same_pictures(companion);
+  LessonSession session(test::loaded_text(text.substr(0, text.find("\n# Words"))));
+  session.go_to({0, 3});
+  session.set_camera({.azimuth_rad = 1.0});
+  session.scrub_to(0.9);
+  expect_same_pictures(session);
 }
 
 }  // namespace

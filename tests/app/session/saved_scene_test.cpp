@@ -22,59 +22,59 @@ using test::example;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// What the companion shows, as its saved lesson should state it.
-Scene shown_in(const Companion& companion) {
-  Scene scene = companion.model()->scene;
-  const double t_s = companion.t_s();
+/// What the session shows, as its saved lesson should state it.
+Scene shown_in(const LessonSession& session) {
+  Scene scene = session.model()->scene;
+  const double t_s = session.t_s();
   scene.still_s = t_s == scene.at_s ? std::nullopt : std::optional(t_s);
   return scene;
 }
 
 /// The last step of the only stage of the saved lesson.
-Step saved_step(const Companion& companion) {
-  const std::string text = lesson_of(companion);
+Step saved_step(const LessonSession& session) {
+  const std::string text = lesson_of(session);
   LessonReading reading = check_lesson(text, "saved.md");
   for (const Diagnostic& diagnostic : reading.diagnostics)
     ADD_FAILURE() << to_string(diagnostic) << "\nin\n" << text;
   if (!reading.lesson || reading.lesson->stages.size() != 1) throw std::runtime_error(text);
-  EXPECT_EQ(reading.lesson->id, companion.stage().id);
-  EXPECT_EQ(reading.lesson->stages[0].steps.size(), companion.place().step + 1);
+  EXPECT_EQ(reading.lesson->id, session.stage().id);
+  EXPECT_EQ(reading.lesson->stages[0].steps.size(), session.place().step + 1);
   return reading.lesson->stages[0].steps.back();
 }
 
-void expect_saved(const Companion& companion) {
-  const Step saved = saved_step(companion);
-  ASSERT_EQ(saved.scene.has_value(), companion.has_scene());
+void expect_saved(const LessonSession& session) {
+  const Step saved = saved_step(session);
+  ASSERT_EQ(saved.scene.has_value(), session.has_scene());
   if (!saved.scene) return;
-  const Scene expected = shown_in(companion);
-  EXPECT_TRUE(*saved.scene == expected) << companion.lesson().id << ' ' << companion.stage().id << "\nwants\n"
-                                        << scene_keys_of(expected, companion.t_s()) << "\nhas\n"
+  const Scene expected = shown_in(session);
+  EXPECT_TRUE(*saved.scene == expected) << session.lesson().id << ' ' << session.stage().id << "\nwants\n"
+                                        << scene_keys_of(expected, session.t_s()) << "\nhas\n"
                                         << scene_keys_of(*saved.scene, still_time_s(*saved.scene)) << "\nin\n"
-                                        << lesson_of(companion);
+                                        << lesson_of(session);
 }
 
-void go_to_last_step(Companion& companion, std::size_t stage) {
-  companion.go_to({stage, companion.lesson().stages[stage].steps.size() - 1});
+void go_to_last_step(LessonSession& session, std::size_t stage) {
+  session.go_to({stage, session.lesson().stages[stage].steps.size() - 1});
 }
 
 TEST(SavedScene, EveryStageOfTheLessonsComesBack) {
   for (const char* id : test::kLessons) {
-    Companion companion(test::loaded_lesson(id));
-    for (std::size_t stage = 0; stage < companion.lesson().stages.size(); ++stage) {
-      go_to_last_step(companion, stage);
-      expect_saved(companion);
+    LessonSession session(test::loaded_lesson(id));
+    for (std::size_t stage = 0; stage < session.lesson().stages.size(); ++stage) {
+      go_to_last_step(session, stage);
+      expect_saved(session);
     }
   }
 }
 
 TEST(SavedScene, TextEquationsClaimsAndQuestionsComeBack) {
   for (const char* id : test::kLessons) {
-    Companion companion(test::loaded_lesson(id));
-    for (std::size_t stage = 0; stage < companion.lesson().stages.size(); ++stage) {
-      go_to_last_step(companion, stage);
-      const Step saved = saved_step(companion);
-      const Step& step = companion.step();
-      ASSERT_EQ(saved.blocks.size(), step.blocks.size()) << companion.stage().id;
+    LessonSession session(test::loaded_lesson(id));
+    for (std::size_t stage = 0; stage < session.lesson().stages.size(); ++stage) {
+      go_to_last_step(session, stage);
+      const Step saved = saved_step(session);
+      const Step& step = session.step();
+      ASSERT_EQ(saved.blocks.size(), step.blocks.size()) << session.stage().id;
       for (std::size_t i = 0; i < step.blocks.size(); ++i) {
         ASSERT_EQ(saved.blocks[i].index(), step.blocks[i].index());
         if (const auto* equation = std::get_if<Equation>(&step.blocks[i])) {
@@ -140,23 +140,23 @@ TEST(SavedScene, WhatAHandHasMadeOfItComesBackToTheBit) {
   unsigned seed = 1;
   int taken = 0, all = 0;
   for (const char* id : test::kLessons) {
-    Companion companion(test::loaded_lesson(id));
-    for (std::size_t stage = 0; stage < companion.lesson().stages.size(); ++stage) {
-      go_to_last_step(companion, stage);
-      if (!companion.has_scene()) continue;
+    LessonSession session(test::loaded_lesson(id));
+    for (std::size_t stage = 0; stage < session.lesson().stages.size(); ++stage) {
+      go_to_last_step(session, stage);
+      if (!session.has_scene()) continue;
       Hand hand(seed++);
       ++all;
       // Some cannot be: a herpolhode of too many turns, a body that flies too far.
       for (int tries = 0; tries < 5; ++tries)
-        if (companion.set_edits(hand.edits(companion.lesson_scene())).ok()) {
+        if (session.set_edits(hand.edits(session.lesson_scene())).ok()) {
           ++taken;
           break;
         }
-      companion.scrub_to(hand.number());
-      expect_saved(companion);
-      companion.set_following(true);
-      companion.scrub_to(hand.number());
-      expect_saved(companion);
+      session.scrub_to(hand.number());
+      expect_saved(session);
+      session.set_following(true);
+      session.scrub_to(hand.number());
+      expect_saved(session);
     }
   }
   EXPECT_GT(taken, all / 2);
@@ -203,43 +203,43 @@ TEST(SavedScene, SaysNothingOfWhatIsUsual) {
 }
 
 TEST(SavedScene, PointingAtSomethingIsNotSaved) {
-  Companion companion(example());
-  const std::string before = lesson_of(companion);
-  companion.light("omega");
-  EXPECT_EQ(lesson_of(companion), before);
+  LessonSession session(example());
+  const std::string before = lesson_of(session);
+  session.light("omega");
+  EXPECT_EQ(lesson_of(session), before);
 }
 
 TEST(SavedScene, AStepThatWasItsSceneAloneIsThereStill) {
-  Companion companion(
+  LessonSession session(
       test::loaded_text("+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# X {x}\n```scene\n"
                         "show = \"omega\"\n```\n---\n```scene\nshow = \"L\"\n```\n---\nText.\n"));
-  companion.go_to({0, 2});
-  expect_saved(companion);
-  companion.go_to({0, 1});
-  expect_saved(companion);
+  session.go_to({0, 2});
+  expect_saved(session);
+  session.go_to({0, 1});
+  expect_saved(session);
 }
 
 TEST(SavedScene, HighlightsOfTermsThatAreNotInItAreLeftOut) {
-  Companion companion(test::loaded_text(
+  LessonSession session(test::loaded_text(
       "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# X {x}\nText.\n```scene\nshow = \"omega\"\n"
       "highlight = [\"later\", \"omega\"]\n```\n---\n```math a\n\\term{later}{x} = 1\n```\n"));
-  const Step saved = saved_step(companion);
+  const Step saved = saved_step(session);
   EXPECT_EQ(saved.scene->highlight, std::vector<std::string>{"omega"});
-  companion.next_step();
-  expect_saved(companion);
+  session.next_step();
+  expect_saved(session);
 }
 
 TEST(SavedScene, MacrosAndSymbolsComeBack) {
-  Companion companion(
+  LessonSession session(
       test::loaded_text("+++\nformat = 1\nid = \"x\"\ntitle = 'The \"X\"'\n[macros]\nprimed = { arguments = "
                         "1, tex = \"#1'\" }\n"
                         "half = '\\frac12'\n[symbols]\nomega = { tex = '\\vec\\omega', role = \"omega\", say "
                         "= \"spin\", unit = "
                         "\"rad/s\" }\nprimes = { tex = \"x'\" }\n+++\n# X {x}\nText $\\half\\primed{x}$.\n"));
-  const std::string text = lesson_of(companion);
+  const std::string text = lesson_of(session);
   const LessonReading reading = check_lesson(text, "saved.md");
   ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front()) << text;
-  const Lesson& lesson = companion.lesson();
+  const Lesson& lesson = session.lesson();
   EXPECT_EQ(reading.lesson->title, lesson.title);
   ASSERT_EQ(reading.lesson->macros.size(), lesson.macros.size());
   for (const auto& [name, macro] : lesson.macros) {
@@ -257,39 +257,39 @@ TEST(SavedScene, MacrosAndSymbolsComeBack) {
 }
 
 TEST(SavedTrace, HasTheRowsThatTraceGives) {
-  Companion companion(test::loaded_text(
+  LessonSession session(test::loaded_text(
       "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n[body.own]\nmoments = [1.0, 2.0, 2.5]\n+++\n# X "
       "{x}\n```scene\n"
       "body = \"own\"\nomega = [0.25, 2.0, 0.5]\nattitude = [1.0, 0.0, 0.0, 0.0]\nduration = 2.0\nrate = "
       "12.5\nshow = \"omega\"\n```\n"));
   const ProgramRun run = polhode({"trace", "--inertia", "1,2,2.5", "--omega", "0.25,2,0.5", "--from", "0",
                                   "--to", "2", "--every", "0.5"});
-  EXPECT_EQ(trace_of(companion), run.out) << run.err;
-  companion.scrub_to(3);
-  EXPECT_THAT(trace_of(companion), HasSubstr("\n3.5,"));
-  EXPECT_THAT(trace_of(companion), Not(HasSubstr("\n1.5,"))) << "the loop that is shown";
+  EXPECT_EQ(trace_of(session), run.out) << run.err;
+  session.scrub_to(3);
+  EXPECT_THAT(trace_of(session), HasSubstr("\n3.5,"));
+  EXPECT_THAT(trace_of(session), Not(HasSubstr("\n1.5,"))) << "the loop that is shown";
 }
 
 TEST(SavedTrace, IsOfBoundedLength) {
-  Companion companion(example());
+  LessonSession session(example());
   std::string text = example()->lesson.source;
   text.replace(text.find("at = 0.5"), 8, "duration = 1000.0\nrate = 1e-6");
-  companion.replace_lesson(test::loaded_text(text));
-  const std::string csv = trace_of(companion);
+  session.replace_lesson(test::loaded_text(text));
+  const std::string csv = trace_of(session);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + kMostTraceLines);
-  companion.go_to({1, 0});
-  EXPECT_EQ(trace_of(companion), "");
+  session.go_to({1, 0});
+  EXPECT_EQ(trace_of(session), "");
 }
 
 TEST(SavedScene, ABodyOfAShapeOnItsPivotComesBack) {
   for (const char* body : {"book", "rod"}) {
-    Companion companion(test::loaded_text(fmt::format(
+    LessonSession session(test::loaded_text(fmt::format(
         "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n[body.rod]\nshape = \"cylinder\"\n"
         "size_m = [0.2, 0.2, 0.02]\nmass_kg = 1.0\n+++\n# X {{x}}\nText.\n```scene\nbody = \"{}\"\n"
         "torque = \"heavy:0.980665,0,0,1\"\nshow = [\"shape\", \"pivot\"]\n```\n",
         body)));
-    expect_saved(companion);
-    EXPECT_TRUE(saved_step(companion).scene->body.shape) << body;
+    expect_saved(session);
+    EXPECT_TRUE(saved_step(session).scene->body.shape) << body;
   }
 }
 

@@ -37,14 +37,14 @@ class ScreenTest : public testing::Test {
     auto made = Screen::create(context());
     if (!made) throw std::runtime_error(made.error());
     screen = std::move(made).value();
-    companion.preferences.reduced_motion = true;
+    session.preferences.reduced_motion = true;
   }
 
   void frame(int count = 1) {
     for (int i = 0; i < count; ++i) {
       ImGui::GetIO().MousePos = {x, y};
       ImGui::GetIO().MouseDown[0] = down;
-      const Status drawn = screen->draw(companion, {.size = kSize, .scale = 1, .seconds = 0.02});
+      const Status drawn = screen->draw(session, {.size = kSize, .scale = 1, .seconds = 0.02});
       ASSERT_TRUE(drawn) << drawn.error();
     }
   }
@@ -71,34 +71,34 @@ class ScreenTest : public testing::Test {
   const PixelRect& figure() { return screen->page().insets().front().place; }
 
   std::unique_ptr<Screen> screen;
-  Companion companion{test::loaded_lesson("euler-equations")};
+  LessonSession session{test::loaded_lesson("euler-equations")};
   float x = -1, y = -1;
   bool down = false;
 };
 
 TEST_F(ScreenTest, ThePageIsTheOneThatExportMakes) {
-  companion.go_to({5, 1});
-  companion.scrub_to(1.25);
+  session.go_to({5, 1});
+  session.scrub_to(1.25);
   frame(3);
   const Image shown = screen->page().picture().read();
   ExportOptions options;
   options.size = shown.size;
-  options.at_s = companion.t_s();
-  const PlannedPicture picture{.stage = &companion.stage(),
+  options.at_s = session.t_s();
+  const PlannedPicture picture{.stage = &session.stage(),
                                .number = 6,
                                .step = 2,
-                               .scene = &*companion.step().scene,
+                               .scene = &*session.step().scene,
                                .equation = nullptr,
                                .frame = {},
                                .file = {}};
-  const auto maker = make_page_maker({companion.lesson(), options, screen->renderer()});
+  const auto maker = make_page_maker({session.lesson(), options, screen->renderer()});
   EXPECT_EQ(maker->draw(picture).value().rgba, shown.rgba);
 }
 
 TEST_F(ScreenTest, APanelMakesRoomForItself) {
   frame(3);
   EXPECT_EQ(screen->page().picture().size().width, kSize.width);
-  companion.panel = Panel::outline;
+  session.panel = Panel::outline;
   frame(3);
   const int beside = screen->page().picture().size().width;
   EXPECT_LT(beside, kSize.width - 200);
@@ -106,7 +106,7 @@ TEST_F(ScreenTest, APanelMakesRoomForItself) {
 }
 
 TEST_F(ScreenTest, PresentingThePageIsAllThereIs) {
-  companion.set_presenting(true);
+  session.set_presenting(true);
   frame(3);
   EXPECT_EQ(screen->page().picture().size(), kSize);
   EXPECT_EQ(screen->read().rgba, screen->page().picture().read().rgba);
@@ -123,127 +123,127 @@ int varied(const Image& image, const Region& part) {
 }
 
 TEST_F(ScreenTest, WhatComesNextIsShownBesideThePageWhilePresenting) {
-  companion.set_presenting(true);
-  companion.show_notes(true);
+  session.set_presenting(true);
+  session.show_notes(true);
   frame(3);
   const Size page = screen->page().picture().size();
   const Region at =
       preview_region({0, 0, static_cast<float>(page.width), static_cast<float>(page.height)}, kSize);
   EXPECT_GT(varied(screen->read(), at), 2000);
-  const auto& stages = companion.lesson().stages;
-  companion.go_to({stages.size() - 1, stages.back().steps.size() - 1});
+  const auto& stages = session.lesson().stages;
+  session.go_to({stages.size() - 1, stages.back().steps.size() - 1});
   frame(3);
-  EXPECT_EQ(companion.next_place(), std::nullopt);
+  EXPECT_EQ(session.next_place(), std::nullopt);
 }
 
 TEST_F(ScreenTest, NothingIsDrawnAnewThatHasNotChanged) {
   frame(4);
-  EXPECT_GT(screen->seconds_to_wake(companion), 60);
-  companion.preferences.reduced_motion = false;
-  companion.set_playing(true);
+  EXPECT_GT(screen->seconds_to_wake(session), 60);
+  session.preferences.reduced_motion = false;
+  session.set_playing(true);
   frame();
-  EXPECT_EQ(screen->seconds_to_wake(companion), 0);
+  EXPECT_EQ(screen->seconds_to_wake(session), 0);
 }
 
 TEST_F(ScreenTest, TimePassesOnlyWhileSomethingMoves) {
   frame(5);
-  const double t_s = companion.t_s();
-  companion.set_playing(true);
+  const double t_s = session.t_s();
+  session.set_playing(true);
   frame();  // what went before was rest
-  EXPECT_EQ(companion.t_s(), t_s);
+  EXPECT_EQ(session.t_s(), t_s);
   frame();
-  EXPECT_NEAR(companion.t_s() - t_s, 0.02 * companion.model()->rate, 1e-12);
+  EXPECT_NEAR(session.t_s() - t_s, 0.02 * session.model()->rate, 1e-12);
 }
 
 TEST_F(ScreenTest, TabGoesThroughTheSymbolsOfThePageAndBack) {
-  companion.go_to({1, 0});
+  session.go_to({1, 0});
   frame(3);
   ASSERT_GT(screen->page().symbols().size(), 2U);
-  ASSERT_TRUE(screen->press(companion, "Tab"));
-  EXPECT_EQ(companion.lit(), screen->page().symbols()[0].name);
-  screen->press(companion, "Tab");
-  EXPECT_EQ(companion.lit(), screen->page().symbols()[1].name);
-  screen->press(companion, "Shift+Tab");
-  screen->press(companion, "Shift+Tab");
-  EXPECT_EQ(companion.lit(), "");
+  ASSERT_TRUE(screen->press(session, "Tab"));
+  EXPECT_EQ(session.lit(), screen->page().symbols()[0].name);
+  screen->press(session, "Tab");
+  EXPECT_EQ(session.lit(), screen->page().symbols()[1].name);
+  screen->press(session, "Shift+Tab");
+  screen->press(session, "Shift+Tab");
+  EXPECT_EQ(session.lit(), "");
 }
 
 TEST_F(ScreenTest, ASymbolUnderThePointerLightsUp) {
-  companion.go_to({1, 0});
+  session.go_to({1, 0});
   frame(3);
   const Image before = screen->page().picture().read();
   const PageSymbol symbol = screen->page().symbols().front();
   move(0.5 * (symbol.box.x0 + symbol.box.x1), 0.5 * (symbol.box.y0 + symbol.box.y1));
   frame(2);
-  EXPECT_EQ(companion.lit(), symbol.name);
+  EXPECT_EQ(session.lit(), symbol.name);
   EXPECT_NE(screen->page().picture().read().rgba, before.rgba);
   move(4, 4);
   frame(2);
-  EXPECT_EQ(companion.lit(), "");
+  EXPECT_EQ(session.lit(), "");
   EXPECT_EQ(screen->page().picture().read().rgba, before.rgba);
 }
 
 TEST_F(ScreenTest, ADragInTheFigureTurnsTheCamera) {
   frame(3);
-  const CameraSpec before = companion.model()->scene.camera;
+  const CameraSpec before = session.model()->scene.camera;
   drag(figure().x + 20, figure().y + 20, figure().x + 120, figure().y + 60);
-  const CameraSpec after = companion.model()->scene.camera;
+  const CameraSpec after = session.model()->scene.camera;
   EXPECT_NE(after.azimuth_rad, before.azimuth_rad);
   EXPECT_NE(after.elevation_rad, before.elevation_rad);
-  EXPECT_EQ(companion.model()->scene.w0_B, companion.lesson_scene().w0_B);
+  EXPECT_EQ(session.model()->scene.w0_B, session.lesson_scene().w0_B);
 }
 
 TEST_F(ScreenTest, TheTipOfOmegaIsTakenElsewhere) {
-  companion.go_to({26, 0});
+  session.go_to({26, 0});
   frame(3);
-  ASSERT_TRUE(companion.model());
-  const auto tips = omega_tips(*companion.model(), companion.t_s(), screen->page().insets());
+  ASSERT_TRUE(session.model());
+  const auto tips = omega_tips(*session.model(), session.t_s(), screen->page().insets());
   ASSERT_FALSE(tips.empty());
-  const Vec3 before = companion.model()->scene.w0_B;
+  const Vec3 before = session.model()->scene.w0_B;
   const Vec2 target(tips[0].x + 20, tips[0].y - 4);  // L is held down: not every place can be reached
   drag(tips[0].x, tips[0].y, target.x(), target.y());
-  EXPECT_GT((companion.model()->scene.w0_B - before).norm(), 1e-3);
-  const auto now = omega_tips(*companion.model(), companion.t_s(), screen->page().insets());
+  EXPECT_GT((session.model()->scene.w0_B - before).norm(), 1e-3);
+  const auto now = omega_tips(*session.model(), session.t_s(), screen->page().insets());
   ASSERT_FALSE(now.empty());
   EXPECT_LT((Vec2(now[0].x, now[0].y) - target).norm(), 4);
 }
 
 TEST_F(ScreenTest, KeysOfAFocusedPanelAreItsOwn) {
-  screen->press(companion, "B");
+  screen->press(session, "B");
   frame(3);
-  EXPECT_EQ(companion.panel, Panel::body);
-  const Place before = companion.place();
-  EXPECT_FALSE(screen->press(companion, "Right"));
-  EXPECT_EQ(companion.place(), before);
-  screen->press(companion, "F6");
+  EXPECT_EQ(session.panel, Panel::body);
+  const Place before = session.place();
+  EXPECT_FALSE(screen->press(session, "Right"));
+  EXPECT_EQ(session.place(), before);
+  screen->press(session, "F6");
   frame(3);
-  EXPECT_TRUE(screen->press(companion, "Right"));
-  EXPECT_NE(companion.place(), before);
-  screen->press(companion, "Escape");
-  EXPECT_EQ(companion.panel, Panel::none);
+  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_NE(session.place(), before);
+  screen->press(session, "Escape");
+  EXPECT_EQ(session.panel, Panel::none);
 }
 
 TEST_F(ScreenTest, KeysAreThePagesAgainWhenAPanelIsGone) {
-  screen->press(companion, "M");
+  screen->press(session, "M");
   frame(3);
-  screen->press(companion, "Escape");
+  screen->press(session, "Escape");
   frame(3);
-  const Place before = companion.place();
-  EXPECT_TRUE(screen->press(companion, "Right"));
-  EXPECT_NE(companion.place(), before);
-  screen->press(companion, "B");
+  const Place before = session.place();
+  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_NE(session.place(), before);
+  screen->press(session, "B");
   frame(3);
-  screen->press(companion, "P");  // presenting hides the panel
+  screen->press(session, "P");  // presenting hides the panel
   frame(3);
-  EXPECT_TRUE(screen->press(companion, "Left"));
-  EXPECT_EQ(companion.place(), before);
+  EXPECT_TRUE(screen->press(session, "Left"));
+  EXPECT_EQ(session.place(), before);
 }
 
 TEST_F(ScreenTest, EveryPanelIsDrawnOnEveryKindOfStep) {
   for (const std::size_t stage : {std::size_t{0}, std::size_t{2}, std::size_t{26}})
     for (int panel = 1; panel <= static_cast<int>(Panel::help); ++panel) {
-      companion.go_to({stage, 0});
-      companion.panel = static_cast<Panel>(panel);
+      session.go_to({stage, 0});
+      session.panel = static_cast<Panel>(panel);
       frame(3);
       const auto left = static_cast<float>(screen->page().picture().size().width) + 4;
       EXPECT_GT(varied(screen->read(), {left, 4, kSize.width - left - 4, 300}), 500) << stage << " " << panel;
@@ -277,7 +277,7 @@ class MissingGlyphs {
 
 TEST_F(ScreenTest, NothingIsWrittenThatTheControlFontHasNot) {
   constexpr Size kTall{900, 1600};  // all of a panel is seen
-  const auto expect_none = [&](Companion& walked, const MissingGlyphs& missing, const std::string& where) {
+  const auto expect_none = [&](LessonSession& walked, const MissingGlyphs& missing, const std::string& where) {
     for (int i = 0; i < 3; ++i)
       ASSERT_TRUE(screen->draw(walked, {.size = kTall, .scale = 1, .seconds = 0.02}));
     EXPECT_EQ(missing.count(), 0U) << where;
@@ -285,7 +285,7 @@ TEST_F(ScreenTest, NothingIsWrittenThatTheControlFontHasNot) {
   frame(2);
   const MissingGlyphs missing;
   for (const char* id : test::kLessons) {
-    Companion walked(test::loaded_lesson(id));
+    LessonSession walked(test::loaded_lesson(id));
     walked.preferences.reduced_motion = true;
     for (std::size_t stage = 0; stage < walked.lesson().stages.size(); stage += 5) {
       walked.go_to({stage, 1});
@@ -310,17 +310,17 @@ TEST_F(ScreenTest, NothingIsWrittenThatTheControlFontHasNot) {
 
 // The note on a tensor of a small body has a power of ten.
 TEST_F(ScreenTest, ANoteWritesPowersOfTen) {
-  const auto& stages = companion.lesson().stages;
+  const auto& stages = session.lesson().stages;
   const auto stage = std::ranges::find(stages, "tensor-out", &Stage::id);
   ASSERT_NE(stage, stages.end());
-  companion.go_to({static_cast<std::size_t>(stage - stages.begin()), 0});
+  session.go_to({static_cast<std::size_t>(stage - stages.begin()), 0});
   SceneEdits edits;
   edits.body = find_body("t-handle");
-  ASSERT_TRUE(companion.set_edits(edits));
+  ASSERT_TRUE(session.set_edits(edits));
   frame(3);
-  for (std::size_t i = 0; companion.lit() != "I"; ++i) {
+  for (std::size_t i = 0; session.lit() != "I"; ++i) {
     ASSERT_LT(i, screen->page().symbols().size());
-    screen->press(companion, "Tab");
+    screen->press(session, "Tab");
   }
   const MissingGlyphs missing;
   frame(3);
@@ -335,7 +335,7 @@ std::string& clipboard() {
 TEST_F(ScreenTest, WhatIsCopiedIsOnTheClipboardOnce) {
   ImGui::GetIO().SetClipboardTextFn = [](void*, const char* text) { clipboard() = text; };
   frame(2);
-  screen->wishes().clipboard = "t,w1";
+  screen->requests().clipboard = "t,w1";
   frame();
   EXPECT_EQ(clipboard(), "t,w1");
   clipboard() = "somebody else's";
@@ -345,25 +345,25 @@ TEST_F(ScreenTest, WhatIsCopiedIsOnTheClipboardOnce) {
 
 TEST_F(ScreenTest, AHeldKeyRepeatsStepsAlone) {
   frame(2);
-  EXPECT_TRUE(screen->press(companion, "Right", true));
-  EXPECT_EQ(companion.place().step, 1U);
-  EXPECT_TRUE(screen->press(companion, "Space", true));
-  EXPECT_FALSE(companion.is_playing());
-  screen->press(companion, "Space");
-  EXPECT_TRUE(companion.is_playing());
+  EXPECT_TRUE(screen->press(session, "Right", true));
+  EXPECT_EQ(session.place().step, 1U);
+  EXPECT_TRUE(screen->press(session, "Space", true));
+  EXPECT_FALSE(session.is_playing());
+  screen->press(session, "Space");
+  EXPECT_TRUE(session.is_playing());
 }
 
 TEST_F(ScreenTest, ASliderThatIsHeldStands) {
-  companion.panel = Panel::body;
+  session.panel = Panel::body;
   move(1088, 134);  // the first moment
   down = true;
   frame(3);
   move(1110, 134);
   frame(5);
-  const double moved = companion.model()->scene.body.moments.vector()[0];
-  EXPECT_NE(moved, companion.lesson_scene().body.moments.vector()[0]);
+  const double moved = session.model()->scene.body.moments.vector()[0];
+  EXPECT_NE(moved, session.lesson_scene().body.moments.vector()[0]);
   frame(40);
-  EXPECT_EQ(companion.model()->scene.body.moments.vector()[0], moved);
+  EXPECT_EQ(session.model()->scene.body.moments.vector()[0], moved);
 }
 
 std::string text_of(const std::filesystem::path& path) {
@@ -374,15 +374,15 @@ std::string text_of(const std::filesystem::path& path) {
 TEST_F(ScreenTest, WhatIsPointedAtIsLitInTheWindowAlone) {
   const auto folder = std::filesystem::temp_directory_path() / "polhode-screen-test";
   std::filesystem::remove_all(folder);
-  companion.go_to({1, 0});
+  session.go_to({1, 0});
   frame(3);
   screen->set_folder(folder.string());
-  screen->press(companion, "Ctrl+S");
+  screen->press(session, "Ctrl+S");
   frame(2);
-  companion.light("p");
-  screen->press(companion, "Ctrl+S");
+  session.light("p");
+  screen->press(session, "Ctrl+S");
   frame(2);
-  EXPECT_EQ(companion.lit(), "p");
+  EXPECT_EQ(session.lit(), "p");
   const std::string plain = text_of(folder / "02-newton-step1.png");
   EXPECT_GT(plain.size(), 1000U);
   EXPECT_EQ(plain, text_of(folder / "02-newton-step1-2.png"));
@@ -399,24 +399,24 @@ TEST_F(ScreenTest, WhatIsSavedIsToldByItsRealPath) {
   setenv("HOME", home.c_str(), 1);
   for (const char* folder : {"~/talks", "$HOME/linked"}) {
     screen->set_folder(folder);
-    screen->press(companion, "Ctrl+S");
+    screen->press(session, "Ctrl+S");
     frame(2);
   }
   before ? setenv("HOME", kept.c_str(), 1) : unsetenv("HOME");
   const auto real = std::filesystem::canonical(home) / "talks";
   EXPECT_TRUE(std::filesystem::exists(real / "01-frames-step1.png"));
   EXPECT_TRUE(std::filesystem::exists(real / "01-frames-step1-2.png"));
-  EXPECT_EQ(screen->news(), "saved: " + (real / "01-frames-step1-2.png").string());
+  EXPECT_EQ(screen->notice(), "saved: " + (real / "01-frames-step1-2.png").string());
   EXPECT_FALSE(std::filesystem::exists("~")) << "here";
   std::filesystem::remove_all(home);
 }
 
 TEST_F(ScreenTest, WhatCannotBeSavedIsTold) {
-  companion.panel = Panel::save;
+  session.panel = Panel::save;
   frame(3);
   const Image before = screen->read();
   screen->set_folder("/dev/null/nowhere");
-  screen->press(companion, "Ctrl+S");
+  screen->press(session, "Ctrl+S");
   frame(3);
   EXPECT_NE(screen->read().rgba, before.rgba);
 }

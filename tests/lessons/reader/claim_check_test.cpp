@@ -18,10 +18,11 @@ using ::testing::SizeIs;
 std::vector<std::string> faults(const std::string& kind, const std::string& claim, bool scene = true) {
   const std::string body = "```math a\nx\n```\n```claim a " + kind + "\n" + claim + "\n```\n";
   const std::string with_scene = "```scene\nshow = [\"omega\"]\n```\n";
-  const LessonReading reading = read_lesson(testing::lesson_with(body + (scene ? with_scene : "")), "a.md");
+  LessonReading reading = read_lesson(testing::lesson_with(body + (scene ? with_scene : "")), "a.md");
   EXPECT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
-  return reading.lesson ? testing::lines_of(check_claims(*reading.lesson, "a.md"))
-                        : std::vector<std::string>();
+  if (!reading.lesson) return {};
+  EXPECT_FALSE(prove_claims(*reading.lesson));
+  return testing::lines_of(check_claims(*reading.lesson, "a.md"));
 }
 
 TEST(CheckClaims, EveryLineOfALessonIsProvedAtItsPlace) {
@@ -54,16 +55,19 @@ TEST(CheckClaims, WhatMeasuresNothingIsRefused) {
 }
 
 std::vector<std::string> faults_of(const std::string& body) {
-  const LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
+  LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
   EXPECT_TRUE(reading.lesson);
-  return reading.lesson ? testing::lines_of(check_claims(*reading.lesson, "a.md"))
-                        : std::vector<std::string>();
+  if (!reading.lesson) return {};
+  EXPECT_FALSE(prove_claims(*reading.lesson));
+  return testing::lines_of(check_claims(*reading.lesson, "a.md"));
 }
 
 std::vector<std::string> faults_within(const std::string& body, std::int64_t evaluations) {
-  const LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
+  LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
   EXPECT_TRUE(reading.lesson);
   Budget budget(evaluations);
+  if (const auto unproved = prove_claims(*reading.lesson, budget.effort()))
+    return testing::lines_of({too_long_to_check("a.md", *unproved)});
   return testing::lines_of(check_claims(*reading.lesson, "a.md", budget.effort()));
 }
 
@@ -100,8 +104,9 @@ TEST(CheckClaims, OfTheLessonsAllHold) {
   for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
     const std::string text = testing::read_file(path);
     if (text.rfind("+++", 0) != 0) continue;
-    const LessonReading reading = read_lesson(text, path.filename().string());
+    LessonReading reading = read_lesson(text, path.filename().string());
     ASSERT_TRUE(reading.lesson) << path;
+    EXPECT_FALSE(prove_claims(*reading.lesson));
     EXPECT_THAT(testing::lines_of(check_claims(*reading.lesson, "")), IsEmpty()) << path;
   }
 }

@@ -56,7 +56,7 @@ TEST(ThrownBody, HasItsMomentumOnItsVelocity) {
     const Arrow *v = arrow_of(list, kOmegaRole.paint), *p = arrow_of(list, kLRole.paint),
                 *F = arrow_of(list, kNRole.paint);
     ASSERT_TRUE(v && p && F);
-    const Vec3 now_S = drift_at(model.scene, t_s).v_S.normalized();
+    const Vec3 now_S = translation_at(model.scene, t_s).v_S.normalized();
     EXPECT_LT(((v->tip - v->tail).normalized() - now_S).norm(), kRounding);
     EXPECT_LT(((p->tip - p->tail).normalized() - now_S).norm(), kRounding);
     EXPECT_LT(((F->tip - F->tail).normalized() + Vec3::UnitZ()).norm(), kRounding);
@@ -77,7 +77,7 @@ TEST(ThrownBody, GoesItsWayThroughAPictureThatStands) {
   // True to scale: the book's longest diagonal is 2 × 0.95 scene units.
   const double units_per_m = 1.9 / model.scene.body.shape->size_m.norm();
   const Vec3 way_S = origin_of(start) - origin_of(later);
-  EXPECT_LT((way_S - units_per_m * drift_at(model.scene, 0.3).r_S).norm(), kRounding * way_S.norm());
+  EXPECT_LT((way_S - units_per_m * translation_at(model.scene, 0.3).r_S).norm(), kRounding * way_S.norm());
 }
 
 TEST(ThrownBody, StaysInThePicture) {

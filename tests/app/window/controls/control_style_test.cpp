@@ -92,12 +92,12 @@ TEST_F(ControlFont, HasWhatRefusalsSay) {
     expect_all_of(facts.term, "a method");
     expect_all_of(facts.keeps, "a method");
   }
-  Companion companion(test::loaded_lesson("euler-equations"));
+  LessonSession session(test::loaded_lesson("euler-equations"));
   std::size_t judged = 0;
-  for (bool more = true; more; more = companion.next_step())
-    for (const Ask* ask : companion.questions()) {
+  for (bool more = true; more; more = session.next_step())
+    for (const Ask* ask : session.questions()) {
       for (const char* answer : {"w1*(", "w1 + w4", "2*w1*N2", "A", "A B", "omega"}) {
-        const AnswerJudgement judgement = companion.answer(*ask, answer);
+        const AnswerJudgement judgement = session.answer(*ask, answer);
         expect_all_of(judgement.reason + judgement.hint, ask->id);
         if (!judgement.counterexample) continue;
         expect_all_of(to_string(*judgement.counterexample), ask->id);

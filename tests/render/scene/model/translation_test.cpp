@@ -18,15 +18,15 @@ Scene thrown() {
   return scene;
 }
 
-TEST(Drift, StartsWithTheVelocityOfTheScene) {
-  const Drift start = drift_at(thrown(), 0.0);
+TEST(Translation, StartsWithTheVelocityOfTheScene) {
+  const Translation start = translation_at(thrown(), 0.0);
   EXPECT_EQ(start.r_S, Vec3::Zero());
   EXPECT_EQ(start.v_S, thrown().v0_S);
 }
 
-TEST(Drift, MomentumIsMassTimesVelocityAtAllTimes) {
+TEST(Translation, MomentumIsMassTimesVelocityAtAllTimes) {
   for (double t_s : {-2.0, 0.0, 0.3, 7.0}) {
-    const Drift d = drift_at(thrown(), t_s);
+    const Translation d = translation_at(thrown(), t_s);
     EXPECT_EQ(d.mass_kg, 2.5);
     EXPECT_EQ(d.p_S, Vec3(2.5 * d.v_S));
   }
@@ -34,11 +34,11 @@ TEST(Drift, MomentumIsMassTimesVelocityAtAllTimes) {
 
 // The motion is of second degree in t, so that central differences over any h are exact but for rounding,
 // which is that of numbers of size |r| + |v|h, over h.
-TEST(Drift, ObeysNewtonsLaw) {
+TEST(Translation, ObeysNewtonsLaw) {
   constexpr double h = 0.5;
   for (double t_s : {-2.0, 0.3, 7.0}) {
-    const Drift before = drift_at(thrown(), t_s - h), now = drift_at(thrown(), t_s),
-                after = drift_at(thrown(), t_s + h);
+    const Translation before = translation_at(thrown(), t_s - h), now = translation_at(thrown(), t_s),
+                after = translation_at(thrown(), t_s + h);
     const double r_size = after.r_S.norm() + before.r_S.norm() + now.v_S.norm();
     const double p_size = after.p_S.norm() + before.p_S.norm() + now.p_S.norm();
     EXPECT_LT(((after.r_S - before.r_S) / (2 * h) - now.v_S).norm(), 16 * kEpsilon * r_size / h);
@@ -46,9 +46,9 @@ TEST(Drift, ObeysNewtonsLaw) {
   }
 }
 
-TEST(Drift, ASceneWithoutVelocityAndForceStays) {
+TEST(Translation, ASceneWithoutVelocityAndForceStays) {
   EXPECT_FALSE(drifts(Scene{}));
-  EXPECT_EQ(drift_at(Scene{}, 3.0).r_S, Vec3::Zero());
+  EXPECT_EQ(translation_at(Scene{}, 3.0).r_S, Vec3::Zero());
   Scene pushed;
   pushed.F_S = Vec3(0, 0, 1);
   EXPECT_TRUE(drifts(pushed));
