@@ -2,7 +2,7 @@
 // The part of an export that a process makes, from what was typed.
 #pragma once
 
-#include "app/export/shard.h"
+#include "app/export/folder/shard.h"
 
 #include <string>
 

@@ -2,8 +2,8 @@
 // polhode verify: is an export whole, and what is missing, damaged or foreign?
 #include "app/cli/commands.h"
 #include "app/cli/usage.h"
-#include "app/export/export_folder.h"
-#include "app/export/folder_check.h"
+#include "app/export/folder/export_folder.h"
+#include "app/export/folder/folder_check.h"
 #include "base/printable.h"
 #include "base/shell_line.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/manifest.h"
+#include "app/export/folder/manifest.h"
 #include "app/export/picture_maker.h"
 #include "app/narration/speech_text.h"
 #include "app/page/live_numbers.h"

@@ -2,7 +2,7 @@
 // Where the files of an export go, and who makes them.
 #pragma once
 
-#include "app/export/shard.h"
+#include "app/export/folder/shard.h"
 #include "base/files/atomic_file.h"
 #include "render/gl/context/context.h"
 

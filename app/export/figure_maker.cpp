@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/manifest.h"
+#include "app/export/folder/manifest.h"
 #include "app/export/picture_maker.h"
 #include "app/narration/alt_text.h"
 #include "app/narration/speech_text.h"

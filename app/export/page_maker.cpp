@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/manifest.h"
+#include "app/export/folder/manifest.h"
 #include "app/export/picture_maker.h"
 #include "app/narration/alt_text.h"
 #include "app/narration/speech_text.h"
@@ -45,7 +45,7 @@ class PageMaker : public PictureMaker {
     const auto& [shown, words] = *content;
     const Page page = compose_page(request_of(picture, shown), words->set, fonts());
     return outcome_of(context_.renderer.draw(page.sheet, page.insets, context_.options.size,
-                                        background_of(context_.options)));
+                                             background_of(context_.options)));
   }
 
   bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/picture_export.h"
 
-#include "app/export/picture_check.h"
+#include "app/export/folder/picture_check.h"
 #include "app/export/picture_maker.h"
 #include "app/export/picture_metadata.h"
 #include "app/export/picture_writer.h"
@@ -83,8 +83,8 @@ Done put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& k
     tell(made.count, picture.file);
     const Outcome<PictureDescription> description = maker.describe(picture);
     if (!description) return passed_on(description);
-    PngMetadata metadata = picture_metadata(e.loaded.lesson, *picture.stage, description->alt,
-                                            description->t_s, e.options.dpi);
+    PngMetadata metadata =
+        picture_metadata(e.loaded.lesson, *picture.stage, description->alt, description->t_s, e.options.dpi);
     if (keepable.any) {
       PictureCheck there = check_picture(e.out.folder / picture.file, description->size, metadata);
       if (keepable.takes(picture.file, there)) {

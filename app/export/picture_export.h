@@ -2,9 +2,9 @@
 // The pictures of an export, or a shard of them: drawn, written, and listed in a manifest.
 #pragma once
 
-#include "app/export/export_folder.h"
 #include "app/export/export_output.h"
 #include "app/export/export_plan.h"
+#include "app/export/folder/export_folder.h"
 #include "app/page/loaded_lesson.h"
 #include "base/interrupt.h"
 #include "base/outcome.h"

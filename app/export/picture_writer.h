@@ -2,7 +2,7 @@
 // Pictures become files in a second thread, while the next one is drawn.
 #pragma once
 
-#include "app/export/manifest.h"
+#include "app/export/folder/manifest.h"
 #include "base/files/atomic_file.h"
 #include "base/result.h"
 #include "render/image/png.h"

@@ -35,8 +35,14 @@ Names operator+(Names a, const Names& b) {
 const std::vector<Room>& rooms() {
   static const Names kScene = {"render/scene/", "physics/", "base/"};
   static const Names kClaims = Names{"lessons/claims/", "lessons/diagnostics/"} + kScene;
+  static const Names kReader = Names{"lessons/reader/", "render/typeset/"} + kClaims;
+  static const Names kNarration = Names{"app/narration/", "render/drawing/", "render/palette.h"} + kReader;
+  static const Names kPage = Names{"app/page/", "render/figure/", "render/gl/", "render/image/"} + kNarration;
+  static const Names kExport = Names{"app/export/"} + kPage;
+  static const Names kSession = Names{"app/session/"} + kExport;
   static const Names kProgram = {"app/", "lessons/", "render/", "physics/", "base/"};
-  static const Names kProgramLibraries = Names{"CLI/", "fmt/", "nlohmann/", "qpdf/", "Eigen/"} + kPosix;
+  static const Names kFormats = {"fmt/", "nlohmann/", "Eigen/"};
+  static const Names kProgramLibraries = Names{"CLI/", "qpdf/"} + kFormats + kPosix;
   static const std::vector<Room> kRooms = {
       {"base/files/", {"base/"}, kPosix, kConsole},
       {"base/", {}, {"Eigen/", "sha256.h", "sys/types.h"}, kConsoleAndFiles},
@@ -60,12 +66,14 @@ const std::vector<Room>& rooms() {
        Names{"render/typeset/"} + kClaims,
        {"Eigen/", "md4c.h", "toml++/"},
        kConsoleAndFiles},
-      {"app/window",
-       kProgram,
-       Names{"GLFW/", "X11/", "imgui", "backends/imgui_impl_glfw.h"} + kProgramLibraries,
-       {},
-       false},
-      {"app/", kProgram, kProgramLibraries, {}, false},
+      {"app/narration/", kNarration, {"fmt/"}, kConsoleAndFiles},
+      {"app/page/", kPage, {"fmt/"}, kConsole},
+      {"app/export/", kExport, kFormats + kPosix, kConsole},
+      {"app/publish/", Names{"app/publish/"} + kExport, Names{"fmt/", "qpdf/"} + kPosix, kConsole},
+      {"app/session/", kSession, kFormats + kPosix, kConsole},
+      {"app/window/", Names{"app/window/"} + kSession,
+       Names{"GLFW/", "X11/", "imgui", "backends/imgui_impl_glfw.h"} + kFormats + kPosix, kConsole},
+      {"app/cli/", kProgram, kProgramLibraries, {}, false},
       {"tests/bench/",
        kProgram + Names{"tests/bench/"},
        kProgramLibraries + Names{"benchmark/", "png.h", "EGL/", "mujoco/", "boost/", "gsl/", "arkode/",

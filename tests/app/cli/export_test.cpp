@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // polhode export, from the files it leaves. Small pictures of tests/data/app/tiny.md.
-#include "app/export/export_folder.h"
+#include "app/export/folder/export_folder.h"
 #include "base/sha256.h"
 #include "render/image/png.h"
 #include "tests/app/export/small_export.h"

@@ -2,7 +2,7 @@
 // Ctrl-C while a motion is computed: it is obeyed at once, whatever the command is.
 #include "base/interrupt.h"
 
-#include "app/export/export_folder.h"
+#include "app/export/folder/export_folder.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // polhode verify, on exports that are whole, hurt, or not finished.
-#include "app/export/export_folder.h"
+#include "app/export/folder/export_folder.h"
 #include "render/image/png.h"
 #include "tests/app/export/small_export.h"
 

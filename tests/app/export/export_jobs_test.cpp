@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Exports by several processes of one command.
 #include "app/cli/exit_codes.h"
-#include "app/export/export_folder.h"
+#include "app/export/folder/export_folder.h"
 #include "app/export/jobs.h"
 #include "tests/app/export/small_export.h"
 

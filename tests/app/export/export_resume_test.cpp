@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Exports that are stopped, go on, and are made in parts: in the end the same bytes.
-#include "app/export/export_folder.h"
+#include "app/export/folder/export_folder.h"
 #include "render/image/png.h"
 #include "tests/app/export/small_export.h"
 

@@ -7,8 +7,8 @@
 // there writes manifest.json and removes them. Two may find it at the same moment: they write the same bytes.
 #pragma once
 
-#include "app/export/manifest.h"
-#include "app/export/shard.h"
+#include "app/export/folder/manifest.h"
+#include "app/export/folder/shard.h"
 
 #include <filesystem>
 #include <string>
@@ -42,8 +42,8 @@ struct Marker {
 };
 
 /// Removes what killed processes left unfinished, and puts the marker, if the folder has neither marker nor
-/// manifest of this export. `mine.renderer` is added to a marker that has others. Call after inspect_folder: an
-/// exporter that came in between is noticed here, with the same errors.
+/// manifest of this export. `mine.renderer` is added to a marker that has others. Call after inspect_folder:
+/// an exporter that came in between is noticed here, with the same errors.
 Result<FolderState> begin_in(const std::filesystem::path& folder, const Marker& mine);
 
 /// What the files are, as far as manifest.json and manifests of shards in the folder say; of files that none

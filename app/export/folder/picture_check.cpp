@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/picture_check.h"
+#include "app/export/folder/picture_check.h"
 
 #include "base/files/file_bytes.h"
 #include "base/sha256.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/trace_times.h"
+#include "app/cli/trace/trace_times.h"
 
 #include "app/cli/exit_codes.h"
 #include "app/cli/numbers.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/export_folder.h"
+#include "app/export/folder/export_folder.h"
 
 #include "app/export/timeline.h"
 #include "base/files/file_link.h"

@@ -2,8 +2,8 @@
 // polhode trace: the numbers of a motion, row by row.
 #include "app/cli/commands.h"
 #include "app/cli/message.h"
-#include "app/cli/trace_motion.h"
-#include "app/cli/trace_times.h"
+#include "app/cli/trace/trace_motion.h"
+#include "app/cli/trace/trace_times.h"
 #include "app/cli/typed_problem.h"
 #include "app/cli/usage.h"
 #include "app/export/trace/trace_rows.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/shard.h"
+#include "app/export/folder/shard.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/measure_rendering.h"
+#include "app/cli/measure/measure_rendering.h"
 
 #include "app/cli/or_fail.h"
 #include "app/cli/progress.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/work_precision_plot.h"
+#include "app/cli/measure/work_precision_plot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

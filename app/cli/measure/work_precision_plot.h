@@ -2,7 +2,7 @@
 // The rows of a measurement as a work-precision diagram.
 #pragma once
 
-#include "app/cli/measure_report.h"
+#include "app/cli/measure/measure_report.h"
 #include "render/drawing/plots/plot.h"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/manifest.h"
+#include "app/export/folder/manifest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

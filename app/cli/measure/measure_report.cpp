@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/measure_report.h"
+#include "app/cli/measure/measure_report.h"
 
 #include "base/numbers.h"
 

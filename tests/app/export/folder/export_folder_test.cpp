@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/export_folder.h"
+#include "app/export/folder/export_folder.h"
 
 #include "base/files/temporary_file.h"
 #include "tests/app/run_program.h"

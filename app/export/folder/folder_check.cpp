@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "app/export/folder_check.h"
+#include "app/export/folder/folder_check.h"
 
-#include "app/export/export_folder.h"
-#include "app/export/picture_check.h"
+#include "app/export/folder/export_folder.h"
+#include "app/export/folder/picture_check.h"
 #include "base/files/file_bytes.h"
 #include "base/files/temporary_file.h"
 #include "base/numbers.h"
@@ -84,8 +84,7 @@ class Check {
     std::error_code error;
     for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error))
       names_.insert(entry->path().filename().string());
-    if (error)
-      return failure(fmt::format("cannot read folder {}: {}", folder_.string(), error.message()));
+    if (error) return failure(fmt::format("cannot read folder {}: {}", folder_.string(), error.message()));
     return success();
   }
 
