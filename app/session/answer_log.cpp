@@ -58,7 +58,7 @@ fs::path answer_log_path(const fs::path& folder, const std::string& lesson_id) {
   return folder / (lesson_id + ".answers.json");
 }
 
-StateResult<AnswerLogReading> read_answer_log(const fs::path& path) {
+StateFileResult<AnswerLogReading> read_answer_log(const fs::path& path) {
   AnswerLog log;
   const auto warning = read_state_file(path, "the log of answers", [&](const Json& json) {
     for (const auto& [name, entry] : json.at("answers").items())
@@ -70,9 +70,9 @@ StateResult<AnswerLogReading> read_answer_log(const fs::path& path) {
   return AnswerLogReading{std::move(log), *warning};
 }
 
-StateResult<std::string> change_answer_log(const fs::path& path,
-                                           const std::function<void(AnswerLog&)>& change,
-                                           std::chrono::milliseconds patience) {
+StateFileResult<std::string> change_answer_log(const fs::path& path,
+                                               const std::function<void(AnswerLog&)>& change,
+                                               std::chrono::milliseconds patience) {
   const auto lock = StateLock::take(path, patience);
   if (!lock) return Failure{lock.error()};
   auto reading = read_answer_log(path);

@@ -42,14 +42,14 @@ struct AnswerLogReading {
   std::string warning;  ///< of a file that was set aside, as NAME.damaged, because it is not such a log
 };
 /// An absent file is an empty log. Fails as read_state_file.
-StateResult<AnswerLogReading> read_answer_log(const std::filesystem::path& path);
+StateFileResult<AnswerLogReading> read_answer_log(const std::filesystem::path& path);
 /// How long one process waits for another to be done with a log.
 inline constexpr std::chrono::seconds kAnswerPatience{10};
 /// Reads the log, lets `change` change it, and writes it, whole or not at all, with the folder it lies in.
 /// Nothing that another process notes meanwhile is lost: one at a time does this.
 /// @returns the warning of the reading; fails as read_state_file, StateLock::take and write_state_file
-StateResult<std::string> change_answer_log(const std::filesystem::path& path,
-                                           const std::function<void(AnswerLog&)>& change,
-                                           std::chrono::milliseconds patience = kAnswerPatience);
+StateFileResult<std::string> change_answer_log(const std::filesystem::path& path,
+                                               const std::function<void(AnswerLog&)>& change,
+                                               std::chrono::milliseconds patience = kAnswerPatience);
 
 }  // namespace polhode

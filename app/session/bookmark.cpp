@@ -33,7 +33,7 @@ double text_scale_from(const Json& json) {
 
 }  // namespace
 
-StateResult<BookmarkReading> read_bookmark(const fs::path& folder, const std::string& lesson_id) {
+StateFileResult<BookmarkReading> read_bookmark(const fs::path& folder, const std::string& lesson_id) {
   Bookmark bookmark;
   const auto warning =
       read_state_file(bookmark_path(folder, lesson_id), "the bookmark", [&](const Json& json) {
@@ -44,14 +44,14 @@ StateResult<BookmarkReading> read_bookmark(const fs::path& folder, const std::st
   return BookmarkReading{std::move(bookmark), *warning};
 }
 
-StateResult<std::monostate> write_bookmark(const fs::path& folder, const std::string& lesson_id,
-                                           const Bookmark& bookmark) {
+StateFileResult<std::monostate> write_bookmark(const fs::path& folder, const std::string& lesson_id,
+                                               const Bookmark& bookmark) {
   return write_state_file(
       bookmark_path(folder, lesson_id),
       {{"stage", bookmark.stage}, {"step", bookmark.step}, {"visited", Json(bookmark.visited)}});
 }
 
-StateResult<PreferencesReading> read_preferences(const fs::path& folder) {
+StateFileResult<PreferencesReading> read_preferences(const fs::path& folder) {
   Preferences preferences;
   const auto warning =
       read_state_file(preferences_path(folder), "the file of preferences", [&](const Json& json) {
@@ -62,7 +62,7 @@ StateResult<PreferencesReading> read_preferences(const fs::path& folder) {
   return PreferencesReading{preferences, *warning};
 }
 
-StateResult<std::monostate> write_preferences(const fs::path& folder, const Preferences& preferences) {
+StateFileResult<std::monostate> write_preferences(const fs::path& folder, const Preferences& preferences) {
   return write_state_file(preferences_path(folder),
                           {{"theme", preferences.theme == Theme::dark ? "dark" : "paper"},
                            {"text_scale", preferences.text_scale},
@@ -79,7 +79,7 @@ void restore(LessonSession& session, const Bookmark& bookmark) {
                                   [&](const Stage& known) { return known.id == bookmark.stage; });
   if (stage != stages.end())
     session.go_to({static_cast<std::size_t>(stage - stages.begin()),
-                     static_cast<std::size_t>(std::max(1, bookmark.step)) - 1});
+                   static_cast<std::size_t>(std::max(1, bookmark.step)) - 1});
   session.set_visited(bookmark.visited);
 }
 

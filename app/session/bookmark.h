@@ -25,10 +25,11 @@ struct BookmarkReading {
   std::string warning;  ///< of a file that was set aside
 };
 /// An absent file is an empty bookmark. Fails as read_state_file.
-StateResult<BookmarkReading> read_bookmark(const std::filesystem::path& folder, const std::string& lesson_id);
+StateFileResult<BookmarkReading> read_bookmark(const std::filesystem::path& folder,
+                                               const std::string& lesson_id);
 /// As write_state_file.
-StateResult<std::monostate> write_bookmark(const std::filesystem::path& folder, const std::string& lesson_id,
-                                           const Bookmark& bookmark);
+StateFileResult<std::monostate> write_bookmark(const std::filesystem::path& folder,
+                                               const std::string& lesson_id, const Bookmark& bookmark);
 
 /// preferences.json
 struct PreferencesReading {
@@ -36,10 +37,10 @@ struct PreferencesReading {
   std::string warning;
 };
 /// Fails as read_state_file.
-StateResult<PreferencesReading> read_preferences(const std::filesystem::path& folder);
+StateFileResult<PreferencesReading> read_preferences(const std::filesystem::path& folder);
 /// As write_state_file.
-StateResult<std::monostate> write_preferences(const std::filesystem::path& folder,
-                                              const Preferences& preferences);
+StateFileResult<std::monostate> write_preferences(const std::filesystem::path& folder,
+                                                  const Preferences& preferences);
 
 Bookmark bookmark_of(const LessonSession& session);
 /// What no longer exists in the lesson is passed over.

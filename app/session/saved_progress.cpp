@@ -14,7 +14,8 @@ using namespace std::chrono_literals;
 constexpr std::chrono::milliseconds kLastPatience = 500ms;
 
 /// Brings back what there is. @param warnings gains those of the readings, a line each
-StateResult<std::monostate> bring_back(LessonSession& session, const fs::path& folder, std::string& warnings) {
+StateFileResult<std::monostate> bring_back(LessonSession& session, const fs::path& folder,
+                                           std::string& warnings) {
   const auto note = [&](const std::string& warning) {
     if (!warning.empty()) warnings += (warnings.empty() ? "" : "\n") + warning;
   };
@@ -45,7 +46,8 @@ SavedProgress::SavedProgress(LessonSession& session, std::optional<std::filesyst
     return;
   }
   if (const auto done = bring_back(session, *folder_, notice_); !done)
-    notice_ += (notice_.empty() ? "" : "\n") + given_up(done.error());  // what cannot be read is not written over
+    notice_ +=
+        (notice_.empty() ? "" : "\n") + given_up(done.error());  // what cannot be read is not written over
   preferences_ = session.preferences;
   answers_ = session.answers();
   bookmark_ = bookmark_of(session);
@@ -63,12 +65,13 @@ std::string SavedProgress::keep_at_last(const LessonSession& session) {
   return given_up(told.error());
 }
 
-std::string SavedProgress::given_up(const StateError& error) {
+std::string SavedProgress::given_up(const StateFileError& error) {
   folder_.reset();
   return error.text + kNotKept;
 }
 
-StateResult<std::string> SavedProgress::keep_within(const LessonSession& session, std::chrono::milliseconds patience) {
+StateFileResult<std::string> SavedProgress::keep_within(const LessonSession& session,
+                                                        std::chrono::milliseconds patience) {
   if (!folder_) return std::string();
   if (const Bookmark now = bookmark_of(session); now != bookmark_) {
     bookmark_ = now;
@@ -84,8 +87,8 @@ StateResult<std::string> SavedProgress::keep_within(const LessonSession& session
 }
 
 /// Into what is there by now: another window, or `polhode answer`, may have been at it.
-StateResult<std::string> SavedProgress::keep_answers(const LessonSession& session,
-                                              std::chrono::milliseconds patience) {
+StateFileResult<std::string> SavedProgress::keep_answers(const LessonSession& session,
+                                                         std::chrono::milliseconds patience) {
   auto warning = change_answer_log(
       answer_log_path(*folder_, session.lesson().id),
       [&](AnswerLog& log) { merge_answers(log, answers_, session.answers()); }, patience);

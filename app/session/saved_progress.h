@@ -26,10 +26,10 @@ class SavedProgress {
   std::string keep_at_last(const LessonSession& session);
 
  private:
-  StateResult<std::string> keep_within(const LessonSession& session, std::chrono::milliseconds patience);
-  StateResult<std::string> keep_answers(const LessonSession& session, std::chrono::milliseconds patience);
+  StateFileResult<std::string> keep_within(const LessonSession& session, std::chrono::milliseconds patience);
+  StateFileResult<std::string> keep_answers(const LessonSession& session, std::chrono::milliseconds patience);
   /// From now on nothing is kept.
-  std::string given_up(const StateError& error);
+  std::string given_up(const StateFileError& error);
 
   std::optional<std::filesystem::path> folder_;
   std::string notice_;

@@ -25,10 +25,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
 
-Failure<StateError> fails(std::string text) { return {{std::move(text)}}; }
+Failure<StateFileError> fails(std::string text) { return {{std::move(text)}}; }
 
 /// A folder of the file's name opens, and throws when it is read.
-StateResult<std::string> whole_text(const fs::path& path) {
+StateFileResult<std::string> whole_text(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   try {
     if (file) return std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
@@ -37,17 +37,16 @@ StateResult<std::string> whole_text(const fs::path& path) {
   return fails(fmt::format("cannot read {}", path.string()));
 }
 
-StateResult<std::string> set_aside(const fs::path& path) {
+StateFileResult<std::string> set_aside(const fs::path& path) {
   const fs::path aside = path.string() + ".damaged";
   std::error_code error;
   fs::rename(path, aside, error);
   if (error)
-    return fails(
-        fmt::format("{} is damaged and cannot be set aside: {}", path.string(), error.message()));
+    return fails(fmt::format("{} is damaged and cannot be set aside: {}", path.string(), error.message()));
   return fmt::format("{} was damaged: it is now {}, and a new one is begun", path.string(), aside.string());
 }
 
-StateResult<std::monostate> make_folder_of(const fs::path& path) {
+StateFileResult<std::monostate> make_folder_of(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error) return fails(fmt::format("cannot make {}: {}", path.parent_path().string(), error.message()));
@@ -59,8 +58,8 @@ bool means_no_locks(int error) { return error == ENOSYS || error == ENOLCK || er
 
 }  // namespace
 
-StateResult<StateLock> StateLock::take(const fs::path& state_file, std::chrono::milliseconds patience,
-                                       int (*lock_file)(int file, int operation)) {
+StateFileResult<StateLock> StateLock::take(const fs::path& state_file, std::chrono::milliseconds patience,
+                                           int (*lock_file)(int file, int operation)) {
   if (const auto made = make_folder_of(state_file); !made) return Failure{made.error()};
   const std::string name = state_file.string() + ".lock";
   const auto reason = [](int error) { return std::generic_category().message(error); };
@@ -79,7 +78,8 @@ StateResult<StateLock> StateLock::take(const fs::path& state_file, std::chrono::
     }
     if (!is_held) return fails(cannot(reason(error)));
     const double seconds = std::chrono::duration<double>(patience).count();
-    return Failure{StateError{cannot(fmt::format("another polhode has held it for {:g} s", seconds)), true}};
+    return Failure{
+        StateFileError{cannot(fmt::format("another polhode has held it for {:g} s", seconds)), true}};
   }
   return lock;
 }
@@ -96,8 +96,8 @@ std::optional<fs::path> state_folder() {
   return std::nullopt;
 }
 
-StateResult<std::string> read_state_file(const fs::path& path, const std::string& what,
-                                         const TakeState& take) {
+StateFileResult<std::string> read_state_file(const fs::path& path, const std::string& what,
+                                             const TakeState& take) {
   std::error_code none;
   if (!fs::exists(path, none)) return std::string();
   const auto text = whole_text(path);
@@ -113,7 +113,7 @@ StateResult<std::string> read_state_file(const fs::path& path, const std::string
   return std::string();
 }
 
-StateResult<std::monostate> write_state_file(const fs::path& path, const Json& members) {
+StateFileResult<std::monostate> write_state_file(const fs::path& path, const Json& members) {
   if (auto made = make_folder_of(path); !made) return made;
   Json json{{"format", kFormat}};
   json.update(members);

@@ -21,12 +21,12 @@ namespace polhode {
 std::optional<std::filesystem::path> state_folder();
 
 /// Why a state file can be neither read nor written.
-struct StateError {
+struct StateFileError {
   std::string text;      ///< as that of a Result
   bool is_held = false;  ///< another process has its StateLock, and keeps it
 };
 template <class T>
-using StateResult = Result<T, StateError>;
+using StateFileResult = Result<T, StateFileError>;
 
 /// Held by one process at a time while it reads a state file, changes what it read and writes it again. It is
 /// an advisory lock (flock) on a file beside it, NAME.lock, which stays there; a process that dies gives it
@@ -35,9 +35,9 @@ class StateLock {
  public:
   /// Makes the folder, and waits for others, but not for longer than `patience`; 0: looks once.
   /// @param lock_file stands in for flock
-  static StateResult<StateLock> take(const std::filesystem::path& state_file,
-                                     std::chrono::milliseconds patience,
-                                     int (*lock_file)(int file, int operation) = ::flock);
+  static StateFileResult<StateLock> take(const std::filesystem::path& state_file,
+                                         std::chrono::milliseconds patience,
+                                         int (*lock_file)(int file, int operation) = ::flock);
   ~StateLock();
   StateLock(StateLock&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
   StateLock& operator=(StateLock&&) = delete;
@@ -53,12 +53,13 @@ using TakeState = std::function<void(const nlohmann::ordered_json&)>;
 
 /// Hands over what the file says; an absent one is passed over. One that is damaged is set aside as
 /// NAME.damaged: the answer says so, and is empty otherwise. `what` names the file in a sentence: "the log of
-/// answers". What `take` has taken of a damaged file is to be forgotten. Fails if the file is there and cannot
-/// be read, or is of another "format" than 1.
-StateResult<std::string> read_state_file(const std::filesystem::path& path, const std::string& what,
-                                         const TakeState& take);
+/// answers". What `take` has taken of a damaged file is to be forgotten. Fails if the file is there and
+/// cannot be read, or is of another "format" than 1.
+StateFileResult<std::string> read_state_file(const std::filesystem::path& path, const std::string& what,
+                                             const TakeState& take);
 
 /// Whole or not at all; makes the folder, and puts "format" first.
-StateResult<std::monostate> write_state_file(const std::filesystem::path& path, const nlohmann::ordered_json& members);
+StateFileResult<std::monostate> write_state_file(const std::filesystem::path& path,
+                                                 const nlohmann::ordered_json& members);
 
 }  // namespace polhode

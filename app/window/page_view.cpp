@@ -22,8 +22,7 @@ PageRequest request_of(const LessonSession& session, Size size) {
 
 PageView::PageKey PageView::key_of(const LessonSession& session, const PageLook& look) const {
   const SceneModel* model = session.model();
-  return {{session.loaded_pointer(), session.place(), session.model_number(), look.size,
-           session.preferences},
+  return {{session.loaded_pointer(), session.place(), session.model_number(), look.size, session.preferences},
           look,
           session.t_s(),
           session.transition(),
@@ -47,7 +46,8 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
     text_ = std::move(text).value();
     text_key_ = key.text;
   }
-  if (session.transition() < 1) request.entrance = TurningInto{from_ ? &*from_ : nullptr, session.transition()};
+  if (session.transition() < 1)
+    request.entrance = TurningInto{from_ ? &*from_ : nullptr, session.transition()};
   page_ = compose_page(request, *text_, fonts);
   symbols_ = symbols_on(page_.sheet, fonts);
   const PageColors& colors = colors_of(request.theme);

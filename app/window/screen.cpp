@@ -2,8 +2,6 @@
 #include "app/window/screen.h"
 
 #include "app/session/command.h"
-#include "app/session/figure_interaction.h"
-#include "app/session/symbol_note.h"
 #include "app/session/typed_folder.h"
 #include "app/window/speaker_notes.h"
 
@@ -19,8 +17,6 @@ namespace polhode {
 
 namespace {
 
-constexpr double kNoticeSeconds = 6;
-constexpr std::size_t kMostWords = 60;    // of a term read aloud: a longer one is no help
 constexpr double kLongestFrame_s = 0.25;  // a window that was stopped does not jump
 constexpr double kTipReach = 16;          // px of the display at scale 1: so near the tip of ω is taken
 constexpr double kSymbolReach = 4;        // px round the ink of a symbol
@@ -29,11 +25,6 @@ double now_s() {
   timespec time{};
   clock_gettime(CLOCK_MONOTONIC, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-bool holds(const PixelRect& rect, const Vec2& at) {
-  return at.x() >= rect.x && at.y() >= rect.y && at.x() < rect.x + rect.width &&
-         at.y() < rect.y + rect.height;
 }
 
 /// Controls grow with the window, half as fast as the page does, and with the text for those who want it
@@ -84,16 +75,9 @@ Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
 #else
   io.ConfigInputTrickleEventQueue = false;  // what goes into one frame: app/window/controls/input_portion.h
 #endif
-  std::error_code unknown;
-  memory_.folder = std::filesystem::current_path(unknown).string();
 }
 
 Screen::~Screen() { ImGui::DestroyContext(imgui_); }
-
-void Screen::tell(const std::string& notice) {
-  notice_ = notice;
-  notice_until_s_ = clock_s_ + kNoticeSeconds;
-}
 
 void Screen::adopt_style(const LessonSession& session, const ScreenFrame& frame) {
   const ControlSizes sizes = control_sizes(control_scale(session, frame));
@@ -119,8 +103,7 @@ Region Screen::page_region(const LessonSession& session, Size size) const {
     return region;
   }
   region.height -= bar_height(*sizes_, region.width);
-  if (session.panel != Panel::none)
-    region.width -= std::min(sizes_->panel, std::round(0.45F * region.width));
+  if (session.panel != Panel::none) region.width -= std::min(sizes_->panel, std::round(0.45F * region.width));
   return region;
 }
 
@@ -132,7 +115,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   if (typing && key != "Escape" && !key.starts_with("Ctrl+") && !(key.size() > 1 && key[0] == 'F'))
     return false;
   if (typing && key.starts_with("Ctrl+") && key != "Ctrl+S") return false;
-  if (memory_.panel_has_focus && std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end())
+  if (panels_.has_focus() && std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end())
     return false;
   const auto command = command_of(key);
   if (!command) return false;
@@ -141,24 +124,23 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   if (do_command(session, *command)) {
     panel_takes_focus_ = session.panel != before && session.panel != Panel::none;
     if (*command == Command::leave) {
-      focus_.reset();
-      explains_ = false;
+      symbols_.leave(session);
       ImGui::SetWindowFocus(nullptr);
     }
     return true;
   }
   switch (*command) {
     case Command::switch_focus:
-      ImGui::SetWindowFocus(memory_.panel_has_focus || session.panel == Panel::none ? nullptr : "panel");
+      ImGui::SetWindowFocus(panels_.has_focus() || session.panel == Panel::none ? nullptr : "panel");
       break;
     case Command::next_symbol:
-      move_focus(session, 1);
+      symbols_.move(session, page_->symbols(), 1);
       break;
     case Command::previous_symbol:
-      move_focus(session, -1);
+      symbols_.move(session, page_->symbols(), -1);
       break;
     case Command::explain:
-      explains_ = !explains_ && focus_.has_value();
+      symbols_.toggle_explanation();
       break;
     case Command::save_page:
       requests_.save_as = SaveAs::page;
@@ -175,31 +157,15 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   return true;
 }
 
-/// Among the symbols of the page; beyond the last comes none.
-void Screen::move_focus(LessonSession& session, int by) {
-  const auto count = static_cast<int>(page_->symbols().size());
-  if (count == 0) return;
-  const int none = by > 0 ? -1 : count;
-  const int next = (focus_ ? static_cast<int>(*focus_) : none) + by;
-  focus_.reset();
-  if (next >= 0 && next < count) focus_ = static_cast<std::size_t>(next);
-  explains_ = focus_.has_value();
-  session.light(focus_ ? page_->symbols()[*focus_].name : "");
-}
-
 Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   const double begun_s = now_s();
   ImGui::SetCurrentContext(imgui_);
   clock_s_ += frame.seconds;
-  session.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s)
-                                : 0);  // rest is no time that passes
+  session.advance(was_moving_ ? std::min(frame.seconds, kLongestFrame_s) : 0);  // rest is no time that passes
   adopt_style(session, frame);
   if (shown_place_ != session.place()) {
     shown_place_ = session.place();
-    focus_.reset();
-    hovered_.reset();
-    explains_ = false;
-    session.light("");
+    symbols_.forget(session);
   }
   stage_title_ = speech_->words_of_title(session.stage());
   if (!stage_title_.empty() && stage_title_.back() == '.') stage_title_.pop_back();
@@ -210,9 +176,9 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   lay_out_controls(session, page_region(session, frame.size), frame.size);
   use_pointer(session, page_region(session, frame.size));
   if (!requests_.clipboard.empty()) copy();
-  if (requests_.save_as) take(session);
-  draw_note(session);
-  draw_strip(page_region(session, frame.size));
+  if (requests_.save_as) save(session);
+  symbols_.draw_note(session, page_->symbols(), sizes_->em);
+  notices_.draw(page_region(session, frame.size), *theme_, sizes_->padding, clock_s_);
   ImGui::Render();
 
   if (!picture_ || picture_->size() != frame.size) {
@@ -221,7 +187,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     if (!made) return failure(made.error());
     picture_ = std::move(made).value();
   }
-  const bool is_dragging = hold_ != Hold::nothing && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+  const bool is_dragging = drag_.is_held() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
   const bool moving = session.is_moving() || is_dragging;
   const double resolution = moving ? pace_.resolution() : 1.0;
   const auto painted = show_page(session, page_region(session, frame.size), resolution);
@@ -237,10 +203,12 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
 }
 
 Result<bool> Screen::show_page(LessonSession& session, const Region& region, double resolution) {
-  const PageLook look{
-      .size = whole(region), .focus = focus_, .resolution = resolution, .keep_text = hold_ == Hold::omega};
+  const PageLook look{.size = whole(region),
+                      .focus = symbols_.place(),
+                      .resolution = resolution,
+                      .keep_text = drag_.holds_omega()};
   auto painted = page_->show(session, look);
-  page_error_ = painted ? "" : painted.error();
+  notices_.set_page_error(painted ? "" : painted.error());
   picture_->bind();
   const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
   gl_->ClearColor(ground.x, ground.y, ground.z, 1);
@@ -270,158 +238,47 @@ void Screen::show_preview(const LessonSession& session, const Region& page) {
 void Screen::lay_out_controls(LessonSession& session, const Region& page, Size size) {
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
   PanelContext context{.session = session,
-            .speech = *speech_,
-            .sizes = *sizes_,
-            .memory = memory_,
-            .requests = requests_,
-            .frame_ms = 1e3 * page_s_,
-            .clock_s = clock_s_,
-            .take_focus = std::exchange(panel_takes_focus_, false)};
-  memory_.front_frames = std::max(0, memory_.front_frames - 1);
-  memory_.panel_has_focus = false;  // unless it says so
+                       .speech = *speech_,
+                       .sizes = *sizes_,
+                       .requests = requests_,
+                       .frame_ms = 1e3 * page_s_,
+                       .clock_s = clock_s_,
+                       .take_focus = std::exchange(panel_takes_focus_, false)};
+  panels_.begin_frame();
   if (session.is_presenting()) {
     if (session.are_notes_shown()) draw_notes(context, page, size);
     return;
   }
-  if (session.panel != Panel::none) draw_panel(context, {page.width, 0, width - page.width, page.height});
+  if (session.panel != Panel::none) panels_.draw(context, {page.width, 0, width - page.width, page.height});
   draw_bar(context, {0, page.height, width, height - page.height});
-}
-
-/// Errors of the lesson stay, news go; above the bar, and no wider than they are.
-void Screen::draw_strip(const Region& page) {
-  const bool notice = !notice_.empty() && clock_s_ < notice_until_s_;
-  std::string text = page_error_.empty() ? lesson_errors_ : page_error_;
-  if (notice) text += (text.empty() ? "" : "\n\n") + notice_;
-  if (text.empty()) return;
-  const bool is_error = !page_error_.empty() || !lesson_errors_.empty();
-  const PageColors& colors = colors_of(*theme_);
-  const float pad = sizes_->padding;
-  const float most = page.width - 2 * pad;
-  ImGui::SetNextWindowPos({pad, page.height - pad}, ImGuiCond_Always, {0, 1});
-  ImGui::SetNextWindowSizeConstraints({0, 0}, {most, 0.6F * page.height});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleColor(ImGuiCol_Border, is_error
-                                             ? ImVec4{colors.accent.r, colors.accent.g, colors.accent.b, 1}
-                                             : ImGui::GetStyleColorVec4(ImGuiCol_Border));
-  ImGui::Begin("strip", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
-                   ImGuiWindowFlags_NoSavedSettings);
-  ImGui::PushTextWrapPos(most - 3 * pad);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
-}
-
-/// Beside the symbol under the pointer, or in focus.
-void Screen::draw_note(const LessonSession& session) {
-  const auto shown = hovered_ ? hovered_ : explains_ ? focus_ : std::nullopt;
-  if (!shown || *shown >= page_->symbols().size()) return;
-  const PageSymbol& symbol = page_->symbols()[*shown];
-  const SymbolNote note = note_of(session.lesson(), symbol.name, session.model(), session.t_s(),
-                                  session.stage().id, session.place().step);
-  if (note.value.empty() && (note.meaning.empty() || (symbol.is_term && note.meaning.size() > kMostWords)))
-    return;
-  const TypeBox& box = symbol.box;
-  const bool above = box.y0 > 0.25 * ImGui::GetIO().DisplaySize.y;
-  const float gap = 0.5F * sizes_->em;
-  ImGui::SetNextWindowPos({static_cast<float>(0.5 * (box.x0 + box.x1)),
-                           above ? static_cast<float>(box.y0) - gap : static_cast<float>(box.y1) + gap},
-                          ImGuiCond_Always, {box.x0 < 10 * sizes_->em ? 0.1F : 0.5F, above ? 1.0F : 0.0F});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
-  ImGui::Begin("note", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
-                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
-                   ImGuiWindowFlags_NoSavedSettings);
-  ImGui::TextUnformatted(note.meaning.c_str());
-  if (!note.value.empty()) {
-    ImGui::TextUnformatted(
-        fmt::format("{}{}{}", note.value, note.unit.empty() ? "" : " ", note.unit).c_str());
-    if (!note.frame.empty()) ImGui::TextDisabled("components in the %s frame", note.frame.c_str());
-  } else if (!note.unit.empty()) {
-    ImGui::TextDisabled("%s", note.unit.c_str());
-  }
-  ImGui::End();
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
-  const auto before = hovered_;
-  hovered_.reset();
-  if (on_page && hold_ == Hold::nothing && !io.MouseDown[0])
-    hovered_ = symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach);
-  if (hovered_)
-    session.light(page_->symbols()[*hovered_].name);
-  else if (before)
-    session.light(focus_ && *focus_ < page_->symbols().size() ? page_->symbols()[*focus_].name : "");
-  if (on_page && io.MouseClicked[0] && !hovered_) {
+  const bool points = on_page && !drag_.is_held() && !io.MouseDown[0];
+  symbols_.point_at(
+      session, page_->symbols(),
+      points ? symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt);
+  if (on_page && io.MouseClicked[0] && !symbols_.is_pointed_at()) {
     ImGui::SetWindowFocus(nullptr);
-    focus_.reset();
-    explains_ = false;
-    session.light("");
+    symbols_.leave(session);
   }
-  if (hold_ != Hold::nothing || on_page) use_figure(session, on_page);
-}
-
-void Screen::use_figure(LessonSession& session, bool on_page) {
-  const ImGuiIO& io = ImGui::GetIO();
-  const SceneModel* model = session.model();
-  if (!io.MouseDown[0] || !model) hold_ = Hold::nothing;
-  if (!model) return;
-  const Vec2 at(io.MousePos.x, io.MousePos.y);
-  const std::vector<Inset>& insets = page_->insets();
-  const auto inset =
-      std::find_if(insets.begin(), insets.end(), [&](const Inset& i) { return holds(i.place, at); });
-  const bool over = on_page && inset != insets.end();
-  std::optional<TipOnScreen> near;
-  if (over || hold_ == Hold::omega)
-    for (const TipOnScreen& tip : omega_tips(*model, session.t_s(), insets))
-      if (std::hypot(tip.x - at.x(), tip.y - at.y()) < kTipReach * sizes_->em / 15.0) near = tip;
-  if (over && io.MouseClicked[0]) {
-    held_inset_ = static_cast<std::size_t>(inset - insets.begin());
-    hold_ = near ? Hold::omega : Hold::camera;
-    if (near) {
-      held_inset_ = near->inset;
-      held_pane_ = near->pane;
-      session.set_playing(false);
-    }
-  }
-  if (near || hold_ == Hold::omega) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  if (over && io.MouseDoubleClicked[0]) session.set_camera(session.lesson_scene().camera);
-  if (over && io.MouseWheel != 0)
-    session.set_camera(zoomed(session.model()->scene.camera, io.MouseWheel));
-  if (hold_ == Hold::nothing || held_inset_ >= insets.size() ||
-      (io.MouseDelta.x == 0 && io.MouseDelta.y == 0))
-    return;
-  const Inset& held = insets[held_inset_];
-  if (hold_ == Hold::camera) {
-    session.set_camera(
-        orbited(session.model()->scene.camera, io.MouseDelta.x, io.MouseDelta.y, held.place.height));
-    return;
-  }
-  const auto grabbed = omega_at(*model, session.t_s(), held, held_pane_, at.x(), at.y());
-  if (!grabbed) return;
-  SceneEdits edits = session.edits();
-  edits.w0_B = grabbed->w0_B;
-  if (grabbed->attitude) edits.attitude = grabbed->attitude;
-  if (Status made = session.set_edits(edits); !made) tell(made.error());
+  if (!drag_.is_held() && !on_page) return;
+  const std::string refusal =
+      drag_.use_mouse(session, page_->insets(), on_page, kTipReach * sizes_->em / 15.0);
+  if (!refusal.empty()) tell(refusal);
 }
 
 /// What is pointed at is lit in the window alone.
-void Screen::take(LessonSession& session) {
+void Screen::save(LessonSession& session) {
   const std::string lit = session.lit();
   session.light("");
-  const Result<std::filesystem::path> folder = typed_folder(memory_.folder);
+  const Result<std::filesystem::path> folder = typed_folder(panels_.save().folder);
   if (!folder) tell("not saved: " + folder.error());
   if (folder) {
-    const auto path = save_as(session, *requests_.save_as, memory_.save_as, *folder, *renderer_);
+    const auto path = save_as(session, *requests_.save_as, panels_.save().options, *folder, *renderer_);
     std::error_code unknown;
     const auto real = path ? std::filesystem::canonical(*path, unknown) : "";
     tell(path ? "saved: " + (unknown ? *path : real).string() : "not saved: " + path.error());
@@ -440,8 +297,8 @@ double Screen::seconds_to_wake(const LessonSession& session) const {
   const bool moving = session.is_moving();
   if (moving || !is_full_) return 0;
   if (ImGui::GetIO().WantTextInput) return 0.3;  // the caret blinks
-  if (memory_.front_frames > 0) return memory_.front_frames == kFramesOfFront ? 0.1 : 0;
-  if (!notice_.empty() && clock_s_ < notice_until_s_) return notice_until_s_ - clock_s_ + 0.01;
+  if (const auto seconds = panels_.seconds_to_wake()) return *seconds;
+  if (const auto seconds = notices_.seconds_left(clock_s_)) return *seconds + 0.01;
   return 3600;
 }
 

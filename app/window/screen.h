@@ -5,9 +5,12 @@
 #pragma once
 
 #include "app/window/controls/control_pass.h"
+#include "app/window/figure_drag.h"
+#include "app/window/notices.h"
 #include "app/window/pace.h"
 #include "app/window/page_view.h"
-#include "app/window/panels/panel_context.h"
+#include "app/window/panels/panels.h"
+#include "app/window/symbol_focus.h"
 
 struct ImGuiContext;
 
@@ -44,12 +47,12 @@ class Screen {
   double frame_s() const { return frame_s_; }
 
   /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
-  void tell(const std::string& notice);
-  const std::string& notice() const { return notice_; }  ///< told last
-  void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
+  void tell(const std::string& text) { notices_.tell(text, clock_s_); }
+  const std::string& notice() const { return notices_.told(); }  ///< told last
+  void set_lesson_errors(std::string errors) { notices_.set_lesson_errors(std::move(errors)); }
 
   /// Where things are saved.
-  void set_folder(const std::string& folder) { memory_.folder = folder; }
+  void set_folder(const std::string& folder) { panels_.save().folder = folder; }
   /// Of the present stage, in words.
   const std::string& stage_title() const { return stage_title_; }
 
@@ -67,12 +70,8 @@ class Screen {
   Result<bool> show_page(LessonSession& session, const Region& region, double resolution);
   void show_preview(const LessonSession& session, const Region& region);
   void lay_out_controls(LessonSession& session, const Region& page, Size size);
-  void draw_strip(const Region& page);
-  void draw_note(const LessonSession& session);
   void use_pointer(LessonSession& session, const Region& page);
-  void use_figure(LessonSession& session, bool on_page);
-  void move_focus(LessonSession& session, int by);
-  void take(LessonSession& session);
+  void save(LessonSession& session);
   void copy();
 
   std::unique_ptr<const Gl> gl_;
@@ -83,21 +82,20 @@ class Screen {
   std::optional<Framebuffer> picture_;
   Pace pace_;
   WindowRequests requests_;
-  PanelMemory memory_;
+  Panels panels_;
+  SymbolFocus symbols_;
+  FigureDrag drag_;
+  Notices notices_;
   std::unique_ptr<SpeechText> speech_;
   const Lesson* spoken_ = nullptr;  ///< the lesson of speech_
   std::optional<ControlSizes> sizes_;
   std::optional<Theme> theme_;
   std::unique_ptr<LessonSession> next_;  ///< at the step after this one, for its preview
-  std::string notice_, lesson_errors_, page_error_, stage_title_;
-  double clock_s_ = 0, notice_until_s_ = 0, page_s_ = 0, frame_s_ = 0;
+  std::string stage_title_;
+  double clock_s_ = 0, page_s_ = 0, frame_s_ = 0;
   bool is_full_ = true, was_moving_ = false;
-  std::optional<std::size_t> focus_, hovered_;  ///< among the page's symbols
-  bool explains_ = false;                       ///< the symbol in focus
-  enum class Hold { nothing, camera, omega } hold_ = Hold::nothing;
   Place shown_place_{};
   bool panel_takes_focus_ = false;  ///< it was opened by a key
-  std::size_t held_inset_ = 0, held_pane_ = 0;
 };
 
 }  // namespace polhode

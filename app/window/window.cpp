@@ -24,8 +24,7 @@ constexpr double kLongestWait_s = 0.5, kWatchEvery_s = 0.25;
 
 std::string title_of(const LessonSession& session, const std::string& stage) {
   return fmt::format("{} — stage {} of {}, step {} of {} — polhode", stage, session.place().stage + 1,
-                     session.lesson().stages.size(), session.place().step + 1,
-                     session.stage().steps.size());
+                     session.lesson().stages.size(), session.place().step + 1, session.stage().steps.size());
 }
 
 /// The loop of events and frames.

@@ -49,8 +49,7 @@ void draw_speed(LessonSession& session, float width) {
   ImGui::SetNextItemWidth(width);
   if (ImGui::BeginCombo("##speed", speed_text(session.speed()).c_str())) {
     for (const double speed : kSpeeds)
-      if (ImGui::Selectable(speed_text(speed).c_str(), speed == session.speed()))
-        session.set_speed(speed);
+      if (ImGui::Selectable(speed_text(speed).c_str(), speed == session.speed())) session.set_speed(speed);
     ImGui::EndCombo();
   }
   tooltip_of_last("Speed. " + told(Command::faster) + "; " + told(Command::slower));
@@ -74,8 +73,7 @@ void draw_time(PanelContext& context, float width) {
     session.step_frames(1);
   ImGui::SameLine();
   const float line = width - 4 * icon - 0.9F * gap - number - speed - 3 * gap;
-  if (const auto t =
-          time_line(session.time_line(), session.t_s(), session.flips(), std::max(4 * em, line))) {
+  if (const auto t = time_line(session.time_line(), session.t_s(), session.flips(), std::max(4 * em, line))) {
     session.set_playing(false);
     session.scrub_to(*t);
   }

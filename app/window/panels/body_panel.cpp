@@ -20,61 +20,24 @@ void choose_body(PanelContext& context, const Scene& scene) {
   SceneEdits edits = context.session.edits();
   if (ImGui::Selectable(fmt::format("{} (the lesson's)", of_lesson).c_str(), !edits.body)) {
     edits.body.reset();
-    ask_for_edits(context, edits);
+    context.requests.edits = edits;
   }
   for (const std::string& name : named_bodies()) {
     if (!ImGui::Selectable(name.c_str(), scene.body.name == name)) continue;
     edits.body = find_body(name);
-    ask_for_edits(context, edits);
+    context.requests.edits = edits;
   }
   ImGui::EndCombo();
 }
 
 /// What cannot be is not set, and says why.
-void set_moments(PanelContext& context, const Vec3& moments) {
+void set_moments(PanelContext& context, const Vec3& moments, std::string& refusal) {
   const auto body = body_with_moments(moments);
-  context.memory.refusal = body ? "" : body.error();
+  refusal = body ? "" : body.error();
   if (!body) return;
   SceneEdits edits = context.session.edits();
   edits.body = *body;
-  ask_for_edits(context, edits);
-}
-
-void edit_moments(PanelContext& context, const Scene& scene) {
-  static constexpr std::array kNames = {"I1", "I2", "I3"};
-  const Vec3 present = scene.body.moments.vector();
-  const double high = context.memory.most_moment, low = 1e-4 * high;
-  for (int i = 0; i < 3; ++i) {
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
-    Vec3 moments = present;
-    if (ImGui::SliderScalar(fmt::format("{} kg m²", kNames[static_cast<std::size_t>(i)]).c_str(),
-                            ImGuiDataType_Double, &moments[i], &low, &high, "%.4g",
-                            ImGuiSliderFlags_Logarithmic))
-      set_moments(context, moments);
-  }
-}
-
-void set_ranges(PanelMemory& memory, const Scene& scene) {
-  if (ImGui::IsAnyItemActive()) return;
-  memory.most_moment = 10 * scene.body.moments.vector().maxCoeff();
-  memory.most_omega = scene.w0_B.isZero(0) ? 1 : 2 * scene.w0_B.norm();
-}
-
-void edit_omega(PanelContext& context, const Scene& scene) {
-  static constexpr std::array kNames = {"ω1", "ω2", "ω3"};
-  const double most = context.memory.most_omega, least = -most;
-  for (int i = 0; i < 3; ++i) {
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
-    double component = scene.w0_B[i];
-    if (!ImGui::SliderScalar(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]).c_str(),
-                             ImGuiDataType_Double, &component, &least, &most, "%.4f"))
-      continue;
-    SceneEdits edits = context.session.edits();
-    edits.w0_B = scene.w0_B;
-    (*edits.w0_B)[i] = component;
-    ask_for_edits(context, edits);
-  }
-  quiet_words("Body axes, at t = 0. Or take the tip of ω in the figure.");
+  context.requests.edits = edits;
 }
 
 void show_state(const SceneModel& model, double t_s) {
@@ -90,14 +53,51 @@ void show_state(const SceneModel& model, double t_s) {
 
 }  // namespace
 
-void draw_body(PanelContext& context) {
+void BodyPanel::edit_moments(PanelContext& context, const Scene& scene, std::string& refusal) const {
+  static constexpr std::array kNames = {"I1", "I2", "I3"};
+  const Vec3 present = scene.body.moments.vector();
+  const double high = most_moment_, low = 1e-4 * high;
+  for (int i = 0; i < 3; ++i) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
+    Vec3 moments = present;
+    if (ImGui::SliderScalar(fmt::format("{} kg m²", kNames[static_cast<std::size_t>(i)]).c_str(),
+                            ImGuiDataType_Double, &moments[i], &low, &high, "%.4g",
+                            ImGuiSliderFlags_Logarithmic))
+      set_moments(context, moments, refusal);
+  }
+}
+
+void BodyPanel::set_ranges(const Scene& scene) {
+  if (ImGui::IsAnyItemActive()) return;
+  most_moment_ = 10 * scene.body.moments.vector().maxCoeff();
+  most_omega_ = scene.w0_B.isZero(0) ? 1 : 2 * scene.w0_B.norm();
+}
+
+void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
+  static constexpr std::array kNames = {"ω1", "ω2", "ω3"};
+  const double most = most_omega_, least = -most;
+  for (int i = 0; i < 3; ++i) {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
+    double component = scene.w0_B[i];
+    if (!ImGui::SliderScalar(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]).c_str(),
+                             ImGuiDataType_Double, &component, &least, &most, "%.4f"))
+      continue;
+    SceneEdits edits = context.session.edits();
+    edits.w0_B = scene.w0_B;
+    (*edits.w0_B)[i] = component;
+    context.requests.edits = edits;
+  }
+  quiet_words("Body axes, at t = 0. Or take the tip of ω in the figure.");
+}
+
+void BodyPanel::draw(PanelContext& context, std::string& refusal) {
   LessonSession& session = context.session;
   if (!session.model()) return quiet_words("This step has no figure.");
   heading("Body");
-  set_ranges(context.memory, session.model()->scene);
+  set_ranges(session.model()->scene);
   choose_body(context, session.model()->scene);
-  edit_moments(context, session.model()->scene);
-  if (!context.memory.refusal.empty()) warning_words(context.memory.refusal);
+  edit_moments(context, session.model()->scene, refusal);
+  if (!refusal.empty()) warning_words(refusal);
   heading("Angular velocity");
   edit_omega(context, session.model()->scene);
   heading("Now");

@@ -14,7 +14,7 @@ namespace polhode {
 
 namespace {
 
-/// Of those that have one: a step that a turn has 64 of.
+/// For methods that have one: a 64th of the time of a turn.
 double usual_step_s(const SceneModel& model) {
   const double speed = model.scene.w0_B.norm();
   return speed > 0 ? 2 * M_PI / speed / 64 : 0.01;
@@ -31,7 +31,7 @@ std::string short_number(double value, const char* unit) {
 void set_motion(PanelContext& context, const MotionSpec& motion) {
   SceneEdits edits = context.session.edits();
   edits.motion = motion;
-  ask_for_edits(context, edits);
+  context.requests.edits = edits;
 }
 
 std::string time_text(double ns) {
@@ -114,19 +114,43 @@ std::optional<int> place_on(const std::vector<ParetoStep>& steps, const SceneMod
   return best;
 }
 
-/// Measured when the panel opens, and again for another motion.
-void choose_from_front(PanelContext& context, const SceneModel& model) {
-  PanelMemory& memory = context.memory;
-  if (!(memory.front_of && same_problem(*memory.front_of, model.scene)) && !ImGui::IsAnyItemActive()) {
-    memory.front.reset();
-    memory.front = std::make_unique<FrontMeasurement>(problem_of(model.scene));
-    memory.front_of = model.scene;
+/// A panel has its new height, and its scroll bar, two frames after it has new contents.
+constexpr int kFramesToSettle = 3;
+
+const char* why_no_error(const SceneModel& model) {
+  return facts_of(method_of(model)).control == StepControl::none ? "the reference" : "no closed form";
+}
+
+void choose_quality(PanelContext& context, const SceneModel& model) {
+  for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine}) {
+    if (level != QualityLevel::draft) ImGui::SameLine();
+    if (!radio_button(name_of(level), model.scene.quality == level)) continue;
+    SceneEdits edits = context.session.edits();
+    edits.quality = level;
+    context.requests.edits = edits;
   }
-  if (!memory.front || !memory.front->is_ready()) {
-    memory.front_frames = kFramesOfFront;
+  value_row("picture, per frame", fmt::format("{:.0f} ms", context.frame_ms));
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all.empty() ? "nothing" : all;
+}
+
+}  // namespace
+
+void MethodPanel::choose_from_front(PanelContext& context, const SceneModel& model) {
+  if (!(front_of_ && same_problem(*front_of_, model.scene)) && !ImGui::IsAnyItemActive()) {
+    front_.reset();
+    front_ = std::make_unique<FrontMeasurement>(problem_of(model.scene));
+    front_of_ = model.scene;
+  }
+  if (!front_ || !front_->is_ready()) {
+    frames_to_settle_ = kFramesToSettle;
     return quiet_words("measuring the methods on this motion …");
   }
-  const std::vector<ParetoStep>& steps = memory.front->steps();
+  const std::vector<ParetoStep>& steps = front_->steps();
   if (steps.empty()) return quiet_words("Nothing could be measured on this motion.");
   const auto present = place_on(steps, model);
   int chosen = present.value_or(0);
@@ -134,9 +158,9 @@ void choose_from_front(PanelContext& context, const SceneModel& model) {
   if (ImGui::SliderInt("##front", &chosen, 0, static_cast<int>(steps.size()) - 1, "")) {
     const MethodChoice& choice = steps[static_cast<std::size_t>(chosen)].choice;
     set_motion(context, {.method = choice.method,
-                      .step_s = choice.step_s,
-                      .tolerance = choice.tolerance,
-                      .ghost = model.scene.motion.ghost});
+                         .step_s = choice.step_s,
+                         .tolerance = choice.tolerance,
+                         .ghost = model.scene.motion.ghost});
     return;  // the model is another one now
   }
   ImGui::TextDisabled("fast");
@@ -152,53 +176,33 @@ void choose_from_front(PanelContext& context, const SceneModel& model) {
   quiet_words(fmt::format("{}: {}, {} a period", step.name, error, time_text(step.ns_per_period)));
 }
 
-const char* why_no_error(const SceneModel& model) {
-  return facts_of(method_of(model)).control == StepControl::none ? "the reference" : "no closed form";
-}
-
-void show_accuracy(PanelContext& context, const SceneModel& model) {
-  PanelMemory& memory = context.memory;
-  if (!memory.meter || memory.meter_of != context.session.model_number()) {
-    memory.meter = std::make_unique<AccuracyMeter>(model);
-    memory.meter_of = context.session.model_number();
-    memory.live_shown_at = -1;
+void MethodPanel::show_accuracy(PanelContext& context, const SceneModel& model) {
+  if (!meter_ || meter_of_ != context.session.model_number()) {
+    meter_ = std::make_unique<AccuracyMeter>(model);
+    meter_of_ = context.session.model_number();
+    read_at_s_ = -1;
   }
   constexpr double kReadable_s = 0.2;
-  const bool at_rest = !context.session.is_moving() && memory.live_of_t != context.session.t_s();
-  if (at_rest || context.clock_s - memory.live_shown_at > kReadable_s || memory.live_shown_at < 0) {
-    memory.live = memory.meter->at(model, context.session.t_s());
-    memory.live_shown_at = context.clock_s;
-    memory.live_of_t = context.session.t_s();
+  const bool at_rest = !context.session.is_moving() && read_of_t_s_ != context.session.t_s();
+  if (at_rest || context.clock_s - read_at_s_ > kReadable_s || read_at_s_ < 0) {
+    now_ = meter_->at(model, context.session.t_s());
+    read_at_s_ = context.clock_s;
+    read_of_t_s_ = context.session.t_s();
   }
-  const AccuracyReading& live = memory.live;
-  value_row("error of ω", live.error ? short_number(live.error->omega, "") : why_no_error(model));
-  value_row("error of attitude", live.error ? short_number(live.error->attitude_rad, " rad") : "");
-  value_row("drift of T", short_number(live.drift.T, ""));
-  value_row("drift of |L|", short_number(live.drift.L, ""));
-  value_row("drift of L's direction", short_number(live.drift.L_direction_rad, " rad"));
-  value_row("motion, per frame", time_text(live.ns_per_frame));
+  value_row("error of ω", now_.error ? short_number(now_.error->omega, "") : why_no_error(model));
+  value_row("error of attitude", now_.error ? short_number(now_.error->attitude_rad, " rad") : "");
+  value_row("drift of T", short_number(now_.drift.T, ""));
+  value_row("drift of |L|", short_number(now_.drift.L, ""));
+  value_row("drift of L's direction", short_number(now_.drift.L_direction_rad, " rad"));
+  value_row("motion, per frame", time_text(now_.ns_per_frame));
 }
 
-void choose_quality(PanelContext& context, const SceneModel& model) {
-  for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine}) {
-    if (level != QualityLevel::draft) ImGui::SameLine();
-    if (!radio_button(name_of(level), model.scene.quality == level)) continue;
-    SceneEdits edits = context.session.edits();
-    edits.quality = level;
-    ask_for_edits(context, edits);
-  }
-  value_row("picture, per frame", fmt::format("{:.0f} ms", context.frame_ms));
+std::optional<double> MethodPanel::seconds_to_wake() const {
+  if (frames_to_settle_ == 0) return std::nullopt;
+  return frames_to_settle_ == kFramesToSettle ? 0.1 : 0.0;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-  return all.empty() ? "nothing" : all;
-}
-
-}  // namespace
-
-void draw_method(PanelContext& context) {
+void MethodPanel::draw(PanelContext& context, const std::string& refusal) {
   LessonSession& session = context.session;
   if (!session.model()) return quiet_words("This step has no figure.");
   heading("From fast to accurate");
@@ -206,7 +210,7 @@ void draw_method(PanelContext& context) {
   heading("Method");
   choose_method(context, *session.model());
   choose_step(context, *session.model());
-  if (!context.memory.refusal.empty()) warning_words(context.memory.refusal);
+  if (!refusal.empty()) warning_words(refusal);
   bool ghost = session.model()->scene.motion.ghost;
   if (ImGui::Checkbox("the exact body beside it, as a ghost", &ghost)) {
     MotionSpec motion = session.model()->scene.motion;

@@ -67,7 +67,7 @@ void step_row(PanelContext& context) {
 
 }  // namespace
 
-void draw_outline(PanelContext& context) {
+void OutlinePanel::draw(PanelContext& context) {
   LessonSession& session = context.session;
   const float wheel = ImGui::GetIO().MouseWheel;
   if (wheel != 0 && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
@@ -86,9 +86,9 @@ void draw_outline(PanelContext& context) {
     const bool here = i == session.place().stage;
     if (stage_row(title, i + 1, here, session.visited().contains(stages[i].id))) session.go_to({i, 0});
     if (!here) continue;
-    if (context.memory.outlined != session.place()) {
+    if (scrolled_to_ != session.place()) {
       ImGui::SetScrollHereY(0.4F);
-      context.memory.outlined = session.place();
+      scrolled_to_ = session.place();
     }
     step_row(context);
   }

@@ -31,20 +31,22 @@ const char* title_of(Panel panel) {
   }
 }
 
-void draw_contents(PanelContext& context) {
+}  // namespace
+
+void Panels::draw_contents(PanelContext& context) {
   switch (context.session.panel) {
     case Panel::outline:
-      return draw_outline(context);
+      return outline_.draw(context);
     case Panel::body:
-      return draw_body(context);
+      return body_.draw(context, refusal_);
     case Panel::method:
-      return draw_method(context);
+      return method_.draw(context, refusal_);
     case Panel::show:
-      return draw_show(context);
+      return show_.draw(context, refusal_);
     case Panel::question:
-      return draw_questions(context);
+      return questions_.draw(context);
     case Panel::save:
-      return draw_save(context);
+      return save_.draw(context);
     case Panel::settings:
       return draw_settings(context);
     case Panel::help:
@@ -55,25 +57,19 @@ void draw_contents(PanelContext& context) {
 }
 
 /// What cannot be is not made, and the panel says why.
-void make_edits(PanelContext& context) {
-  if (!context.memory.edits) return;
-  const Status made = context.session.set_edits(*context.memory.edits);
-  context.memory.refusal = made ? "" : made.error();
-  context.memory.edits.reset();
+void Panels::make_edits(PanelContext& context) {
+  if (!context.requests.edits) return;
+  const Status made = context.session.set_edits(*context.requests.edits);
+  refusal_ = made ? "" : made.error();
+  context.requests.edits.reset();
 }
 
-void draw_contents_below_title(PanelContext& context) {
-  ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
-  draw_contents(context);
-  ImGui::EndChild();
-  make_edits(context);
+void Panels::begin_frame() {
+  method_.count_frame();
+  has_focus_ = false;
 }
 
-}  // namespace
-
-void ask_for_edits(PanelContext& context, const SceneEdits& edits) { context.memory.edits = edits; }
-
-void draw_panel(PanelContext& context, const Region& region) {
+void Panels::draw(PanelContext& context, const Region& region) {
   ImGui::SetNextWindowPos({region.x, region.y});
   ImGui::SetNextWindowSize({region.width, region.height});
   if (context.take_focus) ImGui::SetNextWindowFocus();
@@ -81,21 +77,23 @@ void draw_panel(PanelContext& context, const Region& region) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
-  context.memory.panel_has_focus = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  has_focus_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool focused = context.memory.panel_has_focus;
   list.PushClipRectFullScreen();
   list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},
-               ImGui::GetColorU32(focused ? ImGuiCol_NavHighlight : ImGuiCol_Border), focused ? 2.0F : 1.0F);
+               ImGui::GetColorU32(has_focus_ ? ImGuiCol_NavHighlight : ImGuiCol_Border),
+               has_focus_ ? 2.0F : 1.0F);
   list.PopClipRect();
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(bold_control_font());
   ImGui::TextUnformatted(title_of(context.session.panel));
   ImGui::PopFont();
-  if (context.memory.shown != std::pair(context.session.panel, context.session.place()))
-    context.memory.refusal.clear();
-  context.memory.shown = {context.session.panel, context.session.place()};
-  draw_contents_below_title(context);
+  const std::pair now(context.session.panel, context.session.place());
+  if (std::exchange(shown_, now) != now) refusal_.clear();
+  ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
+  draw_contents(context);
+  ImGui::EndChild();
+  make_edits(context);
   // After the contents, so that keys come to these first.
   const float close = ImGui::GetFrameHeight();
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;

@@ -1,22 +1,111 @@
 // SPDX-License-Identifier: MIT
-// What stands in the panel beside the page; panel.cpp says which is where. Each in a file of its own.
+// The panels beside the page, one of which is open: each in a file of its own, with the state that it keeps.
 #pragma once
 
+#include "app/session/method_cost.h"
 #include "app/window/panels/panel_context.h"
+
+#include <map>
+#include <memory>
+#include <utility>
 
 namespace polhode {
 
-void draw_outline(PanelContext& context);
-void draw_body(PanelContext& context);
-void draw_method(PanelContext& context);
-void draw_show(PanelContext& context);
-void draw_questions(PanelContext& context);
-void draw_save(PanelContext& context);
+class OutlinePanel {
+ public:
+  void draw(PanelContext& context);
+
+ private:
+  std::optional<Place> scrolled_to_;
+};
+
+class BodyPanel {
+ public:
+  void draw(PanelContext& context, std::string& refusal);
+
+ private:
+  void set_ranges(const Scene& scene);
+  void edit_moments(PanelContext& context, const Scene& scene, std::string& refusal) const;
+  void edit_omega(PanelContext& context, const Scene& scene) const;
+
+  double most_moment_ = 1, most_omega_ = 1;  ///< ends of sliders; they stand while one is held
+};
+
+/// Measures the methods when it opens, and again for another motion.
+class MethodPanel {
+ public:
+  void draw(PanelContext& context, const std::string& refusal);
+  /// Before a frame.
+  void count_frame() { frames_to_settle_ = std::max(0, frames_to_settle_ - 1); }
+  /// Nothing: it waits for nothing.
+  std::optional<double> seconds_to_wake() const;
+
+ private:
+  void choose_from_front(PanelContext& context, const SceneModel& model);
+  void show_accuracy(PanelContext& context, const SceneModel& model);
+
+  std::unique_ptr<FrontMeasurement> front_;
+  std::optional<Scene> front_of_;  ///< whose motion was measured
+  int frames_to_settle_ = 0;       ///< full while the front is awaited, then down to 0
+  std::unique_ptr<AccuracyMeter> meter_;
+  unsigned meter_of_ = 0;  ///< number of its model
+  AccuracyReading now_;
+  double read_at_s_ = -1;  ///< of the clock: numbers change slowly enough to be read
+  double read_of_t_s_ = 0;
+};
+
+class ShowPanel {
+ public:
+  void draw(PanelContext& context, const std::string& refusal);
+};
+
+class QuestionsPanel {
+ public:
+  void draw(PanelContext& context);
+
+ private:
+  void draw_question(PanelContext& context, const Ask& ask, std::size_t number, std::size_t count);
+
+  std::map<std::string, std::string> typed_;  ///< by "stage/question"
+};
+
+class SavePanel {
+ public:
+  SavePanel();
+  void draw(PanelContext& context);
+
+  std::string folder;  ///< as typed; at first the present one
+  SaveOptions options;
+};
+
 void draw_settings(PanelContext& context);
 void draw_help(PanelContext& context);
 
-/// Asks for these edits once the panel is drawn: they make another model, and what is being drawn refers to
-/// the present one.
-void ask_for_edits(PanelContext& context, const SceneEdits& edits);
+class Panels {
+ public:
+  /// The one that is open; then makes the edits that it asks for.
+  void draw(PanelContext& context, const Region& region);
+  /// Before a frame: none has the focus unless it says so.
+  void begin_frame();
+  /// Keys are for it.
+  bool has_focus() const { return has_focus_; }
+  std::optional<double> seconds_to_wake() const { return method_.seconds_to_wake(); }
+  SavePanel& save() { return save_; }
+  const SavePanel& save() const { return save_; }
+
+ private:
+  void draw_contents(PanelContext& context);
+  void make_edits(PanelContext& context);
+
+  OutlinePanel outline_;
+  BodyPanel body_;
+  MethodPanel method_;
+  ShowPanel show_;
+  QuestionsPanel questions_;
+  SavePanel save_;
+  std::pair<Panel, Place> shown_{};  ///< panel and place of the frame before
+  std::string refusal_;              ///< why the last edit was not made; empty: it was
+  bool has_focus_ = false;
+};
 
 }  // namespace polhode

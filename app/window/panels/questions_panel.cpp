@@ -73,11 +73,14 @@ void show_hints(PanelContext& context, const Ask& ask) {
   if (record && ImGui::Button("Forget my answers")) context.session.forget_answer(ask);
 }
 
-void draw_question(PanelContext& context, const Ask& ask, std::size_t number, std::size_t count) {
+}  // namespace
+
+void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::size_t number,
+                                   std::size_t count) {
   ImGui::PushID(ask.id.c_str());
   heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
   words_or_see_page(context, ask.prompt, ask.prompt_text);
-  std::string& typed = context.memory.typed_answers[context.session.stage().id + '/' + ask.id];
+  std::string& typed = typed_[context.session.stage().id + '/' + ask.id];
   switch (ask.type) {
     case Ask::Type::expression:
       ask_for_words(context, ask, typed);
@@ -99,9 +102,7 @@ void draw_question(PanelContext& context, const Ask& ask, std::size_t number, st
   ImGui::PopID();
 }
 
-}  // namespace
-
-void draw_questions(PanelContext& context) {
+void QuestionsPanel::draw(PanelContext& context) {
   const std::vector<const Ask*> questions = context.session.questions();
   if (questions.empty()) return quiet_words("This step asks nothing.");
   for (std::size_t i = 0; i < questions.size(); ++i) {

@@ -8,6 +8,8 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <filesystem>
+
 namespace polhode {
 
 namespace {
@@ -32,10 +34,15 @@ void offer(PanelContext& context, const char* words, SaveAs what, const std::str
 
 }  // namespace
 
-void draw_save(PanelContext& context) {
+SavePanel::SavePanel() {
+  std::error_code unknown;
+  folder = std::filesystem::current_path(unknown).string();
+}
+
+void SavePanel::draw(PanelContext& context) {
   heading("Pictures");
-  choose_size(context.memory.save_as);
-  ImGui::Checkbox("transparent background", &context.memory.save_as.transparent);
+  choose_size(options);
+  ImGui::Checkbox("transparent background", &options.transparent);
   offer(context, "Save the page", SaveAs::page, "As polhode export writes it. " + told(Command::save_page));
   offer(context, "Save the figure", SaveAs::figure, "Without text and plots");
   offer(context, "Save the equation", SaveAs::equation, "The last one of this step, at 300 dots per inch");
@@ -50,7 +57,7 @@ void draw_save(PanelContext& context) {
         "With all that was changed by hand; polhode export makes the same figure of it");
   heading("Folder");
   ImGui::SetNextItemWidth(-1);
-  ImGui::InputText("##folder", &context.memory.folder);
+  ImGui::InputText("##folder", &folder);
   quiet_words("Nothing is overwritten: a name that is taken gets a number.");
 }
 

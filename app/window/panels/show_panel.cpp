@@ -24,7 +24,7 @@ void choose_views(LessonSession& session, PanelContext& context) {
     if (!radio_button(words, views == offered)) return;
     SceneEdits edits = session.edits();
     edits.views = offered;
-    ask_for_edits(context, edits);
+    context.requests.edits = edits;
   };
   offer("space", {View::space});
   ImGui::SameLine();
@@ -58,7 +58,7 @@ void offer_overlay(PanelContext& context, Overlay overlay) {
   if (ImGui::Checkbox(words_of(overlay).c_str(), &shown)) {
     SceneEdits edits = session.edits();
     set_shown(edits, session.lesson_scene(), overlay, shown);
-    ask_for_edits(context, edits);
+    context.requests.edits = edits;
   }
   if (!nothing_to_see) return;
   ImGui::SameLine();
@@ -67,7 +67,7 @@ void offer_overlay(PanelContext& context, Overlay overlay) {
 
 }  // namespace
 
-void draw_show(PanelContext& context) {
+void ShowPanel::draw(PanelContext& context, const std::string& refusal) {
   LessonSession& session = context.session;
   if (!session.model()) return quiet_words("This step has no figure.");
   heading("Seen from");
@@ -75,7 +75,7 @@ void draw_show(PanelContext& context) {
   heading("Camera");
   choose_camera(session);
   heading("In space");
-  if (!context.memory.refusal.empty()) warning_words(context.memory.refusal);
+  if (!refusal.empty()) warning_words(refusal);
   const auto offer_all = [&](bool diagrams) {
     for (int i = 0; i < kOverlayCount; ++i)
       if (const auto overlay = static_cast<Overlay>(i); is_diagram(overlay) == diagrams)

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The mouse on the figure: it turns and moves the camera, or takes ω by its tip.
+#pragma once
+
+#include "app/session/lesson_session.h"
+#include "render/gl/renderer.h"
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+class FigureDrag {
+ public:
+  bool is_held() const { return held_ != Held::nothing; }
+  bool holds_omega() const { return held_ == Held::omega; }
+
+  /// What ImGui's io has of the mouse in this frame, done to the session.
+  /// @param insets of the page that is shown
+  /// @param on_page nothing is in front of it
+  /// @param reach so near the tip of ω is taken, px
+  /// @returns why ω cannot be what it was dragged to; empty: it is
+  std::string use_mouse(LessonSession& session, const std::vector<Inset>& insets, bool on_page, double reach);
+
+ private:
+  enum class Held { nothing, camera, omega };
+
+  std::string move(LessonSession& session, const Inset& inset) const;
+
+  Held held_ = Held::nothing;
+  std::size_t inset_ = 0, pane_ = 0;  ///< where it was taken
+};
+
+}  // namespace polhode

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The strip above the bar: errors of the lesson until they are mended, and what is told for a few seconds.
+#pragma once
+
+#include "app/page/page_theme.h"
+#include "app/window/panels/panel_context.h"
+
+#include <optional>
+#include <string>
+
+namespace polhode {
+
+class Notices {
+ public:
+  void tell(const std::string& text, double clock_s);
+  const std::string& told() const { return text_; }  ///< last
+  void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
+  void set_page_error(std::string error) { page_error_ = std::move(error); }
+
+  /// No wider than they are, above the lower edge of the page.
+  void draw(const Region& page, Theme theme, float padding, double clock_s) const;
+  /// Until what was told goes; nothing: it is gone.
+  std::optional<double> seconds_left(double clock_s) const;
+
+ private:
+  std::string text_, lesson_errors_, page_error_;
+  double until_s_ = 0;  ///< of the clock
+};
+
+}  // namespace polhode

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/symbol_focus.h"
+
+#include "app/session/symbol_note.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+namespace polhode {
+
+namespace {
+
+constexpr std::size_t kMostWords = 60;  // of a term read aloud: a longer one is no help
+
+}  // namespace
+
+void SymbolFocus::light_focus(LessonSession& session, const Symbols& symbols) const {
+  session.light(focus_ && *focus_ < symbols.size() ? symbols[*focus_].name : "");
+}
+
+void SymbolFocus::move(LessonSession& session, const Symbols& symbols, int by) {
+  const auto count = static_cast<int>(symbols.size());
+  if (count == 0) return;
+  const int none = by > 0 ? -1 : count;
+  const int next = (focus_ ? static_cast<int>(*focus_) : none) + by;
+  focus_.reset();
+  if (next >= 0 && next < count) focus_ = static_cast<std::size_t>(next);
+  explains_ = focus_.has_value();
+  light_focus(session, symbols);
+}
+
+void SymbolFocus::leave(LessonSession& session) {
+  focus_.reset();
+  explains_ = false;
+  session.light("");
+}
+
+void SymbolFocus::forget(LessonSession& session) {
+  hovered_.reset();
+  leave(session);
+}
+
+void SymbolFocus::point_at(LessonSession& session, const Symbols& symbols,
+                           std::optional<std::size_t> hovered) {
+  const bool was = hovered_.has_value();
+  hovered_ = hovered;
+  if (hovered_)
+    session.light(symbols[*hovered_].name);
+  else if (was)
+    light_focus(session, symbols);
+}
+
+void SymbolFocus::draw_note(const LessonSession& session, const Symbols& symbols, float em) const {
+  const auto shown = hovered_ ? hovered_ : explains_ ? focus_ : std::nullopt;
+  if (!shown || *shown >= symbols.size()) return;
+  const PageSymbol& symbol = symbols[*shown];
+  const SymbolNote note = note_of(session.lesson(), symbol.name, session.model(), session.t_s(),
+                                  session.stage().id, session.place().step);
+  if (note.value.empty() && (note.meaning.empty() || (symbol.is_term && note.meaning.size() > kMostWords)))
+    return;
+  const TypeBox& box = symbol.box;
+  const bool above = box.y0 > 0.25 * ImGui::GetIO().DisplaySize.y;
+  const float gap = 0.5F * em;
+  ImGui::SetNextWindowPos({static_cast<float>(0.5 * (box.x0 + box.x1)),
+                           above ? static_cast<float>(box.y0) - gap : static_cast<float>(box.y1) + gap},
+                          ImGuiCond_Always, {box.x0 < 10 * em ? 0.1F : 0.5F, above ? 1.0F : 0.0F});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_PopupBg));
+  ImGui::Begin("note", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
+                   ImGuiWindowFlags_NoSavedSettings);
+  ImGui::TextUnformatted(note.meaning.c_str());
+  if (!note.value.empty()) {
+    ImGui::TextUnformatted(
+        fmt::format("{}{}{}", note.value, note.unit.empty() ? "" : " ", note.unit).c_str());
+    if (!note.frame.empty()) ImGui::TextDisabled("components in the %s frame", note.frame.c_str());
+  } else if (!note.unit.empty()) {
+    ImGui::TextDisabled("%s", note.unit.c_str());
+  }
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace polhode

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The symbol of the page that is pointed at, or reached by Tab: it is lit in the figure, and explained beside
+// itself.
+#pragma once
+
+#include "app/session/lesson_session.h"
+#include "app/session/page_symbols.h"
+
+#include <optional>
+#include <vector>
+
+namespace polhode {
+
+class SymbolFocus {
+ public:
+  using Symbols = std::vector<PageSymbol>;
+
+  /// Among the symbols, for a ring round it: what keys have reached.
+  std::optional<std::size_t> place() const { return focus_; }
+  bool is_pointed_at() const { return hovered_.has_value(); }
+
+  /// To the next (1) or the one before (-1); beyond the last comes none.
+  void move(LessonSession& session, const Symbols& symbols, int by);
+  void toggle_explanation() { explains_ = !explains_ && focus_; }
+  void leave(LessonSession& session);
+  /// Also what the pointer is on; the page has changed.
+  void forget(LessonSession& session);
+  /// What is under the pointer; nothing: no symbol is.
+  void point_at(LessonSession& session, const Symbols& symbols, std::optional<std::size_t> hovered);
+  /// Says what the symbol stands for. @param em of controls, px
+  void draw_note(const LessonSession& session, const Symbols& symbols, float em) const;
+
+ private:
+  void light_focus(LessonSession& session, const Symbols& symbols) const;
+
+  std::optional<std::size_t> focus_, hovered_;
+  bool explains_ = false;  ///< the symbol in focus
+};
+
+}  // namespace polhode
