@@ -23,9 +23,8 @@ struct Options {
   bool watch = false;
 };
 
-std::shared_ptr<const LoadedLesson> load(const std::string& name) {
+std::shared_ptr<const LoadedLesson> load(const std::string& name, const Fonts& fonts) {
   auto loaded = std::make_shared<const LoadedLesson>(load_lesson(name));
-  const Fonts fonts = or_fail(Fonts::open());
   check_type_of(*loaded, fonts);
   check_pages_of(*loaded, fonts);
   return loaded;
@@ -34,15 +33,15 @@ std::shared_ptr<const LoadedLesson> load(const std::string& name) {
 /// Looks at the file's time, and reads it when that has changed.
 class LessonWatch {
  public:
-  explicit LessonWatch(const LoadedLesson& loaded)
-      : path_(loaded.path), sha256_(loaded.sha256), written_(time()) {}
+  LessonWatch(const LoadedLesson& loaded, const Fonts& fonts)
+      : fonts_(fonts), path_(loaded.path), sha256_(loaded.sha256), written_(time()) {}
 
   void look(LessonSession& session, std::string& errors) {
     const auto now = time();
     if (now == written_) return;
     written_ = now;
     try {
-      auto loaded = load(path_.string());
+      auto loaded = load(path_.string(), fonts_);
       errors.clear();
       if (loaded->sha256 == sha256_) return;
       sha256_ = loaded->sha256;
@@ -60,13 +59,15 @@ class LessonWatch {
     return error ? fs::file_time_type::min() : written;
   }
 
+  const Fonts& fonts_;
   fs::path path_;
   std::string sha256_;
   fs::file_time_type written_;
 };
 
 ExitCode play(const Options& options) {
-  const auto loaded = load(options.lesson);
+  const Fonts fonts = or_fail(Fonts::open());
+  const auto loaded = load(options.lesson, fonts);
   if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
   LessonSession session(loaded, until_interrupted());
   WindowOptions window;
@@ -78,11 +79,12 @@ ExitCode play(const Options& options) {
     session.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
   }
   window.keep = [&](const LessonSession& now) { return progress.keep(now); };
-  LessonWatch watch(*loaded);
+  LessonWatch watch(*loaded, fonts);
   if (options.watch)
     window.look_for_changes = [&](LessonSession& now, std::string& errors) { watch.look(now, errors); };
-  const WindowEnd end = or_fail(run_window(session, window));
-  if (const std::string notice = progress.keep_at_last(session); !notice.empty()) say("polhode: {}\n", notice);
+  const WindowEnd end = or_fail(run_window(session, fonts, window));
+  if (const std::string notice = progress.keep_at_last(session); !notice.empty())
+    say("polhode: {}\n", notice);
   return end == WindowEnd::interrupted ? ExitCode::interrupted : ExitCode::done;
 }
 

@@ -243,7 +243,9 @@ Done make_pictures(const PictureExport& e, const TellProgress& tell, const Inter
                    PicturesMade& made) {
   const auto context = open_context(e.out.context);
   if (!context) return failed(context);
-  const auto renderer = Renderer::create(**context);
+  const auto fonts = Fonts::open();
+  if (!fonts) return failed(fonts);
+  const auto renderer = Renderer::create(**context, *fonts);
   if (!renderer) return failed(renderer);
   const auto maker = maker_of({e.loaded.lesson, e.options, **renderer, until_interrupted()});
   if (Done checked = check_pictures(e.plan, *maker); !checked) return checked;

@@ -28,9 +28,11 @@ std::string description_of(const WorkPrecisionPlot& plot) {
 Status write_plot(const std::filesystem::path& path, const WorkPrecisionPlot& plot) {
   const auto context = open_context(ContextKind::any);
   if (!context) return failure(context.error());
-  const auto renderer = Renderer::create(**context);
+  const auto fonts = Fonts::open();
+  if (!fonts) return failure(fonts.error());
+  const auto renderer = Renderer::create(**context, *fonts);
   if (!renderer) return failure(renderer.error());
-  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, (*renderer)->fonts());
+  const Sheet sheet = lay_out(plot, kPlotSize.width, kPlotSize.height, *fonts);
   const Result<Image> image = (*renderer)->draw(sheet, kPlotSize, {Background::Kind::paper, {}});
   if (!image) return failure(image.error());
   const PngMetadata metadata{{{"Title", plot.title},

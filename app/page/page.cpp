@@ -101,13 +101,9 @@ Grid text_alone(const Room& room) {
           {}};
 }
 
-std::vector<TimePlot> plots_of(const PageRequest& request) {
-  return request.model ? meter_plots(*request.model, request.t_s) : std::vector<TimePlot>();
-}
-
-Grid grid_of(const PageRequest& request, std::size_t meters) {
-  const Room room{static_cast<double>(request.size.width), static_cast<double>(request.size.height), meters,
-                  request.text_scale};
+Grid grid_of(const PageRequest& request) {
+  const Room room{static_cast<double>(request.size.width), static_cast<double>(request.size.height),
+                  request.model ? meter_count(*request.model) : 0, request.text_scale};
   if (!request.model) return text_alone(room);
   return room.w > 1.05 * room.h ? side_by_side(room) : one_above_the_other(room);
 }
@@ -206,7 +202,7 @@ void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet
 }  // namespace
 
 Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) {
-  const Grid grid = grid_of(request, plots_of(request).size());
+  const Grid grid = grid_of(request);
   Result<FittedText> text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
   if (text) text->corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
   return text;
@@ -219,8 +215,7 @@ Result<Page> compose_page(const PageRequest& request, const Fonts& fonts) {
 }
 
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts) {
-  const std::vector<TimePlot> plots = plots_of(request);
-  const Grid grid = grid_of(request, plots.size());
+  const Grid grid = grid_of(request);
   Page page;
   page.scale = text.scale;
   page.formula_scale = text.formula_scale;
@@ -236,7 +231,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   PlacedFigure figure = figure_on_page(request, grid, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
-  add_meters(request, grid, plots, page.sheet, fonts);
+  add_meters(request, grid, meter_plots(*request.model, request.t_s), page.sheet, fonts);
   return page;
 }
 

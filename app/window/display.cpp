@@ -73,19 +73,20 @@ Glfw::~Glfw() { glfwTerminate(); }
 
 void WindowDeleter::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 
-Result<std::unique_ptr<Display>> Display::open() {
+Result<std::unique_ptr<Display>> Display::open(const Fonts& fonts) {
   std::unique_ptr<Display> display(new Display);
-  if (const Status opened = display->open_with_opengl(); !opened)
-    if (const Status fallen = display->fall_back(opened.error()); !fallen) return failure(fallen.error());
+  if (const Status opened = display->open_with_opengl(fonts); !opened)
+    if (const Status fallen = display->fall_back(fonts, opened.error()); !fallen)
+      return failure(fallen.error());
   return display;
 }
 
-Status Display::open_with_opengl() {
+Status Display::open_with_opengl(const Fonts& fonts) {
   window_ = make_glfw_window(true);
   if (!window_) return failure(last_glfw_error());
   auto context = context_of_window(window_.get());
   if (!context) return failure(context.error());
-  auto screen = Screen::create(**context);
+  auto screen = Screen::create(**context, fonts);
   if (!screen) return failure(screen.error());
   auto table = Gl::load(**context);
   if (!table) return failure(table.error());
@@ -108,7 +109,7 @@ void Display::present() {
 
 /// Off-screen, and the pictures in a plain window. The off-screen context may be on this thread: GLFW calls
 /// no OpenGL then.
-Status Display::fall_back(const std::string& why) {
+Status Display::fall_back(const Fonts& fonts, const std::string& why) {
   window_ = make_glfw_window(false);
   if (!window_)
     return failure(fmt::format(
@@ -123,7 +124,7 @@ Status Display::fall_back(const std::string& why) {
         fmt::format("the window has no OpenGL 3.3 ({}), and there is nothing else to draw with: {} Pages "
                     "can be written to files where there is: polhode export LESSON -o DIR",
                     why, context.error()));
-  auto screen = Screen::create(**context);
+  auto screen = Screen::create(**context, fonts);
   if (!screen) return failure(screen.error());
   plain_ = std::move(plain).value();
   context_ = std::move(context).value();

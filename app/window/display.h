@@ -32,8 +32,8 @@ using WindowPointer = std::unique_ptr<GLFWwindow, WindowDeleter>;
 /// With the display's OpenGL; where that is not 3.3, off-screen in a plain window. Needs a Glfw.
 class Display {
  public:
-  /// The error says why neither is possible.
-  static Result<std::unique_ptr<Display>> open();
+  /// `fonts` must outlive it. The error says why neither is possible.
+  static Result<std::unique_ptr<Display>> open(const Fonts& fonts);
 
   GLFWwindow* window() const { return window_.get(); }
   Screen& screen() { return *screen_; }
@@ -44,8 +44,8 @@ class Display {
 
  private:
   Display() = default;
-  Status open_with_opengl();
-  Status fall_back(const std::string& why);
+  Status open_with_opengl(const Fonts& fonts);
+  Status fall_back(const Fonts& fonts, const std::string& why);
 
   WindowPointer window_;
   std::unique_ptr<PlainWindow> plain_;

@@ -41,10 +41,10 @@ Size whole(const Region& region) {
 
 }  // namespace
 
-Result<std::unique_ptr<Screen>> Screen::create(const GlContext& context) {
+Result<std::unique_ptr<Screen>> Screen::create(const GlContext& context, const Fonts& fonts) {
   auto table = Gl::load(context);
   if (!table) return failure(table.error());
-  auto renderer = Renderer::create(context);
+  auto renderer = Renderer::create(context, fonts);
   if (!renderer) return failure(renderer.error());
   auto gl = std::make_unique<const Gl>(*table);
   auto controls = ControlPass::create(*gl);

@@ -25,8 +25,8 @@ struct ScreenFrame {
 
 class Screen {
  public:
-  /// `context` must outlive it. Makes an ImGui context, which is the current one as long as it lives.
-  static Result<std::unique_ptr<Screen>> create(const GlContext& context);
+  /// Both must outlive it. Makes an ImGui context, which is the current one as long as it lives.
+  static Result<std::unique_ptr<Screen>> create(const GlContext& context, const Fonts& fonts);
   ~Screen();
   Screen(const Screen&) = delete;
   Screen& operator=(const Screen&) = delete;

@@ -161,10 +161,10 @@ class Loop {
 
 }  // namespace
 
-Result<WindowEnd> run_window(LessonSession& session, const WindowOptions& options) {
+Result<WindowEnd> run_window(LessonSession& session, const Fonts& fonts, const WindowOptions& options) {
   const auto glfw = Glfw::start();
   if (!glfw) return failure(glfw.error());
-  const auto display = Display::open();
+  const auto display = Display::open(fonts);
   if (!display) return failure(display.error());
   return Loop(session, options, **display).run();
 }

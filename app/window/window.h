@@ -4,6 +4,7 @@
 
 #include "app/session/lesson_session.h"
 #include "base/result.h"
+#include "render/typeset/fonts.h"
 
 #include <filesystem>
 #include <functional>
@@ -26,6 +27,6 @@ enum class WindowEnd { closed, interrupted };
 /// Until the user closes it, or a signal: then interrupted. Draws with the display's OpenGL; where it has
 /// no 3.3, off-screen, and shows the pictures in a plain window. The error, no display or nothing to draw
 /// with, says what to do.
-Result<WindowEnd> run_window(LessonSession& session, const WindowOptions& options);
+Result<WindowEnd> run_window(LessonSession& session, const Fonts& fonts, const WindowOptions& options);
 
 }  // namespace polhode

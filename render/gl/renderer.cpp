@@ -49,7 +49,7 @@ double pixels_of(const Canvas& canvas) {
 
 class GlRenderer final : public Renderer {
  public:
-  static Result<std::unique_ptr<Renderer>> create(const Gl& gl);
+  static Result<std::unique_ptr<Renderer>> create(const Gl& gl, const Fonts& fonts);
 
   Result<Image> draw(const Figure& figure, Size size, const Background& background,
                      const Quality& quality) override;
@@ -57,22 +57,21 @@ class GlRenderer final : public Renderer {
                      const Background& background) override;
   Status paint(const Sheet& sheet, std::span<const Inset> insets, const Background& background,
                const Framebuffer& page) override;
-  const Fonts& fonts() const override { return *passes_.fonts; }
+  const Fonts& fonts() const override { return fonts_; }
   int most_samples() const override { return limits(gl()).samples; }
   std::string driver() const override { return driver_name(gl()); }
 
  private:
   struct Passes {
     std::unique_ptr<FigurePass> figure;
-    std::unique_ptr<const Fonts> fonts;
     std::unique_ptr<GlyphPass> type;
     std::unique_ptr<FlatPass> flat;
     std::unique_ptr<SheetPass> sheet;
     Program average;
   };
   // The table lives on the heap because programs and streams keep a reference to it.
-  GlRenderer(std::unique_ptr<const Gl> gl, Passes passes)
-      : gl_(std::move(gl)), passes_(std::move(passes)), nothing_(*gl_, {}) {}
+  GlRenderer(std::unique_ptr<const Gl> gl, const Fonts& fonts, Passes passes)
+      : gl_(std::move(gl)), fonts_(fonts), passes_(std::move(passes)), nothing_(*gl_, {}) {}
 
   const Gl& gl() const { return *gl_; }
   const Canvas& canvas() const { return canvases_.front(); }
@@ -86,6 +85,7 @@ class GlRenderer final : public Renderer {
   void average();
 
   std::unique_ptr<const Gl> gl_;
+  const Fonts& fonts_;
   Passes passes_;
   VertexStream nothing_;
   std::list<Canvas> canvases_;  ///< the one in use first
@@ -246,32 +246,29 @@ Result<Image> GlRenderer::read_picture(const Framebuffer& picture, const Backgro
   return image;
 }
 
-Result<std::unique_ptr<Renderer>> GlRenderer::create(const Gl& table) {
+Result<std::unique_ptr<Renderer>> GlRenderer::create(const Gl& table, const Fonts& fonts) {
   auto gl = std::make_unique<const Gl>(table);
   auto average = Program::create(*gl, "average", {shaders::kScreenVert}, {shaders::kAverageFrag});
   if (!average) return failure(average.error());
   auto figure = FigurePass::create(*gl);
   if (!figure) return failure(figure.error());
-  auto opened = Fonts::open();
-  if (!opened) return failure(opened.error());
-  auto fonts = std::make_unique<const Fonts>(std::move(opened).value());
-  auto type = GlyphPass::create(*gl, *fonts);
+  auto type = GlyphPass::create(*gl, fonts);
   if (!type) return failure(type.error());
-  auto flat = FlatPass::create(*gl, **type, *fonts);
+  auto flat = FlatPass::create(*gl, **type, fonts);
   if (!flat) return failure(flat.error());
   auto sheet = SheetPass::create(*gl);
   if (!sheet) return failure(sheet.error());
-  Passes passes{std::move(figure).value(), std::move(fonts),         std::move(type).value(),
-                std::move(flat).value(),   std::move(sheet).value(), std::move(average).value()};
-  return std::unique_ptr<Renderer>(new GlRenderer(std::move(gl), std::move(passes)));
+  Passes passes{std::move(figure).value(), std::move(type).value(), std::move(flat).value(),
+                std::move(sheet).value(), std::move(average).value()};
+  return std::unique_ptr<Renderer>(new GlRenderer(std::move(gl), fonts, std::move(passes)));
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Renderer>> Renderer::create(const GlContext& context) {
+Result<std::unique_ptr<Renderer>> Renderer::create(const GlContext& context, const Fonts& fonts) {
   auto gl = Gl::load(context);
   if (!gl) return failure(gl.error());
-  return GlRenderer::create(*gl);
+  return GlRenderer::create(*gl, fonts);
 }
 
 }  // namespace polhode

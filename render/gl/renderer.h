@@ -48,12 +48,13 @@ struct Inset {
   double resolution = 1;
 };
 
-/// Owns all GL objects and the fonts; one per context, reused for every frame. Compiles its shaders once
+/// Owns all GL objects; one per context, reused for every frame. Compiles its shaders once
 /// (0.2-0.4 s on llvmpipe).
 class Renderer {
  public:
-  /// The error names the function, shader or font that is missing. `context` must outlive the renderer.
-  static Result<std::unique_ptr<Renderer>> create(const GlContext& context);
+  /// The error names the function or shader that is missing. Both must outlive the renderer; `fonts` are
+  /// those with which the text is laid out that it is to draw.
+  static Result<std::unique_ptr<Renderer>> create(const GlContext& context, const Fonts& fonts);
   virtual ~Renderer() = default;
 
   /// The error says what the driver refused (size, samples, memory).
@@ -71,7 +72,7 @@ class Renderer {
     return draw(sheet, std::span<const Inset>(), size, background);
   }
 
-  /// What it draws text with, for those who lay it out.
+  /// What it draws text with.
   virtual const Fonts& fonts() const = 0;
 
   /// That the driver has, of Quality::samples.

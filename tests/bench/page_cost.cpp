@@ -37,7 +37,8 @@ Sheet sheet_of_all_kinds() {
 double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& context) {
   const Step& step = stage.steps.back();
   const SceneModel model = make_model(step.scene.value(), Product::page);
-  const auto renderer = value_of(Renderer::create(context));
+  const Fonts fonts = Fonts::open().value();
+  const auto renderer = value_of(Renderer::create(context, fonts));
   const PageRequest request{.lesson = lesson,
                             .stage = stage,
                             .step = static_cast<int>(stage.steps.size()),

@@ -25,6 +25,7 @@ constexpr double kAspect = 16.0 / 9.0;
 
 /// One context for all benchmarks of the process.
 struct Studio {
+  Fonts fonts = Fonts::open().value();
   std::unique_ptr<GlContext> context;
   std::unique_ptr<Renderer> renderer;
 
@@ -32,7 +33,7 @@ struct Studio {
     auto opened = open_context(ContextKind::any);
     if (!opened) throw std::runtime_error(opened.error());
     context = std::move(opened).value();
-    auto made = Renderer::create(*context);
+    auto made = Renderer::create(*context, fonts);
     if (!made) throw std::runtime_error(made.error());
     renderer = std::move(made).value();
   }

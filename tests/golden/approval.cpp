@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 const fs::path kFailed = fs::path(POLHODE_SOURCE_DIR) / "out/check";
 
 struct Stage {
+  std::unique_ptr<const Fonts> fonts;
   std::unique_ptr<GlContext> context;
   std::unique_ptr<Renderer> renderer;
 };
@@ -27,9 +28,10 @@ Stage& stage() {
     setenv("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1", 0);  // llvmpipe reads it when it is opened
     auto context = open_context(ContextKind::any);
     if (!context) throw std::runtime_error(context.error());
-    auto renderer = Renderer::create(**context);
+    auto fonts = std::make_unique<const Fonts>(Fonts::open().value());
+    auto renderer = Renderer::create(**context, *fonts);
     if (!renderer) throw std::runtime_error(renderer.error());
-    return Stage{std::move(context).value(), std::move(renderer).value()};
+    return Stage{std::move(fonts), std::move(context).value(), std::move(renderer).value()};
   }();
   return made;
 }

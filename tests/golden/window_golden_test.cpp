@@ -44,9 +44,10 @@ const std::vector<Row>& rows() {
                                            c.show_hint(*c.questions().front());
                                          }}}},
       {"window-note", {.step = 0, .x = 160, .y = 155}},
-      {"window-narrow-large", {.size = {1400, 1000}, .step = 0, .scale = 1.5, .changes = {[](LessonSession& c) {
-                                                                                open(c, Panel::show);
-                                                                              }}}},
+      {"window-narrow-large",
+       {.size = {1400, 1000}, .step = 0, .scale = 1.5, .changes = {[](LessonSession& c) {
+                                                         open(c, Panel::show);
+                                                       }}}},
   };
   return kRows;
 }
@@ -58,7 +59,7 @@ std::shared_ptr<const LoadedLesson> lesson() {
 }
 
 Image picture(const Asked& asked) {
-  auto screen = Screen::create(context());
+  auto screen = Screen::create(context(), renderer().fonts());
   if (!screen) throw std::runtime_error(screen.error());
   LessonSession session(lesson());
   session.preferences.reduced_motion = true;
@@ -93,7 +94,8 @@ const std::vector<Mutation>& mutations() {
            c.preferences.theme = c.preferences.theme == Theme::paper ? Theme::dark : Theme::paper;
          });
        }},
-      {"larger text", [](Asked& a) { a.changes.push_back([](LessonSession& c) { c.change_text_scale(1); }); }},
+      {"larger text",
+       [](Asked& a) { a.changes.push_back([](LessonSession& c) { c.change_text_scale(1); }); }},
       {"a camera turned by half a degree",
        [](Asked& a) {
          a.changes.push_back([](LessonSession& c) {
@@ -103,7 +105,8 @@ const std::vector<Mutation>& mutations() {
          });
        }},
       {"the pointer elsewhere", [](Asked& a) { a.x = a.y = -1; }, [](const Asked& a) { return a.x >= 0; }},
-      {"another speed", [](Asked& a) { a.changes.push_back([](LessonSession& c) { c.set_speed(1.0 / 16); }); }},
+      {"another speed",
+       [](Asked& a) { a.changes.push_back([](LessonSession& c) { c.set_speed(1.0 / 16); }); }},
   };
   return kMutations;
 }

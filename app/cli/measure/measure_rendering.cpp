@@ -41,7 +41,8 @@ class FrameMeter {
   explicit FrameMeter(const RenderingRequest& request)
       : request_(request),
         context_(or_fail(open_context(ContextKind::any))),
-        renderer_(or_fail(Renderer::create(*context_))) {}
+        fonts_(or_fail(Fonts::open())),
+        renderer_(or_fail(Renderer::create(*context_, fonts_))) {}
 
   int most_samples() const { return renderer_->most_samples(); }
 
@@ -80,6 +81,7 @@ class FrameMeter {
 
   const RenderingRequest& request_;
   std::unique_ptr<GlContext> context_;
+  Fonts fonts_;
   std::unique_ptr<Renderer> renderer_;  // after the context it draws with
 };
 

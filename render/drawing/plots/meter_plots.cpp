@@ -175,6 +175,10 @@ TimePlot plot_of(Meter meter, const SceneModel& model, const Samples& samples) {
 
 }  // namespace
 
+std::size_t meter_count(const SceneModel& model) {
+  return model.needs.meters ? shown_meters(model.scene).size() : 0;
+}
+
 std::vector<TimePlot> meter_plots(const SceneModel& model, double t_s) {
   if (!model.needs.meters) return {};
   const Samples samples = samples_of(model, t_s);

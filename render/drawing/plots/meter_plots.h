@@ -10,6 +10,9 @@ namespace polhode {
 /// Where relative changes and angles begin: about what rounding a double leaves.
 inline constexpr double kDriftFloor = 1e-16;
 
+/// How many plots that makes, without computing any.
+std::size_t meter_count(const SceneModel& model);
+
 /// One for each of the scene's meters if the model was made for a page, else none; t_s is marked. They cover
 /// the span of the model that t lies in: [0, span], or [span, 2 span], … so that in a film the curves stand
 /// still while the mark moves. What overflows double leaves gaps.

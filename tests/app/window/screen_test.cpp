@@ -30,11 +30,16 @@ const GlContext& context() {
   return *kContext;
 }
 
+const Fonts& fonts() {
+  static const Fonts kFonts = Fonts::open().value();
+  return kFonts;
+}
+
 /// A screen and a hand.
 class ScreenTest : public testing::Test {
  protected:
   ScreenTest() {
-    auto made = Screen::create(context());
+    auto made = Screen::create(context(), fonts());
     if (!made) throw std::runtime_error(made.error());
     screen = std::move(made).value();
     session.preferences.reduced_motion = true;
@@ -277,7 +282,8 @@ class MissingGlyphs {
 
 TEST_F(ScreenTest, NothingIsWrittenThatTheControlFontHasNot) {
   constexpr Size kTall{900, 1600};  // all of a panel is seen
-  const auto expect_none = [&](LessonSession& walked, const MissingGlyphs& missing, const std::string& where) {
+  const auto expect_none = [&](LessonSession& walked, const MissingGlyphs& missing,
+                               const std::string& where) {
     for (int i = 0; i < 3; ++i)
       ASSERT_TRUE(screen->draw(walked, {.size = kTall, .scale = 1, .seconds = 0.02}));
     EXPECT_EQ(missing.count(), 0U) << where;

@@ -9,18 +9,20 @@
 namespace polhode::test {
 
 struct Drawn {
+  std::unique_ptr<const Fonts> opened_fonts;
   std::unique_ptr<GlContext> context;
   std::unique_ptr<Renderer> renderer;
 
-  explicit Drawn(ContextKind kind = ContextKind::any) {
+  explicit Drawn(ContextKind kind = ContextKind::any)
+      : opened_fonts(std::make_unique<const Fonts>(Fonts::open().value())) {
     auto opened = open_context(kind);
     if (!opened) throw std::runtime_error(opened.error());
     context = std::move(opened).value();
-    auto made = Renderer::create(*context);
+    auto made = Renderer::create(*context, *opened_fonts);
     if (!made) throw std::runtime_error(made.error());
     renderer = std::move(made).value();
   }
-  const Fonts& fonts() const { return renderer->fonts(); }
+  const Fonts& fonts() const { return *opened_fonts; }
   Image draw(const Sheet& sheet, const char* background = "white", Size size = {120, 80},
              std::span<const Inset> insets = {}) {
     auto image = renderer->draw(sheet, insets, size, background_from(background).value());
