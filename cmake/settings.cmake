@@ -31,7 +31,7 @@ if(POLHODE_SANITIZE)
   target_compile_options(polhode_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
-# polhode_layer(NAME sources... ) : one layer of ARCHITECTURE.md as a static library.
+# polhode_layer(NAME sources... ) : a room of ARCHITECTURE.md as a static library.
 function(polhode_layer name)
   add_library(${name} STATIC ${ARGN})
   target_link_libraries(${name} PUBLIC polhode_settings)
