@@ -21,7 +21,7 @@ double turn_between(double a_rad, double b_rad) {
   return std::abs(std::remainder(a_rad - b_rad, 2 * std::numbers::pi));
 }
 
-TEST(CompanionScene, ModelIsThatOfTheEditedScene) {
+TEST(SessionScene, ModelIsThatOfTheEditedScene) {
   LessonSession session(example());
   const SceneEdits edits{.body = find_body("book"), .w0_B = Vec3(1, 2, 3), .views = {{View::body}}};
   ASSERT_TRUE(session.set_edits(edits));
@@ -31,7 +31,7 @@ TEST(CompanionScene, ModelIsThatOfTheEditedScene) {
   EXPECT_TRUE(session.model()->needs.meters) << "a page has plots too";
 }
 
-TEST(CompanionScene, RefusesWhatCannotBeAndChangesNothing) {
+TEST(SessionScene, RefusesWhatCannotBeAndChangesNothing) {
   LessonSession session(example());
   ASSERT_TRUE(session.set_edits({.body = find_body("book")}));
   session.scrub_to(0.3);
@@ -50,7 +50,7 @@ TEST(CompanionScene, RefusesWhatCannotBeAndChangesNothing) {
   EXPECT_TRUE(session.is_playing());
 }
 
-TEST(CompanionScene, HasNothingToEditWithoutAScene) {
+TEST(SessionScene, HasNothingToEditWithoutAScene) {
   LessonSession session(example());
   session.go_to({1, 0});
   EXPECT_FALSE(session.set_edits({.w0_B = Vec3(1, 2, 3)}).ok());
@@ -64,7 +64,7 @@ TEST(CompanionScene, HasNothingToEditWithoutAScene) {
   EXPECT_FALSE(session.is_following());
 }
 
-TEST(CompanionScene, AnotherMotionStartsAtZeroAndAnotherMethodGoesOn) {
+TEST(SessionScene, AnotherMotionStartsAtZeroAndAnotherMethodGoesOn) {
   LessonSession session(example());
   session.scrub_to(0.3);
   session.set_playing(true);
@@ -81,14 +81,14 @@ TEST(CompanionScene, AnotherMotionStartsAtZeroAndAnotherMethodGoesOn) {
   EXPECT_TRUE(session.is_playing()) << "it goes on from there";
 }
 
-TEST(CompanionScene, TimeStaysWithinWhatTheNewMethodReaches) {
+TEST(SessionScene, TimeStaysWithinWhatTheNewMethodReaches) {
   LessonSession session(example());
   session.scrub_to(1e6);
   ASSERT_TRUE(session.set_edits({.motion = MotionSpec{.method = Method::rk4, .step_s = 1e-3}}));
   EXPECT_EQ(session.t_s(), session.model()->reach_s);
 }
 
-TEST(CompanionScene, CameraQualityAndHighlightCostNoModel) {
+TEST(SessionScene, CameraQualityAndHighlightCostNoModel) {
   LessonSession session(example());
   const unsigned number = session.model_number();
   session.set_camera({.azimuth_rad = 1.0, .elevation_rad = 0.2, .distance = 5, .zoom = 2});
@@ -105,7 +105,7 @@ TEST(CompanionScene, CameraQualityAndHighlightCostNoModel) {
   EXPECT_THAT(scene.highlight, ElementsAre("polhode"));
 }
 
-TEST(CompanionScene, WhatIsPointedAtIsHighlightedBesideWhatTheLessonHighlights) {
+TEST(SessionScene, WhatIsPointedAtIsHighlightedBesideWhatTheLessonHighlights) {
   LessonSession session(example());
   session.go_to({0, 2});
   const auto lights = [&] { return session.model()->scene.highlight; };
@@ -122,7 +122,7 @@ TEST(CompanionScene, WhatIsPointedAtIsHighlightedBesideWhatTheLessonHighlights) 
   EXPECT_THAT(lights(), ElementsAre("omega"));
 }
 
-TEST(CompanionScene, ResetGivesTheSceneBackToTheLesson) {
+TEST(SessionScene, ResetGivesTheSceneBackToTheLesson) {
   LessonSession session(example());
   SceneEdits edits{.motion = MotionSpec{.method = Method::rk4, .step_s = 0.01}, .views = {{View::body}}};
   ASSERT_TRUE(session.set_edits(edits));
@@ -139,7 +139,7 @@ TEST(CompanionScene, ResetGivesTheSceneBackToTheLesson) {
   EXPECT_EQ(session.t_s(), 0.5) << "the scene's own time";
 }
 
-TEST(CompanionScene, EditsLastAsLongAsTheSceneDoes) {
+TEST(SessionScene, EditsLastAsLongAsTheSceneDoes) {
   LessonSession session(example());
   session.set_camera({.azimuth_rad = 1.0});
   SceneEdits edits = session.edits();
@@ -180,7 +180,7 @@ Turning turning_over_a_period(LessonSession& session) {
   return turning;
 }
 
-TEST(CompanionScene, FollowingKeepsPaceWithTheBodyWithoutAJerk) {
+TEST(SessionScene, FollowingKeepsPaceWithTheBodyWithoutAJerk) {
   // Spins about each axis, two of them flipping on either side of the separatrix.
   for (const Vec3& w0_B : {Vec3(0.05, 2, 0.02), Vec3(0.02, 2, 0.05), Vec3(2, 0.1, 0.1), Vec3(0.1, 0.1, 2)}) {
     LessonSession session(example());
@@ -193,7 +193,7 @@ TEST(CompanionScene, FollowingKeepsPaceWithTheBodyWithoutAJerk) {
   }
 }
 
-TEST(CompanionScene, FollowingBeginsAndEndsWithoutAJump) {
+TEST(SessionScene, FollowingBeginsAndEndsWithoutAJump) {
   LessonSession session(example());
   session.scrub_to(0.3);
   const CameraSpec before = session.camera();

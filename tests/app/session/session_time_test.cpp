@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 
 constexpr double kRounding = 1e-14;  // some ε of times near 1 s
 
-TEST(CompanionTime, BeginsAtTheScenesOwnTimeAndRests) {
+TEST(SessionTime, BeginsAtTheScenesOwnTimeAndRests) {
   LessonSession session(example());
   EXPECT_EQ(session.t_s(), 0.5);
   EXPECT_FALSE(session.is_playing());
@@ -28,7 +28,7 @@ TEST(CompanionTime, BeginsAtTheScenesOwnTimeAndRests) {
   EXPECT_EQ(session.t_s(), 0.5);
 }
 
-TEST(CompanionTime, PassesAtTheRateOfTheSceneTimesTheSpeed) {
+TEST(SessionTime, PassesAtTheRateOfTheSceneTimesTheSpeed) {
   LessonSession session(example());
   const double rate = session.model()->rate;
   session.set_playing(true);
@@ -43,7 +43,7 @@ TEST(CompanionTime, PassesAtTheRateOfTheSceneTimesTheSpeed) {
   EXPECT_NEAR(session.t_s(), 0.5 + 1.25 * rate, kRounding);
 }
 
-TEST(CompanionTime, SpeedHasBounds) {
+TEST(SessionTime, SpeedHasBounds) {
   LessonSession session(example());
   session.set_speed(1e9);
   EXPECT_EQ(session.speed(), kFastest);
@@ -53,7 +53,7 @@ TEST(CompanionTime, SpeedHasBounds) {
   EXPECT_EQ(session.speed(), kSlowest);
 }
 
-TEST(CompanionTime, StepsByFramesOfAFilmAndStops) {
+TEST(SessionTime, StepsByFramesOfAFilmAndStops) {
   LessonSession session(example());
   const double frame_s = kFrameSeconds * session.model()->rate;
   session.set_playing(true);
@@ -66,7 +66,7 @@ TEST(CompanionTime, StepsByFramesOfAFilmAndStops) {
   EXPECT_EQ(session.t_s(), 0.5);
 }
 
-TEST(CompanionTime, ScrubsAnywhereAtOnceButNotToWhatIsNoTime) {
+TEST(SessionTime, ScrubsAnywhereAtOnceButNotToWhatIsNoTime) {
   LessonSession session(example());
   for (double t_s : {-3.0, 1e6, 0.125}) {
     session.scrub_to(t_s);
@@ -76,7 +76,7 @@ TEST(CompanionTime, ScrubsAnywhereAtOnceButNotToWhatIsNoTime) {
   EXPECT_EQ(session.t_s(), 0.125);
 }
 
-TEST(CompanionTime, EndsWhereTheMotionDoes) {
+TEST(SessionTime, EndsWhereTheMotionDoes) {
   LessonSession session(example());
   ASSERT_TRUE(session.set_edits({.motion = MotionSpec{.method = Method::rk4, .step_s = 1e-5}}));
   const double reach_s = session.model()->reach_s;
@@ -90,7 +90,7 @@ TEST(CompanionTime, EndsWhereTheMotionDoes) {
   EXPECT_EQ(session.t_s(), reach_s);
 }
 
-TEST(CompanionTime, StopsBeforeWhatOverflows) {
+TEST(SessionTime, StopsBeforeWhatOverflows) {
   // ω grows without bound under a torque that works on it.
   LessonSession session(test::loaded_text(R"(+++
 format = 1
@@ -117,7 +117,7 @@ rate = 10.0
   EXPECT_EQ(session.t_s(), 0);
 }
 
-TEST(CompanionTime, LineShowsTheLoopThatTimeIsIn) {
+TEST(SessionTime, LineShowsTheLoopThatTimeIsIn) {
   LessonSession session(example());
   const double span_s = session.model()->span_s;
   const auto line = [&] { return std::pair(session.time_line().from_s, session.time_line().to_s); };
@@ -134,7 +134,7 @@ TEST(CompanionTime, LineShowsTheLoopThatTimeIsIn) {
   EXPECT_EQ(line(), std::pair(0.0, span_s));
 }
 
-TEST(CompanionTime, LineMarksTheFlips) {
+TEST(SessionTime, LineMarksTheFlips) {
   LessonSession session(example());
   const double period_s = session.model()->span_s;
   ASSERT_EQ(session.flips().size(), 2u) << "a period of a spin about the intermediate axis";
@@ -153,7 +153,7 @@ TEST(CompanionTime, LineMarksTheFlips) {
   EXPECT_EQ(session.flips(), first);
 }
 
-TEST(CompanionTime, GoesOnFromStepToStepWithTheSameMotion) {
+TEST(SessionTime, GoesOnFromStepToStepWithTheSameMotion) {
   LessonSession session(example());
   session.scrub_to(0.75);
   session.set_playing(true);
@@ -167,7 +167,7 @@ TEST(CompanionTime, GoesOnFromStepToStepWithTheSameMotion) {
   EXPECT_FALSE(session.is_playing());
 }
 
-TEST(CompanionTime, StopsInANewStage) {
+TEST(SessionTime, StopsInANewStage) {
   LessonSession session(example());
   session.scrub_to(0.75);
   session.set_playing(true);
@@ -181,7 +181,7 @@ TEST(CompanionTime, StopsInANewStage) {
   EXPECT_FALSE(session.is_playing());
 }
 
-TEST(CompanionTime, ASceneWithADurationPlaysAgainAndAgain) {
+TEST(SessionTime, ASceneWithADurationPlaysAgainAndAgain) {
   LessonSession session(test::loaded_lesson("intermediate-axis"));
   const auto& stages = session.lesson().stages;
   const auto stage =
