@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode verify: is an export whole, and what is missing, damaged or foreign?
 #include "app/cli/commands.h"
+#include "app/cli/or_fail.h"
 #include "app/cli/usage.h"
 #include "app/export/folder/export_folder.h"
 #include "app/export/folder/folder_check.h"
@@ -9,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace polhode {
 

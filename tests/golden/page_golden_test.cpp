@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Golden pages, equations and a frame of a morph, by the golden rule, each proved able to fail.
+#include "app/page/loaded_lesson.h"
 #include "app/page/page.h"
-#include "lessons/reader/reader.h"
 #include "render/image/compare.h"
 #include "render/typeset/morph.h"
 #include "tests/golden/approval.h"
@@ -70,7 +70,7 @@ Asked asked_of(const Row& row) {
 }
 
 Lesson read(const std::string& text) {
-  LessonReading reading = read_lesson(text, "page.md");
+  LessonReading reading = check_lesson(text, "page.md");
   if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
   return std::move(*reading.lesson);
 }

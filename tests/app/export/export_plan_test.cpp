@@ -101,7 +101,8 @@ TEST(ExportPlan, FramesOfAStageAreSharedAmongItsDrawnSteps) {
   ExportOptions options = film({5, 1}, 1.0);
   const auto steps = [&] {
     std::vector<std::string> shown;
-    for (const PlannedPicture& picture : plan_export(l, options).value().pictures)
+    const ExportPlan plan = plan_export(l, options).value();
+    for (const PlannedPicture& picture : plan.pictures)
       shown.push_back(picture.stage->id + std::to_string(picture.step) + ':' +
                       std::to_string(picture.frame_of_step));
     return shown;
@@ -128,7 +129,8 @@ TEST(ExportPlan, FramesAreSharedEvenly) {
       l.stages.push_back({"a", "A", {}, std::vector<Step>(steps, drawn(0)), {}});
       std::vector<std::int64_t> count(steps);
       int last = 1;
-      for (const PlannedPicture& picture : plan_export(l, film({frames, 1}, 1.0)).value().pictures) {
+      const ExportPlan plan = plan_export(l, film({frames, 1}, 1.0)).value();
+      for (const PlannedPicture& picture : plan.pictures) {
         ASSERT_GE(picture.step, last);
         last = picture.step;
         ASSERT_EQ(picture.frame_of_step, count[static_cast<std::size_t>(last - 1)]++)

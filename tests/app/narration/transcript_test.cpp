@@ -2,7 +2,7 @@
 #include "app/narration/transcript.h"
 
 #include "app/narration/speech_text.h"
-#include "lessons/reader/reader.h"
+#include "app/page/loaded_lesson.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ More words.
 )";
 
 Lesson lesson() {
-  LessonReading reading = read_lesson(kLesson, "spoken.md");
+  LessonReading reading = check_lesson(kLesson, "spoken.md");
   if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
   return std::move(*reading.lesson);
 }
@@ -87,7 +87,7 @@ TEST(SpeechText, SaysAPage) {
 std::string spoken_prose(const std::string& prose) {
   std::string text = kLesson;
   text.replace(text.find("More words."), std::string("More words.").size(), prose);
-  LessonReading reading = read_lesson(text, "spoken.md");
+  LessonReading reading = check_lesson(text, "spoken.md");
   if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
   const Lesson& l = *reading.lesson;
   return SpeechText(l).words(std::get<Prose>(l.stages[1].steps[0].blocks[0]).text);

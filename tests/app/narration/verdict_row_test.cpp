@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/verdict_row.h"
 
+#include "lessons/claims/proof.h"
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/claim_lines.h"
 

@@ -2,9 +2,9 @@
 #include "app/page/page.h"
 
 #include "app/cli/lesson_lookup.h"
+#include "app/page/loaded_lesson.h"
 #include "app/page/page_text.h"
 #include "app/page/text_column.h"
-#include "lessons/reader/reader.h"
 #include "tests/app/page/sheet_checks.h"
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ Lesson lesson_of(const std::string& body) {
       "+++\nformat = 1\nid = \"page\"\ntitle = \"Pages\"\n[scene]\nbody = \"textbook\"\n"
       "omega = [0.9, 0.4, 1.0]\nviews = [\"space\"]\n+++\n" +
       body;
-  LessonReading reading = read_lesson(text, "page.md");
+  LessonReading reading = check_lesson(text, "page.md");
   if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
   return std::move(*reading.lesson);
 }

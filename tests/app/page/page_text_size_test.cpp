@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Pages whose reader has chosen larger or smaller type.
 #include "app/cli/lesson_lookup.h"
+#include "app/page/loaded_lesson.h"
 #include "app/page/page.h"
 #include "app/page/page_text.h"
-#include "lessons/reader/reader.h"
 #include "tests/app/page/sheet_checks.h"
 
 #include <fmt/format.h>
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(OfTheLecture, TextSize, testing::Range(std::size_t{0}, 
 double title_px(const Page& page) { return page.sheet.texts.at(1).list.glyphs.at(0).size; }
 
 TEST(TextSize, IsThatOfTheTypeWhereThereIsRoom) {
-  LessonReading reading = read_lesson(
+  LessonReading reading = check_lesson(
       "+++\nformat = 1\nid = \"page\"\ntitle = \"Pages\"\n[scene]\nbody = \"textbook\"\n"
       "omega = [0.9, 0.4, 1.0]\nviews = [\"space\"]\n+++\n# A stage {one}\nA word.\n\n```scene\nshow = "
       "[\"shape\"]\n```\n",
@@ -128,7 +128,7 @@ TEST(TextSize, OfAPageThatNoneFitsIsThatOfTheNormalPage) {
   std::string text = "+++\nformat = 1\nid = \"page\"\ntitle = \"Pages\"\n+++\n# A stage {one}\n";
   for (int i = 0; i < 30; ++i)
     text += "Some words that fill a line of the column and then half of the next one below.\n\n";
-  LessonReading reading = read_lesson(text, "page.md");
+  LessonReading reading = check_lesson(text, "page.md");
   ASSERT_TRUE(reading.lesson);
   const auto size_at = [&](double text_scale) {
     return text_scale * compose_page({.lesson = *reading.lesson,

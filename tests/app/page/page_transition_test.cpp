@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_transition.h"
 
-#include "lessons/reader/reader.h"
+#include "app/page/loaded_lesson.h"
 #include "tests/app/page/sheet_checks.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 Lesson lesson_of(const std::string& body) {
   LessonReading reading =
-      read_lesson("+++\nformat = 1\nid = \"page\"\ntitle = \"Pages\"\n+++\n" + body, "page.md");
+      check_lesson("+++\nformat = 1\nid = \"page\"\ntitle = \"Pages\"\n+++\n" + body, "page.md");
   if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
   return std::move(*reading.lesson);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/text_column.h"
 
-#include "lessons/reader/reader.h"
+#include "app/page/loaded_lesson.h"
 #include "tests/app/page/sheet_checks.h"
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ hints = ["a hint"]
 
 const Lesson& lesson() {
   static const Lesson kRead = [] {
-    LessonReading reading = read_lesson(kLesson, "column.md");
+    LessonReading reading = check_lesson(kLesson, "column.md");
     if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
     return std::move(*reading.lesson);
   }();
@@ -247,8 +247,8 @@ TEST(TextColumn, ALongEquationIsBrokenBeforeItIsSetSmaller) {
 }
 
 TEST(TextColumn, WhatTheFontsLackIsRefused) {
-  LessonReading reading =
-      read_lesson("+++\nformat = 1\nid = \"c\"\ntitle = \"C\"\n+++\n# A {a}\nA word \xE6\xBC\xA2.\n", "c.md");
+  LessonReading reading = check_lesson(
+      "+++\nformat = 1\nid = \"c\"\ntitle = \"C\"\n+++\n# A {a}\nA word \xE6\xBC\xA2.\n", "c.md");
   ASSERT_TRUE(reading.lesson);
   const std::vector<MathSymbol> none;
   std::string failure;

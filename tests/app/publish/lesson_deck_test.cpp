@@ -3,7 +3,7 @@
 #include "app/publish/lesson_deck.h"
 
 #include "app/narration/step_notes.h"
-#include "lessons/reader/reader.h"
+#include "app/page/loaded_lesson.h"
 #include "tests/app/publish/example_deck.h"
 
 #include <gmock/gmock.h>
@@ -59,7 +59,7 @@ std::vector<std::string> texts(const std::vector<StepNote>& notes) {
 }
 
 TEST(DeckNotes, AreWhatTheStepsSay) {
-  const auto lesson = read_lesson(kLesson, "notes.md");
+  const auto lesson = check_lesson(kLesson, "notes.md");
   ASSERT_TRUE(lesson.lesson) << lesson.diagnostics[0].message;
   const SpeechText speech(*lesson.lesson);
   const Stage& stage = lesson.lesson->stages[0];
@@ -79,7 +79,7 @@ ExportOptions options_of(What what, Each each) {
 }
 
 Deck deck_of_tiny(const ExportOptions& options, const ScratchFolder& folder) {
-  static const auto lesson = read_lesson(text_of(test_lesson("tiny.md")), "tiny.md");
+  static const auto lesson = check_lesson(text_of(test_lesson("tiny.md")), "tiny.md");
   const ExportPlan plan = plan_export(*lesson.lesson, options).value();
   for (const PlannedPicture& picture : plan.pictures)
     slide_of(folder, std::filesystem::path(picture.file).stem(),
@@ -122,7 +122,7 @@ TEST(LessonDeck, EquationsAreNamed) {
 }
 
 TEST(LessonDeck, AMissingPictureIsAnError) {
-  const auto lesson = read_lesson(text_of(test_lesson("tiny.md")), "tiny.md");
+  const auto lesson = check_lesson(text_of(test_lesson("tiny.md")), "tiny.md");
   const ExportOptions options;
   const auto deck =
       deck_of(*lesson.lesson, options, plan_export(*lesson.lesson, options).value(), "/nowhere");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/app/session/example_lesson.h"
 
+#include "app/cli/lesson_lookup.h"
+
 #include <stdexcept>
 
 namespace polhode::test {
