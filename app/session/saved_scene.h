@@ -8,11 +8,6 @@
 
 namespace polhode {
 
-/// The keys of a ```scene block, without the fence: all that differs from Scene{}, in the order of
-/// FORMAT.md, with numbers that read back as the same doubles. `still` is t_s, so that a picture has the same
-/// pixels as what is shown. The body is named; own_body_of says what stands for it in the front matter.
-std::string scene_keys_of(const Scene& scene, double t_s);
-
 /// "[body.NAME]" with its keys; empty for a built-in body. A shape whose moments are not its own, about the
 /// centre of mass or about the pivot of this torque, is left out.
 std::string own_body_of(const Body& body, const Torque& torque);

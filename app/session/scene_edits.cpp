@@ -2,6 +2,7 @@
 #include "app/session/scene_edits.h"
 
 #include "lessons/reader/scene_keys.h"
+#include "lessons/reader/scene_values.h"
 #include "render/scene/model/rotor.h"
 
 #include <algorithm>
@@ -74,15 +75,6 @@ CameraSpec writable(const CameraSpec& camera) {
   return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree,
           std::clamp(camera.distance, kLeastScale, kMostScale),
           std::clamp(camera.zoom, kLeastScale, kMostScale)};
-}
-
-std::vector<double> wxyz_in_short(const Quat& q_SB) {
-  constexpr double kParts = 1e12;
-  const double largest = q_SB.coeffs().cwiseAbs().maxCoeff();
-  std::vector<double> wxyz;
-  for (double x : {q_SB.w(), q_SB.x(), q_SB.y(), q_SB.z()})
-    wxyz.push_back(std::round(x / largest * kParts) / kParts);
-  return wxyz;
 }
 
 AttitudeSpec writable(const AttitudeSpec& attitude) {

@@ -45,7 +45,5 @@ CameraSpec writable(const CameraSpec& camera);
 
 /// The attitude that its components in short read as, 1e-12 rad beside it at most.
 AttitudeSpec writable(const AttitudeSpec& attitude);
-/// w, x, y, z relative to the largest of them, with 12 decimals.
-std::vector<double> wxyz_in_short(const Quat& q_SB);
 
 }  // namespace polhode

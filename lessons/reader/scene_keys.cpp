@@ -4,6 +4,8 @@
 #include "base/spelling.h"
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/reader.h"
+#include "lessons/reader/scene_values.h"
+#include "lessons/reader/toml_text.h"
 #include "physics/body/torque_text.h"
 #include "physics/method.h"
 #include "render/scene/model/rotor.h"
@@ -12,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace polhode {
 namespace {
@@ -36,33 +39,16 @@ class SceneKeys {
         texts_(texts),
         report_(texts.report()) {}
 
-  std::vector<PlacedText> read(const TomlTable& table) {
-    read_keys(
-        table, "the scene",
-        {{"body", [this](const TomlEntry& e) { body(e); }},
-         {"omega", [this](const TomlEntry& e) { assign(scene_.w0_B, read_vector(e, report_)); }},
-         {"attitude", [this](const TomlEntry& e) { attitude(e); }},
-         {"torque", [this](const TomlEntry& e) { torque(e); }},
-         {"velocity", [this](const TomlEntry& e) { assign(scene_.v0_S, read_vector(e, report_)); }},
-         {"force", [this](const TomlEntry& e) { assign(scene_.F_S, read_vector(e, report_)); }},
-         {"arrow", [this](const TomlEntry& e) { arrow(e); }},
-         {"motion", [this](const TomlEntry& e) { motion(e); }},
-         {"views", [this](const TomlEntry& e) { views(e); }},
-         {"show", [this](const TomlEntry& e) { show(e); }},
-         {"camera", [this](const TomlEntry& e) { camera(e); }},
-         {"at", [this](const TomlEntry& e) { assign(scene_.at_s, read_number(e, report_)); }},
-         {"still", [this](const TomlEntry& e) { assign(scene_.still_s, read_number(e, report_)); }},
-         {"duration",
-          [this](const TomlEntry& e) { assign(scene_.duration_s, read_positive_number(e, report_)); }},
-         {"rate", [this](const TomlEntry& e) { assign(scene_.rate, read_positive_number(e, report_)); }},
-         {"highlight", [this](const TomlEntry& e) { highlight(e); }},
-         {"quality", [this](const TomlEntry& e) { quality(e); }},
-         {"caption", [this](const TomlEntry& e) { caption(e); }},
-         {"meters", [this](const TomlEntry& e) { meters(e); }}},
-        report_);
-    check_pivot(table);
-    return std::move(highlighted_);
-  }
+  std::vector<PlacedText> read(const TomlTable& table);
+
+  /// All that is known of a key. To add one: a row of the table, which FORMAT.md repeats, and a reader here.
+  struct Row {
+    SceneKeyFacts facts;
+    void (SceneKeys::*read)(const TomlEntry&);
+    /// The value; empty where it is as usual.
+    std::string (*text)(const Scene&);
+  };
+  static std::span<const Row> rows();
 
  private:
   template <class T, class U>
@@ -74,6 +60,14 @@ class SceneKeys {
     report_.error(name.place, "unknown " + std::string(what) + ' ' + in_quotes(name.text),
                   suggestion(name.text, known));
   }
+
+  void omega(const TomlEntry& entry) { assign(scene_.w0_B, read_vector(entry, report_)); }
+  void velocity(const TomlEntry& entry) { assign(scene_.v0_S, read_vector(entry, report_)); }
+  void force(const TomlEntry& entry) { assign(scene_.F_S, read_vector(entry, report_)); }
+  void at(const TomlEntry& entry) { assign(scene_.at_s, read_number(entry, report_)); }
+  void still(const TomlEntry& entry) { assign(scene_.still_s, read_number(entry, report_)); }
+  void duration(const TomlEntry& entry) { assign(scene_.duration_s, read_positive_number(entry, report_)); }
+  void rate(const TomlEntry& entry) { assign(scene_.rate, read_positive_number(entry, report_)); }
 
   void body(const TomlEntry& entry) {
     const auto name = read_text(entry, report_);
@@ -335,6 +329,110 @@ class SceneKeys {
   std::vector<PlacedText> highlighted_;
 };
 
+const Scene& usual() {
+  static const Scene scene;
+  return scene;
+}
+
+std::span<const SceneKeys::Row> SceneKeys::rows() {
+  static const std::array kRows = std::to_array<Row>({
+      {{"body", "name of a body", R"(`"textbook"`)"},
+       &SceneKeys::body,
+       [](const Scene& scene) { return scene.body != usual().body ? toml(scene.body.name.c_str()) : ""; }},
+      {{"omega", "`[ω1, ω2, ω3]`, rad/s, body axes, at t = 0", "`[0.2, 0.1, 3.0]`"},
+       &SceneKeys::omega,
+       [](const Scene& scene) { return scene.w0_B != usual().w0_B ? toml(scene.w0_B) : ""; }},
+      {{"attitude", R"(`"L-down"`, `"L-up"`, or the quaternion `[w, x, y, z]` body → space)",
+        "L down with `plane`, else up"},
+       &SceneKeys::attitude,
+       [](const Scene& scene) { return scene.attitude ? text_of(*scene.attitude) : ""; }},
+      {{"torque",
+        R"(a string or up to 4: `"space:x,y,z"` `"body:x,y,z"` `"heavy:MGR,ax,ay,az"` `"damping:C"` `"sink:C"`)",
+        "none"},
+       &SceneKeys::torque,
+       [](const Scene& scene) { return !scene.torque.empty() ? text_of(scene.torque) : ""; }},
+      {{"velocity",
+        "`[x, y, z]`, m/s, space axes: velocity of the centre of mass at t = 0; the mass is the body's "
+        "`mass_kg`, else 1 kg",
+        "`[0, 0, 0]`"},
+       &SceneKeys::velocity,
+       [](const Scene& scene) { return scene.v0_S != usual().v0_S ? toml(scene.v0_S) : ""; }},
+      {{"force", "`[x, y, z]`, N, space axes: a constant force on the centre of mass", "`[0, 0, 0]`"},
+       &SceneKeys::force,
+       [](const Scene& scene) { return scene.F_S != usual().F_S ? toml(scene.F_S) : ""; }},
+      {{"arrow", R"(what holds the arrow A of `transport`: `"space"`, `"body"`, or nothing: `"free"`)",
+        R"(`"space"`)"},
+       &SceneKeys::arrow,
+       [](const Scene& scene) { return scene.arrow != usual().arrow ? text_of(scene.arrow) : ""; }},
+      {{"motion",
+        R"(a method (below), or `{ method = "rk4", step = 0.02 }`, `{ method = "dormand-prince-8", tolerance = 1e-10 }`; step in s; `ghost = true` draws the exact body, translucent, beside the computed one)",
+        R"(without torque `"exact"`, with it `"dormand-prince-8"`)"},
+       &SceneKeys::motion,
+       [](const Scene& scene) { return scene.motion != usual().motion ? text_of(scene.motion) : ""; }},
+      {{"views", R"(`"space"`, `"body"`, or both in a list)", R"(`"space"`)"},
+       &SceneKeys::views,
+       [](const Scene& scene) { return scene.views != usual().views ? text_of(scene.views) : ""; }},
+      {{"show", "list of overlays, at most 40", "none"},
+       &SceneKeys::show,
+       [](const Scene& scene) { return scene.show != usual().show ? text_of(scene.show) : ""; }},
+      {{"camera",
+        "`{ azimuth_deg, elevation_deg, distance, zoom }`; elevation −90 to 90, distance and zoom 0.1 to 100",
+        "34°, 20°, 4.2, 1"},
+       &SceneKeys::camera,
+       [](const Scene& scene) { return scene.camera != usual().camera ? text_of(scene.camera) : ""; }},
+      {{"at", "the t of a still, s", "0"},
+       &SceneKeys::at,
+       [](const Scene& scene) { return scene.at_s != usual().at_s ? toml(scene.at_s) : ""; }},
+      {{"still",
+        "the t of a still, s, where lengths of arrows under torque and the methods' tables are to be those "
+        "of `at`",
+        "`at`"},
+       &SceneKeys::still,
+       [](const Scene& scene) { return still_time_s(scene) != scene.at_s ? toml(still_time_s(scene)) : ""; }},
+      {{"duration", "what curves over time cover, s", "one polhode period or turn"},
+       &SceneKeys::duration,
+       [](const Scene& scene) { return scene.duration_s ? toml(*scene.duration_s) : ""; }},
+      {{"rate", "simulated seconds per shown second",
+        "one polhode period (or turn; under torque four turns) in 8 s"},
+       &SceneKeys::rate,
+       [](const Scene& scene) { return scene.rate ? toml(*scene.rate) : ""; }},
+      {{"highlight",
+        R"(overlays, which are drawn bolder, or ids of `\term`s of the stage, which are marked on its pages; at most 4)",
+        "none"},
+       &SceneKeys::highlight,
+       [](const Scene& scene) { return !scene.highlight.empty() ? toml_list(scene.highlight) : ""; }},
+      {{"quality",
+        R"(how finely pictures are drawn: `"draft"` (solid bodies with jagged edges), `"normal"` or `"fine"` (2 × 2 times the pixels); `export --quality` overrides it)",
+        R"(`"normal"`)"},
+       &SceneKeys::quality,
+       [](const Scene& scene) {
+         return scene.quality != usual().quality ? toml(name_of(scene.quality)) : "";
+       }},
+      {{"caption",
+        "one line in the picture, at most 120 characters; formulas between `$` without macros, else plain "
+        "text",
+        "none"},
+       &SceneKeys::caption,
+       [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; }},
+      {{"meters",
+        R"(plots against time beside the figure of a page, over `duration`: a list of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start); `[]` for none)",
+        R"(`["omega", "drift"]`, under torque `["omega", "energy", "momentum"]`)"},
+       &SceneKeys::meters,
+       [](const Scene& scene) { return scene.meters ? text_of(*scene.meters) : ""; }},
+  });
+  return kRows;
+}
+
+std::vector<PlacedText> SceneKeys::read(const TomlTable& table) {
+  std::vector<KeyHandler> handlers;
+  for (const Row& row : rows())
+    handlers.push_back(
+        {std::string(row.facts.name), [this, &row](const TomlEntry& e) { (this->*row.read)(e); }});
+  read_keys(table, "the scene", handlers, report_);
+  check_pivot(table);
+  return std::move(highlighted_);
+}
+
 }  // namespace
 
 Quat attitude_from(const std::vector<double>& wxyz) {
@@ -353,6 +451,21 @@ Scene finished(const Scene& scene, const LessonBodies& bodies) {
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
                                         LessonScene& scene, TextReader& texts) {
   return SceneKeys(bodies, scene, texts).read(table);
+}
+
+std::vector<SceneKeyFacts> scene_key_facts() {
+  std::vector<SceneKeyFacts> facts;
+  for (const SceneKeys::Row& row : SceneKeys::rows()) facts.push_back(row.facts);
+  return facts;
+}
+
+std::string scene_keys_text(Scene scene, double still_s) {
+  scene.still_s = still_s;
+  std::string text;
+  for (const SceneKeys::Row& row : SceneKeys::rows())
+    if (const std::string value = row.text(scene); !value.empty())
+      text += std::string(row.facts.name) + " = " + value + '\n';
+  return text;
 }
 
 }  // namespace polhode

@@ -10,6 +10,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -18,6 +19,18 @@ namespace polhode {
 inline constexpr std::size_t kMaxCaptionCharacters = 120;
 inline constexpr std::size_t kMaxTorqueTerms = 4;
 inline constexpr std::size_t kMaxHighlights = 4;
+
+/// A key as FORMAT.md has it in its table, in Markdown.
+struct SceneKeyFacts {
+  std::string_view name, value, usual;
+};
+/// In the order in which a scene is written.
+std::vector<SceneKeyFacts> scene_key_facts();
+
+/// The keys of a ```scene block, without the fence: all that differs from Scene{}, a line each, with numbers
+/// that read back as the same doubles. `still` is still_s, so that a picture has the same pixels as what is
+/// shown then. The body is named: what stands for it in the front matter is another matter.
+std::string scene_keys_text(Scene scene, double still_s);
 
 /// The unit quaternion of the four numbers w, x, y, z of the key `attitude`, which are not all zero.
 Quat attitude_from(const std::vector<double>& wxyz);

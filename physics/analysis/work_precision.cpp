@@ -101,9 +101,10 @@ class Settings {
 class Fall {
  public:
   void add(const WorkPrecisionRow& row) {
-    const bool fell = lower(omega_, row.error_omega) | lower(attitude_, row.error_attitude_rad);
+    const bool omega_fell = lower(omega_, row.error_omega);
+    const bool attitude_fell = lower(attitude_, row.error_attitude_rad);
     const bool resolved = std::max(omega_, attitude_) < kNoAnswer;  // before that errors have no order
-    without_ = fell || !resolved ? 0 : without_ + 1;
+    without_ = omega_fell || attitude_fell || !resolved ? 0 : without_ + 1;
   }
   bool has_ended() const { return without_ >= 2; }
 

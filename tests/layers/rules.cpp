@@ -64,7 +64,7 @@ const std::vector<Room>& rooms() {
       {"lessons/claims/", Names{"lessons/diagnostics/"} + kScene, {"Eigen/"}, kConsoleAndFiles},
       {"lessons/reader/",
        Names{"render/typeset/"} + kClaims,
-       {"Eigen/", "md4c.h", "toml++/"},
+       {"Eigen/", "fmt/", "md4c.h", "toml++/"},
        kConsoleAndFiles},
       {"app/narration/", kNarration, {"fmt/"}, kConsoleAndFiles},
       {"app/page/", kPage, {"fmt/"}, kConsole},

@@ -48,8 +48,8 @@ void expect_saved(const LessonSession& session) {
   if (!saved.scene) return;
   const Scene expected = shown_in(session);
   EXPECT_TRUE(*saved.scene == expected) << session.lesson().id << ' ' << session.stage().id << "\nwants\n"
-                                        << scene_keys_of(expected, session.t_s()) << "\nhas\n"
-                                        << scene_keys_of(*saved.scene, still_time_s(*saved.scene)) << "\nin\n"
+                                        << scene_keys_text(expected, session.t_s()) << "\nhas\n"
+                                        << scene_keys_text(*saved.scene, still_time_s(*saved.scene)) << "\nin\n"
                                         << lesson_of(session);
 }
 
@@ -190,15 +190,15 @@ TEST(SavedScene, DirectionsComeBackToTheBit) {
     scene.rate = 1.0 / 3;
     scene.caption = "It's $\\vec L$ \\ \"so\"";
     scene.meters = std::vector<Meter>{Meter::momentum, Meter::omega};
-    const LessonReading reading = read_lesson(front + scene_keys_of(scene, 0) + "```\n", "x.md");
+    const LessonReading reading = read_lesson(front + scene_keys_text(scene, 0) + "```\n", "x.md");
     ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
-    EXPECT_TRUE(*reading.lesson->stages[0].steps[0].scene == scene) << scene_keys_of(scene, 0);
+    EXPECT_TRUE(*reading.lesson->stages[0].steps[0].scene == scene) << scene_keys_text(scene, 0);
   }
 }
 
 TEST(SavedScene, SaysNothingOfWhatIsUsual) {
-  EXPECT_EQ(scene_keys_of(Scene{}, 0), "");
-  EXPECT_EQ(scene_keys_of(Scene{}, 2), "still = 2.0\n");
+  EXPECT_EQ(scene_keys_text(Scene{}, 0), "");
+  EXPECT_EQ(scene_keys_text(Scene{}, 2), "still = 2.0\n");
   for (const std::string& name : named_bodies()) EXPECT_EQ(own_body_of(*find_body(name), {}), "") << name;
 }
 

@@ -226,5 +226,14 @@ TEST(SceneKeys, RefuseAShapeThatHangsOnNoPrincipalAxis) {
   EXPECT_EQ(complaints("torque = \"heavy:1e200,0,0,1\"").size(), 1U) << "moments overflow";
 }
 
+TEST(SceneKeyFacts, AreTheTableOfTheFormat) {
+  std::string table = "| key | value | default |\n|---|---|---|\n";
+  for (const SceneKeyFacts& key : scene_key_facts())
+    table += "| `" + std::string(key.name) + "` | " + std::string(key.value) + " | " +
+             std::string(key.usual) + " |\n";
+  EXPECT_THAT(testing::read_file(testing::source_dir() / "lessons/FORMAT.md"),
+              ::testing::HasSubstr(table + '\n'));
+}
+
 }  // namespace
 }  // namespace polhode
