@@ -13,61 +13,6 @@ namespace {
 
 using C = Command;
 
-// What walks goes as in the deck (assets/deck/deck.js): remote clickers send Page Down and Page Up.
-constexpr std::array kCommands = {
-    CommandFacts{C::next_step, "Right, PageDown", "Walk", "next step", true},
-    CommandFacts{C::previous_step, "Left, PageUp", "Walk", "previous step", true},
-    CommandFacts{C::next_stage, "Down, Ctrl+PageDown, Shift+PageDown", "Walk", "next stage", true},
-    CommandFacts{C::previous_stage, "Up, Ctrl+PageUp, Shift+PageUp", "Walk",
-                 "beginning of this stage, or the stage before", true},
-    CommandFacts{C::first_stage, "Home", "Walk", "first stage"},
-    CommandFacts{C::last_stage, "End", "Walk", "last stage"},
-
-    CommandFacts{C::play_pause, "Space", "Time", "play, pause"},
-    CommandFacts{C::frame_forward, "Shift+Right", "Time", "one frame forward", true},
-    CommandFacts{C::frame_back, "Shift+Left", "Time", "one frame back", true},
-    CommandFacts{C::faster, "Shift+Up", "Time", "twice as fast", true},
-    CommandFacts{C::slower, "Shift+Down", "Time", "half as fast", true},
-    CommandFacts{C::reset_time, "0", "Time", "back to the time of the lesson"},
-
-    CommandFacts{C::next_view, "V", "Body", "from space, from the body, both"},
-    CommandFacts{C::turn_left, "Ctrl+Left", "Body", "turn the camera to the left", true},
-    CommandFacts{C::turn_right, "Ctrl+Right", "Body", "to the right", true},
-    CommandFacts{C::turn_up, "Ctrl+Up", "Body", "upward", true},
-    CommandFacts{C::turn_down, "Ctrl+Down", "Body", "downward", true},
-    CommandFacts{C::nearer, "Z", "Body", "nearer", true},
-    CommandFacts{C::farther, "X", "Body", "farther", true},
-    CommandFacts{C::follow, "C", "Body", "the camera turns with the body"},
-    CommandFacts{C::ghost, "G", "Body", "the exact body beside the computed one"},
-    CommandFacts{C::reset_scene, "R", "Body", "the scene of the lesson again"},
-
-    CommandFacts{C::next_symbol, "Tab", "Understand", "next symbol", true},
-    CommandFacts{C::previous_symbol, "Shift+Tab", "Understand", "previous symbol", true},
-    CommandFacts{C::explain, "Enter", "Understand", "explain the symbol"},
-
-    CommandFacts{C::outline, "O", "Panels", "stages of the lesson"},
-    CommandFacts{C::body, "B", "Panels", "body and its spin"},
-    CommandFacts{C::method, "M", "Panels", "method, step and errors"},
-    CommandFacts{C::show, "S", "Panels", "what is shown"},
-    CommandFacts{C::question, "Q", "Panels", "question"},
-    CommandFacts{C::save, "E", "Panels", "save and copy"},
-    CommandFacts{C::settings, "F2", "Panels", "settings"},
-    CommandFacts{C::help, "?, F1", "Panels", "keys"},
-    CommandFacts{C::leave, "Escape", "Panels", "close, leave"},
-    CommandFacts{C::switch_focus, "F6", "Panels", "the keys go to the panel, or to the page"},
-
-    CommandFacts{C::larger_text, "+, =", "Window", "larger text", true},
-    CommandFacts{C::smaller_text, "-", "Window", "smaller text", true},
-    CommandFacts{C::theme, "T", "Window", "paper, dark"},
-    CommandFacts{C::full_screen, "F, F11", "Window", "full screen"},
-    CommandFacts{C::present, "P, F5", "Window", "present: the page alone"},
-    CommandFacts{
-        C::notes, "N", "Window",
-        "while presenting, and until you go on: what comes next and what to say, on the same screen"},
-    CommandFacts{C::save_page, "Ctrl+S", "Window", "save this page"},
-    CommandFacts{C::quit, "Ctrl+Q", "Window", "quit"},
-};
-
 constexpr double kTurn = 1.0 / 24;  ///< 7.5 degrees a key
 
 bool has_key(std::string_view keys, std::string_view key) {
@@ -126,6 +71,98 @@ void toggle_theme(Preferences& preferences) {
   preferences.theme = preferences.theme == Theme::paper ? Theme::dark : Theme::paper;
 }
 
+// What walks goes as in the deck (assets/deck/deck.js): remote clickers send Page Down and Page Up.
+constexpr std::array kCommands = {
+    CommandFacts{C::next_step, "Right, PageDown", "Walk", "next step", true,
+                 [](LessonSession& session) { session.next_step(); }},
+    CommandFacts{C::previous_step, "Left, PageUp", "Walk", "previous step", true,
+                 [](LessonSession& session) { session.previous_step(); }},
+    CommandFacts{C::next_stage, "Down, Ctrl+PageDown, Shift+PageDown", "Walk", "next stage", true,
+                 [](LessonSession& session) { session.next_stage(); }},
+    CommandFacts{C::previous_stage, "Up, Ctrl+PageUp, Shift+PageUp", "Walk",
+                 "beginning of this stage, or the stage before", true,
+                 [](LessonSession& session) { session.previous_stage(); }},
+    CommandFacts{C::first_stage, "Home", "Walk", "first stage", false,
+                 [](LessonSession& session) { session.go_to({}); }},
+    CommandFacts{C::last_stage, "End", "Walk", "last stage", false,
+                 [](LessonSession& session) {
+                   session.go_to({session.lesson().stages.size() - 1, 0});
+                 }},
+
+    CommandFacts{C::play_pause, "Space", "Time", "play, pause", false,
+                 [](LessonSession& session) { session.set_playing(!session.is_playing()); }},
+    CommandFacts{C::frame_forward, "Shift+Right", "Time", "one frame forward", true,
+                 [](LessonSession& session) { session.step_frames(1); }},
+    CommandFacts{C::frame_back, "Shift+Left", "Time", "one frame back", true,
+                 [](LessonSession& session) { session.step_frames(-1); }},
+    CommandFacts{C::faster, "Shift+Up", "Time", "twice as fast", true,
+                 [](LessonSession& session) { session.set_speed(2 * session.speed()); }},
+    CommandFacts{C::slower, "Shift+Down", "Time", "half as fast", true,
+                 [](LessonSession& session) { session.set_speed(session.speed() / 2); }},
+    CommandFacts{C::reset_time, "0", "Time", "back to the time of the lesson", false,
+                 [](LessonSession& session) { session.reset_time(); }},
+
+    CommandFacts{C::next_view, "V", "Body", "from space, from the body, both", false,
+                 [](LessonSession& session) { show_next_view(session); }},
+    CommandFacts{C::turn_left, "Ctrl+Left", "Body", "turn the camera to the left", true,
+                 [](LessonSession& session) { turn_camera(session, -kTurn, 0); }},
+    CommandFacts{C::turn_right, "Ctrl+Right", "Body", "to the right", true,
+                 [](LessonSession& session) { turn_camera(session, kTurn, 0); }},
+    CommandFacts{C::turn_up, "Ctrl+Up", "Body", "upward", true,
+                 [](LessonSession& session) { turn_camera(session, 0, -kTurn); }},
+    CommandFacts{C::turn_down, "Ctrl+Down", "Body", "downward", true,
+                 [](LessonSession& session) { turn_camera(session, 0, kTurn); }},
+    CommandFacts{C::nearer, "Z", "Body", "nearer", true,
+                 [](LessonSession& session) { zoom_camera(session, 1); }},
+    CommandFacts{C::farther, "X", "Body", "farther", true,
+                 [](LessonSession& session) { zoom_camera(session, -1); }},
+    CommandFacts{C::follow, "C", "Body", "the camera turns with the body", false,
+                 [](LessonSession& session) { session.set_following(!session.is_following()); }},
+    CommandFacts{C::ghost, "G", "Body", "the exact body beside the computed one", false,
+                 [](LessonSession& session) { toggle_ghost(session); }},
+    CommandFacts{C::reset_scene, "R", "Body", "the scene of the lesson again", false,
+                 [](LessonSession& session) { session.reset_edits(); }},
+
+    CommandFacts{C::next_symbol, "Tab", "Understand", "next symbol", true},
+    CommandFacts{C::previous_symbol, "Shift+Tab", "Understand", "previous symbol", true},
+    CommandFacts{C::explain, "Enter", "Understand", "explain the symbol"},
+
+    CommandFacts{C::outline, "O", "Panels", "stages of the lesson", false,
+                 [](LessonSession& session) { toggle(session, Panel::outline); }},
+    CommandFacts{C::body, "B", "Panels", "body and its spin", false,
+                 [](LessonSession& session) { toggle(session, Panel::body); }},
+    CommandFacts{C::method, "M", "Panels", "method, step and errors", false,
+                 [](LessonSession& session) { toggle(session, Panel::method); }},
+    CommandFacts{C::show, "S", "Panels", "what is shown", false,
+                 [](LessonSession& session) { toggle(session, Panel::show); }},
+    CommandFacts{C::question, "Q", "Panels", "question", false,
+                 [](LessonSession& session) { toggle(session, Panel::question); }},
+    CommandFacts{C::save, "E", "Panels", "save and copy", false,
+                 [](LessonSession& session) { toggle(session, Panel::save); }},
+    CommandFacts{C::settings, "F2", "Panels", "settings", false,
+                 [](LessonSession& session) { toggle(session, Panel::settings); }},
+    CommandFacts{C::help, "?, F1", "Panels", "keys", false,
+                 [](LessonSession& session) { toggle(session, Panel::help); }},
+    CommandFacts{C::leave, "Escape", "Panels", "close, leave", false,
+                 [](LessonSession& session) { leave(session); }},
+    CommandFacts{C::switch_focus, "F6", "Panels", "the keys go to the panel, or to the page"},
+
+    CommandFacts{C::larger_text, "+, =", "Window", "larger text", true,
+                 [](LessonSession& session) { session.change_text_scale(1); }},
+    CommandFacts{C::smaller_text, "-", "Window", "smaller text", true,
+                 [](LessonSession& session) { session.change_text_scale(-1); }},
+    CommandFacts{C::theme, "T", "Window", "paper, dark", false,
+                 [](LessonSession& session) { toggle_theme(session.preferences); }},
+    CommandFacts{C::full_screen, "F, F11", "Window", "full screen"},
+    CommandFacts{C::present, "P, F5", "Window", "present: the page alone", false,
+                 [](LessonSession& session) { session.set_presenting(!session.is_presenting()); }},
+    CommandFacts{C::notes, "N", "Window",
+                 "while presenting, and until you go on: what comes next and what to say, on the same screen",
+                 false, [](LessonSession& session) { session.show_notes(!session.are_notes_shown()); }},
+    CommandFacts{C::save_page, "Ctrl+S", "Window", "save this page"},
+    CommandFacts{C::quit, "Ctrl+Q", "Window", "quit"},
+};
+
 }  // namespace
 
 std::span<const CommandFacts> all_commands() { return kCommands; }
@@ -137,132 +174,15 @@ std::optional<Command> command_of(std::string_view key) {
   return std::nullopt;
 }
 
-bool repeats(Command command) {
-  const auto facts = std::find_if(kCommands.begin(), kCommands.end(),
-                                  [&](const CommandFacts& f) { return f.command == command; });
-  return facts != kCommands.end() && facts->repeats;
+const CommandFacts& facts_of(Command command) {
+  return *std::find_if(kCommands.begin(), kCommands.end(),
+                       [&](const CommandFacts& facts) { return facts.command == command; });
 }
 
 bool do_command(LessonSession& session, Command command) {
-  switch (command) {
-    case C::next_step:
-      session.next_step();
-      return true;
-    case C::previous_step:
-      session.previous_step();
-      return true;
-    case C::next_stage:
-      session.next_stage();
-      return true;
-    case C::previous_stage:
-      session.previous_stage();
-      return true;
-    case C::first_stage:
-      session.go_to({});
-      return true;
-    case C::last_stage:
-      session.go_to({session.lesson().stages.size() - 1, 0});
-      return true;
-    case C::play_pause:
-      session.set_playing(!session.is_playing());
-      return true;
-    case C::frame_forward:
-      session.step_frames(1);
-      return true;
-    case C::frame_back:
-      session.step_frames(-1);
-      return true;
-    case C::reset_time:
-      session.reset_time();
-      return true;
-    case C::faster:
-      session.set_speed(2 * session.speed());
-      return true;
-    case C::slower:
-      session.set_speed(session.speed() / 2);
-      return true;
-    case C::leave:
-      leave(session);
-      return true;
-    case C::outline:
-      toggle(session, Panel::outline);
-      return true;
-    case C::body:
-      toggle(session, Panel::body);
-      return true;
-    case C::method:
-      toggle(session, Panel::method);
-      return true;
-    case C::show:
-      toggle(session, Panel::show);
-      return true;
-    case C::question:
-      toggle(session, Panel::question);
-      return true;
-    case C::save:
-      toggle(session, Panel::save);
-      return true;
-    case C::settings:
-      toggle(session, Panel::settings);
-      return true;
-    case C::help:
-      toggle(session, Panel::help);
-      return true;
-    case C::reset_scene:
-      session.reset_edits();
-      return true;
-    case C::follow:
-      session.set_following(!session.is_following());
-      return true;
-    case C::turn_left:
-      turn_camera(session, -kTurn, 0);
-      return true;
-    case C::turn_right:
-      turn_camera(session, kTurn, 0);
-      return true;
-    case C::turn_up:
-      turn_camera(session, 0, -kTurn);
-      return true;
-    case C::turn_down:
-      turn_camera(session, 0, kTurn);
-      return true;
-    case C::nearer:
-      zoom_camera(session, 1);
-      return true;
-    case C::farther:
-      zoom_camera(session, -1);
-      return true;
-    case C::next_view:
-      show_next_view(session);
-      return true;
-    case C::ghost:
-      toggle_ghost(session);
-      return true;
-    case C::larger_text:
-      session.change_text_scale(1);
-      return true;
-    case C::smaller_text:
-      session.change_text_scale(-1);
-      return true;
-    case C::theme:
-      toggle_theme(session.preferences);
-      return true;
-    case C::present:
-      session.set_presenting(!session.is_presenting());
-      return true;
-    case C::notes:
-      session.show_notes(!session.are_notes_shown());
-      return true;
-    case C::switch_focus:
-    case C::next_symbol:
-    case C::previous_symbol:
-    case C::explain:
-    case C::save_page:
-    case C::full_screen:
-    case C::quit:
-      return false;
-  }
-  return false;
+  const auto act = facts_of(command).act;
+  if (act) act(session);
+  return act != nullptr;
 }
 
 }  // namespace polhode

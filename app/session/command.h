@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keys do: the one list that the window obeys and its help shows.
+// What keys do: the one table that the window obeys and its help shows.
 #pragma once
 
 #include "app/session/lesson_session.h"
@@ -62,6 +62,8 @@ struct CommandFacts {
   std::string_view group;  ///< "Walk", "Time", "Body", "Understand", "Panels", "Window"
   std::string_view does;   ///< "next step"
   bool repeats = false;    ///< while the key is held
+  /// What is done to the session; null: only a window can do it (app/window/screen.cpp).
+  void (*act)(LessonSession&) = nullptr;
 };
 /// Group by group.
 std::span<const CommandFacts> all_commands();
@@ -70,10 +72,9 @@ std::span<const CommandFacts> all_commands();
 /// before it in this order.
 std::optional<Command> command_of(std::string_view key);
 
-bool repeats(Command command);
+const CommandFacts& facts_of(Command command);
 
-/// What is done to the session alone. False for what only a window can do (full_screen, save_page, quit,
-/// explain, next_symbol, previous_symbol, switch_focus), with nothing changed.
+/// False for what only a window can do, with nothing changed.
 bool do_command(LessonSession& session, Command command);
 
 }  // namespace polhode

@@ -119,7 +119,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     return false;
   const auto command = command_of(key);
   if (!command) return false;
-  if (is_repeated && !repeats(*command)) return true;
+  if (is_repeated && !facts_of(*command).repeats) return true;
   const Panel before = session.panel;
   if (do_command(session, *command)) {
     panel_takes_focus_ = session.panel != before && session.panel != Panel::none;
