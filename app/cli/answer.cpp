@@ -103,7 +103,8 @@ class KeptAnswers {
 
   /// A verdict, or a hint, is given also where it cannot be kept; `what_if_not` is said then.
   void change_if_possible(const Change& wanted, const char* what_if_not) const {
-    if (const Status changed = change(wanted); !changed) say("polhode: {}: {}\n", changed.error(), what_if_not);
+    if (const Status changed = change(wanted); !changed)
+      say("polhode: {}: {}\n", changed.error(), what_if_not);
   }
 
  private:

@@ -15,7 +15,7 @@ enum class ExitCode : int {
   failed = 1,        ///< while running: a missing file, font or context, a full disk
   usage = 2,         ///< unknown command, option, lesson id, stage, method; malformed number, bad size
   invalid = 3,       ///< the lesson, the body or the state cannot be (NaN too)
-  different = 4,     ///< compared, and not the same; a wrong answer
+  different = 4,     ///< compared, and not the same; a wrong answer; an export not whole
   interrupted = 130  ///< SIGINT
 };
 

@@ -34,7 +34,7 @@ struct PicturesMade {
   std::size_t kept = 0;      ///< of them those that were there before (--skip-existing)
   bool interrupted = false;  ///< then no manifest was written
   bool finished = false;     ///< manifest.json is there, hence all pictures of all shards are
-  /// That drew the pictures its manifest lists, those of other machines too; several: join_renderers.
+  /// The driver that drew the pictures of the manifest, on other machines too; several: join_renderers.
   std::string renderer;
   Checksums checksums;  ///< of the pictures of this shard
 };

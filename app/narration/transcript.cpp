@@ -22,7 +22,7 @@ std::string underlined(const std::string& heading, char line) {
 
 class Transcript {
  public:
-  explicit Transcript(const Lesson& lesson) : lesson_(lesson), speech_(lesson) {
+  explicit Transcript(const Lesson& lesson) : speech_(lesson) {
     text_ = underlined(lesson.title, '=');
   }
 
@@ -65,7 +65,6 @@ class Transcript {
     text_ += '\n' + wrapped(words, first);
   }
 
-  const Lesson& lesson_;
   SpeechText speech_;
   std::string text_;
   std::string caption_;  ///< the last one: steps inherit it

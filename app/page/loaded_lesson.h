@@ -20,8 +20,8 @@ struct LoadedLesson {
   std::string sha256;  ///< of the text
 };
 /// What the reader says of a text, and if it has no error, what the model says of its scenes. In the order of
-/// places. Its claims are proved, which check_claims tells of. Where `effort` throws BudgetSpent the stage, or
-/// the claim, is an error, and nothing behind it is checked.
+/// places. Its claims are proved, which check_claims tells of. Where `effort` throws BudgetSpent the stage,
+/// or the claim, is an error, and nothing behind it is checked.
 LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort = {});
 
 /// Adds diagnostics to others, all in the order of their places.

@@ -26,12 +26,13 @@ struct Standing {};
 struct FadingIn {
   double opacity = 1;
 };
-/// From the page before to this one: what stands on both goes from place to place; the equation in focus, with
-/// panel and bar, comes out of the one in focus before (render/typeset/morph.h); what else is new appears, what
-/// is gone vanishes (page_transition.h). Figure and plots are those of this page.
+/// From the page before to this one: what stands on both goes from place to place; the equation in focus,
+/// with panel and bar, comes out of the one in focus before (render/typeset/morph.h); what else is new
+/// appears, what is gone vanishes (page_transition.h). Figure and plots are those of this page.
 struct TurningInto {
-  const FittedText* from = nullptr;  ///< text of the page before, of the same lesson; null: all that is new fades in
-  double progress = 1;               ///< 0…1 in proportion to time; 1: arrived
+  const FittedText* from =
+      nullptr;          ///< text of the page before, of the same lesson; null: all that is new fades in
+  double progress = 1;  ///< 0…1 in proportion to time; 1: arrived
 };
 
 using PageEntrance = std::variant<Standing, FadingIn, TurningInto>;
@@ -63,7 +64,7 @@ struct Page {
   std::vector<Inset> insets;  ///< under the sheet
   /// Of the type's normal size; below kLeastScale the step alone has more than a page can hold.
   double scale = 1;
-  /// Of the size of a display that fits the column; of the one that had to be set smallest.
+  /// The smallest size of a display beside the one it would have if the column were wide enough.
   double formula_scale = 1;
   /// What it shows: these equations, from the first; the steps from this one on (from 1) whole.
   std::vector<const Equation*> equations;

@@ -230,7 +230,9 @@ class ScaledText {
     const Equation* first = focus_of(request_.stage, step);
     const auto focus_on = [&](const Equation& equation) {
       if (&equation != first) return Focus::none;
-      return is_present ? Focus::now : std::holds_alternative<FadingIn>(request_.entrance) ? Focus::before : Focus::none;
+      return is_present                                            ? Focus::now
+             : std::holds_alternative<FadingIn>(request_.entrance) ? Focus::before
+                                                                   : Focus::none;
     };
     const std::vector<std::string> marked =
         is_present && step.scene ? step.scene->highlight : std::vector<std::string>();

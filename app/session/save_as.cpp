@@ -76,7 +76,7 @@ Outcome<fs::path> save_picture(const LessonSession& session, SaveAs what, const 
   const MakerContext context{session.lesson(), options, renderer};
   const auto maker = what == SaveAs::figure     ? make_figure_maker(context)
                      : what == SaveAs::equation ? make_equation_maker(context)
-                                                  : make_page_maker(context);
+                                                : make_page_maker(context);
   if (const Done checked = maker->check(picture); !checked) return passed_on(checked);
   const auto words = maker->describe(picture);
   if (!words) return passed_on(words);
@@ -99,7 +99,7 @@ bool can_save_as(const LessonSession& session, SaveAs what) {
 }
 
 Result<fs::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
-                           const fs::path& folder, Renderer& renderer) {
+                         const fs::path& folder, Renderer& renderer) {
   if (!can_save_as(session, what))
     return failure(what == SaveAs::equation ? "this step has no equation" : "this step has no figure");
   if (const Status made = make_folder(folder); !made) return failure(made.error());

@@ -25,8 +25,7 @@ bool can_save_as(const LessonSession& session, SaveAs what);
 /// (07-poinsot-step3.png; figures, traces and scenes with their kind), with a number behind it where that is
 /// taken: nothing is overwritten. A picture is the one that `polhode export` makes of the same state, byte
 /// for byte on the same driver. Of several equations the last.
-Result<std::filesystem::path> save_as(const LessonSession& session, SaveAs what,
-                                        const SaveOptions& options, const std::filesystem::path& folder,
-                                        Renderer& renderer);
+Result<std::filesystem::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
+                                      const std::filesystem::path& folder, Renderer& renderer);
 
 }  // namespace polhode

@@ -32,7 +32,7 @@ std::string to_string(const Counterexample& counterexample);
 struct Judgement {
   Verdict verdict = Verdict::holds;  ///< whether the line is what its kind says
   std::string message, hint;         ///< of what is not
-  /// Of what does not hold; of the kinds false and non-sequitur, where it is what is claimed.
+  /// Where the line does not hold; for the kinds false and non-sequitur that is what is claimed.
   std::optional<Counterexample> counterexample;
 };
 

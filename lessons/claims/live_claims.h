@@ -7,8 +7,8 @@
 // torque.
 #pragma once
 
-#include "lessons/claims/claim_state.h"
 #include "lessons/claims/claim.h"
+#include "lessons/claims/claim_state.h"
 #include "render/scene/model/model.h"
 
 #include <optional>

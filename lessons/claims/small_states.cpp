@@ -140,8 +140,14 @@ Dependence of_quantity(Quantity quantity) {
     case S::e2:
     case S::e3:
       break;
-    default:
+    case S::Jxx:
+    case S::Jxy:
+    case S::Jxz:
+    case S::Jyy:
+    case S::Jyz:
+    case S::Jzz:
       d.J = true;
+      break;
   }
   return d;
 }

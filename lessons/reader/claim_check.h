@@ -15,9 +15,9 @@ namespace polhode {
 /// @returns the place of the first claim that is not proved because `effort` threw BudgetSpent
 std::optional<SourcePlace> prove_claims(Lesson& lesson, const Effort& effort = {});
 
-/// Of a lesson that is proved: an error for each line of a claim that is not what its kind says, with its place, a counterexample if
-/// there is one of small whole numbers, and the kind it might be. `measured` lines are measured on the scene
-/// of their step. At most kMaxDiagnostics errors, in the order of their places.
+/// Of a lesson that is proved: an error for each line of a claim that is not what its kind says, with its
+/// place, a counterexample if there is one of small whole numbers, and the kind it might be. `measured` lines
+/// are measured on the scene of their step. At most kMaxDiagnostics errors, in the order of their places.
 /// Where `effort` throws BudgetSpent the claim is an error, and nothing behind it is checked.
 std::vector<Diagnostic> check_claims(const Lesson& lesson, std::string_view file_name,
                                      const Effort& effort = {});

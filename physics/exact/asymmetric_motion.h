@@ -83,9 +83,9 @@ class AsymmetricMotion final : public Motion {
     double X_per_v = 1;              // X = πu/2K' = πK/K' · v
     double nome = 0, nome_squared = 0, root_nome = 0;  // q', q'², √q'
     double cn_over_root_p_sn = 0;                      // factor that turns θ_2/θ_1 into cn/(√p sn)
-    ThetaSeries E{};                                         // θ_1/sin x = E(sin²x), θ_2/cos x = E(cos²x)
-    ThetaSeries F{};                                         // θ_4 = F(sin²x), θ_3 = F(cos²x)
-    ThetaSeries im{}, re{};                        // i θ_1(x − iy) = cos x re(cos²x) + i sin x im(sin²x)
+    ThetaSeries E{};                                   // θ_1/sin x = E(sin²x), θ_2/cos x = E(cos²x)
+    ThetaSeries F{};                                   // θ_4 = F(sin²x), θ_3 = F(cos²x)
+    ThetaSeries im{}, re{};                  // i θ_1(x − iy) = cos x re(cos²x) + i sin x im(sin²x)
     std::array<double, 3> sin_Y{}, cos_Y{};  // (−1)ⁿ sin, cos (2n + 1)Y, Y = πα/2K'
     std::array<double, 4> q0{1, 0, 0, 0};    // q_SB(0) ⊗ [q_c(Ψ_0) q_P0]⁻¹: w, a, b, c
   };

@@ -162,7 +162,8 @@ struct ThetaConstants {
   Extended sn_K, cn_0, dn_0;
 };
 
-ThetaConstants constants_in_nome(const AsymmetricMotion::ThetaSeries& E, const AsymmetricMotion::ThetaSeries& F) {
+ThetaConstants constants_in_nome(const AsymmetricMotion::ThetaSeries& E,
+                                 const AsymmetricMotion::ThetaSeries& F) {
   const auto at_1 = [](const AsymmetricMotion::ThetaSeries& c) {
     return std::accumulate(c.rbegin(), c.rend(), Extended{0});
   };

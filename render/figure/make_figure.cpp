@@ -71,18 +71,18 @@ Snapshot moment_in(const SceneModel& model, double t_s, View view, const RigidBo
   const double omega_scale = omega_scale_of(scene);
   const double L_scale = L_scale_of(scene);
   Snapshot m{.model = model,
-           .t_s = t_s,
-           .view = view,
-           .state = state,
-           .q_VB = space ? state.q_SB : Quat::Identity(),
-           .q_VS = space ? Quat::Identity() : state.q_SB.conjugate(),
-           .L_B = angular_momentum_B(scene.body.moments, state.w_B),
-           .two_T = 2.0 * kinetic_energy(scene.body.moments, state.w_B),
-           .N_B = torque_B(scene.torque, scene.body.moments, state),
-           .omega_scale = omega_scale,
-           .L_scale = L_scale,
-           .L_length = L_length_of(scene, omega_scale, L_scale),
-           .thickness = scene.views.size() > 1 ? 1.15 : 1.0};
+             .t_s = t_s,
+             .view = view,
+             .state = state,
+             .q_VB = space ? state.q_SB : Quat::Identity(),
+             .q_VS = space ? Quat::Identity() : state.q_SB.conjugate(),
+             .L_B = angular_momentum_B(scene.body.moments, state.w_B),
+             .two_T = 2.0 * kinetic_energy(scene.body.moments, state.w_B),
+             .N_B = torque_B(scene.torque, scene.body.moments, state),
+             .omega_scale = omega_scale,
+             .L_scale = L_scale,
+             .L_length = L_length_of(scene, omega_scale, L_scale),
+             .thickness = scene.views.size() > 1 ? 1.15 : 1.0};
   m.center_V = center_of_mass_V(m);
   return m;
 }

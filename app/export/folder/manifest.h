@@ -38,7 +38,7 @@ struct ExportIdentity {
   nlohmann::ordered_json options;
 };
 
-/// Format 1 of INTERFACE, in pieces, so that a long one is never held whole: the head, a comma between two
+/// Format 1 of manifests, in pieces, so that a long one is never held whole: the head, a comma between two
 /// files, the end, which closes with a newline.
 std::string manifest_head(const ExportIdentity& of, const std::string& renderer);
 std::string manifest_entry(const ManifestFile& file);

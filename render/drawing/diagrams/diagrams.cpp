@@ -4,6 +4,7 @@
 #include "render/drawing/diagrams/diagram_paper.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace polhode {
 namespace {
@@ -24,9 +25,13 @@ const diagrams::DiagramKind& kind_of(Overlay diagram) {
       return diagrams::kMethodTable;
     case Overlay::order_plot:
       return diagrams::kOrderPlot;
-    default:
+    case Overlay::cards:
       return diagrams::kCards;
+    default:
+      break;
   }
+  assert(false && "no diagram");
+  return diagrams::kCards;
 }
 
 /// The one that lets the type be larger.

@@ -11,7 +11,7 @@
 //   method-table  how far each method is from the true motion at the time of the still, and what it costs
 //   order-plot    the error of ω there against the number of steps, and the order that each method shows
 //
-// ω̇ is a difference quotient of the motion (terms.h), not solved for in the equations that the
+// ω̇ is a difference quotient of the motion (euler_terms.h), not solved for in the equations that the
 // diagrams show to hold. Numbers of one kind have the same decimals: three digits of the largest over the
 // model's span, which also sets the scale of bars, so that nothing but the values moves in a film.
 #pragma once

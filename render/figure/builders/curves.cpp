@@ -28,7 +28,8 @@ Vec3 place(const Snapshot& m, const Vec3& w_B) {
   return m.q_VB * (w_B * m.omega_scale);
 }
 
-void add_body_curve(const Snapshot& m, const Curve& curve, double radius, const Color& color, DrawList& list) {
+void add_body_curve(const Snapshot& m, const Curve& curve, double radius, const Color& color,
+                    DrawList& list) {
   if (curve.points.size() < 2) return;
   Tube tube{.points = {}, .closed = curve.closed, .radius = radius * m.thickness, .color = color};
   tube.points.reserve(curve.points.size());

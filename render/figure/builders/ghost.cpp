@@ -17,8 +17,8 @@ constexpr float kAlpha = 0.6F;
 constexpr double kDash = 0.06;
 
 /// No name where the computed arrow, with its own, is as good as here.
-void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, Arrow::Head head, const char* name,
-               const Role& role, DrawList& list) {
+void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, Arrow::Head head,
+               const char* name, const Role& role, DrawList& list) {
   Color paint = role.paint;
   paint.a = kAlpha;
   list.arrows.push_back({.head = head,

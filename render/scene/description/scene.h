@@ -56,7 +56,7 @@ struct Scene {
   Vec3 w0_B{0.2, 0.1, 3.0};              ///< rad/s at t = 0
   std::optional<AttitudeSpec> attitude;  ///< at t = 0; absent: L down if the plane is shown, else L up
   Torque torque;                         ///< empty: torque-free
-  Vec3 v0_S{0, 0, 0};                    ///< m/s at t = 0, of the centre of mass (drift.h)
+  Vec3 v0_S{0, 0, 0};                    ///< m/s at t = 0, of the centre of mass (translation.h)
   Vec3 F_S{0, 0, 0};                     ///< N, constant in space
   ArrowHeld arrow = ArrowHeld::in_space;
   MotionSpec motion;

@@ -227,7 +227,8 @@ double longest_term(const SceneModel& model) {
   double longest = 0.0;
   for (int n = 0; n <= kSamples; ++n) {
     const double t_s = reach_s * n / kSamples;
-    const double term = euler_terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s).largest();
+    const double term =
+        euler_terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s).largest();
     if (std::isfinite(term)) longest = std::max(longest, term);
   }
   return longest;

@@ -64,10 +64,10 @@ void expect_same_pictures(const LessonSession& session) {
 TEST(SavedPictures, OfAFreeBodyThatWasChanged) {
   LessonSession session(test::example());
   ASSERT_TRUE(session.set_edits({.body = body_with_moments({1.1, 2.3, 3.0}).value(),
-                                   .w0_B = Vec3(0.3, 1.7, 0.2),
-                                   .motion = MotionSpec{.method = Method::rk4, .step_s = 0.05, .ghost = true},
-                                   .on = {Overlay::shape, Overlay::values},
-                                   .views = {{View::space, View::body}}}));
+                                 .w0_B = Vec3(0.3, 1.7, 0.2),
+                                 .motion = MotionSpec{.method = Method::rk4, .step_s = 0.05, .ghost = true},
+                                 .on = {Overlay::shape, Overlay::values},
+                                 .views = {{View::space, View::body}}}));
   session.set_camera({.azimuth_rad = 1.23456, .elevation_rad = 0.54321, .distance = 5, .zoom = 1.3});
   session.scrub_to(0.777);
   expect_same_pictures(session);

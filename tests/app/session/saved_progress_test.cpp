@@ -21,9 +21,7 @@ const std::string kAxis = "free/axis";
 
 /// A window on the example, at its question; its state folder is that of the test.
 struct Window {
-  explicit Window(const ScratchFolder& scratch) : progress(session, scratch.path()) {
-    session.go_to({0, 1});
-  }
+  explicit Window(const ScratchFolder& scratch) : progress(session, scratch.path()) { session.go_to({0, 1}); }
   void answer(const char* text) { session.answer(*session.questions().at(0), text); }
 
   LessonSession session{test::example()};

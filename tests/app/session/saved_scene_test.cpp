@@ -47,10 +47,11 @@ void expect_saved(const LessonSession& session) {
   ASSERT_EQ(saved.scene.has_value(), session.has_scene());
   if (!saved.scene) return;
   const Scene expected = shown_in(session);
-  EXPECT_TRUE(*saved.scene == expected) << session.lesson().id << ' ' << session.stage().id << "\nwants\n"
-                                        << scene_keys_text(expected, session.t_s()) << "\nhas\n"
-                                        << scene_keys_text(*saved.scene, still_time_s(*saved.scene)) << "\nin\n"
-                                        << lesson_of(session);
+  EXPECT_TRUE(*saved.scene == expected)
+      << session.lesson().id << ' ' << session.stage().id << "\nwants\n"
+      << scene_keys_text(expected, session.t_s()) << "\nhas\n"
+      << scene_keys_text(*saved.scene, still_time_s(*saved.scene)) << "\nin\n"
+      << lesson_of(session);
 }
 
 void go_to_last_step(LessonSession& session, std::size_t stage) {

@@ -24,8 +24,8 @@ TEST(StateLock, IsHeldByOneAtATime) {
   const auto second = StateLock::take(file, 20ms);
   ASSERT_FALSE(second) << "two hold it";
   EXPECT_TRUE(second.error().is_held);
-  EXPECT_THAT(second.error().text, HasSubstr("cannot lock " + file.string() +
-                                             ".lock: another polhode has held it for 0.02 s"));
+  EXPECT_THAT(second.error().text,
+              HasSubstr("cannot lock " + file.string() + ".lock: another polhode has held it for 0.02 s"));
   first.reset();
   EXPECT_TRUE(StateLock::take(file, 0ms));
 }

@@ -203,7 +203,7 @@ TEST(Terms, AddUpToTheTorqueAtTheTipOfL) {
   EXPECT_EQ(inertial->tail, L->tip);
   EXPECT_LT((gyroscopic->tail - inertial->tip).norm(), kRounding);
   EXPECT_EQ(N->tail, L->tip);
-  EXPECT_LT((N->tip - gyroscopic->tip).norm(), 1e-6);  // DP8 at its tolerance over h: terms_test.cpp
+  EXPECT_LT((N->tip - gyroscopic->tip).norm(), 1e-6);  // DP8 at its tolerance over h: euler_terms_test.cpp
   const Vec3 N_S = Vec3(0.5, 0.3, 0.1).normalized();
   EXPECT_LT(((N->tip - N->tail).normalized() - N_S).norm(), 1e-9);
   const auto named_N = texts_of(list);

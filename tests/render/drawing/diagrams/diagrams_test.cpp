@@ -162,7 +162,8 @@ TEST(Diagrams, CofactorsAreLitOneAfterTheOther) {
     const Sheet sheet = sheet_of(scene, lit + 0.5);
     const Vec3 w = make_model(scene).motion->w_B_at(lit + 0.5);
     const Vec3 value = w.cross(I.cwiseProduct(w));
-    EXPECT_EQ(texts_of(sheet, "N m").size(), lit + 1u) << "the others are still to be found";
+    EXPECT_EQ(texts_of(sheet, "N m").size(), static_cast<std::size_t>(lit) + 1)
+        << "the others are still to be found";
     for (int i = 0; i < 3; ++i) {
       const diagrams::NumberForm form(1.0);  // three digits, as of 1.08 N m, the largest of this motion
       EXPECT_TRUE(i > lit || !texts_of(sheet, form.text(value[i])).empty()) << value[i];

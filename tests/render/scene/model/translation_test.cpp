@@ -38,7 +38,7 @@ TEST(Translation, ObeysNewtonsLaw) {
   constexpr double h = 0.5;
   for (double t_s : {-2.0, 0.3, 7.0}) {
     const Translation before = translation_at(thrown(), t_s - h), now = translation_at(thrown(), t_s),
-                after = translation_at(thrown(), t_s + h);
+                      after = translation_at(thrown(), t_s + h);
     const double r_size = after.r_S.norm() + before.r_S.norm() + now.v_S.norm();
     const double p_size = after.p_S.norm() + before.p_S.norm() + now.p_S.norm();
     EXPECT_LT(((after.r_S - before.r_S) / (2 * h) - now.v_S).norm(), 16 * kEpsilon * r_size / h);
