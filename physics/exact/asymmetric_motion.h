@@ -7,7 +7,7 @@
 //     ω_a = A cn u,  ω_b = σ B sn u,  ω_c = C dn u,   u = u_0 + λ t                  Whittaker §69; LL §37
 //
 // Attitude (after van Zon & Schofield, J. Comput. Phys. 225 (2007) 145-164, and Celledoni, Fassò, Säfström &
-// Zanna, SIAM J. Sci. Comput. 30 (2008) 2084-2112; in this form: NUMERICS §2.3). With q_P the shortest
+// Zanna, SIAM J. Sci. Comput. 30 (2008) 2084-2112; docs/numerics.md §2.3, 2.5). With q_P the shortest
 // rotation that takes m/G to e_c, and q_c(Ψ) the rotation by Ψ about e_c,
 //
 //     q_SB(t) = q_SB(0) ⊗ [q_c(Ψ_0) q_P0]⁻¹ ⊗ q_c(Ψ) q_P,     q_P = (G + m_c, m_b, −m_a, 0)/|·|,
@@ -20,9 +20,9 @@
 //     x = πu/2K,  y = πα/2K,  p = I_b d_ca/(I_a d_cb),  α = R_F(p − 1, p − 1 + k², p),
 //     Ω = (C_ψ − σπ/2)/K,  C_ψ = (G/λ) cel(k', p, 1/I_a, p/I_b).
 //
-// β is periodic and |β| < π: e^{iβ/2} is a principal square root, so no branch is counted, no arctangent
+// β is periodic and |β| < π/2: e^{iβ/2} is a principal square root, so no branch is counted, no arctangent
 // taken, and q_SB(t) is continuous, sign included. Near the separatrix Jacobi's imaginary transformation
-// gives series in q' = e^{−πK/K'} instead of q = e^{−πK'/K}: five terms reach ε for q ≤ 0.21 (k² < 0.99),
+// gives series in q' = e^{−πK/K'} instead of q = e^{−πK'/K}: five terms reach ε for q ≤ 0.21 (k² < 0.97),
 // three beyond. On the separatrix (k' = 0, D = 0 to the last bit of double-double) q' = 0 and the same series
 // are sech and tanh: Deriglazov, arXiv 2401.11518. sn, cn, dn come from the same theta functions
 // (DLMF 20.2, 22.2), as polynomials in sin²x and cos²x, or in e^{−2|X|}: a call is two sincos (or a sincos
@@ -60,7 +60,7 @@ class AsymmetricMotion final : public Motion {
 
   std::string_view method() const override { return "exact"; }
 
-  /// How the theta functions are summed: in the nome q of k, in that of k' (k² > 0.99), or k = 1.
+  /// How the theta functions are summed: in the nome q of k, in that of k' (k² > 0.97), or k = 1.
   enum class Series { in_nome, in_complementary_nome, separatrix };
   Series series() const { return f_.series; }
   using ThetaSeries = std::array<double, 5>;  ///< coefficients n = 0 … 4 of a theta function

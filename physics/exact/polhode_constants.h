@@ -3,7 +3,7 @@
 // the exact asymmetric motion share. Whittaker, Analytical Dynamics, 4th ed., §69; Landau & Lifshitz,
 // Mechanics, §37; robust form: van Zon & Schofield, J. Comput. Phys. 225 (2007) 145-164, with only positive
 // sums and differences of the given moments, which are exact when within a factor 2; never L² − 2TI of
-// computed T and L (NUMERICS §2.1, 2.2).
+// computed T and L (docs/numerics.md §1, 2.1, 2.2).
 //
 //     ω_a = A cn u,   ω_b = σ B sn u,   ω_c = C dn u,   u = u_0 + λt,   modulus k, complement k',
 //
@@ -33,8 +33,8 @@ struct PolhodeConstants {
 };
 
 /// Nothing if the rotation is steady (uniform_motion.h). The side, and the separatrix (D = 0), are decided in
-/// double-double arithmetic (relative error of D about 2⁻¹⁰⁰), by no tolerance. The other constants have
-/// relative errors of a few roundings of Extended in terms of the moments' differences. About 0.3 µs.
+/// double-double arithmetic (error of D about 2⁻¹⁰⁰ of its larger term), by no tolerance. The other constants
+/// have relative errors of a few roundings of Extended in terms of the moments' differences. About 0.3 µs.
 std::optional<PolhodeConstants> polhode_constants(const PrincipalMoments& I, const Vec3& w_B);
 
 /// Axes sorted by moment, smallest first; equal moments keep their order.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Torque-free symmetric top in closed form: two moments exactly equal, any axis the symmetry axis.
-// With c the symmetry axis and (a, b, c) right-handed (Landau & Lifshitz, Mechanics, §33 and §36; NUMERICS
-// §2.4):
+// With c the symmetry axis and (a, b, c) right-handed (Landau & Lifshitz, Mechanics, §33 and §36;
+// docs/numerics.md §2.4):
 //
 //     ω_a + iω_b = (ω_a0 + iω_b0) e^{iνt},   ω_c constant,   ν = ω_c (I_c − I_a)/I_a,
 //     q_SB(t) = q_SB(0) ⊗ exp(½ (L_B0/I_a) t) ⊗ exp(−½ ν e_c t):

@@ -5,8 +5,8 @@
 //     kick h/2, free flow h, kick h/2:   Strang, SIAM J. Numer. Anal. 5 (1968) 506-517; Hairer, Lubich &
 //     Wanner, Geometric Numerical Integration, 2nd ed., §II.5 eq. (5.9).
 //
-// Order 2 whatever the order of the free flow; reversible if that is. Gravity does no work on L_z, so neither
-// does the kick: L_z is kept to rounding, the energy to O(h²) without drift. Internal to physics/.
+// Order 2 whatever the order of the free flow; reversible if that is. The torque of gravity has no vertical
+// component: L_z of a heavy top is kept to rounding, the energy to O(h²) without drift. Internal to physics/.
 #pragma once
 
 #include "physics/body/torque.h"

@@ -15,10 +15,10 @@
 //
 // Projection (torque-free only) is the standard one of Hairer, Lubich & Wanner, Geometric Numerical
 // Integration, 2nd ed., algorithm IV.4.2: after each step ω goes to the nearest point with the T and L² of
-// the start, to first order within span(∇T, ∇L²), by Newton's method until rounding; and q to q/|q|. T and L²
-// are told by T and D_j = Σ I_i (I_i − I_j) ω_i² = L² − 2T I_j, j the axis with most of L: near a steady
-// rotation T and L² say almost the same and D_j, a sum of small terms, is the difference. L in space is not
-// kept: the direction of L in space moves with the error of q.
+// the start, to first order within span(∇T, ∇L²), by at most four steps of Newton's method; and q to q/|q|. T
+// and L² are told by T and D_j = Σ I_i (I_i − I_j) ω_i² = L² − 2T I_j, j the axis with most of L: near a
+// steady rotation T and L² say almost the same and D_j, a sum of small terms, is the difference. L in space
+// is not kept: the direction of L in space moves with the error of q.
 //
 // A step costs about 10, 16, 40 and 70 ns without torque. Time, access and range: fixed_step_motion.h. For
 // any h there is an answer, until ω or q overflows; from there on it is NaN.
