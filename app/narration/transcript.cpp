@@ -22,9 +22,7 @@ std::string underlined(const std::string& heading, char line) {
 
 class Transcript {
  public:
-  explicit Transcript(const Lesson& lesson) : speech_(lesson) {
-    text_ = underlined(lesson.title, '=');
-  }
+  explicit Transcript(const Lesson& lesson) : speech_(lesson) { text_ = underlined(lesson.title, '='); }
 
   void add(const Stage& stage, std::size_t number) {
     text_ += '\n' + underlined(fmt::format("{}. {}", number, speech_.words(stage.title_text)), '-');
