@@ -111,7 +111,7 @@ class Loop {
     frame_log_.note(session_.is_moving(), screen().is_full());
     input_.settling = input_.waiting.empty() ? std::max(0, input_.settling - 1) : kSettlingFrames;
     wake_s_ = now_s + screen().seconds_to_wake(session_);
-    follow_wishes();
+    follow_requests();
     update_title();
     return success();
   }
@@ -128,7 +128,7 @@ class Loop {
     return frame;
   }
 
-  void follow_wishes() {
+  void follow_requests() {
     if (screen().requests().full_screen) {
       full_screen_.set(!full_screen_.is_on());
       screen().requests().full_screen = false;

@@ -65,7 +65,7 @@ double Snapshot::emphasis(Overlay o) const {
 
 namespace {
 
-Snapshot moment_in(const SceneModel& model, double t_s, View view, const RigidBodyState& state) {
+Snapshot snapshot_in(const SceneModel& model, double t_s, View view, const RigidBodyState& state) {
   const Scene& scene = model.scene;
   const bool space = view == View::space;
   const double omega_scale = omega_scale_of(scene);
@@ -95,7 +95,7 @@ Snapshot snapshot_at(const SceneModel& model, double t_s, View view) {
     state = model.motion->at(t_s);
   else if (model.needs.omega)
     state.w_B = model.motion->w_B_at(t_s);
-  return moment_in(model, t_s, view, state);
+  return snapshot_in(model, t_s, view, state);
 }
 
 }  // namespace builders
@@ -216,7 +216,7 @@ Pane make_pane(const builders::Snapshot& m, double aspect) {
 std::string title_of(View view) { return view == View::space ? "space frame $S$" : "body frame $S^*$"; }
 
 /// The body in its first attitude, turned by two quarters in this order over the scene's span.
-builders::Snapshot turned_moment(const SceneModel& model, double t_s, TurnOrder order) {
+builders::Snapshot turned_snapshot(const SceneModel& model, double t_s, TurnOrder order) {
   builders::Snapshot m = builders::snapshot_at(model, t_s, View::space);
   const TurnedBody body = turned(order, model.q0_SB, t_s / model.span_s);
   m.state.q_SB = m.q_VB = body.q_SB;
@@ -232,7 +232,7 @@ std::vector<Pane> make_panes_of_orders(const SceneModel& model, double t_s, doub
   std::vector<Pane> panes;
   for (TurnOrder order : kTurnOrders) {
     const double place = static_cast<double>(panes.size()) / kCount;
-    Pane pane = make_pane(turned_moment(model, t_s, order), stacked ? aspect * kCount : aspect / kCount);
+    Pane pane = make_pane(turned_snapshot(model, t_s, order), stacked ? aspect * kCount : aspect / kCount);
     pane.title = title_of(order);
     (stacked ? pane.y : pane.x) = place;
     (stacked ? pane.height : pane.width) = 1.0 / kCount;
@@ -294,7 +294,7 @@ std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
     return std::nullopt;
   RigidBodyState start{Quat::Identity(), w0_B};
   if (trial_.needs.attitude) start.q_SB = problem_of(trial_.scene).start.q_SB;
-  const builders::Snapshot m = builders::moment_in(trial_, 0.0, views[pane_], start);
+  const builders::Snapshot m = builders::snapshot_in(trial_, 0.0, views[pane_], start);
   return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect_ / static_cast<double>(views.size()))};
 }
 

@@ -91,7 +91,6 @@ class Panels {
   bool has_focus() const { return has_focus_; }
   std::optional<double> seconds_to_wake() const { return method_.seconds_to_wake(); }
   SavePanel& save() { return save_; }
-  const SavePanel& save() const { return save_; }
 
  private:
   void draw_contents(PanelContext& context);
