@@ -13,7 +13,6 @@
 #include "lessons/claims/answers.h"
 #include "lessons/diagnostics/source_text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -26,8 +25,9 @@ namespace {
 using Outcome = AnswerJudgement::Outcome;
 
 struct Options {
-  std::string lesson, stage, ask, answer;
-  bool has_answer = false, hint = false, reset = false, json = false;
+  std::string lesson, stage, ask;
+  std::optional<std::string> answer;
+  bool hint = false, reset = false, json = false;
 };
 
 const Ask& ask_of(const Stage& stage, const std::string& id) {
@@ -133,11 +133,12 @@ void offer_hint(const Options& options) {
   if (shows_as_it_is(command)) fmt::print("A hint: {}\n", shell_line(command));
 }
 
-ExitCode judge_and_keep(const Ask& ask, const Options& options, const KeptAnswers& kept) {
-  const AnswerJudgement judgement = judge_answer(ask, options.answer, Prover());
-  options.json ? print_json(judgement) : print_verdict(judgement, options.answer);
+ExitCode judge_and_keep(const Ask& ask, const std::string& given, const Options& options,
+                        const KeptAnswers& kept) {
+  const AnswerJudgement judgement = judge_answer(ask, given, Prover());
+  options.json ? print_json(judgement) : print_verdict(judgement, given);
   if (judgement.outcome == Outcome::unreadable && !options.json) {
-    print_place(options.answer, judgement.column);
+    print_place(given, judgement.column);
     throw CommandError(ExitCode::usage, judgement.hint.empty()
                                             ? judgement.reason
                                             : fmt::format("{} ({})", judgement.reason, judgement.hint));
@@ -147,7 +148,7 @@ ExitCode judge_and_keep(const Ask& ask, const Options& options, const KeptAnswer
     std::fflush(stdout);  // the verdict need not wait for another process that keeps an answer just now
     kept.change_if_possible(
         [&](AnswerLog& log, const std::string& name) {
-          note_try(log[name], judgement.outcome == Outcome::right, options.answer);
+          note_try(log[name], judgement.outcome == Outcome::right, given);
         },
         "the answer is not kept");
   }
@@ -155,7 +156,7 @@ ExitCode judge_and_keep(const Ask& ask, const Options& options, const KeptAnswer
 }
 
 ExitCode answer(const Options& options) {
-  if (options.has_answer == (options.hint || options.reset) || (options.hint && options.reset))
+  if (options.answer.has_value() == (options.hint || options.reset) || (options.hint && options.reset))
     throw CommandError(ExitCode::usage, "give an answer, or --hint, or --reset");
   const LoadedLesson loaded = load_lesson(options.lesson);
   const Stage& stage = stage_of(loaded.lesson, options.stage);
@@ -166,41 +167,28 @@ ExitCode answer(const Options& options) {
     or_fail(kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); }));
     return ExitCode::done;
   }
-  return judge_and_keep(ask, options, kept);
+  return judge_and_keep(ask, *options.answer, options, kept);
 }
 
 }  // namespace
 
-std::vector<std::string> with_answers_shielded(int argc, const char* const* argv) {
-  std::vector<std::string> words(argv, argv + argc);
-  if (words.size() < 2 || words[1] != "answer") return words;
-  for (std::size_t i = 2; i < words.size(); ++i)
-    if (words[i].size() > 1 && words[i][0] == '-' && words[i][1] != '-' && words[i] != "-h")
-      words[i].insert(0, 1, ' ');  // expressions may begin with a space
-  return words;
-}
-
-void add_answer(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("answer", "Judge an answer to a question of a lesson");
-  auto options = std::make_shared<Options>();
-  command->add_option("LESSON", options->lesson, "Lesson file or id")->required();
-  command->add_option("STAGE", options->stage, "Id of the stage")->required();
-  command->add_option("ASK", options->ask, "Id of the question")->required();
-  CLI::Option* given = command->add_option(
-      "ANSWER", options->answer,
-      fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"",
-                  form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order)));
-  command->add_flag("--hint", options->hint, "Show the next hint instead");
-  command->add_flag("--reset", options->reset, "Forget what was answered to the question, and its hints");
-  command->add_flag("--json", options->json, "verdict, reason, hint, column and counterexample as JSON");
-  command->footer(
-      "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
-      "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.");
-  command->callback([options, given, &action] {
-    options->has_answer = given->count() > 0;
-    if (options->answer.size() > 1 && options->answer.compare(0, 2, " -") == 0) options->answer.erase(0, 1);
-    action = [options] { return answer(*options); };
-  });
+Command answer_command() {
+  const auto options = std::make_shared<Options>();
+  return {"answer",
+          "Judge an answer to a question of a lesson",
+          {{"LESSON", &options->lesson, "Lesson file or id", "", true},
+           {"STAGE", &options->stage, "Id of the stage", "", true},
+           {"ASK", &options->ask, "Id of the question", "", true},
+           {"ANSWER", &options->answer,
+            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"",
+                        form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order))},
+           {"--hint", &options->hint, "Show the next hint instead"},
+           {"--reset", &options->reset, "Forget what was answered to the question, and its hints"},
+           {"--json", &options->json, "verdict, reason, hint, column and counterexample as JSON"}},
+          "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
+          "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.",
+          [options](const CommandWords&) { return answer(*options); },
+          true};
 }
 
 }  // namespace polhode

@@ -1,34 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The sub-commands, one per source file. Each adds its options to the parser and, when the user names it,
-// sets the action that main runs once the whole line is parsed.
+// The commands of the program, one per source file.
 #pragma once
 
-#include "app/cli/exit_codes.h"
-
-#include <functional>
-#include <string>
-#include <vector>
-
-namespace CLI {
-class App;
-}
+#include "app/cli/command_line.h"
 
 namespace polhode {
 
-/// Results on stdout, messages on stderr. @throws CommandError
-using Action = std::function<ExitCode()>;
-
-void add_list(CLI::App& app, Action& action);
-void add_play(CLI::App& app, Action& action);
-void add_export(CLI::App& app, Action& action);
-void add_lint(CLI::App& app, Action& action);
-void add_info(CLI::App& app, Action& action);
-void add_trace(CLI::App& app, Action& action);
-void add_measure(CLI::App& app, Action& action);
-void add_verify(CLI::App& app, Action& action);
-void add_answer(CLI::App& app, Action& action);
-/// The words of a command line as the parser is to see them: an answer such as -w1*w2 is no option.
-std::vector<std::string> with_answers_shielded(int argc, const char* const* argv);
-void add_compare(CLI::App& app, Action& action);
+Command list_command();
+Command play_command();
+Command export_command();
+Command verify_command();
+Command lint_command();
+Command info_command();
+Command trace_command();
+Command measure_command();
+Command answer_command();
+Command compare_command();
 
 }  // namespace polhode

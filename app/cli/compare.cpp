@@ -5,7 +5,6 @@
 #include "app/cli/commands.h"
 #include "render/image/png.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -58,18 +57,17 @@ ExitCode compare(const Options& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("compare", "Compare two PNG files by the golden rule");
-  auto options = std::make_shared<Options>();
-  command->add_option("A", options->a, "PNG file")->required()->option_text(" ");
-  command->add_option("B", options->b, "PNG file")->required()->option_text(" ");
-  command->add_option("--diff", options->diff, "write a picture of the differences, in red")
-      ->option_text("FILE.png");
-  command->add_flag("--json", options->json, "equal, pixels, over_3, over_fraction and max as JSON");
-  command->footer(
-      "Equal: same size, at most 0.02 % of the pixels off by more than 3 levels in any channel (alpha\n"
-      "too), none by more than 48. Exit code 4 if different, 1 if a file cannot be read.");
-  command->callback([options, &action] { action = [options] { return compare(*options); }; });
+Command compare_command() {
+  const auto options = std::make_shared<Options>();
+  return {"compare",
+          "Compare two PNG files by the golden rule",
+          {{"A", &options->a, "PNG file", " ", true},
+           {"B", &options->b, "PNG file", " ", true},
+           {"--diff", &options->diff, "write a picture of the differences, in red", "FILE.png"},
+           {"--json", &options->json, "equal, pixels, over_3, over_fraction and max as JSON"}},
+          "Equal: same size, at most 0.02 % of the pixels off by more than 3 levels in any channel (alpha\n"
+          "too), none by more than 48. Exit code 4 if different, 1 if a file cannot be read.",
+          [options](const CommandWords&) { return compare(*options); }};
 }
 
 }  // namespace polhode

@@ -6,7 +6,6 @@
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "app/cli/progress.h"
-#include "app/cli/usage.h"
 #include "app/export/jobs.h"
 #include "app/export/picture_export.h"
 #include "app/narration/transcript.h"
@@ -18,7 +17,6 @@
 #include "base/sha256.h"
 #include "base/shell_line.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -267,59 +265,39 @@ ExitCode run_export(const TypedExport& typed) {
                                           : export_pictures(loaded, options, out);
 }
 
-/// The command line again, in the order of the options.
-std::vector<std::string> words_of(const CLI::App& command) {
-  std::vector<std::string> words = {program_invocation_name, command.get_name()};
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->get_items_expected_max() == 0) continue;  // flags: --skip-existing, --help
-    for (const std::string& value : option->results()) {
-      if (!option->get_positional()) words.push_back("--" + option->get_lnames().front());
-      words.push_back(value);
-    }
-  }
-  return words;
-}
-
 }  // namespace
 
-void add_export(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "export", "Export a lesson's pages, equations and figures as PNG files, or its text");
-  auto typed = std::make_shared<TypedExport>();
-  const auto option = [&](const char* name, std::string& value, const char* form, const char* text) {
-    return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
-  };
-  option("LESSON", typed->lesson, " ", "id or file")->required();
-  option("-o,--output", typed->folder, "DIR", "folder for the files; made if missing");
-  command->add_option("--stage", typed->stages, "only this stage; repeat for more (default: all)")
-      ->option_text("ID")
-      ->check(refuse_empty)
-      ->allow_extra_args(false);
-  option("--what", typed->what, "KIND", "page, equation, figure or transcript (default: page)");
-  option("--each", typed->each, "KIND", "a picture for each stage, step or frame (default: stage)");
-  option("--size", typed->size, "WxH", "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)");
-  option("--theme", typed->theme, "NAME", "of pages and equations: paper or dark (default: paper)");
-  option("--background", typed->background, "NAME",
-         "studio (default of figures), paper, white, transparent, #rrggbb");
-  option("--dpi", typed->dpi, "N", "dots per inch to note in the files; sizes 12 pt equations (300)");
-  option("--fps", typed->fps, "N|A/B", "frames per shown second of frames and films (default: 30)");
-  option("--seconds", typed->seconds, "S",
-         "shown seconds per stage of frames, per still of a film (default: 8)");
-  option("--at", typed->at, "T", "t in s of stills (default: the scene's), of first frames (0)");
-  option("--frames", typed->frames, "A:B", "frames A to B-1 of the whole selection, from 0 (default: all)");
-  option("--quality", typed->quality, "LEVEL", "of figures: draft, normal or fine (default: the scene's)");
-  option("--text-size", typed->text_size, "X", "of pages: 0.7 to 2 times the normal type (default: 1)");
-  option("--png", typed->png, "KIND", "fast to pack, or small and slow (default: fast)");
-  option("--film", typed->film, "FILE",
-         "make a film (mp4, webm, gif, apng); without -o its frames are removed");
-  option("--deck", typed->deck, "FILE", "make slides (html, pdf); without -o their pictures are removed");
-  option("--sync", typed->sync, "WHEN", "flush to disk at the end or after each frame (default: end)");
-  option("--context", typed->context, "KIND", "OpenGL from auto, osmesa or egl (default: auto)");
-  option("--shard", typed->shard, "I/N|slurm", "only every N-th picture, from the I-th, of 1 to N");
-  option("--jobs", typed->jobs, "N", "draw in N processes, the same in all shards (default: 1)");
-  command->add_flag("--skip-existing", typed->skip_existing,
-                    "keep what is there and whole; goes on after a stop");
-  command->footer(
+Command export_command() {
+  const auto typed = std::make_shared<TypedExport>();
+  return {
+      "export",
+      "Export a lesson's pages, equations and figures as PNG files, or its text",
+      {{"LESSON", &typed->lesson, "id or file", " ", true},
+       {"-o,--output", &typed->folder, "folder for the files; made if missing", "DIR"},
+       {"--stage", &typed->stages, "only this stage; repeat for more (default: all)", "ID"},
+       {"--what", &typed->what, "page, equation, figure or transcript (default: page)", "KIND"},
+       {"--each", &typed->each, "a picture for each stage, step or frame (default: stage)", "KIND"},
+       {"--size", &typed->size, "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)", "WxH"},
+       {"--theme", &typed->theme, "of pages and equations: paper or dark (default: paper)", "NAME"},
+       {"--background", &typed->background, "studio (default of figures), paper, white, transparent, #rrggbb",
+        "NAME"},
+       {"--dpi", &typed->dpi, "dots per inch to note in the files; sizes 12 pt equations (300)", "N"},
+       {"--fps", &typed->fps, "frames per shown second of frames and films (default: 30)", "N|A/B"},
+       {"--seconds", &typed->seconds, "shown seconds per stage of frames, per still of a film (default: 8)",
+        "S"},
+       {"--at", &typed->at, "t in s of stills (default: the scene's), of first frames (0)", "T"},
+       {"--frames", &typed->frames, "frames A to B-1 of the whole selection, from 0 (default: all)", "A:B"},
+       {"--quality", &typed->quality, "of figures: draft, normal or fine (default: the scene's)", "LEVEL"},
+       {"--text-size", &typed->text_size, "of pages: 0.7 to 2 times the normal type (default: 1)", "X"},
+       {"--png", &typed->png, "fast to pack, or small and slow (default: fast)", "KIND"},
+       {"--film", &typed->film, "make a film (mp4, webm, gif, apng); without -o its frames are removed",
+        "FILE"},
+       {"--deck", &typed->deck, "make slides (html, pdf); without -o their pictures are removed", "FILE"},
+       {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN"},
+       {"--context", &typed->context, "OpenGL from auto, osmesa or egl (default: auto)", "KIND"},
+       {"--shard", &typed->shard, "only every N-th picture, from the I-th, of 1 to N", "I/N|slurm"},
+       {"--jobs", &typed->jobs, "draw in N processes, the same in all shards (default: 1)", "N"},
+       {"--skip-existing", &typed->skip_existing, "keep what is there and whole; goes on after a stop"}},
       "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
       "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
       "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
@@ -331,11 +309,11 @@ void add_export(CLI::App& app, Action& action) {
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
       "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"
       "lesson text is refused. Processes with the same command but each its --shard, on any machines that\n"
-      "share the folder, make one export; slurm reads I and N from the variables of a job array.");
-  command->callback([typed, command, &action] {
-    typed->words = words_of(*command);
-    action = [typed] { return run_export(*typed); };
-  });
+      "share the folder, make one export; slurm reads I and N from the variables of a job array.",
+      [typed](const CommandWords& words) {
+        typed->words = words;
+        return run_export(*typed);
+      }};
 }
 
 }  // namespace polhode

@@ -7,7 +7,6 @@
 #include "physics/analysis/horizon.h"
 #include "render/scene/model/model.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -137,23 +136,22 @@ ExitCode show_info(const std::string& name, bool json) {
 
 }  // namespace
 
-void add_info(CLI::App& app, Action& action) {
+Command info_command() {
   struct Options {
     std::string lesson;
     bool json = false;
   };
-  CLI::App* command =
-      app.add_subcommand("info", "What each scene requires, the motion chosen, why, and its cost");
-  auto options = std::make_shared<Options>();
-  command->add_option("LESSON", options->lesson, "Id or file")->required()->option_text(" ");
-  command->add_flag("--json", options->json, "the same as JSON, costs in ns");
-  command->footer(
+  const auto options = std::make_shared<Options>();
+  return {
+      "info",
+      "What each scene requires, the motion chosen, why, and its cost",
+      {{"LESSON", &options->lesson, "Id or file", " ", true},
+       {"--json", &options->json, "the same as JSON, costs in ns"}},
       "Of a page of each stage's last scene: setup is the time to choose the motion and compute the\n"
       "parts required, call that of one evaluation at a time t; both measured now, medians. Horizon: how\n"
       "many polhode periods pass until rounding of the inputs alone moves the phase by 0.1 rad; none\n"
-      "without a period.");
-  command->callback(
-      [options, &action] { action = [options] { return show_info(options->lesson, options->json); }; });
+      "without a period.",
+      [options](const CommandWords&) { return show_info(options->lesson, options->json); }};
 }
 
 }  // namespace polhode

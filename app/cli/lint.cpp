@@ -10,7 +10,6 @@
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/type_check.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -106,21 +105,20 @@ ExitCode lint(const std::vector<std::string>& names, bool json) {
 
 }  // namespace
 
-void add_lint(CLI::App& app, Action& action) {
+Command lint_command() {
   struct Options {
     std::vector<std::string> files;
     bool json = false;
   };
-  CLI::App* command =
-      app.add_subcommand("lint", "Check lessons, prove claims; print file:line:column: error|warning: ...");
-  auto options = std::make_shared<Options>();
-  command->add_option("FILE", options->files, "Lesson files or ids")->required()->option_text("...");
-  command->add_flag("--json", options->json, "file, line, column, severity, message and hint as JSON");
-  command->footer(
+  const auto options = std::make_shared<Options>();
+  return {
+      "lint",
+      "Check lessons, prove claims; print file:line:column: error|warning: ...",
+      {{"FILE", &options->files, "Lesson files or ids", "...", true},
+       {"--json", &options->json, "file, line, column, severity, message and hint as JSON"}},
       "Exit code 3 if there is an error; warnings alone give 0. A lesson that takes more than 100 million\n"
-      "evaluations of the equations of motion to check, 5 to 10 s of one core, is an error too.");
-  command->callback(
-      [options, &action] { action = [options] { return lint(options->files, options->json); }; });
+      "evaluations of the equations of motion to check, 5 to 10 s of one core, is an error too.",
+      [options](const CommandWords&) { return lint(options->files, options->json); }};
 }
 
 }  // namespace polhode

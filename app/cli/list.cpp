@@ -5,7 +5,6 @@
 #include "app/cli/message.h"
 #include "base/printable.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -69,13 +68,13 @@ ExitCode list(bool json) {
 
 }  // namespace
 
-void add_list(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("list", "List the lessons");
-  auto json = std::make_shared<bool>(false);
-  command->add_flag("--json", *json, "id, title, path and number of stages as JSON");
-  command->footer(
-      "Lessons are the files ID.md in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons.");
-  command->callback([json, &action] { action = [json] { return list(*json); }; });
+Command list_command() {
+  const auto json = std::make_shared<bool>(false);
+  return {"list",
+          "List the lessons",
+          {{"--json", json.get(), "id, title, path and number of stages as JSON"}},
+          "Lessons are the files ID.md in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons.",
+          [json](const CommandWords&) { return list(*json); }};
 }
 
 }  // namespace polhode

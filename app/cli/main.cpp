@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/commands.h"
 #include "app/cli/message.h"
-#include "app/cli/usage.h"
-#include "app/export/picture_metadata.h"
 
-#include <CLI/CLI.hpp>
 #include <signal.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -21,22 +17,11 @@ ExitCode fail(ExitCode code, const char* text) {
 }
 
 ExitCode run(int argc, char** argv) {
-  CLI::App app("Lecture companion for the rotation of a rigid body.", "polhode");
-  Action action;
-  describe_program(app);
-  for (const auto add : {add_list, add_play, add_export, add_verify, add_lint, add_info, add_trace,
-                         add_measure, add_answer, add_compare})
-    add(app, action);
-
   try {
-    std::vector<std::string> words = with_answers_shielded(argc, argv);
-    words.erase(words.begin(), words.begin() + std::min<std::ptrdiff_t>(1, argc));
-    std::reverse(words.begin(), words.end());  // as the parser takes them
-    app.parse(std::move(words));
-    if (!action) throw CommandError(ExitCode::usage, "a command is needed; see: polhode --help");
-    return action();
-  } catch (const CLI::ParseError& error) {
-    return report(app, error);
+    return run_command_line(
+        {list_command(), play_command(), export_command(), verify_command(), lint_command(), info_command(),
+         trace_command(), measure_command(), answer_command(), compare_command()},
+        argc, argv);
   } catch (const CommandError& error) {
     return fail(error.code, error.what());
   } catch (const std::domain_error& error) {

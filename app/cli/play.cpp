@@ -9,7 +9,6 @@
 #include "app/window/window.h"
 #include "base/interrupt.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace polhode {
@@ -90,19 +89,19 @@ ExitCode play(const Options& options) {
 
 }  // namespace
 
-void add_play(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("play", "Walk through a lesson in a window");
-  auto options = std::make_shared<Options>();
-  command->add_option("LESSON", options->lesson, "Lesson file or id")->capture_default_str();
-  command->add_option("--stage", options->stage, "Begin at this stage, wherever you were");
-  command->add_flag("--watch", options->watch,
-                    "For authors: read the lesson again whenever its file changes");
-  command->footer(
+Command play_command() {
+  const auto options = std::make_shared<Options>();
+  return {
+      "play",
+      "Walk through a lesson in a window",
+      {{"LESSON", &options->lesson, "Lesson file or id"},
+       {"--stage", &options->stage, "Begin at this stage, wherever you were"},
+       {"--watch", &options->watch, "For authors: read the lesson again whenever its file changes"}},
       "Left and Right, or Page Up and Page Down as remote clickers send them, go through the steps,\n"
       "Up and Down through the stages; press ? in the window for all its keys. Place, answers and\n"
       "preferences are kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode. Without a display, see:\n"
-      "polhode export --help");
-  command->callback([options, &action] { action = [options] { return play(*options); }; });
+      "polhode export --help",
+      [options](const CommandWords&) { return play(*options); }};
 }
 
 }  // namespace polhode

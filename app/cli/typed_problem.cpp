@@ -3,11 +3,9 @@
 
 #include "app/cli/exit_codes.h"
 #include "app/cli/numbers.h"
-#include "app/cli/usage.h"
 #include "base/numbers.h"
 #include "physics/body/torque_text.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -42,18 +40,13 @@ const char* const kTorqueHelp =
     "Torques: space:x,y,z and body:x,y,z in N m, heavy:MGR,ax,ay,az (gravity along -z of space, MGR in\n"
     "N m, centre of mass along that body axis), damping:C in N m s, sink:C (energy lost at constant L).";
 
-void add_problem_options(CLI::App& command, TypedProblem& typed, bool required) {
-  const auto option = [&](const char* name, std::string& value, const char* form, const std::string& text) {
-    return command.add_option(name, value, text)->option_text(form)->check(refuse_empty);
-  };
+std::vector<CommandOption> problem_options(TypedProblem& typed, bool required) {
   const std::string mark = required ? " (required)" : "";
-  option("--inertia", typed.inertia, "I1,I2,I3", "principal moments in kg m^2" + mark)->required(required);
-  option("--omega", typed.omega, "w1,w2,w3", "angular velocity at t = 0 in rad/s, body axes" + mark)
-      ->required(required);
-  option("--attitude", typed.attitude, "w,x,y,z", "body to space at t = 0, quaternion (default: 1,0,0,0)");
-  command.add_option("--torque", typed.torques, "a torque, see below; repeat to add more (default: none)")
-      ->option_text("SPEC")
-      ->allow_extra_args(false);
+  return {
+      {"--inertia", &typed.inertia, "principal moments in kg m^2" + mark, "I1,I2,I3", required},
+      {"--omega", &typed.omega, "angular velocity at t = 0 in rad/s, body axes" + mark, "w1,w2,w3", required},
+      {"--attitude", &typed.attitude, "body to space at t = 0, quaternion (default: 1,0,0,0)", "w,x,y,z"},
+      {"--torque", &typed.torques, "a torque, see below; repeat to add more (default: none)", "SPEC"}};
 }
 
 Problem problem_from(const TypedProblem& typed) {

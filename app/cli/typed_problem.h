@@ -2,14 +2,11 @@
 // A body, its state and the torque on it, from the command line: what `trace` and `measure` share.
 #pragma once
 
+#include "app/cli/command_line.h"
 #include "physics/body/problem.h"
 
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace polhode {
 
@@ -19,8 +16,8 @@ struct TypedProblem {
   std::vector<std::string> torques;
 };
 
-/// --inertia, --omega, --attitude and --torque; `typed` must outlive the parser's run.
-void add_problem_options(CLI::App& command, TypedProblem& typed, bool required);
+/// --inertia, --omega, --attitude and --torque; `typed` must outlive the reading of the line.
+std::vector<CommandOption> problem_options(TypedProblem& typed, bool required);
 
 /// What the forms of --torque mean, for the end of the help.
 extern const char* const kTorqueHelp;

@@ -2,13 +2,11 @@
 // polhode verify: is an export whole, and what is missing, damaged or foreign?
 #include "app/cli/commands.h"
 #include "app/cli/or_fail.h"
-#include "app/cli/usage.h"
 #include "app/export/folder/export_folder.h"
 #include "app/export/folder/folder_check.h"
 #include "base/printable.h"
 #include "base/shell_line.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -82,22 +80,19 @@ ExitCode verify(const Options& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("verify", "Find what is missing, damaged or foreign in an export");
-  auto options = std::make_shared<Options>();
-  command->add_option("DIR", options->folder, "folder of an export")
-      ->required()
-      ->option_text(" ")
-      ->check(refuse_empty);
-  command->add_flag("--json", options->json,
-                    "the same as JSON: ok, files, missing, damaged, foreign, resume, ...");
-  command->footer(
+Command verify_command() {
+  const auto options = std::make_shared<Options>();
+  return {
+      "verify",
+      "Find what is missing, damaged or foreign in an export",
+      {{"DIR", &options->folder, "folder of an export", " ", true},
+       {"--json", &options->json, "the same as JSON: ok, files, missing, damaged, foreign, resume, ..."}},
       "Every file is read: its bytes have to be those that were written (sha256 in manifest.json), or in an\n"
       "unfinished export those of a whole picture of the plan. manifest.json itself is taken as it is. Then\n"
       "the command that makes the pictures whole is told. Films and decks beside them are passed over;\n"
       "nothing is drawn again to compare it. Left over is what killed processes left.\n"
-      "Exit code 0 if all is there and whole and nothing else, 4 if not, 1 if DIR cannot be read.");
-  command->callback([options, &action] { action = [options] { return verify(*options); }; });
+      "Exit code 0 if all is there and whole and nothing else, 4 if not, 1 if DIR cannot be read.",
+      [options](const CommandWords&) { return verify(*options); }};
 }
 
 }  // namespace polhode

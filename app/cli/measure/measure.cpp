@@ -11,14 +11,12 @@
 #include "app/cli/progress.h"
 #include "app/cli/trace/trace_motion.h"
 #include "app/cli/typed_problem.h"
-#include "app/cli/usage.h"
 #include "app/export/plot_file.h"
 #include "base/files/atomic_file.h"
 #include "base/spelling.h"
 #include "physics/analysis/characteristic_time.h"
 #include "render/scene/model/model.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -178,28 +176,27 @@ ExitCode measure(const TypedOptions& typed) {
 
 }  // namespace
 
-void add_measure(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("measure", "Speed against accuracy: of methods, or of pictures");
-  auto typed = std::make_shared<TypedOptions>();
-  const auto option = [&](const char* name, std::string& value, const char* form, const char* text) {
-    return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
+Command measure_command() {
+  const auto typed = std::make_shared<TypedOptions>();
+  Command command = {"measure",
+                     "Speed against accuracy: of methods, or of pictures",
+                     {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " "},
+                      {"--stage", &typed->stage, "the stage whose last scene is measured", "ID"}}};
+  const auto add = [&](const std::vector<CommandOption>& options) {
+    command.options.insert(command.options.end(), options.begin(), options.end());
   };
-  command->add_option("LESSON", typed->lesson, "Id or file, with --stage; or:")->option_text(" ");
-  option("--stage", typed->stage, "ID", "the stage whose last scene is measured");
-  add_problem_options(*command, typed->problem, false);
-  option("--periods", typed->periods, "N", "after N polhode periods; of none, of turns (default: 100)");
-  option("--tolerance", typed->tolerance, "E",
-         "recommend the cheapest with both errors at most E (pictures: rms)");
-  command->add_option("--method", typed->methods, "this method; repeat for more (default: all that serve)")
-      ->option_text("NAME")
-      ->allow_extra_args(false);
-  option("--seconds", typed->seconds, "S", "spend about S seconds of CPU time on it (default: 8)");
-  command->add_flag("--all", typed->all, "every row in the table");
-  option("--csv", typed->csv, "F", "write every row to this file as CSV");
-  option("--plot", typed->plot, "F.png", "draw the work-precision diagram, 1920x1080");
-  command->add_flag("--json", typed->json, "every row and the recommended one as JSON, instead of the table");
-  command->add_flag("--rendering", typed->rendering, "measure pictures instead: qualities against time");
-  command->footer(fmt::format(
+  add(problem_options(typed->problem, false));
+  add({{"--periods", &typed->periods, "after N polhode periods; of none, of turns (default: 100)", "N"},
+       {"--tolerance", &typed->tolerance, "recommend the cheapest with both errors at most E (pictures: rms)",
+        "E"},
+       {"--method", &typed->methods, "this method; repeat for more (default: all that serve)", "NAME"},
+       {"--seconds", &typed->seconds, "spend about S seconds of CPU time on it (default: 8)", "S"},
+       {"--all", &typed->all, "every row in the table"},
+       {"--csv", &typed->csv, "write every row to this file as CSV", "F"},
+       {"--plot", &typed->plot, "draw the work-precision diagram, 1920x1080", "F.png"},
+       {"--json", &typed->json, "every row and the recommended one as JSON, instead of the table"},
+       {"--rendering", &typed->rendering, "measure pictures instead: qualities against time"}});
+  command.footer = fmt::format(
       "{}\n"
       "Errors: at the end, of omega relative to its length, of attitude as an angle in rad, against the\n"
       "closed form; under a torque against a tight Dormand-Prince 8. Never said to be below what that\n"
@@ -210,8 +207,9 @@ void add_measure(CLI::App& app, Action& action) {
       "Steps are halved from a tenth of a period, tolerances divided by ten from 1e-3, until rounding ends\n"
       "the gain or the time is spent; what even with the longest cannot reach the end in time is left out.\n"
       "CPU time a period: median, from nothing to the state at the end.",
-      kTorqueHelp));
-  command->callback([typed, &action] { action = [typed] { return measure(*typed); }; });
+      kTorqueHelp);
+  command.run = [typed](const CommandWords&) { return measure(*typed); };
+  return command;
 }
 
 }  // namespace polhode

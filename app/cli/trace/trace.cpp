@@ -5,13 +5,11 @@
 #include "app/cli/trace/trace_motion.h"
 #include "app/cli/trace/trace_times.h"
 #include "app/cli/typed_problem.h"
-#include "app/cli/usage.h"
 #include "app/export/trace/trace_rows.h"
 #include "base/numbers.h"
 #include "physics/analysis/characteristic_time.h"
 #include "physics/analysis/horizon.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -122,31 +120,31 @@ ExitCode trace(const TypedOptions& typed) {
 
 }  // namespace
 
-void add_trace(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("trace", "Print the numbers of a motion as CSV or JSON");
-  auto typed = std::make_shared<TypedOptions>();
-  const auto option = [&](const char* name, std::string& value, const char* form, const char* text) {
-    return command->add_option(name, value, text)->option_text(form)->check(refuse_empty);
-  };
-  add_problem_options(*command, typed->problem, true);
-  option("--times", typed->times.times, "t1,t2,...", "these times in s, in this order");
-  option("--from", typed->times.from, "A", "or: from A s ...");
-  option("--to", typed->times.to, "B", "... to B s ...");
-  option("--every", typed->times.every, "D", "... every D s");
-  option("--periods", typed->times.periods, "P",
-         "or: over P polhode periods; of none, of turns 2 pi/|omega| ...");
-  option("--samples", typed->times.samples, "N", "... N rows, 2 or more, both ends included");
-  option("--method", typed->method.method, "NAME",
-         "see below (default: exact without torque, dormand-prince-8 with one)");
-  option("--step", typed->method.step, "H", "step in s, needed by methods with a fixed one");
-  option("--tolerance", typed->method.tolerance, "E", "of dormand-prince-5 and -8 (default: 1e-10)");
-  option("--format", typed->format, "csv|json", "form of the result (default: csv)");
-  command->footer(fmt::format(
+Command trace_command() {
+  const auto typed = std::make_shared<TypedOptions>();
+  Command command = {"trace", "Print the numbers of a motion as CSV or JSON",
+                     problem_options(typed->problem, true)};
+  command.options.insert(
+      command.options.end(),
+      {{"--times", &typed->times.times, "these times in s, in this order", "t1,t2,..."},
+       {"--from", &typed->times.from, "or: from A s ...", "A"},
+       {"--to", &typed->times.to, "... to B s ...", "B"},
+       {"--every", &typed->times.every, "... every D s", "D"},
+       {"--periods", &typed->times.periods, "or: over P polhode periods; of none, of turns 2 pi/|omega| ...",
+        "P"},
+       {"--samples", &typed->times.samples, "... N rows, 2 or more, both ends included", "N"},
+       {"--method", &typed->method.method,
+        "see below (default: exact without torque, dormand-prince-8 with one)", "NAME"},
+       {"--step", &typed->method.step, "step in s, needed by methods with a fixed one", "H"},
+       {"--tolerance", &typed->method.tolerance, "of dormand-prince-5 and -8 (default: 1e-10)", "E"},
+       {"--format", &typed->format, "form of the result (default: csv)", "csv|json"}});
+  command.footer = fmt::format(
       "{}\n{}\n"
       "Columns: t in s; w1 w2 w3 in rad/s, body axes; qw qx qy qz body to space; T in J; L = |L|;\n"
       "Lx Ly Lz in kg m^2/s, space axes. 17 significant digits.",
-      kMethodHelp, kTorqueHelp));
-  command->callback([typed, &action] { action = [typed] { return trace(*typed); }; });
+      kMethodHelp, kTorqueHelp);
+  command.run = [typed](const CommandWords&) { return trace(*typed); };
+  return command;
 }
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The command line as a user meets it: help, versions, mistakes, streams and exit codes.
-#include "app/cli/usage.h"
+#include "app/cli/command_line.h"
 
 #include "physics/method.h"
 #include "tests/app/run_program.h"
