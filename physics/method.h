@@ -1,59 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The methods that follow a rigid body in time: what each is called, serves, costs and keeps, and the motion
-// it makes. The only place where a method's name meets its code; source and formulas stand in the header of
-// each method.
+// The motion of a rigid body by the method of one's choice: which methods serve a problem, and the motion
+// each makes. The only place where a method's name meets its code; source and formulas stand in the header of
+// each method, what it is called and keeps in method_facts.h.
 #pragma once
 
 #include "physics/body/problem.h"
 #include "physics/effort.h"
+#include "physics/method_facts.h"
 #include "physics/motion.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace polhode {
-
-enum class Method {
-  exact,  ///< the best closed form there is for the body: uniform, symmetric or asymmetric
-  uniform,
-  symmetric,
-  explicit_euler,
-  explicit_midpoint,
-  rk4,
-  rk4_projected,
-  splitting,
-  implicit_midpoint,
-  implicit_midpoint_exp,
-  moser_veselov_2,
-  moser_veselov_6,
-  moser_veselov_10,
-  dormand_prince_5,
-  dormand_prince_8,
-};
-
-enum class StepControl { none, fixed, adaptive };  ///< none: closed form
-enum class ServedTorque { none, of_attitude, any };
-
-struct MethodFacts {
-  Method method;
-  std::string_view name;  ///< as in `--method`: "rk4"
-  std::string_view term;  ///< as in prose: "classical Runge-Kutta"
-  StepControl control;
-  ServedTorque torque;
-  int order;               ///< of the error in the step; 0: exact. Under a torque `splitting` and
-                           ///< `moser_veselov_*` are of order 2
-  std::string_view keeps;  ///< what it keeps of the free body beyond its order, "nothing" if so
-};
-
-std::span<const MethodFacts> all_methods();
-const MethodFacts& facts_of(Method method);
-std::string_view name_of(Method method);
-std::optional<Method> method_from(std::string_view name);
-const std::vector<std::string>& method_names();
 
 /// Why the method cannot serve this problem, or nothing if it can.
 std::optional<std::string> why_not(Method method, const Problem& problem);
@@ -62,8 +24,6 @@ std::vector<std::string> serving_methods(const Problem& problem);
 
 /// exact without torque, else dormand_prince_8.
 Method default_method(const Problem& problem);
-
-inline constexpr double kDefaultTolerance = 1e-10;
 
 struct MethodChoice {
   Method method = Method::exact;

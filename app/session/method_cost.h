@@ -5,6 +5,7 @@
 
 #include "physics/analysis/motion_errors.h"
 #include "physics/analysis/work_precision.h"
+#include "physics/method.h"
 #include "render/scene/model/model.h"
 
 #include <atomic>

@@ -6,6 +6,7 @@
 #include "physics/analysis/characteristic_time.h"
 #include "physics/analysis/conditioning.h"
 #include "physics/analysis/motion_errors.h"
+#include "physics/method.h"
 
 #include <algorithm>
 #include <cmath>

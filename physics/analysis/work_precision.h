@@ -10,7 +10,8 @@
 #pragma once
 
 #include "base/result.h"
-#include "physics/method.h"
+#include "physics/body/problem.h"
+#include "physics/method_facts.h"
 
 #include <cstdint>
 #include <functional>

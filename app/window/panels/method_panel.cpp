@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "physics/method.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // How the curves of methods look in plots.
 #pragma once
 
-#include "physics/method.h"
+#include "physics/method_facts.h"
 #include "render/drawing/plots/plot.h"
 
 namespace polhode {

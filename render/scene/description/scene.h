@@ -5,7 +5,7 @@
 
 #include "physics/body/bodies.h"
 #include "physics/body/torque.h"
-#include "physics/method.h"
+#include "physics/method_facts.h"
 #include "render/scene/description/meter.h"
 #include "render/scene/description/overlay.h"
 

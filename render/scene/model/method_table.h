@@ -4,7 +4,9 @@
 #pragma once
 
 #include "physics/analysis/motion_errors.h"
-#include "physics/method.h"
+#include "physics/body/problem.h"
+#include "physics/effort.h"
+#include "physics/method_facts.h"
 
 #include <cstdint>
 #include <vector>

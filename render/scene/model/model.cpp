@@ -35,9 +35,9 @@ Quat turn_half_about_x() { return Quat(0.0, 1.0, 0.0, 0.0); }
 /// comes first, so that the result is defined and continuous also for opposite directions.
 Quat align(const Vec3& from_B, const Vec3& to_S) {
   if (from_B.isZero(0.0)) return Quat::Identity();
-  if (from_B.dot(to_S) >= 0.0) return Quat::FromTwoVectors(from_B, to_S);
+  if (from_B.dot(to_S) >= 0.0) return shortest_rotation(from_B, to_S);
   const Quat half = turn_half_about_x();
-  return Quat::FromTwoVectors(half * from_B, to_S) * half;
+  return shortest_rotation(half * from_B, to_S) * half;
 }
 
 /// A vector along L, whatever the units: |L| itself may be out of range.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/method_table.h"
 
+#include "physics/method.h"
 #include "render/scene/model/model.h"
 
 #include <gtest/gtest.h>
