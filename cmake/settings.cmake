@@ -12,14 +12,31 @@ endif()
 find_program(POLHODE_CCACHE ccache)
 if(POLHODE_CCACHE)
   # Paths relative to the source folder: a fresh clone finds what another clone has compiled.
+  # What it asks of precompiled headers: ccache(1), "Precompiled headers".
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
-                                  ${POLHODE_CCACHE})
+                                  CCACHE_SLOPPINESS=pch_defines,time_macros ${POLHODE_CCACHE})
 endif()
+
+# Most of what the compiler reads in a file of ours are headers of the standard library and of Eigen. They are read once for
+# all rooms, with those of some libraries once for the rooms that use these, with GoogleTest once for all tests. Our own files
+# include what they use all the same: the preset clang builds without.
+option(POLHODE_PRECOMPILE "Read headers of libraries once for all files" ON)
+set(polhode_common_headers <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <numeric>
+    <optional> <set> <span> <sstream> <string> <string_view> <tuple> <unordered_map> <utility> <variant> <vector> <Eigen/Core>
+    <Eigen/Geometry>)
 
 add_library(polhode_settings INTERFACE)
 target_include_directories(polhode_settings INTERFACE ${PROJECT_SOURCE_DIR})
 # No contraction to fused multiply-add: Debug and Release, GCC and Clang give the same numbers.
 target_compile_options(polhode_settings INTERFACE -ffp-contract=off)
+if(POLHODE_CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(polhode_settings INTERFACE -fpch-preprocess)
+endif()
+# With precompiled headers GCC no longer knows std::string for a header of the system, and takes "text" + std::string for an
+# overflow (GCC bug 105651).
+if(POLHODE_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(polhode_settings INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
+endif()
 if(POLHODE_WARNINGS_AS_ERRORS)
   target_compile_options(polhode_settings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 endif()
@@ -31,8 +48,30 @@ if(POLHODE_SANITIZE)
   target_compile_options(polhode_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
-# polhode_layer(NAME sources... ) : a room of ARCHITECTURE.md as a static library.
+# polhode_precompile(NAME HEADERS... LIBRARIES...): the common headers and these, for polhode_precompiled.
+function(polhode_precompile name)
+  cmake_parse_arguments(ARG "" "" "HEADERS;LIBRARIES" ${ARGN})
+  if(POLHODE_PRECOMPILE)
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "" @ONLY)
+    add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+    target_link_libraries(${name} PRIVATE polhode_settings PUBLIC ${ARG_LIBRARIES})
+    target_precompile_headers(${name} PRIVATE ${polhode_common_headers} ${ARG_HEADERS})
+  endif()
+endfunction()
+
+# polhode_precompiled(TARGET NAME): its files begin with those headers. With the libraries come their macros, which have to
+# be the same.
+function(polhode_precompiled target name)
+  if(POLHODE_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${name})
+    get_target_property(libraries ${name} INTERFACE_LINK_LIBRARIES)
+    target_link_libraries(${target} PRIVATE ${libraries})
+  endif()
+endfunction()
+
+# polhode_layer(NAME sources... ) : a room of ARCHITECTURE.md as a static library. POLHODE_PRECOMPILED names its headers.
 function(polhode_layer name)
   add_library(${name} STATIC ${ARGN})
   target_link_libraries(${name} PUBLIC polhode_settings)
+  polhode_precompiled(${name} ${POLHODE_PRECOMPILED})
 endfunction()

@@ -279,7 +279,7 @@ Status make_folder(const fs::path& folder) {
 }
 
 ExportIdentity identity_of(const LoadedLesson& loaded, const ExportOptions& options) {
-  return {loaded.lesson.id, loaded.sha256, to_json(options)};
+  return {loaded.lesson.id, loaded.sha256, options_json(options)};
 }
 
 Outcome<PicturesMade> make_pictures(const PictureExport& e, const TellProgress& tell,

@@ -2,6 +2,7 @@
 #include "app/session/answer_log.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

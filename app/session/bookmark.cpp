@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/bookmark.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <stdexcept>
 

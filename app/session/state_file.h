@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <sys/file.h>
 
 #include <chrono>

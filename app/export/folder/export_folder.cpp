@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -50,20 +51,21 @@ Failure<std::string> refuse(const fs::path& folder, const std::string& what) {
 Status may_join(const fs::path& folder, const ExportIdentity& there, const ExportIdentity& mine,
                 bool finished) {
   const char* an_export = finished ? "an export" : "an unfinished export";
-  if (there.options != mine.options) {
-    if (without_frames(there.options) != without_frames(mine.options))
+  const Json options_there = Json::parse(there.options), my_options = Json::parse(mine.options);
+  if (options_there != my_options) {
+    if (without_frames(options_there) != without_frames(my_options))
       return refuse(folder, fmt::format("{} made with other options ({})", an_export,
                                         first_difference(there.options, mine.options)));
     if (!finished)
-      return refuse(folder, fmt::format("an unfinished export of {}", words_of_frames(there.options)));
+      return refuse(folder, fmt::format("an unfinished export of {}", words_of_frames(options_there)));
   }
   if (there.lesson_sha256 != mine.lesson_sha256)
     return refuse(folder, fmt::format("{} of another lesson text", an_export));
-  if (!among(there.options, mine.options))
+  if (!among(options_there, my_options))
     return failure(
         fmt::format("{} holds {} of this selection; to add to them, export a range with them in it "
                     "and --skip-existing, or {}",
-                    folder.string(), words_of_frames(there.options), kAdvice));
+                    folder.string(), words_of_frames(options_there), kAdvice));
   return success();
 }
 
@@ -71,7 +73,7 @@ Json marker_json(const Marker& marker) {
   Json json;
   json["format"] = 1;
   json["lesson"] = {{"id", marker.of.lesson_id}, {"sha256", marker.of.lesson_sha256}};
-  json["options"] = marker.of.options;
+  json["options"] = Json::parse(marker.of.options);
   json["renderer"] = marker.renderer;
   json["resume"] = marker.resume;
   json["files"] = marker.files;

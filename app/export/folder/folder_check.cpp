@@ -12,6 +12,7 @@
 #include "render/image/png_summary.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>

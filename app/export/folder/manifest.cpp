@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -73,6 +74,9 @@ std::string indented(const Json& json, const std::string& by) {
   return by + text;
 }
 
+/// In one line.
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 /// Counts the files of a manifest and forgets them.
 class FileCounter {
  public:
@@ -93,7 +97,7 @@ class FileCounter {
 
 }  // namespace
 
-Json to_json(const ExportOptions& options) {
+std::string options_json(const ExportOptions& options) {
   const bool film = options.each == Each::frame;
   const bool picture = options.what != What::transcript;
   const bool sized = picture && options.what != What::equation;
@@ -115,14 +119,14 @@ Json to_json(const ExportOptions& options) {
   if (options.text_scale != 1.0) json["text_size"] = options.text_scale;
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
   json["png"] = picture ? Json(options.png == PngPacking::small ? "small" : "fast") : Json(nullptr);
-  return json;
+  return dumped(json);
 }
 
 std::string manifest_head(const ExportIdentity& of, const std::string& renderer) {
   Json json;
   json["format"] = 1;
   json["lesson"] = {{"id", of.lesson_id}, {"sha256", of.lesson_sha256}};
-  json["options"] = of.options;
+  json["options"] = Json::parse(of.options);
   json["renderer"] = renderer;
   std::string text = json.dump(1, ' ', false, Json::error_handler_t::replace);
   text.resize(text.size() - 2);  // "\n}": the object goes on
@@ -150,7 +154,7 @@ Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem:
   };
   if (!whole) return failure(path.string() + " is not a manifest of polhode");
   return std::optional(
-      ManifestSummary{{text(json["lesson"], "id"), text(json["lesson"], "sha256"), json["options"]},
+      ManifestSummary{{text(json["lesson"], "id"), text(json["lesson"], "sha256"), dumped(json["options"])},
                       text(json, "renderer"),
                       counter.count()});
 }
@@ -173,16 +177,14 @@ Result<Checksums> checksums_in_manifest(const std::filesystem::path& path) {
   return checksums;
 }
 
-std::string first_difference(const Json& there, const Json& here) {
+std::string first_difference(const std::string& options_there, const std::string& options_here) {
+  const Json there = Json::parse(options_there), here = Json::parse(options_here);
   for (const auto& [name, value] : here.items()) {
-    const Json old = there.is_object() && there.contains(name) ? there[name] : Json(nullptr);
-    if (old != value)
-      return fmt::format("{} is {} there and {} here", name,
-                         old.dump(-1, ' ', false, Json::error_handler_t::replace), value.dump());
+    const Json old = there.contains(name) ? there[name] : Json(nullptr);
+    if (old != value) return fmt::format("{} is {} there and {} here", name, dumped(old), dumped(value));
   }
   for (const auto& [name, value] : there.items())
-    if (!here.contains(name))
-      return fmt::format("{} is {} there", name, value.dump(-1, ' ', false, Json::error_handler_t::replace));
+    if (!here.contains(name)) return fmt::format("{} is {} there", name, dumped(value));
   return "it knows other options";
 }
 

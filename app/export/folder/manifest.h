@@ -6,8 +6,6 @@
 #include "app/export/export_plan.h"
 #include "base/result.h"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 #include <map>
 #include <string>
@@ -35,7 +33,7 @@ struct ManifestFile {
 struct ExportIdentity {
   std::string lesson_id;
   std::string lesson_sha256;
-  nlohmann::ordered_json options;
+  std::string options;  ///< as options_json writes them
 };
 
 /// Format 1 of manifests, in pieces, so that a long one is never held whole: the head, a comma between two
@@ -62,14 +60,15 @@ using Checksums = std::map<std::string, std::string>;
 Result<Checksums> checksums_in_manifest(const std::filesystem::path& path);
 
 /// "size is 640x360 there and 1280x720 here", of the first option that differs.
-std::string first_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here);
+std::string first_difference(const std::string& options_there, const std::string& options_here);
 
 inline constexpr std::string_view kBetweenRenderers = " | ";
 /// The drivers that drew parts of an export, each once, in the order of the alphabet.
 std::string join_renderers(const std::vector<std::string>& renderers);
 
-/// The options as a manifest keeps them; those without effect on this kind of export are null.
-nlohmann::ordered_json to_json(const ExportOptions& options);
+/// The options as a manifest keeps them, a JSON object in one line; those without effect on this kind of
+/// export are null.
+std::string options_json(const ExportOptions& options);
 
 /// TeX of the equations a stage shows at a step (1-based): those of the steps up to it.
 std::vector<std::string> tex_shown(const Stage& stage, int step);

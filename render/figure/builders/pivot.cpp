@@ -56,7 +56,7 @@ void add_stand(DrawList& list) {
 void add_axle(const Vec3& axis_V, double far, DrawList& list) {
   constexpr double kRadius = 0.022;
   add_revolved({{0.0, -0.1}, {kRadius, -0.1}, {kRadius, far}, {0.0, far}},
-               Quat::FromTwoVectors(Vec3::UnitZ(), axis_V), kSteel, list);
+               shortest_rotation(Vec3::UnitZ(), axis_V), kSteel, list);
 }
 
 }  // namespace

@@ -136,7 +136,7 @@ void turn_and_move(Part& part, const Quat& q, const Vec3& by) {
 /// A bar of a T-handle: a cylinder turned from axis 3 to lie along `axis`.
 Part bar(double diameter, double length, const Vec3& axis, const Vec3& center) {
   Part part = cylinder(0.5 * Vec3(diameter, diameter, length));
-  turn_and_move(part, Quat::FromTwoVectors(Vec3::UnitZ(), axis), center);
+  turn_and_move(part, shortest_rotation(Vec3::UnitZ(), axis), center);
   return part;
 }
 

@@ -2,6 +2,7 @@
 #include "tests/app/publish/browser.h"
 
 #include <fcntl.h>
+#include <nlohmann/json.hpp>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>

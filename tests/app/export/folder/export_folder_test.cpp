@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 ExportIdentity identity(const ExportOptions& options = {}, const char* sha256 = "abc") {
-  return {"tiny", sha256, to_json(options)};
+  return {"tiny", sha256, options_json(options)};
 }
 
 ExportOptions frames(std::int64_t begin, std::int64_t end) {
