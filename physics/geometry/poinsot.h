@@ -48,7 +48,7 @@ double invariable_plane_distance(const PrincipalMoments& I, const Vec3& w_B);
 /// the motion. A steady state gives one point (closed = false); a separatrix state its branch's whole
 /// ellipse, on which the motion runs from one end of the intermediate axis to the other along both halves.
 /// The same points for every w_B of a polhode, but for rounding.
-Curve polhode(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance);
+Curve polhode_curve(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance);
 
 struct PolhodeOfFamily {
   double L2_over_2T;            ///< kg m², between I_min and I_max
