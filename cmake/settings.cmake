@@ -31,8 +31,9 @@ if(POLHODE_SANITIZE)
   target_compile_options(polhode_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
-# polhode_layer(NAME sources... ) : a room of ARCHITECTURE.md as a static library.
+# polhode_layer(NAME sources... ) : a room of ARCHITECTURE.md as a static library. What is installed of it leaves our
+# settings behind: they are for our own compilers.
 function(polhode_layer name)
   add_library(${name} STATIC ${ARGN})
-  target_link_libraries(${name} PUBLIC polhode_settings)
+  target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:polhode_settings>)
 endfunction()
