@@ -69,9 +69,10 @@ function(polhode_precompiled target name)
   endif()
 endfunction()
 
-# polhode_layer(NAME sources... ) : a room of ARCHITECTURE.md as a static library. POLHODE_PRECOMPILED names its headers.
+# polhode_layer(NAME sources... ) : a room of ARCHITECTURE.md as a static library. What is installed of it leaves our
+# settings behind: they are for our own compilers. POLHODE_PRECOMPILED names the headers its files begin with.
 function(polhode_layer name)
   add_library(${name} STATIC ${ARGN})
-  target_link_libraries(${name} PUBLIC polhode_settings)
+  target_link_libraries(${name} PUBLIC $<BUILD_INTERFACE:polhode_settings>)
   polhode_precompiled(${name} ${POLHODE_PRECOMPILED})
 endfunction()

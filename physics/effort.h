@@ -9,10 +9,10 @@
 
 namespace polhode {
 
-/// Told how many evaluations of the right-hand side were made since it was last told, every few milliseconds
-/// at least and from whatever thread makes them. What it throws comes out of the call that wanted them.
-/// The answers are the same as if it had not been stopped; ground that was gained is kept, so that to ask
-/// again is to go on. Empty: nobody wants to know.
+/// Called every few milliseconds at least, with the number of evaluations of the right-hand side made since
+/// the last call, and on the thread that made them. What it throws comes out of the call of Motion::at that
+/// needed the evaluations. The motion stays good: it keeps the steps it has made, the next call goes on from
+/// there, and the answers are those of a motion that was never stopped. Empty: nobody wants to know.
 using Effort = std::function<void(std::int64_t evaluations)>;
 
 inline void spend(const Effort& effort, std::int64_t evaluations) {
@@ -24,8 +24,8 @@ struct BudgetSpent : std::runtime_error {
   BudgetSpent() : std::runtime_error("more evaluations than the budget has") {}
 };
 
-/// So many evaluations and no more: a count and no time, so that it ends at the same place on every machine.
-/// For one thread.
+/// Allows so many evaluations and no more. It counts evaluations, not seconds, so that it ends at the same
+/// place on every machine. For one thread.
 class Budget {
  public:
   explicit Budget(std::int64_t evaluations) : left_(evaluations) {}

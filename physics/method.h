@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The motion of a rigid body by the method of one's choice: which methods serve a problem, and the motion
-// each makes. The only place where a method's name meets its code; source and formulas stand in the header of
-// each method, what it is called and keeps in method_facts.h.
+// each makes. The only place where a method's name meets its code. What methods are called and keep stands in
+// method_facts.h, sources and formulas in the header of each method, physics/exact/ and physics/integrators/.
 #pragma once
 
 #include "physics/body/problem.h"
@@ -27,20 +27,22 @@ Method default_method(const Problem& problem);
 
 struct MethodChoice {
   Method method = Method::exact;
-  std::optional<double> step_s = {};  ///< of fixed-step methods: required, finite, > 0
-  std::optional<double> tolerance =
-      {};  ///< of adaptive methods, 0 < tolerance < 1; absent: kDefaultTolerance
-  std::optional<std::int64_t> max_steps = {};  ///< of adaptive methods; absent: as many as they make at most
+  /// For methods with a fixed step, which require it: finite, > 0.
+  std::optional<double> step_s = {};
+  /// For adaptive methods: what one step may add to the error, ω relative and q absolute; 0 < tolerance < 1.
+  /// Absent: kDefaultTolerance.
+  std::optional<double> tolerance = {};
+  /// For adaptive methods: times that take more steps are not computed. Absent: 2·10⁷, some seconds.
+  std::optional<std::int64_t> max_steps = {};
 };
 
 /// @throws std::domain_error with the reason: state or torque not finite, why_not (naming the methods that
-/// can serve), step missing, step or tolerance out of range, or given to a method that has none. What an
-/// integrator costs is told to `effort`; a closed form tells nothing.
+/// can serve), step missing, step or tolerance out of range, or given to a method that has none. `effort` is
+/// told what an integrator costs; a closed form costs too little to be told.
 std::unique_ptr<const Motion> make_motion(const Problem& problem, const MethodChoice& choice,
                                           const Effort& effort = {});
 
-/// Why the motion has no state at t_s, where it has none: "its numbers overflow: the step is too long".
-/// Speaks of a torque only where there is one.
+/// For people: why motion.at(t_s) is NaN, where it is, such as "its numbers overflow: the step is too long".
 std::string why_no_state(const Motion& motion, const Problem& problem, double t_s);
 
 }  // namespace polhode

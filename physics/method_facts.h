@@ -37,8 +37,8 @@ enum class ServedTorque { none, of_attitude, any };
 
 struct MethodFacts {
   Method method;
-  std::string_view name;  ///< as in `--method`: "rk4"
-  std::string_view term;  ///< as in prose: "classical Runge-Kutta"
+  std::string_view name;  ///< for machines: "rk4"
+  std::string_view term;  ///< for readers: "classical Runge-Kutta"
   StepControl control;
   ServedTorque torque;
   int order;               ///< of the error in the step; 0: exact. Under a torque `splitting` and

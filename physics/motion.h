@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A motion of a rigid body as a function of time.
 //
-// Closed forms: uniform_motion.h (steady rotation), symmetric_motion.h (two equal moments),
-// asymmetric_motion.h. Step by step: the integrators of method.h, which makes a motion by its name.
+// Closed forms: steady rotation, two equal moments, three different ones (physics/exact/). Step by step: the
+// integrators. method.h makes a motion of either kind by its name.
 #pragma once
 
 #include "physics/body/state.h"
@@ -17,8 +17,7 @@ namespace polhode {
 
 /// Pure and random-access: at(t) depends on the motion and t alone, never on the times asked before; any sign
 /// of t; safe to call from several threads. Never throws once constructed, except for lack of memory and what
-/// its Effort throws (effort.h). At times it cannot reach (see the implementation) every component of the
-/// answer is NaN.
+/// its Effort throws (effort.h). At a time that it cannot reach, every component of the answer is NaN.
 class Motion {
  public:
   virtual ~Motion() = default;
@@ -37,17 +36,18 @@ class Motion {
   /// The longest |t| that is computed, s; beyond it the answer is NaN.
   virtual double max_time_s() const { return std::numeric_limits<double>::infinity(); }
 
-  /// Where at(t_s) is NaN: whether that is because t_s takes more steps than are made. If not, ω overflows.
+  /// Why at(t_s) is NaN, where it is: true if the way to t_s takes more steps than the motion makes, false if
+  /// ω overflows on it.
   virtual bool is_too_far(double t_s) const { return std::abs(t_s) > max_time_s(); }
 
-  /// Evaluations of the right-hand side (of a closed form: of the formula) that a path from the start to t_s
-  /// takes when nothing is known yet.
+  /// Evaluations of the right-hand side that the way from the start to t_s takes where nothing of it is known
+  /// yet; for a closed form 1, the formula.
   virtual std::int64_t evaluations_to(double t_s) const {
     static_cast<void>(t_s);
     return 1;
   }
 
-  /// The field's term for the method, as in `--method`: "uniform", "symmetric", "rk4", ...
+  /// The method's name in the table of method.h: "uniform", "symmetric", "rk4", ...
   virtual std::string_view method() const = 0;
 };
 

@@ -2,15 +2,16 @@
 // How far ahead a motion can be predicted from numbers in double, whatever the method.
 //
 // After n periods the phase is 2πn P₀/P: a relative change δ_x of the input x moves it by 2πn Σ |∂ln P/∂ln x|
-// |δ_x|. Without a polhode period the angle turned takes the place of the phase. With the constants of
-// polhode_constants.h, ln P = ln 4K − ln λ, and (DLMF 19.4.1, 19.2.11)
+// |δ_x|. Without a polhode period the angle turned takes the place of the phase. P = 4K(k)/λ; with b the
+// intermediate axis, c the one whose ω never changes sign, a the third, d_ca = |I_c − I_a| and so on, k' the
+// complementary modulus and D = L² − 2T I_b (DLMF 19.4.1, 19.2.11)
 //
 //     d ln K/d ln k' = −B(k)/K(k),   B = ∫₀^{π/2} cos²θ dθ/√(1 − k² sin²θ) = cel(k', 1, 1, 0),
 //     ln k' = ½ ln(|D| d_ca/d_cb) − ln R,   ln λ = ln R + ½ ln(d_cb/(I_a I_b I_c)),
 //     R² = I_b d_ba ω_b² + I_c d_ca ω_c²,   D = ±(I_c d_cb ω_c² − I_a d_ba ω_a²),
 //
-// so near the separatrix, at relative distance δ, the number grows as 1/δ: a property of the motion,
-// which no method can better.
+// so near the separatrix, at relative distance δ, the number grows as 1/δ. That is a property of the motion;
+// no method can do better.
 #pragma once
 
 #include "physics/body/principal_moments.h"
@@ -29,13 +30,13 @@ struct Conditioning {
   double horizon_periods(double phase_rad) const;
 };
 
-/// Of torque-free motion. The period is that of the polhode; of a symmetric body that of ω about its axis; in
-/// steady rotation a turn. Nothing at rest, and on the separatrix, which has no period. Relative accuracy
-/// 10⁻¹².
+/// Conditioning of torque-free motion. The period is that of the polhode; of a symmetric body that of ω about
+/// its axis; in steady rotation the time of a turn. Nothing at rest, and on the separatrix, which has no
+/// period. Relative accuracy 10⁻¹². Under 1 µs.
 std::optional<Conditioning> conditioning(const PrincipalMoments& I, const Vec3& w_B);
 
-/// What the closed forms of torque-free motion (uniform, symmetric, asymmetric) are good to after the time t:
-/// no less than |Δω|/|ω| and than the angle of Δq in rad,
+/// A bound on the error of the closed forms of torque-free motion (uniform, symmetric, asymmetric) after the
+/// time t, both on |Δω|/|ω| and on the angle of Δq in rad:
 ///
 ///     ε (4 + 5 (|ω| + |L|/I₂) |t| + κ|t|/P),     ε = 2⁻⁵³, I₂ the middle moment, κ = phase_per_period, P the
 ///                                                period (without one the last term is 0).

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How far a computed motion is from the true one, and how well it keeps what is to be kept.
 //
-// T and |L| kept does not mean L kept in space, nor the phase: each is measured for itself.
+// A motion that keeps T and |L| need not keep the direction of L in space, nor the phase: each is measured
+// for itself.
 #pragma once
 
 #include "physics/body/problem.h"

@@ -52,7 +52,7 @@ Result<Reference> checked_reference(const Problem& problem, double end_s, std::i
   const bool is_answer = reference.own.omega < kNoAnswer && reference.own.attitude_rad < kNoAnswer;
   if (!has_end || !is_finite(reference.end) || !is_answer)
     return failure("the motion cannot be computed to its end at " + digits(end_s, 6) +
-                   " s: torque or time is too large; give fewer --periods, or more --seconds");
+                   " s: torque or time is too large; take fewer periods, or allow more seconds");
   return reference;
 }
 
@@ -236,7 +236,7 @@ Result<WorkPrecision> measure_work_precision(const Problem& problem, const WorkP
   WorkPrecision found;
   found.reference_error = measurement.reference_error();
   for (std::size_t i = 0; i < plan.methods.size(); ++i) {
-    progress(i);
+    if (progress) progress(i);
     const double left_s = std::max(0.0, plan.cpu_seconds - (cpu_time_s() - start_s));
     const auto rows = measurement.rows_of(plan.methods[i], left_s / double(plan.methods.size() - i));
     if (rows.empty()) found.out_of_reach.push_back(plan.methods[i]);

@@ -3,10 +3,10 @@
 // periods, over a range of steps or tolerances.
 //
 // Error: at the end, against the closed form, whose own error is closed_form_error; under a torque against
-// Dormand-Prince 8(5,3) at kReferenceTolerance, whose own is estimated by the next looser tolerance. No row
-// is said to be better than that, the reference itself among them. Drift: the largest over kDriftSamples
-// times. Cost: CPU time of this thread, from making the motion to its state at the end, median of repeats; of
-// long ones a single run.
+// Dormand-Prince 8(5,3) at kReferenceTolerance, whose own is estimated by the next looser tolerance. No error
+// is given as less than the reference's own, not even that of the reference method itself. Drift: the largest
+// over kDriftSamples times. Cost: CPU time of this thread, from making the motion to its state at the end;
+// median of repeats, of long runs a single one.
 #pragma once
 
 #include "base/result.h"
@@ -41,25 +41,25 @@ struct WorkPrecisionRow {
 };
 
 struct WorkPrecisionPlan {
-  double period_s = 1;          ///< what is counted, > 0
+  double period_s = 1;          ///< unit of time in which is counted, > 0; characteristic_time, say
   double periods = 100;         ///< > 0
   std::vector<Method> methods;  ///< those that serve the problem; in this order
-  double cpu_seconds = 8;       ///< about; ends a method's row of steps
-  int most_settings = 40;       ///< of one method
+  double cpu_seconds = 8;       ///< about what the whole measurement may take
+  int most_settings = 40;       ///< steps or tolerances of one method
 };
 
 struct WorkPrecision {
   std::vector<WorkPrecisionRow> rows;  ///< method by method, long steps and loose tolerances first
-  double reference_error = 0;          ///< its own, estimated: the larger of ω and attitude
-  std::vector<Method> out_of_reach;    ///< methods without a row: too many steps for the time, even if long
+  double reference_error = 0;          ///< error of the reference itself: the larger of ω and attitude
+  std::vector<Method> out_of_reach;    ///< methods without a row: even long steps are too many for the time
 };
 
 /// Steps are halved from a tenth of a period (from less, where ω turns faster than that), tolerances divided
-/// by ten from 1e-3, until rounding stops the fall of both errors, or the time is spent. `progress` is called
-/// before each method with its place in the plan.
+/// by ten from 1e-3, until rounding stops the fall of both errors, or the time is spent. `progress`, if there
+/// is one, is called before each method with its place in the plan.
 /// The error: the reference cannot be computed. @throws what `progress` throws
 Result<WorkPrecision> measure_work_precision(const Problem& problem, const WorkPrecisionPlan& plan,
-                                             const std::function<void(std::size_t)>& progress);
+                                             const std::function<void(std::size_t)>& progress = {});
 
 /// An error of this much, relative or in rad, is no answer.
 inline constexpr double kNoAnswer = 0.1;
@@ -68,14 +68,13 @@ inline constexpr double kNoAnswer = 0.1;
 /// answer is never on it.
 std::vector<bool> pareto_front(std::span<const WorkPrecisionRow> rows);
 
-/// The same among the rows of methods that go step by step: a closed form, where there is one, beats them
-/// all.
+/// The front among the rows of integrators alone: a closed form, where there is one, beats them all.
 std::vector<bool> front_step_by_step(std::span<const WorkPrecisionRow> rows);
 
-/// It is no closed form.
+/// Whether the method is an integrator and no closed form.
 bool goes_step_by_step(Method method);
 
-/// The fastest row with both errors ≤ tolerance.
+/// Index of the fastest row with both errors ≤ tolerance; nothing if none has.
 std::optional<std::size_t> cheapest_within(std::span<const WorkPrecisionRow> rows, double tolerance);
 
 }  // namespace polhode

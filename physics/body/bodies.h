@@ -30,13 +30,13 @@ struct Body {
   std::string name;
   PrincipalMoments moments;    ///< kg m²
   std::optional<Shape> shape;  ///< nothing: known by its moments only
-  double mass_kg = 1.0;        ///< of a body known by its moments only: 1 kg, as of equivalent_box
+  double mass_kg = 1.0;        ///< 1 kg, as in equivalent_box, where only the moments are known
   bool operator==(const Body&) const = default;
 };
 
 /// Uniform box of full edge lengths a, b, c: I1 = m(b² + c²)/12, and cyclic.
-/// This and the next three: relative error 4ε; @throws std::domain_error if a size or the mass is not finite
-/// and > 0, or the moments overflow or underflow.
+/// This, the next two and t_handle_moments: relative error 4ε; @throws std::domain_error if a size or the
+/// mass is not finite and > 0, or the moments overflow or underflow.
 PrincipalMoments box_moments(const Vec3& size_m, double mass_kg);
 
 /// Uniform ellipsoid of full axes a, b, c: I1 = m(b² + c²)/20, and cyclic.

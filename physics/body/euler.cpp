@@ -19,10 +19,4 @@ Vec3 angular_acceleration_B(const PrincipalMoments& I, const Vec3& w_B, const Ve
           ((I[0] - I[1]) * w_B[0] * w_B[1] + N_B[2]) / I[2]};
 }
 
-Eigen::Vector4d attitude_rate(const Quat& q_SB, const Vec3& w_B) {
-  const Vec3 v = q_SB.vec();
-  const Vec3 rate = 0.5 * (q_SB.w() * w_B + v.cross(w_B));
-  return {rate[0], rate[1], rate[2], -0.5 * v.dot(w_B)};
-}
-
 }  // namespace polhode

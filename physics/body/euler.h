@@ -17,10 +17,7 @@ Vec3 angular_momentum_S(const PrincipalMoments& I, const RigidBodyState& state);
 /// T = ½ Σ I_i ω_i², J: energy of rotation.
 double kinetic_energy(const PrincipalMoments& I, const Vec3& w_B);
 
-/// ω̇_B, rad/s², from equations (7)-(9): I1 ω̇1 = (I2 − I3) ω2 ω3 + N1, and cyclic.
+/// ω̇_B, rad/s², from Euler's equations, (7)-(9) of the lecture: I1 ω̇1 = (I2 − I3) ω2 ω3 + N1, and cyclic.
 Vec3 angular_acceleration_B(const PrincipalMoments& I, const Vec3& w_B, const Vec3& N_B = Vec3::Zero());
-
-/// q̇_SB = ½ q_SB ⊗ (0, ω_B), as Eigen coefficients (x, y, z, w), 1/s.
-Eigen::Vector4d attitude_rate(const Quat& q_SB, const Vec3& w_B);
 
 }  // namespace polhode

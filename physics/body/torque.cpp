@@ -52,10 +52,10 @@ Vec3 slip_B(const Torque& torque, const PrincipalMoments& I, const Vec3& w_B) {
   return c * (L_B / L).cross(w_B);
 }
 
-double potential_energy(const Torque& torque, const Quat& q_SB) {
+double potential_energy(const Torque& torque, const RigidBodyState& state) {
   double V = 0.0;
   for (const TorqueTerm& term : torque) {
-    if (const auto* top = std::get_if<HeavyTop>(&term)) V += top->mgr * (q_SB * top->axis_B).z();
+    if (const auto* top = std::get_if<HeavyTop>(&term)) V += top->mgr * (state.q_SB * top->axis_B).z();
   }
   return V;
 }

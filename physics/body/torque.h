@@ -4,9 +4,9 @@
 // The first four terms are external torques: dL/dt = N in S, dT/dt = N·ω. The last, EnergySink, is not a
 // torque: no external torque acts, so L is constant in S, and friction inside the body turns T into heat.
 //
-// How EnergySink can be: in a perfectly rigid body L̇_B = L_B×ω_B with ω_B = I⁻¹L_B keeps T. Let parts inside
-// the body slip (a liquid, a damper), so that its principal axes turn with ω_B + s_B while L_B = I ω_B as
-// before:
+// Why L can be constant while T falls: in a perfectly rigid body L̇_B = L_B×ω_B with ω_B = I⁻¹L_B keeps T. Let
+// parts inside the body slip (a liquid, a damper), so that its principal axes turn with ω_B + s_B while L_B =
+// I ω_B as before:
 //
 //     s_B = c (L_B×ω_B)/|L|,     L̇_B = L_B×(ω_B + s_B),     q̇_SB = ½ q_SB ⊗ (0, ω_B + s_B).
 //
@@ -42,7 +42,7 @@ struct BodyTorque {
 /// about that point. Keeps T + mgr e_z·R_SB a_B and L_Sz.
 struct HeavyTop {
   double mgr = 0.0;             ///< weight times distance from the pivot to the centre of mass, N m
-  Vec3 axis_B = Vec3::UnitZ();  ///< unit, from the pivot to the centre of mass
+  Vec3 axis_B = Vec3::UnitZ();  ///< unit (not checked), from the pivot to the centre of mass
   bool operator==(const HeavyTop&) const = default;
 };
 /// N_B = −c ω_B: dT/dt = −c|ω|².
@@ -59,14 +59,16 @@ struct EnergySink {
 using TorqueTerm = std::variant<SpaceTorque, BodyTorque, HeavyTop, LinearDamping, EnergySink>;
 using Torque = std::vector<TorqueTerm>;  ///< empty: torque-free
 
-/// Sum of the external torques at this state, N m, body components. EnergySink adds nothing here.
+/// Sum of the external torques at this state, N m, body components. An EnergySink is none and adds nothing.
 Vec3 torque_B(const Torque& torque, const PrincipalMoments& I, const RigidBodyState& state);
 
-/// s_B, rad/s: what the body's axes turn with beyond ω_B = I⁻¹L_B. Zero without an EnergySink, and at ω = 0.
+/// s_B, rad/s: the rate at which the body's axes turn beyond ω_B = I⁻¹L_B. Zero without an EnergySink, and at
+/// ω = 0. With it and torque_B the whole motion can be written down: L̇_B = N_B + L_B×(ω_B + s_B).
 Vec3 slip_B(const Torque& torque, const PrincipalMoments& I, const Vec3& w_B);
 
-/// Energy of the conservative terms, J: Σ mgr e_z·R_SB a_B over HeavyTop, zero at the pivot's height.
-double potential_energy(const Torque& torque, const Quat& q_SB);
+/// Energy of the conservative terms, J: Σ mgr e_z·R_SB a_B over HeavyTop, zero at the pivot's height. T and
+/// this together are what a heavy top keeps.
+double potential_energy(const Torque& torque, const RigidBodyState& state);
 
 /// True if the torque depends on the attitude (space, heavy): ω cannot then be integrated alone.
 bool depends_on_attitude(const Torque& torque);

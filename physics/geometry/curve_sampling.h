@@ -12,7 +12,7 @@ namespace polhode {
 
 struct Sampling {
   double chord_tolerance;  ///< unit of the curve
-  int first_pieces = 1;    ///< equal pieces of the parameter to start from: no chord spans more
+  int first_pieces = 1;    ///< equal pieces of the parameter to start from; no chord spans more than one
   int max_halvings = 40;   ///< of each of them
   std::size_t max_points;  ///< no more halving after this many: the tolerance is then not kept
 };

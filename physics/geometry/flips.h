@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
 // When a body that turns about its intermediate axis turns over.
 //
-// A flip is a passage of L's component along the intermediate axis, of the moment I_b with I_a < I_b < I_c,
-// through zero, on a polhode that leads L nearer to that axis than kFlipsNearer, |L_b|/|L|. Others only
-// wobble. On the polhode L_b is largest where the smaller of two wobbles ends,
+// Let I_a < I_b < I_c. A flip is a time at which L_b, the component of L along the intermediate axis, passes
+// through zero, on a polhode that elsewhere takes L close to that axis: |L_b|/|L| > kFlipsNearer. On other
+// polhodes L_b passes through zero too, but the body only wobbles. The largest L_b of a polhode follows from
+// T and L,
 //
 //     L_b² = min( I_b (2T I_c − L²)/(I_c − I_b), I_b (L² − 2T I_a)/(I_b − I_a) ),
 //
-// and at the passage, where ω_b = 0, that is I_b (I_c − I_a) min( I_a ω_a²/(I_c − I_b), I_c ω_c²/(I_b − I_a)
-// ): ω at the passage decides. Under torque it is the polhode that ω would follow if the torque ended there.
+// which at the passage, where ω_b = 0, is
+//
+//     L_b² = I_b (I_c − I_a) min( I_a ω_a²/(I_c − I_b), I_c ω_c²/(I_b − I_a) ),
+//
+// so that ω at the passage decides. Under a torque the polhode meant is the one that ω would follow if the
+// torque ended there.
 #pragma once
 
 #include "physics/body/principal_moments.h"

@@ -179,7 +179,7 @@ double invariable_plane_distance(const PrincipalMoments& I, const Vec3& w_B) {
   return w * (L_B.dot(direction_B) / L_B.norm());
 }
 
-Curve polhode(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance) {
+Curve polhode_curve(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance) {
   checked_tolerance(chord_tolerance);
   const auto p = polhode_constants(I, w_B);
   if (!p) return {{w_B}, false};

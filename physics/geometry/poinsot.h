@@ -30,7 +30,7 @@ Vec3 energy_ellipsoid_semi_axes(const PrincipalMoments& I, double two_T);
 /// radius |L|. Relative error 2ε.
 Vec3 momentum_ellipsoid_semi_axes(const PrincipalMoments& I, double two_T);
 
-/// The same two of a body that turns with w_B ≠ 0: what they are may be in range where 2T is not.
+/// The same two for the energy of a body that turns with w_B ≠ 0. They may be in range where 2T is not.
 Vec3 energy_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B);
 Vec3 momentum_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B);
 
@@ -39,7 +39,8 @@ Vec3 momentum_ellipsoid_semi_axes(const PrincipalMoments& I, const Vec3& w_B);
 double invariable_plane_distance(const PrincipalMoments& I, const Vec3& w_B);
 
 /// The polhode through w_B: the component of {Σ I_i ω_i² = 2T} ∩ {Σ I_i² ω_i² = L²} that holds w_B, in
-/// ω-space, body axes, rad/s. Closed form, no integration: with the constants of polhode_constants.h,
+/// ω-space, body axes, rad/s. Closed form, no integration: along the axes a, b (intermediate) and c (whose ω
+/// never changes sign), with amplitudes A, B, C, signs σ and the complementary modulus k',
 ///
 ///     ω = (A cos φ, σB sin φ, C √(cos²φ + k'² sin²φ)),   0 ≤ φ < 2π,
 ///
@@ -48,7 +49,7 @@ double invariable_plane_distance(const PrincipalMoments& I, const Vec3& w_B);
 /// the motion. A steady state gives one point (closed = false); a separatrix state its branch's whole
 /// ellipse, on which the motion runs from one end of the intermediate axis to the other along both halves.
 /// The same points for every w_B of a polhode, but for rounding.
-Curve polhode(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance);
+Curve polhode_curve(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance);
 
 struct PolhodeOfFamily {
   double L2_over_2T;            ///< kg m², between I_min and I_max
@@ -61,7 +62,7 @@ struct PolhodeOfFamily {
 std::vector<PolhodeOfFamily> polhode_family(const PrincipalMoments& I, double two_T,
                                             const std::vector<double>& L2_over_2T, double chord_tolerance);
 
-/// The same for the energy of a body that turns with w_B ≠ 0, which itself may be out of range.
+/// The same for the energy of a body that turns with w_B ≠ 0. That energy itself may be out of range.
 std::vector<PolhodeOfFamily> polhode_family(const PrincipalMoments& I, const Vec3& w_B,
                                             const std::vector<double>& L2_over_2T, double chord_tolerance);
 
@@ -72,8 +73,8 @@ std::vector<Curve> separatrices(const PrincipalMoments& I, double two_T, double 
 std::vector<Curve> separatrices(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance);
 
 /// ω's tip in space over [t0_s, t1_s] (either order), rad/s, S components: the herpolhode if the motion is
-/// torque-free. Open. One point if it never leaves the tolerance. Pieces of at most ½ rad of turning are
-/// halved until the chord tolerance is met, with at most kMaxHerpolhodePoints points; a longer curve is
+/// torque-free. An open curve; one point if ω never leaves the tolerance. Pieces of at most ½ rad of turning
+/// are halved until the chord tolerance is met, with at most kMaxHerpolhodePoints points; a longer curve is
 /// followed more coarsely. Ends where the motion does (Motion::at gives NaN). Costs three to four times its
 /// points in calls of motion.at.
 /// @throws std::domain_error if a time is not finite.

@@ -62,6 +62,10 @@ INSTANTIATE_TEST_SUITE_P(
         Forbidden{"base/result.h", "physics/body/types.h"}, Forbidden{"base/a.cpp", "fstream"},
         Forbidden{"physics/a.cpp", "render/scene/description/scene.h"},
         Forbidden{"physics/a.cpp", "lessons/reader/lesson.h"}, Forbidden{"physics/a.cpp", "fmt/format.h"},
+        Forbidden{"physics/public/a.h", "physics/exact/elliptic.h"},
+        Forbidden{"physics/public/a.h", "physics/integrators/checkpoints.h"},
+        Forbidden{"physics/public/a.h", "base/files/atomic_file.h"},
+        Forbidden{"examples/a.cpp", "physics/motion.h"}, Forbidden{"examples/a.cpp", "polhode/base/result.h"},
         Forbidden{"physics/a.cpp", "unistd.h"}, Forbidden{"physics/a.cpp", "fstream"},
         Forbidden{"render/scene/a.cpp", "render/figure/figure.h"},
         Forbidden{"render/scene/a.cpp", "render/gl/context/context.h"},
@@ -136,6 +140,18 @@ TEST(Closure, IsFollowedThroughHeaders) {
       found[0].message,
       "render/gl/ may not reach render/gl/renderer.h -> render/drawing/sheet.h -> render/drawing/plot.h "
       "-> physics/motion.h");
+}
+
+// What a user of the library includes leads to no formula's private parts.
+TEST(Closure, OfThePublicHeadersStaysOutOfTheFormulas) {
+  const std::vector<Finding> found = broken_closures(
+      {{"physics/public/errors.h", "#pragma once\n#include \"physics/analysis/conditioning.h\"\n"},
+       {"physics/analysis/conditioning.h", "#pragma once\n#include \"physics/exact/elliptic.h\"\n"},
+       {"physics/exact/elliptic.h", "#pragma once\n"}});
+  ASSERT_THAT(found, testing::SizeIs(1));
+  EXPECT_EQ(found[0].message,
+            "physics/public/ may not reach physics/public/errors.h -> physics/analysis/conditioning.h -> "
+            "physics/exact/elliptic.h");
 }
 
 TEST(Closure, OfHeadersThatIncludeEachOtherEnds) {

@@ -29,7 +29,8 @@ std::string text_of(const fs::path& path) {
 std::vector<Source> sources(const std::vector<std::string>& endings) {
   const fs::path root = POLHODE_SOURCE_DIR;
   std::vector<Source> found;
-  for (const char* folder : {"app", "assets", "base", "cmake", "lessons", "physics", "render", "tests"}) {
+  for (const char* folder :
+       {"app", "assets", "base", "cmake", "examples", "lessons", "physics", "render", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string path = fs::relative(entry.path(), root).generic_string();
       const auto ends = [&](const std::string& ending) { return path.ends_with(ending); };

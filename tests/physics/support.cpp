@@ -107,6 +107,10 @@ double q_error(const Quat& q, const Quat& truth) {
   return std::min((q.coeffs() - truth.coeffs()).norm(), (q.coeffs() + truth.coeffs()).norm());
 }
 
+Eigen::Vector4d attitude_rate(const Quat& q_SB, const Vec3& w_B) {
+  return 0.5 * (q_SB * Quat(0, w_B[0], w_B[1], w_B[2])).coeffs();
+}
+
 bool same_bits(const RigidBodyState& x, const RigidBodyState& y) {
   return std::memcmp(x.w_B.data(), y.w_B.data(), sizeof(double) * 3) == 0 &&
          std::memcmp(x.q_SB.coeffs().data(), y.q_SB.coeffs().data(), sizeof(double) * 4) == 0;

@@ -52,6 +52,9 @@ struct Drift {
 };
 Drift drift(const PrincipalMoments& I, const RigidBodyState& start, const RigidBodyState& now);
 
+/// q̇_SB = ½ q_SB ⊗ (0, ω_B), as Eigen coefficients (x, y, z, w), 1/s.
+Eigen::Vector4d attitude_rate(const Quat& q_SB, const Vec3& w_B);
+
 bool same_bits(const RigidBodyState& x, const RigidBodyState& y);
 
 /// Possible bodies in any axis order, ω in any octant, attitudes of any direction.

@@ -259,7 +259,7 @@ void compute_parts(SceneModel& model, const Effort& effort, double chord_toleran
   const bool moves = !w_B.isZero(0.0);
   const double tolerance = moves ? chord_tolerance * energy_ellipsoid_semi_axes(I, w_B).maxCoeff() : 0.0;
 
-  if (model.needs.polhode && moves) model.polhode_B = polhode(I, w_B, tolerance);
+  if (model.needs.polhode && moves) model.polhode_B = polhode_curve(I, w_B, tolerance);
   if (model.needs.polhode_family && moves)
     model.family_B = polhode_family(I, w_B, family_levels(I), tolerance);
   if (model.needs.separatrix && moves) model.separatrices_B = separatrices(I, w_B, tolerance);

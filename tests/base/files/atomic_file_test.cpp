@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/atomic_file.h"
 
-#include "tests/render/image/pictures.h"
+#include "tests/base/files/folder.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

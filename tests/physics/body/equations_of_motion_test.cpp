@@ -2,6 +2,7 @@
 #include "physics/body/equations_of_motion.h"
 
 #include "physics/body/euler.h"
+#include "physics/exact/uniform_motion.h"
 #include "tests/physics/support.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 namespace polhode {
 namespace {
 
+using test::attitude_rate;
 using test::kEps;
 using test::Random;
 
@@ -42,6 +44,21 @@ TEST(EquationsOfMotion, AreThoseOfEulerWithTheTorqueAndTheSlip) {
       for (int n = 0; n < 4; ++n) EXPECT_NEAR(rate[3 + n], q_rate[n], 20 * kEps * (1 + state.w_B.norm()));
       EXPECT_EQ(rate[7], 0);
     }
+  }
+}
+
+TEST(EquationsOfMotion, TurnTheAttitudeByOmega) {
+  Random random(13);
+  for (int i = 0; i < 50; ++i) {
+    const Quat q_SB = random.attitude();
+    const Vec3 w_B = random.vector(2);
+    const double h = 0x1p-17;  // central difference: error |ω|³h²/48 + ε/h
+    const Eigen::Vector4d difference =
+        ((q_SB * rotation_by(w_B, h)).coeffs() - (q_SB * rotation_by(w_B, -h)).coeffs()) / (2 * h);
+    MotionVector rate;
+    EquationsOfMotion(random.moments(), {}).rate(packed({q_SB, w_B}), rate);
+    const Eigen::Vector4d q_rate(rate[3], rate[4], rate[5], rate[6]);
+    EXPECT_LE((q_rate - difference).norm(), std::pow(w_B.norm(), 3) * h * h + 4 * kEps / h);
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "physics/body/euler.h"
 
-#include "physics/exact/uniform_motion.h"
 #include "tests/physics/support.h"
 
 #include <gtest/gtest.h>
@@ -50,26 +49,6 @@ TEST(Euler, PowerOfTheTorqueIsTheRateOfEnergy) {
     const double T_rate = angular_momentum_B(I, w_B).dot(angular_acceleration_B(I, w_B, N_B));
     const double size = N_B.norm() * w_B.norm() + I.vector().maxCoeff() * std::pow(w_B.norm(), 3);
     EXPECT_NEAR(T_rate, N_B.dot(w_B), 16 * kEps * size);
-  }
-}
-
-TEST(Euler, AttitudeRateIsTheDerivativeOfTheRotation) {
-  Random random(3);
-  for (int i = 0; i < 50; ++i) {
-    const Quat q_SB = random.attitude();
-    const Vec3 w_B = random.vector(2);
-    const double h = 0x1p-17;  // central difference: error |ω|³h²/48 + ε/h
-    const Eigen::Vector4d difference =
-        ((q_SB * rotation_by(w_B, h)).coeffs() - (q_SB * rotation_by(w_B, -h)).coeffs()) / (2 * h);
-    EXPECT_LE((attitude_rate(q_SB, w_B) - difference).norm(), std::pow(w_B.norm(), 3) * h * h + 4 * kEps / h);
-  }
-}
-
-TEST(Euler, AttitudeRateKeepsTheLength) {
-  Random random(4);
-  for (int i = 0; i < 50; ++i) {
-    const Quat q_SB = random.attitude();
-    EXPECT_NEAR(attitude_rate(q_SB, random.vector(2)).dot(q_SB.coeffs()), 0, 16 * kEps);
   }
 }
 

@@ -15,6 +15,9 @@ namespace {
 using test::kEps;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+// As wide as Eigen aligns a quaternion for any processor, and of a size that has no room for more.
+static_assert(alignof(RigidBodyState) == 32 && sizeof(RigidBodyState) == 64);
+
 TEST(State, DefaultIsAtRestInTheSpaceFrame) {
   const RigidBodyState state;
   EXPECT_EQ(state.w_B, Vec3(0, 0, 0));

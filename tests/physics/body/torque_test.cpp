@@ -129,7 +129,7 @@ TEST(HeavyTop, KeepsEnergyAndTheVerticalMomentum) {
   const double h = 1.0 / 1024, t_end = 20, w = 8.5;
   const auto motion = rk4_motion({I, start, gravity}, h);
   const auto energy = [&](const RigidBodyState& s) {
-    return kinetic_energy(I, s.w_B) + potential_energy(gravity, s.q_SB);
+    return kinetic_energy(I, s.w_B) + potential_energy(gravity, s);
   };
   for (double t = -t_end; t <= t_end; t += 2.5) {
     const RigidBodyState state = motion->at(t);

@@ -16,6 +16,7 @@
 namespace polhode {
 namespace {
 
+using test::attitude_rate;
 using test::kEps;
 using test::Random;
 using Series = AsymmetricMotion::Series;

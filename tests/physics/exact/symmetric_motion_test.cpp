@@ -14,6 +14,7 @@
 namespace polhode {
 namespace {
 
+using test::attitude_rate;
 using test::kEps;
 using test::Random;
 

@@ -59,7 +59,7 @@ TEST(Polhode, OfEveryReferenceBodyLiesOnBothQuadricsAndHoldsTheState) {
     SCOPED_TRACE(c.name);
     const Vec3& w_B = c.start.w_B;
     const double tolerance = std::max(1e-4 * w_B.stableNorm(), 1e-300);
-    const Curve curve = polhode(c.I, w_B, tolerance);
+    const Curve curve = polhode_curve(c.I, w_B, tolerance);
     if (c.kind == "steady") {
       ASSERT_EQ(curve.points.size(), 1U);
       EXPECT_EQ(curve.points[0], w_B);
@@ -81,7 +81,7 @@ TEST(Polhode, OfRandomBodiesInEveryOctantAndAxisOrder) {
     const PrincipalMoments I = random.moments();
     const Vec3 w_B = random.vector(2);
     const double tolerance = std::pow(10.0, random.uniform(-5, -2));
-    const Curve curve = polhode(I, w_B, tolerance);
+    const Curve curve = polhode_curve(I, w_B, tolerance);
     expect_on_both_quadrics(I, w_B, curve);
     EXPECT_LE(distance_to(curve, w_B), tolerance);
     const int c = polhode_constants(I, w_B)->c;
@@ -95,7 +95,7 @@ TEST(Polhode, HonoursTheChordToleranceBothWays) {
     const PrincipalMoments I = random.moments();
     const Vec3 w_B = random.vector(2);
     for (const double tolerance : {3e-2, 3e-3}) {
-      const Curve coarse = polhode(I, w_B, tolerance), fine = polhode(I, w_B, tolerance / 30);
+      const Curve coarse = polhode_curve(I, w_B, tolerance), fine = polhode_curve(I, w_B, tolerance / 30);
       for (const Vec3& p : fine.points) EXPECT_LE(distance_to(coarse, p), tolerance);
       for (std::size_t k = 1; k < coarse.points.size(); ++k) {
         const Vec3 middle = 0.5 * (coarse.points[k - 1] + coarse.points[k]);
@@ -111,8 +111,8 @@ TEST(Polhode, HonoursTheChordToleranceNextToTheSeparatrix) {
        {"sep_1e-3", "sep_1e-6", "sep_1e-9", "sep_1e-12", "sep_1e-15_above", "sep_1e-15_below"}) {
     const test::ReferenceCase& c = test::reference_case(name);
     const double tolerance = 1e-3;
-    const Curve coarse = polhode(c.I, c.start.w_B, tolerance),
-                fine = polhode(c.I, c.start.w_B, tolerance / 30);
+    const Curve coarse = polhode_curve(c.I, c.start.w_B, tolerance),
+                fine = polhode_curve(c.I, c.start.w_B, tolerance / 30);
     for (const Vec3& p : fine.points) EXPECT_LE(distance_to(coarse, p), tolerance) << name;
   }
 }
@@ -122,7 +122,7 @@ TEST(Polhode, NeedsNoMorePointsThanItsBendingAsksFor) {
   const PrincipalMoments I(1, 1, 1.5);
   const double tolerance = 1e-5;
   const double fewest = std::numbers::pi / std::sqrt(2 * tolerance);
-  const std::size_t points = polhode(I, {0.6, 0.8, 1}, tolerance).points.size();
+  const std::size_t points = polhode_curve(I, {0.6, 0.8, 1}, tolerance).points.size();
   EXPECT_LE(static_cast<double>(points), 3 * fewest);
   EXPECT_GE(static_cast<double>(points), fewest);
 }
@@ -131,7 +131,7 @@ TEST(Polhode, RunsInTheDirectionOfTheMotion) {
   Random random(3);
   for (int i = 0; i < 200; ++i) {
     const PrincipalMoments I = i % 4 == 0 ? random.symmetric_moments() : random.moments();
-    const Curve curve = polhode(I, random.vector(2), 1e-3);
+    const Curve curve = polhode_curve(I, random.vector(2), 1e-3);
     const std::size_t n = curve.points.size();
     for (std::size_t k = 0; k < n; ++k) {
       const Vec3 middle = 0.5 * (curve.points[k] + curve.points[(k + 1) % n]);
@@ -147,7 +147,7 @@ TEST(Polhode, OfASymmetricTopIsACircle) {
     const Vec3 w_B = random.vector(2);
     const int c = *symmetry_axis(I);
     const double radius = std::hypot(w_B[(c + 1) % 3], w_B[(c + 2) % 3]);
-    for (const Vec3& p : polhode(I, w_B, 1e-3).points) {
+    for (const Vec3& p : polhode_curve(I, w_B, 1e-3).points) {
       EXPECT_NEAR(p[c], w_B[c], 16 * kEps * std::abs(w_B[c]));
       EXPECT_NEAR(std::hypot(p[(c + 1) % 3], p[(c + 2) % 3]), radius, 16 * kEps * radius);
     }
@@ -156,7 +156,7 @@ TEST(Polhode, OfASymmetricTopIsACircle) {
 
 TEST(Polhode, NextToASteadyAxisIsASmallEllipseNotAPoint) {
   for (const double size : {1e-8, 1e-150, 1e-300}) {
-    const Curve curve = polhode(kI, {size, 0, 3}, 1e-3);
+    const Curve curve = polhode_curve(kI, {size, 0, 3}, 1e-3);
     EXPECT_GE(curve.points.size(), 16U);
     // Ratio of the half axes, from I1(I3 − I1)ω1² + I2(I3 − I2)ω2² = const.
     double along_1 = 0, along_2 = 0;
@@ -173,7 +173,7 @@ TEST(Polhode, OnTheSeparatrixIsTheWholeEllipseThroughTheState) {
   for (const char* name : {"sep_exact", "sep_exact_perm"}) {
     const test::ReferenceCase& c = test::reference_case(name);
     const double two_T = 2 * kinetic_energy(c.I, c.start.w_B);
-    const Curve curve = polhode(c.I, c.start.w_B, 1e-4);
+    const Curve curve = polhode_curve(c.I, c.start.w_B, 1e-4);
     const std::vector<Curve> both = separatrices(c.I, two_T, 1e-4);
     ASSERT_EQ(both.size(), 2U);
     const double to_first = distance_to(both[0], c.start.w_B), to_second = distance_to(both[1], c.start.w_B);
@@ -190,9 +190,9 @@ TEST(Polhode, OnTheSeparatrixIsTheWholeEllipseThroughTheState) {
 
 TEST(Polhode, OfExtremeScalesIsTheSameCurve) {
   const Vec3 w_B(0.4, 1.1, -0.3);
-  const Curve plain = polhode(kI, w_B, 1e-3);
+  const Curve plain = polhode_curve(kI, w_B, 1e-3);
   const PrincipalMoments big(1e300, 1.75e300, 2.5e300);
-  const Curve scaled = polhode(big, w_B * 0x1p-600, 1e-3 * 0x1p-600);
+  const Curve scaled = polhode_curve(big, w_B * 0x1p-600, 1e-3 * 0x1p-600);
   ASSERT_EQ(plain.points.size(), scaled.points.size());
   for (std::size_t i = 0; i < plain.points.size(); ++i) {
     EXPECT_LE((scaled.points[i] * 0x1p600 - plain.points[i]).norm(), 32 * kEps * w_B.norm());
@@ -201,12 +201,12 @@ TEST(Polhode, OfExtremeScalesIsTheSameCurve) {
 
 TEST(Polhode, RefusesTolerancesThatAreNone) {
   for (const double bad : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()}) {
-    EXPECT_THROW(polhode(kI, {1, 1, 1}, bad), std::domain_error);
+    EXPECT_THROW(polhode_curve(kI, {1, 1, 1}, bad), std::domain_error);
     EXPECT_THROW(polhode_family(kI, 1, {2}, bad), std::domain_error);
     EXPECT_THROW(separatrices(kI, 1, bad), std::domain_error);
     EXPECT_THROW(herpolhode(UniformMotion(kI, {}), 0, 1, bad), std::domain_error);
   }
-  EXPECT_LE(polhode(kI, {1, 1, 1}, 1e-300).points.size(), 1U << 17);  // taken as 2⁻²⁶ of the size
+  EXPECT_LE(polhode_curve(kI, {1, 1, 1}, 1e-300).points.size(), 1U << 17);  // taken as 2⁻²⁶ of the size
 }
 
 TEST(Poinsot, OfABodyWhoseEnergyIsOutOfRangeIsThatOfASlowOneToTheBit) {

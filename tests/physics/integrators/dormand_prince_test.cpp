@@ -414,7 +414,7 @@ TEST(DormandPrinceMotion, HeavyTopKeepsEnergyAndVerticalMomentum) {
       const Torque top{HeavyTop{random.uniform(0.2, 2), random.vector(1).normalized()}};
       const DormandPrinceMotion motion(pair, {I, start, top}, kTolerance);
       const auto energy = [&](const RigidBodyState& s) {
-        return kinetic_energy(I, s.w_B) + potential_energy(top, s.q_SB);
+        return kinetic_energy(I, s.w_B) + potential_energy(top, s);
       };
       const auto L_z = [&](const RigidBodyState& s) { return angular_momentum_S(I, s).z(); };
       const double mgr = std::get<HeavyTop>(top[0]).mgr, T_most = energy(start) + mgr;

@@ -54,7 +54,7 @@ TEST_P(Kicked, HeavyTopKeepsTheVerticalMomentumAndBoundsTheEnergy) {
   const PrincipalMoments I(1, 1.2, 0.5);
   const RigidBodyState start{Quat(Eigen::AngleAxisd(0.7, Vec3::UnitX())), {0.2, 0.1, 8.0}};
   const auto energy = [&](const RigidBodyState& s) {
-    return kinetic_energy(I, s.w_B) + potential_energy(kGravity, s.q_SB);
+    return kinetic_energy(I, s.w_B) + potential_energy(kGravity, s);
   };
   const auto worst_energy = [&](double h, int from, int to) {
     const auto m = motion(I, start, kGravity, h);

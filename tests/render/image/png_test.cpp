@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/image/png.h"
 
+#include "tests/base/files/folder.h"
 #include "tests/render/image/crafted_png.h"
 #include "tests/render/image/pictures.h"
 
