@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "physics/exact/polhode_constants.h"
 
-#include "physics/exact/double_double.h"
 #include "physics/exact/uniform_motion.h"
 
 #include <algorithm>
@@ -25,7 +24,6 @@ DoubleDouble signed_distance_from_separatrix(const Vec3& I, const Vec3& w) {
 PolhodeConstants constants(const PrincipalMoments& I, const Vec3& w_B, const std::array<int, 3>& axes) {
   const DoubleDouble D = signed_distance_from_separatrix({I[axes[0]], I[axes[1]], I[axes[2]]},
                                                          {w_B[axes[0]], w_B[axes[1]], w_B[axes[2]]});
-  const Extended size_of_D = std::scalbn(std::abs(Extended{D.hi()} + D.lo()), D.exponent());
   PolhodeConstants p;
   p.sigma = D < 0 ? -1.0 : 1.0;
   p.a = D < 0 ? axes[2] : axes[0];
@@ -35,16 +33,16 @@ PolhodeConstants constants(const PrincipalMoments& I, const Vec3& w_B, const std
   p.sign_b = parity(p.a, p.b) * p.sign_c;
 
   const Extended I_a = I[p.a], I_b = I[p.b], I_c = I[p.c];
-  const Extended d_ca = std::abs(I_c - I_a), d_cb = std::abs(I_c - I_b), d_ba = std::abs(I_b - I_a);
+  const Extended d_ca = abs(I_c - I_a), d_cb = abs(I_c - I_b), d_ba = abs(I_b - I_a);
   const auto squared = [](Extended x) { return x * x; };
   const Extended P2 = I_a * d_ca * squared(w_B[p.a]) + I_b * d_cb * squared(w_B[p.b]);
   const Extended R2 = I_b * d_ba * squared(w_B[p.b]) + I_c * d_ca * squared(w_B[p.c]);
-  p.A = std::sqrt(P2 / (I_a * d_ca));
-  p.B = std::sqrt(P2 / (I_b * d_cb));
-  p.C = std::sqrt(R2 / (I_c * d_ca));
-  p.k = std::min(Extended{1}, std::sqrt(P2 * d_ba / (R2 * d_cb)));
-  p.kp = std::min(Extended{1}, std::sqrt(size_of_D * d_ca / (R2 * d_cb)));
-  p.lambda = std::sqrt(R2 * d_cb / (I_a * I_b * I_c));
+  p.A = sqrt(P2 / (I_a * d_ca));
+  p.B = sqrt(P2 / (I_b * d_cb));
+  p.C = sqrt(R2 / (I_c * d_ca));
+  p.k = std::min(Extended{1}, sqrt(P2 * d_ba / (R2 * d_cb)));
+  p.kp = std::min(Extended{1}, sqrt(to_extended(abs(D)) * d_ca / (R2 * d_cb)));
+  p.lambda = sqrt(R2 * d_cb / (I_a * I_b * I_c));
   return p;
 }
 

@@ -2,6 +2,7 @@
 // Truth: binary128, where the compiler has it, whose own errors are below 2⁻¹¹² of the result.
 #include "physics/exact/double_double.h"
 
+#include "physics/exact/extended.h"
 #include "tests/physics/support.h"
 
 #include <gtest/gtest.h>
@@ -138,6 +139,7 @@ TEST(DoubleDouble, HoldsEveryDouble) {
     if (x == 0) continue;
     expect_normalised(x);
     EXPECT_EQ(static_cast<double>(DoubleDouble(x)), x);
+    EXPECT_EQ(static_cast<double>(to_extended(x)), x);
     EXPECT_EQ(ilogb(DoubleDouble(x)), std::ilogb(x));
   }
 }
