@@ -24,11 +24,12 @@ DoubleDouble signed_distance_from_separatrix(const Vec3& I, const Vec3& w) {
 PolhodeConstants constants(const PrincipalMoments& I, const Vec3& w_B, const std::array<int, 3>& axes) {
   const DoubleDouble D = signed_distance_from_separatrix({I[axes[0]], I[axes[1]], I[axes[2]]},
                                                          {w_B[axes[0]], w_B[axes[1]], w_B[axes[2]]});
+  const bool about_smallest = D < 0;
   PolhodeConstants p;
-  p.sigma = D < 0 ? -1.0 : 1.0;
-  p.a = D < 0 ? axes[2] : axes[0];
+  p.sigma = about_smallest ? -1.0 : 1.0;
+  p.a = about_smallest ? axes[2] : axes[0];
   p.b = axes[1];
-  p.c = D < 0 ? axes[0] : axes[2];
+  p.c = about_smallest ? axes[0] : axes[2];
   p.sign_c = w_B[p.c] < 0 ? -1.0 : 1.0;
   p.sign_b = parity(p.a, p.b) * p.sign_c;
 
