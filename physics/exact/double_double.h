@@ -47,7 +47,7 @@ class DoubleDouble {
   /// Exact; also of a subnormal.
   constexpr DoubleDouble(double x) : DoubleDouble(normalised(x, 0.0, 0)) {}
 
-  /// (hi + lo)·2^exponent, of hi + lo with |lo| ≤ u|hi|.
+  /// (hi + lo)·2^exponent; hi is the double nearest to hi + lo.
   static constexpr DoubleDouble of_parts(double hi, double lo, int exponent) {
     return normalised(hi, lo, exponent);
   }

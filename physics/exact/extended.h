@@ -16,7 +16,7 @@
 
 namespace polhode {
 
-/// 64 bits, and exponents that hold the product of eight doubles: A² alone has five as factors.
+/// 64 bits, and exponents that hold the product of eight doubles: k² has five as factors above its line.
 inline constexpr bool kLongDoubleIsExtended =
     std::numeric_limits<long double>::digits >= 64 &&
     std::numeric_limits<long double>::max_exponent >= 8 * std::numeric_limits<double>::max_exponent &&
