@@ -33,13 +33,13 @@ LogGradient of_log_period(const PolhodeConstants& p, const Vec3& I, const Vec3& 
   const LogGradient d_ca = of_difference(I, I_c, I_a), d_cb = of_difference(I, I_c, I_b),
                     d_ba = of_difference(I, I_b, I_a);
   const auto size = [&](int i, int j, int k) {  // I_i |I_j − I_k| ω_i²
-    return Extended{I[i]} * std::abs(Extended{I[j]} - I[k]) * w[i] * w[i];
+    return Extended{I[i]} * abs(Extended{I[j]} - I[k]) * w[i] * w[i];
   };
   const Extended R2 = size(1, 1, 0) + size(2, 2, 0);
   const LogGradient log_R =
       (size(1, 1, 0) * (of(I_b) + d_ba + 2 * of(w_b)) + size(2, 2, 0) * (of(I_c) + d_ca + 2 * of(w_c))) /
       (2 * R2);
-  const Extended D = p.kp * p.kp * R2 * std::abs((Extended{I[2]} - I[1]) / (Extended{I[2]} - I[0]));
+  const Extended D = p.kp * p.kp * R2 * abs((Extended{I[2]} - I[1]) / (Extended{I[2]} - I[0]));
   const LogGradient log_D =
       (size(2, 2, 1) * (of(I_c) + d_cb + 2 * of(w_c)) - size(0, 1, 0) * (of(I_a) + d_ba + 2 * of(w_a))) / D;
   const LogGradient log_kp = (log_D + d_ca - d_cb) / 2 - log_R;
@@ -53,7 +53,7 @@ std::optional<Extended> sum_of_log_derivatives(const PrincipalMoments& I, const 
   if (is_steady(I, w_B)) return Extended{1};
   if (const auto c = symmetry_axis(I)) {  // P = 2π/|ν|
     const Extended I_c = I[*c], I_a = I[(*c + 1) % 3];
-    return 1 + 2 * std::abs(I_c / (I_c - I_a));
+    return 1 + 2 * abs(I_c / (I_c - I_a));
   }
   const PolhodeConstants p = *polhode_constants(I, w_B);
   if (p.separatrix()) return std::nullopt;

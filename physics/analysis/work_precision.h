@@ -5,8 +5,8 @@
 // Error: at the end, against the closed form, whose own error is closed_form_error; under a torque against
 // Dormand-Prince 8(5,3) at kReferenceTolerance, whose own is estimated by the next looser tolerance. No error
 // is given as less than the reference's own, not even that of the reference method itself. Drift: the largest
-// over kDriftSamples times. Cost: CPU time of this thread, from making the motion to its state at the end;
-// median of repeats, of long runs a single one.
+// over kDriftSamples times and the end. Cost: CPU time of this thread, from making the motion to its state at
+// the end; median of repeats, of long runs a single one.
 #pragma once
 
 #include "base/result.h"
@@ -54,10 +54,13 @@ struct WorkPrecision {
   std::vector<Method> out_of_reach;    ///< methods without a row: even long steps are too many for the time
 };
 
-/// Steps are halved from a tenth of a period (from less, where ω turns faster than that), tolerances divided
-/// by ten from 1e-3, until rounding stops the fall of both errors, or the time is spent. `progress`, if there
-/// is one, is called before each method with its place in the plan.
-/// The error: the reference cannot be computed. @throws what `progress` throws
+/// Steps begin with a tenth of a period, or the whole time if that is shorter, halved until ω takes two of
+/// them or more for a turn, and are halved from row to row; tolerances go from 1e-3 to 1e-13 by tens. A
+/// method has no more rows when two in succession have brought neither error below 0.7 of its least (rounding
+/// has stopped the fall; errors of kNoAnswer do not count), when the next is expected to exceed the method's
+/// share of the time that is left, or after most_settings. `progress`, if there is one, is called before each
+/// method with its place in the plan. The error: the reference cannot be computed. @throws what `progress`
+/// throws
 Result<WorkPrecision> measure_work_precision(const Problem& problem, const WorkPrecisionPlan& plan,
                                              const std::function<void(std::size_t)>& progress = {});
 

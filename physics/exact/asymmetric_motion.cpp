@@ -16,7 +16,7 @@ AsymmetricMotion::AsymmetricMotion(const PrincipalMoments& I, const RigidBodySta
     throw std::domain_error(
         "asymmetric motion needs three different moments and a rotation that is not steady");
   const int e_w = exponent_of(start_.w_B);
-  f_ = Setup(I, start_.w_B, std::scalbn(Extended{1}, e_w)).formula(start_.q_SB);
+  f_ = Setup(I, start_.w_B, scalbn(Extended{1}, e_w)).formula(start_.q_SB);
   f_.time_scale = std::scalbn(1.0, e_w);
   for (std::size_t i = 0; i < 3; ++i) f_.w_scales[i] = f_.signs[i] * f_.time_scale;
 }

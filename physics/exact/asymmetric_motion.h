@@ -14,7 +14,7 @@
 //     Ψ̇ = (2T + G ω_c)/(G + m_c),                              never singular, because m_c ≥ 0.
 //
 // Ψ̇ has simple poles in u, so Ψ is a linear function of time plus the argument of a theta function (Jacobi
-// 1850; Whittaker & Watson §22.73): no integral of the third kind is left,
+// 1850; Whittaker & Watson §22.74): no integral of the third kind is left,
 //
 //     Ψ − Ψ_0 = Ω λ t + σ (β(u) − β(u_0)),   β = arg{i θ_1(x − iy; q)} − arg(cn u + i√p sn u),
 //     x = πu/2K,  y = πα/2K,  p = I_b d_ca/(I_a d_cb),  α = R_F(p − 1, p − 1 + k², p),

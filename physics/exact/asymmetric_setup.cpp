@@ -33,11 +33,11 @@ struct InitialPhase {
 // the half period; an arctangent would round to π/2 where |c| < ε.
 InitialPhase initial_phase(Extended s, Extended c, Extended kp) {
   const double flip = c < 0 ? -1.0 : 1.0;
-  const Extended norm = flip * std::sqrt(s * s + c * c);
+  const Extended norm = flip * sqrt(s * s + c * c);
   s /= norm;
   c /= norm;
-  if (kp == 0) return {std::asinh(s / c), flip};
-  return {s * carlson_RF_of_squares(c, std::sqrt(c * c + kp * kp * s * s), 1), flip};
+  if (kp == 0) return {asinh(s / c), flip};
+  return {s * carlson_RF_of_squares(c, sqrt(c * c + kp * kp * s * s), 1), flip};
 }
 
 PolhodeConstants in_units(PolhodeConstants p, Extended w_unit) {
@@ -54,15 +54,15 @@ AsymmetricMotion::Setup::Setup(const PrincipalMoments& I_given, const Vec3& w_gi
       G(I.cwiseProduct(w_B).norm()),
       K(p.separatrix() ? 0 : complete_elliptic_K(p.kp)),
       Kp(complete_elliptic_K(p.k)),
-      d_ca(std::abs(I[p.c] - I[p.a])),
-      d_cb(std::abs(I[p.c] - I[p.b])),
-      d_ba(std::abs(I[p.b] - I[p.a])),
+      d_ca(abs(I[p.c] - I[p.a])),
+      d_cb(abs(I[p.c] - I[p.b])),
+      d_ba(abs(I[p.b] - I[p.a])),
       // √p to 10¹⁵⁰: the square of a direction must not underflow. Less than rounding but within 10⁻¹⁵⁰ of sn
       // = 0.
-      inverse_root_p(std::max<Extended>(0x1p-500, std::sqrt(I[p.a] / I[p.b]) * std::sqrt(d_cb / d_ca))) {
+      inverse_root_p(std::max<Extended>(0x1p-500, sqrt(I[p.a] / I[p.b]) * sqrt(d_cb / d_ca))) {
   const Extended part = d_ba * I[p.c] / (d_ca * I[p.b]);  // (p − 1)/p
   const Extended k_part = p.k * inverse_root_p;
-  alpha = carlson_RF_of_squares(std::sqrt(part), std::sqrt(part + k_part * k_part), 1) * inverse_root_p;
+  alpha = carlson_RF_of_squares(sqrt(part), sqrt(part + k_part * k_part), 1) * inverse_root_p;
 }
 
 AsymmetricMotion::Formula AsymmetricMotion::Setup::formula(const Quat& q_SB) const {
@@ -92,9 +92,9 @@ void AsymmetricMotion::Setup::set_rates(Formula& f) const {
     f.psi_rate = double(G / I[p.b] / kPi);
   } else {
     // λ C_ψ: 1/√(I_a I_b) taken out of cel, lest 1/I_a overflow
-    const Extended root_ratio = std::sqrt(I[p.b] / I[p.a]), root_d = std::sqrt(d_ca / d_cb);
+    const Extended root_ratio = sqrt(I[p.b] / I[p.a]), root_d = sqrt(d_ca / d_cb);
     const Extended lambda_C =
-        G / std::sqrt(I[p.a] * I[p.b]) * bulirsch_cel(p.kp, root_ratio * root_d, root_ratio, root_d);
+        G / sqrt(I[p.a] * I[p.b]) * bulirsch_cel(p.kp, root_ratio * root_d, root_ratio, root_d);
     const bool counted = f.series == Series::in_complementary_nome;
     const Extended jump = counted ? alpha / Kp : 0;
     f.v_rate = double(p.lambda / (2 * K));

@@ -3,19 +3,13 @@
 // square roots of Carlson's arguments), so that nothing is lost where k → 1 or k' → 0. k² + k'² = 1.
 //
 // Constants of a motion are computed in Extended precision and rounded once: their errors are multiplied by
-// the number of periods, and there are only some dozens of them. η is the roundoff of Extended: 2⁻⁶⁴ with
-// x87.
+// the number of periods, and there are only some dozens of them. η = 2⁻⁶⁴ is the roundoff of x87, at which
+// the iterations and series stop, also where Extended has more bits.
 #pragma once
 
-#include <limits>
+#include "physics/exact/extended.h"
 
 namespace polhode {
-
-/// At least double; 64 bits of mantissa on x86. Its exponents hold the square of every double.
-using Extended = long double;
-static_assert(std::numeric_limits<Extended>::max_exponent > 2 * std::numeric_limits<double>::max_exponent &&
-              std::numeric_limits<Extended>::min_exponent <
-                  2 * (std::numeric_limits<double>::min_exponent - 53));
 
 /// K(k) = ∫₀^{π/2} dθ/√(1 − k² sin²θ) = π/(2 AGM(1, k')), the quarter period of sn; DLMF 19.8.5. k' in (0,
 /// 1]; at most kMaxAgmSteps steps, relative error 4η.

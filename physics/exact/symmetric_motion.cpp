@@ -33,8 +33,8 @@ SymmetricMotion::SymmetricMotion(const PrincipalMoments& I, const RigidBodyState
   Vec3Extended w_L_B = start.w_B.cast<Extended>();
   w_L_B[c_] *= Extended{I[c_]} / I_a;
   const Extended largest = w_L_B.cwiseAbs().maxCoeff();
-  e_L_ = largest > 0 ? std::ilogb(largest) : 0;
-  w_L_B_ = w_L_B.unaryExpr([this](Extended x) { return std::scalbn(x, -e_L_); }).cast<double>();
+  e_L_ = largest > 0 ? ilogb(largest) : 0;
+  w_L_B_ = w_L_B.unaryExpr([this](Extended x) { return scalbn(x, -e_L_); }).cast<double>();
   nu_ = w_c * ((I[c_] - I_a) / I_a);
 }
 

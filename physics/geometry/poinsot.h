@@ -17,7 +17,9 @@
 namespace polhode {
 
 /// A polyline whose distance from the true curve is at most the chord tolerance it was asked with, and the
-/// curve's from it (Hausdorff distance). Tolerances below 2⁻²⁶ of the curve's size are taken as that.
+/// curve's from it (Hausdorff distance). The tolerance is not taken below 2⁻²⁶ of the curve's size: of the
+/// larger of A and B below for polhodes and separatrices, whose tolerance is not below 2⁻⁵⁰ C either (the
+/// rounding of a small polhode far out), and of the largest |ω| for herpolhodes.
 struct Curve {
   std::vector<Vec3> points;  ///< frame and unit are the maker's
   bool closed = false;       ///< the last point joins the first, which is not repeated
@@ -73,10 +75,11 @@ std::vector<Curve> separatrices(const PrincipalMoments& I, double two_T, double 
 std::vector<Curve> separatrices(const PrincipalMoments& I, const Vec3& w_B, double chord_tolerance);
 
 /// ω's tip in space over [t0_s, t1_s] (either order), rad/s, S components: the herpolhode if the motion is
-/// torque-free. An open curve; one point if ω never leaves the tolerance. Pieces of at most ½ rad of turning
-/// are halved until the chord tolerance is met, with at most kMaxHerpolhodePoints points; a longer curve is
-/// followed more coarsely. Ends where the motion does (Motion::at gives NaN). Costs three to four times its
-/// points in calls of motion.at.
+/// torque-free. An open curve; one point if ω never leaves the tolerance. Equal pieces of at most ½ rad, at
+/// the largest |ω| of nine times, are halved until the chord tolerance is met. There are at most a quarter of
+/// kMaxHerpolhodePoints pieces, longer ones if need be, and none is halved once there are half of
+/// kMaxHerpolhodePoints points: a longer curve is followed more coarsely. Ends where the motion does
+/// (Motion::at gives NaN). Costs three to four times its points in calls of motion.at.
 /// @throws std::domain_error if a time is not finite.
 Curve herpolhode(const Motion& motion, double t0_s, double t1_s, double chord_tolerance);
 inline constexpr int kMaxHerpolhodePoints = 1 << 16;

@@ -11,11 +11,18 @@
 //
 //     err = ( |δω|²/w² + |δq|² )^½ ≤ tolerance,   w = max_i max(|ω_i| before, |ω_i| after the step):
 //
-// ω in units of itself, q absolute, whose length is 1. For 8(5,3) δ = δ₅ |δ₅|/(|δ₅|² + 0.01 |δ₃|²)^½ (HNW
-// §II.10). The next step is h·min(6, max(1/5, 0.9 (tolerance/err)^(1/order))), not longer after a refusal
-// (HNW (4.13)); the starting step is that of HNW p. 169 with ÿ taken to the power ½, so that the rule knows
-// no unit of time. What the steps add grows with time as the motion lets it: see the table. After each step q
-// is scaled to unit length, which changes no attitude and so no error.
+// ω in units of itself (and no less than 2⁻⁹⁶⁰ of the unit below, where it has died away), q absolute, whose
+// length is 1. For 8(5,3) δ = δ₅ |δ₅|/(|δ₅|² + 0.01 |δ₃|²)^½ (HNW §II.10). Taken or refused, the step that
+// follows is h times
+//
+//     1/5 if f ≤ 1/5, otherwise min(6, f) rounded down to a multiple of 1/64,
+//     f = 0.9 (tolerance/err)^(1/order), order 5 or 8,
+//
+// and after a refusal no longer than the step that is then taken (HNW (4.13)). The starting step is
+// (0.01 tolerance)^(1/order)/max(|ẏ|, |ÿ|^½), ÿ from a trial step of 0.01/max(|ω_i|, |ω̇_i|^½), at most 100 of
+// these, rounded down to a power of two: after HNW p. 169, but knowing no unit of time. Both roundings keep
+// the last bit of a library's pow out of the motion. What the steps add grows with time as the motion lets
+// it: see the table. After each step q is scaled to unit length, which changes no attitude and so no error.
 //
 // Error (the larger of ω, relative, and q) after N periods of I = (1, 2, 3), by tolerance:
 //

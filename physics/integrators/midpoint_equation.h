@@ -4,10 +4,11 @@
 //
 //     w = (1 + β|w|²) a + g∘(w_y w_z, w_z w_x, w_x w_y)
 //
-// (∘ by components.) Being quadratic, F(p + δ) = F(p) + J δ − Q(δ) exactly, with Q(δ) = β|δ|² a + g∘(δ_y δ_z,
-// …). So one residual and one Jacobian at a guess p give the root: δ ← J⁻¹(Q(δ) − F(p)), which gains as many
-// digits per round as the guess has. The guess extrapolates the steps before; without them it is Newton's
-// method from a. Internal to physics/.
+// (∘ by components.) Let F(w) be the left side less the right, and J its Jacobian at a guess p. Being
+// quadratic, F(p + δ) = F(p) + J δ − Q(δ) exactly, with Q(δ) = β|δ|² a + g∘(δ_y δ_z, …). So one residual and
+// one Jacobian give the root w = p + δ: δ ← J⁻¹(Q(δ) − F(p)), from δ = −J⁻¹ F(p), gains as many digits per
+// round as the guess has. The guess extrapolates the steps before; without them, or if it is poor, it is
+// Newton's method from a. Internal to physics/.
 #pragma once
 
 #include "physics/integrators/fixed_step_motion.h"
@@ -29,6 +30,7 @@ struct MidpointRoot {
 
 namespace midpoint_detail {
 
+// −F(w).
 inline Triple residual(const MidpointEquation& eq, const Triple& a, const Triple& w) {
   return (1.0 + eq.beta * dot(w, w)) * a + times(eq.g, pairs(w, w)) - w;
 }

@@ -92,8 +92,8 @@ std::vector<Term> published_terms(const SymmetricSums& f) {
   };
 }
 
-// The same in powers M^a H^(p−a) of N = H + ρM, divided by D^p = ρ^p I_2^p, at ρ: Σ_n binomial(n, a)
-// numerator(N^n).
+// The same in powers M^a H^(p−a) of N = H + ρM, at ρ: ρ^a Σ_n binomial(n, a) numerator(N^n), divided by
+// D^p = ρ^p I_2^p.
 double coefficient(const std::vector<Polynomial>& from_N_down, std::size_t a, double divisor, double rho,
                    double I2) {
   const std::size_t p = from_N_down.size() - 1;

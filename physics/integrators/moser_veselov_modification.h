@@ -8,15 +8,16 @@
 // physics/.
 //
 // With H = h²T and N = h²|L|²/2 the published coefficients are sums over negative powers of the moments; for
-// a needle of I_1 ≪ I_3 the terms of order 2p cancel to (I_1/I_3)^p of themselves. Here, in units of the
-// largest moment: ρ = I_1 (the smallest), I_2 = 1 − γρ with γ = (I_3 − I_2)/I_1 in [0, 1], I_3 = 1, and N = H
-// + ρM with
+// a needle of I_1 ≪ I_3 the terms of degree p in H and N cancel to (I_1/I_3)^p of themselves. Here, in units
+// of the largest moment: ρ = I_1 (the smallest), I_2 = 1 − γρ with γ = (I_3 − I_2)/I_1 in [0, 1], I_3 = 1,
+// and N = H + ρM with
 //
-//     M = −½ h² [(I_3 − I_1) ω_1² + γ I_2 ω_2²],
+//     M = −½ h² [(I_3 − I_1) ω_1² + γ I_2 ω_2²].
 //
-// every numerator is a polynomial in ρ which starts at ρ^p. The class computes with these polynomials, drops
-// what must vanish, and divides by ρ^p exactly: no digit is lost for a needle, and a disc or a sphere is
-// nothing special.
+// Over the denominator (I_1 I_2 I_3)^p = ρ^p I_2^p the numerator of M^a H^(p−a) is ρ^a, from the power of ρM,
+// times a polynomial in ρ which starts at ρ^(p−a). The class computes with these polynomials, drops what must
+// vanish, and divides by ρ^(p−a) exactly: no digit is lost for a needle, and a disc or a sphere is nothing
+// special.
 #pragma once
 
 #include "physics/integrators/step_arithmetic.h"

@@ -6,9 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <numbers>
 #include <stdexcept>
 
 namespace polhode::test {
@@ -45,13 +48,14 @@ std::vector<ReferenceCase> read_cases(const char* name) {
   return read;
 }
 
-using VectorL = Eigen::Matrix<long double, 3, 1>;
+using Vec3DoubleDouble = Eigen::Matrix<DoubleDouble, 3, 1>;
 
-VectorL in_units(const Vec3& v, int e) {
-  return v.cast<long double>().unaryExpr([e](long double x) { return std::scalbn(x, -e); });
+// eˣ − 1 of |x| < 0.35, where 0.35²⁵/25! < 2⁻¹⁰⁶ · 0.35.
+DoubleDouble expm1_of_small(const DoubleDouble& x) {
+  DoubleDouble term = x, sum = x;
+  for (int n = 2; n < 25; ++n) sum += term *= x / n;
+  return sum;
 }
-
-int exponent(const Vec3& v) { return std::ilogb(std::max(v.cwiseAbs().maxCoeff(), 0x1p-1074)); }
 
 }  // namespace
 
@@ -70,26 +74,48 @@ std::unique_ptr<const Motion> exact_motion(const PrincipalMoments& I, const Rigi
 }
 
 Drift drift(const PrincipalMoments& I, const RigidBodyState& start, const RigidBodyState& now) {
-  const int e_w = exponent(start.w_B);
-  const VectorL moments = in_units(I.vector(), exponent(I.vector()));
-  const VectorL w0 = in_units(start.w_B, e_w), w = in_units(now.w_B, e_w);
-  const VectorL L0 = moments.cwiseProduct(w0), L = moments.cwiseProduct(w);
-  const long double T0 = L0.dot(w0) / 2, T = L.dot(w) / 2, G0 = L0.norm(), G = L.norm();
+  const Vec3DoubleDouble moments = I.vector().cast<DoubleDouble>();
+  const Vec3DoubleDouble w0 = start.w_B.cast<DoubleDouble>(), w = now.w_B.cast<DoubleDouble>();
+  const Vec3DoubleDouble L0 = moments.cwiseProduct(w0), L = moments.cwiseProduct(w);
+  const DoubleDouble T0 = L0.dot(w0) / 2, T = L.dot(w) / 2, G0 = L0.norm(), G = L.norm();
   if (G0 == 0) return {static_cast<double>(T), static_cast<double>(G), 0};
 
-  const long double grid = std::scalbn(1.0L, -1074 - e_w);
-  const VectorL grid_L = moments * grid;
-  const long double slack_T = (w.cwiseAbs() + VectorL::Constant(grid)).dot(grid_L) / T0;
-  const long double slack_L = grid_L.norm() / G0;
-  const VectorL before_S = start.q_SB.cast<long double>().normalized() * (L0 / G0).eval();
-  const VectorL after_S = now.q_SB.cast<long double>().normalized() * (L / G).eval();
-  const long double direction = std::atan2(before_S.cross(after_S).norm(), before_S.dot(after_S));
-  const auto beyond = [](long double change, long double slack) {
-    return static_cast<double>(std::max(0.0L, change - slack));
+  const DoubleDouble grid = 0x1p-1074;
+  const Vec3DoubleDouble grid_L = moments * grid;
+  const DoubleDouble slack_T = (w.cwiseAbs() + Vec3DoubleDouble::Constant(grid)).dot(grid_L) / T0;
+  const DoubleDouble slack_L = grid_L.norm() / G0;
+  const Vec3DoubleDouble before_S = start.q_SB.cast<DoubleDouble>().normalized() * (L0 / G0).eval();
+  const Vec3DoubleDouble after_S = now.q_SB.cast<DoubleDouble>().normalized() * (L / G).eval();
+  const auto beyond = [](const DoubleDouble& change, const DoubleDouble& slack) {
+    const auto rest = static_cast<double>(change - slack);
+    return rest < 0 ? 0.0 : rest;  // NaN stays
   };
-  return {beyond(std::abs(T - T0) / T0, slack_T), beyond(std::abs(G - G0) / G0, slack_L),
-          beyond(direction, slack_L)};
+  const double direction = std::atan2(static_cast<double>(before_S.cross(after_S).norm()),
+                                      static_cast<double>(before_S.dot(after_S)));
+  return {beyond(abs(T - T0) / T0, slack_T), beyond(abs(G - G0) / G0, slack_L), beyond(direction, slack_L)};
 }
+
+SinCosTruth sin_cos(const DoubleDouble& x) {
+  const DoubleDouble quarter = std::numbers::pi_v<DoubleDouble> / 2;
+  const double quarters = std::nearbyint(static_cast<double>(x / quarter));
+  const DoubleDouble r = x - quarters * quarter, minus_r2 = -r * r;
+  DoubleDouble sine = r, cosine = 1, sine_term = r, cosine_term = 1;
+  for (int n = 1; n < 14; ++n) {  // (π/4)²⁸/28! < 2⁻¹⁰⁶
+    cosine += cosine_term *= minus_r2 / (2 * n * (2 * n - 1));
+    sine += sine_term *= minus_r2 / (2 * n * (2 * n + 1));
+  }
+  const std::array<DoubleDouble, 4> sines{sine, cosine, -sine, -cosine};
+  const auto quadrant = static_cast<std::size_t>(static_cast<std::int64_t>(quarters) & 3);
+  return {sines[quadrant], sines[(quadrant + 1) % 4]};
+}
+
+DoubleDouble exp(const DoubleDouble& x) {
+  const DoubleDouble ln2 = DoubleDouble::of_parts(0x1.62e42fefa39efp0, 0x1.abc9e3b39803fp-55, -1);
+  const double n = std::nearbyint(static_cast<double>(x / ln2));
+  return scalbn(1 + expm1_of_small(x - n * ln2), static_cast<int>(n));
+}
+
+DoubleDouble expm1(const DoubleDouble& x) { return abs(x) < 0.34 ? expm1_of_small(x) : exp(x) - 1; }
 
 const ReferenceCase& reference_case(std::string_view name) {
   for (const ReferenceCase& c : reference_cases()) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "physics/body/principal_moments.h"
+#include "physics/exact/double_double.h"
 #include "physics/motion.h"
 
 #include <cmath>
@@ -45,8 +46,8 @@ std::unique_ptr<const Motion> exact_motion(const PrincipalMoments& I, const Rigi
 double w_error(const Vec3& w, const Vec3& truth);
 double q_error(const Quat& q, const Quat& truth);
 
-/// Relative changes of T and |L|, and the angle between L in space then and now; computed in extended
-/// precision, whatever the units. What storing a subnormal ω on its grid of 2⁻¹⁰⁷⁴ explains is taken off.
+/// Relative changes of T and |L|, and the angle between L in space then and now; computed in double-double,
+/// whatever the units. What storing a subnormal ω on its grid of 2⁻¹⁰⁷⁴ explains is taken off.
 struct Drift {
   double T, L, direction;
 };
@@ -54,6 +55,15 @@ Drift drift(const PrincipalMoments& I, const RigidBodyState& start, const RigidB
 
 /// q̇_SB = ½ q_SB ⊗ (0, ω_B), as Eigen coefficients (x, y, z, w), 1/s.
 Eigen::Vector4d attitude_rate(const Quat& q_SB, const Vec3& w_B);
+
+/// Functions of 100 bits, for truths: by Taylor's series. Absolute error (sin, cos) and relative error (exp)
+/// of about 2⁻¹⁰³(1 + |x|), relative error of expm1 about 2⁻¹⁰⁰.
+struct SinCosTruth {
+  DoubleDouble sin, cos;
+};
+SinCosTruth sin_cos(const DoubleDouble& x);
+DoubleDouble exp(const DoubleDouble& x);
+DoubleDouble expm1(const DoubleDouble& x);
 
 bool same_bits(const RigidBodyState& x, const RigidBodyState& y);
 

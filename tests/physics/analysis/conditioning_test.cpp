@@ -74,19 +74,21 @@ TEST(Conditioning, TellsHowFarAheadPredictionReaches) {
   EXPECT_DOUBLE_EQ(c.horizon_periods(1e-3) * c.phase_per_period * kEps, 1e-3);
 }
 
-using LongQuat = Eigen::Quaternion<long double>;
-using LongVec3 = Eigen::Matrix<long double, 3, 1>;
+using LongQuat = Eigen::Quaternion<DoubleDouble>;
+using LongVec3 = Eigen::Matrix<DoubleDouble, 3, 1>;
 
-LongQuat long_rotation_by(const LongVec3& w, long double t_s) {
-  const long double rate = w.norm();
-  return LongQuat(Eigen::AngleAxis<long double>(rate * t_s, w / rate));
+LongQuat long_rotation_by(const LongVec3& w, double t_s) {
+  const DoubleDouble rate = w.norm();
+  const auto [sine, cosine] = test::sin_cos(rate * t_s / 2);
+  const LongVec3 v = sine / rate * w;
+  return {cosine, v[0], v[1], v[2]};
 }
 
 /// The attitude of a body with two equal moments, I[0] = I[1], that starts at the identity: the formula of
-/// symmetric_motion.h in numbers with 11 bits more.
+/// symmetric_motion.h in numbers of twice the digits.
 LongQuat long_attitude(const PrincipalMoments& I, const Vec3& w_B, double t_s) {
-  const long double ratio = static_cast<long double>(I[2]) / I[0];
-  const LongVec3 w = w_B.cast<long double>();
+  const DoubleDouble ratio = DoubleDouble(I[2]) / I[0];
+  const LongVec3 w = w_B.cast<DoubleDouble>();
   return long_rotation_by({w[0], w[1], w[2] * ratio}, t_s) *
          long_rotation_by({0, 0, -w[2] * (ratio - 1)}, t_s);
 }
@@ -103,9 +105,9 @@ TEST(ClosedFormError, IsNeverBelowTheTruthOfSymmetricBodies) {
     const Vec3 w_B(axis(random), axis(random), axis(random));
     const double t_s = std::pow(10.0, 7 * unit(random));
     const Problem problem{I, {Quat::Identity(), w_B}, {}};
-    const LongQuat found = make_motion(problem, {Method::exact})->at(t_s).q_SB.cast<long double>();
+    const LongQuat found = make_motion(problem, {Method::exact})->at(t_s).q_SB.cast<DoubleDouble>();
     const LongQuat truth =
-        is_sphere ? long_rotation_by(w_B.cast<long double>(), t_s) : long_attitude(I, w_B, t_s);
+        is_sphere ? long_rotation_by(w_B.cast<DoubleDouble>(), t_s) : long_attitude(I, w_B, t_s);
     const auto angle_rad = static_cast<double>(2 * (truth.conjugate() * found.normalized()).vec().norm());
     const double bound = closed_form_error(I, w_B, t_s);
     EXPECT_LE(angle_rad, bound) << I.vector().transpose() << ", " << w_B.transpose() << ", " << t_s;

@@ -16,18 +16,13 @@ namespace {
 using test::kEps;
 constexpr double kUlp = 2 * kEps;
 
-// Truth: long double of the part beyond the nearest quarter, which is exact.
+// Truth: double-double.
 TEST(SincosQuarterTurns, IsWithinItsError) {
   test::Random random(1);
   double worst = 0;
   for (int i = 0; i < 100'000; ++i) {
     const double y = random.uniform(-9, 9);
-    const double quarters = std::round(y);
-    const long double x = (y - quarters) * (std::numbers::pi_v<long double> / 2);
-    const long double s = std::sin(x), c = std::cos(x);
-    const long double sines[] = {s, c, -s, -c};
-    const auto quadrant = static_cast<std::size_t>(std::lround(quarters) & 3);
-    const long double sine = sines[quadrant], cosine = sines[(quadrant + 1) % 4];
+    const auto [sine, cosine] = test::sin_cos(y * (std::numbers::pi_v<DoubleDouble> / 2));
     const SinCos result = sincos_quarter_turns(y);
     worst = std::max(worst, std::abs(static_cast<double>((result.sin - sine) / sine)));
     worst = std::max(worst, std::abs(static_cast<double>((result.cos - cosine) / cosine)));
@@ -50,11 +45,10 @@ TEST(Decay, IsWithinItsError) {
   for (int i = 0; i < 100'000; ++i) {
     const double x = std::exp(random.uniform(-40, std::log(kLastDecay)));
     const Decay d = decay(x);
-    const long double e = std::exp(-static_cast<long double>(x));
+    const DoubleDouble e = test::exp(-DoubleDouble(x));
     EXPECT_NEAR(static_cast<double>(d.exp / e), 1, 2 * kUlp) << x;
     EXPECT_NEAR(static_cast<double>(d.inverse * e), 1, 2 * kUlp) << x;
-    EXPECT_NEAR(static_cast<double>(d.one_minus_exp / -std::expm1(-static_cast<long double>(x))), 1, 2 * kUlp)
-        << x;
+    EXPECT_NEAR(static_cast<double>(d.one_minus_exp / -test::expm1(-DoubleDouble(x))), 1, 2 * kUlp) << x;
   }
 }
 

@@ -154,6 +154,29 @@ TEST(Polhode, OfASymmetricTopIsACircle) {
   }
 }
 
+// D is then a single product, below the range of double beside the square of the other components.
+TEST(Polhode, OfASymmetricTopThatHardlySpinsIsACircleToo) {
+  for (const PrincipalMoments& I : {PrincipalMoments(1, 1, 1.5), PrincipalMoments(0.5, 1, 1)})
+    for (const double spin : {1e-150, -1e-155, 1e-165, -1e-300}) {
+      const int c = *symmetry_axis(I), a = (c + 1) % 3, b = (c + 2) % 3;
+      Vec3 w_B = Vec3::Unit(a);
+      w_B[c] = spin;
+      const Curve curve = polhode(I, w_B, 1e-3);
+      double across = 0;
+      for (const Vec3& p : curve.points) {
+        EXPECT_NEAR(p[c], spin, 16 * kEps * std::abs(spin));
+        EXPECT_NEAR(std::hypot(p[a], p[b]), 1, 16 * kEps) << spin;
+        across = std::max(across, std::abs(p[b]));
+      }
+      EXPECT_NEAR(across, 1, 16 * kEps) << spin;
+      const double expected =
+          2 * std::numbers::pi / std::abs(SymmetricMotion(I, {Quat::Identity(), w_B}).nu());
+      const auto period_s = polhode_period(I, w_B);
+      ASSERT_TRUE(period_s) << spin;
+      EXPECT_NEAR(*period_s / expected, 1, 8 * kEps) << spin;
+    }
+}
+
 TEST(Polhode, NextToASteadyAxisIsASmallEllipseNotAPoint) {
   for (const double size : {1e-8, 1e-150, 1e-300}) {
     const Curve curve = polhode_curve(kI, {size, 0, 3}, 1e-3);
