@@ -23,11 +23,11 @@ namespace polhode {
 /// axes alone.
 OverlaySet drawn_overlays(const Scene& scene);
 
-/// The plots of a page about the scene: its own, else without torque omega and drift, with torque omega,
-/// energy and momentum.
+/// The plots of a page about the scene: those it names, or else ω and drift without a torque, and ω, energy
+/// and momentum under one.
 std::vector<Meter> shown_meters(const Scene& scene);
 
-/// What a scene is modelled for: a figure needs nothing of what the plots of a page do.
+/// What a scene is modelled for. A figure alone does without what only the plots of a page need.
 enum class Product { figure, page };
 
 Requirements requirements(const Scene& scene, Product product = Product::figure);
