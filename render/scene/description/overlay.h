@@ -86,7 +86,7 @@ struct OverlayFacts {
 };
 
 /// One row for each overlay, in the order of the enumeration. What needs the polhode or the attitude needs
-/// omega, too (model.cpp).
+/// omega, too (scene_needs.cpp).
 inline constexpr std::array<OverlayFacts, kOverlayCount> kOverlays = [] {
   using O = Overlay;
   using R = Requirements;

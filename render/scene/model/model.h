@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene requires, and the model that gives just that. "Model only what a scene requires" lives here
-// alone.
+// The model of a scene: all that a picture of it, at any time, is made from, and no more than that.
 #pragma once
 
 #include "physics/body/problem.h"
@@ -10,30 +9,14 @@
 #include "render/scene/description/requirements.h"
 #include "render/scene/description/scene.h"
 #include "render/scene/model/method_table.h"
+#include "render/scene/model/scene_needs.h"
+#include "render/scene/model/scene_problem.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace polhode {
-
-/// The overlays of a scene that there is something to see of. A polhode, herpolhode, cones and an invariable
-/// plane belong to torque-free motion; the plane and the herpolhode to the space view, the plane also to L
-/// pointing down (only there is it level); N to a torque; a body at rest without torque has its shape and its
-/// axes alone.
-OverlaySet drawn_overlays(const Scene& scene);
-
-/// The plots of a page about the scene: those it names, or else ω and drift without a torque, and ω, energy
-/// and momentum under one.
-std::vector<Meter> shown_meters(const Scene& scene);
-
-/// What a scene is modelled for. A figure alone does without what only the plots of a page need.
-enum class Product { figure, page };
-
-Requirements requirements(const Scene& scene, Product product = Product::figure);
-
-/// Body, state at t = 0 and torque of a scene: what there is to be followed in time.
-Problem problem_of(const Scene& scene);
 
 /// Whether a scene can be shown on a page at its own times, without computing any curve: what must be
 /// computed step by step is followed as far as a still reaches.
@@ -63,9 +46,6 @@ struct SceneModel {
   MethodTable methods;              ///< at the time of the still, with the scene's step or 64 to a turn
   std::vector<MethodTable> orders;  ///< kOrderSteps of them, each with half the step of the one before
 };
-
-/// What the herpolhode covers from t = 0: `duration`, or three polhode periods.
-double herpolhode_span_s(const Scene& scene);
 
 /// Chords of curves stay within this part of the energy ellipsoid's largest semi-axis: 0.1 px in a 1080p
 /// picture.
