@@ -100,7 +100,7 @@ fs::path find_lesson(std::string_view name, const std::vector<fs::path>& folders
   if (names_file(name)) return name;
   if (is_id(name)) {
     for (const fs::path& folder : folders) {
-      const fs::path path = folder / (std::string(name) + ".md");
+      fs::path path = folder / (std::string(name) + ".md");
       std::error_code error;
       if (fs::exists(path, error)) return path;
     }
