@@ -37,7 +37,7 @@ struct TypedOptions {
   bool json = false, all = false, rendering = false;
 };
 
-CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
+CommandError usage(const std::string& text) { return {ExitCode::usage, text}; }
 
 const Scene& scene_of(const Lesson& lesson, const TypedOptions& typed) {
   if (typed.stage.empty())

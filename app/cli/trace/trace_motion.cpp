@@ -12,7 +12,7 @@ namespace polhode {
 
 namespace {
 
-CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
+CommandError usage(const std::string& text) { return {ExitCode::usage, text}; }
 
 std::optional<double> positive(const char* option, const std::string& text) {
   if (text.empty()) return std::nullopt;

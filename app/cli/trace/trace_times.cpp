@@ -14,7 +14,7 @@ namespace polhode {
 
 namespace {
 
-CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
+CommandError usage(const std::string& text) { return {ExitCode::usage, text}; }
 
 /// Whether a way was chosen; all its options must then be there.
 bool chosen(std::initializer_list<std::pair<const char*, const std::string*>> options) {
