@@ -16,7 +16,6 @@ namespace {
 
 std::vector<std::string> names_of(const std::map<std::string, int>& lines) {
   std::vector<std::string> names;
-  names.reserve(lines.size());
   for (const auto& [name, line] : lines) names.push_back(name);
   return names;
 }
