@@ -131,8 +131,7 @@ OutlineEllipse outline_ellipse(const GlassEllipsoid& e, const Mat4& view_project
   const OutlineEllipse screen{Eigen::Vector2d::Zero(), std::numbers::sqrt2 * Eigen::Matrix2d::Identity()};
   const auto found = outline(e, view_projection);
   if (!found) return screen;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-  axes.computeDirect(found->second);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(found->second);
   Eigen::Vector2d half = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().array() + kMargin;
   half = half.cwiseMax(kLeastWidth * half.maxCoeff());
   if (!(found->first.norm() + half.maxCoeff() < kFurthest)) return screen;
