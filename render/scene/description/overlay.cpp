@@ -193,12 +193,12 @@ std::optional<Overlay> overlay_from(std::string_view name) {
 }
 
 const std::vector<std::string>& overlay_names() {
-  static const std::vector<std::string> names = [] {
+  static const std::vector<std::string> kNames = [] {
     std::vector<std::string> all;
     for (const OverlayFacts& facts : kFacts) all.emplace_back(facts.name);
     return all;
   }();
-  return names;
+  return kNames;
 }
 
 }  // namespace polhode
