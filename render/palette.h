@@ -28,6 +28,7 @@ inline constexpr Role kAxesRole{color_from_hex(0x4A4F57), color_from_hex(0x8A909
 std::optional<Role> role_from(std::string_view name);
 
 inline constexpr Color kSeparatrixPaint = color_from_hex(0x59616C);
+inline constexpr Color kPaper = color_from_hex(0xFBFAF6);
 inline constexpr Color kInk = color_from_hex(0x23262B);
 inline constexpr Color kGlassTint = color_from_hex(0x8FC3DA);
 inline constexpr Color kSphereTint = color_from_hex(0xC9B98A);

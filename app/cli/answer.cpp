@@ -10,6 +10,7 @@
 #include "base/printable.h"
 #include "base/shell_line.h"
 #include "base/spelling.h"
+#include "base/utf8.h"
 #include "lessons/claims/answers.h"
 #include "lessons/diagnostics/source_text.h"
 
@@ -22,7 +23,7 @@ namespace polhode {
 
 namespace {
 
-using Outcome = AnswerJudgement::Outcome;
+using Mark = AnswerJudgement::Mark;
 
 struct Options {
   std::string lesson, stage, ask;
@@ -43,19 +44,19 @@ const Ask& ask_of(const Stage& stage, const std::string& id) {
   throw CommandError(ExitCode::usage, fmt::format("{}: {}", message, suggestion(id, ids)));
 }
 
-const char* word_of(Outcome outcome) {
-  if (outcome == Outcome::right) return "right";
-  return outcome == Outcome::wrong ? "wrong" : "unreadable";
+const char* word_of(Mark mark) {
+  if (mark == Mark::right) return "right";
+  return mark == Mark::wrong ? "wrong" : "unreadable";
 }
 
-ExitCode code_of(Outcome outcome) {
-  if (outcome == Outcome::right) return ExitCode::done;
-  return outcome == Outcome::wrong ? ExitCode::different : ExitCode::usage;
+ExitCode code_of(Mark mark) {
+  if (mark == Mark::right) return ExitCode::done;
+  return mark == Mark::wrong ? ExitCode::different : ExitCode::usage;
 }
 
 void print_json(const AnswerJudgement& judgement) {
   using Json = nlohmann::ordered_json;
-  Json json = {{"verdict", word_of(judgement.outcome)},
+  Json json = {{"verdict", word_of(judgement.mark)},
                {"reason", judgement.reason},
                {"hint", judgement.hint},
                {"column", judgement.column > 0 ? Json(judgement.column) : Json(nullptr)},
@@ -75,8 +76,8 @@ void print_place(const std::string& answer, int column) {
 }
 
 void print_verdict(const AnswerJudgement& judgement, const std::string& answer) {
-  if (judgement.outcome == Outcome::unreadable) return;
-  fmt::print("{}{}{}\n", word_of(judgement.outcome), judgement.reason.empty() ? "" : ": ",
+  if (judgement.mark == Mark::unreadable) return;
+  fmt::print("{}{}{}\n", word_of(judgement.mark), judgement.reason.empty() ? "" : ": ",
              printable_line(judgement.reason));
   print_place(answer, judgement.column);
   if (const auto& counter = judgement.counterexample)
@@ -137,28 +138,28 @@ ExitCode judge_and_keep(const Ask& ask, const std::string& given, const Options&
                         const KeptAnswers& kept) {
   const AnswerJudgement judgement = judge_answer(ask, given, Prover());
   options.json ? print_json(judgement) : print_verdict(judgement, given);
-  if (judgement.outcome == Outcome::unreadable && !options.json) {
+  if (judgement.mark == Mark::unreadable && !options.json) {
     print_place(given, judgement.column);
     throw CommandError(ExitCode::usage, judgement.hint.empty()
                                             ? judgement.reason
                                             : fmt::format("{} ({})", judgement.reason, judgement.hint));
   }
-  if (judgement.outcome != Outcome::unreadable) {
-    if (!options.json && judgement.outcome == Outcome::wrong && !ask.hints.empty()) offer_hint(options);
+  if (judgement.mark != Mark::unreadable) {
+    if (!options.json && judgement.mark == Mark::wrong && !ask.hints.empty()) offer_hint(options);
     std::fflush(stdout);  // the verdict need not wait for another process that keeps an answer just now
     kept.change_if_possible(
         [&](AnswerLog& log, const std::string& name) {
-          note_try(log[name], judgement.outcome == Outcome::right, given);
+          note_try(log[name], judgement.mark == Mark::right, given);
         },
         "the answer is not kept");
   }
-  return code_of(judgement.outcome);
+  return code_of(judgement.mark);
 }
 
 ExitCode answer(const Options& options) {
   if (options.answer.has_value() == (options.hint || options.reset) || (options.hint && options.reset))
     throw CommandError(ExitCode::usage, "give an answer, or --hint, or --reset");
-  const LoadedLesson loaded = load_lesson(options.lesson);
+  const LoadedLesson loaded = or_fail(load_lesson(options.lesson));
   const Stage& stage = stage_of(loaded.lesson, options.stage);
   const Ask& ask = ask_of(stage, options.ask);
   const KeptAnswers kept(loaded.lesson.id, answer_name(stage.id, ask.id));

@@ -255,12 +255,12 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
 ExitCode run_export(const TypedExport& typed) {
   const ExportOptions options = export_options(typed);
   ExportOutput out = export_output(typed);
-  const LoadedLesson loaded = load_lesson(typed.lesson);
+  const LoadedLesson loaded = or_fail(load_lesson(typed.lesson));
   // Told by `polhode verify` wherever that is run.
   if (fs::path(typed.lesson) == loaded.path)
     std::replace(out.resume_all.begin(), out.resume_all.end(), typed.lesson,
                  fs::absolute(loaded.path).string());
-  check_type_of(loaded, or_fail(Fonts::open()));
+  or_fail(check_type_of(loaded, or_fail(Fonts::open())));
   return options.what == What::transcript ? export_transcript(loaded, options, out)
                                           : export_pictures(loaded, options, out);
 }

@@ -2,6 +2,7 @@
 // polhode info: what each scene requires, the motion chosen and why, and what both cost.
 #include "app/cli/commands.h"
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 #include "base/printable.h"
 #include "base/stopwatch.h"
 #include "physics/analysis/horizon.h"
@@ -120,7 +121,7 @@ void print_table(const Lesson& lesson, const std::vector<StageInfo>& infos) {
 }
 
 ExitCode show_info(const std::string& name, bool json) {
-  const LoadedLesson loaded = load_lesson(name);
+  const LoadedLesson loaded = or_fail(load_lesson(name));
   std::vector<StageInfo> infos;
   for (const Stage& stage : loaded.lesson.stages) infos.push_back(info_of(stage));
   if (!json) {

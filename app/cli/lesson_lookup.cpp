@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Ids name files in our folders and nothing else: no slash, no dot.
-bool is_id(std::string_view name) {
+bool is_plain_name(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
@@ -47,16 +47,17 @@ std::string all_lines(const std::vector<Diagnostic>& diagnostics) {
   return lines;
 }
 
-CommandError has_errors(const fs::path& path, const std::vector<Diagnostic>& diagnostics) {
-  return {ExitCode::invalid, fmt::format("lesson {} has errors:\n{}", path.string(), all_lines(diagnostics))};
+Failure<Error> has_errors(const fs::path& path, const std::vector<Diagnostic>& diagnostics) {
+  return failure_of(Fault::invalid,
+                    fmt::format("lesson {} has errors:\n{}", path.string(), all_lines(diagnostics)));
 }
 
-CommandError unknown_lesson(std::string_view name, const std::vector<fs::path>& folders) {
+Failure<Error> unknown_lesson(std::string_view name, const std::vector<fs::path>& folders) {
   std::vector<std::string> known, places;
   for (const FoundLesson& lesson : lessons_in(folders)) known.push_back(lesson.id);
   for (const fs::path& folder : folders) places.push_back(folder.string());
-  return {ExitCode::usage, fmt::format("unknown lesson \"{}\"{} (looked for {}.md in {})", name,
-                                       did_you_mean(name, known), name, fmt::join(places, ", "))};
+  return failure_of(Fault::usage, fmt::format("unknown lesson \"{}\"{} (looked for {}.md in {})", name,
+                                              did_you_mean(name, known), name, fmt::join(places, ", ")));
 }
 
 /// Ends by the budget, and by an interruption while somebody watches for one.
@@ -87,7 +88,7 @@ std::vector<FoundLesson> lessons_in(const std::vector<fs::path>& folders) {
       FoundLesson lesson{entry->path().stem().string(), entry->path()};
       const bool known =
           std::any_of(found.begin(), found.end(), [&](const auto& f) { return f.id == lesson.id; });
-      if (lesson.path.extension() == ".md" && is_id(lesson.id) && !known &&
+      if (lesson.path.extension() == ".md" && is_plain_name(lesson.id) && !known &&
           opens_with_front_matter(lesson.path))
         found.push_back(std::move(lesson));
     }
@@ -96,50 +97,54 @@ std::vector<FoundLesson> lessons_in(const std::vector<fs::path>& folders) {
   return found;
 }
 
-fs::path find_lesson(std::string_view name, const std::vector<fs::path>& folders) {
-  if (names_file(name)) return name;
-  if (is_id(name)) {
+Outcome<fs::path> find_lesson(std::string_view name, const std::vector<fs::path>& folders) {
+  if (names_file(name)) return fs::path(name);
+  if (is_plain_name(name)) {
     for (const fs::path& folder : folders) {
       fs::path path = folder / (std::string(name) + ".md");
       std::error_code error;
       if (fs::exists(path, error)) return path;
     }
   }
-  throw unknown_lesson(name, folders);
+  return unknown_lesson(name, folders);
 }
 
-std::string read_lesson_text(const fs::path& path) {
+Outcome<std::string> read_lesson_text(const fs::path& path) {
   const auto failed = [&](int error) {
-    return CommandError(ExitCode::failed,
-                        fmt::format("cannot read lesson {}: {}", path.string(), std::strerror(error)));
+    return failure_of(Fault::failed,
+                      fmt::format("cannot read lesson {}: {}", path.string(), std::strerror(error)));
   };
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) throw failed(errno);
+  if (!file) return failed(errno);
   std::string text(kMaxLessonBytes + 1, '\0');
   text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-  if (std::ferror(file.get())) throw failed(errno);
+  if (std::ferror(file.get())) return failed(errno);
   return text;
 }
 
-LoadedLesson load_lesson(std::string_view name) {
-  const fs::path path = find_lesson(name, lesson_folders());
-  const std::string text = read_lesson_text(path);
+Outcome<LoadedLesson> load_lesson(std::string_view name) {
+  const auto path = find_lesson(name, lesson_folders());
+  if (!path) return passed_on(path);
+  const auto text = read_lesson_text(*path);
+  if (!text) return passed_on(text);
   Budget budget(kLintBudget);
-  LessonReading reading = check_lesson(text, path.string(), limited_by(budget));
-  if (!reading.lesson) throw has_errors(path, reading.diagnostics);
-  return {std::move(*reading.lesson), path, sha256_hex(text)};
+  LessonReading reading = check_lesson(*text, path->string(), limited_by(budget));
+  if (!reading.lesson) return has_errors(*path, reading.diagnostics);
+  return LoadedLesson{std::move(*reading.lesson), *path, sha256_hex(*text)};
 }
 
-void check_type_of(const LoadedLesson& loaded, const Fonts& fonts) {
+Done check_type_of(const LoadedLesson& loaded, const Fonts& fonts) {
   const std::vector<Diagnostic> found = check_type(loaded.lesson, fonts, loaded.path.string());
-  if (!found.empty()) throw has_errors(loaded.path, found);
+  if (!found.empty()) return has_errors(loaded.path, found);
+  return done();
 }
 
-void check_pages_of(const LoadedLesson& loaded, const Fonts& fonts) {
+Done check_pages_of(const LoadedLesson& loaded, const Fonts& fonts) {
   Budget budget(kLintBudget);
   const std::vector<Diagnostic> found =
       page_errors(loaded.lesson, fonts, loaded.path.string(), limited_by(budget));
-  if (!found.empty()) throw has_errors(loaded.path, found);
+  if (!found.empty()) return has_errors(loaded.path, found);
+  return done();
 }
 
 const Stage& stage_of(const Lesson& lesson, std::string_view id) { return *or_usage(lesson.stage_named(id)); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/page/loaded_lesson.h"
+#include "base/outcome.h"
 #include "render/typeset/fonts.h"
 
 #include <filesystem>
@@ -24,24 +25,23 @@ struct FoundLesson {
 /// exist, and documents that do not open with the +++ of a lesson's front matter, are passed over.
 std::vector<FoundLesson> lessons_in(const std::vector<std::filesystem::path>& folders);
 
-/// `name` is an id, or a file if it has a slash or ends in .md.
-/// @throws CommandError usage for an unknown id (with "did you mean"); a file's existence is not checked
-/// here.
-std::filesystem::path find_lesson(std::string_view name, const std::vector<std::filesystem::path>& folders);
+/// `name` is an id, or a file if it has a slash or ends in .md. An unknown id is a fault of usage (with "did
+/// you mean"); a file's existence is not checked here.
+Outcome<std::filesystem::path> find_lesson(std::string_view name,
+                                           const std::vector<std::filesystem::path>& folders);
 
-/// The text, at most one byte more than a lesson may have (the reader refuses that). @throws CommandError
-/// failed
-std::string read_lesson_text(const std::filesystem::path& path);
+/// The text, at most one byte more than a lesson may have (the reader refuses that).
+Outcome<std::string> read_lesson_text(const std::filesystem::path& path);
 
-/// With kLintBudget. @throws CommandError; of an invalid lesson all diagnostics are in its text.
-LoadedLesson load_lesson(std::string_view name);
+/// With kLintBudget. The error of an invalid lesson has all its diagnostics.
+Outcome<LoadedLesson> load_lesson(std::string_view name);
 
-/// @throws CommandError invalid if the fonts lack something of what the lesson says, with all diagnostics.
-void check_type_of(const LoadedLesson& loaded, const Fonts& fonts);
+/// Invalid if the fonts lack something of what the lesson says, with all diagnostics.
+Done check_type_of(const LoadedLesson& loaded, const Fonts& fonts);
 
-/// @throws CommandError invalid if a step has more than a page holds, or checking that takes more than
-/// kLintBudget, with all diagnostics. 1 to 2 ms a step.
-void check_pages_of(const LoadedLesson& loaded, const Fonts& fonts);
+/// Invalid if a step has more than a page holds, or checking that takes more than kLintBudget, with all
+/// diagnostics. 1 to 2 ms a step.
+Done check_pages_of(const LoadedLesson& loaded, const Fonts& fonts);
 
 /// The stage of that id. @throws CommandError usage with "did you mean"
 const Stage& stage_of(const Lesson& lesson, std::string_view id);

@@ -64,15 +64,15 @@ std::vector<Diagnostic> diagnostics_of(std::string_view text, const std::string&
 
 /// One file; a file that cannot be read is a message on stderr, and the others are still looked at.
 void lint_one(const std::string& name, Findings& findings) {
-  try {
-    const auto path = find_lesson(name, lesson_folders());
-    for (Diagnostic& diagnostic : diagnostics_of(read_lesson_text(path), path.string()))
-      findings.diagnostics.push_back(std::move(diagnostic));
-  } catch (const CommandError& error) {
-    if (error.code != ExitCode::failed) throw;
-    say("polhode: {}\n", error.what());
+  const auto path = or_fail(find_lesson(name, lesson_folders()));
+  const auto text = read_lesson_text(path);
+  if (!text) {
+    say("polhode: {}\n", text.error().text);
     findings.all_read = false;
+    return;
   }
+  for (Diagnostic& diagnostic : diagnostics_of(*text, path.string()))
+    findings.diagnostics.push_back(std::move(diagnostic));
 }
 
 void print(const std::vector<Diagnostic>& diagnostics, bool json) {

@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
+#include "app/cli/or_fail.h"
 #include "base/printable.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ struct Entry {
 std::vector<Entry> readable_lessons() {
   std::vector<Entry> entries;
   for (FoundLesson& found : lessons_in(lesson_folders())) {
-    LessonReading reading = read_lesson(read_lesson_text(found.path), found.path.string());
+    LessonReading reading = read_lesson(or_fail(read_lesson_text(found.path)), found.path.string());
     if (reading.lesson)
       entries.push_back({std::move(found), std::move(*reading.lesson)});
     else

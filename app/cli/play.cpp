@@ -8,6 +8,7 @@
 #include "app/session/state_file.h"
 #include "app/window/window.h"
 #include "base/interrupt.h"
+#include "base/printable.h"
 
 #include <fmt/format.h>
 
@@ -22,11 +23,12 @@ struct Options {
   bool watch = false;
 };
 
-std::shared_ptr<const LoadedLesson> load(const std::string& name, const Fonts& fonts) {
-  auto loaded = std::make_shared<const LoadedLesson>(load_lesson(name));
-  check_type_of(*loaded, fonts);
-  check_pages_of(*loaded, fonts);
-  return loaded;
+Outcome<std::shared_ptr<const LoadedLesson>> load(const std::string& name, const Fonts& fonts) {
+  auto loaded = load_lesson(name);
+  if (!loaded) return passed_on(loaded);
+  if (const Done can = check_type_of(*loaded, fonts); !can) return passed_on(can);
+  if (const Done fits = check_pages_of(*loaded, fonts); !fits) return passed_on(fits);
+  return std::make_shared<const LoadedLesson>(std::move(*loaded));
 }
 
 /// Looks at the file's time, and reads it when that has changed.
@@ -39,15 +41,11 @@ class LessonWatch {
     const auto now = time();
     if (now == written_) return;
     written_ = now;
-    try {
-      auto loaded = load(path_.string(), fonts_);
-      errors.clear();
-      if (loaded->sha256 == sha256_) return;
-      sha256_ = loaded->sha256;
-      session.replace_lesson(std::move(loaded));
-    } catch (const CommandError& error) {
-      errors = error.what();
-    }
+    const auto loaded = load(path_.string(), fonts_);
+    errors = loaded ? "" : printable(loaded.error().text);
+    if (!loaded || (*loaded)->sha256 == sha256_) return;
+    sha256_ = (*loaded)->sha256;
+    session.replace_lesson(*loaded);
   }
 
  private:
@@ -66,7 +64,7 @@ class LessonWatch {
 
 ExitCode play(const Options& options) {
   const Fonts fonts = or_fail(Fonts::open());
-  const auto loaded = load(options.lesson, fonts);
+  const auto loaded = or_fail(load(options.lesson, fonts));
   if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
   LessonSession session(loaded, until_interrupted());
   WindowOptions window;

@@ -2,6 +2,7 @@
 #include "app/narration/transcript.h"
 
 #include "app/narration/speech_text.h"
+#include "base/utf8.h"
 
 #include <fmt/format.h>
 
@@ -11,13 +12,10 @@ namespace polhode {
 
 namespace {
 
-std::size_t characters_in(std::string_view utf8) {
-  return static_cast<std::size_t>(std::count_if(
-      utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
+std::size_t columns_of(std::string_view utf8) { return static_cast<std::size_t>(count_characters(utf8)); }
 
 std::string underlined(const std::string& heading, char line) {
-  return heading + '\n' + std::string(characters_in(heading), line) + '\n';
+  return heading + '\n' + std::string(columns_of(heading), line) + '\n';
 }
 
 class Transcript {
@@ -71,7 +69,7 @@ class Transcript {
 }  // namespace
 
 std::string wrapped(std::string_view words, const std::string& first) {
-  const std::string indent(characters_in(first), ' ');
+  const std::string indent(columns_of(first), ' ');
   std::string text, line = first;
   bool is_empty = true;
   while (!words.empty()) {
@@ -79,7 +77,7 @@ std::string wrapped(std::string_view words, const std::string& first) {
     const std::string_view word = words.substr(0, end);
     words.remove_prefix(std::min(end + 1, words.size()));
     if (word.empty()) continue;
-    if (!is_empty && characters_in(line) + 1 + characters_in(word) > kTranscriptColumns) {
+    if (!is_empty && columns_of(line) + 1 + columns_of(word) > kTranscriptColumns) {
       text += line + '\n';
       line = indent;
       is_empty = true;

@@ -56,7 +56,7 @@ std::string note_of(ClaimKind kind, const std::optional<Counterexample>& counter
 }
 
 /// 10^−15 as type: what comes out of measuring has one digit that means something.
-std::string power_of_ten(double value) {
+std::string rounded_text(double value) {
   if (value == 0) return "0";
   if (value >= 0.001 && value < 1000) return fmt::format("{:.2g}", value);
   int exponent = static_cast<int>(std::floor(std::log10(value)));
@@ -143,7 +143,7 @@ std::string live_text(const Claim& claim, const LiveState& live, View view) {
   const bool apart = value->residual > std::min(value->tolerance, kDecisive);
   const std::string distance =
       fmt::format("{} {} {} {}", claim.kind == ClaimKind::identity ? "rounding" : "apart",
-                  power_of_ten(value->residual), apart ? ">" : "≤", power_of_ten(value->tolerance));
+                  rounded_text(value->residual), apart ? ">" : "≤", rounded_text(value->tolerance));
   const bool refutes = claim.kind == ClaimKind::is_false;
   if (value->tolerance > kDecisive) return refutes ? "" : "the step is too long to tell";
   if (!has_sides(claim)) return refutes ? "" : distance;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_theme.h"
 
+#include "render/palette.h"
+
 namespace polhode {
 
 namespace {
 
-constexpr PageColors kPaper = {.paper = color_from_hex(0xFBFAF6),
-                               .ink = color_from_hex(0x23262B),
+constexpr PageColors kLight = {.paper = kPaper,
+                               .ink = kInk,
                                .quiet = color_from_hex(0x5F656D),
                                .accent = color_from_hex(0xB04A00),
                                .panel = color_from_hex(0xF3EDDD),
@@ -15,7 +17,7 @@ constexpr PageColors kPaper = {.paper = color_from_hex(0xFBFAF6),
                                .meant = color_from_hex(0x00734F),
                                .question = color_from_hex(0x005F99),
                                .marked = color_from_hex(0xF0C27A, 0.55F),
-                               .backdrop = color_from_hex(0xFBFAF6)};
+                               .backdrop = kPaper};
 
 constexpr PageColors kDark = {.paper = color_from_hex(0x1B1E23),
                               .ink = color_from_hex(0xECE9E1),
@@ -31,7 +33,7 @@ constexpr PageColors kDark = {.paper = color_from_hex(0x1B1E23),
 
 }  // namespace
 
-const PageColors& colors_of(Theme theme) { return theme == Theme::paper ? kPaper : kDark; }
+const PageColors& colors_of(Theme theme) { return theme == Theme::paper ? kLight : kDark; }
 
 Color on_paper(const Color& ink, Theme theme) { return theme == Theme::dark ? on_dark(ink) : ink; }
 

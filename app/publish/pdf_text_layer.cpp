@@ -2,6 +2,7 @@
 #include "app/publish/pdf_text_layer.h"
 
 #include "app/narration/transcript.h"
+#include "base/utf8.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,6 @@ constexpr std::size_t kCodes = 255;   ///< of a font: 1 to 255
 constexpr double kLetterWidth = 0.5;  ///< em, of every character
 constexpr double kLineHeight = 1.3;   ///< em
 constexpr double kMargin = 0.06;      ///< of the page's shorter side
-constexpr char32_t kReplacement = 0xFFFD;
 
 std::u32string utf16_units(char32_t character) {
   if (character < 0x10000) return {character};
@@ -72,25 +72,6 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 }  // namespace
-
-std::u32string code_points(std::string_view utf8) {
-  std::u32string text;
-  for (std::size_t i = 0; i < utf8.size();) {
-    const auto first = static_cast<unsigned char>(utf8[i++]);
-    const int more = first < 0x80                    ? 0
-                     : first >= 0xC2 && first < 0xE0 ? 1
-                     : first >= 0xE0 && first < 0xF0 ? 2
-                     : first >= 0xF0 && first < 0xF5 ? 3
-                                                     : -1;
-    char32_t point = more <= 0 ? first : first & (0x3F >> more);
-    int left = more;
-    for (; left > 0 && i < utf8.size() && (static_cast<unsigned char>(utf8[i]) & 0xC0) == 0x80; --left)
-      point = point << 6 | (static_cast<unsigned char>(utf8[i++]) & 0x3F);
-    const bool surrogate = point >= 0xD800 && point < 0xE000;
-    text += left == 0 && !surrogate && point < 0x110000 ? point : kReplacement;
-  }
-  return text;
-}
 
 PdfTextLayer::PdfTextLayer(const Deck& deck) {
   std::set<char32_t> found;

@@ -11,9 +11,6 @@
 
 namespace polhode {
 
-/// Code points; bytes that are not UTF-8 are U+FFFD.
-std::u32string code_points(std::string_view utf8);
-
 class PdfTextLayer {
  public:
   /// Of all pages that it is to write on.

@@ -31,8 +31,8 @@ void note_try(AnswerRecord& record, bool is_right, std::string_view answer);
 /// Which of so many hints comes next, from 0, noted as shown; nothing if all were.
 std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints);
 
-/// Does to a log what was done between `before` and `now`, two moments of a copy of it, and nothing else:
-/// what another process has added or forgotten since stays so.
+/// Applies to a log the changes that turned `before`, a copy of it, into `now`, and nothing else: what
+/// another process has added or removed in the meantime stays so.
 void merge_answers(AnswerLog& log, const AnswerLog& before, const AnswerLog& now);
 
 std::filesystem::path answer_log_path(const std::filesystem::path& folder, const std::string& lesson_id);

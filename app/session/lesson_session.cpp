@@ -352,11 +352,11 @@ std::vector<const Ask*> LessonSession::questions() const {
 }
 
 const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view text) {
-  using Outcome = AnswerJudgement::Outcome;
+  using Mark = AnswerJudgement::Mark;
   JudgedAnswer& judged = judged_[ask.id] = {std::string(text), judge_answer(ask, text, Prover())};
-  const Outcome outcome = judged.judgement.outcome;
-  if (outcome != Outcome::unreadable)
-    note_try(answers_[answer_name(stage().id, ask.id)], outcome == Outcome::right, text);
+  const Mark mark = judged.judgement.mark;
+  if (mark != Mark::unreadable)
+    note_try(answers_[answer_name(stage().id, ask.id)], mark == Mark::right, text);
   return judged.judgement;
 }
 

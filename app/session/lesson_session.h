@@ -102,8 +102,8 @@ class LessonSession {
   /// Real time passes; a scene with a duration plays it again and again. The motion stops where it cannot be
   /// computed any further.
   void advance(double seconds);
-  /// What the time line shows: the loop of the scene, or that many of them further, in which t lies. At the
-  /// border of two it is the one that was shown before. Precondition: has_scene()
+  /// What the time line shows: the scene's loop, moved on by whole loops so that t lies in it. Where two
+  /// loops meet it stays with the one shown before. Precondition: has_scene()
   struct Interval {
     double from_s = 0, to_s = 1;
   };

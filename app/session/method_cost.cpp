@@ -65,7 +65,7 @@ double ns_per_frame(const SceneModel& model, const Problem& problem, const Metho
 }
 
 /// An exponent without the zeros that fill it up: "1e-10", "2e-5".
-std::string short_number(double value) {
+std::string two_digits(double value) {
   std::string text = fmt::format("{:.2g}", value);
   if (const std::size_t zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
   return text;
@@ -73,8 +73,8 @@ std::string short_number(double value) {
 
 std::string name_of_step(const MethodChoice& choice) {
   const std::string name(name_of(choice.method));
-  if (choice.step_s) return fmt::format("{}, step {} s", name, short_number(*choice.step_s));
-  if (choice.tolerance) return fmt::format("{}, tolerance {}", name, short_number(*choice.tolerance));
+  if (choice.step_s) return fmt::format("{}, step {} s", name, two_digits(*choice.step_s));
+  if (choice.tolerance) return fmt::format("{}, tolerance {}", name, two_digits(*choice.tolerance));
   return fmt::format("{}, closed form", name);
 }
 

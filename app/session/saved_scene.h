@@ -12,13 +12,13 @@ namespace polhode {
 /// centre of mass or about the pivot of this torque, is left out.
 std::string own_body_of(const Body& body, const Torque& torque);
 
-/// A whole lesson that `polhode export` reads: the front matter with the lesson's title, symbols and macros,
-/// and the scene's body; one stage, with its steps up to the present one as the author wrote them; and the
-/// scene, as it is now, from the step on that had the stage's first one (later scene blocks are empty). Its
-/// last step has the figure of the session's model to the byte, and its page too, but for the line above
-/// the title: stage 1 of 1, the last step. What is merely pointed at is not highlighted in it. The lesson's
-/// id, and the name that its file should have, is that of the stage. Measured claims of the stage may fail on
-/// a motion that was changed: the reader takes them, `lint` says so.
+/// The present stage as a lesson of its own, which `polhode export` reads. It has the lesson's front matter
+/// (title, symbols, macros) with the scene's body, and one stage: its steps up to the present one as the
+/// author wrote them, but the scene as it is now in place of the stage's first, and later scene blocks empty.
+/// The last step has the same figure as the session to the byte, and the same page, save for the line above
+/// the title, which says stage 1 of 1; a symbol that is merely pointed at is not highlighted. The lesson has
+/// the id of the stage, which is also what its file should be called. Measured claims may fail on a motion
+/// that was changed; the lesson reads all the same, and `lint` says so.
 std::string lesson_of(const LessonSession& session);
 
 /// As `polhode trace --format csv`: of the present motion, over the interval of the time line, with a line

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/answers.h"
 
+#include "base/utf8.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/diagnostics/report.h"
 
@@ -10,20 +11,17 @@
 namespace polhode {
 namespace {
 
-using Outcome = AnswerJudgement::Outcome;
+using Mark = AnswerJudgement::Mark;
 
 AnswerJudgement right() {
-  return {.outcome = Outcome::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
+  return {.mark = Mark::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
 }
 AnswerJudgement wrong(std::string reason, int column = 0) {
-  return {.outcome = Outcome::wrong,
-          .reason = std::move(reason),
-          .hint = {},
-          .column = column,
-          .counterexample = {}};
+  return {
+      .mark = Mark::wrong, .reason = std::move(reason), .hint = {}, .column = column, .counterexample = {}};
 }
 AnswerJudgement unreadable(std::string reason, std::string hint = {}, int column = 0) {
-  return {Outcome::unreadable, std::move(reason), std::move(hint), column, {}};
+  return {Mark::unreadable, std::move(reason), std::move(hint), column, {}};
 }
 
 Assumption assumption_named(const std::string& modulo) {

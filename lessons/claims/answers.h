@@ -25,8 +25,8 @@ struct Question {
 constexpr char letter_of_choice(std::size_t index) { return static_cast<char>('A' + index); }
 
 struct AnswerJudgement {
-  enum class Outcome { right, wrong, unreadable };
-  Outcome outcome = Outcome::wrong;
+  enum class Mark { right, wrong, unreadable };
+  Mark mark = Mark::wrong;
   std::string reason;  ///< of what is not right: one sentence, without a full stop
   std::string hint;    ///< how it is written, of what cannot be read; may be empty
   int column = 0;      ///< from 1, what the reason is about; 0: the whole

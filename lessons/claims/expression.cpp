@@ -171,7 +171,7 @@ class ExpressionReader {
     read_digits(0);
     if (next() == '.') ++i_, read_digits(-1);
     if (i_ == begin + 1 && text_[begin] == '.') fail(begin, "a number needs digits");
-    if (next() == 'e' || next() == 'E') number.power_of_ten += power_of_ten();
+    if (next() == 'e' || next() == 'E') number.power_of_ten += exponent();
     if (std::abs(number.power_of_ten) > kMaxPowerOfTen)
       fail(begin, "a number carries at most 18 powers of ten");
     end_ = i_;
@@ -182,7 +182,7 @@ class ExpressionReader {
   }
 
   // Of a number such as 1e-9; an e that no digit follows is left for the name after it.
-  int power_of_ten() {
+  int exponent() {
     std::size_t at = i_ + 1;
     const bool negative = at < text_.size() && text_[at] == '-';
     if (at < text_.size() && (text_[at] == '+' || text_[at] == '-')) ++at;

@@ -37,10 +37,10 @@ struct LiveValue {
   double size = 0;                        ///< of what the sides come from: `residual` is relative to it
   double residual = 0, tolerance = 0;
 };
-/// Whether the scene has what the claim speaks of. Not the scene of a non-sequitur, which is about another
-/// motion; of p, v, F, m only where the centre of mass drifts; of A where that arrow is shown; of J, which no
-/// scene has, only where that refutes something said of J alone; and of rates nothing where a sink lets the
-/// body slip. What is measured is always shown.
+/// Whether the scene has numbers for what the claim speaks of. p, v, F and m have some only where the centre
+/// of mass moves, A only where that arrow is shown. J, a scalar no scene has, counts where the numbers refute
+/// what is said of J alone. Where an energy sink lets the body slip, rates have none. A non-sequitur is about
+/// another motion than the scene's and is never shown; a measured claim always is.
 bool can_be_shown(const Claim& claim, const Scene& scene);
 /// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);

@@ -3,15 +3,15 @@
 //
 // The two sides are rational functions of the state (moments, components of ω, ω̇, N …, quaternion) with
 // rational coefficients. They are compared at kSamples points drawn at random modulo p = 2⁶¹ − 1. One point
-// where they differ refutes the claim for certain. Where they are not the same function, a point at which
-// they agree is a zero of a polynomial of degree at most 2·kMaxDegree + 64 in all, which one random point is
-// with probability at most 8256/p < 4e-15 (Schwartz, J. ACM 27 (1980) 701-717, Lemma 1; Zippel, EUROSAM
-// 1979), so that kSamples independent ones all are with less than 3e-116. The points are drawn from a fixed
-// seed: runs repeat. So that no claim can be made up which agrees at just these, it is tried at two more
-// points, whose seed is a hash of its own text.
+// where they differ refutes the claim for certain. Two different functions agree only at the zeros of a
+// polynomial, of total degree at most 2·kMaxDegree + 64. A random point is such a zero with a probability of
+// at most 8256/p < 4e-15 (Schwartz, J. ACM 27 (1980) 701-717, Lemma 1; Zippel, EUROSAM 1979); kSamples
+// independent points all are with one below 3e-116. The points are drawn from a fixed seed, so that runs
+// repeat. Lest somebody make up a claim that agrees at just these, it is tried at two more points, whose seed
+// is a hash of its own text.
 //
-// Coefficients that p divides would vanish too. All operations turn with their vectors, so that the claim
-// says the same where the axes of body and space coincide; there the coefficients of the difference are whole
+// Coefficients that p divides would vanish too. All operations turn with their vectors, so the claim says the
+// same where the axes of body and space coincide; there the coefficients of the difference are whole
 // numbers whose size the reader bounds (Degree). Below 2⁶⁰ none but 0 is divisible by p. Otherwise the sides
 // are compared at one more point modulo 2¹²⁷ − 1, whose product with p divides none but 0 below 2¹⁸⁷; beyond,
 // the claim is undecided.

@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/diagnostics/source_text.h"
 
+#include "base/utf8.h"
+
 #include <algorithm>
 #include <array>
 
 namespace polhode {
 namespace {
 
-bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
-
 std::string hex_byte(unsigned char byte) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   return {'0', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
-}
-
-struct LeadByte {
-  std::size_t length;  // of the whole character; 0: no character starts so
-  unsigned smallest;   // code point that needs this length (shorter forms are refused)
-  unsigned bits;
-};
-
-LeadByte lead(unsigned char byte) {
-  if (byte < 0x80U) return {1, 0, byte};
-  if (byte >= 0xC2U && byte < 0xE0U) return {2, 0x80, byte & 0x1FU};
-  if (byte >= 0xE0U && byte < 0xF0U) return {3, 0x800, byte & 0x0FU};
-  if (byte >= 0xF0U && byte < 0xF5U) return {4, 0x10000, byte & 0x07U};
-  return {0, 0, 0};
-}
-
-// Bytes of the character at the start of `bytes`, 0 if there is none (RFC 3629: no surrogates, no overlong
-// forms).
-std::size_t character_length(std::string_view bytes) {
-  const LeadByte first = lead(static_cast<unsigned char>(bytes[0]));
-  if (first.length == 0 || first.length > bytes.size()) return 0;
-  unsigned code = first.bits;
-  for (std::size_t i = 1; i < first.length; ++i) {
-    if (starts_character(bytes[i])) return 0;
-    code = (code << 6U) | (static_cast<unsigned char>(bytes[i]) & 0x3FU);
-  }
-  if (code < first.smallest || code > 0x10FFFFU || (code >= 0xD800U && code <= 0xDFFFU)) return 0;
-  return first.length;
 }
 
 bool is_forbidden_control(std::string_view bytes, std::size_t i) {
@@ -95,10 +67,6 @@ SourcePlace SourceText::clamp(SourcePlace place) const {
   return {last, place.line > line_count() ? width : std::clamp(place.column, 1, width)};
 }
 
-int count_characters(std::string_view utf8) {
-  return static_cast<int>(std::count_if(utf8.begin(), utf8.end(), starts_character));
-}
-
 SourcePlace advanced(SourcePlace start, std::string_view line, std::size_t offset) {
   return {start.line, start.column + count_characters(line.substr(0, offset))};
 }
@@ -125,18 +93,18 @@ bool is_blank(std::string_view line) { return trimmed(line).empty(); }
 
 std::optional<NotText> why_not_text(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size();) {
-    const std::size_t length = character_length(bytes.substr(i));
-    const std::string byte = hex_byte(static_cast<unsigned char>(bytes[i]));
-    if (length == 0) {
-      return NotText{i, "this is not UTF-8 text: no character starts with the byte " + byte + " here",
+    const std::size_t begin = i;
+    const char32_t character = next_character(bytes, i);
+    const std::string byte = hex_byte(static_cast<unsigned char>(bytes[begin]));
+    if (character == kMalformed) {
+      return NotText{begin, "this is not UTF-8 text: no character starts with the byte " + byte + " here",
                      "save the lesson as UTF-8"};
     }
-    if (is_forbidden_control(bytes, i)) {
-      const std::string code = length == 1 ? byte : hex_byte(static_cast<unsigned char>(bytes[i + 1]));
-      return NotText{i, "this is not a text file: control character " + code,
+    if (is_forbidden_control(bytes, begin)) {
+      const std::string code = character < 0x80 ? byte : hex_byte(static_cast<unsigned char>(character));
+      return NotText{begin, "this is not a text file: control character " + code,
                      "a lesson is UTF-8 text with tabs and line feeds only"};
     }
-    i += length;
   }
   return std::nullopt;
 }

@@ -45,9 +45,6 @@ class SourceText {
   std::vector<std::size_t> begins_;
 };
 
-/// Characters of a UTF-8 text.
-int count_characters(std::string_view utf8);
-
 /// The place `offset` bytes after `start` on the same line.
 SourcePlace advanced(SourcePlace start, std::string_view line, std::size_t offset);
 

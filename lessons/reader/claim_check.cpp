@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/claim_check.h"
 
+#include "base/numbers.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/claims/proof.h"
 #include "lessons/diagnostics/report.h"
@@ -12,13 +13,6 @@
 
 namespace polhode {
 namespace {
-
-std::string short_number(double value) {
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
-  return {text.data(), end.ptr};
-}
 
 std::int64_t nodes_in(const ClaimLine& line) {
   const auto nodes = [](const Equality& equality) {
@@ -115,14 +109,13 @@ class ClaimCheck {
     if (!measured)
       report_.error(line.place, "this cannot be measured: the motion or a side has no value somewhere");
     else if (measured->tolerance > kDecisive)
-      report_.error(
-          line.place,
-          "this measures nothing: allowed are " + short_number(measured->tolerance) + " of the terms",
-          line.within ? "at most 0.01 decides anything" : "shorten the step of the motion");
+      report_.error(line.place,
+                    "this measures nothing: allowed are " + digits(measured->tolerance, 3) + " of the terms",
+                    line.within ? "at most 0.01 decides anything" : "shorten the step of the motion");
     else if (!measured->holds())
-      report_.error(line.place, "the claim (measured) fails: at t = " + short_number(measured->t_s) +
-                                    " s both sides differ by " + short_number(measured->residual) +
-                                    " of their terms, allowed are " + short_number(measured->tolerance));
+      report_.error(line.place, "the claim (measured) fails: at t = " + digits(measured->t_s, 3) +
+                                    " s both sides differ by " + digits(measured->residual, 3) +
+                                    " of their terms, allowed are " + digits(measured->tolerance, 3));
   }
 
   /// Null if the scene cannot be: whoever checks the scenes says so.

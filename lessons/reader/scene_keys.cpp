@@ -2,6 +2,7 @@
 #include "lessons/reader/scene_keys.h"
 
 #include "base/spelling.h"
+#include "base/utf8.h"
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/reader.h"
 #include "lessons/reader/scene_values.h"

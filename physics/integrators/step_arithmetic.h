@@ -32,9 +32,9 @@ inline double dot(const Triple& a, const Triple& b) { return a.x * b.x + a.y * b
 inline Triple cross(const Triple& a, const Triple& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// (a_y b_z, a_z b_x, a_x b_y): of a and itself, what Euler's equations are made of.
+/// (a_y b_z, a_z b_x, a_x b_y). Of a with itself these are the products in Euler's equations.
 inline Triple pairs(const Triple& a, const Triple& b) { return {a.y * b.z, a.z * b.x, a.x * b.y}; }
-/// |x| + |y| + |z|: NaN if one of them is, unlike the largest of them.
+/// |x| + |y| + |z|, which is NaN if one of them is; a maximum would hide it.
 inline double size(const Triple& a) { return std::abs(a.x) + std::abs(a.y) + std::abs(a.z); }
 
 /// A quaternion s + x i + y j + z k of any length.

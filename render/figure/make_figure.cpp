@@ -196,20 +196,7 @@ Camera camera_for(const builders::Snapshot& m, double aspect) {
 Pane make_pane(const builders::Snapshot& m, double aspect) {
   Pane pane;
   pane.camera = camera_for(m, aspect);
-  builders::add_surfaces(m, pane.list);
-  builders::add_solid(m, pane.list);
-  builders::add_curves(m, pane.list);
-  builders::add_trails(m, pane.list);
-  builders::add_cones(m, pane.list);
-  builders::add_axes(m, pane.list);
-  builders::add_vectors(m, pane.list);
-  builders::add_translation(m, pane.list);
-  builders::add_turn(m, pane.list);
-  builders::add_transport(m, pane.camera, pane.list);
-  builders::add_terms(m, pane.camera, pane.list);
-  builders::add_pivot(m, pane.list);
-  builders::add_ghost(m, pane.camera, pane.list);
-  if (m.shows(Overlay::labels)) builders::add_labels(m, pane.camera, pane.list);
+  for (builders::Builder* const add : builders::kBuilders) add(m, pane.camera, pane.list);
   return pane;
 }
 

@@ -113,9 +113,4 @@ void Program::set_array(const char* name, int components, std::span<const float>
   if (components == 4) gl_->Uniform4fv(uniform(name), count, values.data());
 }
 
-void Program::bind_block(const char* name, GLuint binding) const {
-  const GLuint index = gl_->GetUniformBlockIndex(handle_, name);
-  if (index != GL_INVALID_INDEX) gl_->UniformBlockBinding(handle_, index, binding);
-}
-
 }  // namespace polhode

@@ -47,8 +47,6 @@ class Program {
   void set_mat4(const char* name, std::span<const float, 16> columns) const;
   /// An array of `components`-vectors: name[0], name[1], …
   void set_array(const char* name, int components, std::span<const float> values) const;
-  /// Binds a uniform block to a binding point; nothing if the program has no such block.
-  void bind_block(const char* name, GLuint binding) const;
 
  private:
   Program(const Gl& gl, std::string name, GLuint handle)

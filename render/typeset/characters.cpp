@@ -19,44 +19,6 @@ bool in_any(char32_t c, const std::array<Range, N>& ranges) {
 
 }  // namespace
 
-char32_t next_character(std::string_view text, std::size_t& at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned first = byte(at);
-  const std::size_t begin = at++;
-  if (first < 0x80) return first;
-  const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : 1;
-  if (first < 0xC2 || first > 0xF4) return kMalformed;
-  if (begin + static_cast<std::size_t>(more) >= text.size()) return kMalformed;
-  char32_t c = first & (0x3FU >> more);
-  for (int i = 1; i <= more; ++i) {
-    const unsigned next = byte(begin + static_cast<std::size_t>(i));
-    if ((next & 0xC0U) != 0x80U) return kMalformed;
-    c = (c << 6) | (next & 0x3FU);
-  }
-  constexpr std::array<char32_t, 4> kSmallest = {0, 0x80, 0x800, 0x10000};
-  const bool surrogate = 0xD800 <= c && c <= 0xDFFF;
-  if (c < kSmallest[static_cast<std::size_t>(more)] || c > 0x10FFFF || surrogate) return kMalformed;
-  at = begin + 1 + static_cast<std::size_t>(more);
-  return c;
-}
-
-void append_utf8(std::string& text, char32_t c) {
-  const auto put = [&text](char32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
-  if (c < 0x80) return put(c);
-  if (c < 0x800) {
-    put(0xC0 | (c >> 6));
-  } else {
-    if (c < 0x10000) {
-      put(0xE0 | (c >> 12));
-    } else {
-      put(0xF0 | (c >> 18));
-      put(0x80 | ((c >> 12) & 0x3F));
-    }
-    put(0x80 | ((c >> 6) & 0x3F));
-  }
-  put(0x80 | (c & 0x3F));
-}
-
 bool is_right_to_left(char32_t c) {
   static constexpr std::array<Range, 9> kRanges = {{{0x0590, 0x08FF},
                                                     {0x200F, 0x200F},

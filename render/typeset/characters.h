@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
-// UTF-8, and the characters that cannot be set.
+// What typesetting asks of characters: which of them part words, and which cannot be set.
 #pragma once
 
-#include <cstddef>
+#include "base/utf8.h"
+
 #include <string>
-#include <string_view>
 
 namespace polhode {
-
-inline constexpr char32_t kMalformed = 0xFFFFFFFF;
-
-/// The character at `at` < text.size(); `at` moves behind it. kMalformed for a byte that begins none
-/// (overlong forms and surrogates among them); one byte is passed then.
-char32_t next_character(std::string_view text, std::size_t& at);
-
-void append_utf8(std::string& text, char32_t character);
 
 /// Blank, tab and ends of lines: what parts words of a source.
 constexpr bool is_space(char32_t c) { return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r'; }

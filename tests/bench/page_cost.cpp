@@ -2,6 +2,7 @@
 #include "tests/bench/page_cost.h"
 
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 #include "app/page/page.h"
 #include "render/figure/make_figure.h"
 #include "tests/bench/timing.h"
@@ -65,7 +66,7 @@ double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& contex
 }  // namespace
 
 std::vector<double> page_costs_ms() {
-  const LoadedLesson loaded = load_lesson(POLHODE_SOURCE_DIR "/lessons/euler-equations.md");
+  const LoadedLesson loaded = or_fail(load_lesson(POLHODE_SOURCE_DIR "/lessons/euler-equations.md"));
   const auto context = value_of(open_context(ContextKind::any));
   std::vector<double> costs;
   for (const Stage& stage : loaded.lesson.stages)

@@ -2,6 +2,7 @@
 // Golden windows: page, bar and panels as the screen draws them off-screen, by the golden rule, each proved
 // able to fail.
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 #include "app/window/screen.h"
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
@@ -54,7 +55,7 @@ const std::vector<Row>& rows() {
 
 std::shared_ptr<const LoadedLesson> lesson() {
   static const auto kLesson = std::make_shared<const LoadedLesson>(
-      load_lesson(std::string(POLHODE_SOURCE_DIR) + "/tests/data/golden/page.md"));
+      or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/tests/data/golden/page.md")));
   return kLesson;
 }
 

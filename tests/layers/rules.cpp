@@ -48,7 +48,7 @@ const std::vector<Room>& rooms() {
       {"base/", {}, {"Eigen/", "sha256.h", "sys/types.h"}, kConsoleAndFiles},
       {"physics/public/",
        {"physics/body/", "physics/geometry/", "physics/analysis/", "physics/motion.h", "physics/method.h",
-        "physics/effort.h", "base/result.h", "base/vectors.h"},
+        "physics/method_facts.h", "physics/effort.h", "base/result.h", "base/vectors.h"},
        {},
        kConsoleAndFiles},
       {"physics/", {"base/"}, {"Eigen/"}, kConsoleAndFiles},

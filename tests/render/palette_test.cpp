@@ -20,9 +20,8 @@ double contrast(const Color& a, const Color& b) {
 }
 
 TEST(Palette, InksAreReadableOnPaper) {
-  const Color paper = color_from_hex(0xFBFAF6);
   for (const Role& role : {kOmegaRole, kLRole, kNRole, kPolhodeRole, kHerpolhodeRole, kAxesRole})
-    EXPECT_GE(contrast(role.ink, paper), 5.2);
+    EXPECT_GE(contrast(role.ink, kPaper), 5.2);
 }
 
 TEST(Palette, FamilyColorsDifferFromOneSideToTheOther) {

@@ -58,7 +58,7 @@ Problem chosen_problem(const TypedOptions& typed) {
   if (!typed.lesson.empty()) {
     if (names_a_body(typed.problem))
       throw usage("either a LESSON with --stage, or --inertia and --omega: not both");
-    return checked(problem_of(scene_of(load_lesson(typed.lesson).lesson, typed)));
+    return checked(problem_of(scene_of(or_fail(load_lesson(typed.lesson)).lesson, typed)));
   }
   if (!typed.stage.empty()) throw usage("--stage is of a LESSON, and none is given");
   if (typed.problem.inertia.empty() || typed.problem.omega.empty())
@@ -159,7 +159,7 @@ ExitCode measure_pictures(const TypedOptions& typed) {
   request.scene = usual_rendering_scene();
   request.of = "Poinsot's construction";
   if (!typed.lesson.empty()) {
-    const LoadedLesson loaded = load_lesson(typed.lesson);
+    const LoadedLesson loaded = or_fail(load_lesson(typed.lesson));
     request.scene = scene_of(loaded.lesson, typed);
     request.of = fmt::format("stage {} of {}", typed.stage, loaded.lesson.id);
   }

@@ -22,7 +22,7 @@ double usual_step_s(const SceneModel& model) {
 }
 
 /// Two digits; as a power of ten where that is shorter. Empty where there is no number.
-std::string short_number(double value, const char* unit) {
+std::string number_with_unit(double value, const char* unit) {
   if (!std::isfinite(value)) return {};
   const double size = std::abs(value);
   return size == 0 || (size >= 0.01 && size < 1000) ? fmt::format("{:.2g}{}", value, unit)
@@ -173,7 +173,7 @@ void MethodPanel::choose_from_front(PanelContext& context, const SceneModel& mod
   const ParetoStep& step = steps[static_cast<std::size_t>(*present)];
   const bool is_reference = facts_of(step.choice.method).control == StepControl::none;
   const std::string error = is_reference ? "what the errors of the others are against"
-                                         : "error after 10 periods " + short_number(step.error, "");
+                                         : "error after 10 periods " + number_with_unit(step.error, "");
   quiet_words(fmt::format("{}: {}, {} a period", step.name, error, time_text(step.ns_per_period)));
 }
 
@@ -190,11 +190,11 @@ void MethodPanel::show_accuracy(PanelContext& context, const SceneModel& model) 
     read_at_s_ = context.clock_s;
     read_of_t_s_ = context.session.t_s();
   }
-  value_row("error of ω", now_.error ? short_number(now_.error->omega, "") : why_no_error(model));
-  value_row("error of attitude", now_.error ? short_number(now_.error->attitude_rad, " rad") : "");
-  value_row("drift of T", short_number(now_.drift.T, ""));
-  value_row("drift of |L|", short_number(now_.drift.L, ""));
-  value_row("drift of L's direction", short_number(now_.drift.L_direction_rad, " rad"));
+  value_row("error of ω", now_.error ? number_with_unit(now_.error->omega, "") : why_no_error(model));
+  value_row("error of attitude", now_.error ? number_with_unit(now_.error->attitude_rad, " rad") : "");
+  value_row("drift of T", number_with_unit(now_.drift.T, ""));
+  value_row("drift of |L|", number_with_unit(now_.drift.L, ""));
+  value_row("drift of L's direction", number_with_unit(now_.drift.L_direction_rad, " rad"));
   value_row("motion, per frame", time_text(now_.ns_per_frame));
 }
 

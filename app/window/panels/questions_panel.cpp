@@ -15,9 +15,9 @@ namespace {
 /// Of the answer that was judged, whatever is typed since.
 void show_verdict(const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
-  using Outcome = AnswerJudgement::Outcome;
-  const bool right = verdict.outcome == Outcome::right;
-  const std::string word = verdict.outcome == Outcome::wrong ? "Not right" : "Cannot be read";
+  using Mark = AnswerJudgement::Mark;
+  const bool right = verdict.mark == Mark::right;
+  const std::string word = verdict.mark == Mark::wrong ? "Not right" : "Cannot be read";
   if (right) return right_words("Right.");
   warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
   if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));

@@ -116,7 +116,18 @@ struct DiagramKind {
   Vec2 wide, tall;  ///< equal where there is one arrangement alone
   void (*draw)(const SceneModel& model, double t_s, Arrangement arrangement, DiagramPaper& paper);
 };
+
+/// The overlays on paper; each kind is defined in the file of its name.
 extern const DiagramKind kTensorBars, kCofactors, kCyclicWheel, kEnergyRows, kMomentumRows, kCards,
     kMethodTable, kOrderPlot;
+struct OverlayKind {
+  Overlay overlay;
+  const DiagramKind* kind;
+};
+inline constexpr std::array kKinds = {
+    OverlayKind{Overlay::tensor_bars, &kTensorBars},     OverlayKind{Overlay::cofactors, &kCofactors},
+    OverlayKind{Overlay::cyclic_wheel, &kCyclicWheel},   OverlayKind{Overlay::energy_rows, &kEnergyRows},
+    OverlayKind{Overlay::momentum_rows, &kMomentumRows}, OverlayKind{Overlay::cards, &kCards},
+    OverlayKind{Overlay::method_table, &kMethodTable},   OverlayKind{Overlay::order_plot, &kOrderPlot}};
 
 }  // namespace polhode::diagrams

@@ -27,14 +27,9 @@ namespace polhode {
 
 struct DiagramStyle {
   double type_size = 24;  ///< px, the largest: a diagram that needs more room than there is has smaller type
-  Color ink = kInk, muted = color_from_hex(0x5F656D), line = color_from_hex(0xDDD8CB),
-        paper = color_from_hex(0xFBFAF6), panel = color_from_hex(0xF3EDDD);  ///< panel: behind what is lit
+  Color ink = kInk, muted = color_from_hex(0x5F656D), line = color_from_hex(0xDDD8CB), paper = kPaper,
+        panel = color_from_hex(0xF3EDDD);  ///< panel: behind what is lit
 };
-
-/// The diagrams of an overlay set, in the order of the enumeration.
-std::vector<Overlay> diagrams_in(const OverlaySet& drawn);
-/// Whether there is a figure in space beside the diagrams: of anything else but names and values.
-bool shows_space(const OverlaySet& drawn);
 
 /// Width and height of a diagram as it is arranged in a box of that size, in sizes of its type.
 Vec2 diagram_extent(Overlay diagram, const PixelBox& box);

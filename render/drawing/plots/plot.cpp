@@ -13,8 +13,7 @@
 namespace polhode {
 namespace {
 
-constexpr Color kPaper = color_from_hex(0xFBFAF6);
-constexpr Color kPaperHalo = color_from_hex(0xFBFAF6, 0.92F);
+constexpr Color kPaperHalo{kPaper.r, kPaper.g, kPaper.b, 0.92F};
 constexpr Color kGrid = color_from_hex(0xE3DED2);
 constexpr Color kGood = color_from_hex(0xF3EEDF);  // where the tolerance is met
 constexpr Color kMuted = kAxesRole.ink;

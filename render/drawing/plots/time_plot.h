@@ -34,7 +34,7 @@ struct TimePlot {
 /// Sizes in px.
 struct TimePlotStyle {
   double type_size = 16;  ///< of labels
-  Color ink = kInk, muted = kAxesRole.ink, grid = color_from_hex(0xE3DED2), paper = color_from_hex(0xFBFAF6);
+  Color ink = kInk, muted = kAxesRole.ink, grid = color_from_hex(0xE3DED2), paper = kPaper;
 };
 
 /// In `box`; where that is smaller than 18 sizes of type by 7.5, the type is smaller. Values that are not

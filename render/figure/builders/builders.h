@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // One function for each kind of thing that an overlay adds to a pane's draw list. All are pure; a builder
-// that has nothing to add adds nothing. Internal to render/scene.
+// that has nothing to add adds nothing. Internal to render/figure.
 #pragma once
 
 #include "render/figure/figure.h"
 #include "render/scene/model/model.h"
 #include "render/scene/model/turn_orders.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -52,26 +53,29 @@ struct Snapshot {
 
 Snapshot snapshot_at(const SceneModel& model, double t_s, View view);
 
-void add_solid(const Snapshot& m, DrawList& list);
-void add_surfaces(const Snapshot& m, DrawList& list);  ///< ellipsoids, momentum sphere, invariable plane
-void add_curves(const Snapshot& m, DrawList& list);    ///< polhodes, separatrices, herpolhode
-void add_trails(const Snapshot& m, DrawList& list);
-void add_cones(const Snapshot& m, DrawList& list);
-void add_vectors(const Snapshot& m, DrawList& list);  ///< ω, L, N
-void add_axes(const Snapshot& m, DrawList& list);     ///< triads
+using Builder = void(const Snapshot& m, const Camera& camera, DrawList& list);
 
-// Figures of the lecture, with their names where the scene shows labels.
-void add_translation(const Snapshot& m, DrawList& list);  ///< p, v, F and the path; puck
-void add_turn(const Snapshot& m, DrawList& list);         ///< the axis and the sense of the present turn
-void add_transport(const Snapshot& m, const Camera& camera, DrawList& list);  ///< A and its triangle
-void add_terms(const Snapshot& m, const Camera& camera, DrawList& list);      ///< of equation (6)
-void add_pivot(const Snapshot& m, DrawList& list);                            ///< stand, axle and weight
-/// The exact body, ω and L beside the computed ones.
-void add_ghost(const Snapshot& m, const Camera& camera, DrawList& list);
-void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list);
+Builder add_surfaces;  ///< ellipsoids, momentum sphere, invariable plane
+Builder add_solid;
+Builder add_curves;  ///< polhodes, separatrices, herpolhode
+Builder add_trails, add_cones;
+Builder add_axes;         ///< triads
+Builder add_vectors;      ///< ω, L, N
+Builder add_translation;  ///< p, v, F and the path; puck
+Builder add_turn;         ///< the axis and the sense of the present turn
+Builder add_transport;    ///< A and its triangle
+Builder add_terms;        ///< of equation (6)
+Builder add_pivot;        ///< stand, axle and weight
+Builder add_ghost;        ///< the exact body, ω and L beside the computed ones
+Builder add_labels;
+/// In the order in which a pane is drawn.
+inline constexpr std::array kBuilders = {
+    add_surfaces,    add_solid, add_curves,    add_trails, add_cones, add_axes,  add_vectors,
+    add_translation, add_turn,  add_transport, add_terms,  add_pivot, add_ghost, add_labels};
 
-void add_labels(const Snapshot& m, const Camera& camera, DrawList& list);
+/// Once in a figure, in the corner of its first pane.
 void add_values(const Snapshot& m, DrawList& list);
+void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list);
 
 /// Scene units per metre: of the body that is drawn, and of the path of its centre.
 double scene_units_per_m(const Snapshot& m);

@@ -69,7 +69,7 @@ double scale_place(const PrincipalMoments& I, double L2_over_2T) {
   return s[2] > s[1] ? 0.5 + 0.5 * (L2_over_2T - s[1]) / (s[2] - s[1]) : 0.5;
 }
 
-void add_curves(const Snapshot& m, DrawList& list) {
+void add_curves(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (m.model.needs.polhode_family)
     for (const PolhodeOfFamily& member : m.model.family_B)
       for (const Curve& branch : member.branches)

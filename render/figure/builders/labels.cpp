@@ -140,6 +140,7 @@ Vec3 screen_direction(const Camera& camera, double x, double y) {
 }
 
 void add_labels(const Snapshot& m, const Camera& camera, DrawList& list) {
+  if (!m.shows(Overlay::labels)) return;
   label_vectors(m, list);
   label_triads(m, list);
   label_curves(m, camera, list);

@@ -61,7 +61,7 @@ void add_axle(const Vec3& axis_V, double far, DrawList& list) {
 
 }  // namespace
 
-void add_pivot(const Snapshot& m, DrawList& list) {
+void add_pivot(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (!m.shows(Overlay::pivot)) return;
   const Rotor rotor = rotor_of(m.model.scene, *heavy_top_of(m.model.scene));
   const double scale = scene_units_per_m(m);

@@ -229,7 +229,7 @@ double scene_units_per_m(const Snapshot& m) {
   return fit(parts_of(m.model.scene, m.shows(Overlay::pivot)), room_for(m, m.model.scene.w0_B));
 }
 
-void add_solid(const Snapshot& m, DrawList& list) {
+void add_solid(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (!m.model.needs.solid) return;
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
   const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));

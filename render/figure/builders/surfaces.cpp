@@ -61,7 +61,7 @@ const Vec3& w_B_of_surfaces(const Snapshot& m) {
   return m.model.scene.torque.empty() ? m.model.scene.w0_B : m.state.w_B;
 }
 
-void add_surfaces(const Snapshot& m, DrawList& list) {
+void add_surfaces(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const Vec3& w_B = w_B_of_surfaces(m);
   if (w_B.isZero(0.0)) return;
   const double L = norm_of(angular_momentum_B(m.I(), w_B));
@@ -83,7 +83,7 @@ void add_surfaces(const Snapshot& m, DrawList& list) {
   if (m.shows(Overlay::plane) && m.view == View::space) list.floors.push_back({.z = plane_z(m)});
 }
 
-void add_cones(const Snapshot& m, DrawList& list) {
+void add_cones(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (!m.model.needs.cones) return;
   constexpr float kAlpha = 0.30F;
   const auto translucent = [&](Color c) { return Color{c.r, c.g, c.b, kAlpha}; };

@@ -171,7 +171,7 @@ Vec3 center_of_mass_V(const Snapshot& m) {
   return place_V(m, m.t_s, scene_units_per_m(m));
 }
 
-void add_translation(const Snapshot& m, DrawList& list) {
+void add_translation(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const OverlaySet& shown = m.model.drawn;
   if (m.shows(Overlay::puck)) {
     if (m.view == View::body) return;

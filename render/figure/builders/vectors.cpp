@@ -79,7 +79,7 @@ void add_trail(const Snapshot& m, Overlay overlay, const Role& role, TipAt tip_a
 
 }  // namespace
 
-void add_trails(const Snapshot& m, DrawList& list) {
+void add_trails(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const auto to_view = [&](const RigidBodyState& then, const Vec3& v_B) -> Vec3 {
     return m.view == View::space ? Vec3(then.q_SB * v_B) : v_B;
   };
@@ -99,7 +99,7 @@ Ends torque_ends(const Snapshot& m) {
   return {tail, tail + m.q_VB * (m.N_B.normalized() * kTorqueLength)};
 }
 
-void add_turn(const Snapshot& m, DrawList& list) {
+void add_turn(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (!m.turn) return;
   constexpr int kPoints = 48;
   constexpr double kPlace = 1.02, kArcRadius = 0.26, kLeast_rad = 0.15;
@@ -122,7 +122,7 @@ void add_turn(const Snapshot& m, DrawList& list) {
   list.tubes.push_back(std::move(arc));
 }
 
-void add_vectors(const Snapshot& m, DrawList& list) {
+void add_vectors(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const double radius = kArrowRadius * m.thickness;
   const bool turning = !m.state.w_B.isZero(0.0);
   if (m.shows(Overlay::L) && turning)
@@ -148,7 +148,7 @@ void add_vectors(const Snapshot& m, DrawList& list) {
     list.balls.push_back({Vec3::Zero(), 1.7 * radius, color_from_hex(0xE9ECF0)});
 }
 
-void add_axes(const Snapshot& m, DrawList& list) {
+void add_axes(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (m.shows(Overlay::axes_space))
     add_triad(m.q_VS, -m.center_V, m.emphasis(Overlay::axes_space), 0.05, list);
   if (m.shows(Overlay::axes_body)) add_triad(m.q_VB, Vec3::Zero(), m.emphasis(Overlay::axes_body), 0.0, list);

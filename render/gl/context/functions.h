@@ -81,7 +81,6 @@
   F(GetShaderiv, GETSHADERIV)                                       \
   F(GetString, GETSTRING)                                           \
   F(GetStringi, GETSTRINGI)                                         \
-  F(GetUniformBlockIndex, GETUNIFORMBLOCKINDEX)                     \
   F(GetUniformLocation, GETUNIFORMLOCATION)                         \
   F(IsEnabled, ISENABLED)                                           \
   F(LinkProgram, LINKPROGRAM)                                       \
@@ -104,7 +103,6 @@
   F(Uniform3fv, UNIFORM3FV)                                         \
   F(Uniform4f, UNIFORM4F)                                           \
   F(Uniform4fv, UNIFORM4FV)                                         \
-  F(UniformBlockBinding, UNIFORMBLOCKBINDING)                       \
   F(UniformMatrix3fv, UNIFORMMATRIX3FV)                             \
   F(UniformMatrix4fv, UNIFORMMATRIX4FV)                             \
   F(UseProgram, USEPROGRAM)                                         \

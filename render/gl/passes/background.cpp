@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/passes/background.h"
 
+#include "render/palette.h"
+
 #include <charconv>
 
 namespace polhode {
@@ -29,7 +31,7 @@ std::optional<Background> background_from(std::string_view text) {
 Color sky_of(const Background& background) {
   switch (background.kind) {
     case Background::Kind::paper:
-      return color_from_hex(0xFBFAF6);
+      return kPaper;
     case Background::Kind::color:
       return {background.color.r, background.color.g, background.color.b, 1.0F};
     case Background::Kind::transparent:

@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// studio: light gradient backdrop; paper FBFAF6; white; transparent: true alpha; or one colour.
+/// studio: light gradient backdrop; paper (kPaper); white; transparent: true alpha; or one colour.
 struct Background {
   enum class Kind { studio, paper, white, transparent, color } kind = Kind::studio;
   Color color;  ///< of Kind::color

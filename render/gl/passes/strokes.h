@@ -16,7 +16,7 @@ struct StrokeVertex {
   std::array<float, 3> position;
   std::array<float, 3> tangent;
   std::array<float, 4> color;  ///< the same in all four of a piece
-  /// Side, radius, dashes and gaps to a length of 1, how much wider for the bow.
+  /// Side (−1 or 1); radius; pairs of dash and gap in a length of 1; how much wider the bow makes the strip.
   std::array<float, 4> shape;
   std::array<float, 2> along;  ///< from the first end to here, and to the last; far from both if closed
   std::array<float, 3> bow;    ///< from the middle of the piece's chord to that of the curve

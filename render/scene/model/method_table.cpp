@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/method_table.h"
+
 #include "physics/method.h"
 
 #include <cmath>

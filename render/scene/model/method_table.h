@@ -31,7 +31,7 @@ struct MethodTable {
 /// Steps that each method of a scene's table takes at most: about 0.2 s in all.
 inline constexpr double kMostTableSteps = 1e5;
 
-/// More steps than this make no still: about a second.
+/// A still whose motion takes more steps than this is refused: they last about a second.
 inline constexpr std::int64_t kMostSteps = 2'000'000;
 
 /// Steps that a plot of orders shows, each half of the one before.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene requires, and the model that gives just that. "Model only what a scene requires" lives here
-// alone.
+// The model of a scene: all that a picture of it, at any time, is made from, and no more than that.
 #pragma once
 
 #include "physics/body/problem.h"
@@ -10,30 +9,14 @@
 #include "render/scene/description/requirements.h"
 #include "render/scene/description/scene.h"
 #include "render/scene/model/method_table.h"
+#include "render/scene/model/scene_needs.h"
+#include "render/scene/model/scene_problem.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace polhode {
-
-/// The overlays of a scene that there is something to see of. A polhode, herpolhode, cones and an invariable
-/// plane belong to torque-free motion; the plane and the herpolhode to the space view, the plane also to L
-/// pointing down (only there is it level); N to a torque; a body at rest without torque has its shape and its
-/// axes alone.
-OverlaySet drawn_overlays(const Scene& scene);
-
-/// The plots of a page about the scene: its own, else without torque omega and drift, with torque omega,
-/// energy and momentum.
-std::vector<Meter> shown_meters(const Scene& scene);
-
-/// What a scene is modelled for: a figure needs nothing of what the plots of a page do.
-enum class Product { figure, page };
-
-Requirements requirements(const Scene& scene, Product product = Product::figure);
-
-/// Body, state at t = 0 and torque of a scene: what there is to be followed in time.
-Problem problem_of(const Scene& scene);
 
 /// Whether a scene can be shown on a page at its own times, without computing any curve: what must be
 /// computed step by step is followed as far as a still reaches.
@@ -64,9 +47,6 @@ struct SceneModel {
   std::vector<MethodTable> orders;  ///< kOrderSteps of them, each with half the step of the one before
 };
 
-/// What the herpolhode covers from t = 0: `duration`, or three polhode periods.
-double herpolhode_span_s(const Scene& scene);
-
 /// Chords of curves stay within this part of the energy ellipsoid's largest semi-axis: 0.1 px in a 1080p
 /// picture.
 inline constexpr double kChordTolerance = 2e-4;
@@ -74,7 +54,7 @@ inline constexpr double kChordTolerance = 2e-4;
 /// Whether what is needed of the motion can be computed at t.
 bool is_computable(const SceneModel& model, double t_s);
 
-/// Chooses the cheapest motion that gives what is asked and computes the parts asked for. What that costs is
+/// The motion by the method that the scene names, or by the default one, and the parts asked for. Its cost is
 /// told to `effort`, and later what the motion costs: it must outlive the model.
 /// @throws std::domain_error if the body, the state or the chosen method cannot serve; and what `effort`
 /// throws

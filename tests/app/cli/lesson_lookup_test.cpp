@@ -2,6 +2,7 @@
 #include "app/cli/lesson_lookup.h"
 
 #include "app/cli/exit_codes.h"
+#include "app/cli/or_fail.h"
 #include "base/sha256.h"
 #include "tests/app/run_program.h"
 
@@ -28,35 +29,25 @@ class LessonLookup : public testing::Test {
   std::vector<fs::path> folders{scratch / "missing", scratch / "first", scratch / "second"};
 };
 
-std::pair<ExitCode, std::string> refusal(const std::function<void()>& look) {
-  try {
-    look();
-  } catch (const CommandError& error) {
-    return {error.code, error.what()};
-  }
-  return {ExitCode::done, ""};
-}
-
 TEST_F(LessonLookup, FindsIdsInTheOrderOfTheFolders) {
-  EXPECT_EQ(find_lesson("spin", folders), scratch / "first/spin.md");
-  EXPECT_EQ(find_lesson("tumble", folders), scratch / "second/tumble.md");
+  EXPECT_EQ(*find_lesson("spin", folders), scratch / "first/spin.md");
+  EXPECT_EQ(*find_lesson("tumble", folders), scratch / "second/tumble.md");
 }
 
 TEST_F(LessonLookup, TakesFilesAsTheyAre) {
-  EXPECT_EQ(find_lesson("./x/y", folders), "./x/y");
-  EXPECT_EQ(find_lesson("spin.md", folders), "spin.md");
+  EXPECT_EQ(*find_lesson("./x/y", folders), "./x/y");
+  EXPECT_EQ(*find_lesson("spin.md", folders), "spin.md");
 }
 
 TEST_F(LessonLookup, UnknownIdIsUsageWithTheNearestName) {
-  const auto [code, text] = refusal([&] { find_lesson("tumbel", folders); });
-  EXPECT_EQ(code, ExitCode::usage);
+  const auto [text, fault] = find_lesson("tumbel", folders).error();
+  EXPECT_EQ(fault, Fault::usage);
   EXPECT_THAT(text, HasSubstr("did you mean \"tumble\"?"));
   EXPECT_THAT(text, HasSubstr((scratch / "second").string()));
 }
 
 TEST_F(LessonLookup, IdsCannotLeaveTheFolders) {
-  EXPECT_EQ(refusal([&] { find_lesson("..", folders); }).first, ExitCode::usage);
-  EXPECT_EQ(refusal([&] { find_lesson("", folders); }).first, ExitCode::usage);
+  for (const char* name : {"..", ""}) EXPECT_EQ(find_lesson(name, folders).error().fault, Fault::usage);
 }
 
 TEST_F(LessonLookup, ListsEachIdOnceAndOnlyLessons) {
@@ -67,23 +58,23 @@ TEST_F(LessonLookup, ListsEachIdOnceAndOnlyLessons) {
 }
 
 TEST_F(LessonLookup, ReadsNoMoreThanOneByteTooMany) {
-  EXPECT_EQ(read_lesson_text("/dev/zero").size(), kMaxLessonBytes + 1);
+  EXPECT_EQ(read_lesson_text("/dev/zero")->size(), kMaxLessonBytes + 1);
 }
 
 TEST_F(LessonLookup, MissingFileAndFolderFail) {
-  EXPECT_EQ(refusal([&] { read_lesson_text(scratch / "none.md"); }).first, ExitCode::failed);
-  EXPECT_EQ(refusal([&] { read_lesson_text(scratch / "first"); }).first, ExitCode::failed);
+  for (const char* name : {"none.md", "first"})
+    EXPECT_EQ(read_lesson_text(scratch / name).error().fault, Fault::failed) << name;
 }
 
 TEST_F(LessonLookup, LoadsWithTheDigestOfTheText) {
-  const LoadedLesson loaded = load_lesson(test_lesson("tiny.md"));
+  const LoadedLesson loaded = or_fail(load_lesson(test_lesson("tiny.md")));
   EXPECT_EQ(loaded.lesson.id, "tiny");
   EXPECT_EQ(loaded.sha256, sha256_hex(text_of(test_lesson("tiny.md"))));
 }
 
 TEST_F(LessonLookup, InvalidLessonCarriesAllDiagnostics) {
-  const auto [code, text] = refusal([&] { load_lesson(test_lesson("two_errors.md")); });
-  EXPECT_EQ(code, ExitCode::invalid);
+  const auto [text, fault] = load_lesson(test_lesson("two_errors.md")).error();
+  EXPECT_EQ(fault, Fault::invalid);
   EXPECT_THAT(text, HasSubstr("two_errors.md:12:"));
   EXPECT_THAT(text, HasSubstr("two_errors.md:16:"));
 }
@@ -98,10 +89,14 @@ TEST_F(LessonLookup, SceneThatNoModelServesIsAnErrorAtItsStage) {
 }
 
 TEST_F(LessonLookup, UnknownStageIsUsageWithTheNearestName) {
-  const LoadedLesson loaded = load_lesson(test_lesson("tiny.md"));
-  const auto [code, text] = refusal([&] { stage_of(loaded.lesson, "roling"); });
-  EXPECT_EQ(code, ExitCode::usage);
-  EXPECT_THAT(text, HasSubstr("did you mean \"rolling\"?"));
+  const LoadedLesson loaded = or_fail(load_lesson(test_lesson("tiny.md")));
+  try {
+    stage_of(loaded.lesson, "roling");
+    FAIL() << "a stage is found that is not there";
+  } catch (const CommandError& error) {
+    EXPECT_EQ(error.code, ExitCode::usage);
+    EXPECT_THAT(error.what(), HasSubstr("did you mean \"rolling\"?"));
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "app/page/page.h"
 
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 #include "app/page/loaded_lesson.h"
 #include "app/page/page_text.h"
 #include "app/page/text_column.h"
@@ -21,7 +22,7 @@ constexpr Size kSizes[] = {{1920, 1080}, {1024, 768}, {1080, 1920}, {640, 480}, 
 
 const Lesson& lecture() {
   static const Lesson kLesson =
-      load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md").lesson;
+      or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md")).lesson;
   return kLesson;
 }
 

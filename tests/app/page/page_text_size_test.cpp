@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pages whose reader has chosen larger or smaller type.
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 #include "app/page/loaded_lesson.h"
 #include "app/page/page.h"
 #include "app/page/page_text.h"
@@ -18,7 +19,7 @@ constexpr Size kSizes[] = {{640, 480}, {1280, 800}, {1080, 1920}, {3840, 2160}};
 
 const Lesson& lecture() {
   static const Lesson kLesson =
-      load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md").lesson;
+      or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md")).lesson;
   return kLesson;
 }
 

@@ -170,12 +170,5 @@ TEST_F(DeckPdf, RepeatsToTheByte) {
   EXPECT_THAT(pdf, testing::Not(HasSubstr(folder_.path().string())));
 }
 
-TEST(CodePoints, AreThoseOfUtf8AndNothingElse) {
-  EXPECT_EQ(code_points("aω−𝐈"), U"aω−𝐈");
-  EXPECT_EQ(code_points("\xC3"), U"\uFFFD");
-  EXPECT_EQ(code_points("\xFFz"), U"\uFFFDz");
-  EXPECT_EQ(code_points("\xED\xA0\x80"), U"\uFFFD");
-}
-
 }  // namespace
 }  // namespace polhode

@@ -2,6 +2,7 @@
 #include "tests/app/session/example_lesson.h"
 
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 
 #include <stdexcept>
 
@@ -19,7 +20,7 @@ std::shared_ptr<const LoadedLesson> loaded_lesson(const std::string& id) {
   auto& lesson = lessons[id];
   if (!lesson)
     lesson = std::make_shared<const LoadedLesson>(
-        load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/" + id + ".md"));
+        or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/" + id + ".md")));
   return lesson;
 }
 

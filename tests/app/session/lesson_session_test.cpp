@@ -13,7 +13,7 @@ namespace {
 
 using test::example;
 using ::testing::ElementsAre;
-using Outcome = AnswerJudgement::Outcome;
+using Mark = AnswerJudgement::Mark;
 
 std::vector<Place> all_places(const Lesson& lesson) {
   std::vector<Place> places;
@@ -117,9 +117,9 @@ TEST(LessonSession, EachQuestionHasItsOwnVerdict) {
   session.answer(*asks[1], "w2");
   ASSERT_TRUE(session.judged(*asks[0]) && session.judged(*asks[1]));
   EXPECT_EQ(session.judged(*asks[0])->text, "w1*(");
-  EXPECT_EQ(session.judged(*asks[0])->judgement.outcome, Outcome::unreadable);
+  EXPECT_EQ(session.judged(*asks[0])->judgement.mark, Mark::unreadable);
   EXPECT_EQ(session.judged(*asks[1])->text, "w2");
-  EXPECT_EQ(session.judged(*asks[1])->judgement.outcome, Outcome::right);
+  EXPECT_EQ(session.judged(*asks[1])->judgement.mark, Mark::right);
 }
 
 TEST(LessonSession, JudgesAnAnswerAndKeepsIt) {
@@ -131,12 +131,12 @@ TEST(LessonSession, JudgesAnAnswerAndKeepsIt) {
   EXPECT_EQ(session.judged(ask), nullptr);
   EXPECT_EQ(session.record(ask), nullptr);
 
-  EXPECT_EQ(session.answer(ask, "seven").outcome, Outcome::unreadable);
+  EXPECT_EQ(session.answer(ask, "seven").mark, Mark::unreadable);
   ASSERT_NE(session.judged(ask), nullptr);
   EXPECT_EQ(session.record(ask), nullptr) << "it was no try";
-  EXPECT_EQ(session.answer(ask, "1").outcome, Outcome::wrong);
-  EXPECT_EQ(session.answer(ask, "B").outcome, Outcome::right);
-  EXPECT_EQ(session.answer(ask, "A").outcome, Outcome::wrong);
+  EXPECT_EQ(session.answer(ask, "1").mark, Mark::wrong);
+  EXPECT_EQ(session.answer(ask, "B").mark, Mark::right);
+  EXPECT_EQ(session.answer(ask, "A").mark, Mark::wrong);
   EXPECT_EQ(*session.record(ask), (AnswerRecord{true, 3, 0, "A"}));
   EXPECT_EQ(session.judged(ask)->text, "A");
   EXPECT_EQ(session.answers().count("free/axis"), 1u) << "the name that `polhode answer` uses";

@@ -2,6 +2,7 @@
 #include "app/session/page_symbols.h"
 
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 #include "app/page/page.h"
 #include "render/typeset/paragraph.h"
 #include "tests/app/page/sheet_checks.h"
@@ -140,7 +141,7 @@ TEST(PageSymbols, MarksLieBehindAllOfTheNameAndARingRoundOne) {
 
 const Lesson& lecture() {
   static const Lesson kLesson =
-      load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md").lesson;
+      or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md")).lesson;
   return kLesson;
 }
 

@@ -2,6 +2,7 @@
 #include "app/session/symbol_note.h"
 
 #include "app/cli/lesson_lookup.h"
+#include "app/cli/or_fail.h"
 #include "lessons/reader/reader.h"
 
 #include <gmock/gmock.h>
@@ -11,7 +12,7 @@ namespace polhode {
 namespace {
 
 Lesson lesson_named(const std::string& id) {
-  return load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/" + id + ".md").lesson;
+  return or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/" + id + ".md")).lesson;
 }
 
 const Lesson& lecture() {

@@ -15,7 +15,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using Outcome = AnswerJudgement::Outcome;
+using Mark = AnswerJudgement::Mark;
 
 const Prover& prover() {
   static const Prover one;
@@ -48,7 +48,7 @@ TEST(JudgeAnswer, TakesEveryFormOfTheSameExpression) {
   const Question ask = asking("w3*w1*(I1 - I3)", "identity");
   for (const char* answer : {"w3*w1*(I1 - I3)", "w1*w3*I1 - I3*w3*w1", "-(I3-I1)*w1*w3",
                              "comp(cross(omega, L), 2)", "2*w1*(I1 - I3)*w3/2"})
-    EXPECT_EQ(judged(ask, answer).outcome, Outcome::right) << answer;
+    EXPECT_EQ(judged(ask, answer).mark, Mark::right) << answer;
 }
 
 struct Slip {
@@ -58,7 +58,7 @@ struct Slip {
 class Slips : public ::testing::TestWithParam<Slip> {};
 TEST_P(Slips, AreNamedWithTheirPlace) {
   const AnswerJudgement judgement = judged(asking(GetParam().right, GetParam().modulo), GetParam().answer);
-  EXPECT_EQ(judgement.outcome, Outcome::wrong);
+  EXPECT_EQ(judgement.mark, Mark::wrong);
   EXPECT_THAT(judgement.reason, HasSubstr(GetParam().reason)) << GetParam().answer;
   EXPECT_EQ(judgement.column, GetParam().column) << judgement.reason;
 }
@@ -98,48 +98,47 @@ TEST(JudgeAnswer, AWrongExpressionHasACounterexampleWithItsOwnValueFirst) {
 
 TEST(JudgeAnswer, SaysWhatCannotBeReadAndWhere) {
   const AnswerJudgement unknown = judged(asking("T", "identity"), "T + w4");
-  EXPECT_EQ(unknown.outcome, Outcome::unreadable);
+  EXPECT_EQ(unknown.mark, Mark::unreadable);
   EXPECT_EQ(unknown.column, 5);
   EXPECT_THAT(unknown.reason, HasSubstr("unknown symbol \"w4\""));
   EXPECT_THAT(unknown.hint, HasSubstr("w1"));
   EXPECT_EQ(judged(asking("T", "identity"), "1/(T - T)").reason, "this is nowhere defined");
   EXPECT_THAT(judged(asking("T", "identity"), "norm(L)").reason, HasSubstr("a length is a root"));
-  EXPECT_EQ(judged(asking("T", "identity"), "").outcome, Outcome::unreadable);
-  EXPECT_EQ(judged(asking("T", "identity"), "T\nT").outcome, Outcome::unreadable);
+  EXPECT_EQ(judged(asking("T", "identity"), "").mark, Mark::unreadable);
+  EXPECT_EQ(judged(asking("T", "identity"), "T\nT").mark, Mark::unreadable);
 }
 
 TEST(JudgeAnswer, ChoicesGoByLetterOrNumber) {
   const Question ask = choosing(Question::Type::choice, {2}, 3);
-  for (const char* right : {"B", "b", "2", " 2 "})
-    EXPECT_EQ(judged(ask, right).outcome, Outcome::right) << right;
+  for (const char* right : {"B", "b", "2", " 2 "}) EXPECT_EQ(judged(ask, right).mark, Mark::right) << right;
   EXPECT_EQ(judged(ask, "C").reason, "C is not it");
   for (const char* no : {"", "D", "0", "4", "two", "A B", "99999999999999999999", "-1"})
-    EXPECT_EQ(judged(ask, no).outcome, Outcome::unreadable) << no;
-  EXPECT_EQ(judged(choosing(Question::Type::predict, {1}, 2), "A").outcome, Outcome::right);
+    EXPECT_EQ(judged(ask, no).mark, Mark::unreadable) << no;
+  EXPECT_EQ(judged(choosing(Question::Type::predict, {1}, 2), "A").mark, Mark::right);
 }
 
 TEST(JudgeAnswer, AnOrderNamesEveryChoiceOnce) {
   const Question ask = choosing(Question::Type::order, {3, 1, 2}, 3);
   for (const char* right : {"CAB", "C A B", "3,1,2", "3 1 2", "c,A 2"})
-    EXPECT_EQ(judged(ask, right).outcome, Outcome::right) << right;
+    EXPECT_EQ(judged(ask, right).mark, Mark::right) << right;
   EXPECT_EQ(judged(ask, "A B C").reason, "place 1 is not right");
   EXPECT_EQ(judged(ask, "C B A").reason, "place 2 is not right, the one before it is");
   for (const char* no : {"A B", "A A B", "A B C A", "ABD"})
-    EXPECT_EQ(judged(ask, no).outcome, Outcome::unreadable) << no;
+    EXPECT_EQ(judged(ask, no).mark, Mark::unreadable) << no;
 }
 
 TEST(FormOfAnAnswer, AnswersNoQuestionOfItsKind) {
   for (const char* right : {"w3*w1*(I1 - I3)", "cross(omega, L)", "0"}) {
     const AnswerJudgement form =
         judged(asking(right, "motion"), std::string(form_of_answer(Question::Type::expression)));
-    EXPECT_EQ(form.outcome, Outcome::unreadable) << right;
+    EXPECT_EQ(form.mark, Mark::unreadable) << right;
     EXPECT_THAT(form.reason, HasSubstr("unknown symbol")) << "it is written as expressions are";
   }
   for (std::size_t choices = 2; choices <= kMaxChoices; ++choices) {
     std::vector<int> in_order(choices);
     std::iota(in_order.begin(), in_order.end(), 1);
     const Question order = choosing(Question::Type::order, in_order, choices);
-    EXPECT_EQ(judged(order, std::string(form_of_answer(order.type))).outcome, Outcome::unreadable) << choices;
+    EXPECT_EQ(judged(order, std::string(form_of_answer(order.type))).mark, Mark::unreadable) << choices;
   }
 }
 
@@ -155,7 +154,7 @@ TEST(FormOfAnAnswer, AnswersNoQuestionOfTheLessons) {
           const auto* ask = std::get_if<Ask>(&block);
           if (!ask || form_of_answer(ask->type).empty()) continue;
           ++written;
-          EXPECT_EQ(judged(*ask, std::string(form_of_answer(ask->type))).outcome, Outcome::unreadable)
+          EXPECT_EQ(judged(*ask, std::string(form_of_answer(ask->type))).mark, Mark::unreadable)
               << path << ' ' << stage.id << ' ' << ask->id;
         }
     EXPECT_GT(written, 0u) << path;

@@ -65,7 +65,6 @@ TEST(Shader, AnUnusedUniformIsNoError) {
   program->use();
   EXPECT_EQ(program->uniform("nothing"), -1);
   program->set("nothing", 1.0f);
-  program->bind_block("nothing", 0);
   EXPECT_EQ(pending_errors(current.gl), "");
 }
 

@@ -2,6 +2,7 @@
 #include "app/window/controls/control_style.h"
 
 #include "app/session/symbol_note.h"
+#include "base/utf8.h"
 #include "physics/body/bodies.h"
 #include "physics/method.h"
 #include "tests/app/session/example_lesson.h"
@@ -39,19 +40,6 @@ class ControlFont : public testing::Test {
   }
 
  private:
-  static std::vector<char32_t> code_points(std::string_view utf8) {
-    std::vector<char32_t> found;
-    for (std::size_t i = 0; i < utf8.size();) {
-      const auto first = static_cast<unsigned char>(utf8[i++]);
-      const int more = first < 0xC0 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
-      char32_t character = more == 0 ? first : first & (0x3FU >> more);
-      for (int k = 0; k < more && i < utf8.size(); ++k)
-        character = character << 6 | (static_cast<unsigned char>(utf8[i++]) & 0x3FU);
-      found.push_back(character);
-    }
-    return found;
-  }
-
   ImGuiContext* imgui_;
   std::set<char32_t> told_;  ///< once each
 };

@@ -76,16 +76,6 @@ TEST(Diagrams, ComeLastInTheEnumeration) {
   }
 }
 
-TEST(Diagrams, ShareAFigureWithWhatIsInSpace) {
-  using O = Overlay;
-  EXPECT_TRUE(shows_space({}));
-  EXPECT_TRUE(shows_space({O::labels}));
-  EXPECT_FALSE(shows_space({O::cards}));
-  EXPECT_FALSE(shows_space({O::cards, O::labels, O::values}));
-  EXPECT_TRUE(shows_space({O::cards, O::omega}));
-  EXPECT_EQ(diagrams_in({O::omega, O::cards, O::cofactors}), (std::vector{O::cofactors, O::cards}));
-}
-
 TEST(Diagrams, AreTidyForAnyBodyAndPlace) {
   std::vector<Scene> scenes;
   for (Overlay diagram : kDiagrams) {

@@ -20,6 +20,16 @@ TEST(Overlay, UnknownNamesAreNone) {
     EXPECT_FALSE(overlay_from(name));
 }
 
+TEST(Overlay, DiagramsShareAFigureWithWhatIsInSpace) {
+  using O = Overlay;
+  EXPECT_TRUE(shows_space({}));
+  EXPECT_TRUE(shows_space({O::labels}));
+  EXPECT_FALSE(shows_space({O::cards}));
+  EXPECT_FALSE(shows_space({O::cards, O::labels, O::values}));
+  EXPECT_TRUE(shows_space({O::cards, O::omega}));
+  EXPECT_EQ(diagrams_in({O::omega, O::cards, O::cofactors}), (std::vector{O::cofactors, O::cards}));
+}
+
 TEST(OverlaySet, HoldsWhatWasInsertedAndNotWhatWasErased) {
   OverlaySet set{Overlay::omega, Overlay::L};
   set.erase(Overlay::L);

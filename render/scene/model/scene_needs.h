@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What of a scene there is to be seen, and what that needs of a model, added up from the rows of overlay.h:
+// no more than that is modelled.
+#pragma once
+
+#include "render/scene/description/requirements.h"
+#include "render/scene/description/scene.h"
+
+#include <vector>
+
+namespace polhode {
+
+/// The overlays of a scene that there is something to see of. A polhode, herpolhode, cones and an invariable
+/// plane belong to torque-free motion; the plane and the herpolhode to the space view, the plane also to L
+/// pointing down (only there is it level); N to a torque; a body at rest without torque has its shape and its
+/// axes alone.
+OverlaySet drawn_overlays(const Scene& scene);
+
+/// The plots of a page about the scene: those it names, or else ω and drift without a torque, and ω, energy
+/// and momentum under one.
+std::vector<Meter> shown_meters(const Scene& scene);
+
+/// What a scene is modelled for. A figure alone does without what only the plots of a page need.
+enum class Product { figure, page };
+
+Requirements requirements(const Scene& scene, Product product = Product::figure);
+
+}  // namespace polhode

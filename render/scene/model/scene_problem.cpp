@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "render/scene/model/scene_problem.h"
+
+#include "physics/analysis/characteristic_time.h"
+#include "physics/exact/powers_of_two.h"
+#include "physics/geometry/poinsot.h"
+
+#include <numbers>
+
+namespace polhode {
+namespace {
+
+constexpr double kHerpolhodePeriods = 3.0;   // enough for the annulus to show
+constexpr double kTurnsWithoutPeriod = 4.0;  // of ω, where torque leaves no polhode period
+
+Quat turn_half_about_x() { return Quat(0.0, 1.0, 0.0, 0.0); }
+
+/// Shortest rotation that takes `from_B` to `to_S`; where that exceeds a quarter turn, a half turn about x
+/// comes first, so that the result is defined and continuous also for opposite directions.
+Quat align(const Vec3& from_B, const Vec3& to_S) {
+  if (from_B.isZero(0.0)) return Quat::Identity();
+  if (from_B.dot(to_S) >= 0.0) return shortest_rotation(from_B, to_S);
+  const Quat half = turn_half_about_x();
+  return shortest_rotation(half * from_B, to_S) * half;
+}
+
+/// A vector along L, whatever the units: |L| itself may be out of range.
+Vec3 along_L_B(const Scene& scene) {
+  const Vec3 &I = scene.body.moments.vector(), &w_B = scene.w0_B;
+  if (w_B.isZero(0.0) || !w_B.allFinite()) return Vec3::Zero();
+  return times_two_to(-exponent_of(I), I).cwiseProduct(times_two_to(-exponent_of(w_B), w_B));
+}
+
+Quat initial_attitude(const Scene& scene) {
+  const AttitudeSpec spec =
+      scene.attitude.value_or(scene.show.contains(Overlay::plane) ? LPoints::down : LPoints::up);
+  if (const Quat* given = std::get_if<Quat>(&spec)) return given->normalized();
+  const double z = std::get<LPoints>(spec) == LPoints::down ? -1.0 : 1.0;
+  return align(along_L_B(scene), Vec3(0.0, 0.0, z));
+}
+
+}  // namespace
+
+Problem problem_of(const Scene& scene) {
+  return {scene.body.moments, {initial_attitude(scene), scene.w0_B}, scene.torque};
+}
+
+double natural_span_s(const Scene& scene) {
+  const double turn_s = turn_time(scene.w0_B).value_or(1.0);
+  if (!scene.torque.empty()) return kTurnsWithoutPeriod * turn_s;
+  return polhode_period(scene.body.moments, scene.w0_B).value_or(turn_s);
+}
+
+double span_s(const Scene& scene) { return scene.duration_s.value_or(natural_span_s(scene)); }
+
+double herpolhode_span_s(const Scene& scene) {
+  return scene.duration_s.value_or(kHerpolhodePeriods * natural_span_s(scene));
+}
+
+double table_step_s(const Scene& scene) {
+  constexpr double kStepsPerTurn = 64.0;
+  return scene.motion.step_s.value_or(turn_time(scene.w0_B).value_or(2.0 * std::numbers::pi) / kStepsPerTurn);
+}
+
+}  // namespace polhode

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What a scene asks to be followed in time, and for how long: what it leaves unsaid is filled in.
+#pragma once
+
+#include "physics/body/problem.h"
+#include "render/scene/description/scene.h"
+
+namespace polhode {
+
+/// Body, state at t = 0 and torque of a scene.
+Problem problem_of(const Scene& scene);
+
+/// One polhode period; where there is none, a turn of ω, and under torque some of them.
+double natural_span_s(const Scene& scene);
+/// What curves over time cover and one loop of a film shows: `duration`, or the natural span.
+double span_s(const Scene& scene);
+/// What the herpolhode covers from t = 0: `duration`, or three polhode periods.
+double herpolhode_span_s(const Scene& scene);
+
+/// The step of the methods side by side: the scene's own, or 64 to a turn.
+double table_step_s(const Scene& scene);
+
+}  // namespace polhode
