@@ -128,7 +128,7 @@ ClipBox outline_box(const GlassEllipsoid& e, const Mat4& view_projection) {
 OutlineEllipse outline_ellipse(const GlassEllipsoid& e, const Mat4& view_projection) {
   constexpr double kLeastWidth = 0.3;  // triangles that are slivers interpolate badly
   constexpr double kFurthest = 3.0;    // and of triangles much larger than the screen too few digits are left
-  const OutlineEllipse screen{Eigen::Vector2d::Zero(), std::numbers::sqrt2 * Eigen::Matrix2d::Identity()};
+  OutlineEllipse screen{Eigen::Vector2d::Zero(), std::numbers::sqrt2 * Eigen::Matrix2d::Identity()};
   const auto found = outline(e, view_projection);
   if (!found) return screen;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(found->second);
