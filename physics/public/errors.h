@@ -26,3 +26,4 @@
 #include "physics/analysis/horizon.h"
 #include "physics/analysis/motion_errors.h"
 #include "physics/analysis/work_precision.h"
+#include "physics/method.h"
