@@ -289,7 +289,7 @@ class Side {
 
   Side(const EquationsOfMotion& equations, const MotionVector& start, Limits limits, double h_sign)
       : equations_(equations),
-        limits_(limits),
+        limits_(std::move(limits)),
         h_sign_(h_sign),
         nodes_(
             first(start), [this](Node& node, std::int64_t n) { advance(node, n); },
