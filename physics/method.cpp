@@ -79,6 +79,7 @@ void check_settings(const MethodFacts& facts, const MethodChoice& choice) {
   if (choice.step_s && !positive(*choice.step_s)) throw std::domain_error("the step must be finite and > 0");
   if (choice.tolerance && !positive(*choice.tolerance))
     throw std::domain_error("the tolerance must be finite and > 0");
+  if (choice.max_steps && *choice.max_steps < 1) throw std::domain_error("at least one step must be allowed");
 }
 
 }  // namespace

@@ -32,13 +32,14 @@ struct MethodChoice {
   /// For adaptive methods: what one step may add to the error, ω relative and q absolute; 0 < tolerance < 1.
   /// Absent: kDefaultTolerance.
   std::optional<double> tolerance = {};
-  /// For adaptive methods: times that take more steps are not computed. Absent: 2·10⁷, some seconds.
+  /// For adaptive methods: times that take more steps are not computed; ≥ 1. Absent: 2·10⁷, some seconds.
   std::optional<std::int64_t> max_steps = {};
 };
 
-/// @throws std::domain_error with the reason: state or torque not finite, why_not (naming the methods that
-/// can serve), step missing, step or tolerance out of range, or given to a method that has none. `effort` is
-/// told what an integrator costs; a closed form costs too little to be told.
+/// @throws std::domain_error with the reason: state or torque that checked(Problem) refuses, why_not (naming
+/// the methods that can serve), step missing, step, tolerance or max_steps out of range, step or tolerance
+/// given to a method that has none. `effort` is told what an integrator costs; a closed form costs too little
+/// to be told.
 std::unique_ptr<const Motion> make_motion(const Problem& problem, const MethodChoice& choice,
                                           const Effort& effort = {});
 

@@ -14,21 +14,22 @@ namespace polhode {
 
 /// One option of a command, a flag, or an argument known by its place.
 struct CommandOption {
-  /// Where the value goes: a flag's to bool; the last one given to string; all that are given to vector. Only
-  /// an optional takes an empty value too; in the others that is a mistake, and not the same as none.
+  /// Where the value goes. A bool is set by a flag; a string keeps the last value given, a vector all of
+  /// them. Only an optional accepts an empty value; for the others, which cannot tell it from no value, it is
+  /// a mistake of the user.
   using Target = std::variant<bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*>;
 
   std::string names;  ///< "--stage", "-o,--output"; without a dash, "LESSON": an argument by its place
   Target target;      ///< outlives the reading of the line; what it holds before is the default
   std::string about;  ///< for the help
-  /// How the help writes the value, "DIR"; empty: as the parser does, with the default if there is one. " ":
-  /// not.
+  /// How the help writes the value: "DIR". Empty: as the parser does, with the default if there is one.
+  /// A blank: not at all.
   std::string form = {};
   bool required = false;
 };
 
-/// The words of a line that say the same again, in the order of the options, without its flags: what resumes
-/// an export.
+/// The words of a command line that says the same as the one that was read, in the order of the options and
+/// without its flags. An export is resumed by them.
 using CommandWords = std::vector<std::string>;
 
 struct Command {

@@ -46,9 +46,10 @@ Status make_deck(const PictureExport& e, const InterruptWatch& watch) {
       progress.show(static_cast<std::int64_t>(slide), e.out.deck);
       return !watch.interrupted();
     };
-    Status status = write_deck(e.out.deck, *deck_kind_of(e.out.deck), *deck, e.out.durability, go_on);
-    if (!status && watch.interrupted()) throw Interrupted();
-    if (!status) return status;
+    const Result<DeckEnd> end =
+        write_deck(e.out.deck, *deck_kind_of(e.out.deck), *deck, e.out.durability, go_on);
+    if (!end) return failure(end.error());
+    if (*end == DeckEnd::stopped) throw Interrupted();
   }
   say("{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
   return success();

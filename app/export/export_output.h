@@ -15,11 +15,11 @@ namespace polhode {
 /// How and where files are written: what does not decide their bytes.
 struct ExportOutput {
   std::filesystem::path folder;  ///< of the pictures
-  bool keep_folder = true;       ///< false: pictures are there for film and deck alone, in FILE.parts
-  std::string film, deck;        ///< files to make of the pictures; empty: none
-  bool skip_existing = false;    ///< keep files that are, whole, the pictures they should be
-  Shard shard;                   ///< the part of the pictures to make
-  int jobs = 1;                  ///< processes
+  bool keep_folder = true;     ///< false: the pictures, in FILE.parts, go when film and deck are made of them
+  std::string film, deck;      ///< files to make of the pictures; empty: none
+  bool skip_existing = false;  ///< files that are already there, undamaged and right, are kept
+  Shard shard;                 ///< the part of the pictures to make
+  int jobs = 1;                ///< processes
   /// The commands that finish an interrupted export: this part of it, and all of it.
   std::vector<std::string> resume, resume_all;
   Durability durability = Durability::rename_only;

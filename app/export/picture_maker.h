@@ -27,7 +27,7 @@ class PictureMaker {
   virtual ~PictureMaker() = default;
   /// Does what can fail without drawing.
   virtual Done check(const PlannedPicture& picture) = 0;
-  /// Draws nothing: a manifest can be written by who did not draw its pictures.
+  /// Draws nothing, so that a process can write the manifest of pictures which others have drawn.
   virtual Outcome<PictureDescription> describe(const PlannedPicture& picture) = 0;
   virtual Outcome<Image> draw(const PlannedPicture& picture) = 0;
   /// Whether two pictures are known, without drawing, to have the same bytes as files. Frames of a scene

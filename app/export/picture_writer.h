@@ -17,8 +17,9 @@
 
 namespace polhode {
 
-/// A picture on its way to disk. Without an image it is that of the picture put before it: a hard link to its
-/// file, where the file system has them. A link or device under its name is replaced, not followed.
+/// A picture on its way to disk. One without an image is the same as the picture put before it, and becomes a
+/// hard link to that one's file, where there can be one. A link or device that already has its name is
+/// replaced, not followed.
 struct PictureFile {
   std::string name;
   std::optional<Image> image;
@@ -52,10 +53,12 @@ class PictureWriter {
 
   const std::filesystem::path folder_;
   const Durability durability_;
-  PngEncoder encoder_;                     ///< of the thread, as are
-  std::span<const std::uint8_t> bytes_{};  ///< those of the file written last
-  std::string last_;                       ///< name of it
-  Checksums checksums_;                    ///< of all
+  // These the thread alone uses, until finish() has waited for it.
+  PngEncoder encoder_;
+  std::span<const std::uint8_t> bytes_{};  ///< of the file written last; in encoder_
+  std::string last_;                       ///< name of that file
+  Checksums checksums_;                    ///< of all files written
+
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<PictureFile> waiting_;

@@ -28,7 +28,7 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
 /// sides of the equation come to. Of a claim of several lines only how far the worst of them is off. No
 /// numbers where the step is too long to tell, and nothing where there are no values.
 std::string live_text(const Claim& claim, const LiveState& live, View view);
-/// As wide as nearly all of a claim; a wider one is set smaller.
+/// As wide as the live values of nearly every claim become; wider ones are set smaller.
 std::string widest_live_text(const Claim& claim);
 
 }  // namespace polhode

@@ -47,9 +47,9 @@ struct PageRequest {
   Size size;
   Theme theme = Theme::paper;
   std::optional<QualityLevel> quality{};  ///< of the figure; absent: the scene's
-  /// Of all type, kLeastTextScale … kMostTextScale. The text column is wider or narrower with it, up to 0.62
-  /// of a wide page; labels, captions and plots follow by half. Where there is less room than that needs,
-  /// type is set smaller as ever.
+  /// How much larger than normal the reader wants the text, kLeastTextScale … kMostTextScale. The text column
+  /// widens and narrows with it, up to 0.62 of a wide page; labels, captions and plots follow half as much.
+  /// Text that does not fit at this size is set smaller, as at any other.
   double text_scale = 1;
   PageEntrance entrance{};
   /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
@@ -62,11 +62,12 @@ struct PageRequest {
 struct Page {
   Sheet sheet;
   std::vector<Inset> insets;  ///< under the sheet
-  /// Of the type's normal size; below kLeastScale the step alone has more than a page can hold.
+  /// The size of the type beside its normal one. Below kLeastScale the step alone is too much for a page.
   double scale = 1;
   /// The smallest size of a display beside the one it would have if the column were wide enough.
   double formula_scale = 1;
-  /// What it shows: these equations, from the first; the steps from this one on (from 1) whole.
+  /// What the page shows: these equations, in their order, and whole the steps from `whole_from` on (the
+  /// first is 1).
   std::vector<const Equation*> equations;
   int whole_from = 1;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.

@@ -73,7 +73,9 @@ Verdicts verdicts_of(const PageRequest& request) {
   return verdicts;
 }
 
-/// Whether two scenes show one motion.
+/// Whether two scenes show one motion: all that live numbers come from (LiveState) is the same, however it is
+/// drawn, and for how long. Scenes are not compared as they are written: one that names its method or
+/// attitude shows the motion of one that has the same by default.
 bool same_motion(const Scene& a, const Scene& b) {
   const Problem of_a = problem_of(a), of_b = problem_of(b);
   const auto method = [](const Scene& scene, const Problem& problem) {
@@ -112,8 +114,7 @@ struct Selection {
 class ScaledText {
  public:
   ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, const Verdicts& verdicts,
-             const StillNumbers::Values& kept, double width, double em, double scale, const Fonts& fonts,
-             std::string& failure)
+             const StillNumbers::Values& kept, double width, double em, double scale, const Fonts& fonts)
       : request_(request),
         verdicts_(verdicts),
         kept_(kept),
@@ -121,7 +122,7 @@ class ScaledText {
         width_(width),
         em_(em),
         scale_(scale),
-        column_(width, scale * em, request.theme, symbols, fonts, failure),
+        column_(width, scale * em, request.theme, symbols, fonts),
         last_(static_cast<std::size_t>(request.step - 1)),
         begun_{header(false), title()},
         continued_{header(true), begun_[1]},
@@ -130,19 +131,11 @@ class ScaledText {
 
   double scale() const { return scale_; }
 
-  /// The most that fits; nothing if the step alone does not.
-  std::optional<Selection> most(double height) {
-    const std::size_t whole_from = first_that_fits(last_ + 1, height, [&](std::size_t i) {
-      PieceRefs tried = heading(i > 0);
-      for (std::size_t k = i; k <= last_; ++k) add(tried, whole(k));
-      return tried;
-    });
-    if (whole_from > last_) return std::nullopt;
-    for (std::size_t from = whole_from; from <= last_; ++from) {
-      const std::size_t equations_from = with_equations(from, height);
-      if (equations_from == 0 || from == last_) return Selection{equations_from, from};
-    }
-    return std::nullopt;
+  /// The most that fits; nothing if the step alone does not. Fails if a text that was tried cannot be set.
+  Result<std::optional<Selection>> most(double height) {
+    const std::optional<Selection> shown = most_that_fits(height);
+    if (!status_) return failure(status_.error());
+    return shown;
   }
 
   Stack stacked(const Selection& shown) { return stack(pieces(shown), whole(last_).size()); }
@@ -163,6 +156,20 @@ class ScaledText {
   }
 
  private:
+  std::optional<Selection> most_that_fits(double height) {
+    const std::size_t whole_from = first_that_fits(last_ + 1, height, [&](std::size_t i) {
+      PieceRefs tried = heading(i > 0);
+      for (std::size_t k = i; k <= last_; ++k) add(tried, whole(k));
+      return tried;
+    });
+    if (whole_from > last_) return std::nullopt;
+    for (std::size_t from = whole_from; from <= last_; ++from) {
+      const std::size_t equations_from = with_equations(from, height);
+      if (equations_from == 0 || from == last_) return Selection{equations_from, from};
+    }
+    return std::nullopt;
+  }
+
   /// The smallest index below `end` from which on `pieces_from` fits; steps are tried from
   /// the newest back.
   template <class PiecesFrom>
@@ -193,8 +200,15 @@ class ScaledText {
     return refs;
   }
 
-  ColumnPiece title() const {
-    ColumnPiece piece = column_.title(request_.stage.title_text);
+  /// Nothing stands in the place of a text that cannot be set.
+  ColumnPiece noted(Result<ColumnPiece> piece) {
+    if (piece) return std::move(piece).value();
+    if (status_) status_ = failure(piece.error());
+    return {};
+  }
+
+  ColumnPiece title() {
+    ColumnPiece piece = noted(column_.title(request_.stage.title_text));
     piece.of = &request_.stage;
     return piece;
   }
@@ -226,7 +240,7 @@ class ScaledText {
     return *whole_[i];
   }
 
-  Pieces made_whole(const Step& step, bool is_present) const {
+  Pieces made_whole(const Step& step, bool is_present) {
     const Equation* first = focus_of(request_.stage, step);
     const auto focus_on = [&](const Equation& equation) {
       if (&equation != first) return Focus::none;
@@ -237,7 +251,8 @@ class ScaledText {
     const std::vector<std::string> marked =
         is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
     Pieces pieces;
-    const auto take = [&](ColumnPiece piece, const Block& block) {
+    const auto take = [&](Result<ColumnPiece> set, const Block& block) {
+      ColumnPiece piece = noted(std::move(set));
       piece.of = &block;
       tell_cost_of(piece);
       keep_numbers_of(piece);
@@ -297,7 +312,8 @@ class ScaledText {
     for (const Block& block : request_.stage.steps[i].blocks)
       if (const auto* equation = std::get_if<Equation>(&block);
           equation && !is_refuted(request_.stage, *equation)) {
-        pieces.push_back(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i])));
+        pieces.push_back(
+            noted(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i]))));
         pieces.back().of = &block;
         tell_cost_of(pieces.back());
         keep_numbers_of(pieces.back());
@@ -313,8 +329,9 @@ class ScaledText {
   const Fonts& fonts_;
   double width_, em_, scale_;
   TextColumn column_;
-  std::size_t last_;          ///< index of the step
-  Pieces begun_, continued_;  ///< header and title
+  Status status_ = success();  ///< of the first text that could not be set
+  std::size_t last_;           ///< index of the step
+  Pieces begun_, continued_;   ///< header and title
   std::vector<std::optional<Pieces>> whole_, equations_;
 };
 
@@ -325,9 +342,8 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
   const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
   const Verdicts verdicts = verdicts_of(request);
   const StillNumbers::Values kept = kept_numbers(request);
-  std::string why_not_set;
   const auto text_at = [&](double scale) {
-    return ScaledText(request, symbols, verdicts, kept, width, em, scale, fonts, why_not_set);
+    return ScaledText(request, symbols, verdicts, kept, width, em, scale, fonts);
   };
   const auto fitted = [](ScaledText& text, const Selection& shown) {
     return FittedText{text.stacked(shown),
@@ -341,8 +357,9 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
   std::size_t best_rank = 0;
   for (const double scale : std::array{1.0, 0.93, kLeastScale}) {
     ScaledText text = text_at(scale);
-    const auto shown = text.most(height);
-    if (!why_not_set.empty()) return failure(why_not_set);
+    const auto most = text.most(height);
+    if (!most) return failure(most.error());
+    const auto& shown = *most;
     if (!shown || (best && shown->rank() >= best_rank)) continue;
     best_rank = shown->rank();
     best = fitted(text, *shown);
@@ -352,7 +369,9 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
   const double least = kLeastOfAll / std::max(1.0, request.text_scale);
   for (double scale = kSmaller * kLeastScale; scale > least; scale *= kSmaller) {
     ScaledText text = text_at(scale);
-    if (const auto shown = text.most(height)) return fitted(text, *shown);
+    const auto shown = text.most(height);
+    if (!shown) return failure(shown.error());
+    if (*shown) return fitted(text, **shown);
   }
   return failure(
       fmt::format("stage \"{}\": step {} has more text than a page holds", request.stage.id, request.step));

@@ -14,7 +14,7 @@ namespace polhode {
 /// room has been made for it. Without `from` all stands and what is newest appears.
 Sheet column_on_its_way(const FittedText* from, const FittedText& to, double way);
 
-/// How visible what is new is by then.
+/// The opacity of what is new when this part of the way is done.
 double appeared(double way);
 
 }  // namespace polhode

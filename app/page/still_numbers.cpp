@@ -18,10 +18,8 @@ StillNumbers::Values StillNumbers::computed(const Step& step) const {
     return equation && !equation->live.empty();
   };
   if (!step.scene || std::none_of(step.blocks.begin(), step.blocks.end(), has_numbers)) return {};
-  Scene motion_alone = *step.scene;  // no curve, plot or table
-  motion_alone.show = {Overlay::omega};
   const std::optional<LiveState> live =
-      live_state(make_model(motion_alone, Product::figure, effort_), still_time_s(motion_alone));
+      live_state(make_model(*step.scene, Product::numbers, effort_), still_time_s(*step.scene));
   Values values;
   for (const Block& block : step.blocks)
     if (live && has_numbers(block))

@@ -17,7 +17,8 @@ class StillNumbers {
   /// `effort` is told what the motions cost.
   explicit StillNumbers(Effort effort = {}) : effort_(std::move(effort)) {}
 
-  /// Of the equations that the step adds; without those that are not defined there. Empty without a scene.
+  /// The numbers in the equations that the step adds, except those that have no value there. Empty without a
+  /// scene.
   /// @throws what `effort` throws; nothing is remembered then
   const Values& of(const Step& step);
 

@@ -33,13 +33,19 @@ std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
   return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
 }
 
+Result<DisplayList> or_why_not(Result<DisplayList, std::vector<TypeError>> set) {
+  if (!set) return failure("this text cannot be set: " + set.error().front().message);
+  return std::move(set).value();
+}
+
 /// The list with its highest ink or line at y = 0.
-ColumnPiece piece_of(DisplayList list, double em, double gap) {
+Result<ColumnPiece> piece_of(Result<DisplayList> list, double em, double gap) {
+  if (!list) return failure(list.error());
   ColumnPiece piece;
-  const double top = std::round(std::max(list.ascent, kLineTop * em));
-  piece.height = top + std::round(std::max(list.depth, kLineBottom * em));
+  const double top = std::round(std::max(list->ascent, kLineTop * em));
+  piece.height = top + std::round(std::max(list->depth, kLineBottom * em));
   piece.gap = gap;
-  piece.sheet.texts.push_back({.list = std::move(list), .at = {0, top}});
+  piece.sheet.texts.push_back({.list = std::move(list).value(), .at = {0, top}});
   return piece;
 }
 
@@ -93,48 +99,42 @@ TextStyle TextColumn::style(double size, Color color, double width) const {
   return style;
 }
 
-DisplayList TextColumn::noted(Result<DisplayList, std::vector<TypeError>> set) const {
-  if (set) return std::move(set).value();
-  if (failure_.empty()) failure_ = "this text cannot be set: " + set.error().front().message;
-  return {};
+Result<DisplayList> TextColumn::set(const RichText& text, const TextStyle& style) const {
+  return or_why_not(set_text(text, style, fonts_));
 }
 
-DisplayList TextColumn::set(const RichText& text, const TextStyle& style) const {
-  return noted(set_text(text, style, fonts_));
-}
-
-ColumnPiece TextColumn::title(const RichText& title) const {
+Result<ColumnPiece> TextColumn::title(const RichText& title) const {
   const double em = kTitleSize * size_;
   TextStyle bold = style(em, colors().ink, width_);
   bold.bold = true;
   bold.leading = 1.2;
-  DisplayList list = set(title, bold);
-  return piece_of(std::move(list), em, 0.55 * em);
+  return piece_of(set(title, bold), em, 0.55 * em);
 }
 
-ColumnPiece TextColumn::prose(const RichText& text) const {
+Result<ColumnPiece> TextColumn::prose(const RichText& text) const {
   return piece_of(set(text, style(size_, colors().ink, width_)), size_, kParagraphGap * size_);
 }
 
 /// As large as it can be within `room`: broken first, then smaller.
-TextColumn::Formula TextColumn::formula(const Equation& equation, double size, double room) const {
+Result<TextColumn::Formula> TextColumn::formula(const Equation& equation, double size, double room) const {
   MathStyle style{.size = size,
                   .display = true,
                   .color = colors().ink,
                   .strike = colors().accent,
                   .line_width = room,
                   .symbols = &symbols_};
-  DisplayList list = noted(set_math(equation.math, style, fonts_));
+  Result<DisplayList> list = or_why_not(set_math(equation.math, style, fonts_));
   constexpr int kMostTries = 8;  // a smaller formula may be broken elsewhere
-  for (int i = 0; i < kMostTries && list.width > room; ++i) {
-    style.size *= 0.999 * room / list.width;
-    list = noted(set_math(equation.math, style, fonts_));
+  for (int i = 0; i < kMostTries && list && list->width > room; ++i) {
+    style.size *= 0.999 * room / list->width;
+    list = or_why_not(set_math(equation.math, style, fonts_));
   }
-  return {std::move(list), style.size / size};
+  if (!list) return failure(list.error());
+  return Formula{std::move(list).value(), style.size / size};
 }
 
-ColumnPiece TextColumn::numbered(const Equation& equation, double size,
-                                 const std::vector<std::string>& marked) const {
+Result<ColumnPiece> TextColumn::numbered(const Equation& equation, double size,
+                                         const std::vector<std::string>& marked) const {
   DisplayList tag;
   if (!equation.tag.empty()) {
     TextStyle quiet = style(kTagSize * size_, colors().quiet, 0);
@@ -145,7 +145,9 @@ ColumnPiece TextColumn::numbered(const Equation& equation, double size,
     }
   }
   const double beside = equation.tag.empty() ? 0.0 : tag.width + size_;
-  auto [list, formula_scale] = formula(equation, size, width_ - beside);
+  Result<Formula> set = formula(equation, size, width_ - beside);
+  if (!set) return failure(set.error());
+  auto [list, formula_scale] = std::move(set).value();
   // In the middle of the column, unless it would run into its number.
   const double x = std::round(std::min(0.5 * (width_ - list.width), width_ - beside - list.width));
   const double top = std::round(std::max(list.ascent, kLineTop * size));
@@ -197,10 +199,12 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
   return piece;
 }
 
-ColumnPiece TextColumn::equation(const Equation& equation, Focus focus,
-                                 const std::vector<std::string>& marked,
-                                 const std::vector<ColumnPiece>& verdicts) const {
-  ColumnPiece plain = numbered(equation, kDisplaySize * size_, marked);
+Result<ColumnPiece> TextColumn::equation(const Equation& equation, Focus focus,
+                                         const std::vector<std::string>& marked,
+                                         const std::vector<ColumnPiece>& verdicts) const {
+  Result<ColumnPiece> set = numbered(equation, kDisplaySize * size_, marked);
+  if (!set) return set;
+  ColumnPiece plain = std::move(set).value();
   for (const ColumnPiece& verdict : verdicts) {
     const double top = plain.height + std::round(verdict.gap);
     add(plain, verdict, {0, top});
@@ -222,8 +226,10 @@ ColumnPiece TextColumn::equation(const Equation& equation, Focus focus,
   return piece;
 }
 
-ColumnPiece TextColumn::earlier_equation(const Equation& equation, const std::string& kind) const {
-  ColumnPiece piece = numbered(equation, kEarlierSize * size_, {});
+Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const std::string& kind) const {
+  Result<ColumnPiece> set = numbered(equation, kEarlierSize * size_, {});
+  if (!set) return set;
+  ColumnPiece piece = std::move(set).value();
   piece.gap = 0.4 * size_;
   TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
   quiet.sans = true;
@@ -236,28 +242,30 @@ ColumnPiece TextColumn::earlier_equation(const Equation& equation, const std::st
 }
 
 /// `plain` with its name on the left, and a bar between the two.
-ColumnPiece TextColumn::labelled(const std::string& label, const Color& color, ColumnPiece plain) const {
+Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& color,
+                                         Result<ColumnPiece> plain) const {
+  if (!plain) return plain;
   const double indent = std::round(kLabelIndent * size_), bar = indent - std::round(0.55 * size_);
   TextStyle small = style(kLabelSize * size_, color, 0);
   small.sans = small.bold = true;
-  const double baseline = plain.sheet.texts.front().at.y();
-  ColumnPiece piece{.sheet = {}, .height = plain.height, .gap = plain.gap};
+  const double baseline = plain->sheet.texts.front().at.y();
+  ColumnPiece piece{.sheet = {}, .height = plain->height, .gap = plain->gap};
   piece.sheet.shapes.push_back(Stroke{
       .points = {{bar, 1}, {bar, piece.height - 1}}, .width = std::max(1.5, 0.09 * size_), .color = color});
   piece.sheet.texts.push_back({.list = set_line(label, small, fonts_), .at = {0, baseline}});
-  append(piece.sheet, std::move(plain.sheet), {indent, 0});
+  append(piece.sheet, std::move(plain->sheet), {indent, 0});
   return piece;
 }
 
-ColumnPiece TextColumn::callout(const Callout& callout) const {
+Result<ColumnPiece> TextColumn::callout(const Callout& callout) const {
   const bool said = callout.kind == Callout::Kind::said;
   const double em = kCalloutSize * size_;
   const double width = width_ - std::round(kLabelIndent * size_);
-  ColumnPiece piece = piece_of(set(callout.text, style(em, colors().ink, width)), em, kParagraphGap * size_);
-  return labelled(said ? "As said" : "As meant", said ? colors().said : colors().meant, std::move(piece));
+  return labelled(said ? "As said" : "As meant", said ? colors().said : colors().meant,
+                  piece_of(set(callout.text, style(em, colors().ink, width)), em, kParagraphGap * size_));
 }
 
-ColumnPiece TextColumn::question(const Ask& ask) const {
+Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   const double em = kCalloutSize * size_;
   const double width = width_ - std::round(kLabelIndent * size_);
   RichText text = ask.prompt_text;

@@ -35,13 +35,13 @@ struct ColumnPiece {
   Sheet sheet;
   double height = 0;         ///< whole px
   double gap = 0;            ///< least distance to what is above and below
-  double formula_scale = 1;  ///< of its normal size, of a display that is wider than the column
+  double formula_scale = 1;  ///< of a display: its size beside the normal one; below 1 where it was too wide
   std::vector<LiveSlot> live{};
   std::vector<LiveNumberSlot> numbers{};
   const void* of = nullptr;              ///< the part of the lesson it shows: the same on another page
   std::optional<std::size_t> formula{};  ///< of an equation: which of the sheet's texts it is
   bool is_main = false;                  ///< the equation that its step has come to
-  std::size_t panel = 0;  ///< so many of the sheet's shapes, the first, are panel and bar of the focus
+  std::size_t panel = 0;  ///< how many of the sheet's shapes, from the first, are panel and bar of the focus
 };
 
 /// How an equation stands among others: in focus between bar and panel, or with the room that these took.
@@ -49,49 +49,49 @@ enum class Focus { none, now, before };
 
 class TextColumn {
  public:
-  /// `size` is the em of prose. Why the first text cannot be set that cannot is left in `failure`, which is
-  /// empty before; nothing stands in its place. All are kept by reference.
+  /// `size` is the em of prose. Symbols and fonts are kept by reference.
   TextColumn(double width, double size, Theme theme, const std::vector<MathSymbol>& symbols,
-             const Fonts& fonts, std::string& failure)
-      : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts), failure_(failure) {}
+             const Fonts& fonts)
+      : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts) {}
 
-  ColumnPiece title(const RichText& title) const;
+  // The error of each says why the text cannot be set: the fonts lack a character of it.
+
+  Result<ColumnPiece> title(const RichText& title) const;
   /// With the verdicts on what it claims below it. Terms of these names are marked.
-  ColumnPiece equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
-                       const std::vector<ColumnPiece>& verdicts = {}) const;
+  Result<ColumnPiece> equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
+                               const std::vector<ColumnPiece>& verdicts = {}) const;
   /// One row, two where it is long; with room for live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
   /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, where
   /// there is room.
-  ColumnPiece earlier_equation(const Equation& equation, const std::string& kind = {}) const;
-  ColumnPiece prose(const RichText& text) const;
-  ColumnPiece callout(const Callout& callout) const;
-  ColumnPiece question(const Ask& ask) const;
+  Result<ColumnPiece> earlier_equation(const Equation& equation, const std::string& kind = {}) const;
+  Result<ColumnPiece> prose(const RichText& text) const;
+  Result<ColumnPiece> callout(const Callout& callout) const;
+  Result<ColumnPiece> question(const Ask& ask) const;
 
  private:
   const PageColors& colors() const { return colors_of(theme_); }
   TextStyle style(double size, Color color, double width) const;
-  DisplayList noted(Result<DisplayList, std::vector<TypeError>> set) const;
-  DisplayList set(const RichText& text, const TextStyle& style) const;
+  Result<DisplayList> set(const RichText& text, const TextStyle& style) const;
   struct Formula {
     DisplayList list;
     double scale = 1;
   };
-  Formula formula(const Equation& equation, double size, double room) const;
-  ColumnPiece numbered(const Equation& equation, double size, const std::vector<std::string>& marked) const;
-  ColumnPiece labelled(const std::string& label, const Color& color, ColumnPiece plain) const;
+  Result<Formula> formula(const Equation& equation, double size, double room) const;
+  Result<ColumnPiece> numbered(const Equation& equation, double size,
+                               const std::vector<std::string>& marked) const;
+  Result<ColumnPiece> labelled(const std::string& label, const Color& color, Result<ColumnPiece> plain) const;
 
   double width_, size_;
   Theme theme_;
   const std::vector<MathSymbol>& symbols_;
   const Fonts& fonts_;
-  std::string& failure_;
 };
 
 /// Pieces one below the other, each in its place; the height they take together.
 struct Stack {
   std::vector<ColumnPiece> pieces;
-  std::size_t newest = 0;  ///< so many of them, the last
+  std::size_t newest = 0;  ///< how many of them, at the end, are of the present step
   double height = 0;
 };
 Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest = 0);

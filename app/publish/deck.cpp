@@ -41,11 +41,19 @@ Result<DeckPicture> read_deck_picture(const fs::path& file) {
   return picture;
 }
 
-Status write_deck(const fs::path& file, DeckKind kind, const Deck& deck, Durability durability,
-                  const DeckProgress& go_on) {
+Result<DeckEnd> write_deck(const fs::path& file, DeckKind kind, const Deck& deck, Durability durability,
+                           const DeckProgress& go_on) {
   const auto append_deck = kind == DeckKind::html ? append_html_deck : append_pdf_deck;
-  return write_file_in_pieces(
-      file, [&](const AppendBytes& append) { return append_deck(deck, append, go_on); }, durability);
+  bool stopped = false;
+  const DeckProgress noted = [&](std::size_t slide) {
+    stopped = go_on && !go_on(slide);
+    return !stopped;
+  };
+  const Status written = write_file_in_pieces(
+      file, [&](const AppendBytes& append) { return append_deck(deck, append, noted); }, durability);
+  if (stopped) return DeckEnd::stopped;
+  if (!written) return failure(written.error());
+  return DeckEnd::written;
 }
 
 }  // namespace polhode

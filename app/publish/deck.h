@@ -53,16 +53,16 @@ std::optional<DeckKind> deck_kind_of(const std::filesystem::path& file);
 /// Told which slide comes next, from 0; false stops.
 using DeckProgress = std::function<bool(std::size_t slide)>;
 
-/// The file appears whole or not at all. A few slides are in memory at a time. Fails if a picture cannot be
-/// read or is damaged, and if `go_on`, which may be empty, says false.
-Status write_deck(const std::filesystem::path& file, DeckKind kind, const Deck& deck,
-                  Durability durability = Durability::rename_only, const DeckProgress& go_on = {});
+enum class DeckEnd { written, stopped };
 
-/// What write_deck writes.
+/// The file appears whole or not at all: if `go_on`, which may be empty, says false, the deck is stopped, and
+/// what stood under the name stays. A few slides are in memory at a time. Fails if a picture cannot be read
+/// or is damaged.
+Result<DeckEnd> write_deck(const std::filesystem::path& file, DeckKind kind, const Deck& deck,
+                           Durability durability = Durability::rename_only, const DeckProgress& go_on = {});
+
+/// What write_deck writes. Both also fail where `go_on`, which is not empty, says false.
 Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
 Status append_pdf_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
-
-/// What a deck says that was stopped.
-inline constexpr const char* kDeckStopped = "interrupted";
 
 }  // namespace polhode

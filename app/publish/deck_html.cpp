@@ -155,7 +155,7 @@ Status append_slide(const DeckSlide& slide, const EncodedPicture& picture, std::
 Status append_slides(const Deck& deck, Size first, const Sink& sink, const DeckProgress& go_on) {
   Pictures pictures(deck, first);
   for (std::size_t i = 0; i < deck.slides.size(); ++i) {
-    if (go_on && !go_on(i)) return failure(kDeckStopped);
+    if (!go_on(i)) return failure("stopped");
     const Result<EncodedPicture> picture = pictures.next();
     if (!picture) return failure(picture.error());
     if (Status status = append_slide(deck.slides[i], *picture, i + 1, sink); !status) return status;

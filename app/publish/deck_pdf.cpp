@@ -138,7 +138,7 @@ class PdfDeck {
     Object resources = page.get("/Resources");
     resources.get("/XObject")
         .set("/Slide", image_of(pdf_, slide.png, picture.png, [this, number = pages_.size()] {
-               if (go_on_ && !go_on_(number)) throw std::runtime_error(kDeckStopped);
+               if (!go_on_(number)) throw std::runtime_error("stopped");
              }));
     resources.set("/Font", fonts_);
     const std::string content =

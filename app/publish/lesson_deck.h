@@ -8,9 +8,9 @@
 namespace polhode {
 
 /// The pictures lie under their names in `folder`; their files have the alternative texts. The notes of a
-/// stage's slides are together what the stage says: a slide has what its step adds, and what steps without a
-/// slide add is said before or, at the end, after.
-/// Fails if a picture cannot be read. Not of frames.
+/// stage's slides are together what the stage says: a slide has what its step adds, and before that what was
+/// added by steps without a slide; the last slide also has what such steps add after it.
+/// Fails if a picture cannot be read. Not for an export of frames.
 Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const ExportPlan& plan,
                      const std::filesystem::path& folder);
 

@@ -16,10 +16,10 @@
 namespace polhode {
 
 struct AnswerRecord {
-  int right = 0;     ///< tries that were; the log says only whether there was one
-  int tries = 0;     ///< that could be read
-  int hints = 0;     ///< that were shown
-  std::string last;  ///< answer
+  int right = 0;     ///< how many tries were right; the file keeps only whether any was
+  int tries = 0;     ///< how many answers could be read, right or wrong
+  int hints = 0;     ///< how many hints were shown
+  std::string last;  ///< the last answer
   bool operator==(const AnswerRecord&) const = default;
 };
 
@@ -28,7 +28,8 @@ using AnswerLog = std::map<std::string, AnswerRecord>;
 std::string answer_name(std::string_view stage_id, std::string_view ask_id);
 
 void note_try(AnswerRecord& record, bool is_right, std::string_view answer);
-/// Which of so many hints comes next, from 0, noted as shown; nothing if all were.
+/// Notes that one more of the question's `hints` hints is shown, and says which, from 0; nothing if all were
+/// shown before.
 std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints);
 
 /// Applies to a log the changes that turned `before`, a copy of it, into `now`, and nothing else: what

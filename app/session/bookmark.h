@@ -43,7 +43,7 @@ StateFileResult<std::monostate> write_preferences(const std::filesystem::path& f
                                                   const Preferences& preferences);
 
 Bookmark bookmark_of(const LessonSession& session);
-/// What no longer exists in the lesson is passed over.
+/// Stages and steps that the lesson no longer has are passed over.
 void restore(LessonSession& session, const Bookmark& bookmark);
 
 }  // namespace polhode

@@ -11,10 +11,10 @@
 
 namespace polhode {
 
-/// Turned by a drag of (dx, dy) px, y down, in a picture `height` px high: half a turn for the height, what
-/// is in front goes with the hand; elevation stays within ±89°.
+/// The camera turned by a drag of (dx, dy) px, y down, in a picture `height` px high. A drag over the whole
+/// height turns it by half a turn, and what is in front goes with the hand. Elevation stays within ±89°.
 CameraSpec orbited(CameraSpec camera, double dx, double dy, double height);
-/// Each notch of the wheel is a tenth; zoom stays within 0.25…8.
+/// The camera zoomed by a tenth for each notch of the wheel; zoom stays within 0.25…8.
 CameraSpec zoomed(CameraSpec camera, double notches);
 
 struct CameraPreset {
@@ -33,12 +33,11 @@ struct TipOnScreen {
 /// Of every pane that shows ω; empty if none does.
 std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets);
 
-/// ω of the same energy, in body axes, with its tip as near to the point (px of the page) as it can be drawn:
-/// the new motion starts there with `attitude`, as the scene with that ω at t = 0 would be drawn in the same
-/// pane. Where the scene holds L upright the body turns under the hand; the tip stays at the pointer. Where
-/// no tip can be drawn at the point, the nearest that can. Nothing without ω. Under torque the energy is that
-/// of the moment. Levenberg and Marquardt's method from the present ω; if that does not get there, from
-/// others.
+/// The ω, in body axes, whose tip is drawn at the point (px of the page), or as near to it as any can be. It
+/// has the present energy; under torque that of the moment. "Drawn" means in the same pane, in the scene that
+/// starts with this ω and with `attitude` at t = 0. Where the scene holds L upright the body turns under the
+/// hand, and the tip stays at the pointer. Nothing for a body at rest. Found by Levenberg and Marquardt's
+/// method from the present ω; if that does not get there, from others.
 struct GrabbedOmega {
   Vec3 w0_B;
   std::optional<AttitudeSpec> attitude;  ///< that of the moment, unless the scene holds L down or up

@@ -68,24 +68,25 @@ class LessonSession {
   const Step& step() const { return stage().steps[place_.step]; }
   std::optional<Place> next_place() const;      ///< nothing at the end
   std::optional<Place> previous_place() const;  ///< nothing at the beginning
-  /// False, and nothing changes, where there is none. Steps run on from stage to stage; the previous stage's
-  /// last step precedes a first one. A stage begins at its first step: previous_stage goes to the beginning
-  /// of this one first, unless that is where we are.
+  /// Each returns false, and changes nothing, where there is no such place. Steps run on from stage to stage:
+  /// before the first step of a stage comes the last one of the stage before. The two for stages go to first
+  /// steps; previous_stage goes to the beginning of the present stage, unless that is where we are.
   bool next_step();
   bool previous_step();
   bool next_stage();
   bool previous_stage();
-  /// Places that do not exist become the nearest that do. A new stage gives the scene back to the lesson,
-  /// stops the motion, shows the scene's own time and follows nothing. A step of the same stage with the same
-  /// scene goes on with everything as it is; with another scene it gives back all but a camera that was
-  /// turned where the lesson does not turn it, and time goes on if the motion is still the same.
+  /// A place that does not exist becomes the nearest that does. On another stage the scene is the lesson's
+  /// again, at its own time and at rest, and the camera follows nothing. On another step of the same stage
+  /// everything goes on as it is if the scene is the same. If it is another, edits are given up, except a
+  /// camera that was turned by hand and that the lesson does not turn; time goes on if the motion is the
+  /// same.
   void go_to(Place place);
   /// Ids of stages that were seen, among those of the lesson.
   const std::set<std::string>& visited() const { return visited_; }
   void set_visited(const std::set<std::string>& stages);
-  /// Another reading of the same lesson, for authors: stays at the stage of this id and its step as far as
-  /// they exist, keeps time, edits (unless they no longer can be) and answers. Pointers to what was in the
-  /// old one dangle.
+  /// Goes on with another reading of the same lesson, whose file its author has changed. The place stays, as
+  /// far as the lesson still has a stage of this id and that step; so do time, answers, and the edits unless
+  /// they have become impossible. Pointers into the old reading dangle.
   void replace_lesson(std::shared_ptr<const LoadedLesson> loaded);
 
   // Time: simulated seconds. Any t at once: motions are functions of time.
@@ -164,7 +165,8 @@ class LessonSession {
   bool are_notes_shown() const { return notes_shown_; }
   void show_notes(bool shown);
 
-  /// From the step before to this one, 0…1; 1: arrived. Only a step forward within a stage travels.
+  /// How far the page is on its way from the step before to this one, 0…1; 1: it is there. Only a step
+  /// forward within a stage has a way.
   double transition() const { return preferences.reduced_motion ? 1 : transition_; }
   /// Whether something changes by itself: playing, or a line on its way.
   bool is_moving() const;

@@ -19,8 +19,9 @@ struct PageSymbol {
   TypeBox box;           ///< px of the page; all its ink
 };
 
-/// In reading order: text after text as they lie on the sheet, each from left to right as it is set; a term
-/// before the symbols in it. What is beside each other and of the same name is one. Some 20 µs for a page.
+/// All symbols of a page in reading order: text after text as they lie on the sheet, each text from left to
+/// right as it is set, a term before the symbols in it. Neighbours of the same name count as one. Some 20 µs
+/// for a page.
 std::vector<PageSymbol> symbols_on(const Sheet& sheet, const Fonts& fonts);
 
 /// The innermost (smallest) one within `reach` px of the point; nothing if there is none.

@@ -21,10 +21,11 @@ struct SaveOptions {
 /// Whether there is something of the kind on this step.
 bool can_save_as(const LessonSession& session, SaveAs what);
 
-/// Writes it into the folder, which is made if need be, whole or not at all, under the name that export gives
-/// (07-poinsot-step3.png; figures, traces and scenes with their kind), with a number behind it where that is
-/// taken: nothing is overwritten. A picture is the one that `polhode export` makes of the same state, byte
-/// for byte on the same driver. Of several equations the last.
+/// Writes a file into the folder, which is made if need be; it appears whole or not at all. Its name is the
+/// one that export gives (07-poinsot-step3.png; the names of figures, traces and scenes also have their
+/// kind), and if that is taken, has a number behind it: nothing is overwritten. A picture is the one that
+/// `polhode export` makes of the same state, byte for byte on the same driver. Of several equations the last
+/// is saved.
 Result<std::filesystem::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
                                       const std::filesystem::path& folder, Renderer& renderer);
 

@@ -5,7 +5,7 @@
 #include "lessons/reader/front_matter.h"
 #include "lessons/reader/markdown/markdown.h"
 #include "lessons/reader/toml_text.h"
-#include "render/scene/model/rotor.h"
+#include "physics/body/pivot.h"
 
 #include <fmt/format.h>
 

@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// "[body.NAME]" with its keys; empty for a built-in body. A shape whose moments are not its own, about the
-/// centre of mass or about the pivot of this torque, is left out.
+/// "[body.NAME]" with its keys; empty for a built-in body. The shape is left out where the body's moments are
+/// not those of the shape, neither about the centre of mass nor about the pivot of this torque.
 std::string own_body_of(const Body& body, const Torque& torque);
 
 /// The present stage as a lesson of its own, which `polhode export` reads. It has the lesson's front matter

@@ -3,7 +3,7 @@
 
 #include "lessons/reader/scene_keys.h"
 #include "lessons/reader/scene_values.h"
-#include "render/scene/model/rotor.h"
+#include "physics/body/pivot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,6 @@ namespace polhode {
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr double kMostElevationDeg = 90, kLeastScale = 0.1, kMostScale = 100;
 
 /// A quotient of whole numbers, so that its decimals are few.
 double whole_parts_of_degree(double angle_rad) {
@@ -44,8 +43,14 @@ void show(OverlaySet& shown, const SceneEdits& edits) {
 }  // namespace
 
 Scene edited(Scene scene, const SceneEdits& edits) {
-  if (!scene.attitude && scene.show.contains(Overlay::plane) && edits.off.contains(Overlay::plane))
-    scene.attitude = LPoints::down;
+  if (!scene.attitude) {
+    // The plane, shown or not, decides on an attitude that nobody stated. Hiding it does not turn the body
+    // over; nor does showing it under a torque, which knows up from down: that would be another motion.
+    const bool hides = scene.show.contains(Overlay::plane) && edits.off.contains(Overlay::plane);
+    const bool shows = !scene.show.contains(Overlay::plane) && edits.on.contains(Overlay::plane);
+    if (hides) scene.attitude = LPoints::down;
+    if (shows && !scene.torque.empty()) scene.attitude = LPoints::up;
+  }
   if (edits.attitude) scene.attitude = edits.attitude;
   if (edits.body) scene.body = or_throw(on_its_pivot(*edits.body, scene.torque));
   replace(scene.w0_B, edits.w0_B);
@@ -73,8 +78,8 @@ CameraSpec writable(const CameraSpec& camera) {
   const double elevation_deg =
       std::clamp(whole_parts_of_degree(camera.elevation_rad), -kMostElevationDeg, kMostElevationDeg);
   return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree,
-          std::clamp(camera.distance, kLeastScale, kMostScale),
-          std::clamp(camera.zoom, kLeastScale, kMostScale)};
+          std::clamp(camera.distance, kLeastCameraScale, kMostCameraScale),
+          std::clamp(camera.zoom, kLeastCameraScale, kMostCameraScale)};
 }
 
 AttitudeSpec writable(const AttitudeSpec& attitude) {

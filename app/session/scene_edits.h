@@ -28,12 +28,12 @@ struct SceneEdits {
 
 /// The scene with the edits in it. ω and the attitude of the lesson stay with another body; L keeps pointing
 /// down where the plane, which had it so, is hidden. A body of a shape hangs on the pivot of the lesson's
-/// heavy torque, if there is one (render/scene/model/rotor.h). A method that cannot serve the body or torque
+/// heavy torque, if there is one (physics/body/pivot.h). A method that cannot serve the body or torque
 /// is left to make_model to refuse.
 /// @throws std::domain_error if the body cannot hang there
 Scene edited(Scene scene, const SceneEdits& edits);
 
-/// Shows the overlay, or hides it; nothing is kept of what the lesson says anyway.
+/// Shows the overlay, or hides it. Where the lesson does so anyway, there is nothing left to edit.
 void set_shown(SceneEdits& edits, const Scene& lesson_scene, Overlay overlay, bool is_shown);
 
 /// A body known by these moments alone, kg m², or the inequality that forbids them.
@@ -43,7 +43,7 @@ Result<Body> body_with_moments(const Vec3& moments);
 /// the format's bounds. What is on the screen can then be saved without moving by a hair.
 CameraSpec writable(const CameraSpec& camera);
 
-/// The attitude that its components in short read as, 1e-12 rad beside it at most.
+/// The attitude as a lesson states it, by components of few digits: at most 1e-12 rad beside the one given.
 AttitudeSpec writable(const AttitudeSpec& attitude);
 
 }  // namespace polhode

@@ -51,10 +51,10 @@ class StateLock {
 /// Takes what a file says. Throws any std::exception if it is not such a file.
 using TakeState = std::function<void(const nlohmann::ordered_json&)>;
 
-/// Hands over what the file says; an absent one is passed over. One that is damaged is set aside as
-/// NAME.damaged: the answer says so, and is empty otherwise. `what` names the file in a sentence: "the log of
-/// answers". What `take` has taken of a damaged file is to be forgotten. Fails if the file is there and
-/// cannot be read, or is of another "format" than 1.
+/// Gives `take` what the file says; of an absent file nothing. A damaged one is set aside as NAME.damaged,
+/// and the answer is a warning that says so; otherwise it is empty. What `take` has got of a damaged file is
+/// to be forgotten. `what` names the file in the warning: "the log of answers". Fails if the file is there
+/// but cannot be read, or has another "format" than 1.
 StateFileResult<std::string> read_state_file(const std::filesystem::path& path, const std::string& what,
                                              const TakeState& take);
 

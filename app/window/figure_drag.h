@@ -17,8 +17,8 @@ class FigureDrag {
 
   /// What ImGui's io has of the mouse in this frame, done to the session.
   /// @param insets of the page that is shown
-  /// @param on_page nothing is in front of it
-  /// @param reach so near the tip of ω is taken, px
+  /// @param on_page the pointer is on the page, and nothing lies over it there
+  /// @param reach how near the pointer has to be to take the tip of ω, px
   /// @returns why ω cannot be what it was dragged to; empty: it is
   std::string use_mouse(LessonSession& session, const std::vector<Inset>& insets, bool on_page, double reach);
 

@@ -17,7 +17,7 @@ class Notices {
   void set_lesson_errors(std::string errors) { lesson_errors_ = std::move(errors); }
   void set_page_error(std::string error) { page_error_ = std::move(error); }
 
-  /// No wider than they are, above the lower edge of the page.
+  /// Just above the lower edge of the page, no wider than the words.
   void draw(const Region& page, Theme theme, float padding, double clock_s) const;
   /// Until what was told goes; nothing: it is gone.
   std::optional<double> seconds_left(double clock_s) const;

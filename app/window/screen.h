@@ -42,24 +42,25 @@ class Screen {
   /// When the next frame will differ without any input: 0 while something moves, or waits to be drawn in
   /// full.
   double seconds_to_wake(const LessonSession& session) const;
-  /// Of the last frame: whether a page was drawn, and whether with all its pixels; wall time, s.
+  /// Whether the last frame's figures were drawn with all their pixels.
   bool is_full() const { return is_full_; }
 
   /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
   void tell(const std::string& text) { notices_.tell(text, clock_s_); }
-  const std::string& notice() const { return notices_.told(); }  ///< told last
   void set_lesson_errors(std::string errors) { notices_.set_lesson_errors(std::move(errors)); }
 
-  /// Where things are saved.
-  void set_folder(const std::string& folder) { panels_.save().folder = folder; }
   /// Of the present stage, in words.
   const std::string& stage_title() const { return stage_title_; }
 
   const Framebuffer& picture() const { return *picture_; }
   Image read() const { return picture_->read(); }
+
+  // For tests. A user reads the notice, sees the page, and types the folder into its field.
+
+  const std::string& notice() const { return notices_.told(); }  ///< told last
+  const PageView& page() const { return *page_; }                ///< with the places of the last frame
   Renderer& renderer() { return *renderer_; }
-  /// Places of the last frame, for tests.
-  const PageView& page() const { return *page_; }
+  void set_folder(const std::string& folder) { panels_.save().folder = folder; }  ///< where things are saved
 
  private:
   Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,

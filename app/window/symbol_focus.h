@@ -23,7 +23,7 @@ class SymbolFocus {
   void move(LessonSession& session, const Symbols& symbols, int by);
   void toggle_explanation() { explains_ = !explains_ && focus_; }
   void leave(LessonSession& session);
-  /// Also what the pointer is on; the page has changed.
+  /// Forgets what keys have reached and what the pointer is on: the page has changed.
   void forget(LessonSession& session);
   /// What is under the pointer; nothing: no symbol is.
   void point_at(LessonSession& session, const Symbols& symbols, std::optional<std::size_t> hovered);

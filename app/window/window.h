@@ -24,9 +24,9 @@ struct WindowOptions {
 
 enum class WindowEnd { closed, interrupted };
 
-/// Until the user closes it, or a signal: then interrupted. Draws with the display's OpenGL; where it has
-/// no 3.3, off-screen, and shows the pictures in a plain window. The error, no display or nothing to draw
-/// with, says what to do.
+/// Runs until the user closes the window, or until a signal, which counts as an interruption. Draws with the
+/// display's OpenGL; if that is older than 3.3, it draws off-screen and shows the pictures in a plain window.
+/// An error if there is no display, or nothing to draw with: it says what to do.
 Result<WindowEnd> run_window(LessonSession& session, const Fonts& fonts, const WindowOptions& options);
 
 }  // namespace polhode

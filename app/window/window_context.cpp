@@ -15,7 +15,6 @@ class WindowContext final : public GlContext {
   void* function(const char* name) const override {
     return reinterpret_cast<void*>(glfwGetProcAddress(name));
   }
-  ContextKind kind() const override { return ContextKind::any; }
 };
 
 }  // namespace

@@ -41,6 +41,11 @@ struct AnswerJudgement {
 /// commas or spaces between. Up to some 50 ms.
 AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover);
 
+/// The words of an expression that is asked for, for help: those that a learner may need.
+inline constexpr std::string_view kWordsOfAnswers =
+    "w1 w2 w3 (ω), I1 I2 I3, N1 N2 N3, dw1 … (their rates), T; vectors omega, L, N, e1 e2 e3; + - * / ^, "
+    "dot(a, b), cross(a, b), norm2(a), comp(a, 2), inertia(a), ddt(a), star(a)";
+
 /// How such an answer is written, for an empty box and for help: of letters that no quantity and no choice
 /// has, so that it answers no question, neither right nor wrong. Of choices, which are taken, empty.
 std::string_view form_of_answer(Question::Type type);

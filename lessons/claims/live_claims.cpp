@@ -3,11 +3,11 @@
 
 #include "lessons/claims/expression_names.h"
 #include "lessons/claims/expression_variants.h"
+#include "physics/analysis/difference.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "physics/method.h"
 #include "render/scene/model/arrow.h"
-#include "render/scene/model/difference.h"
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 double rate_scale(const SceneModel& model, const RigidBodyState& state) {
   const Scene& scene = model.scene;
   const PrincipalMoments& I = scene.body.moments;
-  const double torque = torque_B(scene.torque, I, state).norm();
+  const double torque = torque_B(scene.torque, state).norm();
   const double scale = std::max(norm_of(state.w_B), std::sqrt(torque / I.vector().minCoeff()));
   return scale > 0 ? scale : 1;
 }
@@ -134,7 +134,7 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
   const PrincipalMoments& I = model.scene.body.moments;
   s.F_S = sized(translation.F_S);
   s.m = translation.mass_kg;
-  s.N_B = sized(torque_B(model.scene.torque, I, state));
+  s.N_B = sized(torque_B(model.scene.torque, state));
   for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = I.vector()[i];
   const Mat3 J = on_turned_axes(I);
   s.J = {J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2)};

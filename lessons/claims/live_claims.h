@@ -3,7 +3,7 @@
 //
 // Nothing is put in that the claim says: ω and the attitude are the motion's at t, and their rates, with
 // those of A and of the centre of mass, are differences of the motion itself at times around t
-// (render/scene/model/difference.h). So `ddt(L) = N` compares how L really changes, as computed, with the
+// (physics/analysis/difference.h). So `ddt(L) = N` compares how L really changes, as computed, with the
 // torque.
 #pragma once
 

@@ -7,9 +7,9 @@
 #include "lessons/reader/reader.h"
 #include "lessons/reader/scene_values.h"
 #include "lessons/reader/toml_text.h"
+#include "physics/body/pivot.h"
 #include "physics/body/torque_text.h"
 #include "physics/method.h"
-#include "render/scene/model/rotor.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kMaxViews = 2;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr double kMaxElevationDeg = 90;
+static_assert(kMaxOverlays >= kOverlayCount);
 
 /// With moments about the pivot, where it hangs on one.
 Result<Body> body_of(const Scene& scene, const LessonBodies& bodies) {
@@ -229,7 +229,7 @@ class SceneKeys {
   void elevation(const TomlEntry& entry, CameraSpec& camera) {
     const auto degrees = read_number(entry, report_);
     if (!degrees) return;
-    if (std::abs(*degrees) <= kMaxElevationDeg)
+    if (std::abs(*degrees) <= kMostElevationDeg)
       camera.elevation_rad = *degrees * kRadiansPerDegree;
     else
       report_.error(entry.value.place, "\"elevation_deg\" must lie between -90 and 90");
@@ -259,9 +259,8 @@ class SceneKeys {
 
   /// Of the camera: what lies outside shows nothing, and is most likely a slip.
   std::optional<double> scale(const TomlEntry& entry) {
-    constexpr double kLeast = 0.1, kMost = 100.0;
     const auto number = read_positive_number(entry, report_);
-    if (!number || (*number >= kLeast && *number <= kMost)) return number;
+    if (!number || (*number >= kLeastCameraScale && *number <= kMostCameraScale)) return number;
     report_.error(entry.value.place, in_quotes(entry.key) + " must lie between 0.1 and 100");
     return std::nullopt;
   }

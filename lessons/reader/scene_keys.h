@@ -49,7 +49,7 @@ struct LessonScene {
 };
 
 /// The scene as it is to be modelled: a body known by its shape that hangs on a pivot under `heavy` has its
-/// moments about that (render/scene/model/rotor.h). The scene that later keys change keeps those about the
+/// moments about that (physics/body/pivot.h). The scene that later keys change keeps those about the
 /// centre of mass. Where they cannot be had, the reading has said so.
 Scene finished(const Scene& scene, const LessonBodies& bodies);
 

@@ -7,8 +7,9 @@
 //     M = N_B + L×s,   s = c (L×ω)/|L|
 //
 // N_B: sum of the torques of torque.h; s: slip of an EnergySink, zero without one. Equations and sources:
-// euler.h, torque.h. A torque that depends on attitude uses the direction of q alone, q/|q|, so that a method
-// under which |q| drifts turns nothing else.
+// euler.h, torque.h, which have them in vectors, term by term; a test holds one to the other. A torque that
+// depends on attitude uses the direction of q alone, q/|q|, so that a method under which |q| drifts turns
+// nothing else.
 #pragma once
 
 #include "physics/body/problem.h"

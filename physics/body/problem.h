@@ -15,7 +15,8 @@ struct Problem {
 };
 
 /// The problem with q_SB scaled to unit length.
-/// @throws std::domain_error if the state or the torque is not finite.
+/// @throws std::domain_error if the state or the torque is not finite, or the axis of a HeavyTop is no unit
+/// vector: within 1e-6, since an axis may come from six digits or from single precision.
 Problem checked(const Problem& problem);
 
 }  // namespace polhode

@@ -33,7 +33,7 @@ struct TermIsFinite {
 
 }  // namespace
 
-Vec3 torque_B(const Torque& torque, const PrincipalMoments&, const RigidBodyState& state) {
+Vec3 torque_B(const Torque& torque, const RigidBodyState& state) {
   Vec3 N_B = Vec3::Zero();
   for (const TorqueTerm& term : torque) N_B += std::visit(TermTorque{state}, term);
   return N_B;

@@ -42,7 +42,7 @@ struct BodyTorque {
 /// about that point. Keeps T + mgr e_z·R_SB a_B and L_Sz.
 struct HeavyTop {
   double mgr = 0.0;             ///< weight times distance from the pivot to the centre of mass, N m
-  Vec3 axis_B = Vec3::UnitZ();  ///< unit (not checked), from the pivot to the centre of mass
+  Vec3 axis_B = Vec3::UnitZ();  ///< unit, from the pivot to the centre of mass; checked(Problem) sees to it
   bool operator==(const HeavyTop&) const = default;
 };
 /// N_B = −c ω_B: dT/dt = −c|ω|².
@@ -60,7 +60,7 @@ using TorqueTerm = std::variant<SpaceTorque, BodyTorque, HeavyTop, LinearDamping
 using Torque = std::vector<TorqueTerm>;  ///< empty: torque-free
 
 /// Sum of the external torques at this state, N m, body components. An EnergySink is none and adds nothing.
-Vec3 torque_B(const Torque& torque, const PrincipalMoments& I, const RigidBodyState& state);
+Vec3 torque_B(const Torque& torque, const RigidBodyState& state);
 
 /// s_B, rad/s: the rate at which the body's axes turn beyond ω_B = I⁻¹L_B. Zero without an EnergySink, and at
 /// ω = 0. With it and torque_B the whole motion can be written down: L̇_B = N_B + L_B×(ω_B + s_B).

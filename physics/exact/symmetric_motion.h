@@ -32,15 +32,12 @@ class SymmetricMotion final : public Motion {
   Vec3 w_B_at(double t_s) const override;
   std::string_view method() const override { return "symmetric"; }
 
-  /// ν, rad/s: rate at which ω circles the symmetry axis in the body, signed about +c.
-  double nu() const { return nu_; }
-
  private:
   RigidBodyState start_;
   int c_;       // symmetry axis
   Vec3 w_L_B_;  // L_B0/I_a, rad/s, in units of 2^e_L: it may exceed the largest double
   int e_L_;
-  double nu_;
+  double nu_;  // rad/s: rate at which ω circles the symmetry axis in the body, signed about +c
 
   double angle(double t_s) const;  // ν t
 };

@@ -69,12 +69,13 @@ MotionVector dormand_prince_dense(DormandPrincePair pair, const EquationsOfMotio
 
 class DormandPrinceMotion final : public Motion {
  public:
-  /// Times that take more steps than this are not computed: 5 to 10 seconds of one core.
+  /// Times that take more steps than this are not computed: 5 to 10 seconds of one core, all of which
+  /// pass before it is known that a time lies too far.
   static constexpr std::int64_t kMaxSteps = 20'000'000;
   /// A smaller tolerance is taken to be this one: rounding adds more to every step.
   static constexpr double kMinTolerance = 1e-15;
 
-  /// @throws std::domain_error if the state or the torque is not finite, or not 0 < tolerance < 1.
+  /// @throws std::domain_error if checked(Problem) refuses it, or not 0 < tolerance < 1.
   DormandPrinceMotion(DormandPrincePair pair, const Problem& problem, double tolerance,
                       std::int64_t max_steps = kMaxSteps, const Effort& effort = {});
   ~DormandPrinceMotion() override;

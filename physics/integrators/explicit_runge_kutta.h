@@ -32,7 +32,7 @@
 
 namespace polhode {
 
-/// @throws std::domain_error if state or torque is not finite, the step is not finite and > 0, or
+/// @throws std::domain_error if checked(Problem) refuses it, the step is not finite and > 0, or
 /// rk4_projected_motion is given a torque.
 std::unique_ptr<const Motion> explicit_euler_motion(const Problem& problem, double step_s,
                                                     const Effort& effort = {});

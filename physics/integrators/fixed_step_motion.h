@@ -24,9 +24,6 @@
 
 namespace polhode {
 
-/// Times further than this many steps from the start are not computed: at most about 20 seconds of one core.
-inline constexpr std::int64_t kMaxSteps = 100'000'000;
-
 /// What every stepper carries from step to step; `v` is ω_B or L_B, as the stepper likes. A step it cannot
 /// make leaves NaN, or q = 0 where 1/|q|² underflows, and both stay.
 struct StepState {
@@ -44,7 +41,11 @@ struct StepState {
 template <class Stepper>
 class FixedStepMotion final : public Motion {
  public:
-  /// @throws std::domain_error if state or torque is not finite, or the step is not finite and > 0.
+  /// Times further than this many steps from the start are not computed: at most about 20 seconds of one
+  /// core, and max_time_s() says so before any is made.
+  static constexpr std::int64_t kMaxSteps = 100'000'000;
+
+  /// @throws std::domain_error if checked(Problem) refuses it, or the step is not finite and > 0.
   FixedStepMotion(std::string_view name, const Problem& problem, double step_s, const Effort& effort = {})
       : FixedStepMotion(name, checked(problem), scaled(checked(problem)), step_s, effort) {}
 

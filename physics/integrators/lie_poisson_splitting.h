@@ -25,7 +25,7 @@
 
 namespace polhode {
 
-/// @throws std::domain_error if state or torque is not finite, the step is not finite and > 0, or the torque
+/// @throws std::domain_error if checked(Problem) refuses it, the step is not finite and > 0, or the torque
 /// depends on ω.
 std::unique_ptr<const Motion> splitting_motion(const Problem& problem, double step_s,
                                                const Effort& effort = {});

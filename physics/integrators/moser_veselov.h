@@ -30,7 +30,7 @@
 namespace polhode {
 
 /// order 2, 6 or 10: "moser-veselov-2", ...
-/// @throws std::domain_error if state or torque is not finite, the step is not finite and > 0, the torque
+/// @throws std::domain_error if checked(Problem) refuses it, the step is not finite and > 0, the torque
 /// depends on ω, or the order is another.
 std::unique_ptr<const Motion> moser_veselov_motion(int order, const Problem& problem, double step_s,
                                                    const Effort& effort = {});

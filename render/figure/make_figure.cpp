@@ -78,7 +78,7 @@ Snapshot snapshot_in(const SceneModel& model, double t_s, View view, const Rigid
              .q_VS = space ? Quat::Identity() : state.q_SB.conjugate(),
              .L_B = angular_momentum_B(scene.body.moments, state.w_B),
              .two_T = 2.0 * kinetic_energy(scene.body.moments, state.w_B),
-             .N_B = torque_B(scene.torque, scene.body.moments, state),
+             .N_B = torque_B(scene.torque, state),
              .omega_scale = omega_scale,
              .L_scale = L_scale,
              .L_length = L_length_of(scene, omega_scale, L_scale),

@@ -55,7 +55,8 @@ Result<GLuint> link(const Gl& gl, const std::string& name, GLuint vertex, GLuint
 
 }  // namespace
 
-Result<Program> Program::create(const Gl& gl, std::string name, const std::vector<std::string_view>& vertex,
+Result<Program> Program::create(const Gl& gl, const std::string& name,
+                                const std::vector<std::string_view>& vertex,
                                 const std::vector<std::string_view>& fragment) {
   const Result<GLuint> vertex_shader = compile(gl, name, GL_VERTEX_SHADER, vertex);
   if (!vertex_shader) return failure(vertex_shader.error());
@@ -66,15 +67,13 @@ Result<Program> Program::create(const Gl& gl, std::string name, const std::vecto
   }
   const Result<GLuint> program = link(gl, name, *vertex_shader, *fragment_shader);
   if (!program) return failure(program.error());
-  return Program(gl, std::move(name), *program);
+  return Program(gl, *program);
 }
 
-Program::Program(Program&& other) noexcept
-    : gl_(other.gl_), name_(std::move(other.name_)), handle_(std::exchange(other.handle_, 0)) {}
+Program::Program(Program&& other) noexcept : gl_(other.gl_), handle_(std::exchange(other.handle_, 0)) {}
 
 Program& Program::operator=(Program&& other) noexcept {
   std::swap(gl_, other.gl_);
-  std::swap(name_, other.name_);
   std::swap(handle_, other.handle_);
   return *this;
 }

@@ -20,21 +20,17 @@ class Program {
   /// `name` is for messages ("body"). The error names program, stage and the driver's log.
   /// Each source is the version line, which this adds, and its parts one after the other: macros, functions
   /// that several shaders have, the shader.
-  static Result<Program> create(const Gl& gl, std::string name, const std::vector<std::string_view>& vertex,
+  static Result<Program> create(const Gl& gl, const std::string& name,
+                                const std::vector<std::string_view>& vertex,
                                 const std::vector<std::string_view>& fragment);
   Program(Program&& other) noexcept;
   Program& operator=(Program&& other) noexcept;
   ~Program();
 
   void use() const { gl_->UseProgram(handle_); }
-  GLuint handle() const { return handle_; }
-  const std::string& name() const { return name_; }
 
-  /// -1 if the program has no such uniform, or does not use it: setting that one does nothing.
-  GLint uniform(const char* name) const { return gl_->GetUniformLocation(handle_, name); }
-
-  // Each sets a uniform of this program, which must be in use. Matrices: columns first, as Eigen and GLSL
-  // store them.
+  // Each sets a uniform of this program, which must be in use; nothing where the program has none of that
+  // name, or does not use it. Matrices: columns first, as Eigen and GLSL store them.
   void set(const char* name, int value) const;
   void set(const char* name, float value) const;
   void set(const char* name, float x, float y) const;
@@ -49,11 +45,10 @@ class Program {
   void set_array(const char* name, int components, std::span<const float> values) const;
 
  private:
-  Program(const Gl& gl, std::string name, GLuint handle)
-      : gl_(&gl), name_(std::move(name)), handle_(handle) {}
+  Program(const Gl& gl, GLuint handle) : gl_(&gl), handle_(handle) {}
+  GLint uniform(const char* name) const { return gl_->GetUniformLocation(handle_, name); }
 
   const Gl* gl_;
-  std::string name_;
   GLuint handle_;
 };
 

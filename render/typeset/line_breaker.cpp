@@ -113,10 +113,6 @@ double demerits(const std::vector<LinePart>& parts, const std::vector<std::size_
   return total;
 }
 
-double line_length(const std::vector<LinePart>& parts, std::size_t begin, std::size_t end) {
-  return line_of(parts, begin, end).length;
-}
-
 double space_change(const std::vector<LinePart>& parts, std::size_t begin, std::size_t end,
                     const LineShape& shape) {
   if (shape.edge != LineShape::Edge::justified) return 0.0;

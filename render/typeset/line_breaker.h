@@ -36,9 +36,6 @@ std::vector<std::size_t> break_lines(const std::vector<LinePart>& parts, const L
 double demerits(const std::vector<LinePart>& parts, const std::vector<std::size_t>& ends,
                 const LineShape& shape);
 
-/// Length of the line [begin, end) without the space at its end.
-double line_length(const std::vector<LinePart>& parts, std::size_t begin, std::size_t end);
-
 /// By how much of its stretch (> 0) or shrink (< 0) each space of a justified line changes; 0 for the last
 /// line of a paragraph and before a forced end.
 double space_change(const std::vector<LinePart>& parts, std::size_t begin, std::size_t end,

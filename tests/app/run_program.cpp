@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/app/run_program.h"
 
+#include "tests/support/paths.h"
+
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -48,7 +50,7 @@ ProgramRun polhode(const std::vector<std::string>& arguments, const RunOptions& 
   const fs::path out = options.stdout_to.empty() ? scratch / "out" : fs::path(options.stdout_to),
                  err = scratch / "err";
   std::vector<std::string> words = options.wrapper;
-  words.push_back(POLHODE_PROGRAM);
+  words.push_back(test::program());
   words.insert(words.end(), arguments.begin(), arguments.end());
   const std::vector<char*> argv = pointers(words);
 
@@ -93,6 +95,6 @@ std::vector<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-std::string test_lesson(const std::string& name) { return POLHODE_SOURCE_DIR "/tests/data/app/" + name; }
+std::string test_lesson(const std::string& name) { return test::source_dir() / "tests/data/app" / name; }
 
 }  // namespace polhode

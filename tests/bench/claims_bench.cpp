@@ -4,6 +4,7 @@
 #include "lessons/claims/proof.h"
 #include "lessons/reader/reader.h"
 #include "tests/bench/table.h"
+#include "tests/support/paths.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -61,7 +62,7 @@ std::vector<double> live_ms_of_steps(const Lesson& lesson) {
 
 int run() {
   std::ostringstream text;
-  text << std::ifstream(POLHODE_SOURCE_DIR "/lessons/euler-equations.md").rdbuf();
+  text << std::ifstream(test::source_dir() / "lessons/euler-equations.md").rdbuf();
   const LessonReading reading = read_lesson(text.str(), "euler-equations.md");
   if (!reading.lesson) {
     std::fprintf(stderr, "the lecture cannot be read\n");

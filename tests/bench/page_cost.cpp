@@ -6,6 +6,7 @@
 #include "app/page/page.h"
 #include "render/figure/make_figure.h"
 #include "tests/bench/timing.h"
+#include "tests/support/paths.h"
 
 #include <stdexcept>
 
@@ -66,7 +67,8 @@ double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& contex
 }  // namespace
 
 std::vector<double> page_costs_ms() {
-  const LoadedLesson loaded = or_fail(load_lesson(POLHODE_SOURCE_DIR "/lessons/euler-equations.md"));
+  const LoadedLesson loaded =
+      or_fail(load_lesson((test::source_dir() / "lessons/euler-equations.md").string()));
   const auto context = value_of(open_context(ContextKind::any));
   std::vector<double> costs;
   for (const Stage& stage : loaded.lesson.stages)

@@ -3,6 +3,7 @@
 #include "render/typeset/math/math.h"
 #include "tests/bench/page_cost.h"
 #include "tests/bench/table.h"
+#include "tests/support/paths.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -14,7 +15,7 @@ namespace polhode::bench {
 namespace {
 
 std::vector<std::string> formulas_of_the_lecture() {
-  std::ifstream in(POLHODE_SOURCE_DIR "/tests/data/formulas/lecture.tsv");
+  std::ifstream in(test::source_dir() / "tests/data/formulas/lecture.tsv");
   std::vector<std::string> formulas;
   for (std::string line; std::getline(in, line);) formulas.push_back(line.substr(line.find('\t') + 1));
   return formulas;

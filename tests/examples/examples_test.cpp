@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the programs of examples/ print is true. Expectations are computed here, from other formulas than the
 // library's where there are any.
+#include "tests/support/paths.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -209,7 +211,7 @@ TEST(PolhodeCsv, KeepsEnergyAndMomentumAndPassesItsStart) {
 
 /// What stands in docs/interface.md between ```text and ```.
 std::string output_on_the_page() {
-  std::ifstream file(POLHODE_SOURCE_DIR "/docs/interface.md");
+  std::ifstream file(test::source_dir() / "docs/interface.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   const std::string open = "```text\n";
   const std::size_t begin = page.find(open);

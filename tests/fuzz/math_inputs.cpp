@@ -2,6 +2,7 @@
 #include "tests/fuzz/math_inputs.h"
 
 #include "render/typeset/math/commands.h"
+#include "tests/support/paths.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ namespace {
 std::vector<std::string> seeds() {
   std::vector<std::string> all;
   for (const char* file : {"lecture", "corpus"}) {
-    std::ifstream in(std::string(POLHODE_SOURCE_DIR "/tests/data/formulas/") + file + ".tsv");
+    std::ifstream in(test::source_dir() / "tests/data/formulas" / (std::string(file) + ".tsv"));
     for (std::string line; std::getline(in, line);) all.push_back(line.substr(line.find('\t') + 1));
   }
   return all;

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kFailed = fs::path(POLHODE_SOURCE_DIR) / "out/check";
+const fs::path kFailed = test::source_dir() / "out/check";
 
 struct Stage {
   std::unique_ptr<const Fonts> fonts;

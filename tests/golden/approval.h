@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/gl/renderer.h"
+#include "tests/support/paths.h"
 
 #include <filesystem>
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace polhode::golden {
 
-inline const std::filesystem::path kFolder = std::filesystem::path(POLHODE_SOURCE_DIR) / "tests/golden";
+inline const std::filesystem::path kFolder = test::source_dir() / "tests/golden";
 
 /// One for all tests of this process: shaders compile once. Unless the environment has another, it sets
 /// GALLIUM_OVERRIDE_CPU_CAPS=sse4.1, which puts every x86 machine into one class of pixels.

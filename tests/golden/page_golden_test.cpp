@@ -5,6 +5,7 @@
 #include "render/image/compare.h"
 #include "render/typeset/morph.h"
 #include "tests/golden/approval.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -51,7 +52,7 @@ const std::vector<Row>& rows() {
 
 const std::string& lesson_text() {
   static const std::string kText = [] {
-    std::ifstream file(std::string(POLHODE_SOURCE_DIR) + "/tests/data/golden/page.md");
+    std::ifstream file(test::source_dir() / "tests/data/golden/page.md");
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

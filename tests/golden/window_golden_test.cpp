@@ -6,6 +6,7 @@
 #include "app/window/screen.h"
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -55,7 +56,7 @@ const std::vector<Row>& rows() {
 
 std::shared_ptr<const LoadedLesson> lesson() {
   static const auto kLesson = std::make_shared<const LoadedLesson>(
-      or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/tests/data/golden/page.md")));
+      or_fail(load_lesson((test::source_dir() / "tests/data/golden/page.md").string())));
   return kLesson;
 }
 

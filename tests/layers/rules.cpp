@@ -85,7 +85,7 @@ const std::vector<Room>& rooms() {
        {},
        false},
       {"tests/bench/",
-       kProgram + Names{"tests/bench/"},
+       kProgram + Names{"tests/bench/", "tests/support/"},
        kProgramLibraries + Names{"benchmark/", "png.h", "EGL/", "mujoco/", "boost/", "gsl/", "arkode/",
                                  "cvode/", "nvector/", "sundials/", "sunnonlinsol/"},
        {},

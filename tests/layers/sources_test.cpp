@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The sources as they are keep the rules of rules.h.
 #include "tests/layers/rules.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ std::string text_of(const fs::path& path) {
 
 /// Every file of ours whose name ends in one of `endings`.
 std::vector<Source> sources(const std::vector<std::string>& endings) {
-  const fs::path root = POLHODE_SOURCE_DIR;
+  const fs::path root = test::source_dir();
   std::vector<Source> found;
   for (const char* folder :
        {"app", "assets", "base", "cmake", "examples", "lessons", "physics", "render", "tests"}) {
@@ -44,7 +45,7 @@ std::vector<Source> sources(const std::vector<std::string>& endings) {
 
 TEST(Sources, KeepTheArrowsBetweenTheRooms) {
   const std::vector<Source> files = sources({".h", ".cpp"});
-  ASSERT_GT(files.size(), 40u) << "looked in " << POLHODE_SOURCE_DIR;
+  ASSERT_GT(files.size(), 40u) << "looked in " << test::source_dir();
   for (const Source& file : files) {
     for (const Finding& finding : broken_rules(file.path, file.text)) {
       ADD_FAILURE() << finding.file << ':' << finding.line << ": " << finding.message;
@@ -62,7 +63,7 @@ TEST(Sources, KeepTheArrowsThroughTheirHeaders) {
 TEST(Sources, NameTheirLicence) {
   std::vector<Source> files =
       sources({".h", ".cpp", ".sh", ".py", ".js", ".css", ".cmake", "CMakeLists.txt", "packages.txt"});
-  const fs::path root = POLHODE_SOURCE_DIR;
+  const fs::path root = test::source_dir();
   for (const char* path : {"CMakeLists.txt", "play", "check", ".ci/run"})
     files.push_back({path, text_of(root / path)});
   for (const Source& file : files) {

@@ -10,7 +10,7 @@ namespace {
 
 TEST(LessonFiles, AreReadWithoutErrors) {
   int lessons = 0;
-  for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
+  for (const auto& path : testing::files_in(test::source_dir() / "lessons", ".md")) {
     if (path.filename() == "FORMAT.md" || path.filename() == "README.md") continue;
     ++lessons;
     const LessonReading reading = read_lesson(testing::read_file(path), path.filename().string());
@@ -24,7 +24,7 @@ TEST(LessonFiles, AreReadWithoutErrors) {
 }
 
 TEST(LessonFiles, TheReferenceNamesEveryOverlayAndMethod) {
-  const std::string format = testing::read_file(testing::source_dir() / "lessons/FORMAT.md");
+  const std::string format = testing::read_file(test::source_dir() / "lessons/FORMAT.md");
   for (const std::string& name : overlay_names()) EXPECT_THAT(format, ::testing::HasSubstr(name));
   for (const std::string& name : method_names()) EXPECT_THAT(format, ::testing::HasSubstr('"' + name + '"'));
   for (const std::string& name : named_bodies()) EXPECT_THAT(format, ::testing::HasSubstr(name));

@@ -34,7 +34,7 @@ class Now {
   Mat3 R() const { return at_.q_SB.toRotationMatrix(); }
   Vec3 w() const { return at_.w_B; }
   Vec3 L() const { return times_I(w()); }
-  Vec3 N() const { return torque_B(model_.scene.torque, model_.scene.body.moments, at_); }
+  Vec3 N() const { return torque_B(model_.scene.torque, at_); }
   double T() const { return 0.5 * w().dot(L()); }
   static Vec3 e(int i) { return Vec3::Unit(i - 1); }
 
@@ -266,7 +266,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
 template <class Use>
 void for_each_shown_pair(const Use& use) {
   for (const char* id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
-    const auto path = testing::source_dir() / "lessons" / (std::string(id) + ".md");
+    const auto path = test::source_dir() / "lessons" / (std::string(id) + ".md");
     const LessonReading reading = read_lesson(testing::read_file(path), id);
     ASSERT_TRUE(reading.lesson) << id;
     for (const Stage& stage : reading.lesson->stages)

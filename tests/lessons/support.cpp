@@ -41,8 +41,6 @@ TomlTable toml(const std::string& text) {
   return table.value_or(TomlTable{});
 }
 
-std::filesystem::path source_dir() { return POLHODE_SOURCE_DIR; }
-
 std::string read_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   EXPECT_TRUE(file.good()) << path;
@@ -62,7 +60,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
 }
 
 std::string example_lesson() {
-  const std::string text = read_file(source_dir() / "lessons" / "FORMAT.md");
+  const std::string text = read_file(test::source_dir() / "lessons" / "FORMAT.md");
   const std::string opening = "\n````markdown\n";
   const std::size_t begin = text.find(opening) + opening.size();
   return text.substr(begin, text.find("\n````\n", begin) + 1 - begin);

@@ -7,6 +7,7 @@
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/reader.h"
 #include "lessons/reader/toml_tree.h"
+#include "tests/support/paths.h"
 
 #include <filesystem>
 #include <string>
@@ -44,7 +45,6 @@ Equality equality(const std::string& left, const std::string& right);
 /// Table of a TOML text; fails the test and returns an empty one if it is none.
 TomlTable toml(const std::string& text);
 
-std::filesystem::path source_dir();
 std::string read_file(const std::filesystem::path& path);
 /// Files of a folder with this extension, sorted.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,

@@ -5,6 +5,7 @@
 #include "lessons/claims/proof.h"
 #include "lessons/reader/reader.h"
 #include "tests/oracle/oracle.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +40,7 @@ std::vector<Line> proved_lines_of(const Lesson& lesson) {
 
 std::vector<Line> proved_lines_of_all_lessons() {
   std::vector<Line> lines;
-  for (const auto& entry : std::filesystem::directory_iterator(POLHODE_SOURCE_DIR "/lessons")) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() / "lessons")) {
     if (entry.path().extension() != ".md" || entry.path().filename() == "FORMAT.md") continue;
     std::ostringstream text;
     text << std::ifstream(entry.path()).rdbuf();

@@ -63,20 +63,24 @@ TEST(Methods, ARefusalNamesThoseThatServe) {
   }
 }
 
-TEST(Methods, RefuseStepsAndTolerancesThatCannotBe) {
+TEST(Methods, RefuseStepsTolerancesAndLimitsThatCannotBe) {
   const Problem free{kAsymmetric, kTumbling, {}};
   const double inf = std::numeric_limits<double>::infinity();
-  for (const MethodChoice& choice : std::initializer_list<MethodChoice>{{Method::rk4, {}, {}},
-                                                                        {Method::rk4, 0.0, {}},
-                                                                        {Method::rk4, -1.0, {}},
-                                                                        {Method::rk4, NAN, {}},
-                                                                        {Method::rk4, inf, {}},
-                                                                        {Method::rk4, 0.1, 1e-6},
-                                                                        {Method::exact, 0.1, {}},
-                                                                        {Method::exact, {}, 1e-6},
-                                                                        {Method::dormand_prince_8, 0.1, {}},
-                                                                        {Method::dormand_prince_8, {}, 0.0},
-                                                                        {Method::dormand_prince_8, {}, NAN}})
+  for (const MethodChoice& choice :
+       std::initializer_list<MethodChoice>{{Method::rk4, {}, {}},
+                                           {Method::rk4, 0.0, {}},
+                                           {Method::rk4, -1.0, {}},
+                                           {Method::rk4, NAN, {}},
+                                           {Method::rk4, inf, {}},
+                                           {Method::rk4, 0.1, 1e-6},
+                                           {Method::exact, 0.1, {}},
+                                           {Method::exact, {}, 1e-6},
+                                           {Method::dormand_prince_8, 0.1, {}},
+                                           {Method::dormand_prince_8, {}, 0.0},
+                                           {Method::dormand_prince_8, {}, NAN},
+                                           {Method::dormand_prince_8, {}, {}, 0},
+                                           {Method::dormand_prince_8, {}, {}, -1},
+                                           {Method::exact, {}, {}, 0}})
     EXPECT_THROW(make_motion(free, choice), std::domain_error) << name_of(choice.method);
 }
 

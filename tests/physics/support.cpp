@@ -2,6 +2,7 @@
 #include "tests/physics/support.h"
 
 #include "physics/method.h"
+#include "tests/support/paths.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,7 +42,7 @@ ReferenceCase read_case(const Json& json) {
 }
 
 std::vector<ReferenceCase> read_cases(const char* name) {
-  std::ifstream file(std::string(POLHODE_SOURCE_DIR) + "/tests/reference/" + name);
+  std::ifstream file(source_dir() / "tests/reference" / name);
   std::vector<ReferenceCase> read;
   const Json whole = Json::parse(file);
   for (const Json& json : whole.at("cases")) read.push_back(read_case(json));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/window/played_lesson.h"
 
+#include "tests/support/paths.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <sstream>
@@ -59,10 +61,10 @@ Start start_of_play(const Display& display, const Home& home, const std::vector<
                      {"HOME", home.folder.path().string()},
                      {"XDG_STATE_HOME", (home.folder / "state").string()},
                      {"XDG_PICTURES_DIR", std::nullopt},
-                     {"POLHODE_LESSONS", POLHODE_SOURCE_DIR "/lessons"},
+                     {"POLHODE_LESSONS", test::source_dir() / "lessons"},
                      {"POLHODE_FRAME_LOG", (home.folder / "frames").string()}};
   for (const auto& [name, value] : environment) all[name] = value;
-  return {joined(Words{POLHODE_PROGRAM, "play"}, arguments), all, home.folder.path(), home.folder / "out",
+  return {joined(Words{test::program(), "play"}, arguments), all, home.folder.path(), home.folder / "out",
           home.folder / "err"};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/image/png.h"
+#include "tests/support/paths.h"
 #include "tests/window/played_lesson.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 namespace polhode::window_test {
 
 /// A small lesson: a figure of two steps (the closed form, rk4), a question, an end.
-inline const std::string kPlayed = POLHODE_SOURCE_DIR "/tests/data/window/played.md";
+inline const std::string kPlayed = test::source_dir() / "tests/data/window/played.md";
 
 /// A display and a home for each test; skipped where there can be none. What was seen last when a test failed
 /// is in out/check/window-NAME.png.
@@ -24,7 +25,7 @@ class WindowTest : public testing::Test {
   }
   void TearDown() override {
     if (!display_ || !HasFailure()) return;
-    const std::filesystem::path folder = POLHODE_SOURCE_DIR "/out/check";
+    const std::filesystem::path folder = test::source_dir() / "out/check";
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     std::filesystem::create_directories(folder);
     static_cast<void>(

@@ -16,12 +16,13 @@ struct MeasureReport {
   std::optional<std::size_t> recommended;  ///< place in rows
 };
 
-/// Sorted by cost: the Pareto front (*), that of the methods that go step by step (+), and of each method the
-/// cheapest row within the tolerance, or else its most accurate one. `all`: every row.
+/// A table, sorted by cost. It has the rows of the Pareto front (marked *), those of the front of the methods
+/// that go step by step (marked +), and of each method its cheapest row within the tolerance, or its most
+/// accurate one if none is. With `all` it has every row.
 std::string table_text(const MeasureReport& report, bool all);
 
-/// Which row meets the tolerance for the least, and which of the methods that go step by step; or that none
-/// does and what comes nearest. Empty without a tolerance.
+/// Which row meets the tolerance at the least cost, and which does among the methods that go step by step. If
+/// no row meets it: that, and which comes nearest. Empty without a tolerance.
 std::string advice_text(const MeasureReport& report);
 
 /// Header and one line a row; 17 digits; a field that is null in JSON is empty.

@@ -28,9 +28,9 @@ struct FolderState {
   std::string renderer;  ///< what drew the pictures that are there, as far as known
 };
 
-/// An error if the folder holds, or is about to hold, an export of other options or another lesson text: it
-/// says what differs. Of a finished export of other frames of the same selection it is none if these are
-/// among those of the new one.
+/// An error if the folder holds, or is about to hold, an export of other options or of another lesson text;
+/// it says what differs. A finished export of the same selection is no error if its frames are all among
+/// those of the new one.
 Result<FolderState> inspect_folder(const std::filesystem::path& folder, const ExportIdentity& mine);
 
 /// What the marker says to `polhode verify`.
@@ -46,9 +46,10 @@ struct Marker {
 /// an exporter that came in between is noticed here, with the same errors.
 Result<FolderState> begin_in(const std::filesystem::path& folder, const Marker& mine);
 
-/// What the files are, as far as manifest.json and manifests of shards in the folder say; of files that none
-/// of them lists, and of manifests of before there were checksums, nothing. An empty one is confirmed by no
-/// file. Call where inspect_folder takes the folder for ours, before anything is made there.
+/// The checksums of the files, as far as manifest.json and the manifests of shards in the folder have them.
+/// There is none for a file that no manifest lists, nor from manifests that are older than checksums. If only
+/// some files of a manifest lack theirs, it is empty, and no file answers to it. Call this when
+/// inspect_folder has taken the folder for ours, and before anything is made there.
 Result<Checksums> recorded_checksums(const std::filesystem::path& folder, const ExportIdentity& mine);
 
 /// What the manifests of all shards say together.
@@ -57,8 +58,8 @@ struct ShardsSummary {
   Checksums checksums;
 };
 
-/// Of all shards, if every shard's manifest is there; nothing if one is missing. An error if one is of
-/// something else.
+/// What the manifests of all shards say, if each of them is there; nothing if one is missing. An error if one
+/// belongs to another export.
 /// @param pictures of the whole plan
 Result<std::optional<ShardsSummary>> summarize_shards(const std::filesystem::path& folder,
                                                       const ExportIdentity& mine, std::int64_t shards,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether a file is, whole, the picture that it should be: by every check sum in it, by its pixels, which are
-// unpacked, by what it says of itself, and by the checksum of all its bytes where that is known. That the
-// pixels show the right thing is taken on trust.
+// Whether a file is undamaged and the picture that it should be. Every check sum in it is tested, its pixels
+// are unpacked, its texts are compared with what they should say, and the checksum of all its bytes with the
+// one noted when it was written, where that is known. That the pixels show the right thing is taken on trust.
 #pragma once
 
 #include "render/image/png.h"

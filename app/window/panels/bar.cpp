@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/command.h"
 #include "app/window/controls/widgets.h"
+#include "app/window/panels/panel_context.h"
+#include "app/window/panels/panel_facts.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -14,22 +15,12 @@ namespace polhode {
 namespace {
 
 constexpr float kNarrow = 70;  // em: below it there are two rows
-constexpr std::array kPanels = {Panel::outline,  Panel::body, Panel::method,   Panel::show,
-                                Panel::question, Panel::save, Panel::settings, Panel::help};
 constexpr std::array kSpeeds = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 bool is_narrow(const ControlSizes& sizes, float width) { return width < kNarrow * sizes.em; }
 
 std::string speed_text(double speed) {
   return speed >= 1 ? fmt::format("{:g}×", speed) : fmt::format("1/{:g}×", 1 / speed);
-}
-
-/// That opens and closes a panel.
-Command command_of(Panel panel) {
-  static constexpr std::array kCommands = {Command::leave,  Command::outline,  Command::body,
-                                           Command::method, Command::show,     Command::question,
-                                           Command::save,   Command::settings, Command::help};
-  return kCommands[static_cast<std::size_t>(panel)];
 }
 
 void draw_walk(PanelContext& context) {
@@ -105,33 +96,27 @@ void mark_last() {
 void draw_panel_buttons(PanelContext& context) {
   LessonSession& session = context.session;
   bool first = true;
-  for (const Panel panel : kPanels) {
+  for (const PanelFacts& facts : kPanels) {
     if (!first) ImGui::SameLine(0, 0.5F * ImGui::GetStyle().ItemSpacing.x);
     first = false;
-    const bool is_on = session.panel == panel;
-    ImGui::BeginDisabled(panel == Panel::question && session.questions().empty());
-    if (toggle_button(name_of(panel), is_on, told(command_of(panel))))
-      session.panel = is_on ? Panel::none : panel;
+    const bool is_on = session.panel == facts.panel;
+    ImGui::BeginDisabled(facts.panel == Panel::question && session.questions().empty());
+    if (toggle_button(facts.name, is_on, told(facts.command)))
+      session.panel = is_on ? Panel::none : facts.panel;
     ImGui::EndDisabled();
-    if (panel == Panel::question && waits_for_answer(session)) mark_last();
+    if (facts.panel == Panel::question && waits_for_answer(session)) mark_last();
   }
 }
 
 float panel_buttons_width() {
   const ImGuiStyle& style = ImGui::GetStyle();
   float width = 0;
-  for (const Panel panel : kPanels)
-    width += ImGui::CalcTextSize(name_of(panel)).x + 2 * style.FramePadding.x + 0.5F * style.ItemSpacing.x;
+  for (const PanelFacts& facts : kPanels)
+    width += ImGui::CalcTextSize(facts.name).x + 2 * style.FramePadding.x + 0.5F * style.ItemSpacing.x;
   return width;
 }
 
 }  // namespace
-
-const char* name_of(Panel panel) {
-  static constexpr std::array kNames = {"",       "Outline", "Body", "Method", "Show",
-                                        "Answer", "Save",    "View", "?"};
-  return kNames[static_cast<std::size_t>(panel)];
-}
 
 float bar_height(const ControlSizes& sizes, float width) {
   return is_narrow(sizes, width) ? std::round(1.8F * sizes.bar) : sizes.bar;

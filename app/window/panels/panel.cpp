@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
+#include "app/window/panels/panel_facts.h"
 #include "app/window/panels/panels.h"
 
 #include <imgui.h>
@@ -11,24 +12,9 @@ namespace polhode {
 namespace {
 
 const char* title_of(Panel panel) {
-  switch (panel) {
-    case Panel::outline:
-      return "Outline";
-    case Panel::body:
-      return "Body and motion";
-    case Panel::method:
-      return "Speed and accuracy";
-    case Panel::show:
-      return "What is shown";
-    case Panel::question:
-      return "Questions";
-    case Panel::save:
-      return "Take away";
-    case Panel::settings:
-      return "View";
-    default:
-      return "Keys";
-  }
+  for (const PanelFacts& facts : kPanels)
+    if (facts.panel == panel) return facts.title;
+  return "";
 }
 
 }  // namespace

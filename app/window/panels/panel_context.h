@@ -36,9 +36,6 @@ struct PanelContext {
   bool take_focus = false;  ///< the panel was just opened by a key
 };
 
-/// Names of panels as the bar and help have them: "Outline".
-const char* name_of(Panel panel);
-
 /// Of the bar in a window of this width: narrow ones have two rows.
 float bar_height(const ControlSizes& sizes, float width);
 /// The row of controls below the page.

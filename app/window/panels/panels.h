@@ -37,7 +37,7 @@ class MethodPanel {
   void draw(PanelContext& context, const std::string& refusal);
   /// Before a frame.
   void count_frame() { frames_to_settle_ = std::max(0, frames_to_settle_ - 1); }
-  /// Nothing: it waits for nothing.
+  /// After how long it has something new to show; nothing: it waits for nothing.
   std::optional<double> seconds_to_wake() const;
 
  private:
@@ -83,11 +83,11 @@ void draw_help(PanelContext& context);
 
 class Panels {
  public:
-  /// The one that is open; then makes the edits that it asks for.
+  /// Draws the panel that is open, then makes the edits that it asks for.
   void draw(PanelContext& context, const Region& region);
   /// Before a frame: none has the focus unless it says so.
   void begin_frame();
-  /// Keys are for it.
+  /// Whether keys are for the panel.
   bool has_focus() const { return has_focus_; }
   std::optional<double> seconds_to_wake() const { return method_.seconds_to_wake(); }
   SavePanel& save() { return save_; }

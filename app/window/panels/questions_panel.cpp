@@ -110,10 +110,7 @@ void QuestionsPanel::draw(PanelContext& context) {
     context.take_focus = false;
   }
   heading("How to write it");
-  quiet_words(
-      "w1 w2 w3 (ω), I1 I2 I3, N1 N2 N3, dw1 … (their rates), T; vectors omega, L, N, e1 e2 e3; + - * / ^, "
-      "dot(a, b), "
-      "cross(a, b), norm2(a), comp(a, 2), inertia(a), ddt(a), star(a)");
+  quiet_words(std::string(kWordsOfAnswers));
 }
 
 }  // namespace polhode

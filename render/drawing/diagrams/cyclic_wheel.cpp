@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The wheel 1 → 2 → 3 → 1, and Euler's equations, each the next one's when the wheel goes on by a third.
+#include "physics/analysis/euler_terms.h"
 #include "render/drawing/diagrams/diagram_paper.h"
-#include "render/scene/model/euler_terms.h"
 
 #include <algorithm>
 #include <cmath>

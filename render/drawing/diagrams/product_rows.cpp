@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Three rows that add up to nothing: the bars of the products, each beginning where the one above it ended.
+#include "physics/analysis/euler_terms.h"
 #include "render/drawing/diagrams/diagram_paper.h"
-#include "render/scene/model/euler_terms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Arrows that add up: the triangle of the transport theorem, the terms of equation (6).
+#include "physics/analysis/euler_terms.h"
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
 #include "render/palette.h"
 #include "render/scene/model/arrow.h"
-#include "render/scene/model/euler_terms.h"
 
 #include <algorithm>
 #include <cmath>

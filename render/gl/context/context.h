@@ -18,7 +18,6 @@ class GlContext {
   virtual ~GlContext() = default;
   /// Address of a GL function; null if there is none.
   virtual void* function(const char* name) const = 0;
-  virtual ContextKind kind() const = 0;
 };
 
 /// Opens libOSMesa or libEGL (surfaceless platform) at run time. The error names what failed and the Debian

@@ -112,7 +112,6 @@ class EglContext : public GlContext {
 
   Status open();
   void* function(const char* name) const override { return reinterpret_cast<void*>(egl_.address(name)); }
-  ContextKind kind() const override { return ContextKind::egl; }
 
  private:
   Status create();

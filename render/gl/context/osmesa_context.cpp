@@ -60,7 +60,6 @@ class OsmesaContext : public GlContext {
     return osmesa_.make_current(handle_, buffer_.data(), GL_UNSIGNED_BYTE, kSide, kSide) == GL_TRUE;
   }
   void* function(const char* name) const override { return reinterpret_cast<void*>(osmesa_.address(name)); }
-  ContextKind kind() const override { return ContextKind::osmesa; }
 
  private:
   // OSMesa insists on a buffer to draw into; our pictures go to our own framebuffer object instead.

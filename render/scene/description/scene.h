@@ -45,6 +45,11 @@ struct CameraSpec {
   bool operator==(const CameraSpec&) const = default;
 };
 
+/// What a lesson's camera keeps to: beyond it nothing is seen, and a number is most likely a slip. Of the
+/// elevation, up and down; of distance and zoom.
+inline constexpr double kMostElevationDeg = 90;
+inline constexpr double kLeastCameraScale = 0.1, kMostCameraScale = 100;
+
 /// How finely pictures of a scene are drawn, by name; the renderer says what that is.
 enum class QualityLevel { draft, normal, fine };
 /// draft | normal | fine; nothing otherwise.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/arrow.h"
 
+#include "physics/analysis/difference.h"
 #include "physics/exact/powers_of_two.h"
-#include "render/scene/model/difference.h"
 
 #include <algorithm>
 #include <cmath>

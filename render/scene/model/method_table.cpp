@@ -9,7 +9,6 @@
 namespace polhode {
 namespace {
 
-constexpr double kReferenceTolerance = 1e-13;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 MethodRow row_of(const Motion& motion, Method method, const Problem& problem, double t_s) {
@@ -29,12 +28,20 @@ bool stands_in_table(const MethodFacts& facts, const Problem& problem) {
 
 }  // namespace
 
+std::unique_ptr<const Motion> reference_motion(const Problem& problem, const Effort& effort) {
+  constexpr double kTolerance = 1e-13;
+  const Method method = default_method(problem);
+  const bool adaptive = facts_of(method).control == StepControl::adaptive;
+  return make_motion(problem,
+                     {.method = method,
+                      .tolerance = adaptive ? std::optional(kTolerance) : std::nullopt,
+                      .max_steps = kMostStillSteps},
+                     effort);
+}
+
 MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort) {
   const bool is_free = problem.torque.empty();
-  const auto reference = make_motion(
-      problem,
-      is_free ? MethodChoice{} : MethodChoice{Method::dormand_prince_8, {}, kReferenceTolerance, kMostSteps},
-      effort);
+  const auto reference = reference_motion(problem, effort);
   const RigidBodyState end = reference->at(t_s);
   MethodTable table{t_s, step_s, {}};
   if (is_free) table.rows.push_back(row_of(*reference, Method::exact, problem, t_s));
@@ -42,7 +49,7 @@ MethodTable method_table(const Problem& problem, double step_s, double t_s, cons
     if (!stands_in_table(facts, problem)) continue;
     const bool steps = facts.control == StepControl::fixed;
     const auto motion = make_motion(
-        problem, {facts.method, steps ? std::optional(step_s) : std::nullopt, {}, kMostSteps}, effort);
+        problem, {facts.method, steps ? std::optional(step_s) : std::nullopt, {}, kMostStillSteps}, effort);
     MethodRow row = row_of(*motion, facts.method, problem, t_s);
     row.error = error_of(motion->at(t_s), end);
     table.rows.push_back(row);

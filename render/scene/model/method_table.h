@@ -7,8 +7,10 @@
 #include "physics/body/problem.h"
 #include "physics/effort.h"
 #include "physics/method_facts.h"
+#include "physics/motion.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace polhode {
@@ -32,13 +34,18 @@ struct MethodTable {
 inline constexpr double kMostTableSteps = 1e5;
 
 /// A still whose motion takes more steps than this is refused: they last about a second.
-inline constexpr std::int64_t kMostSteps = 2'000'000;
+inline constexpr std::int64_t kMostStillSteps = 2'000'000;
 
 /// Steps that a plot of orders shows, each half of the one before.
 inline constexpr int kOrderSteps = 7;
 
+/// As exact as a still can have it: the closed form; under a torque Dormand-Prince 8 at a tolerance near
+/// rounding, 1e-13, where that of a measurement (kReferenceTolerance) may take longer.
+/// @throws std::domain_error as make_motion does.
+std::unique_ptr<const Motion> reference_motion(const Problem& problem, const Effort& effort = {});
+
 /// Every method of fixed step that serves the problem, and Dormand-Prince 8 with its usual tolerance, against
-/// the closed form; where there is none, against Dormand-Prince 8 at tolerance 1e-13.
+/// the reference motion.
 /// @throws std::domain_error as make_motion does.
 MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort = {});
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/model.h"
 
+#include "base/numbers.h"
 #include "physics/analysis/characteristic_time.h"
+#include "physics/analysis/euler_terms.h"
 #include "physics/analysis/motion_errors.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "physics/method.h"
-#include "render/scene/model/euler_terms.h"
 #include "render/scene/model/scene_checks.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ std::string why(const MotionSpec& spec, const MethodChoice& choice, const Motion
 
 /// The longest |t| that a motion can be asked for in the time there is for a still.
 double reach_of(const Motion& motion, const std::optional<double>& step_s) {
-  return step_s ? std::min(motion.max_time_s(), double{kMostSteps} * *step_s) : motion.max_time_s();
+  return step_s ? std::min(motion.max_time_s(), double{kMostStillSteps} * *step_s) : motion.max_time_s();
 }
 
 bool is_computable(const Motion& motion, const Requirements& needs, double t_s) {
@@ -55,15 +56,15 @@ void check_course(const Scene& scene, const Problem& problem, const Motion& moti
                   const Requirements& needs) {
   for (const double t_s : {scene.at_s, still_time_s(scene)})
     if (!is_computable(motion, needs, t_s))
-      throw std::domain_error("the motion cannot be computed at t = " + std::to_string(t_s) +
+      throw std::domain_error("the motion cannot be computed at t = " + digits(t_s, 7) +
                               " s: " + why_no_state(motion, problem, t_s));
   if (!needs.omega || facts_of(*method_from(motion.method())).control != StepControl::adaptive) return;
   const double reach_s = std::max(reach_of_still_s(scene, needs), needs.meters ? span_s(scene) : 0.0);
   const double end_s = std::copysign(reach_s, scene.at_s);
   if (!motion.w_B_at(end_s).allFinite() && motion.is_too_far(end_s))
-    throw std::domain_error("at and duration reach " + std::to_string(reach_s) + " s from the start, \"" +
+    throw std::domain_error("at and duration reach " + digits(reach_s, 7) + " s from the start, \"" +
                             std::string(motion.method()) + "\" takes more than " +
-                            std::to_string(kMostSteps) +
+                            std::to_string(kMostStillSteps) +
                             " steps to get there: choose a shorter time or a larger tolerance");
 }
 
@@ -72,7 +73,7 @@ Choice choose_motion(const Scene& scene, const Problem& problem, const Requireme
                      const Effort& effort) {
   const MotionSpec& spec = scene.motion;
   const MethodChoice choice{spec.method.value_or(default_method(problem)), spec.step_s, spec.tolerance,
-                            kMostSteps};
+                            kMostStillSteps};
   auto motion = make_motion(problem, choice, effort);
   check_limits(scene, choice, *motion, needs);
   std::string reason = why(spec, choice, *motion, needs);
@@ -108,18 +109,6 @@ double longest_term(const SceneModel& model) {
     if (std::isfinite(term)) longest = std::max(longest, term);
   }
   return longest;
-}
-
-/// As exact as there is: the closed form, under torque the best method at a tolerance near rounding.
-std::unique_ptr<const Motion> exact_motion(const Problem& problem, const Effort& effort) {
-  constexpr double kTolerance = 1e-13;
-  const Method method = default_method(problem);
-  const bool adaptive = facts_of(method).control == StepControl::adaptive;
-  return make_motion(problem,
-                     {.method = method,
-                      .tolerance = adaptive ? std::optional(kTolerance) : std::nullopt,
-                      .max_steps = kMostSteps},
-                     effort);
 }
 
 /// A closed form tells nothing by itself: it is asked four times for each point, which is as dear as this.
@@ -183,7 +172,7 @@ SceneModel make_model(const Scene& scene, Product product, const Effort& effort,
   model.span_s = span_s(scene);
   model.reach_s = reach_of(*model.motion, scene.motion.step_s);
   model.rate = scene.rate.value_or(natural_span_s(scene) / kShownSecondsPerPeriod);
-  if (model.needs.ghost) model.exact = exact_motion(problem, effort);
+  if (model.needs.ghost) model.exact = reference_motion(problem, effort);
   compute_parts(model, effort, chord_tolerance);
   return model;
 }

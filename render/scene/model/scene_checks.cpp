@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/scene_checks.h"
 
+#include "base/numbers.h"
 #include "physics/analysis/characteristic_time.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
@@ -20,25 +21,26 @@ namespace {
 /// Of ω; more would have too few points to a turn (kMaxHerpolhodePoints).
 constexpr double kMostHerpolhodeTurns = 1300;
 
+/// As many digits as the limits have.
+std::string told(double value) { return digits(value, 7); }
+
 void check_reach(const MethodChoice& choice, const Motion& motion, double reach_s) {
   const std::string name(facts_of(choice.method).name);
-  if (choice.step_s && reach_s > double{kMostSteps} * *choice.step_s)
-    throw std::domain_error("at and duration reach " + std::to_string(reach_s / *choice.step_s) +
-                            " steps of \"" + name + "\" from the start, at most " +
-                            std::to_string(kMostSteps) + " are made: choose a shorter time or a longer step");
+  if (choice.step_s && reach_s > double{kMostStillSteps} * *choice.step_s)
+    throw std::domain_error("at and duration reach " + told(reach_s / *choice.step_s) + " steps of \"" +
+                            name + "\" from the start, at most " + std::to_string(kMostStillSteps) +
+                            " are made: choose a shorter time or a longer step");
   if (reach_s > motion.max_time_s())
-    throw std::domain_error("at and duration reach " + std::to_string(reach_s) + " s from the start, \"" +
-                            name + "\" at most " + std::to_string(motion.max_time_s()) +
-                            " s: choose a shorter time");
+    throw std::domain_error("at and duration reach " + told(reach_s) + " s from the start, \"" + name +
+                            "\" at most " + told(motion.max_time_s()) + " s: choose a shorter time");
 }
 
 void check_herpolhode(const Scene& scene, const Requirements& needs) {
   const std::optional<double> turn_s = turn_time(scene.w0_B);
   const double turns = turn_s ? herpolhode_span_s(scene) / *turn_s : 0.0;
   if (needs.herpolhode && turns > kMostHerpolhodeTurns)
-    throw std::domain_error("a herpolhode of " + std::to_string(turns) +
-                            " turns of ω is asked for, at most " + std::to_string(kMostHerpolhodeTurns) +
-                            " are drawn: choose a shorter duration");
+    throw std::domain_error("a herpolhode of " + told(turns) + " turns of ω is asked for, at most " +
+                            told(kMostHerpolhodeTurns) + " are drawn: choose a shorter duration");
 }
 
 void check_drift(const Scene& scene) {
@@ -47,8 +49,8 @@ void check_drift(const Scene& scene) {
   for (double t_s : {scene.at_s, 0.5 * span_s(scene), span_s(scene)}) {
     const double sizes = translation_at(scene, t_s).r_S.norm() / size_m;
     if (!(sizes <= kMostSizes))
-      throw std::domain_error("the centre of mass moves by " + std::to_string(sizes) +
-                              " times the size of the body, at most " + std::to_string(kMostSizes) +
+      throw std::domain_error("the centre of mass moves by " + told(sizes) +
+                              " times the size of the body, at most " + told(kMostSizes) +
                               " are drawn: choose a smaller velocity, force or duration");
   }
 }
@@ -58,8 +60,7 @@ void check_method_table(const Scene& scene, const Requirements& needs) {
   const double steps = std::abs(scene.at_s) / shortest_s;
   if ((needs.methods || needs.orders) && steps > kMostTableSteps)
     throw std::domain_error(std::string(needs.orders ? "order-plot" : "method-table") + " takes " +
-                            std::to_string(steps) + " steps with each method, at most " +
-                            std::to_string(kMostTableSteps) +
+                            told(steps) + " steps with each method, at most " + told(kMostTableSteps) +
                             " are made: choose an earlier time `at` or a longer step");
 }
 

@@ -90,6 +90,7 @@ Requirements requirements_of_figure(const Scene& scene) {
 }  // namespace
 
 Requirements requirements(const Scene& scene, Product product) {
+  if (product == Product::numbers) return {.omega = true, .attitude = true};
   Requirements needs = requirements_of_figure(scene);
   if (product == Product::figure) return needs;
   for (Meter meter : shown_meters(scene)) {

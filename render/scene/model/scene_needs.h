@@ -20,8 +20,9 @@ OverlaySet drawn_overlays(const Scene& scene);
 /// and momentum under one.
 std::vector<Meter> shown_meters(const Scene& scene);
 
-/// What a scene is modelled for. A figure alone does without what only the plots of a page need.
-enum class Product { figure, page };
+/// What a scene is modelled for. A page has plots besides its figure; numbers need the motion, and nothing of
+/// what is drawn.
+enum class Product { numbers, figure, page };
 
 Requirements requirements(const Scene& scene, Product product = Product::figure);
 

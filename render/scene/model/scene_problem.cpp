@@ -31,6 +31,10 @@ Vec3 along_L_B(const Scene& scene) {
   return times_two_to(-exponent_of(I), I).cwiseProduct(times_two_to(-exponent_of(w_B), w_B));
 }
 
+/// Where nothing is said, the plane decides. Without a torque that only turns the whole picture: the motion
+/// in the body is the same, and the plane, to which L is normal, has to lie below. A torque that knows of
+/// space does tell up from down; there an author states the attitude, and the default is kept all the same,
+/// so that one rule (FORMAT.md) holds of every scene.
 Quat initial_attitude(const Scene& scene) {
   const AttitudeSpec spec =
       scene.attitude.value_or(scene.show.contains(Overlay::plane) ? LPoints::down : LPoints::up);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/live_numbers.h"
 
+#include "app/page/loaded_lesson.h"
+#include "app/page/still_numbers.h"
+#include "lessons/claims/live_claims.h"
 #include "render/typeset/paragraph.h"
 #include "tests/app/page/sheet_checks.h"
 
@@ -45,6 +48,34 @@ TEST(LiveNumber, StaysInItsRoom) {
     EXPECT_EQ(number.at, room.at);
   }
   EXPECT_GT(live_number_in(room, std::nullopt, test_fonts()).list.width, 0) << "dots";
+}
+
+// Of the step's own scene as it is: the plane has L point down, against v.
+TEST(StillNumbers, AreThoseOfTheStepsOwnPage) {
+  const LessonReading reading = check_lesson(R"(+++
+format = 1
+id = "still"
+title = "Still"
++++
+# A {a}
+```math eq
+\live{dot(v, L)}
+```
+```scene
+omega = [0, 0, 2]
+velocity = [0, 0, 1]
+show = ["plane", "omega"]
+```
+)",
+                                             "still.md");
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+  const Step& step = reading.lesson->stages[0].steps[0];
+  const Expression& number = blocks_of<Equation>(step).front()->live.front();
+  const auto page = live_state(make_model(*step.scene, Product::page), 0);
+  ASSERT_TRUE(page);
+  StillNumbers numbers;
+  EXPECT_EQ(numbers.of(step).at(&number), live_number(number, *page));
+  EXPECT_DOUBLE_EQ(numbers.of(step).at(&number), -5.0);
 }
 
 }  // namespace

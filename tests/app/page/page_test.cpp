@@ -7,6 +7,7 @@
 #include "app/page/page_text.h"
 #include "app/page/text_column.h"
 #include "tests/app/page/sheet_checks.h"
+#include "tests/support/paths.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -22,7 +23,7 @@ constexpr Size kSizes[] = {{1920, 1080}, {1024, 768}, {1080, 1920}, {640, 480}, 
 
 const Lesson& lecture() {
   static const Lesson kLesson =
-      or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md")).lesson;
+      or_fail(load_lesson((test::source_dir() / "lessons/euler-equations.md").string())).lesson;
   return kLesson;
 }
 
@@ -85,7 +86,7 @@ class Checked {
       : request_(request),
         page_(compose_page(request, test_fonts()).value()),
         symbols_(symbols_of(request.lesson, request.theme)),
-        column_(page_.column.width(), page_.scale * em(), request.theme, symbols_, test_fonts(), failure_) {
+        column_(page_.column.width(), page_.scale * em(), request.theme, symbols_, test_fonts()) {
     for (const PlacedType* text : column_of(page_)) said_.insert(polhode::letters_of(text->list));
   }
 
@@ -183,10 +184,11 @@ class Checked {
       for (const PlacedType& text : piece.sheet.texts) all.push_back(polhode::letters_of(text.list));
     };
     for (const Block& block : step.blocks) {
-      if (const auto* e = std::get_if<Equation>(&block)) add(column_.equation(*e, Focus::none, {}, {}));
-      if (const auto* p = std::get_if<Prose>(&block)) add(column_.prose(p->text));
-      if (const auto* c = std::get_if<Callout>(&block)) add(column_.callout(*c));
-      if (const auto* q = std::get_if<Ask>(&block)) add(column_.question(*q));
+      if (const auto* e = std::get_if<Equation>(&block))
+        add(column_.equation(*e, Focus::none, {}, {}).value());
+      if (const auto* p = std::get_if<Prose>(&block)) add(column_.prose(p->text).value());
+      if (const auto* c = std::get_if<Callout>(&block)) add(column_.callout(*c).value());
+      if (const auto* q = std::get_if<Ask>(&block)) add(column_.question(*q).value());
     }
     return all;
   }
@@ -214,7 +216,8 @@ class Checked {
   }
 
   Letters letters_of(const Equation& equation) const {
-    return polhode::letters_of(column_.equation(equation, Focus::none, {}, {}).sheet.texts.back().list);
+    return polhode::letters_of(
+        column_.equation(equation, Focus::none, {}, {}).value().sheet.texts.back().list);
   }
 
   bool present_shows(const Letters& letters) const {
@@ -235,7 +238,6 @@ class Checked {
   PageRequest request_;
   Page page_;
   std::vector<MathSymbol> symbols_;
-  std::string failure_;  ///< of the column; before it
   TextColumn column_;
   std::set<Letters> said_;
 };

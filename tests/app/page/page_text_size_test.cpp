@@ -6,6 +6,7 @@
 #include "app/page/page.h"
 #include "app/page/page_text.h"
 #include "tests/app/page/sheet_checks.h"
+#include "tests/support/paths.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ constexpr Size kSizes[] = {{640, 480}, {1280, 800}, {1080, 1920}, {3840, 2160}};
 
 const Lesson& lecture() {
   static const Lesson kLesson =
-      or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md")).lesson;
+      or_fail(load_lesson((test::source_dir() / "lessons/euler-equations.md").string())).lesson;
   return kLesson;
 }
 

@@ -72,25 +72,24 @@ class Column : public testing::TestWithParam<Sizes> {
  protected:
   double width() const { return GetParam().width; }
   double em() const { return GetParam().em; }
-  TextColumn column() const { return {width(), em(), Theme::paper, symbols_, test_fonts(), failure_}; }
+  TextColumn column() const { return {width(), em(), Theme::paper, symbols_, test_fonts()}; }
   const PageColors& colors() const { return colors_of(Theme::paper); }
 
   std::vector<ColumnPiece> all() const {
     const TextColumn c = column();
-    std::vector<ColumnPiece> pieces = {c.title(lesson().stages[0].title_text)};
-    for (const Prose& prose : blocks_of<Prose>()) pieces.push_back(c.prose(prose.text));
+    std::vector<ColumnPiece> pieces = {c.title(lesson().stages[0].title_text).value()};
+    for (const Prose& prose : blocks_of<Prose>()) pieces.push_back(c.prose(prose.text).value());
     for (const Equation& equation : blocks_of<Equation>()) {
-      pieces.push_back(c.equation(equation, Focus::none, {}));
-      pieces.push_back(c.equation(equation, Focus::now, {"turning"}));
-      pieces.push_back(c.earlier_equation(equation));
+      pieces.push_back(c.equation(equation, Focus::none, {}).value());
+      pieces.push_back(c.equation(equation, Focus::now, {"turning"}).value());
+      pieces.push_back(c.earlier_equation(equation).value());
     }
-    for (const Callout& callout : blocks_of<Callout>()) pieces.push_back(c.callout(callout));
-    for (const Ask& ask : blocks_of<Ask>()) pieces.push_back(c.question(ask));
+    for (const Callout& callout : blocks_of<Callout>()) pieces.push_back(c.callout(callout).value());
+    for (const Ask& ask : blocks_of<Ask>()) pieces.push_back(c.question(ask).value());
     return pieces;
   }
 
   std::vector<MathSymbol> symbols_ = symbols_of(lesson(), Theme::paper);
-  mutable std::string failure_;  ///< of all columns
 };
 
 TEST_P(Column, PiecesKeepToTheirHeightAndTheColumn) {
@@ -145,19 +144,19 @@ TEST_P(Column, StackedPiecesDoNotOverlap) {
 
 TEST_P(Column, ATagStandsAtTheRightEdgeOnTheBaselineOfItsEquation) {
   const auto equations = blocks_of<Equation>();
-  const ColumnPiece piece = column().equation(equations[0], Focus::none, {});
+  const ColumnPiece piece = column().equation(equations[0], Focus::none, {}).value();
   ASSERT_EQ(piece.sheet.texts.size(), 2u);
   EXPECT_EQ(piece.sheet.texts[0].at.y(), piece.sheet.texts[1].at.y());
   EXPECT_NEAR(piece.sheet.texts[0].at.x() + piece.sheet.texts[0].list.width, width(), 0.5);  // whole pixels
-  EXPECT_EQ(column().equation(equations[2], Focus::none, {}).sheet.texts.size(), 1u);
+  EXPECT_EQ(column().equation(equations[2], Focus::none, {}).value().sheet.texts.size(), 1u);
 }
 
 TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {
   for (const Equation& equation : blocks_of<Equation>()) {
-    const ColumnPiece plain = column().equation(equation, Focus::none, {}),
-                      focus = column().equation(equation, Focus::now, {});
+    const ColumnPiece plain = column().equation(equation, Focus::none, {}).value(),
+                      focus = column().equation(equation, Focus::now, {}).value();
     EXPECT_TRUE(plain.sheet.shapes.empty());
-    EXPECT_TRUE(column().earlier_equation(equation).sheet.shapes.empty());
+    EXPECT_TRUE(column().earlier_equation(equation).value().sheet.shapes.empty());
     const auto panels = areas_of(focus.sheet, colors().panel), bars = areas_of(focus.sheet, colors().accent);
     ASSERT_EQ(panels.size(), 1u);
     ASSERT_EQ(bars.size(), 1u);
@@ -173,9 +172,10 @@ TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {
 TEST_P(Column, MarksLieBehindTheTermsOfTheirNamesAlone) {
   const Equation equation = blocks_of<Equation>()[0];
   for (const Focus focus : {Focus::none, Focus::now}) {
-    EXPECT_TRUE(areas_of(column().equation(equation, focus, {"other"}).sheet, colors().marked).empty());
+    EXPECT_TRUE(
+        areas_of(column().equation(equation, focus, {"other"}).value().sheet, colors().marked).empty());
     for (const std::string name : {"turning", "drawn"}) {
-      const ColumnPiece piece = column().equation(equation, focus, {name});
+      const ColumnPiece piece = column().equation(equation, focus, {name}).value();
       const auto marks = areas_of(piece.sheet, colors().marked);
       ASSERT_EQ(marks.size(), 1u);
       const PlacedType& text = piece.sheet.texts.back();
@@ -196,16 +196,18 @@ TEST_P(Column, MarksLieBehindTheTermsOfTheirNamesAlone) {
       }
     }
     EXPECT_EQ(
-        areas_of(column().equation(equation, focus, {"turning", "drawn"}).sheet, colors().marked).size(), 2u);
+        areas_of(column().equation(equation, focus, {"turning", "drawn"}).value().sheet, colors().marked)
+            .size(),
+        2u);
   }
 }
 
 TEST_P(Column, CalloutsAndQuestionsHaveTheirNameAndABarBesideTheirWholeText) {
   std::vector<std::pair<ColumnPiece, Color>> labelled;
   for (const Callout& callout : blocks_of<Callout>())
-    labelled.emplace_back(column().callout(callout),
+    labelled.emplace_back(column().callout(callout).value(),
                           callout.kind == Callout::Kind::said ? colors().said : colors().meant);
-  labelled.emplace_back(column().question(blocks_of<Ask>()[0]), colors().question);
+  labelled.emplace_back(column().question(blocks_of<Ask>()[0]).value(), colors().question);
   ASSERT_EQ(labelled.size(), 3u);
   for (const auto& [piece, color] : labelled) {
     ASSERT_EQ(piece.sheet.shapes.size(), 1u);
@@ -222,7 +224,7 @@ TEST_P(Column, CalloutsAndQuestionsHaveTheirNameAndABarBesideTheirWholeText) {
 }
 
 TEST_P(Column, ChoicesHaveTheirLetters) {
-  const DisplayList list = column().question(blocks_of<Ask>()[0]).sheet.texts[1].list;
+  const DisplayList list = column().question(blocks_of<Ask>()[0]).value().sheet.texts[1].list;
   for (const char letter : {'A', 'B', 'C'}) {
     const auto glyph = test_fonts().glyph(Face::serif, static_cast<char32_t>(letter));
     EXPECT_TRUE(std::any_of(list.glyphs.begin(), list.glyphs.end(), [&](const Glyph& g) {
@@ -235,14 +237,13 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Column, testing::ValuesIn(kSizes));
 
 TEST(TextColumn, ALongEquationIsBrokenBeforeItIsSetSmaller) {
   const std::vector<MathSymbol> none;
-  std::string failure;
-  const TextColumn column(651, 23.25, Theme::paper, none, test_fonts(), failure);
+  const TextColumn column(651, 23.25, Theme::paper, none, test_fonts());
   const auto equations = blocks_of<Equation>();
   const auto size_of = [&](const Equation& e) {
-    return column.equation(e, Focus::none, {}).sheet.texts.back().list.glyphs[0].size;
+    return column.equation(e, Focus::none, {}).value().sheet.texts.back().list.glyphs[0].size;
   };
   EXPECT_EQ(size_of(equations[1]), size_of(equations[0]));
-  EXPECT_GT(column.equation(equations[1], Focus::none, {}).height, 3 * 23.25);
+  EXPECT_GT(column.equation(equations[1], Focus::none, {}).value().height, 3 * 23.25);
   EXPECT_LT(size_of(equations[2]), size_of(equations[0]));
 }
 
@@ -251,10 +252,10 @@ TEST(TextColumn, WhatTheFontsLackIsRefused) {
       "+++\nformat = 1\nid = \"c\"\ntitle = \"C\"\n+++\n# A {a}\nA word \xE6\xBC\xA2.\n", "c.md");
   ASSERT_TRUE(reading.lesson);
   const std::vector<MathSymbol> none;
-  std::string failure;
-  const TextColumn column(651, 23.25, Theme::paper, none, test_fonts(), failure);
-  column.prose(std::get<Prose>(reading.lesson->stages[0].steps[0].blocks[0]).text);
-  EXPECT_THAT(failure, testing::HasSubstr("this text cannot be set"));
+  const TextColumn column(651, 23.25, Theme::paper, none, test_fonts());
+  const auto prose = column.prose(std::get<Prose>(reading.lesson->stages[0].steps[0].blocks[0]).text);
+  ASSERT_FALSE(prose);
+  EXPECT_THAT(prose.error(), testing::HasSubstr("this text cannot be set"));
 }
 
 TEST(Stack, OfNothingIsEmpty) {

@@ -3,6 +3,7 @@
 #include "render/image/png.h"
 #include "tests/app/publish/browser.h"
 #include "tests/app/publish/example_deck.h"
+#include "tests/support/paths.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -290,7 +291,7 @@ TEST_F(DeckBrowser, FitsAnyWindowWithoutScrolling) {
 
 TEST_F(DeckBrowser, ALectureIsShownByKeysAlone) {
   const std::filesystem::path lecture = *folder_ / "lecture.html";
-  const ProgramRun run = polhode({"export", POLHODE_SOURCE_DIR "/lessons/euler-equations.md", "--stage",
+  const ProgramRun run = polhode({"export", test::source_dir() / "lessons/euler-equations.md", "--stage",
                                   "energy", "--stage", "poinsot", "--each", "step", "--what", "page",
                                   "--size", "640x360", "--deck", lecture.string()});
   ASSERT_EQ(run.code, 0) << run.err;

@@ -97,9 +97,9 @@ TEST(Deck, ADamagedPictureLeavesNoFileAndIsNamed) {
     const Deck deck = example_deck(folder);
     const std::string png = text_of(deck.slides[4].png);
     write_text(deck.slides[4].png, png.substr(0, png.size() / 2));
-    const Status status = write_deck(out / "deck", kind, deck);
-    ASSERT_FALSE(status);
-    EXPECT_THAT(status.error(), testing::AllOf(HasSubstr("s5.png"), HasSubstr("truncated or damaged")));
+    const Result<DeckEnd> end = write_deck(out / "deck", kind, deck);
+    ASSERT_FALSE(end);
+    EXPECT_THAT(end.error(), testing::AllOf(HasSubstr("s5.png"), HasSubstr("truncated or damaged")));
     EXPECT_THAT(names_in(out.path()), testing::IsEmpty());
     std::filesystem::remove(deck.slides[4].png);
     EXPECT_THAT(write_deck(out / "deck", kind, deck).error(), HasSubstr("cannot read "));
@@ -113,9 +113,9 @@ TEST(Deck, CanBeStoppedAtAnySlideAndLeavesTheOldFile) {
       const Deck deck = example_deck(folder);
       write_text(out / "deck", "old");
       const auto go_on = [&](std::size_t slide) { return slide < last; };
-      const Status status = write_deck(out / "deck", kind, deck, Durability::rename_only, go_on);
-      ASSERT_FALSE(status);
-      EXPECT_THAT(status.error(), HasSubstr(kDeckStopped));
+      const Result<DeckEnd> end = write_deck(out / "deck", kind, deck, Durability::rename_only, go_on);
+      ASSERT_TRUE(end) << end.error();
+      EXPECT_EQ(*end, DeckEnd::stopped);
       EXPECT_EQ(text_of(out / "deck"), "old");
       EXPECT_THAT(names_in(out.path()), testing::ElementsAre("deck"));
     }

@@ -18,8 +18,8 @@ using testing::HasSubstr;
 class DeckPdf : public testing::Test {
  protected:
   void write(const Deck& deck) {
-    const Status status = write_deck(file(), DeckKind::pdf, deck);
-    ASSERT_TRUE(status) << status.error();
+    const Result<DeckEnd> end = write_deck(file(), DeckKind::pdf, deck);
+    ASSERT_TRUE(end) << end.error();
   }
   std::filesystem::path file() const { return folder_ / "deck.pdf"; }
   std::string said_by(const std::string& program, const std::string& after = "") const {

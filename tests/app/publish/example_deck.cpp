@@ -54,8 +54,8 @@ Deck example_deck(const ScratchFolder& folder, Size size) {
 
 std::string written(const Deck& deck, DeckKind kind) {
   const ScratchFolder folder;
-  const Status status = write_deck(folder / "deck", kind, deck);
-  EXPECT_TRUE(status) << status.error();
+  const Result<DeckEnd> end = write_deck(folder / "deck", kind, deck);
+  EXPECT_TRUE(end) << end.error();
   return text_of(folder / "deck");
 }
 

@@ -2,6 +2,7 @@
 #include "app/session/command.h"
 
 #include "tests/app/session/example_lesson.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -200,7 +201,7 @@ TEST(Command, NotesAreShownOnlyWhereTheyAreAskedFor) {
 /// What the keys of the deck do that go to a slide: "ArrowRight" → "wanted + 1", outside the overview and
 /// without Shift.
 std::map<std::string, std::string> moves_of_deck() {
-  std::ifstream script(POLHODE_SOURCE_DIR "/assets/deck/deck.js");
+  std::ifstream script(test::source_dir() / "assets/deck/deck.js");
   const std::regex move("case '(\\w+)': return (?:.*: )?(\\S.*);");
   std::map<std::string, std::string> moves;
   std::smatch found;

@@ -3,6 +3,7 @@
 
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
+#include "tests/support/paths.h"
 
 #include <stdexcept>
 
@@ -20,7 +21,7 @@ std::shared_ptr<const LoadedLesson> loaded_lesson(const std::string& id) {
   auto& lesson = lessons[id];
   if (!lesson)
     lesson = std::make_shared<const LoadedLesson>(
-        or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/" + id + ".md")));
+        or_fail(load_lesson((source_dir() / "lessons" / (id + ".md")).string())));
   return lesson;
 }
 

@@ -6,6 +6,7 @@
 #include "app/page/page.h"
 #include "render/typeset/paragraph.h"
 #include "tests/app/page/sheet_checks.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -141,7 +142,7 @@ TEST(PageSymbols, MarksLieBehindAllOfTheNameAndARingRoundOne) {
 
 const Lesson& lecture() {
   static const Lesson kLesson =
-      or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md")).lesson;
+      or_fail(load_lesson((test::source_dir() / "lessons/euler-equations.md").string())).lesson;
   return kLesson;
 }
 

@@ -7,6 +7,7 @@
 #include "tests/app/run_program.h"
 #include "tests/app/session/example_lesson.h"
 #include "tests/render/gl/drawn.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -96,7 +97,7 @@ TEST(SavedPictures, OfDiagramsAndTables) {
 }
 
 TEST(SavedPictures, ExportDrawsWhatItDrawsOfTheLessonAtThatTime) {
-  const std::string lesson = std::string(POLHODE_SOURCE_DIR) + "/lessons/euler-equations.md";
+  const std::string lesson = test::source_dir() / "lessons/euler-equations.md";
   LessonSession session(test::loaded_lesson("euler-equations"));
   std::size_t stage = 0;
   while (session.lesson().stages[stage].id != "rotation-law") ++stage;

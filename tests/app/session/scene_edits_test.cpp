@@ -55,6 +55,16 @@ TEST(SceneEdits, HidingThePlaneDoesNotTurnTheBodyOver) {
   EXPECT_EQ(problem_of(hidden).start.q_SB, problem_of(scene).start.q_SB);
 }
 
+TEST(SceneEdits, ShowingThePlaneUnderATorqueDoesNotTurnTheBodyOver) {
+  Scene scene;
+  scene.torque = {SpaceTorque{Vec3(0.0, 0.0, -1.0)}};
+  SceneEdits edits;
+  edits.on.insert(Overlay::plane);
+  EXPECT_EQ(problem_of(edited(scene, edits)).start.q_SB.coeffs(), problem_of(scene).start.q_SB.coeffs());
+  scene.torque.clear();  // without one, the plane below the body is the picture of it
+  EXPECT_NE(problem_of(edited(scene, edits)).start.q_SB.coeffs(), problem_of(scene).start.q_SB.coeffs());
+}
+
 TEST(SceneEdits, KeepNothingOfWhatTheLessonShowsAnyway) {
   const Scene scene = lesson_scene();
   SceneEdits edits;

@@ -4,6 +4,7 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
 #include "lessons/reader/reader.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace polhode {
 namespace {
 
 Lesson lesson_named(const std::string& id) {
-  return or_fail(load_lesson(std::string(POLHODE_SOURCE_DIR) + "/lessons/" + id + ".md")).lesson;
+  return or_fail(load_lesson((test::source_dir() / "lessons" / (id + ".md")).string())).lesson;
 }
 
 const Lesson& lecture() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/answers.h"
 
+#include "lessons/claims/expression_names.h"
 #include "lessons/reader/ask_block.h"
 #include "lessons/reader/reader.h"
 #include "tests/lessons/support.h"
@@ -9,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <regex>
+#include <set>
 
 namespace polhode {
 namespace {
@@ -127,6 +130,19 @@ TEST(JudgeAnswer, AnOrderNamesEveryChoiceOnce) {
     EXPECT_EQ(judged(ask, no).mark, Mark::unreadable) << no;
 }
 
+TEST(WordsOfAnswers, AreThoseThatAnswersAreReadBy) {
+  static const std::regex kWord("[A-Za-z]\\w*");
+  const std::set<std::string> of_the_sentence = {"their", "rates", "vectors", "a", "b"};
+  std::string words(kWordsOfAnswers);
+  int known = 0;
+  for (std::sregex_iterator word(words.begin(), words.end(), kWord); word != std::sregex_iterator(); ++word) {
+    if (of_the_sentence.contains(word->str())) continue;
+    ++known;
+    EXPECT_TRUE(find_quantity(word->str()) || find_function(word->str())) << word->str();
+  }
+  EXPECT_GT(known, 20);
+}
+
 TEST(FormOfAnAnswer, AnswersNoQuestionOfItsKind) {
   for (const char* right : {"w3*w1*(I1 - I3)", "cross(omega, L)", "0"}) {
     const AnswerJudgement form =
@@ -143,7 +159,7 @@ TEST(FormOfAnAnswer, AnswersNoQuestionOfItsKind) {
 }
 
 TEST(FormOfAnAnswer, AnswersNoQuestionOfTheLessons) {
-  for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
+  for (const auto& path : testing::files_in(test::source_dir() / "lessons", ".md")) {
     if (path.filename() == "FORMAT.md") continue;  // no lesson
     const LessonReading reading = read_lesson(testing::read_file(path), path.filename().string());
     ASSERT_TRUE(reading.lesson) << path;

@@ -101,7 +101,7 @@ TEST(CheckClaims, LiveNumbersAndAnswersHaveValues) {
 }
 
 TEST(CheckClaims, OfTheLessonsAllHold) {
-  for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
+  for (const auto& path : testing::files_in(test::source_dir() / "lessons", ".md")) {
     const std::string text = testing::read_file(path);
     if (text.rfind("+++", 0) != 0) continue;
     LessonReading reading = read_lesson(text, path.filename().string());

@@ -9,7 +9,7 @@
 namespace polhode {
 namespace {
 
-const std::filesystem::path kFolder = testing::source_dir() / "tests/data/lessons/invalid";
+const std::filesystem::path kFolder = test::source_dir() / "tests/data/lessons/invalid";
 
 class InvalidLesson : public ::testing::TestWithParam<std::filesystem::path> {};
 

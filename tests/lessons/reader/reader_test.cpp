@@ -73,7 +73,7 @@ TEST(ReadLesson, DoesNotBlameBodiesThatAWrongFrontMatterMayHold) {
 
 TEST(ReadLesson, IsTheSameWhenReadAgain) {
   const std::string text =
-      testing::read_file(testing::source_dir() / "tests/data/lessons/invalid/scene-keys.md");
+      testing::read_file(test::source_dir() / "tests/data/lessons/invalid/scene-keys.md");
   EXPECT_EQ(complaints(text), complaints(text));
 }
 

@@ -67,7 +67,7 @@ TEST(Robustness, EveryBeginningOfALessonIsReadOrRefused) {
 }
 
 TEST(Robustness, DamagedBrokenLessonsToo) {
-  for (const auto& path : testing::files_in(testing::source_dir() / "tests/data/lessons/invalid", ".md")) {
+  for (const auto& path : testing::files_in(test::source_dir() / "tests/data/lessons/invalid", ".md")) {
     Mutator mutated({testing::read_file(path)}, kPieces, 7);
     for (int i = 0; i < 20; ++i)
       expect_sound(mutated.next(), path.filename().string() + ' ' + std::to_string(i));

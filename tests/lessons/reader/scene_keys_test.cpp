@@ -231,7 +231,7 @@ TEST(SceneKeyFacts, AreTheTableOfTheFormat) {
   for (const SceneKeyFacts& key : scene_key_facts())
     table += "| `" + std::string(key.name) + "` | " + std::string(key.value) + " | " +
              std::string(key.usual) + " |\n";
-  EXPECT_THAT(testing::read_file(testing::source_dir() / "lessons/FORMAT.md"),
+  EXPECT_THAT(testing::read_file(test::source_dir() / "lessons/FORMAT.md"),
               ::testing::HasSubstr(table + '\n'));
 }
 

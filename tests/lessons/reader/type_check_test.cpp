@@ -22,7 +22,7 @@ std::vector<std::string> complaints(const std::string& text) {
 }
 
 TEST(TypeCheck, EveryLessonHasItsGlyphs) {
-  for (const auto& path : testing::files_in(testing::source_dir() / "lessons", ".md")) {
+  for (const auto& path : testing::files_in(test::source_dir() / "lessons", ".md")) {
     if (path.filename() == "FORMAT.md" || path.filename() == "README.md") continue;
     EXPECT_THAT(complaints(testing::read_file(path)), IsEmpty()) << path;
   }

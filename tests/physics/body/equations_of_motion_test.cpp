@@ -33,7 +33,7 @@ TEST(EquationsOfMotion, AreThoseOfEulerWithTheTorqueAndTheSlip) {
       const PrincipalMoments I = random.moments();
       const RigidBodyState state = random.state();
       const Vec3 s_B = slip_B(torque, I, state.w_B);
-      const Vec3 M_B = torque_B(torque, I, state) + angular_momentum_B(I, state.w_B).cross(s_B);
+      const Vec3 M_B = torque_B(torque, state) + angular_momentum_B(I, state.w_B).cross(s_B);
       const Vec3 w_rate = angular_acceleration_B(I, state.w_B, M_B);
       const Eigen::Vector4d q_rate = attitude_rate(state.q_SB, state.w_B + s_B);
 

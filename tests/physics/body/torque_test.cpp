@@ -28,23 +28,22 @@ TEST(Torque, TermsAreWhatTheirNamesSay) {
     const RigidBodyState state = random.state();
     const Vec3 N = random.vector(3);
     const double tolerance = 16 * kEps * N.norm();
-    EXPECT_LE((state.q_SB * torque_B({SpaceTorque{N}}, kI, state) - N).norm(), tolerance);
-    EXPECT_EQ(torque_B({BodyTorque{N}}, kI, state), N);
-    EXPECT_EQ(torque_B({LinearDamping{0.25}}, kI, state), Vec3(-0.25 * state.w_B));
-    EXPECT_EQ(torque_B({EnergySink{0.25}}, kI, state), Vec3(0, 0, 0));
+    EXPECT_LE((state.q_SB * torque_B({SpaceTorque{N}}, state) - N).norm(), tolerance);
+    EXPECT_EQ(torque_B({BodyTorque{N}}, state), N);
+    EXPECT_EQ(torque_B({LinearDamping{0.25}}, state), Vec3(-0.25 * state.w_B));
+    EXPECT_EQ(torque_B({EnergySink{0.25}}, state), Vec3(0, 0, 0));
 
     const Vec3 axis_S = state.q_SB * Vec3::UnitX();
-    const Vec3 gravity_S = state.q_SB * torque_B({HeavyTop{2.0, Vec3::UnitX()}}, kI, state);
+    const Vec3 gravity_S = state.q_SB * torque_B({HeavyTop{2.0, Vec3::UnitX()}}, state);
     EXPECT_LE((gravity_S - axis_S.cross(Vec3(0, 0, -2.0))).norm(), 32 * kEps);
   }
 }
 
 TEST(Torque, IsTheSumOfItsTerms) {
   const RigidBodyState state{Quat::Identity(), {1, 2, 3}};
-  EXPECT_EQ(torque_B({}, kI, state), Vec3(0, 0, 0));
-  EXPECT_EQ(
-      torque_B({BodyTorque{{1, 0, 0}}, SpaceTorque{{0, 1, 0}}, LinearDamping{1}, EnergySink{1}}, kI, state),
-      Vec3(0, -1, -3));
+  EXPECT_EQ(torque_B({}, state), Vec3(0, 0, 0));
+  EXPECT_EQ(torque_B({BodyTorque{{1, 0, 0}}, SpaceTorque{{0, 1, 0}}, LinearDamping{1}, EnergySink{1}}, state),
+            Vec3(0, -1, -3));
 }
 
 TEST(Torque, OnlySpaceTorqueAndGravityDependOnAttitude) {

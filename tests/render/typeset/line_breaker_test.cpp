@@ -30,6 +30,14 @@ std::vector<LinePart> random_words(std::mt19937& random, std::size_t count) {
   return parts;
 }
 
+/// Length of the line [begin, end) without the space at its end; added up from the end, as break_lines does,
+/// so that both round alike.
+double line_length(const std::vector<LinePart>& parts, std::size_t begin, std::size_t end) {
+  double length = parts[end - 1].width;
+  for (std::size_t i = end - 1; i-- > begin;) length = length + parts[i].width + parts[i].space;
+  return length;
+}
+
 /// As many parts on each line as it holds.
 std::vector<std::size_t> first_fit(const std::vector<LinePart>& parts, double width) {
   std::vector<std::size_t> ends;

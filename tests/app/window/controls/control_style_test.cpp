@@ -6,6 +6,7 @@
 #include "physics/body/bodies.h"
 #include "physics/method.h"
 #include "tests/app/session/example_lesson.h"
+#include "tests/support/paths.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ TEST_F(ControlFont, HasWhatNotesSay) {
 // Titles, prompts, choices and hints stand in panels as they are written.
 TEST_F(ControlFont, HasWhatLessonsSay) {
   for (const char* id : test::kLessons) {
-    std::ifstream file(fmt::format("{}/lessons/{}.md", POLHODE_SOURCE_DIR, id));
+    std::ifstream file(test::source_dir() / fmt::format("lessons/{}.md", id));
     for (std::string line; std::getline(file, line);) expect_all_of(line, id);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/arrow.h"
 
-#include "render/scene/model/difference.h"
+#include "physics/analysis/difference.h"
 
 #include <gtest/gtest.h>
 

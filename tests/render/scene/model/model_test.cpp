@@ -40,6 +40,11 @@ TEST(Requirements, SpaceAxesInTheSpaceViewNeedNothing) {
   EXPECT_EQ(requirements(scene_with({O::axes_space})), Requirements{});
 }
 
+TEST(Requirements, NumbersNeedTheMotionAndNothingThatIsDrawn) {
+  const Scene scene = scene_with({O::polhode, O::shape, O::method_table}, {View::body});
+  EXPECT_EQ(requirements(scene, Product::numbers), (Requirements{.omega = true, .attitude = true}));
+}
+
 TEST(Requirements, ATorqueThatDependsOnAttitudeNeedsIt) {
   Scene scene = scene_with({O::omega}, {View::body});
   scene.torque = {SpaceTorque{Vec3(1, 0, 0)}};

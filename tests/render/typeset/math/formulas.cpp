@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "tests/render/typeset/math/formulas.h"
 
+#include "tests/support/paths.h"
+
 #include <fstream>
 
 namespace polhode::testing {
 
 std::vector<NamedFormula> named_formulas(const std::string& file) {
-  std::ifstream in(POLHODE_SOURCE_DIR "/tests/data/formulas/" + file + ".tsv");
+  std::ifstream in(test::source_dir() / "tests/data/formulas" / (file + ".tsv"));
   std::vector<NamedFormula> formulas;
   for (std::string line; std::getline(in, line);) {
     const std::size_t tab = line.find('\t');

@@ -5,6 +5,7 @@
 // Look at the formulas before you commit the new numbers.
 #include "render/typeset/math/math.h"
 #include "tests/render/typeset/math/formulas.h"
+#include "tests/support/paths.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +73,7 @@ class MathGolden : public ::testing::TestWithParam<const char*> {};
 TEST_P(MathGolden, ListsAreTheStoredOnes) {
   const auto fonts = Fonts::open();
   ASSERT_TRUE(fonts.ok()) << fonts.error();
-  const std::string path = std::string(POLHODE_SOURCE_DIR "/tests/data/formulas/") + GetParam() + ".golden";
+  const std::string path = test::source_dir() / "tests/data/formulas" / (GetParam() + std::string(".golden"));
   std::vector<std::string> lines;
   for (const auto& [name, tex] : testing::named_formulas(GetParam())) {
     const auto math = parse_math(tex);
@@ -102,7 +103,7 @@ TEST_P(MathGolden, ListsAreTheStoredOnes) {
 TEST(FormulasOfTheLecture, AreThoseOfTheLesson) {
   std::map<std::string, std::string> stored;
   for (const auto& [name, tex] : testing::named_formulas("lecture")) stored[name] = tex;
-  std::ifstream in(POLHODE_SOURCE_DIR "/lessons/euler-equations.md");
+  std::ifstream in(test::source_dir() / "lessons/euler-equations.md");
   std::string name, tex;
   int blocks = 0;
   for (std::string line; std::getline(in, line);) {

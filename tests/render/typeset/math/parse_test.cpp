@@ -2,6 +2,7 @@
 #include "render/typeset/math/commands.h"
 #include "render/typeset/math/math.h"
 #include "render/typeset/math/tree.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -110,7 +111,7 @@ TEST(ParseMath, NamesTheNearestCommand) {
 
 /// Each line: TeX, offset of the first error, its message, its hint.
 TEST(ParseMath, RefusesWrongFormulasWhereTheyAreWrong) {
-  std::ifstream in(POLHODE_SOURCE_DIR "/tests/data/formulas/wrong.tsv");
+  std::ifstream in(test::source_dir() / "tests/data/formulas/wrong.tsv");
   int count = 0;
   for (std::string line; std::getline(in, line); ++count) {
     std::array<std::string, 4> fields;

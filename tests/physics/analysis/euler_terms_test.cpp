@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "render/scene/model/euler_terms.h"
+#include "physics/analysis/euler_terms.h"
 
+#include "physics/analysis/difference.h"
 #include "physics/method.h"
-#include "render/scene/model/difference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/scene/model/difference.h"
+#include "physics/analysis/difference.h"
 
 #include <gtest/gtest.h>
 

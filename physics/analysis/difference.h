@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rates of change taken from a motion itself: what a picture claims about derivatives is measured on the
-// motion that it shows, never put in from the equations that it is to confirm.
+// Rates of change taken from a motion itself: what is claimed about derivatives is measured on the motion
+// that is shown, never put in from the equations that it is to confirm.
 #pragma once
 
 #include "physics/body/types.h"

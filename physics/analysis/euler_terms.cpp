@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "render/scene/model/euler_terms.h"
+#include "physics/analysis/euler_terms.h"
 
+#include "physics/analysis/difference.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
-#include "render/scene/model/difference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ double EulerTerms::largest() const { return std::max({inertial_B.norm(), gyrosco
 
 EulerTerms euler_terms_at(const Motion& motion, const PrincipalMoments& I, const Torque& torque, double t_s) {
   const RigidBodyState now = motion.at(t_s);
-  const Vec3 N_B = torque_B(torque, I, now);
+  const Vec3 N_B = torque_B(torque, now);
   // The pace at which ω changes: of its own turning, and from rest of what the torque does.
   const double pace = std::max(norm_of(now.w_B), std::sqrt(N_B.norm() / I.vector().minCoeff()));
   const Vec3 gyroscopic_B = now.w_B.cross(angular_momentum_B(I, now.w_B));
