@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -56,17 +58,22 @@ struct Sentence {
 
 class EquationReader {
  public:
-  EquationReader(const Math& math, const EquationNotation& notation)
-      : math_(math), terms_(math, notation), items_(formula_items(*math.root, kMaxEquationNesting)) {}
+  EquationReader(const Math& math, const EquationNotation& notation, const Math* above)
+      : math_(math), terms_(math, notation), items_(formula_items(*math.root, kMaxEquationNesting)) {
+    if (above != nullptr && above->root && !items_.empty() && items_.front().is(ItemKind::relation, U'=')) {
+      go_on_with(formula_items(*above->root, kMaxEquationNesting), !above->live.empty());
+      above_root_ = above->root.get();
+    }
+  }
 
   ReadEquation read() {
-    terms_.any_inertia = has_tensor_component(*math_.root);
+    terms_.any_inertia = anywhere(has_tensor_component);
     Items items = take_ends(items_);
     std::vector<Sentence> sentences = split(items);
     take_conditions(sentences);
     std::vector<std::array<std::pair<char32_t, int>, 3>> assignments = ranges_;
     if (assignments.empty()) assignments.emplace_back();
-    const bool twice = has_struck(*math_.root);
+    const bool twice = anywhere(has_struck);
     for (const auto& assignment : assignments) {
       terms_.indices.clear();
       for (const auto& [letter, axis] : assignment)
@@ -83,6 +90,41 @@ class EquationReader {
   }
 
  private:
+  bool anywhere(bool (*found)(const MathNode&)) const {
+    return found(*math_.root) || (above_root_ != nullptr && found(*above_root_));
+  }
+
+  /// The last side of the formula above.
+  void go_on_with(TexItems above, bool has_numbers) {
+    while (!above.empty() && (above.back().kind == ItemKind::gap || above.back().kind == ItemKind::comma))
+      above.pop_back();
+    std::size_t begin = above.size();
+    while (begin > 0 && above[begin - 1].kind != ItemKind::relation) --begin;
+    above.erase(above.begin(), above.begin() + static_cast<std::ptrdiff_t>(begin));
+    const bool is_side = std::none_of(above.begin(), above.end(), [](const TexItem& item) {
+      return item.kind == ItemKind::comma || item.kind == ItemKind::gap || item.kind == ItemKind::text ||
+             item.kind == ItemKind::line;
+    });
+    if (above.empty() || !is_side || has_numbers) throw_above();
+    above_ = std::move(above);
+  }
+
+  [[noreturn]] void throw_above(const std::string& why = "") const {
+    throw TexFault(items_.front().span, "the side that this goes on with, in the formula above, is not read" +
+                                            (why.empty() ? "" : ": " + why));
+  }
+
+  TexValue side_above() {
+    try {
+      TexValue value = terms_.side(above_);
+      value.span = items_.front().span;
+      value.marks.clear();  // they are bytes of the other formula
+      return value;
+    } catch (const TexFault& fault) {
+      throw_above(fault.what());
+    }
+  }
+
   /// Without gaps and a full stop at the ends, and the words in front.
   Items take_ends(Items items) {
     const auto trim = [&items] {
@@ -271,9 +313,13 @@ class EquationReader {
     std::vector<std::pair<TexValue, TexValue>> labels;
     terms_.labels = &labels;
     std::optional<TexValue> left;
-    std::size_t begin = 0;
     const Items items = sentence.items;
-    for (std::size_t i = 0; i <= items.size(); ++i) {
+    std::size_t begin = 0;
+    if (!above_.empty() && items.data() == items_.data()) {
+      left = side_above();
+      begin = 1;
+    }
+    for (std::size_t i = begin; i <= items.size(); ++i) {
       if (i < items.size() && items[i].kind != ItemKind::relation) continue;
       if (i < items.size() && items[i].character != U'=')
         throw TexFault(items[i].span, "only = is proved", "keep a claim for what can be proved");
@@ -329,7 +375,8 @@ class EquationReader {
 
   const Math& math_;
   TexTerms terms_;
-  TexItems items_;
+  TexItems items_, above_;
+  const MathNode* above_root_ = nullptr;
   ReadEquation result_;
   std::vector<std::array<std::pair<char32_t, int>, 3>> ranges_;
   bool in_space_ = false;
@@ -338,10 +385,11 @@ class EquationReader {
 
 }  // namespace
 
-Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const EquationNotation& notation) {
+Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const EquationNotation& notation,
+                                                       const Math* above) {
   try {
     if (!math.root) return Failure<UnreadableEquation>{{{}, "there is no formula here", ""}};
-    return EquationReader(math, notation).read();
+    return EquationReader(math, notation, above).read();
   } catch (const TexFault& fault) {
     return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint}};
   }

@@ -105,9 +105,11 @@ inline constexpr int kMaxEquationNesting = 48;
 inline constexpr int kMaxEquationFactors = 4000;
 inline constexpr std::size_t kMaxEquationLinks = 64;
 
+/// A formula that begins with "=" goes on with the last side of the one `above` it; null if there is none.
 /// Linear in the formula, times 3 for each sum in a sum, up to the limits; 20 to 200 µs for one of the
 /// lecture, at most 10 ms.
-Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const EquationNotation& notation);
+Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const EquationNotation& notation,
+                                                       const Math* above = nullptr);
 
 /// The lines of a claim of this kind, whose places are all `place`.
 ///

@@ -81,6 +81,17 @@ bool is_braced_sum(const TexItem& item) {
                      [](const TexItem& i) { return i.kind == ItemKind::sign; });
 }
 
+/// What stands between brackets could be what a function is taken of: a number, or a symbol.
+bool is_like_argument(const TexItems& inside) {
+  const auto fits = [](const TexItem& item) {
+    return item.kind == ItemKind::sign || is_digit(item) || is_symbol(item, U'.');
+  };
+  const bool signed_one = inside.size() == 2 && inside[0].kind == ItemKind::sign;
+  if (inside.size() != 1 && !signed_one) return std::all_of(inside.begin(), inside.end(), fits);
+  const TexItem& only = inside.back();
+  return only.kind == ItemKind::operand && only.node->kind != Kind::fraction && only.node->kind != Kind::grid;
+}
+
 bool same_scripts(const MathNode* a, const MathNode* b) {
   return (a == nullptr) == (b == nullptr) && (a == nullptr || same_math(*a, *b));
 }
@@ -392,12 +403,8 @@ TexTerms::Factor TexTerms::factor(Items items, std::size_t& at) {
     }
     took_sub = true;
   }
-  made.lone =
-      item.kind == ItemKind::group && item.open != U'|' && item.open != U'⏟' && item.sub == nullptr &&
-      (item.inside.size() == 1 || (item.inside.size() == 2 && item.inside[0].kind == ItemKind::sign) ||
-       std::all_of(item.inside.begin(), item.inside.end(), [](const TexItem& i) {
-         return is_digit(i) || is_symbol(i, U'.') || i.kind == ItemKind::sign;
-       }));
+  made.lone = item.kind == ItemKind::group && item.open != U'|' && item.open != U'⏟' && item.sub == nullptr &&
+              is_like_argument(item.inside);
   made.function_like =
       item.kind == ItemKind::operand && node->kind != Kind::fraction && node->kind != Kind::grid;
   ++at;

@@ -235,10 +235,20 @@ TexValue applied(const TexTensor& tensor, const TexValue& vector, SourceSpan spa
                    tensor.kind == Kind::difference, span);
     case Kind::scaled:
       return multiplied(tensor.value, applied(*tensor.a, vector, span), span);
-    case Kind::rate: {  // by the product rule: (dA/dt) x = d(A x)/dt − A dx/dt
-      const TexValue whole = rate_of(applied(*tensor.a, vector, span), tensor.seen_from_space, span);
-      return added(whole, applied(*tensor.a, rate_of(vector, tensor.seen_from_space, span), span), true,
-                   span);
+    case Kind::rate: {
+      // (dA/dt) ê = d(A ê)/dt − A dê/dt of a unit vector; of others, linear in their components.
+      const auto of_axis = [&](const TexValue& e) {
+        const TexValue whole = rate_of(applied(*tensor.a, e, span), tensor.seen_from_space, span);
+        return added(whole, applied(*tensor.a, rate_of(e, tensor.seen_from_space, span), span), true, span);
+      };
+      if (vector.text == "e1" || vector.text == "e2" || vector.text == "e3") return of_axis(vector);
+      TexValue sum;
+      for (int axis = 1; axis <= 3; ++axis) {
+        const TexValue part =
+            multiplied(component_of(vector, axis, span), of_axis(unit_vector(axis, span)), span);
+        sum = axis == 1 ? part : added(std::move(sum), part, false, span);
+      }
+      return sum;
     }
     case Kind::matrix: {
       TexValue sum = zero_value(span);
