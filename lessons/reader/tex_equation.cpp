@@ -296,6 +296,9 @@ class EquationReader {
 
   bool read_spin(Items items) {
     if (!is_spin(items)) return false;
+    for (const TexItem& item : items)
+      if (item.kind == ItemKind::operand && !is_symbol(item, U'0') && terms_.is_redefined(item))
+        throw TexFault(item.span, "a condition on a symbol of the lesson is not read");
     if (items.size() == 3) {
       terms_.no_spin_about[static_cast<std::size_t>(axis_of(items[0], false) - 1)] = true;
     } else {

@@ -109,6 +109,8 @@ class Flattening {
         item.character = node.character;
         item.struck = struck;
         item.span = node.span;
+        if (struck && (item.kind == Item::Kind::relation || item.kind == Item::Kind::comma))
+          throw TexFault(node.span, "this is not read when it is struck out");
         if (node.kind == Kind::arrow)
           for (const MathNode& label : node.children)
             if (!label.absent() && without_groups(label).kind != Kind::text && !label.children.empty())
@@ -275,6 +277,14 @@ TexItems lines_of(const MathNode& grid, int depth) {
       TexItems cell = items_of(grid.children[at + c], depth - 1);
       drop_gaps_in_front(cell);
       if (c == 0) first_is_empty = cell.empty();
+      // Columns stand in pairs, and wide apart from the next pair.
+      const bool begins_pair = grid.grid->kind == MathGrid::Kind::aligned ? c % 2 == 0 : true;
+      if (begins_pair && !cell.empty() && !line.empty()) {
+        Item end;
+        end.kind = Item::Kind::line;
+        end.span = cell.front().span;
+        line.push_back(std::move(end));
+      }
       append(line, std::move(cell));
     }
     if (line.empty()) continue;

@@ -32,16 +32,23 @@ bool is_symbol(const TexItem& item, char32_t c) {
 bool is_plain(const TexItem& item) { return item.sub == nullptr && item.sup == nullptr; }
 
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
+/// Letters in italics, digits upright: how quantities are set. In script, blackboard and the like they are
+/// others.
+bool is_common(const MathNode& node) {
+  return node.alphabet == Alphabet::normal || node.alphabet == Alphabet::italic;
+}
 bool is_digit(const TexItem& item) {
   return item.kind == ItemKind::operand && item.node != nullptr && item.node->kind == Kind::symbol &&
-         is_digit(item.node->character);
+         is_digit(item.node->character) &&
+         (is_common(*item.node) || item.node->alphabet == Alphabet::upright);
 }
 
 bool is_bold(const MathNode& node) {
   return node.alphabet == Alphabet::bold || node.alphabet == Alphabet::bold_italic;
 }
 bool is_letter_d(const TexItem& item) {
-  return is_symbol(item, U'd') && !is_bold(*item.node) && item.sub == nullptr;
+  return is_symbol(item, U'd') && item.sub == nullptr &&
+         (is_common(*item.node) || item.node->alphabet == Alphabet::upright);
 }
 
 /// d or d*: whether seen from space; nothing if the superscript is another.
@@ -159,6 +166,9 @@ TexValue TexTerms::sum(Items items, SourceSpan where) {
     std::size_t end = at;
     while (end < items.size() && items[end].kind != ItemKind::sign) ++end;
     if (end == at) throw TexFault(items[sign].span, "a term is missing behind this sign");
+    if (items[sign].kind == ItemKind::sign && items[sign].struck && !items[at].struck)
+      throw TexFault(items[sign].span, "what is left when this sign is struck out?",
+                     "strike out whole terms, or factors");
     if (minus && is_braced_sum(items[at]))
       throw TexFault(items[at].span, "does the brace hold this sum together?", "write brackets below it");
     auto term = product(items.subspan(at, end - at));
@@ -175,13 +185,14 @@ TexValue TexTerms::sum(Items items, SourceSpan where) {
 }
 
 std::optional<TexValue> TexTerms::product(Items items) {
-  if (without_struck) {
-    const auto struck = [](const TexItem& item) { return item.struck; };
-    if (std::all_of(items.begin(), items.end(), struck)) return std::nullopt;
+  const auto struck = [](const TexItem& item) { return item.struck; };
+  const bool all_struck = std::all_of(items.begin(), items.end(), struck);
+  if (without_struck && all_struck) return std::nullopt;
+  if (!all_struck) {
     for (std::size_t i = 0; i < items.size(); ++i) {
       const bool beside = (i > 0 && items[i - 1].kind == ItemKind::times) ||
                           (i + 1 < items.size() && items[i + 1].kind == ItemKind::times);
-      if (items[i].struck && beside)
+      if (items[i].struck && (beside || items[i].kind == ItemKind::times))
         throw TexFault(items[i].span, "what is left when this is struck out?",
                        "strike out whole terms, or factors");
     }
@@ -417,6 +428,13 @@ bool TexTerms::is_conditioned() const {
   return std::any_of(no_spin_about.begin(), no_spin_about.end(), [](bool none) { return none; });
 }
 
+bool TexTerms::is_redefined(const TexItem& item) {
+  std::size_t at = 0;
+  const auto said = declared(Items(&item, 1), at);
+  bool took_sub = false, took_sup = false;
+  return said && said->text != base_of(item, took_sub, took_sup).text;
+}
+
 /// What holds at an instant says nothing of rates.
 TexValue TexTerms::rate(const TexValue& of, bool space, SourceSpan span) {
   if (is_conditioned()) throw TexFault(span, "rates are not read under a condition on ω");
@@ -644,6 +662,8 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
       return letter(item, took_sub);
     case Kind::accent: {
       const MathNode& base = plain_node(node.children.front());
+      if (base.kind == Kind::symbol && !is_common(base) && !is_bold(base))
+        throw TexFault(item.span, "a letter in this alphabet is not read", "give it a symbol with `means`");
       if (node.character == kArrow && base.kind == Kind::symbol)
         return arrow_or_bold(item, base.character, took_sub, took_sup);
       if (node.character == kHat) return hat(item, base, took_sub);
@@ -660,7 +680,7 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
     case Kind::term: {  // \live
       const std::size_t index = static_cast<std::size_t>(std::atoi(node.text.c_str() + 5));
       if (index >= math_.live.size()) throw TexFault(item.span, "this number is not read");
-      return meaning_of({"live", {}, "(" + math_.live[index].expression + ")"}, item.span);
+      return meaning_of({"live", {}, math_.live[index].expression}, item.span);
     }
     case Kind::radical:
       throw TexFault(item.span, "a proof has no roots", "square both sides, or keep a claim");
@@ -671,6 +691,8 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
 
 TexValue TexTerms::letter(const TexItem& item, bool& took_sub) {
   const char32_t c = item.node->character;
+  if (!is_common(*item.node))
+    throw TexFault(item.span, "a letter in this alphabet is not read", "give it a symbol with `means`");
   if (item.sub == nullptr) {
     if (c == U'T') return quantity("T", item.span);
     if (c == U'm') return quantity("m", item.span);
@@ -763,6 +785,7 @@ TexValue TexTerms::hat(const TexItem& item, const MathNode& base, bool& took_sub
 }
 
 TexValue TexTerms::dotted(const TexItem& item, const MathNode& base, bool& took_sub) {
+  if (is_conditioned()) throw TexFault(item.span, "rates are not read under a condition on ω");
   TexItem below = item;  // what stands below the dot, with the scripts behind it
   below.node = &base;
   below.sup = nullptr;

@@ -26,6 +26,9 @@ class TexTerms {
   /// A sum; `where` is the place of one that is missing.
   TexValue sum(Items items, SourceSpan where);
 
+  /// Whether the lesson says that this is something else than what is built in.
+  bool is_redefined(const TexItem& item);
+
   /// The axis, 1 to 3, that an index letter stands for.
   std::map<char32_t, int> indices;
   /// I_{xy} occurs: 𝐈 is any inertia tensor.
