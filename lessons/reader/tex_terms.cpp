@@ -226,6 +226,7 @@ TexValue TexTerms::run(Items items, std::size_t& at) {
   std::optional<TexValue> whole;
   bool after_number = false, after_symbol = false, has_vector = false;
   const std::size_t begin = at;
+  SourceSpan span = items[at].span;
   while (at < items.size() && items[at].kind != ItemKind::times) {
     if (without_struck && items[at].struck) {
       ++at;
@@ -254,8 +255,9 @@ TexValue TexTerms::run(Items items, std::size_t& at) {
     else if (whole->is_tensor() && next.value.is_vector())
       whole = applied(*whole->tensor, next.value, joined_span(whole->span, next.span));
     else
-      whole = multiplied(*whole, next.value, joined_span(whole->span, next.span));
-    whole->span = joined_span(whole->span, next.span);
+      whole = multiplied(std::move(*whole), next.value, joined_span(span, next.span));
+    span = joined_span(span, next.span);
+    whole->span = span;
   }
   if (!whole) return atom_value("1", Type::scalar, items[begin].span);  // all factors are struck out
   return std::move(*whole);
@@ -268,7 +270,7 @@ TexValue TexTerms::chain(std::vector<TexValue> runs, const std::vector<const Tex
   std::size_t first = 0;
   std::optional<TexValue> factor;
   while (first < runs.size() && runs[first].is_scalar()) {
-    factor = factor ? multiplied(*factor, runs[first], whole) : runs[first];
+    factor = factor ? multiplied(std::move(*factor), runs[first], whole) : runs[first];
     if (first < signs.size() && signs[first]->character == U'×')
       throw TexFault(signs[first]->span, "× stands between vectors",
                      "write \\cdot, or nothing, between numbers");
@@ -320,7 +322,7 @@ TexValue TexTerms::chain(std::vector<TexValue> runs, const std::vector<const Tex
   } else {
     throw TexFault(whole, "this product of several vectors has more than one reading", "write brackets");
   }
-  if (factor) result = multiplied(*factor, result, whole);
+  if (factor) result = multiplied(std::move(*factor), result, whole);
   result.span = whole;
   return result;
 }

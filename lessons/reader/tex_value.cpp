@@ -88,7 +88,7 @@ TexValue negated_value(TexValue a, SourceSpan span) {
   return value;
 }
 
-TexValue multiplied(const TexValue& a, const TexValue& b, SourceSpan span) {
+TexValue multiplied(TexValue a, const TexValue& b, SourceSpan span) {
   if (a.is_tensor() || b.is_tensor()) {
     TexTensor product;
     if (a.is_tensor() && b.is_tensor()) {
@@ -107,14 +107,20 @@ TexValue multiplied(const TexValue& a, const TexValue& b, SourceSpan span) {
   if (a.is_vector() && b.is_vector())
     throw TexFault(span, "which product of two vectors?", "write \\cdot or \\times between them");
   const bool zeros = a.type == Type::zero && b.type == Type::zero;
-  TexValue value = made(a.is_vector() || b.is_vector() ? Type::vector
-                        : zeros                        ? Type::zero
-                                                       : Type::scalar,
-                        Level::product, span);
-  append(value, a, a.level == Level::sum);
-  append(value, "*");
-  append(value, b, b.level == Level::sum || b.text.find('/') != std::string::npos);
-  return value;
+  const Type type = a.is_vector() || b.is_vector() ? Type::vector : zeros ? Type::zero : Type::scalar;
+  if (a.level == Level::sum) {
+    TexValue bracketed = made(type, Level::product, span);
+    append(bracketed, a, true);
+    a = std::move(bracketed);
+  }
+  // In place, so that long products take linear time.
+  a.type = type;
+  a.level = Level::product;
+  a.form = TexValue::Form::plain;
+  a.span = span;
+  append(a, "*");
+  append(a, b, b.level == Level::sum || b.text.find('/') != std::string::npos);
+  return a;
 }
 
 TexValue divided(const TexValue& a, const TexValue& b, SourceSpan span) {

@@ -65,7 +65,7 @@ TexValue tensor_value(TexTensor tensor, SourceSpan span);
 TexValue added(TexValue a, const TexValue& b, bool minus, SourceSpan span);
 TexValue negated_value(TexValue a, SourceSpan span);
 /// Of at most one vector or tensor.
-TexValue multiplied(const TexValue& a, const TexValue& b, SourceSpan span);
+TexValue multiplied(TexValue a, const TexValue& b, SourceSpan span);
 TexValue divided(const TexValue& a, const TexValue& b, SourceSpan span);
 TexValue raised(const TexValue& a, int exponent, SourceSpan span);
 /// name(a) or name(a, b).
