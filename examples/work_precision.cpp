@@ -5,6 +5,7 @@
 #include <polhode/method.h>
 
 #include <cstdio>
+#include <string>
 
 int main() {
   using namespace polhode;
@@ -18,8 +19,8 @@ int main() {
 
   std::puts("method             step s        us/period  error      drift of T");
   for (const WorkPrecisionRow& row : measured->rows)
-    std::printf("%-17s %-13.6g %-10.4g %-10.3g %.3g\n", name_of(row.method).data(), row.step_s.value_or(0),
-                1e-3 * row.ns_per_period, row.error(), row.drift_T);
+    std::printf("%-17s %-13.6g %-10.4g %-10.3g %.3g\n", std::string(name_of(row.method)).c_str(),
+                row.step_s.value_or(0), 1e-3 * row.ns_per_period, row.error(), row.drift_T);
   if (const auto best = cheapest_within(measured->rows, 1e-6))
-    std::printf("cheapest within 1e-6: %s\n", name_of(measured->rows[*best].method).data());
+    std::printf("cheapest within 1e-6: %s\n", std::string(name_of(measured->rows[*best].method)).c_str());
 }

@@ -96,12 +96,12 @@ std::optional<Method> method_from(std::string_view name) {
 }
 
 const std::vector<std::string>& method_names() {
-  static const std::vector<std::string> names = [] {
+  static const std::vector<std::string> kNames = [] {
     std::vector<std::string> result;
     for (const MethodFacts& facts : kFacts) result.emplace_back(facts.name);
     return result;
   }();
-  return names;
+  return kNames;
 }
 
 std::optional<std::string> why_not(Method method, const Problem& problem) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The methods that follow a rigid body in time: what each is called, serves, costs a step and keeps. What
-// makes a motion with one is method.h.
+// The methods that follow a rigid body in time: what each is called, which torques it serves, its order, and
+// what it keeps. method.h makes a motion with one.
 #pragma once
 
 #include <optional>

@@ -40,4 +40,7 @@ struct CommandError : std::runtime_error {
   ExitCode code;
 };
 
+/// What was asked for is malformed, unknown or out of range.
+inline CommandError usage(const std::string& text) { return {ExitCode::usage, text}; }
+
 }  // namespace polhode

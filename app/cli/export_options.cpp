@@ -24,8 +24,6 @@ constexpr int kMostDpi = 100'000;
 constexpr int kMostJobs = 256;
 const std::vector<std::string> kWhats = {"page", "equation", "figure", "transcript"};
 
-CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
-
 /// The place of `typed` in `choices`, or `standard` if nothing was typed.
 std::size_t choice(std::string_view option, const std::string& typed, const std::vector<std::string>& choices,
                    std::size_t standard = 0) {

@@ -101,7 +101,7 @@ Outcome<fs::path> find_lesson(std::string_view name, const std::vector<fs::path>
   if (names_file(name)) return fs::path(name);
   if (is_plain_name(name)) {
     for (const fs::path& folder : folders) {
-      const fs::path path = folder / (std::string(name) + ".md");
+      fs::path path = folder / (std::string(name) + ".md");
       std::error_code error;
       if (fs::exists(path, error)) return path;
     }

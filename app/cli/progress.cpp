@@ -20,6 +20,11 @@ bool environment_has(const char* name) {
   return value && *value;
 }
 
+bool dumb_terminal() {
+  const char* name = std::getenv("TERM");
+  return name && std::string_view(name) == "dumb";
+}
+
 int terminal_columns() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
@@ -42,8 +47,7 @@ std::string progress_line(std::int64_t done, std::int64_t total, std::string_vie
 
 ProgressBar::ProgressBar(std::int64_t total)
     : total_(total),
-      visible_(isatty(STDERR_FILENO) == 1 &&
-               !(std::getenv("TERM") && std::string_view(std::getenv("TERM")) == "dumb")),
+      visible_(isatty(STDERR_FILENO) == 1 && !dumb_terminal()),
       colored_(!environment_has("NO_COLOR")) {}
 
 ProgressBar::~ProgressBar() {

@@ -161,7 +161,7 @@ std::string widest_live_text(const Claim& claim) {
   if (!has_sides(claim)) return kDistance;
   const bool vector = claim.lines.front().equality.is_vector();
   const std::string side = vector ? "(−0.00, −0.00, −0.00)" : "−0.00${\\cdot}10^{-4}$";
-  const std::string sides = fmt::format("{}{} = {}", vector ? "in $S^*$ " : "", side, side);
+  std::string sides = fmt::format("{}{} = {}", vector ? "in $S^*$ " : "", side, side);
   if (claim.kind == ClaimKind::is_false) return sides;
   return sides + ",  " + kDistance;
 }

@@ -132,14 +132,16 @@ PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const 
 
 void add_meters(const PageRequest& request, const Grid& grid, const std::vector<TimePlot>& plots,
                 Sheet& sheet, const Fonts& fonts) {
+  if (plots.empty()) return;
   const std::size_t columns = plots.size() > 3 ? 2 : plots.size();
-  const std::size_t rows = columns == 0 ? 0 : (plots.size() + columns - 1) / columns;
+  const std::size_t rows = (plots.size() + columns - 1) / columns;
   const double pad = 1.3 * grid.small_em;
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const double width = grid.meters.width() / static_cast<double>(columns),
                  height = grid.meters.height() / static_cast<double>(rows);
-    const double x = grid.meters.x0 + width * static_cast<double>(i % columns),
-                 y = grid.meters.y0 + height * static_cast<double>(i / columns);
+    const std::size_t column = i % columns, row = i / columns;
+    const double x = grid.meters.x0 + width * static_cast<double>(column),
+                 y = grid.meters.y0 + height * static_cast<double>(row);
     const PixelBox box{x + pad, y + pad, x + width - 0.5 * pad, y + height - 0.6 * pad};
     append(sheet, lay_out(plots[i], box, plot_style(request.theme, kMeterSize * grid.small_em), fonts),
            {0, 0});

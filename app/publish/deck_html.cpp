@@ -158,7 +158,7 @@ Status append_slides(const Deck& deck, Size first, const Sink& sink, const DeckP
     if (go_on && !go_on(i)) return failure(kDeckStopped);
     const Result<EncodedPicture> picture = pictures.next();
     if (!picture) return failure(picture.error());
-    if (const Status status = append_slide(deck.slides[i], *picture, i + 1, sink); !status) return status;
+    if (Status status = append_slide(deck.slides[i], *picture, i + 1, sink); !status) return status;
   }
   return success();
 }

@@ -86,7 +86,7 @@ Result<Header> header_of(const fs::path& picture) {
 Result<Header> frame_of(const FilmRequest& request) {
   Header all;
   for (const fs::path& picture : request.pictures) {
-    const Result<Header> header = header_of(picture);
+    Result<Header> header = header_of(picture);
     if (!header) return header;
     all.size = {std::max(all.size.width, header->size.width), std::max(all.size.height, header->size.height)};
     all.has_alpha = all.has_alpha || header->has_alpha;

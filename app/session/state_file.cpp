@@ -101,7 +101,7 @@ StateFileResult<std::string> read_state_file(const fs::path& path, const std::st
                                              const TakeState& take) {
   std::error_code none;
   if (!fs::exists(path, none)) return std::string();
-  const auto text = whole_text(path);
+  auto text = whole_text(path);
   if (!text) return text;
   try {
     const Json json = Json::parse(*text);

@@ -44,7 +44,6 @@ class Screen {
   double seconds_to_wake(const LessonSession& session) const;
   /// Of the last frame: whether a page was drawn, and whether with all its pixels; wall time, s.
   bool is_full() const { return is_full_; }
-  double frame_s() const { return frame_s_; }
 
   /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
   void tell(const std::string& text) { notices_.tell(text, clock_s_); }

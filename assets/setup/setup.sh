@@ -110,16 +110,21 @@ set_up() {
   install_packages "${install[@]}"
 }
 
-# build PRESET [TARGET…]: configures and builds build/PRESET, or those targets of it. Starts afresh if the repository was moved or copied with it.
-build() {
+# configure PRESET: makes build/PRESET ready. Starts afresh if the repository was moved or copied with it.
+configure() {
   local dir=$root/build/$1 fresh=()
   if [ -f "$dir/CMakeCache.txt" ] && ! grep -Fxq "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$dir/CMakeCache.txt"; then
     fresh=(--fresh)
   fi
   mkdir -p "$root/build"
-  say "building in build/$1"
   cmake --preset "$1" "${fresh[@]}" >"$root/build/configure-$1.log" 2>&1 ||
     { cat "$root/build/configure-$1.log" >&2; fail "cmake could not configure the preset $1"; }
+}
+
+# build PRESET [TARGET…]: configures and builds build/PRESET, or those targets of it.
+build() {
+  say "building in build/$1"
+  configure "$1"
   local targets=("${@:2}")
   cmake --build --preset "$1" ${targets[@]+--target "${targets[@]}"} || fail "the build failed"
 }

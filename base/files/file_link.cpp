@@ -26,7 +26,7 @@ fs::path folder_of(const fs::path& path) {
 // A second name that no other writer uses; empty, and errno, if there can be none.
 fs::path temporary_link(FileOps& files, const fs::path& same, const fs::path& folder) {
   for (int i = 0; i < kMaxNames; ++i) {
-    const fs::path temporary = folder / temporary_name(i);
+    fs::path temporary = folder / temporary_name(i);
     if (files.link(same.c_str(), temporary.c_str()) == 0) return temporary;
     if (errno != EEXIST) break;
   }

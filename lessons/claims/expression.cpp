@@ -39,7 +39,7 @@ class ExpressionReader {
     pass();
     return true;
   }
-  [[noreturn]] void fail(std::size_t at, std::string message, std::string hint = {}) const {
+  [[noreturn]] void fail(std::size_t at, const std::string& message, std::string hint = {}) const {
     throw ExpressionFault(at, message, std::move(hint));
   }
 
@@ -355,13 +355,13 @@ std::optional<Expression> read_expression(std::string_view text, SourcePlace sta
 }
 
 const std::vector<std::string>& expression_symbols() {
-  static const std::vector<std::string> symbols = [] {
+  static const std::vector<std::string> kSymbols = [] {
     std::vector<std::string> names;
     for (const QuantityFacts& facts : kQuantities) names.emplace_back(facts.name);
     names.emplace_back(kTensorName);
     return names;
   }();
-  return symbols;
+  return kSymbols;
 }
 
 std::vector<std::string> expression_functions() {

@@ -10,8 +10,8 @@ namespace polhode {
 
 /// What is wrong at a byte of the expression's text. Thrown and caught within lessons/.
 struct ExpressionFault : std::runtime_error {
-  ExpressionFault(std::size_t at, const std::string& message, std::string hint_ = {})
-      : std::runtime_error(message), offset(at), hint(std::move(hint_)) {}
+  ExpressionFault(std::size_t at, const std::string& message, std::string advice = {})
+      : std::runtime_error(message), offset(at), hint(std::move(advice)) {}
   std::size_t offset;
   std::string hint;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of expressions. To add a quantity: a line here, its value in evaluation.h. Internal to lessons/.
+// The words of expressions. What else a new quantity needs stands in the README. Internal to lessons/.
 #pragma once
 
 #include "lessons/claims/expression.h"

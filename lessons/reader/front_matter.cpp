@@ -305,8 +305,8 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
 }  // namespace
 
 const std::vector<std::string>& color_roles() {
-  static const std::vector<std::string> roles = {"omega", "L", "N", "polhode", "herpolhode", "axes"};
-  return roles;
+  static const std::vector<std::string> kRoles = {"omega", "L", "N", "polhode", "herpolhode", "axes"};
+  return kRoles;
 }
 
 FrontMatter read_front_matter(TextReader& texts) {

@@ -331,8 +331,8 @@ class SceneKeys {
 };
 
 const Scene& usual() {
-  static const Scene scene;
-  return scene;
+  static const Scene kUsual;
+  return kUsual;
 }
 
 std::span<const SceneKeys::Row> SceneKeys::rows() {

@@ -56,8 +56,8 @@ struct ErrorRow3 {
 
 template <class Row, int j>
 inline void add_term(double& sum, const MotionVector* k, int n) {
-  constexpr double weight = Row::weight(j);
-  if constexpr (weight != 0) sum += weight * k[j][n];
+  constexpr double kWeight = Row::weight(j);
+  if constexpr (kWeight != 0) sum += kWeight * k[j][n];
 }
 
 // Σ_j weight_j k_j. The first weight of every row is not 0.
@@ -289,7 +289,7 @@ class Side {
 
   Side(const EquationsOfMotion& equations, const MotionVector& start, Limits limits, double h_sign)
       : equations_(equations),
-        limits_(limits),
+        limits_(std::move(limits)),
         h_sign_(h_sign),
         nodes_(
             first(start), [this](Node& node, std::int64_t n) { advance(node, n); },

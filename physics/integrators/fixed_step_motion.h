@@ -156,7 +156,7 @@ class FixedStepMotion final : public Motion {
 
   RigidBodyState answer(const std::optional<State>& y) const {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-    const RigidBodyState unknown{Quat(kNaN, kNaN, kNaN, kNaN), Vec3::Constant(kNaN)};
+    RigidBodyState unknown{Quat(kNaN, kNaN, kNaN, kNaN), Vec3::Constant(kNaN)};
     if (!y) return unknown;
     const Vec3 w_B = stepper_.w_B(*y).unaryExpr([this](double x) { return std::scalbn(x, ew_); });
     const Quat q_SB = quat(y->q).normalized();

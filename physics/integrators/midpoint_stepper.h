@@ -79,7 +79,8 @@ class MidpointStepper {
       }
     } else {
       State local = y;
-      const Plan fixed = plan;
+      // A copy that no store into `local` can be thought to change.
+      const Plan fixed = plan;  // NOLINT(performance-unnecessary-copy-initialization)
       for (; n > 0; --n) step(local, fixed);
       y = local;
     }

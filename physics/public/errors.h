@@ -3,8 +3,7 @@
 // at all, and what its accuracy costs.
 //
 // Offers   error_of: the distance of two states; drift_along: what a motion has lost of T and L;
-// conditioning,
-//          closed_form_error and horizon_of: how far ahead a motion can be predicted from numbers in double;
+//          conditioning, closed_form_error, horizon_of: how far ahead a motion can be predicted from doubles;
 //          characteristic_time; measure_work_precision: error against CPU time, method by method.
 // Units    errors relative or in rad; times in s, or in periods where the name says so.
 // Frames   none: every number is a magnitude.
@@ -27,3 +26,4 @@
 #include "physics/analysis/horizon.h"
 #include "physics/analysis/motion_errors.h"
 #include "physics/analysis/work_precision.h"
+#include "physics/method.h"

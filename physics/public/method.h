@@ -7,7 +7,8 @@
 // Units    step_s in s; tolerance: error of one step, ω relative and q absolute.
 // Frames   those of motion.h.
 // Errors   std::domain_error from make_motion: a state or torque that is not finite, a method that does not
-//          serve the problem (the text names those that do), a step or tolerance missing or out of range.
+//          serve the problem (the text names those that do), a step that is missing or out of range, a
+//          tolerance out of range.
 //
 // Example: a body thrown with a spin about its intermediate axis, an hour later.
 //

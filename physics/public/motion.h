@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The motion of a rigid body as a function of time, and many times of it at once.
 //
-// Offers   Motion, whose at(t) is the state at any time t, past or future, asked in any order; states_at:
-// many
-//          times on several cores. method.h makes motions.
+// Offers   Motion, whose at(t) is the state at any time t, past or future, asked in any order;
+//          states_at: many times on several cores. method.h makes motions.
 // Units    t in s from the start, ω in rad/s.
 // Frames   ω_B in the body's principal axes; q_SB takes body components to space components.
-// Errors   A time that cannot be computed gives NaN in every component, never an exception.
+// Errors   A time that cannot be computed gives NaN in every component. at throws only for lack of memory,
+//          and what an Effort of one's own throws (method.h).
 // Threads  One motion may be asked by any number of threads at the same time, and gives each the same bits.
 //
 // Example: a motion of one's own, a steady spin, asked at two times.

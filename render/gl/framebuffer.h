@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where all drawing goes: multisampled RGBA8 and 24-bit depth, resolved to a single-sample RGBA8 texture. The
-// window shows that texture and the exporter reads it, so both are the same pixels. No sRGB conversion by the
-// driver.
+// Where all drawing goes: an RGBA8 texture with 24-bit depth; one with several samples a pixel is resolved to
+// such a texture. The window shows it and the exporter reads it, so both are the same pixels. No sRGB
+// conversion by the driver.
 #pragma once
 
 #include "base/result.h"

@@ -17,6 +17,7 @@ int pixel_difference(const std::uint8_t* a, const std::uint8_t* b) {
 
 bool inside(const Image& image, int x, int y) { return x < image.size.width && y < image.size.height; }
 
+// NOLINTNEXTLINE(bugprone-incorrect-roundings): nothing negative is left to round.
 std::uint8_t level(double value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5); }
 
 // The picture recedes to the palest quarter of the greys, so that red stands out.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode measure: what speed costs in accuracy, of every method for one motion, or of pictures.
 #include "app/cli/commands.h"
+#include "app/cli/exit_codes.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/measure/measure_rendering.h"
 #include "app/cli/measure/measure_report.h"
@@ -36,8 +37,6 @@ struct TypedOptions {
   std::string csv, plot;
   bool json = false, all = false, rendering = false;
 };
-
-CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
 
 const Scene& scene_of(const Lesson& lesson, const TypedOptions& typed) {
   if (typed.stage.empty())

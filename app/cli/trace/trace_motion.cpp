@@ -12,8 +12,6 @@ namespace polhode {
 
 namespace {
 
-CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
-
 std::optional<double> positive(const char* option, const std::string& text) {
   if (text.empty()) return std::nullopt;
   const double value = finite_number(option, text);

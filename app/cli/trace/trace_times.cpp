@@ -14,8 +14,6 @@ namespace polhode {
 
 namespace {
 
-CommandError usage(std::string text) { return {ExitCode::usage, std::move(text)}; }
-
 /// Whether a way was chosen; all its options must then be there.
 bool chosen(std::initializer_list<std::pair<const char*, const std::string*>> options) {
   const auto given = [](const auto& option) { return !option.second->empty(); };

@@ -185,7 +185,7 @@ class Check {
     }
   }
 
-  void add_shard(std::string name) {
+  void add_shard(const std::string& name) {
     constexpr std::string_view kStart = "manifest.", kEnd = ".json";
     found_.shards_finished.push_back(name.substr(kStart.size(), name.size() - kStart.size() - kEnd.size()));
   }

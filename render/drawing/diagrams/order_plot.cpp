@@ -38,7 +38,7 @@ std::optional<double> measured_order(const std::vector<Sample>& samples) {
 }
 
 std::string label_of(Method method, const std::optional<double>& order) {
-  const std::string name(name_of(method));
+  std::string name(name_of(method));
   if (!order) return name;
   NumberForm one_decimal(*order, *order < 10 ? 2 : 3);
   return name + ": " + one_decimal.text(*order);

@@ -129,7 +129,7 @@ Status EglContext::open() {
   if (!lists(egl_.query_string(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context"))
     return failure("the display lacks EGL_KHR_surfaceless_context");
   if (!egl_.bind_api(EGL_OPENGL_API)) return failure(failed(egl_, "eglBindAPI(EGL_OPENGL_API)"));
-  const Status created = create();
+  Status created = create();
   if (!created) return created;
   if (!egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, handle_))
     return failure(failed(egl_, "eglMakeCurrent without a surface"));

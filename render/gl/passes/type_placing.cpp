@@ -169,7 +169,8 @@ GlyphMask grown(const Canvas& ink, const Brush& brush) {
       for (int dy = -brush.reach; dy <= brush.reach; ++dy) {
         std::uint8_t* to =
             halo.mask.ink.data() + static_cast<std::ptrdiff_t>(y + dy) * width + x - brush.reach;
-        const int* weight = &brush.weights[static_cast<std::size_t>((dy + brush.reach) * side)];
+        const int row = (dy + brush.reach) * side;
+        const int* weight = &brush.weights[static_cast<std::size_t>(row)];
         for (int k = 0; k < side; ++k)
           to[k] = std::max(to[k], static_cast<std::uint8_t>((*p * weight[k]) >> 8));
       }

@@ -128,11 +128,10 @@ ClipBox outline_box(const GlassEllipsoid& e, const Mat4& view_projection) {
 OutlineEllipse outline_ellipse(const GlassEllipsoid& e, const Mat4& view_projection) {
   constexpr double kLeastWidth = 0.3;  // triangles that are slivers interpolate badly
   constexpr double kFurthest = 3.0;    // and of triangles much larger than the screen too few digits are left
-  const OutlineEllipse screen{Eigen::Vector2d::Zero(), std::numbers::sqrt2 * Eigen::Matrix2d::Identity()};
+  OutlineEllipse screen{Eigen::Vector2d::Zero(), std::numbers::sqrt2 * Eigen::Matrix2d::Identity()};
   const auto found = outline(e, view_projection);
   if (!found) return screen;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-  axes.computeDirect(found->second);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(found->second);
   Eigen::Vector2d half = axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().array() + kMargin;
   half = half.cwiseMax(kLeastWidth * half.maxCoeff());
   if (!(found->first.norm() + half.maxCoeff() < kFurthest)) return screen;

@@ -20,8 +20,8 @@ std::optional<Meter> meter_from(std::string_view name) {
 }
 
 const std::vector<std::string>& meter_names() {
-  static const std::vector<std::string> names(kNames.begin(), kNames.end());
-  return names;
+  static const std::vector<std::string> kAll(kNames.begin(), kNames.end());
+  return kAll;
 }
 
 }  // namespace polhode

@@ -32,12 +32,12 @@ std::optional<Overlay> overlay_from(std::string_view name) {
 }
 
 const std::vector<std::string>& overlay_names() {
-  static const std::vector<std::string> names = [] {
+  static const std::vector<std::string> kNames = [] {
     std::vector<std::string> all;
     for (const OverlayFacts& facts : kOverlays) all.emplace_back(facts.name);
     return all;
   }();
-  return names;
+  return kNames;
 }
 
 std::vector<Overlay> diagrams_in(const OverlaySet& drawn) { return those(drawn, is_diagram); }

@@ -20,9 +20,9 @@ double pace(const SceneModel& model) {
 
 Vec3 free_arrow_S(double angle) {
   constexpr double kTurning = 0.7, kSwinging = 1.1, kSwing = 0.2;
-  static const Vec3 axis_S = Vec3(1.0, -0.5, 0.4).normalized();
+  static const Vec3 kAxis_S = Vec3(1.0, -0.5, 0.4).normalized();
   return (1.0 + kSwing * std::sin(kSwinging * angle)) *
-         (Eigen::AngleAxisd(kTurning * angle, axis_S) * start_S());
+         (Eigen::AngleAxisd(kTurning * angle, kAxis_S) * start_S());
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ inline constexpr double kChordTolerance = 2e-4;
 /// Whether what is needed of the motion can be computed at t.
 bool is_computable(const SceneModel& model, double t_s);
 
-/// Chooses the cheapest motion that gives what is asked and computes the parts asked for. What that costs is
+/// The motion by the method that the scene names, or by the default one, and the parts asked for. Its cost is
 /// told to `effort`, and later what the motion costs: it must outlive the model.
 /// @throws std::domain_error if the body, the state or the chosen method cannot serve; and what `effort`
 /// throws

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What of a scene there is to be seen, and what that needs of a model. "Model only what a scene requires"
-// lives here alone.
+// What of a scene there is to be seen, and what that needs of a model, added up from the rows of overlay.h:
+// no more than that is modelled.
 #pragma once
 
 #include "render/scene/description/requirements.h"

@@ -661,7 +661,6 @@ std::string_view name_of_symbol(char32_t character) {
 TypedSymbol typed_symbol(char32_t c) {
   switch (c) {
     case U'-':
-      return {U'−', kBin};
     case U'−':
       return {U'−', kBin};
     case U'+':

@@ -3,6 +3,7 @@
 #include "base/interrupt.h"
 
 #include "app/export/folder/export_folder.h"
+#include "physics/effort.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

@@ -161,7 +161,7 @@ TEST(Polhode, OfASymmetricTopThatHardlySpinsIsACircleToo) {
       const int c = *symmetry_axis(I), a = (c + 1) % 3, b = (c + 2) % 3;
       Vec3 w_B = Vec3::Unit(a);
       w_B[c] = spin;
-      const Curve curve = polhode(I, w_B, 1e-3);
+      const Curve curve = polhode_curve(I, w_B, 1e-3);
       double across = 0;
       for (const Vec3& p : curve.points) {
         EXPECT_NEAR(p[c], spin, 16 * kEps * std::abs(spin));
