@@ -330,7 +330,11 @@ class EquationReader {
         throw TexFault(i < items.size() ? items[i].span : items.back().span,
                        "a side is missing beside this =");
       TexValue right = terms_.side(items.subspan(begin, i - begin));
-      if (left) link(read, *left, right);
+      if (left) {
+        const std::size_t first = read.links.size();
+        link(read, *left, right);
+        if (first > 0 && read.links.size() == first + 1) read.links.back().goes_on = true;
+      }
       left = std::move(right);
       begin = i + 1;
     }
@@ -399,7 +403,8 @@ Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const E
 }
 
 Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEquation& equation,
-                                                                  ClaimKind kind, SourcePlace place) {
+                                                                  ClaimKind kind,
+                                                                  const PlaceOfSpan& place_of) {
   const auto refuse = [](SourceSpan at, std::string reason, std::string hint = {}) {
     return Failure<UnreadableEquation>{{at, std::move(reason), std::move(hint)}};
   };
@@ -425,21 +430,21 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
       if (!provable(link.equality))
         return refuse(link.source, "a length is a root, and a proof has none: it is a whole side, |a| = |b|",
                       "square both sides, or measure the claim");
-      ClaimLine line;
-      line.equality = link.equality;
-      line.place = place;
-      lines.push_back(std::move(line));
+      lines.push_back({.equality = link.equality,
+                       .conclusion = {},
+                       .within = {},
+                       .place = place_of(link.source),
+                       .goes_on = link.goes_on});
     }
   }
   if (kind == ClaimKind::non_sequitur) {
     const auto& s = equation.sentences;
     if (s.size() != 2 || s[0].links.size() != 1 || s[1].links.size() != 1)
       return refuse(whole, "a non-sequitur has one equality on either side");
-    ClaimLine line;
-    line.equality = s[0].links[0].equality;
-    line.conclusion = s[1].links[0].equality;
-    line.place = place;
-    return std::vector<ClaimLine>{std::move(line)};
+    return std::vector<ClaimLine>{{.equality = s[0].links[0].equality,
+                                   .conclusion = s[1].links[0].equality,
+                                   .within = {},
+                                   .place = place_of(whole)}};
   }
   if (kind == ClaimKind::is_false && lines.size() != 1)
     return refuse(whole, "which of these equalities is false?", "what is false is one equality");

@@ -63,6 +63,7 @@
 #include "lessons/claims/claim.h"
 #include "render/typeset/math/math.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -86,7 +87,8 @@ struct EquationNotation {
 /// left = right.
 struct EquationLink {
   Equality equality;
-  SourceSpan source;  ///< of both sides, in the TeX
+  SourceSpan source;     ///< of both sides, in the TeX
+  bool goes_on = false;  ///< with the link before, whose right side is its left side
 };
 
 /// A chain of links, and how it hangs together with the sentence before it.
@@ -121,7 +123,9 @@ inline constexpr std::size_t kMaxEquationLinks = 64;
 Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const EquationNotation& notation,
                                                        const Math* above = nullptr);
 
-/// The lines of a claim of this kind, whose places are all `place`.
+using PlaceOfSpan = std::function<SourcePlace(SourceSpan)>;
+
+/// The lines of a claim of this kind; `place_of` says where bytes of the TeX stand in the lesson.
 ///
 /// kind            lines
 /// non-sequitur    premise => conclusion, of a formula "… does not give …" with one equality on either side
@@ -132,6 +136,7 @@ Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const E
 /// "tempting:" goes with the kind false alone. Lengths have to be provable (has_provable_lengths), but for
 /// `measured`.
 Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEquation& equation,
-                                                                  ClaimKind kind, SourcePlace place);
+                                                                  ClaimKind kind,
+                                                                  const PlaceOfSpan& place_of);
 
 }  // namespace polhode

@@ -237,7 +237,7 @@ TEST(TexEquation, GoesOnWithTheOneAbove) {
 std::string lines_of_kind(const std::string& tex, ClaimKind kind) {
   const auto read = read_equation(math_of(tex), {});
   if (!read) return "? " + read.error().reason;
-  const auto lines = claim_lines_of(*read, kind, {3, 1});
+  const auto lines = claim_lines_of(*read, kind, [](SourceSpan) { return SourcePlace{3, 1}; });
   if (!lines) return "? " + lines.error().reason;
   std::string all;
   for (const ClaimLine& line : *lines)
