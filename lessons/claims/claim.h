@@ -42,6 +42,7 @@ struct ClaimLine {
   std::optional<Equality> conclusion;  ///< of a non-sequitur
   std::optional<double> within;        ///< of `measured`: relative tolerance after the word
   SourcePlace place;
+  bool goes_on = false;  ///< the chain of the line before: its left side is that line's right side
   std::optional<Judgement> judgement{};  ///< once it is proved (lessons/reader/claim_check.h)
 };
 struct Claim {
@@ -49,6 +50,9 @@ struct Claim {
   ClaimKind kind = ClaimKind::identity;
   std::vector<ClaimLine> lines;
   SourcePlace place;
+  /// The lines are what the equation says, read from its TeX. Otherwise an author has written them beside it,
+  /// and whoever shows the verdict shows them too.
+  bool is_printed = false;
 };
 
 }  // namespace polhode

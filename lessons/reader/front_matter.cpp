@@ -166,6 +166,20 @@ void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
     report.error(entry.value.place, "unknown role " + in_quotes(*role), suggestion(*role, roles));
 }
 
+/// An expression of the language of claims, or a tensor's name.
+void read_meaning(const TomlEntry& entry, Symbol& symbol, TextReader& texts) {
+  Report& report = texts.report();
+  const auto text = read_text(entry, report);
+  if (!text) return;
+  const bool is_tensor = *text == "I" || *text == "J";
+  const SourcePlace start =
+      texts.source().place_of(located_string(texts.source(), entry.value.place, *text).offset_of(0));
+  if (!is_plain_line(*text))
+    report.error(entry.value.place, "\"means\" is one line of text without control characters");
+  else if (is_tensor || read_expression(*text, start, report))
+    symbol.means = *text;
+}
+
 void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
   Report& report = texts.report();
   const auto* table = entry.value.as<TomlTable>();
@@ -193,7 +207,8 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) 
             {{"tex", text_into(symbol.tex)},
              {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
              {"say", line_into(symbol.say)},
-             {"unit", line_into(symbol.unit)}},
+             {"unit", line_into(symbol.unit)},
+             {"means", [&](const TomlEntry& e) { read_meaning(e, symbol, texts); }}},
             report);
   if (const TomlEntry* tex = table->find("tex")) {
     const LocatedText located = located_string(texts.source(), tex->value.place, symbol.tex);
@@ -202,6 +217,7 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) 
   } else {
     report.error(entry.place, "symbol " + in_quotes(entry.key) + " lacks \"tex\"");
   }
+  front.notation.symbols.push_back({entry.key, symbol.math, symbol.means});
   front.symbols.insert_or_assign(entry.key, std::move(symbol));
 }
 
@@ -217,6 +233,14 @@ void read_symbols(const TomlEntry& entry, FrontMatter& front, TextReader& texts)
     return;
   }
   for (const TomlEntry& symbol : table->entries) read_symbol(symbol, front, texts);
+}
+
+void read_axes(const TomlEntry& entry, FrontMatter& front, Report& report) {
+  const auto axes = read_text(entry, report);
+  if (axes && *axes != "xyz" && *axes != "123")
+    report.error(entry.value.place, "unknown names of the body's axes " + in_quotes(*axes),
+                 "write \"123\", or \"xyz\" where x, y, z are axes of the body");
+  front.notation.xyz_are_body_axes = axes == "xyz";
 }
 
 void read_base_scene(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
@@ -290,6 +314,7 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
              {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
              {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
              {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
+             {"axes", [&](const TomlEntry& e) { read_axes(e, front, report); }},
              {"macros", later},
              {"symbols", [&](const TomlEntry& e) { read_symbols(e, front, texts); }},
              {"scene", later}},

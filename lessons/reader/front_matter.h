@@ -5,6 +5,7 @@
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/scene_keys.h"
+#include "lessons/reader/tex_equation.h"
 
 #include <map>
 #include <string>
@@ -17,8 +18,9 @@ struct FrontMatter {
   std::string title;
   std::map<std::string, Symbol> symbols;
   LessonBodies bodies;
-  LessonScene scene;  ///< what every stage starts from
-  int next_line = 1;  ///< first line after the closing +++
+  LessonScene scene;          ///< what every stage starts from
+  EquationNotation notation;  ///< how its formulas are read: its symbols, and what x, y, z are
+  int next_line = 1;          ///< first line after the closing +++
 };
 
 /// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.

@@ -90,6 +90,7 @@ struct Symbol {
   std::string role;        ///< colour role
   std::string say;         ///< spoken form
   std::string unit;
+  std::string means{};  ///< what it is, in the language of claims; "I" and "J" are the tensors
 };
 
 struct Lesson {

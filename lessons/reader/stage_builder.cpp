@@ -22,6 +22,7 @@ std::vector<std::string> names_of(const std::map<std::string, int>& lines) {
 
 std::string usage_of(std::string_view kind) {
   if (kind == "claim") return "```claim EQUATION KIND";
+  if (kind == "math") return "```math ID, or ```math ID KIND where the formula is to be proved";
   return kind == "scene" ? "```scene" : "```" + std::string(kind) + " ID";
 }
 
@@ -127,6 +128,7 @@ void StageBuilder::finish_stage() {
   check_claims();
   check_highlights();
   equation_lines_.clear();
+  last_formula_.reset();
   ask_lines_.clear();
   terms_.clear();
 }
@@ -185,9 +187,10 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
                   suggestion(kind, kinds));
     return;
   }
-  const std::size_t words = kind == "claim" ? 3 : kind == "scene" ? 1 : 2;
-  if (fence.words.size() != words) {
-    report_.error(fence.words.size() > words ? fence.words[words].place : fence.place,
+  const std::size_t most = kind == "claim" || kind == "math" ? 3 : kind == "scene" ? 1 : 2;
+  const std::size_t least = kind == "math" ? 2 : most;
+  if (fence.words.size() < least || fence.words.size() > most) {
+    report_.error(fence.words.size() > most ? fence.words[most].place : fence.place,
                   "this fence opens with " + usage_of(kind));
     return;
   }
@@ -223,7 +226,40 @@ void StageBuilder::add_math(const Fence& fence) {
   equation.tag = equation.math.tag;
   take_tag(equation);
   terms_.insert(equation.math.terms.begin(), equation.math.terms.end());
+  auto claim = fence.words.size() > 2 ? claim_printed_in(equation, fence) : std::nullopt;
+  last_formula_ = equation.math;
   step().blocks.push_back(std::move(equation));
+  if (!claim) return;
+  parts_ += static_cast<int>(claim->lines.size());
+  step().blocks.push_back(std::move(*claim));
+}
+
+/// What a fence ```math ID KIND claims: the formula, as it is printed. What cannot be read is an error where
+/// it stands.
+std::optional<Claim> StageBuilder::claim_printed_in(const Equation& equation, const Fence& fence) {
+  const auto kind = kind_from(fence.words[2]);
+  if (!kind || !equation.math.root) return std::nullopt;
+  const auto place_of = [&](SourceSpan span) { return source_.place_of(equation.offset + span.begin); };
+  const auto refuse = [&](const UnreadableEquation& fault) {
+    report_.error(place_of(fault.place), "this formula cannot be proved as printed: " + fault.reason,
+                  fault.hint.empty()
+                      ? "or leave out the kind here, and say in a ```claim fence what is proved"
+                      : fault.hint);
+    return std::nullopt;
+  };
+  const auto read = read_equation(equation.math, front_.notation, last_formula_ ? &*last_formula_ : nullptr);
+  if (!read) return refuse(read.error());
+  auto lines = claim_lines_of(*read, *kind, place_of);
+  if (!lines) return refuse(lines.error());
+  return Claim{equation.id, *kind, std::move(*lines), fence.place, true};
+}
+
+std::optional<ClaimKind> StageBuilder::kind_from(const PlacedText& word) {
+  const auto kind = claim_kind_from(word.text);
+  if (!kind)
+    report_.error(word.place, "unknown kind of claim " + in_quotes(word.text),
+                  suggestion(word.text, claim_kind_names()));
+  return kind;
 }
 
 void StageBuilder::read_live_numbers(Equation& equation) {
@@ -252,13 +288,8 @@ void StageBuilder::take_tag(const Equation& equation) {
 
 void StageBuilder::add_claim(const Fence& fence) {
   claimed_.push_back(fence.words[1]);
-  const PlacedText& kind_name = fence.words[2];
-  const auto kind = claim_kind_from(kind_name.text);
-  if (!kind) {
-    report_.error(kind_name.place, "unknown kind of claim " + in_quotes(kind_name.text),
-                  suggestion(kind_name.text, claim_kind_names()));
-    return;
-  }
+  const auto kind = kind_from(fence.words[2]);
+  if (!kind) return;
   if (trimmed_lines(source_.lines(fence.first_line, fence.last_line)).empty()) {
     report_.error(fence.place, "this claim is empty", "write left = right on each line");
     return;

@@ -8,6 +8,7 @@
 #include "lessons/reader/markdown/markdown.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ class StageBuilder {
   void add_math(const Fence& fence);
   void read_live_numbers(Equation& equation);
   void take_tag(const Equation& equation);
+  std::optional<Claim> claim_printed_in(const Equation& equation, const Fence& fence);
+  std::optional<ClaimKind> kind_from(const PlacedText& word);
   void add_claim(const Fence& fence);
   void add_scene(const Fence& fence);
   void add_ask(const Fence& fence);
@@ -64,6 +67,7 @@ class StageBuilder {
   bool step_is_empty_ = true;  ///< nothing stands in it, right or wrong
   SourcePlace step_place_;
   std::map<std::string, int> equation_lines_;
+  std::optional<Math> last_formula_;  ///< what a formula that begins with "=" goes on with
   std::map<std::string, int> ask_lines_;
   std::set<std::string> terms_;
   std::vector<PlacedText> claimed_;      // equations that claims name

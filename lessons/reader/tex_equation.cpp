@@ -1,0 +1,454 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/tex_equation.h"
+
+#include "lessons/reader/tex_terms.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+using Kind = MathNode::Kind;
+using ItemKind = TexItem::Kind;
+using Items = TexTerms::Items;
+using Joint = EquationSentence::Joint;
+
+bool is_symbol(const TexItem& item, char32_t c) {
+  return item.kind == ItemKind::operand && item.node->kind == Kind::symbol && item.node->character == c &&
+         item.sub == nullptr && item.sup == nullptr;
+}
+
+std::string words_of(const TexItem& item) {
+  const std::string& text = item.node->text;
+  const std::size_t begin = text.find_first_not_of(' ');
+  return begin == text.npos ? "" : text.substr(begin, text.find_last_not_of(' ') - begin + 1);
+}
+
+bool is_implication(const TexItem& item) {
+  return item.is(ItemKind::relation, U'⇒') || item.is(ItemKind::relation, U'⟹');
+}
+
+/// I_{xy} or I_{12} somewhere: two indices at an italic I.
+bool has_tensor_component(const MathNode& node) {
+  if (node.kind == Kind::scripts && !node.children[1].absent()) {
+    const MathNode& nucleus = plain_node(node.children[0]);
+    const bool bold = nucleus.alphabet == Alphabet::bold || nucleus.alphabet == Alphabet::bold_italic;
+    if (nucleus.kind == Kind::symbol && nucleus.character == U'I' && !bold &&
+        plain_node(node.children[1]).kind == Kind::row && plain_node(node.children[1]).children.size() == 2)
+      return true;
+  }
+  return std::any_of(node.children.begin(), node.children.end(), has_tensor_component);
+}
+
+bool has_struck(const MathNode& node) {
+  return node.kind == Kind::cancel || std::any_of(node.children.begin(), node.children.end(), has_struck);
+}
+
+/// The formula taken apart to sentences, before any side is read.
+struct Sentence {
+  Joint joint = Joint::none;
+  bool is_premise = false;  ///< ":" or ⇒ stands behind it
+  Items items;
+};
+
+class EquationReader {
+ public:
+  EquationReader(const Math& math, const EquationNotation& notation, const Math* above)
+      : math_(math), terms_(math, notation), items_(formula_items(*math.root, kMaxEquationNesting)) {
+    if (above != nullptr && above->root && !items_.empty() && items_.front().is(ItemKind::relation, U'=')) {
+      go_on_with(formula_items(*above->root, kMaxEquationNesting), !above->live.empty());
+      above_root_ = above->root.get();
+    }
+  }
+
+  ReadEquation read() {
+    terms_.any_inertia = anywhere(has_tensor_component);
+    Items items = take_ends(items_);
+    std::vector<Sentence> sentences = split(items);
+    take_conditions(sentences);
+    std::vector<std::array<std::pair<char32_t, int>, 3>> assignments = ranges_;
+    if (assignments.empty()) assignments.emplace_back();
+    const bool twice = anywhere(has_struck);
+    for (const auto& assignment : assignments) {
+      terms_.indices.clear();
+      for (const auto& [letter, axis] : assignment)
+        if (letter != 0) terms_.indices[letter] = axis;
+      for (int pass = 0; pass < (twice ? 2 : 1); ++pass) {
+        terms_.without_struck = pass == 1;
+        for (const Sentence& sentence : sentences) add(sentence);
+      }
+    }
+    if (in_space_ && terms_.has_body_rate)
+      throw TexFault(items_.back().span, "\"in S\" stands at a rate as seen from the body");
+    if (result_.sentences.empty()) throw TexFault(math_.root->span, "there is no equation here");
+    return std::move(result_);
+  }
+
+ private:
+  bool anywhere(bool (*found)(const MathNode&)) const {
+    return found(*math_.root) || (above_root_ != nullptr && found(*above_root_));
+  }
+
+  /// The last side of the formula above.
+  void go_on_with(TexItems above, bool has_numbers) {
+    while (!above.empty() && (above.back().kind == ItemKind::gap || above.back().kind == ItemKind::comma))
+      above.pop_back();
+    std::size_t begin = above.size();
+    while (begin > 0 && above[begin - 1].kind != ItemKind::relation) --begin;
+    above.erase(above.begin(), above.begin() + static_cast<std::ptrdiff_t>(begin));
+    const bool is_side = std::none_of(above.begin(), above.end(), [](const TexItem& item) {
+      return item.kind == ItemKind::comma || item.kind == ItemKind::gap || item.kind == ItemKind::text ||
+             item.kind == ItemKind::line;
+    });
+    if (above.empty() || !is_side || has_numbers) throw_above();
+    above_ = std::move(above);
+  }
+
+  [[noreturn]] void throw_above(const std::string& why = "") const {
+    throw TexFault(items_.front().span, "the side that this goes on with, in the formula above, is not read" +
+                                            (why.empty() ? "" : ": " + why));
+  }
+
+  TexValue side_above() {
+    try {
+      TexValue value = terms_.side(above_);
+      value.span = items_.front().span;
+      value.marks.clear();  // they are bytes of the other formula
+      return value;
+    } catch (const TexFault& fault) {
+      throw_above(fault.what());
+    }
+  }
+
+  /// Without gaps and a full stop at the ends, and the words in front.
+  Items take_ends(Items items) {
+    const auto trim = [&items] {
+      while (!items.empty() && items.front().kind == ItemKind::gap) items = items.subspan(1);
+      while (!items.empty() && (items.back().kind == ItemKind::gap || items.back().kind == ItemKind::comma ||
+                                is_symbol(items.back(), U'.')))
+        items = items.first(items.size() - 1);
+    };
+    trim();
+    if (!items.empty() && items.front().kind == ItemKind::text) {
+      const std::string words = words_of(items.front());
+      if (words == "tempting:" || words == "tempting on any axes:") {
+        result_.is_tempting = true;
+        terms_.any_inertia = terms_.any_inertia || words != "tempting:";
+        items = items.subspan(1);
+        trim();
+      }
+    }
+    // "in S" at the end says of d/dt what it means here anyway.
+    const std::size_t size = items.size();
+    if (size >= 2 && is_symbol(items[size - 1], U'S') && items[size - 2].kind == ItemKind::text &&
+        words_of(items[size - 2]) == "in") {
+      in_space_ = true;
+      items = items.first(size - 2);
+      trim();
+    }
+    return items;
+  }
+
+  std::vector<Sentence> split(Items items) {
+    std::vector<Sentence> sentences;
+    Joint joint = Joint::none;
+    std::size_t begin = 0;
+    const auto end_at = [&](std::size_t end, bool is_premise) {
+      Items part = items.subspan(begin, end - begin);
+      while (!part.empty() && part.front().kind == ItemKind::gap) part = part.subspan(1);
+      while (!part.empty() && part.back().kind == ItemKind::gap) part = part.first(part.size() - 1);
+      if (part.empty())
+        throw TexFault(end < items.size() ? items[end].span : math_.root->span,
+                       "an equation is missing here");
+      sentences.push_back({joint, is_premise, part});
+    };
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const TexItem& item = items[i];
+      const bool words = item.kind == ItemKind::text;
+      const bool is_and = words && words_of(item) == "and";
+      const bool does_not_follow = (words && words_of(item) == "does not give") ||
+                                   item.is(ItemKind::relation, U'⇏') || item.is(ItemKind::relation, U'↛');
+      const bool colon = item.is(ItemKind::relation, U':');
+      if (item.kind != ItemKind::comma && item.kind != ItemKind::line && !is_and && !does_not_follow &&
+          !colon && !is_implication(item))
+        continue;
+      // ", and" is one separator.
+      const bool follows_separator = is_and && !sentences.empty() &&
+                                     std::all_of(items.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                 items.begin() + static_cast<std::ptrdiff_t>(i),
+                                                 [](const TexItem& t) { return t.kind == ItemKind::gap; });
+      if (!follows_separator) {
+        end_at(i, colon || is_implication(item));
+        joint = does_not_follow                 ? Joint::does_not_follow
+                : colon || is_implication(item) ? Joint::follows
+                                                : Joint::none;
+      }
+      begin = i + 1;
+    }
+    end_at(items.size(), false);
+    return sentences;
+  }
+
+  /// "… \quad (condition)" at the end of the last sentence, and premises that are conditions.
+  void take_conditions(std::vector<Sentence>& sentences) {
+    Items& last = sentences.back().items;
+    if (last.size() >= 3 && last.back().kind == ItemKind::group && last.back().open == U'(' &&
+        last.back().sub == nullptr && last.back().sup == nullptr &&
+        last[last.size() - 2].kind == ItemKind::gap) {
+      read_condition(last.back(), sentences.size() == 1);
+      last = last.first(last.size() - 2);
+      while (!last.empty() && last.back().kind == ItemKind::gap) last = last.first(last.size() - 1);
+    }
+    if (sentences.front().is_premise && sentences.size() > 1 && is_spin(sentences.front().items)) {
+      read_spin(sentences.front().items);
+      sentences.erase(sentences.begin());
+      sentences.front().joint = Joint::none;
+    }
+  }
+
+  void read_condition(const TexItem& group, bool alone) {
+    const Items inside(group.inside);
+    if (read_range(inside)) return;
+    if (!alone) throw TexFault(group.span, "which of the equations does this condition belong to?");
+    if (is_no_torque(inside)) {
+      result_.without_torque = true;
+      return;
+    }
+    if (!read_spin(inside))
+      throw TexFault(group.span, "this condition is not read",
+                     "(i = 1, 2, 3), (\\{i, j, k\\} = \\{1, 2, 3\\}), (\\omega_2 = 0), (\\vec\\omega = "
+                     "\\omega_3\\hat e_3), (\\vec N = 0)");
+  }
+
+  /// i = 1, 2, 3, or {i, j, k} = {1, 2, 3}: all permutations.
+  bool read_range(Items items) {
+    const auto letter = [](const TexItem& item) {
+      for (const char32_t c : {U'i', U'j', U'k', U'l'})
+        if (is_symbol(item, c)) return c;
+      return U'\0';
+    };
+    const auto is_list = [](Items list, const auto& fits) {
+      if (list.size() != 5) return false;
+      for (std::size_t i = 0; i < 5; ++i)
+        if (i % 2 == 1 ? !list[i].is(ItemKind::comma, U',') : !fits(list[i], i / 2)) return false;
+      return true;
+    };
+    const auto is_digit = [](const TexItem& item, std::size_t i) {
+      return is_symbol(item, static_cast<char32_t>(U'1' + i));
+    };
+    if (items.size() == 7 && letter(items[0]) != 0 && items[1].is(ItemKind::relation, U'=') &&
+        is_list(items.subspan(2), is_digit)) {
+      for (int axis = 1; axis <= 3; ++axis) ranges_.push_back({{{letter(items[0]), axis}, {0, 0}, {0, 0}}});
+      return true;
+    }
+    const auto is_set = [](const TexItem& item) { return item.kind == ItemKind::group && item.open == U'{'; };
+    const auto is_letter = [&](const TexItem& item, std::size_t) { return letter(item) != 0; };
+    if (items.size() != 3 || !is_set(items[0]) || !items[1].is(ItemKind::relation, U'=') ||
+        !is_set(items[2]) || !is_list(items[0].inside, is_letter) || !is_list(items[2].inside, is_digit))
+      return false;
+    const std::array<char32_t, 3> letters{letter(items[0].inside[0]), letter(items[0].inside[2]),
+                                          letter(items[0].inside[4])};
+    if (letters[0] == letters[1] || letters[1] == letters[2] || letters[0] == letters[2]) return false;
+    std::array<int, 3> axes{1, 2, 3};
+    do {
+      ranges_.push_back({{{letters[0], axes[0]}, {letters[1], axes[1]}, {letters[2], axes[2]}}});
+    } while (std::next_permutation(axes.begin(), axes.end()));
+    return true;
+  }
+
+  static const MathNode* arrowed(const TexItem& item, char32_t letter) {
+    if (item.kind != ItemKind::operand || item.sub != nullptr || item.sup != nullptr) return nullptr;
+    const bool arrow = item.node->kind == Kind::accent && item.node->character == 0x20D7;
+    if (!arrow) return nullptr;
+    const MathNode& base = plain_node(item.node->children.front());
+    return base.kind == Kind::symbol && base.character == letter ? &base : nullptr;
+  }
+
+  static bool is_no_torque(Items items) {
+    return items.size() == 3 && arrowed(items[0], U'N') != nullptr && items[1].is(ItemKind::relation, U'=') &&
+           is_symbol(items[2], U'0');
+  }
+
+  /// The axis of ω_n or ê_n; 0 if it is neither.
+  int axis_of(const TexItem& item, bool unit_vector) const {
+    if (item.kind != ItemKind::operand || item.sub == nullptr || item.sup != nullptr) return 0;
+    const bool omega = item.node->kind == Kind::symbol && item.node->character == U'ω';
+    const bool hat = item.node->kind == Kind::accent && item.node->character == 0x0302 &&
+                     plain_node(item.node->children.front()).character == U'e';
+    if (unit_vector ? !hat : !omega) return 0;
+    const MathNode& sub = plain_node(*item.sub);
+    const bool number = sub.kind == Kind::symbol && sub.character >= U'1' && sub.character <= U'3';
+    return number ? static_cast<int>(sub.character - U'0') : 0;
+  }
+
+  bool is_spin(Items items) const {
+    if (items.size() == 3 && axis_of(items[0], false) != 0 && items[1].is(ItemKind::relation, U'=') &&
+        is_symbol(items[2], U'0'))
+      return true;
+    return items.size() == 4 && arrowed(items[0], U'ω') != nullptr && items[1].is(ItemKind::relation, U'=') &&
+           axis_of(items[2], false) != 0 && axis_of(items[2], false) == axis_of(items[3], true);
+  }
+
+  bool read_spin(Items items) {
+    if (!is_spin(items)) return false;
+    for (const TexItem& item : items)
+      if (item.kind == ItemKind::operand && !is_symbol(item, U'0') && terms_.is_redefined(item))
+        throw TexFault(item.span, "a condition on a symbol of the lesson is not read");
+    if (items.size() == 3) {
+      terms_.no_spin_about[static_cast<std::size_t>(axis_of(items[0], false) - 1)] = true;
+    } else {
+      for (int axis = 1; axis <= 3; ++axis)
+        if (axis != axis_of(items[2], false)) terms_.no_spin_about[static_cast<std::size_t>(axis - 1)] = true;
+    }
+    return true;
+  }
+
+  void add(const Sentence& sentence) {
+    EquationSentence read;
+    read.joint = sentence.joint;
+    read.is_no_torque = sentence.is_premise && is_no_torque(sentence.items);
+    read.source = joined_span(sentence.items.front().span, sentence.items.back().span);
+    std::vector<std::pair<TexValue, TexValue>> labels;
+    terms_.labels = &labels;
+    std::optional<TexValue> left;
+    const Items items = sentence.items;
+    std::size_t begin = 0;
+    if (!above_.empty() && items.data() == items_.data()) {
+      left = side_above();
+      begin = 1;
+    }
+    for (std::size_t i = begin; i <= items.size(); ++i) {
+      if (i < items.size() && items[i].kind != ItemKind::relation) continue;
+      if (i < items.size() && items[i].character != U'=')
+        throw TexFault(items[i].span, "only = is proved", "keep a claim for what can be proved");
+      if (i == begin)
+        throw TexFault(i < items.size() ? items[i].span : items.back().span,
+                       "a side is missing beside this =");
+      TexValue right = terms_.side(items.subspan(begin, i - begin));
+      if (left) {
+        const std::size_t first = read.links.size();
+        link(read, *left, right);
+        if (first > 0 && read.links.size() == first + 1) read.links.back().goes_on = true;
+      }
+      left = std::move(right);
+      begin = i + 1;
+    }
+    if (read.links.empty()) throw TexFault(read.source, "there is no = here");
+    for (const auto& [contents, label] : labels) link(read, contents, label);
+    result_.sentences.push_back(std::move(read));
+  }
+
+  void link(EquationSentence& sentence, const TexValue& left, const TexValue& right) {
+    const SourceSpan span = joined_span(left.span, right.span);
+    if (left.is_tensor() || right.is_tensor()) {
+      // Equal if they do the same to each unit vector.
+      for (int axis = 1; axis <= 3; ++axis) {
+        const TexValue e = unit_vector(axis, span);
+        const auto column = [&](const TexValue& side) {
+          if (side.type == TexValue::Type::zero) return side;
+          if (!side.is_tensor()) throw TexFault(span, "a tensor and something else cannot be equal");
+          return applied(*side.tensor, e, span);
+        };
+        push(sentence, column(left), column(right), span);
+      }
+      return;
+    }
+    push(sentence, left, right, span);
+  }
+
+  void push(EquationSentence& sentence, const TexValue& left, const TexValue& right, SourceSpan span) {
+    if (++links_ > kMaxEquationLinks)
+      throw TexFault(span, "a formula states at most " + std::to_string(kMaxEquationLinks) + " equalities");
+    EquationLink link{{side_of(left, right), side_of(right, left)}, span};
+    if (!fit(link.equality.left.type(), link.equality.right.type()))
+      throw TexFault(span, std::string(name_of(link.equality.left.type())) + " and " +
+                               std::string(name_of(link.equality.right.type())) + " cannot be equal");
+    sentence.links.push_back(std::move(link));
+  }
+
+  static Expression side_of(const TexValue& value, const TexValue& other) {
+    if (value.form != TexValue::Form::rate_of_length || other.type != TexValue::Type::zero)
+      return expression_of(value);
+    TexValue square = value;
+    square.text = "ddt(norm2(" + value.of + "))";
+    square.marks.clear();
+    return expression_of(square);
+  }
+
+  const Math& math_;
+  TexTerms terms_;
+  TexItems items_, above_;
+  const MathNode* above_root_ = nullptr;
+  ReadEquation result_;
+  std::vector<std::array<std::pair<char32_t, int>, 3>> ranges_;
+  bool in_space_ = false;
+  std::size_t links_ = 0;
+};
+
+}  // namespace
+
+Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const EquationNotation& notation,
+                                                       const Math* above) {
+  try {
+    if (!math.root) return Failure<UnreadableEquation>{{{}, "there is no formula here", ""}};
+    return EquationReader(math, notation, above).read();
+  } catch (const TexFault& fault) {
+    return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint}};
+  }
+}
+
+Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEquation& equation,
+                                                                  ClaimKind kind,
+                                                                  const PlaceOfSpan& place_of) {
+  const auto refuse = [](SourceSpan at, std::string reason, std::string hint = {}) {
+    return Failure<UnreadableEquation>{{at, std::move(reason), std::move(hint)}};
+  };
+  const SourceSpan whole = equation.sentences.front().source;
+  if (equation.is_tempting && kind != ClaimKind::is_false)
+    return refuse(whole, "\"tempting:\" stands before what is false", "the kind is false");
+  if (equation.without_torque && kind != ClaimKind::free && kind != ClaimKind::is_false)
+    return refuse(whole, "the condition says that there is no torque", "the kind is free");
+  std::vector<ClaimLine> lines;
+  const bool infers =
+      std::any_of(equation.sentences.begin(), equation.sentences.end(),
+                  [](const EquationSentence& s) { return s.joint == Joint::does_not_follow; });
+  if (infers != (kind == ClaimKind::non_sequitur))
+    return refuse(whole,
+                  infers ? "this says what does not follow" : "a non-sequitur says \"… does not give …\"",
+                  infers ? "the kind is non-sequitur" : "A \\quad\\text{does not give}\\quad B");
+  const auto provable = [kind](const Equality& equality) {
+    return kind == ClaimKind::measured || has_provable_lengths(equality);
+  };
+  for (const EquationSentence& sentence : equation.sentences) {
+    if (sentence.is_no_torque) continue;
+    for (const EquationLink& link : sentence.links) {
+      if (!provable(link.equality))
+        return refuse(link.source, "a length is a root, and a proof has none: it is a whole side, |a| = |b|",
+                      "square both sides, or measure the claim");
+      lines.push_back({.equality = link.equality,
+                       .conclusion = {},
+                       .within = {},
+                       .place = place_of(link.source),
+                       .goes_on = link.goes_on});
+    }
+  }
+  if (kind == ClaimKind::non_sequitur) {
+    const auto& s = equation.sentences;
+    if (s.size() != 2 || s[0].links.size() != 1 || s[1].links.size() != 1)
+      return refuse(whole, "a non-sequitur has one equality on either side");
+    return std::vector<ClaimLine>{{.equality = s[0].links[0].equality,
+                                   .conclusion = s[1].links[0].equality,
+                                   .within = {},
+                                   .place = place_of(whole)}};
+  }
+  if (kind == ClaimKind::is_false && lines.size() != 1)
+    return refuse(whole, "which of these equalities is false?", "what is false is one equality");
+  return lines;
+}
+
+}  // namespace polhode

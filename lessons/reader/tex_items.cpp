@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/tex_items.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+using Kind = MathNode::Kind;
+using Item = TexItem;
+
+const MathNode* present(const MathNode& node) { return node.absent() ? nullptr : &node; }
+
+char32_t closing_of(char32_t open) {
+  switch (open) {
+    case U'(':
+      return U')';
+    case U'[':
+      return U']';
+    case U'{':
+      return U'}';
+    case U'|':
+      return U'|';
+    default:
+      return 0;
+  }
+}
+
+/// What a symbol is before brackets are matched: brackets and bars are operands here.
+Item::Kind kind_of(const MathNode& symbol) {
+  const char32_t c = symbol.character;
+  if (symbol.kind == Kind::arrow) return Item::Kind::relation;
+  if (c == U'+' || c == U'−') return Item::Kind::sign;
+  if (c == U'⋅' || c == U'×' || c == U'/') return Item::Kind::times;
+  if (symbol.atom == MathClass::relation) return Item::Kind::relation;
+  if (c == U',' || c == U';') return Item::Kind::comma;
+  return Item::Kind::operand;
+}
+
+bool is_bracket(const Item& item) {
+  return item.kind == Item::Kind::operand && item.node != nullptr &&
+         (item.node->kind == Kind::symbol || item.node->kind == Kind::delimiter) &&
+         std::u32string_view(U"()[]{}|‖⟨⟩⌊⌋⌈⌉⟮⟯").find(item.node->character) != std::u32string_view::npos;
+}
+
+/// The row without brackets matched: what only decorates is gone.
+class Flattening {
+ public:
+  TexItems run(const MathNode& node) {
+    add(node, false);
+    return std::move(items_);
+  }
+
+ private:
+  void push(Item item) {
+    if (items_.size() > 8192) throw TexFault(item.span, "this formula is too long to be read");
+    items_.push_back(std::move(item));
+  }
+
+  void add(const MathNode& node, bool struck) {
+    switch (node.kind) {
+      case Kind::nothing:
+      case Kind::style:
+      case Kind::phantom:
+        return;
+      case Kind::term:
+        if (node.text.starts_with("live ")) return push_operand(node, node, struck);
+        [[fallthrough]];
+      case Kind::row:
+      case Kind::alphabet:
+      case Kind::color:
+      case Kind::box:
+        for (const MathNode& child : node.children) add(child, struck);
+        return;
+      case Kind::cancel:
+        if (node.character == U'n')
+          throw TexFault(node.span, "a relation that is struck through is not read");
+        for (const MathNode& child : node.children) add(child, true);
+        return;
+      case Kind::space: {
+        constexpr double kQuad = 0.99;
+        if (node.amount < kQuad) return;
+        Item gap;
+        gap.kind = Item::Kind::gap;
+        gap.node = &node;
+        gap.span = node.span;
+        return push(std::move(gap));
+      }
+      case Kind::text:
+        if (node.atom != MathClass::large && node.text != "tr") {
+          Item text;
+          text.kind = Item::Kind::text;
+          text.node = &node;
+          text.span = node.span;
+          return push(std::move(text));
+        }
+        return push_operand(node, node, struck);
+      case Kind::scripts:
+        return add_scripts(node, struck);
+      case Kind::brace:
+        return push_brace(node, node, nullptr, struck);
+      case Kind::symbol:
+      case Kind::arrow: {
+        Item item;
+        item.kind = kind_of(node);
+        item.node = &node;
+        item.character = node.character;
+        item.struck = struck;
+        item.span = node.span;
+        if (struck && (item.kind == Item::Kind::relation || item.kind == Item::Kind::comma))
+          throw TexFault(node.span, "this is not read when it is struck out");
+        if (node.kind == Kind::arrow)
+          for (const MathNode& label : node.children)
+            if (!label.absent() && without_groups(label).kind != Kind::text && !label.children.empty())
+              throw TexFault(label.span, "a formula on an arrow is not read");
+        return push(std::move(item));
+      }
+      default:
+        return push_operand(node, node, struck);
+    }
+  }
+
+  void push_operand(const MathNode& node, const MathNode& whole, bool struck, const MathNode* sub = nullptr,
+                    const MathNode* sup = nullptr) {
+    Item item;
+    item.node = &node;
+    item.sub = sub;
+    item.sup = sup;
+    item.struck = struck;
+    item.span = whole.span;
+    push(std::move(item));
+  }
+
+  /// The one atom that scripts stand at, through what only decorates.
+  static const MathNode& nucleus_of(const MathNode& node) {
+    const MathNode* inner = &node;
+    while ((inner->kind == Kind::row || inner->kind == Kind::alphabet || inner->kind == Kind::term ||
+            inner->kind == Kind::color) &&
+           inner->children.size() == 1 && !inner->text.starts_with("live "))
+      inner = &inner->children.front();
+    return *inner;
+  }
+
+  void add_scripts(const MathNode& node, bool struck) {
+    const MathNode& nucleus = nucleus_of(node.children[0]);
+    const MathNode *sub = present(node.children[1]), *sup = present(node.children[2]);
+    if (nucleus.kind == Kind::brace) return push_brace(nucleus, node, sub != nullptr ? sub : sup, struck);
+    if (nucleus.kind == Kind::row && nucleus.children.empty())
+      throw TexFault(node.span, "this index or power stands at nothing");
+    if (nucleus.kind == Kind::row || nucleus.kind == Kind::alphabet || nucleus.kind == Kind::term ||
+        nucleus.kind == Kind::color || nucleus.kind == Kind::scripts)
+      throw TexFault(node.span, "an index or power at a group is not read: nobody sees the braces",
+                     "write brackets that are seen");
+    if (nucleus.kind == Kind::cancel)
+      throw TexFault(node.span, "is the index or power struck out too?", "strike out all of it");
+    if (nucleus.kind == Kind::symbol && kind_of(nucleus) != Item::Kind::operand)
+      throw TexFault(node.span, "an index or power at a sign is not read");
+    if (nucleus.kind == Kind::text && nucleus.atom != MathClass::large && nucleus.text != "tr") {
+      Item text;  // a unit such as m²
+      text.kind = Item::Kind::text;
+      text.node = &nucleus;
+      text.sub = sub;
+      text.sup = sup;
+      text.span = node.span;
+      return push(std::move(text));
+    }
+    push_operand(nucleus, node, struck, sub, sup);
+  }
+
+  void push_brace(const MathNode& brace, const MathNode& whole, const MathNode* label, bool struck) {
+    Item item;
+    item.kind = Item::Kind::group;
+    item.node = &brace;
+    item.open = U'⏟';
+    item.label = label;
+    item.struck = struck;
+    item.span = whole.span;
+    push(std::move(item));
+  }
+
+  TexItems items_;
+};
+
+/// Matches brackets, by a stack of its own.
+class Brackets {
+ public:
+  explicit Brackets(int depth) : depth_(depth) {}
+
+  TexItems run(TexItems flat) {
+    open_.emplace_back();
+    for (Item& item : flat) take(std::move(item));
+    if (open_.size() > 1) throw TexFault(open_.back().opening.span, "this bracket is never closed");
+    return std::move(open_.back().items);
+  }
+
+ private:
+  struct Open {
+    Item opening;
+    TexItems items;
+  };
+
+  bool after_operand() const {
+    const TexItems& row = open_.back().items;
+    return !row.empty() && (row.back().kind == Item::Kind::operand || row.back().kind == Item::Kind::group);
+  }
+
+  void take(Item item) {
+    if (item.node != nullptr && item.node->kind == Kind::fenced) return take_fenced(std::move(item));
+    if (item.kind == Item::Kind::group) {
+      item.inside = items_of(item.node->children.front(), depth_ - 1);
+      return open_.back().items.push_back(std::move(item));
+    }
+    if (!is_bracket(item)) return open_.back().items.push_back(std::move(item));
+    const char32_t c = item.node->character;
+    const bool may_close = open_.size() > 1 && closing_of(open_.back().opening.node->character) == c;
+    if (may_close && (c != U'|' || after_operand())) return close(std::move(item));
+    if (closing_of(c) == 0) throw TexFault(item.span, "this bracket is not read, or closes nothing");
+    if (item.sub != nullptr || item.sup != nullptr)
+      throw TexFault(item.span, "an index or power at an opening bracket is not read");
+    if (static_cast<int>(open_.size()) > depth_) throw TexFault(item.span, "brackets are nested too deep");
+    open_.push_back({std::move(item), {}});
+  }
+
+  void close(Item closing) {
+    Open done = std::move(open_.back());
+    open_.pop_back();
+    Item group;
+    group.kind = Item::Kind::group;
+    group.node = done.opening.node;
+    group.open = done.opening.node->character;
+    group.sub = closing.sub;
+    group.sup = closing.sup;
+    group.struck = done.opening.struck;
+    group.span = joined_span(done.opening.span, closing.span);
+    group.inside = std::move(done.items);
+    open_.back().items.push_back(std::move(group));
+  }
+
+  void take_fenced(Item item) {
+    const MathNode& node = *item.node;
+    if (node.children.size() != 3) throw TexFault(item.span, "\\middle is not read");
+    item.open = node.children[0].character;
+    if (closing_of(item.open) == 0 || closing_of(item.open) != node.children[2].character)
+      throw TexFault(item.span, "these brackets are no pair that is read");
+    item.kind = Item::Kind::group;
+    item.inside = items_of(node.children[1], depth_ - 1);
+    open_.back().items.push_back(std::move(item));
+  }
+
+  int depth_;
+  std::vector<Open> open_;
+};
+
+bool has_relation(const TexItems& items) {
+  return std::any_of(items.begin(), items.end(),
+                     [](const Item& i) { return i.kind == Item::Kind::relation; });
+}
+
+bool is_decoration(const Item& item) { return item.kind == Item::Kind::gap; }
+
+void drop_gaps_in_front(TexItems& items) {
+  items.erase(items.begin(), std::find_if_not(items.begin(), items.end(), is_decoration));
+}
+
+void append(TexItems& to, TexItems from) { std::move(from.begin(), from.end(), std::back_inserter(to)); }
+
+/// The lines of an alignment, joined where one goes on with the one above.
+TexItems lines_of(const MathNode& grid, int depth) {
+  TexItems all, last;  // `last`: since the last sentence ended
+  const auto columns = static_cast<std::size_t>(std::max(grid.grid->columns, 1));
+  for (std::size_t at = 0; at < grid.children.size(); at += columns) {
+    TexItems line;
+    bool first_is_empty = true;
+    for (std::size_t c = 0; c < columns && at + c < grid.children.size(); ++c) {
+      TexItems cell = items_of(grid.children[at + c], depth - 1);
+      drop_gaps_in_front(cell);
+      if (c == 0) first_is_empty = cell.empty();
+      // Columns stand in pairs, and wide apart from the next pair.
+      const bool begins_pair = grid.grid->kind == MathGrid::Kind::aligned ? c % 2 == 0 : true;
+      if (begins_pair && !cell.empty() && !line.empty()) {
+        Item end;
+        end.kind = Item::Kind::line;
+        end.span = cell.front().span;
+        line.push_back(std::move(end));
+      }
+      append(line, std::move(cell));
+    }
+    if (line.empty()) continue;
+    const Item& first = line.front();
+    const bool goes_on = first.kind == Item::Kind::relation ||
+                         (first.kind == Item::Kind::sign && !(has_relation(last) && has_relation(line)));
+    if (!last.empty() && first.kind == Item::Kind::sign && !goes_on && first_is_empty && columns > 1)
+      throw TexFault(first.span, "does this line go on with the one above, or begin an equation?",
+                     "put its left side before the &");
+    if (!last.empty() && !goes_on) {
+      Item end;
+      end.kind = Item::Kind::line;
+      end.span = first.span;
+      last.push_back(std::move(end));
+      append(all, std::exchange(last, {}));
+    }
+    append(last, std::move(line));
+  }
+  append(all, std::move(last));
+  return all;
+}
+
+}  // namespace
+
+SourceSpan joined_span(SourceSpan first, SourceSpan last) {
+  return {std::min(first.begin, last.begin), std::max(first.end, last.end)};
+}
+
+TexItems items_of(const MathNode& node, int depth) {
+  if (depth <= 0) throw TexFault(node.span, "brackets are nested too deep");
+  return Brackets(depth).run(Flattening().run(node));
+}
+
+TexItems formula_items(const MathNode& root, int depth) {
+  const auto is_lines = [](const MathNode& node) {
+    return node.kind == Kind::grid &&
+           (node.grid->kind == MathGrid::Kind::aligned || node.grid->kind == MathGrid::Kind::gathered);
+  };
+  if (is_lines(root)) return lines_of(root, depth);
+  TexItems items = items_of(root, depth);
+  const auto grid = std::find_if(items.begin(), items.end(), [&](const Item& item) {
+    return item.kind == Item::Kind::operand && item.node != nullptr && is_lines(*item.node);
+  });
+  if (grid == items.end()) return items;
+  for (const Item& item : items)
+    if (&item != &*grid && item.kind != Item::Kind::gap && item.kind != Item::Kind::comma)
+      throw TexFault(item.span, "aligned lines beside other things are not read");
+  return lines_of(*grid->node, depth - 1);
+}
+
+}  // namespace polhode

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// The tree of a formula as what a reader sees: atoms in a row, brackets with their contents. Internal to the
+// reader of equations (tex_equation.h).
+#pragma once
+
+#include "render/typeset/math/tree.h"
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Why a formula is not read. Thrown and caught within lessons/reader/.
+struct TexFault : std::runtime_error {
+  TexFault(SourceSpan at, const std::string& reason, std::string hint_ = {})
+      : std::runtime_error(reason), place(at), hint(std::move(hint_)) {}
+  SourceSpan place;
+  std::string hint;
+};
+
+struct TexItem {
+  enum class Kind {
+    operand,   ///< `node`, with scripts
+    group,     ///< `inside` between brackets `open`, with scripts
+    sign,      ///< + or −: `character`
+    times,     ///< `character` ⋅ × or /
+    relation,  ///< `character`; arrows and ":" too
+    comma,     ///< "," or ";"
+    text,      ///< `node`: words
+    gap,       ///< a space of \quad or more
+    line       ///< a new line of an alignment
+  };
+  Kind kind = Kind::operand;
+  const MathNode* node = nullptr;                 ///< the nucleus
+  const MathNode *sub = nullptr, *sup = nullptr;  ///< null if absent
+  const MathNode* label = nullptr;                ///< of an \underbrace, a group with `open` U+23DF
+  char32_t character = 0, open = 0;
+  bool struck = false;
+  SourceSpan span;
+  std::vector<TexItem> inside;
+
+  bool is(Kind k, char32_t c) const { return kind == k && character == c; }
+};
+using TexItems = std::vector<TexItem>;
+
+/// What stands in a row, brackets matched; nested at most `depth` deep. Throws TexFault.
+TexItems items_of(const MathNode& node, int depth);
+
+/// The lines of the formula one behind the other, with a `line` between sentences (tex_equation.h).
+TexItems formula_items(const MathNode& root, int depth);
+
+/// `first` to `last`.
+SourceSpan joined_span(SourceSpan first, SourceSpan last);
+
+}  // namespace polhode
