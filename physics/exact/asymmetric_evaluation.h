@@ -9,8 +9,8 @@
 #include <cmath>
 
 // Compiled twice, for processors with and without four-lane vectors; which is chosen at run time. The same
-// bits.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+// bits. Not under the thread sanitizer: the choice is made before it is there, and it would be called.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define POLHODE_VECTOR_CLONES [[gnu::target_clones("arch=x86-64-v3", "default")]]
 #else
 #define POLHODE_VECTOR_CLONES
