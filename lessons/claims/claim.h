@@ -43,6 +43,9 @@ struct ClaimLine {
   std::optional<double> within;        ///< of `measured`: relative tolerance after the word
   SourcePlace place;
   bool goes_on = false;  ///< the chain of the line before: its left side is that line's right side
+  /// Its sides are two that stand on the page. Not so of the columns of a tensor, what is said with a struck
+  /// term left out, or the label of an underbrace.
+  bool is_side_by_side = true;
   std::optional<Judgement> judgement{};  ///< once it is proved (lessons/reader/claim_check.h)
 };
 struct Claim {
@@ -50,9 +53,11 @@ struct Claim {
   ClaimKind kind = ClaimKind::identity;
   std::vector<ClaimLine> lines;
   SourcePlace place;
-  /// The lines are what the equation says, read from its TeX. Otherwise an author has written them beside it,
-  /// and whoever shows the verdict shows them too.
-  bool is_printed = false;
+  /// Where the lines come from: read from the equation's TeX, or from what \proved{…} marks in it, or written
+  /// beside it by an author. Whoever shows the verdict shows them too unless they are the whole formula.
+  enum class Origin { beside, part, formula } origin = Origin::beside;
+  /// The author knows that the lines speak of other quantities than the formula does.
+  bool in_other_words = false;
 };
 
 }  // namespace polhode

@@ -20,6 +20,7 @@ struct StateNumbers {
   std::array<N, 6> J{};
   std::array<N, 3> w{}, dw{}, v_S{}, dv_S{}, A_S{}, dA_S{}, N_B{}, F_S{};
   N m{1};
+  N h{1}, k{1};
 };
 
 /// Takes body components to space components: R(q) = homogeneous / |q|², with its rate.
@@ -75,6 +76,8 @@ ClaimState<N> state_of(StateNumbers<N> n, Assumption assumption) {
   state.N_B = n.N_B;
   state.F_S = n.F_S;
   state.m = n.m;
+  state.h = n.h;
+  state.k = n.k;
   for (std::size_t i = 0; i < 3; ++i) {
     state.w_B[i] = {n.w[i], n.dw[i]};
     state.v_S[i] = {n.v_S[i], n.dv_S[i]};

@@ -51,6 +51,7 @@ struct ClaimState {
   Triple<N> w_B, v_S, A_S;     ///< with their rates
   std::array<N, 3> N_B, F_S;
   N m;
+  N h, k;  ///< any numbers
 };
 
 /// mantissa · 10^power, exactly; of doubles correctly rounded.
@@ -228,6 +229,10 @@ class Evaluation {
         return scalar(N_B_[nth(S::N1)]);
       case S::m:
         return scalar(constant(s_.m));
+      case S::h:
+        return scalar(constant(s_.h));
+      case S::k:
+        return scalar(constant(s_.k));
       case S::omega:
         return omega_;
       case S::L:

@@ -32,11 +32,11 @@ std::string_view name_of(ExpressionType type);
 bool fit(ExpressionType a, ExpressionType b);
 
 /// Scalars, w_i, dw_i, N_i on the body axes; vectors; and the components of J. A is any vector, J any inertia
-/// tensor that is fixed in the body. T = ½ω·I·ω, L = I·ω and p = m v are what these definitions say; the
-/// others vary freely, or as a law has it.
+/// tensor that is fixed in the body; h and k are any two numbers that do not change. T = ½ω·I·ω, L = I·ω and
+/// p = m v are what these definitions say; the others vary freely, or as a law has it.
 // clang-format off
 enum class Quantity {
-  T, I1, I2, I3, w1, w2, w3, dw1, dw2, dw3, N1, N2, N3, m,
+  T, I1, I2, I3, w1, w2, w3, dw1, dw2, dw3, N1, N2, N3, m, h, k,
   omega, L, N, p, v, F, A, e1, e2, e3,
   Jxx, Jxy, Jxz, Jyy, Jyz, Jzz
 };

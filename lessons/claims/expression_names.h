@@ -28,10 +28,10 @@ inline constexpr double kLog3 = 1.585;  ///< log2 3, rounded up
 /// The tensor: an argument of apply and trace alone.
 inline constexpr std::string_view kTensorName = "J";
 
-inline constexpr std::array<QuantityFacts, 30> kQuantities = [] {
+inline constexpr std::array<QuantityFacts, 32> kQuantities = [] {
   using S = Quantity;
   constexpr auto scalar = ExpressionType::scalar, vector = ExpressionType::vector;
-  return std::array<QuantityFacts, 30>{{
+  return std::array<QuantityFacts, 32>{{
       {"T", S::T, scalar, true, {3, 0, kLog3, 1}},
       {"I1", S::I1, scalar, true, {1, 0}},
       {"I2", S::I2, scalar, true, {1, 0}},
@@ -46,6 +46,8 @@ inline constexpr std::array<QuantityFacts, 30> kQuantities = [] {
       {"N2", S::N2, scalar, false, {1, 0}},
       {"N3", S::N3, scalar, false, {1, 0}},
       {"m", S::m, scalar, true, {1, 0}},
+      {"h", S::h, scalar, true, {1, 0}},
+      {"k", S::k, scalar, true, {1, 0}},
       {"omega", S::omega, vector, true, {3, 2}},
       {"L", S::L, vector, true, {4, 2}},
       {"N", S::N, vector, false, {3, 2}},

@@ -38,7 +38,8 @@ std::string_view letter_of(Quantity quantity) {
 }
 
 std::string tex_of(Quantity quantity) {
-  if (const auto letter = letter_of(quantity); !letter.empty()) return "\\vec " + std::string(letter);
+  if (const auto letter = letter_of(quantity); !letter.empty())
+    return (letter.front() == '\\' ? "\\vec" : "\\vec ") + std::string(letter);
   for (const QuantityFacts& facts : kQuantities) {
     if (facts.quantity != quantity) continue;
     const std::string name(facts.name), last(1, name.back());
@@ -46,7 +47,7 @@ std::string tex_of(Quantity quantity) {
     if (facts.type == ExpressionType::vector) return "\\hat e_" + last;
     if (name.front() == 'd') return "\\dot\\omega_" + last;
     if (name.front() == 'w') return "\\omega_" + last;
-    return name.substr(0, 1) + "_{" + name.substr(1) + '}';
+    return name.size() == 2 ? name.substr(0, 1) + '_' + last : "J_{" + name.substr(1) + '}';
   }
   return "";
 }
@@ -67,11 +68,25 @@ class Printer {
 
   /// An operand of a product of vectors: another such product stands in brackets.
   std::string operand(int index) const {
-    const Operation operation = node(index).operation;
-    const bool is_product = operation == Operation::dot || operation == Operation::cross ||
-                            operation == Operation::inertia || operation == Operation::apply;
-    std::string tex = at_least(Level::product, index);
-    return is_product && tex.front() != '(' ? '(' + tex + ')' : tex;
+    const Piece made = piece(index);
+    return made.level < Level::product || has_sign(index) ? '(' + made.tex + ')' : made.tex;
+  }
+
+  /// Whether the sign of a product of vectors, or a tensor's name, shows outside of brackets.
+  bool has_sign(int index) const {
+    const ExpressionNode& n = node(index);
+    switch (n.operation) {
+      case Operation::dot:
+      case Operation::cross:
+      case Operation::inertia:
+      case Operation::apply:
+      case Operation::trace:
+        return true;
+      case Operation::multiply:
+        return has_sign(n.a) || has_sign(n.b);
+      default:
+        return false;
+    }
   }
 
   Piece number(const ExpressionNode& n) const {
@@ -86,28 +101,32 @@ class Printer {
   }
 
   Piece product(const ExpressionNode& n) const {
-    const std::string left = at_least(Level::product, n.a);
-    const Piece right = piece(n.b);
-    const std::string tex = right.level < Level::product ? '(' + right.tex + ')' : right.tex;
-    // What stands beside each other is a product; numbers, and products with a sign of their own, need one.
-    const bool is_plain = node(n.b).operation != Operation::dot && node(n.a).operation != Operation::dot;
-    if (right.begins_with_digit)
-      return {left + "\\cdot " + tex, Level::product, piece(n.a).begins_with_digit};
-    return {is_plain ? left + "\\," + tex : bracketed(n.a) + "\\," + bracketed(n.b), Level::product,
-            piece(n.a).begins_with_digit};
+    const std::string left = factor(n.a), right = factor(n.b);
+    // What stands side by side is a product; but 2 3 and 2 3/4 would be other numbers.
+    const bool are_numbers = piece(n.b).begins_with_digit ||
+                             (node(n.b).operation == Operation::divide && ends_in_number(n.a));
+    return {left + (are_numbers ? "\\cdot " : "\\,") + right, Level::product, piece(n.a).begins_with_digit};
   }
 
-  std::string bracketed(int index) const {
+  /// A factor of a product without a sign.
+  std::string factor(int index) const {
+    const Piece made = piece(index);
     const Operation operation = node(index).operation;
-    std::string tex = at_least(Level::product, index);
-    return operation == Operation::dot ? '(' + tex + ')' : tex;
+    const bool splits = operation == Operation::dot || operation == Operation::trace;
+    return made.level < Level::product || splits ? '(' + made.tex + ')' : made.tex;
+  }
+
+  bool ends_in_number(int index) const {
+    const ExpressionNode& n = node(index);
+    return n.operation == Operation::multiply ? ends_in_number(n.b) : n.operation == Operation::number;
   }
 
   Piece rate(const char* d, const ExpressionNode& n) const {
     const Operation of = node(n.a).operation;
-    const bool is_letter = of == Operation::quantity || of == Operation::norm || of == Operation::norm2;
+    const bool is_letter = of == Operation::quantity || of == Operation::norm || of == Operation::norm2 ||
+                           (of == Operation::comp && node(node(n.a).a).operation == Operation::quantity);
     const std::string tex = is_letter ? piece(n.a).tex : '(' + piece(n.a).tex + ')';
-    return {std::string(d) + tex + "/dt", Level::product};
+    return {"\\frac{" + std::string(d) + tex + "}{dt}", Level::product};
   }
 
   Piece component(const ExpressionNode& n) const {

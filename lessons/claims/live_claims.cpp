@@ -3,6 +3,7 @@
 
 #include "lessons/claims/expression_names.h"
 #include "lessons/claims/expression_variants.h"
+#include "lessons/claims/proof.h"
 #include "physics/analysis/difference.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
@@ -134,6 +135,8 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
   const PrincipalMoments& I = model.scene.body.moments;
   s.F_S = sized(translation.F_S);
   s.m = translation.mass_kg;
+  // No motion says what these are: what uses them has no value.
+  s.h = s.k = std::numeric_limits<double>::quiet_NaN();
   s.N_B = sized(torque_B(model.scene.torque, state));
   for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = I.vector()[i];
   const Mat3 J = on_turned_axes(I);
@@ -147,20 +150,25 @@ std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, V
   std::optional<LiveValue> worst;
   if (claim.kind == ClaimKind::non_sequitur) return worst;
   for (const ClaimLine& line : claim.lines) {
-    const auto sides = sides_of(line.equality, live.state);
-    if (!sides) return std::nullopt;
-    const double tolerance = tolerance_of(line.equality, line.within, live);
-    if (worst && sides->residual / tolerance <= worst->residual / worst->tolerance) continue;
-    worst = LiveValue();
-    worst->is_vector = line.equality.is_vector();
-    worst->residual = sides->residual;
-    worst->tolerance = tolerance;
-    worst->size = std::max(size_of(sides->left), size_of(sides->right));
-    const bool turned = view == View::body && worst->is_vector;
-    worst->left = values_of(turned ? in_body(sides->left, live.state) : sides->left);
-    worst->right = values_of(turned ? in_body(sides->right, live.state) : sides->right);
+    const auto value = live_value(line, live, view);
+    if (!value) return std::nullopt;
+    if (!worst || value->residual / value->tolerance > worst->residual / worst->tolerance) worst = value;
   }
   return worst;
+}
+
+std::optional<LiveValue> live_value(const ClaimLine& line, const LiveState& live, View view) {
+  const auto sides = sides_of(line.equality, live.state);
+  if (!sides || line.conclusion) return std::nullopt;
+  LiveValue value;
+  value.is_vector = line.equality.is_vector();
+  value.residual = sides->residual;
+  value.tolerance = tolerance_of(line.equality, line.within, live);
+  value.size = std::max(size_of(sides->left), size_of(sides->right));
+  const bool turned = view == View::body && value.is_vector;
+  value.left = values_of(turned ? in_body(sides->left, live.state) : sides->left);
+  value.right = values_of(turned ? in_body(sides->right, live.state) : sides->right);
+  return value;
 }
 
 std::optional<double> live_number(const Expression& scalar, const LiveState& live) {
@@ -202,6 +210,7 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
       return line.equality.left.uses(what) || line.equality.right.uses(what);
     };
     const auto uses_any = [&](auto... what) { return (uses(what) || ...); };
+    if (uses_any(Q::h, Q::k)) return false;
     if (uses_any(Q::m, Q::p, Q::v, Q::F) && !drifts(scene)) return false;
     if (uses(Q::A) && !scene.show.contains(Overlay::transport)) return false;
     const bool of_tensor = uses_any(Q::Jxx, Q::Jxy, Q::Jxz, Q::Jyy, Q::Jyz, Q::Jzz) ||
@@ -215,9 +224,49 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
   });
 }
 
+namespace {
+
+/// The state with the rates of attitude, ω and v that the laws of motion say, not those of the motion.
+ClaimState<SizedNumber> with_lawful_rates(ClaimState<SizedNumber> s, const SceneModel& model, double t_s) {
+  const RigidBodyState state = model.motion->at(t_s);
+  const PrincipalMoments& I = model.scene.body.moments;
+  const Vec3 torque = torque_B(model.scene.torque, state);
+  const Vec3 dw_B = angular_acceleration_B(I, state.w_B, torque);
+  const Mat3 R = state.q_SB.toRotationMatrix();
+  const Translation translation = translation_at(model.scene, t_s);
+  const auto set = [](Triple<SizedNumber>& x, const Vec3& rate) {
+    for (int i = 0; i < 3; ++i) {
+      SizedNumber& old = x[static_cast<std::size_t>(i)].rate;
+      old = {rate[i], std::max(old.size, std::abs(rate[i]))};
+    }
+  };
+  for (int row = 0; row < 3; ++row)
+    set(s.R[static_cast<std::size_t>(row)], Vec3(R.row(row).transpose()).cross(state.w_B));
+  set(s.w_B, dw_B);
+  set(s.v_S, translation.F_S / translation.mass_kg);
+  return s;
+}
+
+/// What is so small beside its terms is no more than rounding.
+constexpr double kRounding = 256 * kEpsilon;
+
+/// How large the sides are beside their terms; 0 where they are no more than rounding.
+double relative_side(const Equality& equality, const ClaimState<SizedNumber>& lawful) {
+  const auto sides = sides_of(equality, lawful);
+  if (!sides) return 0;
+  const double size = std::max(size_of(sides->left), size_of(sides->right));
+  double largest = 0;
+  for (const auto& side : {values_of(sides->left), values_of(sides->right)})
+    largest = std::max(largest, std::hypot(side[0], side[1], side[2]));
+  return largest <= kRounding * size ? 0 : largest / size;
+}
+
+}  // namespace
+
 std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
                                         const SceneModel& model) {
   MeasuredResidual worst{-1, 1, 0};
+  double side = 0, allowed = 0;
   for (int n = 0; n < kMeasuredTimes; ++n) {
     const double t_s = model.span_s * n / (kMeasuredTimes - 1);
     const auto live = live_state(model, t_s);
@@ -226,7 +275,15 @@ std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<
     const double tolerance = tolerance_of(equality, within, *live);
     if (sides->residual / tolerance > worst.residual / worst.tolerance)
       worst = {sides->residual, tolerance, t_s};
+    side = std::max(side, relative_side(equality, with_lawful_rates(live->state, model, t_s)));
+    allowed = std::max(allowed, tolerance);
   }
+  // Sides that are lost in rounding all the time have to be 0 for a reason.
+  const Assumption assumption = model.scene.torque.empty() ? Assumption::free : Assumption::motion;
+  const bool is_proved =
+      side == 0 && has_provable_lengths(equality) && Prover().settle(equality, assumption) == Verdict::holds;
+  worst.side = side == 0 && !is_proved ? kRounding : side;
+  worst.allowed = allowed;
   return worst;
 }
 

@@ -44,6 +44,8 @@ struct LiveValue {
 bool can_be_shown(const Claim& claim, const Scene& scene);
 /// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);
+/// The same of one line.
+std::optional<LiveValue> live_value(const ClaimLine& line, const LiveState& live, View view);
 
 /// A scalar on a motion; nothing where it is not defined.
 std::optional<double> live_number(const Expression& scalar, const LiveState& live);
@@ -70,7 +72,15 @@ inline constexpr double kDecisive = 0.01;
 /// The largest residual of the equality over the scene's interval from 0 on, and the tolerance there.
 struct MeasuredResidual {
   double residual = 0, tolerance = 0, t_s = 0;
+  /// Of the terms: the larger side, the largest over the interval, with the rates that Euler's equations give
+  /// in the states of the motion. 0 where that is rounding, and algebra proves that it is.
+  double side = 0;
+  /// The largest tolerance over the interval.
+  double allowed = 0;
   bool holds() const { return residual <= tolerance; }
+  /// Where the terms cancel so far that even the sides are lost in what is allowed, a residual tells nothing:
+  /// of a fast top dT/dt is a small difference of large terms, and would pass for 0.
+  bool decides() const { return side == 0 || allowed <= kDecisive * side; }
 };
 /// At so many times, evenly.
 inline constexpr int kMeasuredTimes = 25;

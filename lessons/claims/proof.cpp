@@ -57,6 +57,8 @@ StateNumbers<N> drawn_numbers(const Draw& draw) {
                        &numbers.N_B, &numbers.F_S})
     fill(*vector);
   numbers.m = draw();
+  numbers.h = draw();
+  numbers.k = draw();
   return numbers;
 }
 

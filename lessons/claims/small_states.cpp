@@ -42,14 +42,14 @@ constexpr std::array<Whole3, 5> kRates{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 
 struct Company {
   std::array<Whole, 6> J;
   Whole3 v, dv, A, dA, F;
-  Whole m;
+  Whole m, h, k;
 };
 constexpr std::array<Company, 5> kCompany{
-    {{{8, 1, 0, 9, 0, 10}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, 2},
-     {{8, 0, 1, 9, -1, 10}, {0, 1, 0}, {1, 0, 1}, {1, 0, 1}, {0, 0, 1}, {1, 1, 0}, 3},
-     {{10, 1, 1, 9, 1, 8}, {1, 2, 3}, {3, 1, -1}, {2, -1, 3}, {2, -1, 1}, {1, 2, -1}, 2},
-     {{8, 1, 0, 9, 0, 10}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1},
-     {{8, 1, 0, 9, 0, 10}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, 1}}};
+    {{{8, 1, 0, 9, 0, 10}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, 2, 2, 3},
+     {{8, 0, 1, 9, -1, 10}, {0, 1, 0}, {1, 0, 1}, {1, 0, 1}, {0, 0, 1}, {1, 1, 0}, 3, 3, 1},
+     {{10, 1, 1, 9, 1, 8}, {1, 2, 3}, {3, 1, -1}, {2, -1, 3}, {2, -1, 1}, {1, 2, -1}, 2, 1, 2},
+     {{8, 1, 0, 9, 0, 10}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1, 1},
+     {{8, 1, 0, 9, 0, 10}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, 1, -1, 2}}};
 
 struct SmallNumbers {
   Whole3 I, w, dw, N;
@@ -73,23 +73,26 @@ StateNumbers<N> as(const SmallNumbers& small) {
   copy(small.company.dA, numbers.dA_S);
   copy(small.company.F, numbers.F_S);
   numbers.m = N(small.company.m);
+  numbers.h = N(small.company.h);
+  numbers.k = N(small.company.k);
   return numbers;
 }
 
 /// What the sides of an equality depend on, of what is free to choose.
 struct Dependence {
   bool I = false, J = false, w = false, dw = false, N = false, v = false, dv = false, A = false, dA = false,
-       F = false, m = false;
+       F = false, m = false, h = false, k = false;
   bool no_torque = false;  ///< on there being none
 
   void operator|=(const Dependence& other) {
     for (bool Dependence::*part : kParts) this->*part = this->*part || other.*part;
   }
-  static const std::array<bool Dependence::*, 11> kParts;
+  static const std::array<bool Dependence::*, 13> kParts;
 };
-const std::array<bool Dependence::*, 11> Dependence::kParts = {
-    &Dependence::I,  &Dependence::J, &Dependence::w,  &Dependence::dw, &Dependence::N, &Dependence::v,
-    &Dependence::dv, &Dependence::A, &Dependence::dA, &Dependence::F,  &Dependence::m};
+const std::array<bool Dependence::*, 13> Dependence::kParts = {
+    &Dependence::I, &Dependence::J,  &Dependence::w, &Dependence::dw, &Dependence::N,
+    &Dependence::v, &Dependence::dv, &Dependence::A, &Dependence::dA, &Dependence::F,
+    &Dependence::m, &Dependence::h,  &Dependence::k};
 
 Dependence of_quantity(Quantity quantity) {
   using S = Quantity;
@@ -123,6 +126,12 @@ Dependence of_quantity(Quantity quantity) {
       break;
     case S::m:
       d.m = true;
+      break;
+    case S::h:
+      d.h = true;
+      break;
+    case S::k:
+      d.k = true;
       break;
     case S::p:
       d.m = d.v = true;
@@ -210,7 +219,12 @@ std::string words_of(const SmallNumbers& s, const Dependence& d) {
   add(d.v, "v", s.company.v);
   add(d.dv, "dv/dt", s.company.dv);
   add(d.F, "F", s.company.F);
-  if (d.m) text += (text.empty() ? "m = " : ", m = ") + std::to_string(s.company.m);
+  const auto add_number = [&text](bool wanted, const char* name, Whole number) {
+    if (wanted) text += (text.empty() ? "" : ", ") + std::string(name) + " = " + std::to_string(number);
+  };
+  add_number(d.m, "m", s.company.m);
+  add_number(d.h, "h", s.company.h);
+  add_number(d.k, "k", s.company.k);
   add(d.J, "J (xx, xy, xz, yy, yz, zz)", s.company.J);
   return text.empty() ? "any state" : text;
 }
@@ -225,7 +239,7 @@ std::string value_text(const Triple<SizedNumber>& value, ExpressionType type) {
 template <class Use>
 void for_each_state(const Dependence& d, const Use& use) {
   const auto firsts = [](const auto& all, bool vary) { return std::span(all).first(vary ? all.size() : 1); };
-  const bool company = d.J || d.v || d.dv || d.A || d.dA || d.F || d.m;
+  const bool company = d.J || d.v || d.dv || d.A || d.dA || d.F || d.m || d.h || d.k;
   for (const Whole3& I : firsts(kMoments, d.I))
     for (const Company& c : firsts(kCompany, company))
       for (const Whole3& w : firsts(kSpins, d.w))

@@ -71,6 +71,8 @@ Oracle::Oracle(Assumption assumption) : t_("t") {
   dA_ = named("dA");
   for (ex& component : J_) component = name("J");
   m_ = name("m");
+  h_ = name("h");
+  k_ = name("k");
   const auto gyroscopic = [this] {  // ω×Iω on the principal axes
     return cross(w_, {I_[0] * w_[0], I_[1] * w_[1], I_[2] * w_[2]});
   };
@@ -139,6 +141,10 @@ Vector Oracle::quantity(Quantity q, bool moving) const {
       return scalar(N_[nth(q, S::N1)]);
     case S::m:
       return scalar(m_);
+    case S::h:
+      return scalar(h_);
+    case S::k:
+      return scalar(k_);
     case S::omega:
       return in_space(w, moving);
     case S::L:

@@ -63,7 +63,7 @@ class Oracle {
   std::vector<GiNaC::symbol> free_;
   Vector I_, w_, dw_, N_, v_, dv_, A_, dA_, F_;
   std::array<GiNaC::ex, 6> J_;
-  GiNaC::ex m_;
+  GiNaC::ex m_, h_, k_;
   mutable std::mt19937_64 random_{1};
   mutable int proofs_ = 0, by_points_ = 0;
 };

@@ -21,7 +21,8 @@ inline StateNumbers<FieldElement> random_numbers(std::uint64_t seed) {
   fill(n.I);
   fill(n.J);
   for (auto* vector : {&n.w, &n.dw, &n.v_S, &n.dv_S, &n.A_S, &n.dA_S, &n.N_B, &n.F_S}) fill(*vector);
-  n.m = FieldElement(static_cast<std::int64_t>(1 + random() % (kPrime - 1)));
+  for (FieldElement* one : {&n.m, &n.h, &n.k})
+    *one = FieldElement(static_cast<std::int64_t>(1 + random() % (kPrime - 1)));
   return n;
 }
 
@@ -33,6 +34,7 @@ inline const std::vector<std::string>& example_expressions() {
       "dw1 + dw2*dw3",
       "N1*N2 - N3",
       "m^3",
+      "h*k - 2*h",
       "omega",
       "L",
       "N",

@@ -118,6 +118,8 @@ ClaimState<Field> state_on_line(Field s, Assumption assumption) {
   move(a.N_B, b.N_B);
   move(a.F_S, b.F_S);
   a.m = a.m + s * b.m;
+  a.h = a.h + s * b.h;
+  a.k = a.k + s * b.k;
   return state_of(a, assumption);
 }
 

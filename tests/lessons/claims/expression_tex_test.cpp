@@ -28,13 +28,15 @@ TEST(TexOfAnExpression, IsWhatALecturerWrites) {
   EXPECT_EQ(printed("(I1 - I2)*w1*w2"), R"((I_1 - I_2)\,\omega_1\,\omega_2)");
   EXPECT_EQ(printed("I1*dw1 - 2*3"), R"(I_1\,\dot\omega_1 - 2\cdot 3)");
   EXPECT_EQ(printed("ddt(L) - cross(omega, inertia(omega))"),
-            R"(d\vec L/dt - \vec\omega\times (\mathbf I\cdot \vec\omega))");
-  EXPECT_EQ(printed("star(L + N)/2"), R"(\frac{d^*(\vec L + \vec N)/dt}{2})");
+            R"(\frac{d\vec L}{dt} - \vec\omega\times (\mathbf I\cdot \vec\omega))");
+  EXPECT_EQ(printed("star(L + A)/2"), R"(\frac{\frac{d^*(\vec L + \vec A)}{dt}}{2})");
   EXPECT_EQ(printed("comp(A, 1)*norm2(L)^2"), R"(A_1\,(|\vec L|^2)^{2})");
   EXPECT_EQ(printed("1e-9*norm(N)"), R"(1\cdot 10^{-9}\,|\vec N|)");
   EXPECT_EQ(printed("-(T - m)"), "-(T - m)");
   EXPECT_EQ(printed("T - (m - T)"), "T - (m - T)");
   EXPECT_EQ(printed("T + (-m)"), "T + (-m)");
+  EXPECT_EQ(printed("2*(3/4)*T"), R"(2\cdot \frac{3}{4}\,T)");
+  EXPECT_EQ(printed("cross(omega, 2*cross(L, A))"), R"(\vec\omega\times (2\,\vec L\times \vec A))");
 }
 
 TEST(TexOfALine, SaysWhatDoesNotFollow) {
@@ -57,6 +59,7 @@ void expect_same_function(const std::string& text) {
   const auto math = parse_math(tex);
   ASSERT_TRUE(math.ok());
   EquationNotation notation;
+  for (const std::string name : {"h", "k"}) notation.symbols.push_back({name, *parse_math(name), name});
   notation.symbols.push_back({"J", *parse_math(R"(\mathbf J)"), "J"});
   const auto read = read_equation(*math, notation);
   ASSERT_TRUE(read.ok()) << read.error().reason;
@@ -73,11 +76,18 @@ TEST(TexOfAnExpression, IsReadAsTheSameFunction) {
       if (text.find("Jxx") == std::string::npos) expect_same_function(text);
 }
 
+TEST(TexOfAnExpression, KeepsTogetherWhatIsScaled) {
+  for (const char* text :
+       {"cross(omega, 2*cross(L, N))", "cross(2*cross(omega, L), N)", "cross(omega, T*cross(L, N))",
+        "inertia(T*cross(omega, L))", "inertia(-1*cross(L, omega))", "2*(3/4)*T", "3*(1/2)*T", "trace(J)*T",
+        "dot(omega, 2*cross(L, N))", "T*dot(omega, L)*m", "-(2*cross(omega, L))", "cross(omega, -cross(L, N))"})
+    expect_same_function(text);
+}
+
 TEST(TexOfAnExpression, OfEveryClaimOfTheLessonsIsReadAsTheSameFunction) {
   int count = 0;
   for (const std::string id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
-    const auto reading =
-        read_lesson(testing::read_file(testing::source_dir() / "lessons" / (id + ".md")), id);
+    const auto reading = read_lesson(testing::read_file(test::source_dir() / "lessons" / (id + ".md")), id);
     ASSERT_TRUE(reading.lesson);
     for (const Stage& stage : reading.lesson->stages)
       for (const Step& step : stage.steps)
