@@ -461,6 +461,7 @@ constexpr Amount kAmounts[] = {
     {"textcolor", Action::text_color},
     {"color", Action::color},
     {"term", Action::term},
+    {"proved", Action::proved},
     {"live", Action::live},
     {"tag", Action::tag},
     {"boxed", Action::box},

@@ -40,6 +40,7 @@ struct MathCommand {
     text_color,
     color,
     term,
+    proved,
     live,
     tag,
     cancel,  ///< `character`

@@ -137,6 +137,8 @@ MathNode MathParser::command(const Token& token) {
       return text_color(token);
     case Action::term:
       return term(token);
+    case Action::proved:
+      return proved_part(token);
     case Action::live:
       return live_number(token);
     case Action::arrow:

@@ -380,6 +380,15 @@ MathNode MathParser::term(const Token& token) {
   return made;
 }
 
+MathNode MathParser::proved_part(const Token& token) {
+  MathNode made = node_of(Kind::term, token.span);
+  made.text = kProvedPart;
+  made.children.push_back(argument(token, "\\proved{…}"));
+  finish(made);
+  made.atom = without_groups(made.children.front()).atom;
+  return made;
+}
+
 void MathParser::tag() {
   const Token token = tokens_.next();
   std::size_t offset = token.span.begin;

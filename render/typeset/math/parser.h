@@ -127,6 +127,7 @@ class MathParser {
   MathNode text_color(const Token& token);
   void color_of_rest(std::vector<MathNode>& into);
   MathNode term(const Token& token);
+  MathNode proved_part(const Token& token);
   MathNode live_number(const Token& token);
   void tag();
   /// Accents, bars, braces, boxes and what else does something to one argument.

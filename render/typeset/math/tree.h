@@ -54,6 +54,9 @@ struct MathGrid {
   bool operator==(const MathGrid&) const = default;
 };
 
+/// The name of the term that \proved{…} makes: no id of an author has a blank.
+inline constexpr std::string_view kProvedPart = "proved part";
+
 struct MathNode {
   /// What `children` are is said after each; `nothing` stands for one that is absent.
   enum class Kind : std::uint8_t {
