@@ -7,8 +7,9 @@
 #include "lessons/diagnostics/report.h"
 #include "lessons/reader/lint_budget.h"
 
-#include <array>
-#include <charconv>
+#include <algorithm>
+#include <iterator>
+#include <set>
 #include <stdexcept>
 
 namespace polhode {
@@ -39,7 +40,8 @@ class ClaimCheck {
   std::vector<Diagnostic> run() {
     SourcePlace place;
     try {
-      for (const Stage& stage : lesson_.stages)
+      for (const Stage& stage : lesson_.stages) {
+        equations_ = equations_of(stage);
         for (const Step& step : stage.steps) {
           model_.reset();
           for (const Block& block : step.blocks) {
@@ -47,6 +49,7 @@ class ClaimCheck {
             check_block(block, step, place);
           }
         }
+      }
     } catch (const BudgetSpent&) {
       const Diagnostic all = too_long_to_check("", place);
       report_.error(place, all.message, all.hint);
@@ -87,6 +90,7 @@ class ClaimCheck {
   }
 
   void check(const Claim& claim, const Step& step) {
+    if (claim.origin == Claim::Origin::beside) check_against_formula(claim);
     for (const ClaimLine& line : claim.lines) {
       if (report_.is_full()) return;
       if (claim.kind == ClaimKind::measured)
@@ -96,6 +100,77 @@ class ClaimCheck {
                       "the claim (" + std::string(name_of(claim.kind)) + ") fails: " + judgement->message,
                       judgement->hint);
     }
+  }
+
+  /// Whether a claim that is written beside a formula says what the formula says.
+  void check_against_formula(const Claim& claim) {
+    const auto named = std::find_if(equations_.begin(), equations_.end(),
+                                    [&](const Equation* e) { return e->id == claim.equation; });
+    if (named == equations_.end() || !(*named)->math.root) return;
+    const Math* above = named == equations_.begin() ? nullptr : &(*std::prev(named))->math;
+    const auto read = read_equation((*named)->math, lesson_.notation, above);
+    if (read)
+      compare(claim, *read);
+    else if (!claim.in_other_words)
+      compare_letters(claim, (*named)->math);
+  }
+
+  void compare(const Claim& claim, const ReadEquation& formula) {
+    std::vector<const EquationLink*> links;
+    for (const EquationSentence& sentence : formula.sentences)
+      for (const EquationLink& link : sentence.links) links.push_back(&link);
+    const std::string as_printed = "write ```math " + claim.equation + ' ' +
+                                   std::string(name_of(claim.kind)) + ", and leave out the claim";
+    std::set<const EquationLink*> claimed;
+    for (const ClaimLine& line : claim.lines) {
+      const std::size_t before = claimed.size();
+      for (const EquationLink* link : links)
+        if (is_same(line.equality, link->equality) ||
+            (line.conclusion && is_same(*line.conclusion, link->equality)))
+          claimed.insert(link);
+      if (claimed.size() == before && !claim.in_other_words)
+        report_.warning(line.place, "the formula does not say this", as_printed);
+    }
+    if (claimed.size() == links.size())
+      report_.warning(claim.place, "the formula itself can be proved, as it is printed", as_printed);
+    else if (!claimed.empty())
+      report_.warning(claim.place,
+                      "of the " + std::to_string(links.size()) + " equalities that the formula states only " +
+                          std::to_string(claimed.size()) + " are claimed",
+                      as_printed);
+  }
+
+  /// Whether two equalities have the same sides, in either order.
+  bool is_same(const Equality& a, const Equality& b) const {
+    const auto same = [&](const Expression& x, const Expression& y) {
+      if (!fit(x.type(), y.type())) return false;
+      const Equality sides{x, y};
+      return has_provable_lengths(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
+    };
+    return (same(a.left, b.left) && same(a.right, b.right)) ||
+           (same(a.left, b.right) && same(a.right, b.left));
+  }
+
+  void compare_letters(const Claim& claim, const Math& formula) {
+    const std::set<std::string> shown = letters_in(formula, lesson_.notation);
+    std::set<std::string> unseen;
+    const auto look = [&](const Equality& equality) {
+      for (const Expression* side : {&equality.left, &equality.right})
+        for (const std::string& letter : letters_in(*side))
+          if (!shown.contains(letter)) unseen.insert(letter);
+    };
+    for (const ClaimLine& line : claim.lines) {
+      look(line.equality);
+      if (line.conclusion) look(*line.conclusion);
+    }
+    for (const ClaimLine& line : claim.lines)
+      if (line.equality.left.text == line.equality.right.text)
+        report_.warning(line.place, "this says nothing: both sides are the same");
+    if (unseen.empty()) return;
+    std::string names;
+    for (const std::string& name : unseen) names += (names.empty() ? "" : ", ") + name;
+    report_.warning(claim.place, "the claim speaks of " + names + ", which the formula does not show",
+                    "claim what is printed, or end the fence's line with in-other-words");
   }
 
   void check_measured(const ClaimLine& line, const Step& step) {
@@ -112,6 +187,11 @@ class ClaimCheck {
       report_.error(line.place,
                     "this measures nothing: allowed are " + digits(measured->tolerance, 3) + " of the terms",
                     line.within ? "at most 0.01 decides anything" : "shorten the step of the motion");
+    else if (!measured->decides())
+      report_.error(line.place,
+                    "this measures nothing: the terms cancel down to " + digits(measured->side, 3) +
+                        " of their size, and " + digits(measured->allowed, 3) + " of it is allowed",
+                    "prove the claim, or measure it on a motion where its sides are larger");
     else if (!measured->holds())
       report_.error(line.place, "the claim (measured) fails: at t = " + digits(measured->t_s, 3) +
                                     " s both sides differ by " + digits(measured->residual, 3) +
@@ -133,7 +213,8 @@ class ClaimCheck {
   Report report_;
   const Effort& effort_;
   Prover prover_;
-  std::optional<SceneModel> model_;  // of the step
+  std::vector<const Equation*> equations_;  // of the stage
+  std::optional<SceneModel> model_;         // of the step
 };
 
 }  // namespace

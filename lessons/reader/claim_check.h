@@ -17,8 +17,11 @@ std::optional<SourcePlace> prove_claims(Lesson& lesson, const Effort& effort = {
 
 /// Of a lesson that is proved: an error for each line of a claim that is not what its kind says, with its
 /// place, a counterexample if there is one of small whole numbers, and the kind it might be. `measured` lines
-/// are measured on the scene of their step. At most kMaxDiagnostics errors, in the order of their places.
-/// Where `effort` throws BudgetSpent the claim is an error, and nothing behind it is checked.
+/// are measured on the scene of their step. A claim that is written beside its formula is a warning where the
+/// two do not say the same: where the formula can be read, line by line; elsewhere where the claim speaks of
+/// a quantity that the formula does not show, unless the author says that it is in other words. At most
+/// kMaxDiagnostics errors, in the order of their places. Where `effort` throws BudgetSpent the claim is an
+/// error, and nothing behind it is checked.
 std::vector<Diagnostic> check_claims(const Lesson& lesson, std::string_view file_name,
                                      const Effort& effort = {});
 

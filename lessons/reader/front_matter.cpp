@@ -5,6 +5,9 @@
 #include "physics/body/bodies.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -221,6 +224,67 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) 
   front.symbols.insert_or_assign(entry.key, std::move(symbol));
 }
 
+/// Indices, alone or below a letter, the letters of d/dt, signs, and letters that look like Latin ones.
+bool is_sign_of_language(const std::string& tex) {
+  static const std::set<std::string> kSigns = {"i", "j", "k", "l", "d", "t", "=", "+", "-",
+                                               ",", ";", "(", ")", "[", "]", "/", "|", ":"};
+  if (kSigns.contains(tex)) return true;
+  for (const char* index : {"_i", "_j", "_k", "_l"})
+    if (tex.ends_with(index)) return true;
+  const bool has_letter =
+      std::any_of(tex.begin(), tex.end(), [](unsigned char c) { return std::isalpha(c); });
+  const bool is_foreign = std::any_of(tex.begin(), tex.end(), [](unsigned char c) { return c >= 0x80; });
+  return !has_letter || is_foreign;
+}
+
+bool is_quantity(const std::string& name) {
+  const auto& known = expression_symbols();
+  return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+/// What a formula is without the lesson's symbols, as an expression; nothing if that is nothing known.
+std::optional<std::string> built_in_meaning(const std::string& tex, const FrontMatter& front,
+                                            TextReader& texts) {
+  EquationNotation built_in;
+  built_in.xyz_are_body_axes = front.notation.xyz_are_body_axes;
+  const auto math = parse_math(tex + " = " + tex, texts.macros());
+  if (!math) return std::nullopt;
+  const auto read = read_equation(*math, built_in);
+  if (!read) return std::nullopt;
+  return read->sentences.front().links.front().equality.left.text;
+}
+
+/// A symbol that means something is one that means nothing else: neither a quantity, nor a number or product
+/// of them, nor an index, nor the d and t of d/dt, nor another symbol.
+void check_meanings(const TomlTable& table, const FrontMatter& front, TextReader& texts) {
+  const auto key_of = [](std::string tex) {
+    std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
+    return tex;
+  };
+  std::map<std::string, std::string> names;
+  for (const TomlEntry& entry : table.entries) {
+    const auto found = front.symbols.find(entry.key);
+    if (found == front.symbols.end() || found->second.tex.empty()) continue;
+    const Symbol& symbol = found->second;
+    const auto refuse = [&](const std::string& why, const std::string& hint) {
+      texts.report().error(entry.place, "symbol " + in_quotes(entry.key) + ' ' + why, hint);
+    };
+    const auto known = built_in_meaning(symbol.tex, front, texts);
+    const std::string tex = key_of(symbol.tex);
+    const auto [same, is_new] = names.emplace(tex, entry.key);
+    const bool means = !symbol.means.empty();
+    if (!is_new && (means || !front.symbols.at(same->second).means.empty()))
+      refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
+    else if (means && known)
+      refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
+    else if (means && is_sign_of_language(tex))
+      refuse("has a sign that formulas use otherwise", "take another letter");
+    else if (!means && known && *known != entry.key && is_quantity(entry.key))
+      refuse("is printed as " + *known + ", and has the name of another quantity",
+             "give it the name " + *known);
+  }
+}
+
 void read_symbols(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
   Report& report = texts.report();
   const auto* table = entry.value.as<TomlTable>();
@@ -233,6 +297,7 @@ void read_symbols(const TomlEntry& entry, FrontMatter& front, TextReader& texts)
     return;
   }
   for (const TomlEntry& symbol : table->entries) read_symbol(symbol, front, texts);
+  check_meanings(*table, front, texts);
 }
 
 void read_axes(const TomlEntry& entry, FrontMatter& front, Report& report) {

@@ -8,6 +8,7 @@
 #include "lessons/claims/answers.h"
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
+#include "lessons/reader/tex_equation.h"
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"
 
@@ -97,7 +98,8 @@ struct Lesson {
   std::string id;
   std::string title;
   std::map<std::string, Symbol> symbols;
-  MathMacros macros;  ///< of the author
+  MathMacros macros;          ///< of the author
+  EquationNotation notation;  ///< how its formulas are read
   std::vector<Stage> stages;
   std::string source;  ///< the whole file, without a byte order mark
 

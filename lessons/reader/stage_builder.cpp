@@ -9,6 +9,7 @@
 #include "lessons/reader/reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 namespace polhode {
@@ -21,9 +22,23 @@ std::vector<std::string> names_of(const std::map<std::string, int>& lines) {
 }
 
 std::string usage_of(std::string_view kind) {
-  if (kind == "claim") return "```claim EQUATION KIND";
+  if (kind == "claim") return "```claim EQUATION KIND, or ```claim EQUATION KIND in-other-words";
   if (kind == "math") return "```math ID, or ```math ID KIND where the formula is to be proved";
   return kind == "scene" ? "```scene" : "```" + std::string(kind) + " ID";
+}
+
+/// Whether a formula has no relation and no words: it is one side.
+bool states_nothing(std::string_view tex) {
+  if (tex.find_first_of("=<>") != tex.npos) return false;
+  static const std::set<std::string_view> kWords = {"ne",         "neq",     "le",     "leq",    "ge",
+                                                    "geq",        "to",      "approx", "sim",    "equiv",
+                                                    "Rightarrow", "implies", "iff",    "propto", "text"};
+  for (std::size_t at = tex.find('\\'); at != tex.npos; at = tex.find('\\', at + 1)) {
+    std::size_t end = at + 1;
+    while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end]))) ++end;
+    if (kWords.contains(tex.substr(at + 1, end - at - 1))) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -128,7 +143,7 @@ void StageBuilder::finish_stage() {
   check_claims();
   check_highlights();
   equation_lines_.clear();
-  last_formula_.reset();
+  above_.reset();
   ask_lines_.clear();
   terms_.clear();
 }
@@ -187,10 +202,14 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
                   suggestion(kind, kinds));
     return;
   }
-  const std::size_t most = kind == "claim" || kind == "math" ? 3 : kind == "scene" ? 1 : 2;
-  const std::size_t least = kind == "math" ? 2 : most;
-  if (fence.words.size() < least || fence.words.size() > most) {
-    report_.error(fence.words.size() > most ? fence.words[most].place : fence.place,
+  const std::size_t most = kind == "claim" ? 4 : kind == "math" ? 3 : kind == "scene" ? 1 : 2;
+  const std::size_t least = kind == "claim" || kind == "math" ? most - 1 : most;
+  const bool has_other_words = kind == "claim" && fence.words.size() == most;
+  if (fence.words.size() < least || fence.words.size() > most ||
+      (has_other_words && fence.words.back().text != "in-other-words")) {
+    report_.error(fence.words.size() > most ? fence.words[most].place
+                  : has_other_words         ? fence.words.back().place
+                                            : fence.place,
                   "this fence opens with " + usage_of(kind));
     return;
   }
@@ -227,7 +246,11 @@ void StageBuilder::add_math(const Fence& fence) {
   take_tag(equation);
   terms_.insert(equation.math.terms.begin(), equation.math.terms.end());
   auto claim = fence.words.size() > 2 ? claim_printed_in(equation, fence) : std::nullopt;
-  last_formula_ = equation.math;
+  above_.reset();
+  if (claim && claim->origin == Claim::Origin::formula && claim->kind != ClaimKind::non_sequitur)
+    above_ = {equation.math, claim->kind};
+  else if (fence.words.size() == 2 && states_nothing(equation.tex))
+    above_ = {equation.math, {}};
   step().blocks.push_back(std::move(equation));
   if (!claim) return;
   parts_ += static_cast<int>(claim->lines.size());
@@ -247,11 +270,27 @@ std::optional<Claim> StageBuilder::claim_printed_in(const Equation& equation, co
                       : fault.hint);
     return std::nullopt;
   };
-  const auto read = read_equation(equation.math, front_.notation, last_formula_ ? &*last_formula_ : nullptr);
+  const auto whole = [](std::string reason, std::string hint = {}) {
+    return UnreadableEquation{{0, 0}, std::move(reason), std::move(hint)};
+  };
+  if (kind == ClaimKind::is_false && !equation.math.live.empty())
+    return refuse(whole("a live number is what it is on this motion, and false in general"));
+  const auto is_part_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '\'' || c == '.' || c == ',' || c == ' ' ||
+           c == '*';
+  };
+  if (!std::all_of(equation.tag.begin(), equation.tag.end(), is_part_of_name))
+    return refuse(whole("its tag is not a number or a name"));
+  const bool goes_on = above_ && (!above_->kind || above_->kind == kind);
+  const auto read = read_equation(equation.math, front_.notation, goes_on ? &above_->math : nullptr);
   if (!read) return refuse(read.error());
   auto lines = claim_lines_of(*read, *kind, place_of);
   if (!lines) return refuse(lines.error());
-  return Claim{equation.id, *kind, std::move(*lines), fence.place, true};
+  return Claim{.equation = equation.id,
+               .kind = *kind,
+               .lines = std::move(*lines),
+               .place = fence.place,
+               .origin = read->is_part ? Claim::Origin::part : Claim::Origin::formula};
 }
 
 std::optional<ClaimKind> StageBuilder::kind_from(const PlacedText& word) {
@@ -296,7 +335,11 @@ void StageBuilder::add_claim(const Fence& fence) {
   }
   auto lines = read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_);
   parts_ += static_cast<int>(lines.size());
-  step().blocks.push_back(Claim{fence.words[1].text, *kind, std::move(lines), fence.place});
+  step().blocks.push_back(Claim{.equation = fence.words[1].text,
+                                .kind = *kind,
+                                .lines = std::move(lines),
+                                .place = fence.place,
+                                .in_other_words = fence.words.size() > 3});
 }
 
 void StageBuilder::add_scene(const Fence& fence) {

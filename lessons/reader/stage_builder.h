@@ -67,7 +67,13 @@ class StageBuilder {
   bool step_is_empty_ = true;  ///< nothing stands in it, right or wrong
   SourcePlace step_place_;
   std::map<std::string, int> equation_lines_;
-  std::optional<Math> last_formula_;  ///< what a formula that begins with "=" goes on with
+  /// What a formula that begins with "=" goes on with: the one above, if that is proved as printed and of the
+  /// same kind, or is one side alone, which states nothing.
+  struct Above {
+    Math math;
+    std::optional<ClaimKind> kind;  ///< nothing: it states nothing
+  };
+  std::optional<Above> above_;
   std::map<std::string, int> ask_lines_;
   std::set<std::string> terms_;
   std::vector<PlacedText> claimed_;      // equations that claims name

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/tex_equation.h"
 
+#include "lessons/claims/expression_names.h"
 #include "lessons/reader/tex_terms.h"
 
 #include <algorithm>
@@ -67,10 +68,16 @@ class EquationReader {
   }
 
   ReadEquation read() {
+    result_.is_part = has_proved_part(*math_.root);
     terms_.any_inertia = anywhere(has_tensor_component);
     Items items = take_ends(items_);
     std::vector<Sentence> sentences = split(items);
     take_conditions(sentences);
+    for (std::size_t i = 1; i < sentences.size(); ++i)
+      if (sentences[i].joint == Joint::follows && !is_no_torque(sentences[i - 1].items))
+        throw TexFault(sentences[i].items.front().span,
+                       "whether this follows from what stands before it is not proved",
+                       "write two equations, or begin with \\vec N = 0");
     std::vector<std::array<std::pair<char32_t, int>, 3>> assignments = ranges_;
     if (assignments.empty()) assignments.emplace_back();
     const bool twice = anywhere(has_struck);
@@ -85,6 +92,11 @@ class EquationReader {
     }
     if (in_space_ && terms_.has_body_rate)
       throw TexFault(items_.back().span, "\"in S\" stands at a rate as seen from the body");
+    if (terms_.has_space_inertia && (terms_.has_inertia || terms_.has_matrix))
+      throw TexFault(math_.root->span, "components in S are not told from those on the body's axes here",
+                     "say it with \\mathbf I_S alone, or with \\mathbf I alone");
+    if (terms_.has_matrix && terms_.has_rate)
+      throw TexFault(math_.root->span, "the rate of a matrix of components is not read");
     if (result_.sentences.empty()) throw TexFault(math_.root->span, "there is no equation here");
     return std::move(result_);
   }
@@ -308,6 +320,16 @@ class EquationReader {
     return true;
   }
 
+  /// A number of \live and its unit.
+  static bool is_live(Items side) {
+    const bool is_number =
+        !side.empty() && side[0].kind == ItemKind::operand && side[0].node->kind == Kind::term;
+    return is_number && std::all_of(side.begin() + 1, side.end(), [](const TexItem& item) {
+             return item.kind == ItemKind::text || item.kind == ItemKind::gap ||
+                    item.is(ItemKind::times, U'/');
+           });
+  }
+
   void add(const Sentence& sentence) {
     EquationSentence read;
     read.joint = sentence.joint;
@@ -329,7 +351,9 @@ class EquationReader {
       if (i == begin)
         throw TexFault(i < items.size() ? items[i].span : items.back().span,
                        "a side is missing beside this =");
+      terms_.may_be_live = i == items.size() && left && is_live(items.subspan(begin, i - begin));
       TexValue right = terms_.side(items.subspan(begin, i - begin));
+      terms_.may_be_live = false;
       if (left) {
         const std::size_t first = read.links.size();
         link(read, *left, right);
@@ -339,7 +363,10 @@ class EquationReader {
       begin = i + 1;
     }
     if (read.links.empty()) throw TexFault(read.source, "there is no = here");
+    const std::size_t printed = read.links.size();
     for (const auto& [contents, label] : labels) link(read, contents, label);
+    for (std::size_t i = 0; i < read.links.size(); ++i)
+      if (i >= printed || terms_.without_struck) read.links[i].is_side_by_side = false;
     result_.sentences.push_back(std::move(read));
   }
 
@@ -355,6 +382,7 @@ class EquationReader {
           return applied(*side.tensor, e, span);
         };
         push(sentence, column(left), column(right), span);
+        sentence.links.back().is_side_by_side = false;
       }
       return;
     }
@@ -402,6 +430,82 @@ Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const E
   }
 }
 
+namespace {
+
+std::string letter_of(const QuantityFacts& facts) {
+  const std::string name(facts.name);
+  if (name == "omega" || name.front() == 'w' || name.front() == 'd') return "omega";
+  if (name.front() == 'J') return "I";
+  return name.substr(0, 1);
+}
+
+/// Adds the letters of what stands in a node: of each part that can be read, the smallest first to fail.
+class LetterSearch {
+ public:
+  LetterSearch(const Math& math, const EquationNotation& notation) : terms_(math, notation) {}
+
+  void add(const MathNode& node, int depth = 0) {
+    if (depth > kMaxEquationNesting) return;
+    try {
+      add(items_of(node, kMaxEquationNesting), depth);
+    } catch (const TexFault&) {
+      add_children(node, depth);
+    }
+  }
+
+  std::set<std::string> take() { return std::move(letters_); }
+
+ private:
+  void add(const TexItems& items, int depth) {
+    for (const TexItem& item : items) {
+      add(item.inside, depth + 1);
+      if (item.kind != TexItem::Kind::operand || add_value(item)) continue;
+      for (const MathNode* part : {item.node, item.sub, item.sup})
+        if (part != nullptr) add_children(*part, depth);
+    }
+  }
+
+  void add_children(const MathNode& node, int depth) {
+    for (const MathNode& child : node.children) add(child, depth + 1);
+  }
+
+  /// False if it cannot be read.
+  bool add_value(const TexItem& item) {
+    try {
+      const TexValue value = terms_.side({&item, 1});
+      if (value.is_tensor()) {
+        letters_.insert("I");
+        return true;
+      }
+      letters_.merge(letters_in(expression_of(value)));
+      return true;
+    } catch (const TexFault&) {
+      return false;
+    }
+  }
+
+  TexTerms terms_;
+  std::set<std::string> letters_;
+};
+
+}  // namespace
+
+std::set<std::string> letters_in(const Expression& expression) {
+  std::set<std::string> letters;
+  for (const QuantityFacts& facts : kQuantities)
+    if (expression.uses(facts.quantity)) letters.insert(letter_of(facts));
+  for (const Operation of_tensor : {Operation::inertia, Operation::apply, Operation::trace})
+    if (expression.uses(of_tensor)) letters.insert("I");
+  return letters;
+}
+
+std::set<std::string> letters_in(const Math& math, const EquationNotation& notation) {
+  if (!math.root) return {};
+  LetterSearch search(math, notation);
+  search.add(*math.root);
+  return search.take();
+}
+
 Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEquation& equation,
                                                                   ClaimKind kind,
                                                                   const PlaceOfSpan& place_of) {
@@ -434,7 +538,8 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
                        .conclusion = {},
                        .within = {},
                        .place = place_of(link.source),
-                       .goes_on = link.goes_on});
+                       .goes_on = link.goes_on,
+                       .is_side_by_side = link.is_side_by_side});
     }
   }
   if (kind == ClaimKind::non_sequitur) {

@@ -7,9 +7,9 @@
 // is refused, with its place, a reason and, where there is one, a way to write it. Nothing is guessed.
 //
 //   formula    = ["tempting:"] sentence { separator sentence } [condition]
-//   separator  = ","  |  new line  |  "and"  |  \Rightarrow  |  "does not give"  |  ":" behind a premise
+//   separator  = ","  |  new line  |  "and"  |  "does not give"  |  \Rightarrow or ":" behind \vec N = 0
 //   sentence   = side { "=" side }       every link of the chain is an equality of its own
-//   side       = [sign] term { sign term }  |  \live{…} unit, which stands for its expression
+//   side       = [sign] term { sign term }  |  at the end of a chain \live{…} unit, for its expression
 //   term       = run { (\cdot | \times) run } [/ factor]
 //   run        = factor factor …         a product without a sign
 //   condition  = \quad (i = 1, 2, 3)  |  \quad (\{i, j, k\} = \{1, 2, 3\})  |  "in S"
@@ -44,10 +44,12 @@
 // Refused, because the page leaves it open: a x b x c, a·b·c, I·a x b, two vectors without a sign, a/b c,
 // a/b/c, d/dt (a) b, d/dt a·b, \dot of other vectors, T(0) and \omega_1(t) (factor or argument?), 2\frac12,
 // digits in groups, an index that no \sum and no condition binds (no silent sums), two signs in a row, \pm,
-// relations other than "=", second derivatives, functions and roots, primes and unknown names, letters of
-// other alphabets, other words.
+// what follows from what, relations other than "=", second derivatives, functions and roots, primes and
+// unknown names, letters of other alphabets, other words.
 //
-// Looked through: \term, \textcolor, \boxed, spaces below \quad, alignment, tags, a full stop at the end.
+// Where parts are marked by \proved{…} these alone are read, each as a formula of its own.
+//
+// Looked through: \term, a \boxed around all, spaces below \quad, alignment, tags, a full stop at the end.
 // Braces of TeX group nothing, for nobody sees them. \underbrace holds its contents together; its label,
 // unless it is text, is one more equality: contents = label. What is struck out by \cancel states two
 // equalities: the one with it, and the one without it, where a struck term is 0 and a struck factor 1.
@@ -65,6 +67,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -87,8 +90,9 @@ struct EquationNotation {
 /// left = right.
 struct EquationLink {
   Equality equality;
-  SourceSpan source;     ///< of both sides, in the TeX
-  bool goes_on = false;  ///< with the link before, whose right side is its left side
+  SourceSpan source;            ///< of both sides, in the TeX
+  bool goes_on = false;         ///< with the link before, whose right side is its left side
+  bool is_side_by_side = true;  ///< as of ClaimLine
 };
 
 /// A chain of links, and how it hangs together with the sentence before it.
@@ -104,6 +108,7 @@ struct ReadEquation {
   std::vector<EquationSentence> sentences;
   bool is_tempting = false;     ///< "tempting:" stands before it
   bool without_torque = false;  ///< a condition says N = 0
+  bool is_part = false;         ///< what \proved{…} marks; the rest was not read
 };
 
 /// Why a formula is not read.
@@ -122,6 +127,13 @@ inline constexpr std::size_t kMaxEquationLinks = 64;
 /// lecture, of the largest 40, at most 10 ms.
 Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const EquationNotation& notation,
                                                        const Math* above = nullptr);
+
+/// The letters of the language of claims that a formula shows, whether or not it can be read: "T", "I",
+/// "omega", "L", "N", "m", "p", "v", "F", "A", "e", "h", "k". Components, rates and the tensor count as their
+/// letter.
+std::set<std::string> letters_in(const Math& math, const EquationNotation& notation);
+/// The same of an expression.
+std::set<std::string> letters_in(const Expression& expression);
 
 using PlaceOfSpan = std::function<SourcePlace(SourceSpan)>;
 

@@ -49,13 +49,17 @@ bool is_bracket(const Item& item) {
 class Flattening {
  public:
   TexItems run(const MathNode& node) {
-    add(node, false);
+    const MathNode* whole = &node;  // a box around all of it groups nothing
+    while ((whole->kind == Kind::row || whole->kind == Kind::box) && whole->children.size() == 1)
+      whole = &whole->children.front();
+    add(*whole, false);
     return std::move(items_);
   }
 
  private:
   void push(Item item) {
     if (items_.size() > 8192) throw TexFault(item.span, "this formula is too long to be read");
+    goes_back_ = false;
     items_.push_back(std::move(item));
   }
 
@@ -70,17 +74,25 @@ class Flattening {
         [[fallthrough]];
       case Kind::row:
       case Kind::alphabet:
-      case Kind::color:
-      case Kind::box:
         for (const MathNode& child : node.children) add(child, struck);
         return;
+      case Kind::color:
+        throw TexFault(node.span, "a colour may hide what is proved", "mark the part with \\term{id}{…}");
+      case Kind::box:
+        throw TexFault(node.span, "does this box hold its contents together?",
+                       "write brackets, or box all of it");
       case Kind::cancel:
         if (node.character == U'n')
           throw TexFault(node.span, "a relation that is struck through is not read");
+        if (nucleus_of(node.children.front()).character == U'd')
+          throw TexFault(node.span, "a d alone cannot be struck out");
         for (const MathNode& child : node.children) add(child, true);
         return;
       case Kind::space: {
-        constexpr double kQuad = 0.99;
+        constexpr double kQuad = 0.99, kThin = -0.17;  // em; \! is the thin space backwards
+        if (node.amount < kThin || (node.amount < 0 && goes_back_))
+          throw TexFault(node.span, "a space that goes back may print one thing over another");
+        goes_back_ = node.amount < 0;
         if (node.amount < kQuad) return;
         Item gap;
         gap.kind = Item::Kind::gap;
@@ -146,6 +158,9 @@ class Flattening {
   void add_scripts(const MathNode& node, bool struck) {
     const MathNode& nucleus = nucleus_of(node.children[0]);
     const MathNode *sub = present(node.children[1]), *sup = present(node.children[2]);
+    for (const MathNode* script : {sub, sup})
+      if (script != nullptr && nucleus_of(*script).kind == Kind::cancel)
+        throw TexFault(script->span, "an index or power that is struck out is not read");
     if (nucleus.kind == Kind::brace) return push_brace(nucleus, node, sub != nullptr ? sub : sup, struck);
     if (nucleus.kind == Kind::row && nucleus.children.empty())
       throw TexFault(node.span, "this index or power stands at nothing");
@@ -181,6 +196,7 @@ class Flattening {
   }
 
   TexItems items_;
+  bool goes_back_ = false;  ///< the last thing was a negative space
 };
 
 /// Matches brackets, by a stack of its own.
@@ -291,7 +307,8 @@ TexItems lines_of(const MathNode& grid, int depth) {
     const Item& first = line.front();
     const bool goes_on = first.kind == Item::Kind::relation ||
                          (first.kind == Item::Kind::sign && !(has_relation(last) && has_relation(line)));
-    if (!last.empty() && first.kind == Item::Kind::sign && !goes_on && first_is_empty && columns > 1)
+    const bool begins_left_of_align = columns > 1 && !first_is_empty;
+    if (!last.empty() && first.kind == Item::Kind::sign && !goes_on && !begins_left_of_align)
       throw TexFault(first.span, "does this line go on with the one above, or begin an equation?",
                      "put its left side before the &");
     if (!last.empty() && !goes_on) {
@@ -318,7 +335,48 @@ TexItems items_of(const MathNode& node, int depth) {
   return Brackets(depth).run(Flattening().run(node));
 }
 
+namespace {
+
+/// The parts that \proved{…} marks.
+void find_proved(const MathNode& node, std::vector<const MathNode*>& parts) {
+  if (node.kind == Kind::term && node.text == kProvedPart)
+    parts.push_back(&node.children.front());
+  else
+    for (const MathNode& child : node.children) find_proved(child, parts);
+}
+
+TexItems whole_formula(const MathNode& root, int depth);
+
+}  // namespace
+
+bool has_proved_part(const MathNode& root) {
+  std::vector<const MathNode*> parts;
+  find_proved(root, parts);
+  return !parts.empty();
+}
+
 TexItems formula_items(const MathNode& root, int depth) {
+  std::vector<const MathNode*> parts;
+  find_proved(root, parts);
+  if (parts.empty()) return whole_formula(root, depth);
+  TexItems all;
+  for (const MathNode* part : parts) {
+    TexItems items = whole_formula(*part, depth);
+    if (items.empty()) continue;
+    if (!all.empty()) {
+      Item line;
+      line.kind = Item::Kind::line;
+      line.span = items.front().span;
+      all.push_back(std::move(line));
+    }
+    std::move(items.begin(), items.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+namespace {
+
+TexItems whole_formula(const MathNode& root, int depth) {
   const auto is_lines = [](const MathNode& node) {
     return node.kind == Kind::grid &&
            (node.grid->kind == MathGrid::Kind::aligned || node.grid->kind == MathGrid::Kind::gathered);
@@ -334,5 +392,7 @@ TexItems formula_items(const MathNode& root, int depth) {
       throw TexFault(item.span, "aligned lines beside other things are not read");
   return lines_of(*grid->node, depth - 1);
 }
+
+}  // namespace
 
 }  // namespace polhode

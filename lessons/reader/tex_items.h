@@ -48,7 +48,11 @@ using TexItems = std::vector<TexItem>;
 TexItems items_of(const MathNode& node, int depth);
 
 /// The lines of the formula one behind the other, with a `line` between sentences (tex_equation.h).
+/// Where parts are marked by \proved{…}: these alone, one behind the other.
 TexItems formula_items(const MathNode& root, int depth);
+
+/// Whether a formula marks parts by \proved{…}.
+bool has_proved_part(const MathNode& root);
 
 /// `first` to `last`.
 SourceSpan joined_span(SourceSpan first, SourceSpan last);

@@ -440,6 +440,7 @@ bool TexTerms::is_redefined(const TexItem& item) {
 /// What holds at an instant says nothing of rates.
 TexValue TexTerms::rate(const TexValue& of, bool space, SourceSpan span) {
   if (is_conditioned()) throw TexFault(span, "rates are not read under a condition on ω");
+  has_rate = true;
   if (!space) has_body_rate = true;
   return rate_of(of, space, span);
 }
@@ -629,6 +630,19 @@ TexValue TexTerms::meaning_of(const EquationSymbol& symbol, SourceSpan span) con
   return value;
 }
 
+namespace {
+
+/// Digits, or a relation, in the words of a label.
+bool says_value(const MathNode& label) {
+  const auto says = [](const MathNode& node) {
+    return node.text.find_first_of("0123456789=<>") != std::string::npos ||
+           node.text.find("≠") != std::string::npos;
+  };
+  return says(label) || std::any_of(label.children.begin(), label.children.end(), says);
+}
+
+}  // namespace
+
 TexValue TexTerms::group(const TexItem& item) {
   if (item.open == U'|') return length_of(sum(item.inside, item.span), item.span);
   TexValue value = sum(item.inside, item.span);
@@ -641,6 +655,9 @@ TexValue TexTerms::group(const TexItem& item) {
                         std::all_of(label.children.begin(), label.children.end(), [](const MathNode& part) {
                           return part.kind == Kind::text || part.kind == Kind::space;
                         }));
+    if (words && says_value(label))
+      throw TexFault(item.label->span, "words under a brace are not proved, and these say a value",
+                     "write it as a formula: \\underbrace{a}_{0}");
     if (!words) {
       const TexItems items = items_of(*item.label, kMaxEquationNesting);
       TexValue said = sum(items, item.label->span);
@@ -681,6 +698,9 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
       throw TexFault(item.span, "this array is not read");
     case Kind::term: {  // \live
       const std::size_t index = static_cast<std::size_t>(std::atoi(node.text.c_str() + 5));
+      if (!may_be_live)
+        throw TexFault(item.span, "a live number is not proved: it stands for a symbol, and shows digits",
+                       "let it stand alone at the end of the chain, behind what it is");
       if (index >= math_.live.size()) throw TexFault(item.span, "this number is not read");
       return meaning_of({"live", {}, math_.live[index].expression}, item.span);
     }
@@ -756,7 +776,9 @@ TexValue TexTerms::inertia(const TexItem& item, bool& took_sub, bool& took_sup) 
   if (item.sub != nullptr && !took_sub) {
     if (!is_symbol(&plain_node(*item.sub), U'S'))
       throw TexFault(item.span, "this index of a tensor is not read");
-    took_sub = true;
+    took_sub = has_space_inertia = true;
+  } else {
+    has_inertia = true;
   }
   if (item.sup != nullptr && !took_sup) {
     const TexItems sup = items_of(*item.sup, kMaxEquationNesting);
@@ -866,6 +888,7 @@ TexValue TexTerms::matrix(const TexItem& item) {
   const MathNode& node = *item.node;
   if (node.grid->columns != 3 || node.children.size() != 9 || !is_plain(item))
     throw TexFault(item.span, "a tensor has three rows and three columns");
+  has_matrix = true;
   TexTensor tensor;
   tensor.kind = TexTensor::Kind::matrix;
   for (const MathNode& cell : node.children) {

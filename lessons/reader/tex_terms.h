@@ -39,8 +39,11 @@ class TexTerms {
   bool without_struck = false;
   /// Contents of underbraces and their labels, as they are come by; null: they were taken already.
   std::vector<std::pair<TexValue, TexValue>>* labels = nullptr;
-  /// A rate as seen from the body was read.
-  bool has_body_rate = false;
+  /// A number of \live is read: it stands alone, as the last side of a chain.
+  bool may_be_live = false;
+  /// A rate as seen from the body was read; any rate; 𝐈_S; 𝐈 without an index; a tensor by its components.
+  bool has_body_rate = false, has_rate = false, has_space_inertia = false, has_inertia = false,
+       has_matrix = false;
 
   /// The axis that a character names, or its letter stands for; nothing if it is no index.
   std::optional<int> axis_of(const MathNode& character) const;

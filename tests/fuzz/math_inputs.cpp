@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/math_inputs.h"
 
+#include "lessons/reader/tex_equation.h"
 #include "render/typeset/math/commands.h"
 #include "tests/support/paths.h"
 
@@ -97,6 +98,9 @@ std::string finding_in(const std::string& tex, const Fonts& fonts) {
         list.ok() ? wrong_with_list(*list, tex.size()) : wrong_with_errors(list.error(), tex.size());
     if (!wrong.empty()) return wrong;
   }
+  if (const auto read = read_equation(*math, {}); !read && read.error().place.end > tex.size())
+    return "an unreadable place outside the formula: " + read.error().reason;
+  letters_in(*math, {});
   spoken(*math, kSymbols, [](std::string_view name) { return std::string(name); });
   return {};
 }

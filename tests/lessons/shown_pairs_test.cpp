@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <set>
@@ -174,6 +175,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/substitute-both", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
     {"euler-equations/substitute-tempting", [](const Now& s) { return Sides2(s.L() + w_x_L(s), s.N()); }},
     {"euler-equations/tensor-two-terms", [](const Now& s) { return Sides2(s.star_L(), s.times_I(s.star_w())); }},
+    {"euler-equations/tensor-product-rule", [](const Now& s) { return Sides2(s.star_L(), s.times_I(s.star_w())); }},
     {"euler-equations/tensor-outside", [](const Now& s) { return Sides2(s.times_I(s.star_w()) + w_x_L(s), s.N()); }},
     {"euler-equations/omega-transport", [](const Now& s) { return Sides2(s.ddt_w(), s.star_w()); }},
     {"euler-equations/omega-dot", [](const Now& s) { return Sides2(s.ddt_w(), s.star_w()); }},
@@ -216,6 +218,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/momentum-left", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), 0.0); }},
     {"euler-equations/magnitude-square", [](const Now& s) { return Sides2(s.L().squaredNorm(), s.I().cwiseAbs2().dot(s.w().cwiseAbs2())); }},
     {"euler-equations/magnitude-rate", [](const Now& s) { return Sides2(0.5 * L2_rate(s), s.L().dot(s.star_L())); }},
+    {"euler-equations/magnitude-conserved", [](const Now& s) { return Sides2(0.5 * L2_rate(s), 0.0); }},
     {"euler-equations/magnitude-measured", [](const Now& s) { return Sides2(L2_rate(s), 0.0); }},
     {"euler-equations/magnitude-subtract", [](const Now& s) { return Sides2(L2_minus_2TI(s, 0), part(s, 1, 0) + part(s, 2, 0)); }},
     {"euler-equations/follows-product", [](const Now& s) { return Sides2(L2_rate(s), 2 * s.L().dot(s.ddt_L())); }},
@@ -244,9 +247,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"intermediate-axis/signs-proof-three", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
     {"intermediate-axis/signs-saddle", [](const Now& s) { return Sides2(L2_minus_2TI(s, 1), part(s, 2, 1) + part(s, 0, 1)); }},
     {"intermediate-axis/separatrix-constant", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
-    {"intermediate-axis/separatrix-kappa", [](const Now& s) {
-       const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2], kappa = std::sqrt(I1 * (I2 - I1) / (I3 * (I3 - I2)));
-       return Sides2(std::pow(kappa * (I3 - I2) / I1, 2), (I2 - I1) * (I3 - I2) / (I1 * I3)); }},
     {"intermediate-axis/L-space", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
     {"intermediate-axis/L-along-two", [](const Now& s) { return Sides2(s.L()[1], s.I()[1] * s.w()[1]); }},
     {"intermediate-axis/no-torque-body", [](const Now& s) { return Sides2(s.star_L(), -w_x_L(s)); }},
@@ -255,11 +255,24 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
 
     {"numerical-lab/task-equations", [](const Now& s) { return Sides2(s.times_I(s.star_w()), s.N() - w_x_L(s)); }},
     {"numerical-lab/order-energy", [](const Now& s) { return Sides2(2 * s.T(), s.I().dot(s.w().cwiseAbs2())); }},
+    {"numerical-lab/splitting-parts", [](const Now& s) { return Sides2(s.star_L(), s.L().cross(s.w())); }},
     {"numerical-lab/splitting-energy", [](const Now& s) { return Sides2(s.T(), 0.5 * s.I().dot(s.w().cwiseAbs2())); }},
   };
   return kPrinted;
 }
 // clang-format on
+
+/// The lines whose sides stand on the page, if they are one equality or a chain of them, whose ends are its two
+/// sides; else none.
+std::vector<ClaimLine> one_equation(const Claim& claim) {
+  std::vector<ClaimLine> lines;
+  for (const ClaimLine& line : claim.lines) {
+    if (!line.is_side_by_side) continue;
+    if (!lines.empty() && !line.goes_on) return {};
+    lines.push_back(line);
+  }
+  return lines;
+}
 
 /// Calls `use(name, claim, scene)` for every claim whose two sides a page shows, as
 /// app/narration/verdict_row.h has it.
@@ -273,7 +286,7 @@ void for_each_shown_pair(const Use& use) {
       for (const Step& step : stage.steps)
         for (const Block& block : step.blocks)
           if (const auto* claim = std::get_if<Claim>(&block))
-            if (step.scene && claim->lines.size() == 1 && can_be_shown(*claim, *step.scene))
+            if (step.scene && !one_equation(*claim).empty() && can_be_shown(*claim, *step.scene))
               use(std::string(id) + '/' + claim->equation, *claim, *step.scene);
   }
 }
@@ -297,13 +310,14 @@ TEST(ShownPairs, AreTheTwoSidesOfThePrintedEquation) {
       const auto live = live_state(model, t_s);
       ASSERT_TRUE(live);
       const View view = scene.views.front();
-      const auto shown = live_value(claim, *live, view);
-      ASSERT_TRUE(shown);
+      const auto lines = one_equation(claim);
+      const auto first = live_value(lines.front(), *live, view), last = live_value(lines.back(), *live, view);
+      ASSERT_TRUE(first && last);
       const auto [left, right] = found->second(now);
       // Rates are differences here and there; a method that goes step by step has kinks between its steps.
-      const double apart = (1e-7 + shown->tolerance) * shown->size;
-      expect_side(left, shown->left, now, view, apart);
-      expect_side(right, shown->right, now, view, apart);
+      const auto apart = [](const LiveValue& shown) { return (1e-7 + shown.tolerance) * shown.size; };
+      expect_side(left, first->left, now, view, apart(*first));
+      expect_side(right, last->right, now, view, apart(*last));
     }
   });
   for (const auto& [name, sides] : printed()) EXPECT_TRUE(seen.contains(name)) << name << " shows no pair";

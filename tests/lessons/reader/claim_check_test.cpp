@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 std::vector<std::string> faults(const std::string& kind, const std::string& claim, bool scene = true) {
-  const std::string body = "```math a\nx\n```\n```claim a " + kind + "\n" + claim + "\n```\n";
+  const std::string body = "```math a\nx\n```\n```claim a " + kind + " in-other-words\n" + claim + "\n```\n";
   const std::string with_scene = "```scene\nshow = [\"omega\"]\n```\n";
   LessonReading reading = read_lesson(testing::lesson_with(body + (scene ? with_scene : "")), "a.md");
   EXPECT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
@@ -72,7 +72,8 @@ std::vector<std::string> faults_within(const std::string& body, std::int64_t eva
 }
 
 TEST(CheckClaims, EndAtTheClaimThatIsTooDear) {
-  const std::string claim = "```math a\nx\n```\n```claim a measured\nddt(T) = dot(N, omega)\n```\n";
+  const std::string claim =
+      "```math a\nx\n```\n```claim a measured in-other-words\nddt(T) = dot(N, omega)\n```\n";
   const std::string scene = "```scene\nshow = [\"omega\"]\ntorque = \"heavy:1,0,0,1\"\nduration = 100\n```\n";
   const auto far = faults_within(claim + scene, 1'000'000'000);
   EXPECT_THAT(far, IsEmpty());
@@ -85,7 +86,8 @@ TEST(CheckClaims, EndAtTheClaimThatIsTooDear) {
 TEST(CheckClaims, ASearchInVainIsPaidFor) {
   // False, and true in every state of small whole numbers that is tried: found out by the prover alone.
   const std::string claim =
-      "```math a\nx\n```\n```claim a false\nw1*(w1-1)*(w1+1)*(w1-2)*(w1+2)*(w1-3)*(w1+3) = 0\n```\n";
+      "```math a\nx\n```\n```claim a false in-other-words\nw1*(w1-1)*(w1+1)*(w1-2)*(w1+2)*(w1-3)*(w1+3) = "
+      "0\n```\n";
   EXPECT_THAT(faults_within(claim, kVainSearchEvaluations + 100'000), IsEmpty());
   EXPECT_THAT(faults_within(claim, kVainSearchEvaluations), SizeIs(1));
 }
@@ -109,6 +111,65 @@ TEST(CheckClaims, OfTheLessonsAllHold) {
     EXPECT_FALSE(prove_claims(*reading.lesson));
     EXPECT_THAT(testing::lines_of(check_claims(*reading.lesson, "")), IsEmpty()) << path;
   }
+}
+
+// The sides are lost in rounding, or the scene makes them 0: what is not proved is then not measured either.
+TEST(CheckClaims, WhatIsLostInRoundingIsNotMeasured) {
+  const auto measured = [](const std::string& scene, const std::string& claim) {
+    LessonReading reading =
+        read_lesson(testing::lesson_with("```math a\nx\n```\n```claim a measured in-other-words\n" + claim +
+                                         "\n```\n```scene\nshow = [\"omega\"]\n" + scene + "\n```\n"),
+                    "a.md");
+    EXPECT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
+    if (!reading.lesson) return std::vector<std::string>();
+    prove_claims(*reading.lesson);
+    return testing::lines_of(check_claims(*reading.lesson, "a.md"));
+  };
+  const std::string top = "omega = [0.01, 0, 30000]\ntorque = \"heavy:0.01,0,0,1\"\nduration = 0.01";
+  for (const char* wrong : {"ddt(T) = 0", "ddt(L) = 0", "ddt(L) = 2*N", "ddt(T) = 5*dot(omega, N)"})
+    EXPECT_THAT(measured(top, wrong), ElementsAre(HasSubstr("this measures nothing"))) << wrong;
+  EXPECT_THAT(measured("omega = [0, 0, 3000]", "I1*dw1 = (I3 - I2)*w2*w3"),
+              ElementsAre(HasSubstr("this measures nothing")));
+  EXPECT_THAT(measured("omega = [0.3, 1, 2]", "ddt(T) = 0"), IsEmpty()) << "true of every free body";
+}
+
+// --- beside the formula ---------------------------------------------------------------------------------
+
+std::vector<std::string> remarks(const std::string& tex, const std::string& opening,
+                                 const std::string& claim) {
+  LessonReading reading = read_lesson(
+      testing::lesson_with("```math a\n" + tex + "\n```\n```claim a " + opening + "\n" + claim + "\n```\n"),
+      "a.md");
+  EXPECT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
+  if (!reading.lesson) return {};
+  EXPECT_FALSE(prove_claims(*reading.lesson));
+  return testing::lines_of(check_claims(*reading.lesson, "a.md"));
+}
+
+TEST(AClaimBesideAFormula, MaySayNoMoreThanTheFormula) {
+  EXPECT_THAT(remarks("2T = \\vec\\omega\\cdot\\vec L", "identity", "I1 = I1"),
+              ElementsAre(HasSubstr("warning: the formula does not say this")));
+  EXPECT_THAT(remarks("E = mc^3", "identity", "I1 = I1"),
+              ElementsAre(HasSubstr("warning: the claim speaks of I, which the formula does not show"),
+                          HasSubstr("warning: this says nothing")));
+}
+
+TEST(AClaimBesideAFormula, IsNotNeededWhereTheFormulaCanBeRead) {
+  EXPECT_THAT(remarks("2T = \\vec\\omega\\cdot\\vec L", "identity", "dot(L, omega) = 2*T"),
+              ElementsAre(HasSubstr("warning: the formula itself can be proved, as it is printed")));
+}
+
+TEST(AClaimBesideAFormula, OfAPartSaysSo) {
+  EXPECT_THAT(remarks("2T = \\vec\\omega\\cdot\\vec L,\\quad I_1 = I_1", "identity", "dot(L, omega) = 2*T"),
+              ElementsAre(HasSubstr("of the 2 equalities that the formula states only 1 are claimed")));
+}
+
+TEST(AClaimBesideAFormula, MayUseOtherWordsIfTheAuthorSaysSo) {
+  EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity in-other-words", "e1 = e1"), IsEmpty());
+  EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity", "2*L = L + L"), IsEmpty())
+      << "no other letter";
+  EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity", "cross(e1, e2) = e3"),
+              ElementsAre(HasSubstr("speaks of e, which")));
 }
 
 }  // namespace

@@ -57,6 +57,53 @@ TEST(FrontMatter, WhatSymbolsSayIsOnePlainLine) {  // 2026-11-22: an ESC of TOML
   }
 }
 
+TEST(FrontMatter, ReadsWhatSymbolsMeanAndWhatTheAxesAre) {
+  TextReport at(kHead +
+                std::string("axes = \"xyz\"\n[symbols]\nE = { tex = 'E', means = \"2*T\" }\nI = { tex = "
+                            "'\\mathbf J', means = \"J\" }\n+++\n"));
+  const FrontMatter front = read_front_matter(at.texts);
+  EXPECT_THAT(at.lines(), IsEmpty());
+  EXPECT_TRUE(front.notation.xyz_are_body_axes);
+  ASSERT_EQ(front.notation.symbols.size(), 2U);
+  EXPECT_EQ(front.notation.symbols[0].means, "2*T");
+  EXPECT_EQ(front.symbols.at("I").means, "J");
+}
+
+TEST(FrontMatter, ASymbolThatMeansSomethingMeansNothingElse) {
+  const auto complaint = [](const std::string& symbols) {
+    TextReport at(kHead + ("[symbols]\n" + symbols + "\n+++\n"));
+    read_front_matter(at.texts);
+    const auto lines = at.lines();
+    return lines.empty() ? std::string() : lines.front();
+  };
+  for (const char* known : {"0", "2", "12", "T", "\\vec L", "T^2", "TT", "2T", "\\frac{T}{2}",
+                            "\\dot{\\vec\\omega}", "\\mathbf 1", "\\mathbf I"})
+    EXPECT_THAT(complaint("a = { tex = '" + std::string(known) + "', means = 'm' }"),
+                ::testing::HasSubstr("is known already"))
+        << known;
+  for (const char* sign : {"i", "t", "d", "=", "\\omega_i", "Τ"})
+    EXPECT_THAT(complaint("a = { tex = '" + std::string(sign) + "', means = 'm' }"),
+                ::testing::HasSubstr("has a sign that formulas use otherwise"))
+        << sign;
+  EXPECT_THAT(complaint("a = { tex = 'E', means = 'm' }\nb = { tex = '{E}', means = 'T' }"),
+              ::testing::HasSubstr("looks like symbol \"a\""));
+  EXPECT_THAT(complaint("L = { tex = '\\vec N' }"), ::testing::HasSubstr("has the name of another quantity"));
+  EXPECT_EQ(
+      complaint(
+          "L = { tex = '\\vec L' }\nE = { tex = 'E', means = 'T' }\nk2 = { tex = '\\kappa^2', means = 'h' }"),
+      "");
+}
+
+TEST(FrontMatter, WhatASymbolMeansIsCheckedWhereItStands) {
+  TextReport at(kHead +
+                std::string("axes = \"abc\"\n[symbols]\nE = { tex = 'E', means = \"2*mass\" }\n+++\n"));
+  const FrontMatter front = read_front_matter(at.texts);
+  EXPECT_THAT(at.lines(),
+              ElementsAre(::testing::AllOf(::testing::StartsWith("5:"), ::testing::HasSubstr("axes \"abc\"")),
+                          ::testing::AllOf(::testing::StartsWith("7:29"), ::testing::HasSubstr("mass"))));
+  EXPECT_EQ(front.symbols.at("E").means, "");
+}
+
 TEST(FrontMatter, GoesOnAfterASyntaxError) {
   TextReport at("+++\nid = \n+++\nrest");
   const FrontMatter front = read_front_matter(at.texts);

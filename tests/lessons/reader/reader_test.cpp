@@ -61,9 +61,10 @@ TEST(ReadLesson, ReportsFrontMatterAndTextAtOnce) {
   EXPECT_THAT(
       complaints(
           "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\ncolour = 1\n+++\n# A {a}\n```scene\nat = ''\n```\n"),
-      ElementsAre("5:1: error: unknown key \"colour\" in the front matter (one of format, id, title, body, "
-                  "macros, symbols, scene)",
-                  "9:6: error: \"at\" takes a number, found a string"));
+      ElementsAre(
+          "5:1: error: unknown key \"colour\" in the front matter (one of format, id, title, body, axes, "
+          "macros, symbols, scene)",
+          "9:6: error: \"at\" takes a number, found a string"));
 }
 
 TEST(ReadLesson, DoesNotBlameBodiesThatAWrongFrontMatterMayHold) {

@@ -10,6 +10,7 @@ namespace polhode {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::lesson_with;
 using ::testing::SizeIs;
@@ -69,6 +70,51 @@ TEST(Scenes, MayHighlightTermsAndOverlaysOfTheirStageOnly) {
   stage_of("```scene\nhighlight = 'turn'\n```\n---\n" + math);
   EXPECT_THAT(testing::complaints(lesson_with(math + "# Next {next}\n```scene\nhighlight = 'turn'\n```\n")),
               SizeIs(1));
+}
+
+TEST(PrintedClaims, AreWhatTheFormulaSays) {
+  const Stage stage =
+      stage_of("```math a free\n2T = \\vec\\omega\\cdot\\vec L\\,,\\quad\n\\frac{dT}{dt} = 0\n```\n");
+  const auto& claim = std::get<Claim>(stage.steps[0].blocks.at(1));
+  EXPECT_EQ(claim.origin, Claim::Origin::formula);
+  EXPECT_EQ(claim.equation, "a");
+  EXPECT_EQ(claim.kind, ClaimKind::free);
+  ASSERT_THAT(claim.lines, SizeIs(2));
+  EXPECT_EQ(claim.lines[0].equality.left.text, "2*T");
+  EXPECT_EQ(claim.lines[1].equality.left.text, "ddt(T)");
+  EXPECT_EQ(claim.lines[1].place.line, claim.lines[0].place.line + 1) << "where it stands in the lesson";
+}
+
+TEST(PrintedClaims, AChainGoesOnAndSoDoesTheNextFormula) {
+  const Stage stage = stage_of("```math a law\nT = T = m\n```\n```math b law\n= \\omega_1\n```\n");
+  const auto& chain = std::get<Claim>(stage.steps[0].blocks.at(1));
+  ASSERT_THAT(chain.lines, SizeIs(2));
+  EXPECT_FALSE(chain.lines[0].goes_on);
+  EXPECT_TRUE(chain.lines[1].goes_on);
+  const auto& next = std::get<Claim>(stage.steps[0].blocks.at(3));
+  ASSERT_THAT(next.lines, SizeIs(1));
+  EXPECT_EQ(next.lines[0].equality.left.text, "m");
+}
+
+TEST(PrintedClaims, OfAPartAreWhatIsMarked) {
+  const Stage stage = stage_of(
+      "```math a identity\n\\proved{2T = \\vec\\omega\\cdot\\vec L} > 0\\,,\\quad \\proved{T = T}\n```\n");
+  const auto& claim = std::get<Claim>(stage.steps[0].blocks.at(1));
+  EXPECT_EQ(claim.origin, Claim::Origin::part);
+  ASSERT_THAT(claim.lines, SizeIs(2));
+  EXPECT_EQ(claim.lines[0].equality.left.text, "2*T");
+  EXPECT_FALSE(claim.lines[1].goes_on);
+}
+
+TEST(PrintedClaims, WhatCannotBeReadIsAnErrorAtItsPlace) {
+  EXPECT_THAT(testing::complaints(lesson_with("```math a law\nT = \\zeta\n```\n")),
+              ElementsAre(HasSubstr("this formula cannot be proved as printed")));
+  EXPECT_THAT(testing::complaints(lesson_with("```math a lawful\nT = T\n```\n")),
+              ElementsAre(HasSubstr("unknown kind of claim \"lawful\"")));
+  EXPECT_THAT(testing::complaints(lesson_with("```math a law well\nT = T\n```\n")),
+              ElementsAre(HasSubstr("this fence opens with ```math ID, or ```math ID KIND")));
+  EXPECT_THAT(testing::complaints(lesson_with("```math a\nT\n```\n```claim a law well\nT = T\n```\n")),
+              ElementsAre(HasSubstr("in-other-words")));
 }
 
 TEST(Claims, MayComeBeforeTheirEquation) { stage_of("```claim a law\nL = L\n```\n```math a\nx\n```\n"); }

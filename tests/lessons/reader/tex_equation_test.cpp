@@ -2,6 +2,7 @@
 #include "lessons/reader/tex_equation.h"
 
 #include "lessons/claims/proof.h"
+#include "lessons/reader/claim_check.h"
 #include "lessons/reader/reader.h"
 #include "tests/fuzz/mutate.h"
 #include "tests/lessons/support.h"
@@ -92,7 +93,7 @@ TEST(TexEquation, MeansWhatIsPrinted) {
       {R"(\underbrace{m\vec v}_{\text{momentum}} = \vec p.)", "m*v = p"},
       {R"(m + \cancel{I_1} - \cancel{I_1} = m)", "m + I1 - I1 = m; m = m"},
       {R"(\cancel{I_2}\,m = \cancel{I_2}\,T)", "I2*m = I2*T; m = T"},
-      {R"(\term{a}{\textcolor{blue}{T}} = \boxed{m})", "T = m"},
+      {R"(\boxed{\term{a}{T} = m})", "T = m"},
       {R"({\omega_1 + \omega_2}\,T = 0)", "w1 + w2*T = 0"},  // braces of TeX are not seen
       {R"(T = \live{2*T}\ \text{kg m}^2/\text{s})", "T = (2*T)"},
       {R"(\begin{aligned} T &= m & I_1 &= I_2 \\ &= 2 \end{aligned})", "T = m; I1 = I2; I2 = 2"},
@@ -249,7 +250,6 @@ TEST(TexEquation, LinesOfAClaimDependOnItsKind) {
   EXPECT_EQ(lines_of_kind(R"(\vec N = 0 \Rightarrow \dot T = 0)", ClaimKind::free), "ddt(T) = 0; ");
   EXPECT_EQ(lines_of_kind(R"(\vec N = 0:\quad \dot T = 0\,,\quad T = m)", ClaimKind::free),
             "ddt(T) = 0; T = m; ");
-  EXPECT_EQ(lines_of_kind(R"(T = m \Rightarrow I_1 = m)", ClaimKind::motion), "T = m; I1 = m; ");
   EXPECT_EQ(lines_of_kind(R"(T = m \quad\text{does not give}\quad I_1 = m)", ClaimKind::non_sequitur),
             "T = m => I1 = m; ");
   EXPECT_THAT(lines_of_kind(R"(T = m \quad\text{does not give}\quad I_1 = m)", ClaimKind::free),
@@ -263,81 +263,52 @@ TEST(TexEquation, LinesOfAClaimDependOnItsKind) {
   EXPECT_THAT(lines_of_kind(R"(T = m \qquad (\vec N = 0))", ClaimKind::motion), HasSubstr("no torque"));
 }
 
+// What looks otherwise than it is read, or was read in one of two senses. Found by an attacker, 2026-11-23.
+TEST(TexEquation, WhatLooksOtherwiseIsRefused) {
+  for (const char* tex :
+       {R"(T = m \Rightarrow I_1 = m)", R"(\frac{dT}{dt} = 0 \Rightarrow \frac{d\vec L}{dt} = 0)",
+        R"(\mathbf I_S = \begin{pmatrix} I_1 & 0 & 0 \\ 0 & I_2 & 0 \\ 0 & 0 & I_3 \end{pmatrix})",
+        R"(\mathbf I_S = \mathbf I)",
+        R"(\frac{d}{dt}\begin{pmatrix} 1 & 0 & 0 \\ 0 & 2 & 0 \\ 0 & 0 & 3 \end{pmatrix}\vec\omega = 0)",
+        R"(1\live{T} = T)", R"(\live{T} = T)", R"(T - \live{-1*T} = 2T)",
+        R"(\live{w1}\vec L = \omega_1\vec L)", R"(\hspace{1.8em}3\hspace{-1.8em}-5 = -2)",
+        R"(T\!\!\!\!m = Tm)", R"(T + m = T\textcolor{#FCFBF8}{+m})", R"({\color{white}2}T = 2T)",
+        R"(2\boxed{T + m} = 2T + m)", R"(T - \boxed{m - T} = -m)", R"(\underbrace{2T}_{\text{= 0}} = 2T)",
+        R"(2T = \vec\omega\cdot\vec L \\ -m = -m)", R"(\omega_{\cancel{1}} = \omega_1)",
+        R"(\frac{\cancel dT}{\cancel dt} = 0)"})
+    EXPECT_EQ(reading(tex).substr(0, 2), "? ") << tex;
+}
+
 // --- the lessons ----------------------------------------------------------------------------------------
 
-struct Printed {
-  std::string name;  ///< lesson and equation
-  Claim claim;
-  Result<ReadEquation, UnreadableEquation> read;
-};
-
-std::vector<Printed> printed_claims() {
-  std::vector<Printed> all;
+// Of the equations that carry a verdict the rest has sums over particles, the matrix R, > 0 and the like;
+// what is claimed of these stands on the page under them.
+TEST(TexEquationOfLessons, FiveOfSixVerdictsAreAboutThePrintedLine) {
+  std::size_t printed = 0, all = 0;
   for (const std::string id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
-    const auto reading =
-        read_lesson(testing::read_file(testing::source_dir() / "lessons" / (id + ".md")), id);
-    EquationNotation notation;
-    notation.xyz_are_body_axes = id == "euler-equations";
-    for (const auto& [name, symbol] : reading.lesson->symbols)
-      notation.symbols.push_back({name, symbol.math, ""});
-    for (const Stage& stage : reading.lesson->stages) {
-      const auto equations = equations_of(stage);
+    auto reading = read_lesson(testing::read_file(test::source_dir() / "lessons" / (id + ".md")), id);
+    ASSERT_TRUE(reading.lesson);
+    EXPECT_FALSE(prove_claims(*reading.lesson));
+    for (const Stage& stage : reading.lesson->stages)
       for (const Step& step : stage.steps)
-        for (const Claim* claim : blocks_of<Claim>(step))
-          for (std::size_t i = 0; i < equations.size(); ++i)
-            if (equations[i]->id == claim->equation)
-              all.push_back(
-                  {id + "/" + claim->equation, *claim,
-                   read_equation(equations[i]->math, notation, i > 0 ? &equations[i - 1]->math : nullptr)});
-    }
+        for (const Claim* claim : blocks_of<Claim>(step)) {
+          ++all;
+          printed += claim->origin == Claim::Origin::formula ? 1 : 0;
+          for (const ClaimLine& line : claim->lines)
+            EXPECT_EQ(line.judgement->verdict, Verdict::holds) << id << '/' << claim->equation;
+        }
   }
-  return all;
+  EXPECT_EQ(all, 150U);
+  EXPECT_GE(static_cast<double>(printed), 0.85 * static_cast<double>(all));
 }
 
-/// Whether both are the same function of the state.
-bool same_side(const Prover& prover, const Expression& a, const Expression& b) {
-  if (!fit(a.type(), b.type())) return false;
-  const Equality equality{a, b};
-  return has_provable_lengths(equality) && prover.settle(equality, Assumption::identity) == Verdict::holds;
-}
-bool same_equality(const Prover& prover, const Equality& a, const Equality& b) {
-  return (same_side(prover, a.left, b.left) && same_side(prover, a.right, b.right)) ||
-         (same_side(prover, a.left, b.right) && same_side(prover, a.right, b.left));
-}
-
-TEST(TexEquationOfLessons, IsReadAndSettledAsItsClaim) {
-  const Prover prover;
-  // What a formula says that its claim says otherwise, or not at all; see below.
-  const std::set<std::string> kOtherwise = {
-      "euler-equations/tensor-derivative", "euler-equations/principal-diagonal",  // any tensor, not 𝐈 alone
-      "euler-equations/tensor-trace", "euler-equations/tensor-product-rule",
-      "numerical-lab/splitting-parts"  // a second line that is not printed
-  };
-  std::size_t read = 0, total = 0;
-  for (const Printed& one : printed_claims()) {
-    ++total;
-    if (!one.read.ok()) continue;
-    const auto lines = claim_lines_of(*one.read, one.claim.kind, {1, 1});
-    ASSERT_TRUE(lines.ok()) << one.name << ": " << lines.error().reason;
-    ++read;
-    for (const ClaimLine& line : *lines) {
-      EXPECT_EQ(judge(line, one.claim.kind, prover).verdict, Verdict::holds)
-          << one.name << ": " << text_of(line.equality);
-      if (one.claim.kind == ClaimKind::measured) {  // without torque, as where they are measured
-        EXPECT_EQ(prover.settle(line.equality, Assumption::free), Verdict::holds) << one.name;
-      }
-    }
-    for (const ClaimLine& line : one.claim.lines) {
-      const bool printed = std::any_of(lines->begin(), lines->end(), [&](const ClaimLine& other) {
-        return same_equality(prover, line.equality, other.equality) &&
-               (!line.conclusion || same_equality(prover, *line.conclusion, *other.conclusion));
-      });
-      EXPECT_TRUE(printed || kOtherwise.contains(one.name)) << one.name << ": " << text_of(line.equality);
-    }
-  }
-  // Those that are not read have sums over particles, the matrix R, steps of methods, > 0, κ and the like.
-  EXPECT_EQ(total, 150U);
-  EXPECT_EQ(read, 125U);
+TEST(LettersInAFormula, AreThoseOfTheLanguageThatItShows) {
+  const auto letters = [](const std::string& tex) { return letters_in(math_of(tex), {}); };
+  using Set = std::set<std::string>;
+  EXPECT_EQ(letters(R"(\frac{d\vec L}{dt} = \vec N \ne 0)"), (Set{"L", "N"}));
+  EXPECT_EQ(letters(R"(\vec L = \sum m\,\vec r\times(\vec\omega\times\vec r))"), (Set{"L", "m", "omega"}));
+  EXPECT_EQ(letters(R"(\sqrt{I_1\dot\omega_2} > \hat e_1\cdot\mathbf I)"), (Set{"I", "e", "omega"}));
+  EXPECT_EQ(letters("E = mc^3"), (Set{"m"}));
 }
 
 // --- hostile formulas -----------------------------------------------------------------------------------
