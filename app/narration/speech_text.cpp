@@ -104,7 +104,12 @@ std::string SpeechText::words(const Claim& claim) const {
   const VerdictRow row = verdict_row(claim, nullptr, nullptr);
   std::string word(name_of(claim.kind));
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
-  return row.note.empty() ? word + '.' : word + ": " + row.note + '.';
+  std::string text = row.note.empty() ? word + '.' : word + ": " + row.note + '.';
+  std::string claimed;
+  for (const std::string& tex : row.claimed)
+    if (const auto math = parse_math(tex)) claimed += (claimed.empty() ? "" : "; ") + words(*math);
+  if (!claimed.empty()) text += " Claimed: " + sentence(claimed);
+  return text;
 }
 
 std::string SpeechText::words(const Callout& callout) const {

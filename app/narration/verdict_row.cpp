@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/verdict_row.h"
 
+#include "lessons/claims/expression_tex.h"
 #include "physics/method.h"
 
 #include <fmt/format.h>
@@ -55,26 +56,19 @@ std::string note_of(ClaimKind kind, const std::optional<Counterexample>& counter
   return "";
 }
 
-/// 10^−15 as type: what comes out of measuring has one digit that means something.
-std::string rounded_text(double value) {
-  if (value == 0) return "0";
-  if (value >= 0.001 && value < 1000) return fmt::format("{:.2g}", value);
-  int exponent = static_cast<int>(std::floor(std::log10(value)));
-  int digit = static_cast<int>(std::lround(value / std::pow(10.0, exponent)));
-  if (digit == 10) digit = 1, ++exponent;
-  return fmt::format("${}{{\\cdot}}10^{{{}}}$", digit, exponent);
-}
-
-/// Two or three digits of the largest component, a factor of ten set apart where it is not near 1. What is
-/// nothing beside the terms it comes from is 0.
+/// Numbers of a row: two or three digits of the largest component, a factor of ten set apart where it is not
+/// near 1. What is nothing beside the terms it comes from is 0.
 class SideText {
  public:
-  explicit SideText(const LiveValue& value) : value_(value) {
+  explicit SideText(const std::vector<LiveValue>& values) : is_vector_(values.front().is_vector) {
     constexpr double kNothing = 1e-6;
-    double largest = 0;
-    for (const auto& side : {value.left, value.right})
-      for (const double x : side) largest = std::max(largest, std::abs(x));
-    is_nothing_ = largest <= kNothing * value.size;
+    double largest = 0, size = 0;
+    for (const LiveValue& value : values) {
+      size = std::max(size, value.size);
+      for (const auto& side : {value.left, value.right})
+        for (const double x : side) largest = std::max(largest, std::abs(x));
+    }
+    is_nothing_ = largest <= kNothing * size;
     const int exponent = is_nothing_ ? 0 : static_cast<int>(std::floor(std::log10(largest)));
     if (exponent < -1 || exponent > 2) factor_ = exponent;
     decimals_ = std::clamp(2 - (exponent - factor_), 0, 2);
@@ -83,7 +77,7 @@ class SideText {
   std::string operator()(const std::array<double, 3>& side) const {
     if (is_nothing_ || side == std::array<double, 3>{}) return "0";
     const std::string tail = factor_ == 0 ? "" : fmt::format("${{\\cdot}}10^{{{}}}$", factor_);
-    if (!value_.is_vector) return number(side[0]) + tail;
+    if (!is_vector_) return number(side[0]) + tail;
     return fmt::format("({}, {}, {}){}", number(side[0]), number(side[1]), number(side[2]), tail);
   }
 
@@ -94,17 +88,59 @@ class SideText {
     return text.front() == '-' ? "−" + text.substr(1) : text;
   }
 
-  const LiveValue& value_;
+  bool is_vector_;
   bool is_nothing_ = false;
   int factor_ = 0, decimals_ = 2;
 };
 
-}  // namespace
+/// The lines of one equation: those of a chain follow each other.
+using ChainLines = std::vector<const ClaimLine*>;
 
-namespace {
+bool is_zero(const Expression& side) { return side.type() == ExpressionType::zero; }
 
-/// Of several lines the page could not say whose sides a pair of values is.
-bool has_sides(const Claim& claim) { return claim.lines.size() == 1; }
+/// The equations of a claim that get numbers.
+std::vector<ChainLines> chains_of(const Claim& claim) {
+  std::vector<ChainLines> chains;
+  for (const ClaimLine& line : claim.lines) {
+    if (!line.is_side_by_side) continue;
+    if (!line.goes_on || chains.empty()) chains.emplace_back();
+    chains.back().push_back(&line);
+  }
+  std::erase_if(chains, [&](const ChainLines& chain) {
+    const auto says_zero = [](const ClaimLine* line) {
+      return is_zero(line->equality.left) || is_zero(line->equality.right);
+    };
+    return claim.kind != ClaimKind::is_false && std::any_of(chain.begin(), chain.end(), says_zero);
+  });
+  if (chains.size() > kMostLiveRows) chains.clear();
+  return chains;
+}
+
+std::string frame_of(bool is_vector, View view) {
+  return !is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";
+}
+
+/// "5.18 = 5.18 = 5.18". Empty if a side has no value, or the step is too long to tell.
+std::string row_text(const ChainLines& chain, bool refutes, const LiveState& live, View view) {
+  std::vector<LiveValue> values;
+  for (const ClaimLine* line : chain) {
+    const auto value = live_value(*line, live, view);
+    if (!value || value->tolerance > kDecisive) return "";
+    values.push_back(*value);
+  }
+  const SideText side(values);
+  std::string left = side(values.front().left);
+  std::string text = frame_of(values.front().is_vector, view) + left;
+  for (const LiveValue& value : values) {
+    const bool apart = value.residual > value.tolerance;
+    // What is equal is printed equal, whichever way the last digit was rounded.
+    const std::string right = apart || value.right == std::array<double, 3>{} ? side(value.right) : left;
+    if (refutes && !apart) return "";
+    text += (apart ? " ≠ " : " = ") + right;
+    left = right;
+  }
+  return text;
+}
 
 /// Why a measured claim fails on its motion; nothing if it holds.
 std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel& model) {
@@ -112,6 +148,7 @@ std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel
     const auto measured = measure(line.equality, line.within, model);
     if (!measured) return "has no value at some time";
     if (measured->tolerance > kDecisive) return "the step is too long to tell";
+    if (!measured->decides()) return "the terms cancel too far to tell";
     if (!measured->holds()) return fmt::format("fails at $t$ = {:.3g} s", measured->t_s);
   }
   return std::nullopt;
@@ -123,12 +160,14 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
   VerdictRow row{.claim = &claim,
                  .word = upper(name_of(claim.kind)),
                  .note = {},
+                 .claimed = {},
                  .refutes = refutes(claim.kind),
                  .proved = true};
   std::optional<Counterexample> counter;
   for (const ClaimLine& line : claim.lines) {
     row.proved = row.proved && line.judgement && line.judgement->verdict == Verdict::holds;
     if (!counter && line.judgement) counter = line.judgement->counterexample;
+    if (claim.origin != Claim::Origin::formula) row.claimed.push_back(tex_of(line));
   }
   row.note = note_of(claim.kind, counter, scene);
   if (!row.proved) row.note = counter ? "does not hold: " + to_string(*counter) : "not proved";
@@ -137,33 +176,27 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
   return row;
 }
 
-std::string live_text(const Claim& claim, const LiveState& live, View view) {
-  const auto value = live_value(claim, live, view);
-  if (!value) return "";
-  const bool apart = value->residual > std::min(value->tolerance, kDecisive);
-  const std::string distance =
-      fmt::format("{} {} {} {}", claim.kind == ClaimKind::identity ? "rounding" : "apart",
-                  rounded_text(value->residual), apart ? ">" : "≤", rounded_text(value->tolerance));
-  const bool refutes = claim.kind == ClaimKind::is_false;
-  if (value->tolerance > kDecisive) return refutes ? "" : "the step is too long to tell";
-  if (!has_sides(claim)) return refutes ? "" : distance;
-  const SideText side(*value);
-  const std::string frame = !value->is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";
-  const std::string left = side(value->left);
-  // What is equal is printed equal, whichever way the last digit was rounded.
-  const std::string right = apart || value->right == std::array<double, 3>{} ? side(value->right) : left;
-  const std::string sides = fmt::format("{}{} {} {}", frame, left, apart ? "≠" : "=", right);
-  return refutes ? sides : sides + ",  " + distance;
+std::vector<std::string> widest_live_rows(const Claim& claim) {
+  std::vector<std::string> rows;
+  for (const ChainLines& chain : chains_of(claim)) {
+    const bool is_vector = chain.front()->equality.is_vector();
+    const std::string side = is_vector ? "(−0.00, −0.00, −0.00)" : "−0.00${\\cdot}10^{-4}$";
+    std::string row = frame_of(is_vector, View::body) + side;
+    for (std::size_t i = 0; i < chain.size(); ++i) row += " = " + side;
+    rows.push_back(std::move(row));
+  }
+  return rows;
 }
 
-std::string widest_live_text(const Claim& claim) {
-  constexpr const char* kDistance = "rounding $8{\\cdot}10^{-16}$ ≤ $8{\\cdot}10^{-13}$";
-  if (!has_sides(claim)) return kDistance;
-  const bool vector = claim.lines.front().equality.is_vector();
-  const std::string side = vector ? "(−0.00, −0.00, −0.00)" : "−0.00${\\cdot}10^{-4}$";
-  std::string sides = fmt::format("{}{} = {}", vector ? "in $S^*$ " : "", side, side);
-  if (claim.kind == ClaimKind::is_false) return sides;
-  return sides + ",  " + kDistance;
+std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, View view) {
+  const auto value = live_value(claim, live, view);
+  if (!value) return {};
+  const bool refutes = claim.kind == ClaimKind::is_false;
+  if (value->tolerance > kDecisive)
+    return refutes ? std::vector<std::string>() : std::vector<std::string>{"the step is too long to tell"};
+  std::vector<std::string> rows;
+  for (const ChainLines& chain : chains_of(claim)) rows.push_back(row_text(chain, refutes, live, view));
+  return rows;
 }
 
 }  // namespace polhode

@@ -6,6 +6,7 @@
 #include "lessons/claims/live_claims.h"
 
 #include <string>
+#include <vector>
 
 namespace polhode {
 
@@ -15,8 +16,10 @@ bool refutes(ClaimKind kind);
 /// What does not depend on time.
 struct VerdictRow {
   const Claim* claim = nullptr;
-  std::string word;      ///< "MOTION"
-  std::string note;      ///< "proved for any torque"; of what is false a counterexample
+  std::string word;  ///< "MOTION"
+  std::string note;  ///< "proved for any torque"; of what is false a counterexample
+  /// Where the equation itself is not what is claimed: each line of the claim, as TeX.
+  std::vector<std::string> claimed;
   bool refutes = false;  ///< the equation, or what is inferred from it
   bool proved = true;    ///< the claim is what its kind says
 };
@@ -24,11 +27,16 @@ struct VerdictRow {
 /// With a model of it, measured claims are measured. A claim that nobody has proved is "not proved".
 VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model);
 
-/// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13), apart 2·10⁻¹⁵ ≤ 4·10⁻¹³", as set_line sets it: what the two
-/// sides of the equation come to. Of a claim of several lines only how far the worst of them is off. No
-/// numbers where the step is too long to tell, and nothing where there are no values.
-std::string live_text(const Claim& claim, const LiveState& live, View view);
-/// As wide as the live values of nearly every claim become; wider ones are set smaller.
-std::string widest_live_text(const Claim& claim);
+/// So many equations of a claim get their numbers; of more there are none.
+inline constexpr std::size_t kMostLiveRows = 3;
+
+/// As wide as nearly all of each row; wider ones are set smaller. A row for each equation that has two sides
+/// on the page: a chain is one. None for what says that something is 0, unless it is false: 0 = 0 tells
+/// nothing.
+std::vector<std::string> widest_live_rows(const Claim& claim);
+/// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13)", as set_line sets it: what the sides of each row come to, at
+/// most two digits behind the point. A step that is too long to tell has no numbers, and says so. Empty where
+/// there are no values.
+std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, View view);
 
 }  // namespace polhode

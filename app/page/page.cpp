@@ -157,15 +157,18 @@ Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, co
   }
   if (!live) return sheet;
   for (const LiveSlot& slot : piece.live) {
-    const std::string text = live_text(*slot.claim, *live, view);
-    TextStyle style = slot.style;
-    DisplayList line = set_line(text, style, fonts);
-    if (line.width > slot.room) {
-      style.size *= slot.room / line.width;
-      line = set_line(text, style, fonts);
+    double y = slot.end.y();
+    for (const std::string& text : live_rows(*slot.claim, *live, view)) {
+      TextStyle style = slot.style;
+      DisplayList line = set_line(text, style, fonts);
+      if (line.width > slot.room) {
+        style.size *= slot.room / line.width;
+        line = set_line(text, style, fonts);
+      }
+      const double x = slot.end.x() - line.width;
+      sheet.texts.push_back({.list = std::move(line), .at = {x, y}});
+      y += slot.line;
     }
-    const double x = slot.end.x() - line.width;
-    sheet.texts.push_back({.list = std::move(line), .at = {x, slot.end.y()}});
   }
   return sheet;
 }

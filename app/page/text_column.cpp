@@ -19,6 +19,8 @@ constexpr double kLabelSize = 0.62;
 constexpr double kTagSize = 1.0;
 constexpr double kVerdictSize = 0.6;
 constexpr double kVerdictLine = 1.35;  ///< of its size
+constexpr double kClaimedSize = 0.7;   ///< of what is claimed beside the formula
+constexpr double kClaimedGap = 0.3;    ///< above each of its rows, of its size
 constexpr double kVerdictGap = 0.3;
 constexpr double kWidestTag = 0.4;  ///< of the column
 constexpr double kParagraphGap =
@@ -189,14 +191,50 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
   }
   const double note_end = x + note.width;
   piece.sheet.texts.push_back({.list = std::move(note), .at = {x, first}});
-  if (!is_live) return piece;
+  TextStyle claimed = quiet;
+  claimed.size = kClaimedSize * size_;
+  double baseline = first + add_claimed(row.claimed, claimed, piece);
+  const std::vector<std::string> rows = is_live ? widest_live_rows(*row.claim) : std::vector<std::string>();
+  if (rows.empty()) return piece;
 
-  const double room = set_line(widest_live_text(*row.claim), quiet, fonts_).width;
-  double baseline = first;
-  if (note_end + gap + room > width_) piece.height += line, baseline += line;
+  double room = 0;
+  for (const std::string& text : rows) room = std::max(room, set_line(text, quiet, fonts_).width);
+  double more = line * static_cast<double>(rows.size());
+  if (row.claimed.empty() && note_end + gap + room <= width_)
+    more -= line;
+  else
+    baseline += line;
+  piece.height += more;
   if (room > width_) quiet.size *= width_ / room;
-  piece.live.push_back({row.claim, {width_, baseline}, std::min(room, width_), quiet});
+  piece.live.push_back({row.claim, {width_, baseline}, std::min(room, width_), line, quiet});
   return piece;
+}
+
+/// "Claimed: …": one formula beside the other, as many in a row as there is room for. Returns what it adds to
+/// the height.
+double TextColumn::add_claimed(const std::vector<std::string>& claimed, const TextStyle& style,
+                               ColumnPiece& piece) const {
+  const double before = piece.height, gap = std::round(kClaimedGap * style.size);
+  std::string row = "Claimed: ";
+  const auto end_row = [&] {
+    TextStyle fitting = style;
+    DisplayList list = set_line(row, fitting, fonts_);
+    if (list.width > width_) {
+      fitting.size *= width_ / list.width;
+      list = set_line(row, fitting, fonts_);
+    }
+    const double baseline = std::ceil(piece.height + gap + list.ascent);
+    piece.height = std::ceil(baseline + list.depth);
+    piece.sheet.texts.push_back({.list = std::move(list), .at = {0, baseline}});
+    row.clear();
+  };
+  for (std::size_t i = 0; i < claimed.size(); ++i) {
+    const std::string formula = '$' + claimed[i] + '$' + (i + 1 < claimed.size() ? ",  " : "");
+    if (i > 0 && set_line(row + formula, style, fonts_).width > width_) end_row();
+    row += formula;
+  }
+  if (!claimed.empty()) end_row();
+  return piece.height - before;
 }
 
 Result<ColumnPiece> TextColumn::equation(const Equation& equation, Focus focus,

@@ -14,11 +14,12 @@
 
 namespace polhode {
 
-/// Where live values of a claim are to stand: the right end of their line.
+/// Where live values of a claim are to stand: the right end of their first row.
 struct LiveSlot {
   const Claim* claim = nullptr;
   Vec2 end{0, 0};
-  double room = 0;  ///< px; longer lines are set smaller
+  double room = 0;  ///< px; longer rows are set smaller
+  double line = 0;  ///< px from row to row
   TextStyle style;
 };
 
@@ -60,7 +61,8 @@ class TextColumn {
   /// With the verdicts on what it claims below it. Terms of these names are marked.
   Result<ColumnPiece> equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
                                const std::vector<ColumnPiece>& verdicts = {}) const;
-  /// One row, two where it is long; with room for live values, or without.
+  /// Kind and note in one row, what is claimed below where the equation is not that itself; with rows for
+  /// live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
   /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, where
   /// there is room.
@@ -81,6 +83,8 @@ class TextColumn {
   Result<ColumnPiece> numbered(const Equation& equation, double size,
                                const std::vector<std::string>& marked) const;
   Result<ColumnPiece> labelled(const std::string& label, const Color& color, Result<ColumnPiece> plain) const;
+  double add_claimed(const std::vector<std::string>& claimed, const TextStyle& style,
+                     ColumnPiece& piece) const;
 
   double width_, size_;
   Theme theme_;

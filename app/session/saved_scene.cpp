@@ -40,6 +40,7 @@ std::string symbols_of(const Lesson& lesson) {
     if (!symbol.role.empty()) lines += ", role = " + toml(symbol.role);
     if (!symbol.say.empty()) lines += ", say = " + toml(symbol.say);
     if (!symbol.unit.empty()) lines += ", unit = " + toml(symbol.unit);
+    if (!symbol.means.empty()) lines += ", means = " + toml(symbol.means);
     lines += " }\n";
   }
   return lines.empty() ? "" : "\n[symbols]\n" + lines;
@@ -130,6 +131,7 @@ std::string lesson_of(const LessonSession& session) {
   const Stage& stage = session.stage();
   std::string text = fmt::format("+++\nformat = 1\nid = \"{}\"\ntitle = {}\n", stage.id, toml(lesson.title)),
               keys;
+  if (lesson.notation.xyz_are_body_axes) text += "axes = \"xyz\"\n";
   if (session.has_scene()) {
     const Scene scene = saved(session);
     keys = scene_keys_text(scene, session.t_s());

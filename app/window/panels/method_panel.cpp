@@ -133,6 +133,23 @@ void choose_quality(PanelContext& context, const SceneModel& model) {
   value_row("picture, per frame", fmt::format("{:.0f} ms", context.frame_ms));
 }
 
+/// How far the sides of the step's claims are apart at this moment, of the size of their terms, and what
+/// rounding and method allow.
+void show_residuals(const LessonSession& session, const LiveState& live) {
+  bool is_first = true;
+  for (const Claim* claim : blocks_of<Claim>(session.step())) {
+    if (claim->kind == ClaimKind::is_false || !can_be_shown(*claim, session.model()->scene)) continue;
+    const auto value = live_value(*claim, live, View::space);
+    if (!value) continue;
+    if (is_first) heading("Both sides of the equations differ by");
+    is_first = false;
+    value_row(claim->equation.c_str(),
+              value->tolerance > kDecisive
+                  ? "the step is too long to tell"
+                  : fmt::format("{:.0e}, allowed {:.0e}", value->residual, value->tolerance));
+  }
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string all;
   for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
@@ -187,6 +204,7 @@ void MethodPanel::show_accuracy(PanelContext& context, const SceneModel& model) 
   const bool at_rest = !context.session.is_moving() && read_of_t_s_ != context.session.t_s();
   if (at_rest || context.clock_s - read_at_s_ > kReadable_s || read_at_s_ < 0) {
     now_ = meter_->at(model, context.session.t_s());
+    live_ = live_state(model, context.session.t_s());
     read_at_s_ = context.clock_s;
     read_of_t_s_ = context.session.t_s();
   }
@@ -196,6 +214,7 @@ void MethodPanel::show_accuracy(PanelContext& context, const SceneModel& model) 
   value_row("drift of |L|", number_with_unit(now_.drift.L, ""));
   value_row("drift of L's direction", number_with_unit(now_.drift.L_direction_rad, " rad"));
   value_row("motion, per frame", time_text(now_.ns_per_frame));
+  if (live_) show_residuals(context.session, *live_);
 }
 
 std::optional<double> MethodPanel::seconds_to_wake() const {

@@ -4,6 +4,7 @@
 
 #include "app/session/method_cost.h"
 #include "app/window/panels/panel_context.h"
+#include "lessons/claims/live_claims.h"
 
 #include <map>
 #include <memory>
@@ -50,7 +51,8 @@ class MethodPanel {
   std::unique_ptr<AccuracyMeter> meter_;
   unsigned meter_of_ = 0;  ///< number of its model
   AccuracyReading now_;
-  double read_at_s_ = -1;  ///< of the clock: numbers change slowly enough to be read
+  std::optional<LiveState> live_;  ///< of the same time; absent: it has no state
+  double read_at_s_ = -1;          ///< of the clock: numbers change slowly enough to be read
   double read_of_t_s_ = 0;
 };
 
