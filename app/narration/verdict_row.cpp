@@ -74,6 +74,9 @@ class SideText {
     decimals_ = std::clamp(2 - (exponent - factor_), 0, 2);
   }
 
+  /// Every side is 0, or no more than rounding beside its terms.
+  bool is_nothing() const { return is_nothing_; }
+
   std::string operator()(const std::array<double, 3>& side) const {
     if (is_nothing_ || side == std::array<double, 3>{}) return "0";
     const std::string tail = factor_ == 0 ? "" : fmt::format("${{\\cdot}}10^{{{}}}$", factor_);
@@ -120,7 +123,7 @@ std::string frame_of(bool is_vector, View view) {
   return !is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";
 }
 
-/// "5.18 = 5.18 = 5.18". Empty if a side has no value, or the step is too long to tell.
+/// "5.18 = 5.18 = 5.18". Empty if a side has no value, if all are 0, or the step is too long to tell.
 std::string row_text(const ChainLines& chain, bool refutes, const LiveState& live, View view) {
   std::vector<LiveValue> values;
   for (const ClaimLine* line : chain) {
@@ -129,6 +132,7 @@ std::string row_text(const ChainLines& chain, bool refutes, const LiveState& liv
     values.push_back(*value);
   }
   const SideText side(values);
+  if (side.is_nothing() && !refutes) return "";  // 0 = 0, as where the motion has no torque
   std::string left = side(values.front().left);
   std::string text = frame_of(values.front().is_vector, view) + left;
   for (const LiveValue& value : values) {

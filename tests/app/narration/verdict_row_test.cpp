@@ -121,6 +121,10 @@ TEST(LiveRows, WhatIsSaidToBeZeroHasNone) {
   EXPECT_THAT(widest_live_rows(claim_of("ddt(L) = 0", ClaimKind::free)), IsEmpty());
 }
 
+TEST(LiveRows, WhatComesToZeroOnTheMotionShowsNothing) {
+  EXPECT_THAT(rows_of("ddt(L) = N", ClaimKind::law, spinning(), 0.0), ElementsAre(""));
+}
+
 TEST(LiveRows, EachEquationHasOneAndAChainIsOne) {
   EXPECT_THAT(rows_of("T = dot(omega, L)/2\nw1 = 0.5\nw3 = 2", ClaimKind::law, spinning(), 0.0),
               ElementsAre("5.18 = 5.18", "0.50 = 0.50", "2.00 = 2.00"));
