@@ -103,8 +103,8 @@ class Printer {
   Piece product(const ExpressionNode& n) const {
     const std::string left = factor(n.a), right = factor(n.b);
     // What stands side by side is a product; but 2 3 and 2 3/4 would be other numbers.
-    const bool are_numbers = piece(n.b).begins_with_digit ||
-                             (node(n.b).operation == Operation::divide && ends_in_number(n.a));
+    const bool are_numbers =
+        piece(n.b).begins_with_digit || (node(n.b).operation == Operation::divide && ends_in_number(n.a));
     return {left + (are_numbers ? "\\cdot " : "\\,") + right, Level::product, piece(n.a).begins_with_digit};
   }
 

@@ -262,8 +262,8 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
 }
 // clang-format on
 
-/// The lines whose sides stand on the page, if they are one equality or a chain of them, whose ends are its two
-/// sides; else none.
+/// The lines whose sides stand on the page, if they are one equality or a chain of them, whose ends are its
+/// two sides; else none.
 std::vector<ClaimLine> one_equation(const Claim& claim) {
   std::vector<ClaimLine> lines;
   for (const ClaimLine& line : claim.lines) {

@@ -80,7 +80,8 @@ TEST(TexOfAnExpression, KeepsTogetherWhatIsScaled) {
   for (const char* text :
        {"cross(omega, 2*cross(L, N))", "cross(2*cross(omega, L), N)", "cross(omega, T*cross(L, N))",
         "inertia(T*cross(omega, L))", "inertia(-1*cross(L, omega))", "2*(3/4)*T", "3*(1/2)*T", "trace(J)*T",
-        "dot(omega, 2*cross(L, N))", "T*dot(omega, L)*m", "-(2*cross(omega, L))", "cross(omega, -cross(L, N))"})
+        "dot(omega, 2*cross(L, N))", "T*dot(omega, L)*m", "-(2*cross(omega, L))",
+        "cross(omega, -cross(L, N))"})
     expect_same_function(text);
 }
 
