@@ -42,7 +42,8 @@ std::string tex_of(Quantity quantity) {
     return (letter.front() == '\\' ? "\\vec" : "\\vec ") + std::string(letter);
   for (const QuantityFacts& facts : kQuantities) {
     if (facts.quantity != quantity) continue;
-    const std::string name(facts.name), last(1, name.back());
+    std::string name(facts.name);
+    const std::string last(1, name.back());
     if (name.size() == 1) return name;
     if (facts.type == ExpressionType::vector) return "\\hat e_" + last;
     if (name.front() == 'd') return "\\dot\\omega_" + last;

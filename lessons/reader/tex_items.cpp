@@ -223,7 +223,8 @@ class Brackets {
   }
 
   void take(Item item) {
-    if (item.node != nullptr && item.node->kind == Kind::fenced) return take_fenced(std::move(item));
+    if (item.node == nullptr) return open_.back().items.push_back(std::move(item));
+    if (item.node->kind == Kind::fenced) return take_fenced(std::move(item));
     if (item.kind == Item::Kind::group) {
       item.inside = items_of(item.node->children.front(), depth_ - 1);
       return open_.back().items.push_back(std::move(item));
@@ -231,7 +232,7 @@ class Brackets {
     if (!is_bracket(item)) return open_.back().items.push_back(std::move(item));
     const char32_t c = item.node->character;
     const bool may_close = open_.size() > 1 && closing_of(open_.back().opening.node->character) == c;
-    if (may_close && (c != U'|' || after_operand())) return close(std::move(item));
+    if (may_close && (c != U'|' || after_operand())) return close(item);
     if (closing_of(c) == 0) throw TexFault(item.span, "this bracket is not read, or closes nothing");
     if (item.sub != nullptr || item.sup != nullptr)
       throw TexFault(item.span, "an index or power at an opening bracket is not read");
@@ -239,7 +240,7 @@ class Brackets {
     open_.push_back({std::move(item), {}});
   }
 
-  void close(Item closing) {
+  void close(const Item& closing) {
     Open done = std::move(open_.back());
     open_.pop_back();
     Item group;

@@ -80,7 +80,7 @@ TexValue added(TexValue a, const TexValue& b, bool minus, SourceSpan span) {
   return a;
 }
 
-TexValue negated_value(TexValue a, SourceSpan span) {
+TexValue negated_value(const TexValue& a, SourceSpan span) {
   if (a.is_tensor()) return multiplied(atom_value("(-1)", Type::scalar, span), a, span);
   TexValue value = made(a.type, Level::sum, span);
   append(value, "-");

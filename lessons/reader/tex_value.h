@@ -63,7 +63,7 @@ struct TexTensor {
 TexValue atom_value(std::string text, TexValue::Type type, SourceSpan span);
 TexValue tensor_value(TexTensor tensor, SourceSpan span);
 TexValue added(TexValue a, const TexValue& b, bool minus, SourceSpan span);
-TexValue negated_value(TexValue a, SourceSpan span);
+TexValue negated_value(const TexValue& a, SourceSpan span);
 /// Of at most one vector or tensor.
 TexValue multiplied(TexValue a, const TexValue& b, SourceSpan span);
 TexValue divided(const TexValue& a, const TexValue& b, SourceSpan span);
