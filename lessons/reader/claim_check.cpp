@@ -15,11 +15,12 @@
 namespace polhode {
 namespace {
 
+std::int64_t nodes_in(const Equality& equality) {
+  return static_cast<std::int64_t>(equality.left.nodes.size() + equality.right.nodes.size());
+}
+
 std::int64_t nodes_in(const ClaimLine& line) {
-  const auto nodes = [](const Equality& equality) {
-    return equality.left.nodes.size() + equality.right.nodes.size();
-  };
-  return static_cast<std::int64_t>(nodes(line.equality) + (line.conclusion ? nodes(*line.conclusion) : 0));
+  return nodes_in(line.equality) + (line.conclusion ? nodes_in(*line.conclusion) : 0);
 }
 
 void prove(Claim& claim, const Prover& prover, const Effort& effort) {
@@ -142,6 +143,7 @@ class ClaimCheck {
 
   /// Whether two equalities have the same sides, in either order.
   bool is_same(const Equality& a, const Equality& b) const {
+    spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * (nodes_in(a) + nodes_in(b)));
     const auto same = [&](const Expression& x, const Expression& y) {
       if (!fit(x.type(), y.type())) return false;
       const Equality sides{x, y};

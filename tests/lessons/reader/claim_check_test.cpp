@@ -154,6 +154,16 @@ TEST(AClaimBesideAFormula, MaySayNoMoreThanTheFormula) {
                           HasSubstr("warning: this says nothing")));
 }
 
+// Every line is compared with every link: 64 by 64 long ones would take minutes.
+TEST(AClaimBesideAFormula, IsComparedWithinTheBudget) {
+  std::string tex = "T", lines;
+  for (int i = 1; i < 40; ++i)
+    tex += " = " + std::to_string(i) + "T", lines += "T = " + std::to_string(i) + "*I1\n";
+  const std::string lesson = "```math a\n" + tex + "\n```\n```claim a measured\n" + lines + "```\n";
+  EXPECT_THAT(faults_within(lesson, 39 * kClaimLineEvaluations * 3),
+              ::testing::Contains(HasSubstr("the lesson is too long to check")));
+}
+
 TEST(AClaimBesideAFormula, IsNotNeededWhereTheFormulaCanBeRead) {
   EXPECT_THAT(remarks("2T = \\vec\\omega\\cdot\\vec L", "identity", "dot(L, omega) = 2*T"),
               ElementsAre(HasSubstr("warning: the formula itself can be proved, as it is printed")));
