@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace polhode {
 
@@ -123,27 +124,30 @@ std::string frame_of(bool is_vector, View view) {
   return !is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";
 }
 
-/// "5.18 = 5.18 = 5.18". Empty if a side has no value, if all are 0, or the step is too long to tell.
-std::string row_text(const ChainLines& chain, bool refutes, const LiveState& live, View view) {
+struct Row {
+  std::string text;  ///< "5.18 = 5.18 = 5.18"; empty if a side has no value, or the step is too long to tell
+  bool is_nothing = true;  ///< "0 = 0", or no text
+};
+
+Row row_of(const ChainLines& chain, bool refutes, const LiveState& live, View view) {
   std::vector<LiveValue> values;
   for (const ClaimLine* line : chain) {
     const auto value = live_value(*line, live, view);
-    if (!value || value->tolerance > kDecisive) return "";
+    if (!value || value->tolerance > kDecisive) return {};
     values.push_back(*value);
   }
   const SideText side(values);
-  if (side.is_nothing() && !refutes) return "";  // 0 = 0, as where the motion has no torque
   std::string left = side(values.front().left);
   std::string text = frame_of(values.front().is_vector, view) + left;
   for (const LiveValue& value : values) {
     const bool apart = value.residual > value.tolerance;
     // What is equal is printed equal, whichever way the last digit was rounded.
     const std::string right = apart || value.right == std::array<double, 3>{} ? side(value.right) : left;
-    if (refutes && !apart) return "";
+    if (refutes && !apart) return {};
     text += (apart ? " ≠ " : " = ") + right;
     left = right;
   }
-  return text;
+  return {text, side.is_nothing()};
 }
 
 /// Why a measured claim fails on its motion; nothing if it holds.
@@ -199,7 +203,14 @@ std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, Vi
   if (value->tolerance > kDecisive)
     return refutes ? std::vector<std::string>() : std::vector<std::string>{"the step is too long to tell"};
   std::vector<std::string> rows;
-  for (const ChainLines& chain : chains_of(claim)) rows.push_back(row_text(chain, refutes, live, view));
+  bool all_are_nothing = true;
+  for (const ChainLines& chain : chains_of(claim)) {
+    Row row = row_of(chain, refutes, live, view);
+    all_are_nothing = all_are_nothing && row.is_nothing;
+    rows.push_back(std::move(row.text));
+  }
+  // 0 = 0 alone tells nothing, as where no torque acts; beside others it says which of them it is.
+  if (all_are_nothing && !refutes) rows.assign(rows.size(), "");
   return rows;
 }
 

@@ -123,6 +123,9 @@ TEST(LiveRows, WhatIsSaidToBeZeroHasNone) {
 
 TEST(LiveRows, WhatComesToZeroOnTheMotionShowsNothing) {
   EXPECT_THAT(rows_of("ddt(L) = N", ClaimKind::law, spinning(), 0.0), ElementsAre(""));
+  EXPECT_THAT(rows_of("N1 = N1\nw1 = w1\nN2 = N2", ClaimKind::law, spinning(), 0.0),
+              ElementsAre("0 = 0", "0.50 = 0.50", "0 = 0"))
+      << "else a row might be taken for another equation's";
 }
 
 TEST(LiveRows, EachEquationHasOneAndAChainIsOne) {
