@@ -211,12 +211,15 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) 
              {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
              {"say", line_into(symbol.say)},
              {"unit", line_into(symbol.unit)},
+             {"note", line_into(symbol.note)},
              {"means", [&](const TomlEntry& e) { read_meaning(e, symbol, texts); }}},
             report);
   if (const TomlEntry* tex = table->find("tex")) {
     const LocatedText located = located_string(texts.source(), tex->value.place, symbol.tex);
     symbol.offset = located.offset_of(0);
     if (auto math = texts.formula(located)) symbol.math = std::move(*math);
+    if (!symbol.math.references.empty())
+      report.error(tex->value.place, "\\eqref stands in texts and displays only");
   } else {
     report.error(entry.place, "symbol " + in_quotes(entry.key) + " lacks \"tex\"");
   }
@@ -341,7 +344,10 @@ void read_macro(const TomlEntry& entry, TextReader& texts) {
       macro.arguments = static_cast<int>(*count);
   };
   const auto tex = [&](const TomlEntry& e) {
-    if (auto text = read_text(e, report)) macro.body = std::move(*text);
+    auto text = read_text(e, report);
+    if (!text) return;
+    texts.locate_macro(entry.key, located_string(texts.source(), e.value.place, *text));
+    macro.body = std::move(*text);
   };
   if (const auto* table = entry.value.as<TomlTable>()) {
     read_keys(*table, "macro " + in_quotes(entry.key), {{"arguments", arguments}, {"tex", tex}}, report);
@@ -374,16 +380,17 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
   if (const TomlEntry* macros = table.find("macros")) read_macros(*macros, texts);
   const TomlEntry* scene = table.find("scene");
   const auto later = [](const TomlEntry&) {};  // or already
-  read_keys(table, "the front matter",
-            {{"format", [&](const TomlEntry& e) { read_format(e, report); }},
-             {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
-             {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
-             {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
-             {"axes", [&](const TomlEntry& e) { read_axes(e, front, report); }},
-             {"macros", later},
-             {"symbols", [&](const TomlEntry& e) { read_symbols(e, front, texts); }},
-             {"scene", later}},
-            report);
+  std::vector<KeyHandler> handlers = {{"format", [&](const TomlEntry& e) { read_format(e, report); }},
+                                      {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
+                                      {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
+                                      {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
+                                      {"axes", [&](const TomlEntry& e) { read_axes(e, front, report); }},
+                                      {"macros", later},
+                                      {"symbols", [&](const TomlEntry& e) { read_symbols(e, front, texts); }},
+                                      {"scene", later}};
+  for (KeyHandler& handler : about_key_handlers(front.about, report)) handlers.push_back(std::move(handler));
+  read_keys(table, "the front matter", handlers, report);
+  for (const Reference& reference : front.about.references) texts.citable()[reference.key] = false;
   if (scene != nullptr) read_base_scene(*scene, front, texts);
   for (const char* key : {"format", "id", "title"}) {
     if (table.find(key) == nullptr) {

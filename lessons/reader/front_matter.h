@@ -2,6 +2,7 @@
 // The TOML between the +++ lines at the top of a lesson.
 #pragma once
 
+#include "lessons/reader/about_keys.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/scene_keys.h"
@@ -20,7 +21,8 @@ struct FrontMatter {
   LessonBodies bodies;
   LessonScene scene;          ///< what every stage starts from
   EquationNotation notation;  ///< how its formulas are read: its symbols, and what x, y, z are
-  int next_line = 1;          ///< first line after the closing +++
+  AboutKeys about;
+  int next_line = 1;  ///< first line after the closing +++
 };
 
 /// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.

@@ -37,6 +37,7 @@ class SceneKeys {
       : bodies_(bodies),
         scene_(scene.scene),
         caption_(scene.caption),
+        shown_(scene.shown),
         texts_(texts),
         report_(texts.report()) {}
 
@@ -214,14 +215,17 @@ class SceneKeys {
     const auto names = read_texts(entry, static_cast<std::size_t>(kMaxOverlays), report_);
     if (!names) return;
     OverlaySet shown;
+    shown_.clear();
     for (const PlacedText& name : *names) {
       const auto overlay = overlay_from(name.text);
       if (!overlay)
         unknown("overlay", name, overlay_names());
       else if (shown.contains(*overlay))
         report_.warning(name.place, in_quotes(name.text) + " is shown already");
-      else
+      else {
         shown.insert(*overlay);
+        shown_.push_back(name);
+      }
     }
     scene_.show = shown;
   }
@@ -324,6 +328,7 @@ class SceneKeys {
   const LessonBodies& bodies_;
   Scene& scene_;
   std::shared_ptr<const RichText>& caption_;
+  std::vector<PlacedText>& shown_;
   TextReader& texts_;
   Report& report_;
   std::vector<PlacedText> highlighted_;

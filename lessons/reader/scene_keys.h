@@ -46,6 +46,7 @@ struct LessonBodies {
 struct LessonScene {
   Scene scene;
   std::shared_ptr<const RichText> caption;  ///< Scene::caption, ready to be set; null: none
+  std::vector<PlacedText> shown{};          ///< the overlays of Scene::show, as they are written
 };
 
 /// The scene as it is to be modelled: a body known by its shape that hangs on a pivot under `heavy` has its
