@@ -7,6 +7,7 @@
 #include "app/session/page_symbols.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace polhode {
@@ -21,6 +22,8 @@ class SymbolFocus {
 
   /// To the next (1) or the one before (-1); beyond the last comes none.
   void move(LessonSession& session, const Symbols& symbols, int by);
+  /// The link that keys have reached, or the pointer is on; empty: it is none.
+  std::string link_at(const Symbols& symbols, bool by_keys) const;
   void toggle_explanation() { explains_ = !explains_ && focus_; }
   void leave(LessonSession& session);
   /// Forgets what keys have reached and what the pointer is on: the page has changed.
