@@ -427,5 +427,35 @@ TEST_F(ScreenTest, WhatCannotBeSavedIsTold) {
   EXPECT_NE(screen->read().rgba, before.rgba);
 }
 
+TEST_F(ScreenTest, LinksAreFollowedByAClickAndByKeys) {
+  session.replace_lesson(test::loaded_text(
+      "+++\nformat = 1\nid = \"links\"\ntitle = \"Links\"\n+++\n# One {one}\nTo [](#two/e), and "
+      "[the web](https://a.b).\n\n# Two {two}\nWords.\n\n---\n```math e\nx \\tag{5}\n```\n"));
+  frame(3);
+  const auto link_to = [&](const std::string& name) {
+    const auto& symbols = screen->page().symbols();
+    const auto found = std::find_if(symbols.begin(), symbols.end(),
+                                    [&](const PageSymbol& symbol) { return symbol.name == name; });
+    return found == symbols.end() ? PageSymbol{} : *found;
+  };
+  const PageSymbol inside = link_to("#two/e"), web = link_to("https://a.b");
+  ASSERT_FALSE(inside.box.empty());
+  ASSERT_FALSE(web.box.empty());
+  const auto click_on = [&](const PageSymbol& link) {
+    click(0.5 * (link.box.x0 + link.box.x1), 0.5 * (link.box.y0 + link.box.y1));
+  };
+  click_on(web);
+  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_STREQ(ImGui::GetClipboardText(), "https://a.b");
+  click_on(inside);
+  EXPECT_EQ(session.place(), (Place{1, 1})) << "the step that brings the equation";
+  session.go_to({0, 0});
+  move(1, 1);
+  screen->press(session, "Tab", false);
+  frame(2);
+  screen->press(session, "Enter", false);
+  EXPECT_EQ(session.place(), (Place{1, 1}));
+}
+
 }  // namespace
 }  // namespace polhode

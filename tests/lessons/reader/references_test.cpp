@@ -80,7 +80,7 @@ TEST(References, ThatLeadNowhereAreReported) {
   EXPECT_THAT(of("[](#tvo/b)"),
               ElementsAre("9:1: error: no stage is called \"tvo\" (did you mean \"two\"?)"));
   EXPECT_THAT(of("[](#two/a)"),
-              ElementsAre("9:1: error: no equation of stage \"two\" is called \"a\" (one of b)"));
+              ElementsAre("9:1: error: no equation of stage \"two\" is called \"a\" (only b)"));
   EXPECT_THAT(of("[](#plain)"),
               ElementsAre("9:1: error: equation \"plain\" has no number to be shown (give it a "
                           "\\tag{…}, or the link a text)"));
@@ -100,7 +100,7 @@ TEST(References, ThatLeadNowhereAreReported) {
   EXPECT_THAT(of("x\n\n# T [](#two) {t}\nx"),
               ElementsAre("11:5: error: a link in a title needs a text ([text](…))"));
   EXPECT_THAT(of("```scene\ncaption = 'By $\\eqref{a}$'\n```"),
-              ElementsAre("10:22: error: \\eqref stands in texts and displays only"));
+              ElementsAre("10:23: error: \\eqref stands in texts and displays only"));
 }
 
 TEST(References, ToOtherLessonsAreListed) {

@@ -92,7 +92,7 @@ TEST(Footnotes, EndAtTheLimit) {
   EXPECT_THAT(complaints(lesson_with(marks + "\n\n" + notes)), IsEmpty());
   EXPECT_THAT(
       complaints(lesson_with(marks + "[^x]\n\n" + notes + "[^x]: More.\n")),
-      ElementsAre("9:93: error: this step has no footnote \"x\" (one of 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, "
+      ElementsAre("9:114: error: this step has no footnote \"x\" (one of 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, "
                   "12, 13, 14, 15, 16, 17, 18, 19, 20)",
                   "31:3: error: a step has at most 20 footnotes"));
 }
