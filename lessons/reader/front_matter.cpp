@@ -5,6 +5,7 @@
 #include "physics/body/bodies.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -169,29 +170,85 @@ void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
     report.error(entry.value.place, "unknown role " + in_quotes(*role), suggestion(*role, roles));
 }
 
-/// An expression of the language of claims, or a tensor's name.
-void read_meaning(const TomlEntry& entry, Symbol& symbol, TextReader& texts) {
+/// The tables whose entries say what letters are.
+enum class SymbolTable { constants, define, symbols };
+
+/// An expression of the language of claims, which is known by the symbol's name from now on, or a tensor's
+/// name.
+void read_meaning(const TomlEntry& entry, const std::string& name, Symbol& symbol, FrontMatter& front,
+                  TextReader& texts) {
   Report& report = texts.report();
   const auto text = read_text(entry, report);
   if (!text) return;
   const bool is_tensor = *text == "I" || *text == "J";
   const SourcePlace start =
       texts.source().place_of(located_string(texts.source(), entry.value.place, *text).offset_of(0));
-  if (!is_plain_line(*text))
+  if (!is_plain_line(*text)) {
     report.error(entry.value.place, "\"means\" is one line of text without control characters");
-  else if (is_tensor || read_expression(*text, start, report))
+    return;
+  }
+  if (is_tensor) {
     symbol.means = *text;
+    return;
+  }
+  auto expression = read_expression(*text, start, report, &front.notation.vocabulary);
+  if (!expression) return;
+  symbol.means = *text;
+  Vocabulary& vocabulary = front.notation.vocabulary;
+  if (vocabulary.find(name) != nullptr) {
+    report.error(entry.place, in_quotes(name) + " has a meaning already, above", "leave out \"means\"");
+  } else if (why_no_word(name).empty()) {
+    vocabulary.define(name, std::move(*expression), symbol.tex);
+    symbol.means = name;
+  }
 }
 
-void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+/// The value of a constant.
+void read_value(const TomlEntry& entry, const std::string& name, Symbol& symbol, FrontMatter& front,
+                Report& report) {
+  const auto value = read_number(entry, report);
+  Vocabulary& vocabulary = front.notation.vocabulary;
+  if (!value || vocabulary.find(name) != nullptr) return;
+  if (vocabulary.constants() && vocabulary.constants()->size() == kMaxConstants) {
+    report.error(entry.value.place, "a lesson has at most " + std::to_string(kMaxConstants) + " constants",
+                 "write numbers where they are used once");
+    return;
+  }
+  vocabulary.add_constant(name, *value, symbol.tex);
+  symbol.means = name;
+}
+
+/// False, and a report, if this cannot be a word of expressions.
+bool check_word(const TomlEntry& entry, const FrontMatter& front, Report& report) {
+  const std::string why = why_no_word(entry.key);
+  if (!why.empty())
+    report.error(entry.place, "bad name " + in_quotes(entry.key) + ": " + why, "take another name");
+  else if (front.notation.vocabulary.find(entry.key) != nullptr)
+    report.error(entry.place, in_quotes(entry.key) + " is a constant already, or defined",
+                 "take another name");
+  else
+    return true;
+  return false;
+}
+
+void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, TextReader& texts) {
   Report& report = texts.report();
+  if (which != SymbolTable::symbols && !check_word(entry, front, report)) return;
+  if (front.symbols.contains(entry.key)) {
+    report.error(entry.place, "symbol " + in_quotes(entry.key) + " is there already, above", "leave one out");
+    return;
+  }
   const auto* table = entry.value.as<TomlTable>();
+  Symbol symbol;
+  if (table == nullptr && which == SymbolTable::constants)
+    return read_value(entry, entry.key, symbol, front, report);
+  if (table == nullptr && which == SymbolTable::define)
+    return read_meaning(entry, entry.key, symbol, front, texts);
   if (table == nullptr) {
     report.error(entry.value.place, "a symbol takes a table, found " + std::string(entry.value.kind()),
                  "write " + entry.key + " = { tex = '…', say = \"…\" }");
     return;
   }
-  Symbol symbol;
   const auto text_into = [&report](std::string& target) {
     return [&report, &target](const TomlEntry& e) {
       if (auto text = read_text(e, report)) target = std::move(*text);
@@ -206,20 +263,34 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) 
         target = std::move(*text);
     };
   };
-  read_keys(*table, "symbol " + in_quotes(entry.key),
-            {{"tex", text_into(symbol.tex)},
-             {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
-             {"say", line_into(symbol.say)},
-             {"unit", line_into(symbol.unit)},
-             {"means", [&](const TomlEntry& e) { read_meaning(e, symbol, texts); }}},
-            report);
+  const std::string what = which == SymbolTable::constants ? "constant "
+                           : which == SymbolTable::define  ? "definition "
+                                                           : "symbol ";
+  const auto later = [](const TomlEntry&) {};  // what it means is printed as `tex` says
+  std::vector<KeyHandler> keys{{"tex", text_into(symbol.tex)},
+                               {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
+                               {"say", line_into(symbol.say)},
+                               {"unit", line_into(symbol.unit)}};
+  keys.push_back({which == SymbolTable::constants ? "value" : "means", later});
+  read_keys(*table, what + in_quotes(entry.key), keys, report);
+  if (const TomlEntry* value = table->find("value"); value != nullptr && which == SymbolTable::constants)
+    read_value(*value, entry.key, symbol, front, report);
+  else if (which == SymbolTable::constants)
+    report.error(entry.place, what + in_quotes(entry.key) + " lacks \"value\"");
+  if (const TomlEntry* means = table->find("means"); means != nullptr && which != SymbolTable::constants)
+    read_meaning(*means, entry.key, symbol, front, texts);
+  else if (which == SymbolTable::define)
+    report.error(entry.place, what + in_quotes(entry.key) + " lacks \"means\"");
   if (const TomlEntry* tex = table->find("tex")) {
     const LocatedText located = located_string(texts.source(), tex->value.place, symbol.tex);
     symbol.offset = located.offset_of(0);
     if (auto math = texts.formula(located)) symbol.math = std::move(*math);
+  } else if (which == SymbolTable::symbols) {
+    report.error(entry.place, what + in_quotes(entry.key) + " lacks \"tex\"");
   } else {
-    report.error(entry.place, "symbol " + in_quotes(entry.key) + " lacks \"tex\"");
+    return;  // a word of expressions alone
   }
+  if (symbol.means.empty()) front.notation.vocabulary.print_as(entry.key, symbol.tex);
   front.notation.symbols.push_back({entry.key, symbol.math, symbol.means});
   front.symbols.insert_or_assign(entry.key, std::move(symbol));
 }
@@ -256,13 +327,15 @@ std::optional<std::string> built_in_meaning(const std::string& tex, const FrontM
 
 /// A symbol that means something is one that means nothing else: neither a quantity, nor a number or product
 /// of them, nor an index, nor the d and t of d/dt, nor another symbol.
-void check_meanings(const TomlTable& table, const FrontMatter& front, TextReader& texts) {
+void check_meanings(const std::vector<const TomlEntry*>& entries, const FrontMatter& front,
+                    TextReader& texts) {
   const auto key_of = [](std::string tex) {
     std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
     return tex;
   };
   std::map<std::string, std::string> names;
-  for (const TomlEntry& entry : table.entries) {
+  for (const TomlEntry* one : entries) {
+    const TomlEntry& entry = *one;
     const auto found = front.symbols.find(entry.key);
     if (found == front.symbols.end() || found->second.tex.empty()) continue;
     const Symbol& symbol = found->second;
@@ -273,7 +346,7 @@ void check_meanings(const TomlTable& table, const FrontMatter& front, TextReader
     const std::string tex = key_of(symbol.tex);
     const auto [same, is_new] = names.emplace(tex, entry.key);
     const bool means = !symbol.means.empty();
-    if (!is_new && (means || !front.symbols.at(same->second).means.empty()))
+    if (!is_new && same->second != entry.key && (means || !front.symbols.at(same->second).means.empty()))
       refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
     else if (means && known)
       refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
@@ -285,19 +358,44 @@ void check_meanings(const TomlTable& table, const FrontMatter& front, TextReader
   }
 }
 
-void read_symbols(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+/// [constants], [define] and [symbols], in this order: each may use the words of those before it.
+void read_all_symbols(const TomlTable& table, FrontMatter& front, TextReader& texts) {
   Report& report = texts.report();
-  const auto* table = entry.value.as<TomlTable>();
-  if (table == nullptr) {
-    report.error(entry.value.place, "\"symbols\" takes a table, found " + std::string(entry.value.kind()));
-    return;
+  std::vector<const TomlEntry*> all;
+  constexpr std::array<std::pair<const char*, SymbolTable>, 3> kTables{{{"constants", SymbolTable::constants},
+                                                                        {"define", SymbolTable::define},
+                                                                        {"symbols", SymbolTable::symbols}}};
+  for (const auto& [name, which] : kTables) {
+    const TomlEntry* entry = table.find(name);
+    if (entry == nullptr) continue;
+    const auto* entries = entry->value.as<TomlTable>();
+    if (entries == nullptr) {
+      report.error(entry->value.place,
+                   in_quotes(name) + " takes a table, found " + std::string(entry->value.kind()));
+      continue;
+    }
+    if (all.size() + entries->entries.size() > kMaxSymbols) {
+      report.error(entry->place, "a lesson has at most " + std::to_string(kMaxSymbols) +
+                                     " symbols, constants and definitions");
+      return;
+    }
+    std::vector<const TomlEntry*> written;  // in their order: TOML sorts them by name
+    std::set<std::string> later;
+    for (const TomlEntry& one : entries->entries) {
+      written.push_back(&one);
+      const auto* keys = one.value.as<TomlTable>();
+      if (which != SymbolTable::symbols || (keys != nullptr && keys->find("means") != nullptr))
+        later.insert(one.key);
+    }
+    std::sort(written.begin(), written.end(), [](const TomlEntry* a, const TomlEntry* b) {
+      return std::pair(a->place.line, a->place.column) < std::pair(b->place.line, b->place.column);
+    });
+    front.notation.vocabulary.announce(std::move(later));
+    for (const TomlEntry* one : written) read_symbol(*one, which, front, texts);
+    all.insert(all.end(), written.begin(), written.end());
+    front.notation.vocabulary.announce({});
   }
-  if (table->entries.size() > kMaxSymbols) {
-    report.error(entry.place, "a lesson has at most " + std::to_string(kMaxSymbols) + " symbols");
-    return;
-  }
-  for (const TomlEntry& symbol : table->entries) read_symbol(symbol, front, texts);
-  check_meanings(*table, front, texts);
+  check_meanings(all, front, texts);
 }
 
 void read_axes(const TomlEntry& entry, FrontMatter& front, Report& report) {
@@ -372,6 +470,8 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
   Report& report = texts.report();
   // Formulas use macros, so these come first; the scene names bodies, so it comes last.
   if (const TomlEntry* macros = table.find("macros")) read_macros(*macros, texts);
+  if (const TomlEntry* axes = table.find("axes")) read_axes(*axes, front, report);
+  read_all_symbols(table, front, texts);
   const TomlEntry* scene = table.find("scene");
   const auto later = [](const TomlEntry&) {};  // or already
   read_keys(table, "the front matter",
@@ -379,11 +479,16 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
              {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
              {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
              {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
-             {"axes", [&](const TomlEntry& e) { read_axes(e, front, report); }},
+             {"axes", later},
              {"macros", later},
-             {"symbols", [&](const TomlEntry& e) { read_symbols(e, front, texts); }},
+             {"constants", later},
+             {"define", later},
+             {"symbols", later},
+             {"assume", later},
              {"scene", later}},
             report);
+  if (const TomlEntry* assume = table.find("assume"))
+    front.assumptions = read_assumptions(*assume, front.notation.vocabulary, texts);
   if (scene != nullptr) read_base_scene(*scene, front, texts);
   for (const char* key : {"format", "id", "title"}) {
     if (table.find(key) == nullptr) {

@@ -2,6 +2,7 @@
 // The TOML between the +++ lines at the top of a lesson.
 #pragma once
 
+#include "lessons/reader/assumptions.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/scene_keys.h"
@@ -19,7 +20,8 @@ struct FrontMatter {
   std::map<std::string, Symbol> symbols;
   LessonBodies bodies;
   LessonScene scene;          ///< what every stage starts from
-  EquationNotation notation;  ///< how its formulas are read: its symbols, and what x, y, z are
+  EquationNotation notation;  ///< how its formulas are read: its symbols and words, and what x, y, z are
+  Assumptions assumptions;    ///< what its claims and questions can be given
   int next_line = 1;          ///< first line after the closing +++
 };
 
@@ -27,7 +29,7 @@ struct FrontMatter {
 FrontMatter read_front_matter(TextReader& texts);
 
 inline constexpr std::size_t kMaxMacros = 64;
-/// Each atom of a formula is compared with each symbol.
+/// Constants, definitions and symbols. Each atom of a formula is compared with each.
 inline constexpr std::size_t kMaxSymbols = 200;
 
 /// Roles a symbol's colour can have.
