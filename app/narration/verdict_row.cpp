@@ -38,7 +38,7 @@ std::string with_given(std::string what, const Given& given) {
   for (const Setting& setting : given.settings)
     settings += (settings.empty() ? "" : ", ") + ('$' + setting.tex + '$');
   if (settings.empty()) return what;
-  return what + (what.empty() ? "for " : ", for ") + settings;
+  return what + (what.empty() ? "for " : what == "proved" ? " for " : ", for ") + settings;
 }
 
 std::string note_of(ClaimKind kind, const Given& given, const std::optional<Counterexample>& counter,

@@ -33,17 +33,46 @@ const char* name_of_shape(ShapeKind kind) {
   return "t-handle";
 }
 
+std::string key_of(const std::string& name) { return is_id(name) ? name : toml(name); }
+
+/// "tex = 'E', say = \"energy\""
+std::string looks_of(const Symbol& symbol) {
+  std::string keys = "tex = " + toml(symbol.tex);
+  if (!symbol.role.empty()) keys += ", role = " + toml(symbol.role);
+  if (!symbol.say.empty()) keys += ", say = " + toml(symbol.say);
+  if (!symbol.unit.empty()) keys += ", unit = " + toml(symbol.unit);
+  return keys;
+}
+
+/// Constants, definitions in their order, other symbols, and what can be assumed.
 std::string symbols_of(const Lesson& lesson) {
-  std::string lines;
-  for (const auto& [name, symbol] : lesson.symbols) {
-    lines += fmt::format("{} = {{ tex = {}", is_id(name) ? name : toml(name), toml(symbol.tex));
-    if (!symbol.role.empty()) lines += ", role = " + toml(symbol.role);
-    if (!symbol.say.empty()) lines += ", say = " + toml(symbol.say);
-    if (!symbol.unit.empty()) lines += ", unit = " + toml(symbol.unit);
-    if (!symbol.means.empty()) lines += ", means = " + toml(symbol.means);
-    lines += " }\n";
+  const Vocabulary& vocabulary = lesson.notation.vocabulary;
+  std::string constants, definitions, symbols, assumptions;
+  for (const Vocabulary::Word& word : vocabulary.words()) {
+    const auto found = lesson.symbols.find(word.name);
+    const std::string looks = found == lesson.symbols.end() ? "" : ", " + looks_of(found->second);
+    if (const auto constant = word.constant())
+      constants += fmt::format("{} = {{ value = {}{} }}\n", key_of(word.name), toml(constant->second), looks);
+    else
+      definitions +=
+          fmt::format("{} = {{ means = {}{} }}\n", key_of(word.name), toml(word.means.text), looks);
   }
-  return lines.empty() ? "" : "\n[symbols]\n" + lines;
+  for (const auto& [name, symbol] : lesson.symbols) {
+    if (vocabulary.find(name) != nullptr) continue;
+    const std::string means = symbol.means.empty() ? "" : ", means = " + toml(symbol.means);
+    symbols += fmt::format("{} = {{ {}{} }}\n", key_of(name), looks_of(symbol), means);
+  }
+  for (const auto& [name, given] : lesson.assumptions) {
+    std::string settings;
+    for (const Setting& setting : given.settings)
+      settings += (settings.empty() ? "" : ", ") + toml(setting.text);
+    assumptions += fmt::format("{} = [{}]\n", key_of(name), settings);
+  }
+  const auto table = [](const char* name, const std::string& lines) {
+    return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);
+  };
+  return table("constants", constants) + table("define", definitions) + table("symbols", symbols) +
+         table("assume", assumptions);
 }
 
 std::string macros_of(const Lesson& lesson) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/live_claims.h"
 
-#include "lessons/claims/expression_names.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/claims/proof.h"
 #include "physics/analysis/difference.h"
@@ -193,17 +192,10 @@ std::optional<double> live_number(const Expression& scalar, const LiveState& liv
   return without_noise(value[0].value, value[0].value.size);
 }
 
-std::optional<LiveQuantity> live_quantity(std::string_view name, const LiveState& live, View view) {
-  const QuantityFacts* facts = find_quantity(name);
-  if (!facts) return std::nullopt;
-  ExpressionNode node;
-  node.operation = Operation::quantity;
-  node.quantity = facts->quantity;
-  node.type = facts->type;
-  const Expression expression{.text = std::string(name), .nodes = {node}};
+std::optional<LiveQuantity> live_quantity(const Expression& expression, const LiveState& live, View view) {
   Triple<SizedNumber> value;
   if (!Evaluation<SizedNumber>(live.state)(expression, value)) return std::nullopt;
-  LiveQuantity quantity{.is_vector = facts->type == ExpressionType::vector};
+  LiveQuantity quantity{.is_vector = expression.type() == ExpressionType::vector};
   if (quantity.is_vector && view == View::body) value = in_body(value, live.state);
   const double size = quantity.is_vector ? size_of(value) : value[0].value.size;
   for (std::size_t i = 0; i < (quantity.is_vector ? 3u : 1u); ++i) {

@@ -53,13 +53,13 @@ std::optional<LiveValue> live_value(const ClaimLine& line, const LiveState& live
 /// A scalar on a motion; nothing where it is not defined.
 std::optional<double> live_number(const Expression& scalar, const LiveState& live);
 
-/// A quantity of claims (expression_names.h) on a motion.
+/// An expression on a motion.
 struct LiveQuantity {
   bool is_vector = false;
   std::array<double, 3> components{};  ///< in the frame of the view; of a scalar the first
 };
-/// Nothing if there is none of that name. What is nothing but rounding is 0.
-std::optional<LiveQuantity> live_quantity(std::string_view name, const LiveState& live, View view);
+/// Nothing where it is not defined. What is nothing but rounding is 0.
+std::optional<LiveQuantity> live_quantity(const Expression& expression, const LiveState& live, View view);
 
 /// The larger part of a method's tolerance is its error in a step: kStepErrors (ΩH)^order, with step H and
 /// the rate Ω = |ω| (by |I₁ − I₂| ≤ I₃ nothing in a free body turns faster).

@@ -18,6 +18,13 @@ void Vocabulary::add_constant(const std::string& name, double value, std::string
   words_.push_back({name, Expression{name, builder.take(), constants_}, std::move(tex)});
 }
 
+std::optional<std::pair<int, double>> Vocabulary::Word::constant() const {
+  const ExpressionNode& whole = means.nodes.back();
+  // What is defined as a constant alone has another text.
+  if (whole.operation != Operation::constant || means.text != name) return std::nullopt;
+  return std::pair(whole.integer, whole.number.value);
+}
+
 void Vocabulary::define(const std::string& name, Expression means, std::string tex) {
   later_.erase(name);
   words_.push_back({name, std::move(means), std::move(tex)});

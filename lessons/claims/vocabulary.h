@@ -4,9 +4,11 @@
 
 #include "lessons/claims/expression.h"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -20,6 +22,9 @@ class Vocabulary {
     std::string name;
     Expression means;
     std::string tex;  ///< as it is printed; empty: the lesson does not say
+
+    /// The number of a constant among these, and what the lesson says that it is; nothing of what is defined.
+    std::optional<std::pair<int, double>> constant() const;
   };
 
   /// A number that does not change. What is proved of it holds whatever it is; its value is for what is
@@ -35,6 +40,7 @@ class Vocabulary {
   /// Null if there is none.
   const Word* find(std::string_view name) const;
   bool is_announced(std::string_view name) const { return later_.contains(std::string(name)); }
+  const std::vector<Word>& words() const { return words_; }  ///< in the order in which they were defined
   std::vector<std::string> names() const;
   const std::shared_ptr<const std::vector<std::string>>& constants() const { return constants_; }
 

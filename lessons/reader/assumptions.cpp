@@ -14,7 +14,7 @@ namespace {
 
 /// "I2 = I1"; reports what it is not.
 std::optional<Setting> read_setting(const std::string& text, SourcePlace place, const Vocabulary& vocabulary,
-                                    Report& report) {
+                                    const std::map<int, Dimension>& dimensions, Report& report) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) {
     report.error(place, "an assumption reads quantity = expression, there is no = here",
@@ -37,12 +37,24 @@ std::optional<Setting> read_setting(const std::string& text, SourcePlace place, 
                             std::string(name_of(value->type())));
     return std::nullopt;
   }
+  const DimensionReading is = dimension_of(*value, dimensions);
+  if (is.fault) {
+    report.error(advanced(place, text, begin + is.fault->begin), is.fault->message);
+    return std::nullopt;
+  }
+  const auto shall_be = dimension_of(facts->quantity);
+  if (is.dimension && shall_be && *is.dimension != *shall_be) {
+    report.error(place, "units disagree: " + in_quotes(name) + " is in " + to_string(*shall_be) +
+                            ", this is in " + to_string(*is.dimension));
+    return std::nullopt;
+  }
   Setting setting{facts->quantity, std::move(*value), text, {}, place};
   setting.tex = tex_of(setting, &vocabulary);
   return setting;
 }
 
-Given read_assumption(const TomlEntry& entry, const Vocabulary& vocabulary, TextReader& texts) {
+Given read_assumption(const TomlEntry& entry, const Vocabulary& vocabulary,
+                      const std::map<int, Dimension>& dimensions, TextReader& texts) {
   Report& report = texts.report();
   Given given{{entry.key}, {}};
   const auto read = read_texts(entry, kMaxSettings, report);
@@ -51,7 +63,7 @@ Given read_assumption(const TomlEntry& entry, const Vocabulary& vocabulary, Text
   for (const PlacedText& line : lines) {
     const SourcePlace place =
         texts.source().place_of(located_string(texts.source(), line.place, line.text).offset_of(0));
-    auto setting = read_setting(line.text, place, vocabulary, report);
+    auto setting = read_setting(line.text, place, vocabulary, dimensions, report);
     if (!setting) continue;
     if (const auto fault = why_not_set(*setting, given.settings))
       report.error(place, fault->message, fault->hint);
@@ -67,7 +79,8 @@ Given read_assumption(const TomlEntry& entry, const Vocabulary& vocabulary, Text
 
 }  // namespace
 
-Assumptions read_assumptions(const TomlEntry& entry, const Vocabulary& vocabulary, TextReader& texts) {
+Assumptions read_assumptions(const TomlEntry& entry, const Vocabulary& vocabulary,
+                             const std::map<int, Dimension>& dimensions, TextReader& texts) {
   Assumptions assumptions;
   Report& report = texts.report();
   const auto* table = entry.value.as<TomlTable>();
@@ -82,7 +95,7 @@ Assumptions read_assumptions(const TomlEntry& entry, const Vocabulary& vocabular
   }
   for (const TomlEntry& one : table->entries) {
     if (is_id(one.key))
-      assumptions.insert_or_assign(one.key, read_assumption(one, vocabulary, texts));
+      assumptions.insert_or_assign(one.key, read_assumption(one, vocabulary, dimensions, texts));
     else
       report.error(one.place, "bad name of an assumption " + in_quotes(one.key), std::string(kIdRule));
   }

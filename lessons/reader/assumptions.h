@@ -2,6 +2,7 @@
 // What a lesson assumes where it says so: the table [assume], and the names that claims and questions give.
 #pragma once
 
+#include "lessons/claims/dimension.h"
 #include "lessons/claims/given.h"
 #include "lessons/claims/vocabulary.h"
 #include "lessons/reader/keys.h"
@@ -21,9 +22,10 @@ using Assumptions = std::map<std::string, Given>;
 /// Assumptions of a lesson, settings of one, and assumptions that a claim puts together.
 inline constexpr std::size_t kMaxAssumptions = 32, kMaxSettings = 8, kMaxGiven = 4;
 
-/// [assume] NAME = "I2 = I1", or a list of such. Reports what cannot be set (why_not_set), and what no body
-/// can be.
-Assumptions read_assumptions(const TomlEntry& entry, const Vocabulary& vocabulary, TextReader& texts);
+/// [assume] NAME = "I2 = I1", or a list of such. Reports what cannot be set (why_not_set), units that
+/// disagree, and what no body can be. `dimensions` are those of constants, by their numbers.
+Assumptions read_assumptions(const TomlEntry& entry, const Vocabulary& vocabulary,
+                             const std::map<int, Dimension>& dimensions, TextReader& texts);
 
 /// Those of these names put together. Nothing, and reports, if one is unknown or named twice, if two set the
 /// same, or if no body can be as all of them say.

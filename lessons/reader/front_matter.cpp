@@ -2,6 +2,7 @@
 #include "lessons/reader/front_matter.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/expression_names.h"
 #include "physics/body/bodies.h"
 
 #include <algorithm>
@@ -170,6 +171,9 @@ void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
     report.error(entry.value.place, "unknown role " + in_quotes(*role), suggestion(*role, roles));
 }
 
+/// What is printed where no macros of the lesson are known; empty if that cannot be.
+std::string without_macros(const std::string& tex) { return parse_math(tex) ? tex : ""; }
+
 /// The tables whose entries say what letters are.
 enum class SymbolTable { constants, define, symbols };
 
@@ -198,8 +202,7 @@ void read_meaning(const TomlEntry& entry, const std::string& name, Symbol& symbo
   if (vocabulary.find(name) != nullptr) {
     report.error(entry.place, in_quotes(name) + " has a meaning already, above", "leave out \"means\"");
   } else if (why_no_word(name).empty()) {
-    vocabulary.define(name, std::move(*expression), symbol.tex);
-    symbol.means = name;
+    vocabulary.define(name, std::move(*expression), without_macros(symbol.tex));
   }
 }
 
@@ -214,7 +217,7 @@ void read_value(const TomlEntry& entry, const std::string& name, Symbol& symbol,
                  "write numbers where they are used once");
     return;
   }
-  vocabulary.add_constant(name, *value, symbol.tex);
+  vocabulary.add_constant(name, *value, without_macros(symbol.tex));
   symbol.means = name;
 }
 
@@ -229,6 +232,33 @@ bool check_word(const TomlEntry& entry, const FrontMatter& front, Report& report
   else
     return true;
   return false;
+}
+
+/// Whether a symbol's unit is that of what it stands for, and what it means adds nothing of different units.
+void check_unit(const TomlEntry& entry, FrontMatter& front, Report& report) {
+  const auto* table = entry.value.as<TomlTable>();
+  const TomlEntry* unit_entry = table == nullptr ? nullptr : table->find("unit");
+  const auto* text = unit_entry == nullptr ? nullptr : unit_entry->value.as<std::string>();
+  const auto unit = text == nullptr ? std::nullopt : dimension_of_unit(*text);
+  const QuantityFacts* quantity = find_quantity(entry.key);
+  const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
+  std::optional<Dimension> known;
+  if (const auto constant = word == nullptr ? std::nullopt : word->constant()) {
+    if (unit) front.dimensions.insert_or_assign(constant->first, *unit);
+    return;
+  }
+  if (word != nullptr) {
+    const DimensionReading reading = dimension_of(word->means, front.dimensions);
+    if (reading.fault)
+      report.error(entry.place, in_quotes(entry.key) + ": " + reading.fault->message,
+                   "a number with a unit is a constant: name = { value = …, unit = \"…\" }");
+    known = reading.dimension;
+  } else if (quantity != nullptr && table != nullptr && table->find("means") == nullptr) {
+    known = dimension_of(quantity->quantity);
+  }
+  if (unit && known && *unit != *known)
+    report.error(unit_entry->value.place, "units disagree: " + in_quotes(entry.key) + " is in " +
+                                              to_string(*known) + ", and this is " + to_string(*unit));
 }
 
 void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, TextReader& texts) {
@@ -290,8 +320,10 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
   } else {
     return;  // a word of expressions alone
   }
-  if (symbol.means.empty()) front.notation.vocabulary.print_as(entry.key, symbol.tex);
-  front.notation.symbols.push_back({entry.key, symbol.math, symbol.means});
+  if (symbol.means.empty()) front.notation.vocabulary.print_as(entry.key, without_macros(symbol.tex));
+  // By its name, where that is a word: it is written as that.
+  const bool is_word = front.notation.vocabulary.find(entry.key) != nullptr;
+  front.notation.symbols.push_back({entry.key, symbol.math, is_word ? "" : symbol.means});
   front.symbols.insert_or_assign(entry.key, std::move(symbol));
 }
 
@@ -391,7 +423,10 @@ void read_all_symbols(const TomlTable& table, FrontMatter& front, TextReader& te
       return std::pair(a->place.line, a->place.column) < std::pair(b->place.line, b->place.column);
     });
     front.notation.vocabulary.announce(std::move(later));
-    for (const TomlEntry* one : written) read_symbol(*one, which, front, texts);
+    for (const TomlEntry* one : written) {
+      read_symbol(*one, which, front, texts);
+      check_unit(*one, front, report);
+    }
     all.insert(all.end(), written.begin(), written.end());
     front.notation.vocabulary.announce({});
   }
@@ -488,7 +523,7 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
              {"scene", later}},
             report);
   if (const TomlEntry* assume = table.find("assume"))
-    front.assumptions = read_assumptions(*assume, front.notation.vocabulary, texts);
+    front.assumptions = read_assumptions(*assume, front.notation.vocabulary, front.dimensions, texts);
   if (scene != nullptr) read_base_scene(*scene, front, texts);
   for (const char* key : {"format", "id", "title"}) {
     if (table.find(key) == nullptr) {

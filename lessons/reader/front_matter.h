@@ -2,6 +2,7 @@
 // The TOML between the +++ lines at the top of a lesson.
 #pragma once
 
+#include "lessons/claims/dimension.h"
 #include "lessons/reader/assumptions.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
@@ -21,8 +22,9 @@ struct FrontMatter {
   LessonBodies bodies;
   LessonScene scene;          ///< what every stage starts from
   EquationNotation notation;  ///< how its formulas are read: its symbols and words, and what x, y, z are
-  Assumptions assumptions;    ///< what its claims and questions can be given
-  int next_line = 1;          ///< first line after the closing +++
+  std::map<int, Dimension> dimensions;  ///< of its constants, as far as they have a unit
+  Assumptions assumptions;              ///< what its claims and questions can be given
+  int next_line = 1;                    ///< first line after the closing +++
 };
 
 /// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.

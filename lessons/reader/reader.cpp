@@ -62,9 +62,10 @@ LessonReading read_lesson(std::string_view text, std::string_view file_name) {
     FrontMatter front = read_front_matter(texts);
     std::vector<Stage> stages = read_stages(front, texts);
     if (!report.has_errors()) {
-      reading.lesson = Lesson{std::move(front.id),       std::move(front.title),    std::move(front.symbols),
-                              std::move(texts.macros()), std::move(front.notation), std::move(stages),
-                              std::string(text)};
+      reading.lesson =
+          Lesson{std::move(front.id),       std::move(front.title),    std::move(front.symbols),
+                 std::move(texts.macros()), std::move(front.notation), std::move(front.assumptions),
+                 std::move(stages),         std::string(text)};
     }
   }
   reading.diagnostics = report.take();

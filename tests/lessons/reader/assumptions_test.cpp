@@ -97,7 +97,7 @@ TEST(Assumptions, WhatIsWrongIsSaidWhereItStands) {
        "\"b\" does not go with what stands before it: this is set already"},
       {assume + "a = 'I2 = I1'\nb = 'I3 = 3*I1'\n", math("a free given a b", "T = T"),
        "no body is as these assumptions together say"},
-      {assume + "a = 'N = omega'\n", math("a free given a", "T = T"),
+      {assume + "a = 'N = h*omega'\n", math("a free given a", "T = T"),
        "the kind free says that there is none"},
       {assume + "a = 'w1 = 0'\n", math("a free given a", R"(\dot\omega_1 = 0)"), "says nothing of rates"},
       {assume + "a = 'I2 = I1'\n", math("a free given", "T = T"), "this fence opens with"},
@@ -114,6 +114,12 @@ TEST(Assumptions, WhatIsWrongIsSaidWhereItStands) {
        "8:1: error: symbol \"a\" is there already"},
       {"[define]\na = 'T'\n[symbols]\na = { tex = 'a', means = 'T' }\n", "", "has a meaning already, above"},
       {"define = 3\n", "", "5:10: error: \"define\" takes a table"},
+      {"[define]\nE = 'T + w1'\n", "", "6:1: error: \"E\": units disagree: kg m²/s² and 1/s are added"},
+      {"[define]\nE = { means = '2*T', unit = 'kg m²/s' }\n", "",
+       "6:29: error: units disagree: \"E\" is in kg m²/s², and this is kg m²/s"},
+      {"[symbols]\nL = { tex = '\\vec L', unit = 'N m' }\n", "", "units disagree: \"L\" is in kg m²/s"},
+      {"[constants]\nc = { value = 2, unit = 'kg' }\n[assume]\na = 'N = c*omega'\n", "",
+       "8:6: error: units disagree: \"N\" is in kg m²/s², this is in kg/s"},
   };
   for (const Wrong& c : cases) {
     const auto said = faults(lesson(c.tables, c.body.empty() ? "Text.\n" : c.body));

@@ -65,7 +65,7 @@ TEST(FrontMatter, ReadsWhatSymbolsMeanAndWhatTheAxesAre) {
   EXPECT_THAT(at.lines(), IsEmpty());
   EXPECT_TRUE(front.notation.xyz_are_body_axes);
   ASSERT_EQ(front.notation.symbols.size(), 2U);
-  EXPECT_EQ(front.notation.symbols[0].means, "E") << "its name is a word from now on";
+  EXPECT_EQ(front.symbols.at("E").means, "2*T");
   ASSERT_NE(front.notation.vocabulary.find("E"), nullptr);
   EXPECT_EQ(front.notation.vocabulary.find("E")->means.text, "2*T");
   EXPECT_EQ(front.symbols.at("I").means, "J");
