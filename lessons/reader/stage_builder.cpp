@@ -133,7 +133,7 @@ void StageBuilder::finish_step() {
                   only_one ? "write its text below the heading" : "leave out one ---");
   }
   if (!has_scene_) return;
-  step().scene = finished(scene_.scene, front_.bodies);
+  step().scene = finished(scene_, front_.bodies);
   step().caption = scene_.caption;
 }
 
