@@ -231,16 +231,13 @@ Command info_command() {
       "parts required, call that of one evaluation at a time t; both measured now, medians. Horizon: how\n"
       "many polhode periods pass until rounding of the inputs alone moves the phase by 0.1 rad; none\n"
       "without a period.\n"
-      "Of each motion of a stage, at t = 0: moments (about the pivot, if it has one), mass, T, L = |L|, "
-      "period\n"
-      "of the polhode. Of a free body with two equal moments the rates at which its axis turns about L, "
-      "|L|/I1,\n"
-      "and omega about the axis in the body, (I3 - I1)/I1 w3. Of such a body on a pivot under gravity alone "
-      "the\n"
-      "two steady precessions at its present tilt and spin, roots of I1 cos(theta) x^2 - I3 w3 x + m g l = "
-      "0;\n"
-      "its nutation, 2 pi by the exact period of theta between its turning points (a small one, where it\n"
-      "precesses steadily or sleeps); theta is the tilt of the axis towards the centre of mass.",
+      "Of each motion of a stage, at t = 0: moments (about the pivot, if it has one), mass, T, L = |L|,\n"
+      "period of the polhode. Of a free body with two equal moments the rates at which its axis turns\n"
+      "about L, |L|/I1, and omega about the axis in the body, (I3 - I1)/I1 w3. Of such a body on a pivot\n"
+      "under gravity alone the two steady precessions at its present tilt theta and spin, roots of\n"
+      "I1 cos(theta) x^2 - I3 w3 x + m g l = 0, and its nutation: 2 pi by the exact period of theta between\n"
+      "its turning points, or that of a small one, where it precesses steadily or sleeps. theta is the tilt\n"
+      "of the axis towards the centre of mass.",
       [options](const CommandWords&) { return show_info(options->lesson, options->json); }};
 }
 

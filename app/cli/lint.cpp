@@ -125,15 +125,14 @@ Command lint_command() {
       "lint",
       "Check lessons, prove claims; print file:line:column: error|warning: ...",
       {{"FILE", &options->files, "Lesson files or ids", "...", true},
-       {"--explain", &options->explain,
-        "print instead the scene of a step, or the last of a stage, with every key", "STAGE[:STEP]"},
+       {"--explain", &options->explain, "print the scene of a step, or the last of a stage, with every key",
+        "STAGE[:STEP]"},
        {"--json", &options->json, "file, line, column, severity, message and hint as JSON"}},
       "Exit code 3 if there is an error; warnings alone give 0. A lesson that takes more than 100 million\n"
       "evaluations of the equations of motion to check, 5 to 10 s of one core, is an error too.\n"
-      "--explain: the scene as a fence that can stand in the lesson. What a key leaves to others is filled "
-      "in\n"
-      "(weight and start as the torque, omega and attitude they stand for); what need not be said is marked\n"
-      "\"default\".",
+      "--explain: the scene as a fence that can stand in the lesson. What a key leaves to others is\n"
+      "filled in (weight and start as the torque, omega and attitude they stand for); what need not be\n"
+      "said is marked \"default\".",
       [options](const CommandWords&) {
         if (options->explain.empty()) return lint(options->files, options->json);
         if (options->json) throw usage("--explain prints a fence, and no JSON");

@@ -103,8 +103,10 @@ Finished finish(const LessonScene& given, const LessonBodies& bodies) {
 // One table's keys into one scene.
 class SceneKeys {
  public:
-  SceneKeys(const LessonBodies& bodies, LessonScene& scene, TextReader& texts)
+  SceneKeys(const LessonBodies& bodies, LessonScene& scene, TextReader& texts,
+            std::optional<SourcePlace> fence)
       : bodies_(bodies),
+        fence_(fence),
         lesson_scene_(scene),
         scene_(scene.scene),
         caption_(scene.caption),
@@ -219,21 +221,29 @@ class SceneKeys {
     lesson_scene_.start.reset();
   }
 
-  /// Said where a table names what is at fault, not again on steps that go on with it.
+  /// Said where a table names what is at fault, or where it is shown first; not again on steps that go on
+  /// with it.
+  void say(const SceneFault& fault, const TomlEntry* named) {
+    if (named == nullptr && (lesson_scene_.fault_said || !fence_)) return;
+    report_.error(named != nullptr ? named->value.place : *fence_, fault.message, fault.hint);
+    lesson_scene_.fault_said = true;
+  }
+
   void check_held(const TomlTable& table) {
     const Finished finished = finish(lesson_scene_, bodies_);
-    const TomlEntry* named = first_of(table, {"torque", "body"});
-    const bool is_known =
-        bodies_.complete || !lesson_scene_.weighs;  // else the body is at fault, which was said
-    if (named != nullptr && is_known && finished.of_weight)
-      report_.error(named->value.place, finished.of_weight->message, finished.of_weight->hint);
-    named = first_of(table, {"start", "torque", "body"});
-    if (named != nullptr && finished.of_start)
-      report_.error(named->value.place, finished.of_start->message, finished.of_start->hint);
+    const bool is_of_top = lesson_scene_.weighs || lesson_scene_.start;
+    const bool may_follow = !fence_ && !(table.find("body") != nullptr && table.find("torque") != nullptr);
+    const bool is_known = bodies_.complete || !lesson_scene_.weighs;  // else the body's fault was said
+    if (!finished.of_weight && !finished.of_start) {
+      lesson_scene_.fault_said = false;
+    } else if (!(is_of_top && may_follow) && is_known) {
+      if (finished.of_weight) say(*finished.of_weight, first_of(table, {"torque", "body"}));
+      if (finished.of_start) say(*finished.of_start, first_of(table, {"start", "torque", "body"}));
+    }
 
     const bool is_free = !lesson_scene_.weighs && !has_heavy(scene_.torque);
     const bool is_pushed = !scene_.v0_S.isZero(0.0) || !scene_.F_S.isZero(0.0);
-    named = first_of(table, {"force", "velocity", "torque"});
+    const TomlEntry* named = first_of(table, {"force", "velocity", "torque"});
     if (named != nullptr && !is_free && is_pushed)
       report_.error(
           named->value.place,
@@ -437,6 +447,7 @@ class SceneKeys {
   }
 
   const LessonBodies& bodies_;
+  const std::optional<SourcePlace> fence_;
   LessonScene& lesson_scene_;
   Scene& scene_;
   std::shared_ptr<const RichText>& caption_;
@@ -567,8 +578,9 @@ Quat attitude_from(const std::vector<double>& wxyz) {
 Scene finished(const LessonScene& scene, const LessonBodies& bodies) { return finish(scene, bodies).scene; }
 
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts) {
-  return SceneKeys(bodies, scene, texts).read(table);
+                                        LessonScene& scene, TextReader& texts,
+                                        std::optional<SourcePlace> fence) {
+  return SceneKeys(bodies, scene, texts, fence).read(table);
 }
 
 std::vector<SceneKeyFacts> scene_key_facts() {

@@ -56,6 +56,7 @@ struct LessonScene {
   std::shared_ptr<const RichText> caption;  ///< Scene::caption, ready to be set; null: none
   bool weighs = false;                      ///< torque = "weight", besides scene.torque
   std::optional<TopStart> start = {};       ///< in place of ω and attitude of the scene
+  bool fault_said = false;                  ///< it cannot be, and was reported
 };
 
 /// The scene as it is to be modelled: "weight" is a HeavyTop, the first of its torques; a body known by its
@@ -63,9 +64,11 @@ struct LessonScene {
 /// and attitude it stands for. Where one of them cannot be had, the reading has said so.
 Scene finished(const LessonScene& scene, const LessonBodies& bodies);
 
-/// Changes `scene` by the keys of a table; a key replaces its whole value.
+/// Changes `scene` by the keys of a table; a key replaces its whole value. `fence` is where a scene that is
+/// shown begins; without one it is the front matter's, whose body, torque or start the stages may give.
 /// @return what the table highlights, with places; the names are not checked here.
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts);
+                                        LessonScene& scene, TextReader& texts,
+                                        std::optional<SourcePlace> fence = {});
 
 }  // namespace polhode

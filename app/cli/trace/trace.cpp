@@ -182,12 +182,9 @@ Command trace_command() {
        {"--every", &typed->times.every, "... every D s", "D"},
        {"--periods", &typed->times.periods, "or: over P polhode periods; of none, of turns 2 pi/|omega| ...",
         "P"},
-       {"--samples", &typed->times.samples,
-        "... N rows, 2 or more, both ends included; of a LESSON alone: over the scene's duration (default: "
-        "101)",
-        "N"},
-       {"--method", &typed->method.method,
-        "see below (default: the scene's; exact without torque, dormand-prince-8 with one)", "NAME"},
+       {"--samples", &typed->times.samples, "... N rows, 2 or more, both ends included", "N"},
+       {"--method", &typed->method.method, "see below (default: the scene's, or the best that serves)",
+        "NAME"},
        {"--step", &typed->method.step, "step in s, needed by methods with a fixed one", "H"},
        {"--tolerance", &typed->method.tolerance, "of dormand-prince-5 and -8 (default: 1e-10)", "E"},
        {"--columns", &typed->columns, "those to print, in this order, see below (default: t to Lz)",
@@ -195,11 +192,12 @@ Command trace_command() {
        {"--format", &typed->format, "form of the result (default: csv)", "csv|json"}});
   command.footer = fmt::format(
       "{}\n{}\n"
+      "Times of a LESSON need not be said: 101 rows, or --samples N, over the duration of the scene.\n"
+      "Without a method: exact without torque, dormand-prince-8 with one.\n"
       "Columns: t in s; w1 w2 w3 in rad/s, body axes; qw qx qy qz body to space; T in J; L = |L|;\n"
-      "Lx Ly Lz in kg m^2/s, space axes. If asked for also theta_deg phi_deg psi_deg, Euler's angles z-x-z\n"
-      "(theta is that of axis 3 from the vertical; phi, psi from -180 to 180); e3x e3y e3z, axis 3 in "
-      "space;\n"
-      "V in J, potential energy under gravity, zero at the height of the pivot; E = T + V.\n"
+      "Lx Ly Lz in kg m^2/s, space axes. If asked for also theta_deg phi_deg psi_deg, Euler's angles\n"
+      "z-x-z (theta is that of axis 3 from the vertical; phi, psi from -180 to 180); e3x e3y e3z, axis 3\n"
+      "in space; V in J, potential energy under gravity, zero at the height of the pivot; E = T + V.\n"
       "17 significant digits.",
       kMethodHelp, kTorqueHelp);
   command.run = [typed](const CommandWords&) { return trace(*typed); };

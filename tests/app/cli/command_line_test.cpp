@@ -438,7 +438,7 @@ TEST(Info, TellsTheNumbersOfEachMotion) {
   EXPECT_EQ(stages[2]["scenes"], Json::array());
 
   const ProgramRun table = polhode({"info", test_lesson("tops.md")});
-  EXPECT_THAT(table.out, HasSubstr("heavy at 60 deg: slow 3.53"));
+  EXPECT_THAT(table.out, HasSubstr("heavy at 60 deg: slow 3.529"));
   EXPECT_THAT(table.out, HasSubstr("free: "));
 }
 

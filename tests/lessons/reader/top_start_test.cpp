@@ -102,6 +102,22 @@ TEST(Weight, NeedsAPivot) {
                             "\"book\" has none")));
 }
 
+TEST(Weight, OfTheFrontMatterIsThatOfTheStagesBodies) {
+  const auto complaints_of = [](const std::string& base, const std::string& scene) {
+    return complaints(kTop + "\n[scene]\n" + base, scene);
+  };
+  EXPECT_THAT(complaints_of("torque = \"weight\"", "body = \"top\""), IsEmpty());
+  EXPECT_THAT(complaints_of("body = \"top\"\nstart = { theta_deg = 60, spin = 60, precession = \"slow\" }",
+                            "torque = \"weight\""),
+              IsEmpty());
+  EXPECT_THAT(complaints_of("torque = \"weight\"", "at = 1\n```\n---\n```scene\nat = 2"),
+              ElementsAre(HasSubstr("10:1: error: \"weight\" turns a body")))
+      << "once, where it is shown";
+  EXPECT_THAT(complaints_of("torque = \"weight\"", ""), ElementsAre(HasSubstr("10:1: error: \"weight\"")));
+  EXPECT_THAT(complaints_of("body = \"book\"\ntorque = \"weight\"", "at = 1"),
+              ElementsAre(HasSubstr("8:10: error: \"weight\"")));
+}
+
 TEST(Weight, IsAllOfGravity) {
   EXPECT_THAT(complaints(kTop, "body = \"top\"\ntorque = [\"weight\", \"weight\"]"),
               ElementsAre("10:21: error: \"weight\" is there already"));
