@@ -5,6 +5,7 @@
 #include "lessons/reader/front_matter.h"
 #include "lessons/reader/markdown/markdown.h"
 #include "lessons/reader/toml_text.h"
+#include "physics/analysis/motion_errors.h"
 #include "physics/body/pivot.h"
 
 #include <fmt/format.h>
@@ -152,7 +153,8 @@ std::string own_body_of(const Body& body, const Torque& torque) {
     return lines + fmt::format("shape = \"{}\"\nsize_m = {}\nmass_kg = {}\n", name_of_shape(body.shape->kind),
                                toml(body.shape->size_m), toml(body.mass_kg));
   lines += fmt::format("moments = {}\n", toml(body.moments.vector()));
-  return body.shape == equivalent_box(body.moments) ? lines + "draw = \"box\"\n" : lines;
+  if (body.mass_kg != 1.0) lines += fmt::format("mass_kg = {}\n", toml(body.mass_kg));
+  return body.shape == equivalent_box(body.moments, body.mass_kg) ? lines + "draw = \"box\"\n" : lines;
 }
 
 std::string lesson_of(const LessonSession& session) {
@@ -178,12 +180,13 @@ std::string trace_of(const LessonSession& session) {
   const Problem problem = problem_of(model->scene);
   const double frames = std::round((to_s - from_s) / (model->rate * kFrameSeconds));
   const int lines = static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(kMostTraceLines - 1)));
-  std::string csv = trace_csv_header();
+  const TraceColumns columns = usual_trace_columns();
+  std::string csv = trace_csv_header(columns);
   for (int i = 0; i <= lines; ++i) {
-    const TraceRow row =
-        trace_row(problem, *model->motion, std::lerp(from_s, to_s, static_cast<double>(i) / lines));
-    if (overflowed(row)) break;
-    csv += csv_line(row);
+    const double t_s = std::lerp(from_s, to_s, static_cast<double>(i) / lines);
+    const RigidBodyState state = model->motion->at(t_s);
+    if (!is_finite(state)) break;
+    csv += csv_line(trace_row(columns, problem, t_s, state));
   }
   return csv;
 }

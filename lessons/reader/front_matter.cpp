@@ -4,6 +4,7 @@
 #include "base/spelling.h"
 #include "lessons/claims/expression_names.h"
 #include "physics/body/bodies.h"
+#include "physics/body/pivot.h"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +51,7 @@ struct BodyKeys {
   std::optional<ShapeKind> shape;
   std::optional<Vec3> size_m;
   std::optional<double> mass_kg;
+  std::optional<Vec3> pivot_m;
   bool draw_box = false;
 };
 
@@ -79,18 +81,19 @@ BodyKeys read_body_keys(const TomlTable& table, const std::string& where, Report
              {"shape", [&](const TomlEntry& e) { keys.shape = read_shape(e, report); }},
              {"size_m", [&](const TomlEntry& e) { keys.size_m = read_vector(e, report); }},
              {"mass_kg", [&](const TomlEntry& e) { keys.mass_kg = read_positive_number(e, report); }},
+             {"pivot_m", [&](const TomlEntry& e) { keys.pivot_m = read_vector(e, report); }},
              {"draw", draw}},
             report);
   return keys;
 }
 
-// True if the keys together say one thing: moments, or a shape with size and mass.
+// True if the keys together say one thing: moments, or a shape with size and mass; and a mass with a pivot.
 bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& report) {
   const bool by_moments = table.find("moments") != nullptr;
   bool consistent = true;
   for (const char* key : {"shape", "size_m", "mass_kg"}) {
     const TomlEntry* given = table.find(key);
-    if (by_moments && given != nullptr) {
+    if (by_moments && given != nullptr && given->key != "mass_kg") {
       report.error(given->place, "a body has moments or a shape, not both", "leave one out");
       return false;
     }
@@ -105,14 +108,40 @@ bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& rep
                  "a body with a shape is drawn as that shape");
     consistent = false;
   }
+  const TomlEntry* pivot = table.find("pivot_m");
+  if (by_moments && pivot != nullptr && table.find("mass_kg") == nullptr) {
+    report.error(pivot->place,
+                 "body " + in_quotes(entry.key) + " lacks \"mass_kg\": its weight is to turn it",
+                 "write mass_kg = 1.0 in kg");
+    consistent = false;
+  }
+  if (by_moments && pivot != nullptr && table.find("draw") != nullptr) {
+    report.error(table.find("draw")->place, "\"draw\" is for bodies without a pivot",
+                 "one on a pivot is drawn as it hangs there");
+    consistent = false;
+  }
   return consistent;
+}
+
+/// Whether a body can be held there: the point is another than its centre of mass, and 1, 2, 3 are principal.
+bool check_pivot(const Body& body, const Vec3& pivot_m, SourcePlace place, Report& report) {
+  if (pivot_m.isZero(0.0)) {
+    report.error(place, "\"pivot_m\" is the centre of mass, about which no weight turns a body",
+                 "leave it out");
+    return false;
+  }
+  const auto held = about_pivot(body, {weight_at(body.mass_kg, pivot_m)});
+  if (!held)
+    report.error(place, held.error(),
+                 "let two of its numbers be 0, or give moments about the pivot and a torque \"heavy:…\"");
+  return held.ok();
 }
 
 std::optional<Body> make_body_from(const std::string& name, const BodyKeys& keys) {
   if (keys.moments) {
     const Vec3& I = *keys.moments;
-    Body body{name, PrincipalMoments(I[0], I[1], I[2]), std::nullopt};
-    if (keys.draw_box) body.shape = equivalent_box(body.moments);
+    Body body{name, PrincipalMoments(I[0], I[1], I[2]), std::nullopt, keys.mass_kg.value_or(1.0)};
+    if (keys.draw_box) body.shape = equivalent_box(body.moments, body.mass_kg);
     return body;
   }
   if (keys.shape && keys.size_m && keys.mass_kg)
@@ -120,25 +149,34 @@ std::optional<Body> make_body_from(const std::string& name, const BodyKeys& keys
   return std::nullopt;
 }
 
-std::optional<Body> read_body(const TomlEntry& entry, Report& report) {
+/// False if it cannot be.
+bool read_body(const TomlEntry& entry, LessonBodies& bodies, Report& report) {
   const auto* table = entry.value.as<TomlTable>();
   if (table == nullptr) {
     report.error(entry.value.place, "a body takes a table, found " + std::string(entry.value.kind()),
                  "write [body." + entry.key + "] and its keys below");
-    return std::nullopt;
+    return false;
   }
   if (!is_id(entry.key)) {
     report.error(entry.place, "bad body name " + in_quotes(entry.key), std::string(kIdRule));
-    return std::nullopt;
+    return false;
   }
   const BodyKeys keys = read_body_keys(*table, "[body." + entry.key + "]", report);
-  if (!check_body_keys(entry, *table, report)) return std::nullopt;
+  if (!check_body_keys(entry, *table, report)) return false;
   try {
-    return make_body_from(entry.key, keys);
+    const auto body = make_body_from(entry.key, keys);
+    if (!body) return false;
+    if (keys.pivot_m) {
+      if (!check_pivot(*body, *keys.pivot_m, table->find("pivot_m")->value.place, report)) return false;
+      bodies.pivots_m.insert_or_assign(entry.key, *keys.pivot_m);
+    }
+    if (table->find("draw") != nullptr) bodies.drawn_as_box.insert(entry.key);
+    bodies.named.insert_or_assign(entry.key, *body);
+    return true;
   } catch (const std::domain_error& error) {
     const TomlEntry* culprit = table->find(keys.moments ? "moments" : "size_m");
     report.error(culprit->place, error.what());
-    return std::nullopt;
+    return false;
   }
 }
 
@@ -150,15 +188,8 @@ void read_bodies(const TomlEntry& entry, FrontMatter& front, Report& report) {
                  "write [body.NAME]; a scene's body goes below [scene]");
     return;
   }
-  for (const TomlEntry& one : table->entries) {
-    if (auto body = read_body(one, report)) {
-      front.bodies.named.insert_or_assign(one.key, std::move(*body));
-      const auto* keys = one.value.as<TomlTable>();
-      if (keys != nullptr && keys->find("draw") != nullptr) front.bodies.drawn_as_box.insert(one.key);
-    } else {
-      front.bodies.complete = false;
-    }
-  }
+  for (const TomlEntry& one : table->entries)
+    if (!read_body(one, front.bodies, report)) front.bodies.complete = false;
 }
 
 void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {

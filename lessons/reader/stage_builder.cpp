@@ -160,7 +160,7 @@ void StageBuilder::finish_step() {
                   only_one ? "write its text below the heading" : "leave out one ---");
   }
   if (!has_scene_) return;
-  step().scene = finished(scene_.scene, front_.bodies);
+  step().scene = finished(scene_, front_.bodies);
   step().caption = scene_.caption;
 }
 
@@ -403,7 +403,7 @@ void StageBuilder::add_scene(const Fence& fence) {
   has_scene_ = step_has_scene_ = true;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
-  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_);
+  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
 }
 

@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
         "macros = 1", "macros.w2 = 'x'", "macros.w = 1", "macros.w = { arguments = 1 }",
         "macros.w = { tex = 'x', arguments = 10 }", "macros.w = { tex = 'x', arguments = 'one' }",
         "symbols.L = { tex = '\\vecc' }", "symbols.L = { tex = '{' }", "symbols.L = {}",
-        "body.p = { moments = [1, 1, 1], mass_kg = 1 }", "body.p = { moments = [1, 1, 1], draw = 'ball' }",
+        "body.p = { moments = [1, 1, 1], mass_kg = 0 }", "body.p = { moments = [1, 1, 1], draw = 'ball' }",
         "body.p = { shape = 'box', size_m = [1, 1, 1], mass_kg = 1, draw = 'box' }",
         "body.p = { shape = 'box', size_m = [1, -1, 1], mass_kg = 1 }",
         "body.p = { shape = 'ring', size_m = [1, 1, 1], mass_kg = 1 }"));
