@@ -134,9 +134,9 @@ void offer_hint(const Options& options) {
   if (shows_as_it_is(command)) fmt::print("A hint: {}\n", shell_line(command));
 }
 
-ExitCode judge_and_keep(const Ask& ask, const std::string& given, const Options& options,
-                        const KeptAnswers& kept) {
-  const AnswerJudgement judgement = judge_answer(ask, given, Prover());
+ExitCode judge_and_keep(const Ask& ask, const Vocabulary& words, const std::string& given,
+                        const Options& options, const KeptAnswers& kept) {
+  const AnswerJudgement judgement = judge_answer(ask, given, Prover(), &words);
   options.json ? print_json(judgement) : print_verdict(judgement, given);
   if (judgement.mark == Mark::unreadable && !options.json) {
     print_place(given, judgement.column);
@@ -168,7 +168,7 @@ ExitCode answer(const Options& options) {
     or_fail(kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); }));
     return ExitCode::done;
   }
-  return judge_and_keep(ask, *options.answer, options, kept);
+  return judge_and_keep(ask, loaded.lesson.notation.vocabulary, *options.answer, options, kept);
 }
 
 }  // namespace

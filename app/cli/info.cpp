@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// polhode info: what each scene requires, the motion chosen and why, and what both cost.
+// polhode info: what each scene requires, the motion chosen and why, what both cost, and the numbers of each
+// motion.
 #include "app/cli/commands.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
+#include "app/cli/scene_facts.h"
 #include "base/printable.h"
 #include "base/stopwatch.h"
 #include "physics/analysis/horizon.h"
@@ -14,12 +16,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace polhode {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 struct StageInfo {
   const Stage* stage = nullptr;
@@ -28,6 +33,7 @@ struct StageInfo {
   std::string motion, why;
   double setup_ns = 0, call_ns = 0;
   Horizon horizon;
+  std::vector<SceneFacts> scenes;
 };
 
 /// Time of one evaluation of what the scene asks for, at times spread over its span in no order.
@@ -53,6 +59,7 @@ StageInfo info_of(const Stage& stage) {
   const auto drawn = std::find_if(stage.steps.rbegin(), stage.steps.rend(),
                                   [](const Step& s) { return s.scene.has_value(); });
   if (drawn == stage.steps.rend()) return info;
+  info.scenes = facts_of(stage);
   const SceneModel model = make_model(*drawn->scene, Product::page);
   info.has_scene = true;
   info.needs = names_of(model.needs);
@@ -66,7 +73,35 @@ StageInfo info_of(const Stage& stage) {
 
 Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
+Json to_json(const SceneFacts& facts) {
+  const Vec3& I = facts.body.moments.vector();
+  const auto rate = [](const auto& from, auto member) {
+    return from ? number_or_null((*from).*member) : Json(nullptr);
+  };
+  return {{"steps", {facts.first_step, facts.last_step}},
+          {"body", facts.body.name},
+          {"moments", {I[0], I[1], I[2]}},
+          {"mass_kg", facts.body.mass_kg},
+          {"T", facts.T},
+          {"L", facts.L},
+          {"period", number_or_null(facts.period_s)},
+          {"free_precession",
+           {{"in_space", rate(facts.free, &FreePrecession::in_space)},
+            {"in_body", rate(facts.free, &FreePrecession::in_body)}}},
+          {"heavy_top",
+           {{"theta_deg", facts.theta_rad ? Json(*facts.theta_rad * kDegreesPerRadian) : Json(nullptr)},
+            {"slow", rate(facts.steady, &SteadyPrecession::slow)},
+            {"fast", rate(facts.steady, &SteadyPrecession::fast)},
+            {"nutation", rate(facts.nutation, &Nutation::rate)},
+            {"theta_least_deg",
+             facts.nutation ? Json(facts.nutation->theta_least_rad * kDegreesPerRadian) : Json(nullptr)},
+            {"theta_most_deg",
+             facts.nutation ? Json(facts.nutation->theta_most_rad * kDegreesPerRadian) : Json(nullptr)}}}};
+}
+
 Json to_json(const StageInfo& info) {
+  Json scenes = Json::array();
+  for (const SceneFacts& facts : info.scenes) scenes.push_back(to_json(facts));
   const auto if_drawn = [&](Json value) { return info.has_scene ? std::move(value) : Json(nullptr); };
   return {{"id", info.stage->id},
           {"title", info.stage->title},
@@ -79,7 +114,8 @@ Json to_json(const StageInfo& info) {
           {"condition", number_or_null(info.horizon.condition)},
           {"horizon_periods",
            {{"1e-3", number_or_null(info.horizon.periods_1e_3)},
-            {"1e-1", number_or_null(info.horizon.periods_1e_1)}}}};
+            {"1e-1", number_or_null(info.horizon.periods_1e_1)}}},
+          {"scenes", std::move(scenes)}};
 }
 
 Json about_json(const Lesson& lesson) {
@@ -142,6 +178,47 @@ void print_about(const Lesson& lesson) {
     fmt::print("{:<14} {}\n", '[' + reference.key + ']', printable(reference.text));
 }
 
+std::string rates_text(const SceneFacts& facts) {
+  if (facts.free)
+    return fmt::format("free: {:.6g} about L, {:.6g} in the body", facts.free->in_space, facts.free->in_body);
+  if (!facts.theta_rad) return {};
+  std::string text = fmt::format("heavy at {:.6g} deg:", *facts.theta_rad * kDegreesPerRadian);
+  if (facts.steady) {
+    text += fmt::format(" slow {:.6g},", facts.steady->slow);
+    if (facts.steady->fast) text += fmt::format(" fast {:.6g},", *facts.steady->fast);
+  } else if (*facts.theta_rad > 0 && *facts.theta_rad < std::numbers::pi) {
+    text += " no steady precession,";
+  }
+  if (!facts.nutation) return text + " no nutation";
+  const auto [least, most, rate] = *facts.nutation;
+  return text + fmt::format(" nutation {:.6g} between {:.6g} and {:.6g} deg", rate, least * kDegreesPerRadian,
+                            most * kDegreesPerRadian);
+}
+
+std::string steps_text(const SceneFacts& facts) {
+  return facts.first_step == facts.last_step ? fmt::format("{}", facts.first_step)
+                                             : fmt::format("{}-{}", facts.first_step, facts.last_step);
+}
+
+void print_scenes(const std::vector<StageInfo>& infos, std::size_t width) {
+  constexpr const char* kRow = "{:<{}}  {:>5}  {:<34}  {:>8}  {:>10}  {:>10}  {:>10}  {}";
+  const auto print = [&](const auto&... cells) {
+    std::string line = fmt::format(fmt::runtime(kRow), cells...);
+    line.erase(line.find_last_not_of(' ') + 1);
+    fmt::print("{}\n", line);
+  };
+  print("stage", width, "steps", "I1, I2, I3 in kg m^2", "m in kg", "T in J", "L kg m^2/s", "period s",
+        "precession, nutation in rad/s");
+  for (const StageInfo& info : infos)
+    for (const SceneFacts& facts : info.scenes) {
+      const Vec3& I = facts.body.moments.vector();
+      print(info.stage->id, width, steps_text(facts), fmt::format("{:.5g}, {:.5g}, {:.5g}", I[0], I[1], I[2]),
+            fmt::format("{:.6g}", facts.body.mass_kg), fmt::format("{:.6g}", facts.T),
+            fmt::format("{:.6g}", facts.L), facts.period_s ? fmt::format("{:.6g}", *facts.period_s) : "-",
+            rates_text(facts));
+    }
+}
+
 void print_table(const Lesson& lesson, const std::vector<StageInfo>& infos) {
   std::size_t width = 5;
   for (const StageInfo& info : infos) width = std::max(width, info.stage->id.size());
@@ -154,6 +231,8 @@ void print_table(const Lesson& lesson, const std::vector<StageInfo>& infos) {
   for (const StageInfo& info : infos) print_row(info, width, reasons);
   fmt::print("\n");
   for (std::size_t i = 0; i < reasons.size(); ++i) fmt::print("[{}] {}\n", i + 1, reasons[i]);
+  fmt::print("\n");
+  print_scenes(infos, width);
 }
 
 ExitCode show_info(const std::string& name, bool json) {
@@ -184,13 +263,20 @@ Command info_command() {
   const auto options = std::make_shared<Options>();
   return {
       "info",
-      "What a lesson is about; what each scene requires, the motion chosen, why, and its cost",
+      "What a lesson is about; what each scene requires, the motion chosen, its cost and its numbers",
       {{"LESSON", &options->lesson, "Id or file", " ", true},
        {"--json", &options->json, "the same as JSON, costs in ns"}},
       "Of a page of each stage's last scene: setup is the time to choose the motion and compute the\n"
       "parts required, call that of one evaluation at a time t; both measured now, medians. Horizon: how\n"
       "many polhode periods pass until rounding of the inputs alone moves the phase by 0.1 rad; none\n"
-      "without a period.",
+      "without a period.\n"
+      "Of each motion of a stage, at t = 0: moments (about the pivot, if it has one), mass, T, L = |L|,\n"
+      "period of the polhode. Of a free body with two equal moments the rates at which its axis turns\n"
+      "about L, |L|/I1, and omega about the axis in the body, (I3 - I1)/I1 w3. Of such a body on a pivot\n"
+      "under gravity alone the two steady precessions at its present tilt theta and spin, roots of\n"
+      "I1 cos(theta) x^2 - I3 w3 x + m g l = 0, and its nutation: 2 pi by the exact period of theta between\n"
+      "its turning points, or that of a small one, where it precesses steadily or sleeps. theta is the tilt\n"
+      "of the axis towards the centre of mass.",
       [options](const CommandWords&) { return show_info(options->lesson, options->json); }};
 }
 

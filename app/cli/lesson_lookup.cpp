@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/lesson_lookup.h"
 
+#include "app/cli/numbers.h"
 #include "app/cli/or_fail.h"
 #include "app/page/page_lint.h"
 #include "base/interrupt.h"
@@ -148,5 +149,22 @@ Done check_pages_of(const LoadedLesson& loaded, const Fonts& fonts) {
 }
 
 const Stage& stage_of(const Lesson& lesson, std::string_view id) { return *or_usage(lesson.stage_named(id)); }
+
+const Scene& scene_of(const Lesson& lesson, std::string_view stage_and_step) {
+  const std::size_t colon = stage_and_step.find(':');
+  const Stage& stage = stage_of(lesson, stage_and_step.substr(0, colon));
+  if (colon != stage_and_step.npos) {
+    const auto step =
+        whole_number(fmt::format("the step of \"{}\"", stage.id), stage_and_step.substr(colon + 1), 1,
+                     static_cast<long long>(stage.steps.size()));
+    const auto& scene = stage.steps[static_cast<std::size_t>(step - 1)].scene;
+    if (!scene) throw usage(fmt::format("step {} of stage \"{}\" has no scene", step, stage.id));
+    return *scene;
+  }
+  const auto drawn = std::find_if(stage.steps.rbegin(), stage.steps.rend(),
+                                  [](const Step& step) { return step.scene.has_value(); });
+  if (drawn == stage.steps.rend()) throw usage(fmt::format("stage \"{}\" has no scene", stage.id));
+  return *drawn->scene;
+}
 
 }  // namespace polhode

@@ -46,4 +46,8 @@ Done check_pages_of(const LoadedLesson& loaded, const Fonts& fonts);
 /// The stage of that id. @throws CommandError usage with "did you mean"
 const Stage& stage_of(const Lesson& lesson, std::string_view id);
 
+/// The scene of "STAGE:STEP", steps from 1, or the last one of "STAGE". @throws CommandError usage: neither,
+/// with "did you mean", or no scene is shown there
+const Scene& scene_of(const Lesson& lesson, std::string_view stage_and_step);
+
 }  // namespace polhode

@@ -9,6 +9,7 @@
 #include "base/spelling.h"
 #include "lessons/reader/claim_check.h"
 #include "lessons/reader/lint_budget.h"
+#include "lessons/reader/scene_keys.h"
 #include "lessons/reader/type_check.h"
 
 #include <fmt/format.h>
@@ -152,6 +153,14 @@ void print(const std::vector<Diagnostic>& diagnostics, bool json) {
   fmt::print("{}\n", printable(list.dump(2, ' ', false, Json::error_handler_t::replace)));
 }
 
+/// The scene of a step with every key it has. A lesson that cannot be read is told as `lint` tells it.
+ExitCode explain(const std::vector<std::string>& names, const std::string& stage_and_step) {
+  if (names.size() != 1) throw usage("--explain is of one FILE");
+  const LoadedLesson loaded = or_fail(load_lesson(names.front()));
+  fmt::print("```scene\n{}```\n", printable(all_scene_keys_text(scene_of(loaded.lesson, stage_and_step))));
+  return ExitCode::done;
+}
+
 ExitCode lint(const std::vector<std::string>& names, bool json) {
   Findings findings;
   try {
@@ -175,6 +184,7 @@ ExitCode lint(const std::vector<std::string>& names, bool json) {
 Command lint_command() {
   struct Options {
     std::vector<std::string> files;
+    std::string explain;
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
@@ -182,10 +192,19 @@ Command lint_command() {
       "lint",
       "Check lessons, prove claims; print file:line:column: error|warning: ...",
       {{"FILE", &options->files, "Lesson files or ids", "...", true},
+       {"--explain", &options->explain, "print the scene of a step, or the last of a stage, with every key",
+        "STAGE[:STEP]"},
        {"--json", &options->json, "file, line, column, severity, message and hint as JSON"}},
       "Exit code 3 if there is an error; warnings alone give 0. A lesson that takes more than 100 million\n"
-      "evaluations of the equations of motion to check, 5 to 10 s of one core, is an error too.",
-      [options](const CommandWords&) { return lint(options->files, options->json); }};
+      "evaluations of the equations of motion to check, 5 to 10 s of one core, is an error too.\n"
+      "--explain: the scene as a fence that can stand in the lesson. What a key leaves to others is\n"
+      "filled in (weight and start as the torque, omega and attitude they stand for); what need not be\n"
+      "said is marked \"default\".",
+      [options](const CommandWords&) {
+        if (options->explain.empty()) return lint(options->files, options->json);
+        if (options->json) throw usage("--explain prints a fence, and no JSON");
+        return explain(options->files, options->explain);
+      }};
 }
 
 }  // namespace polhode

@@ -49,6 +49,10 @@ std::vector<CommandOption> problem_options(TypedProblem& typed, bool required) {
       {"--torque", &typed.torques, "a torque, see below; repeat to add more (default: none)", "SPEC"}};
 }
 
+bool names_a_body(const TypedProblem& typed) {
+  return !typed.inertia.empty() || !typed.omega.empty() || !typed.attitude.empty() || !typed.torques.empty();
+}
+
 Problem problem_from(const TypedProblem& typed) {
   const Vec3 I = finite_vector("--inertia", typed.inertia);
   const Vec3 w_B = finite_vector("--omega", typed.omega);

@@ -22,6 +22,9 @@ std::vector<CommandOption> problem_options(TypedProblem& typed, bool required);
 /// What the forms of --torque mean, for the end of the help.
 extern const char* const kTorqueHelp;
 
+/// Whether any of the options was given.
+bool names_a_body(const TypedProblem& typed);
+
 /// @throws CommandError usage: malformed; invalid: not finite. std::domain_error: an impossible body or state
 Problem problem_from(const TypedProblem& typed);
 

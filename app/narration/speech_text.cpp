@@ -126,11 +126,26 @@ std::string SpeechText::words(const Equation& equation) const {
                               : fmt::format("Equation ({}): {}", equation.tag, formula);
 }
 
+/// A line of text with formulas between dollar signs.
+std::string SpeechText::words_of_line(const std::string& line) const {
+  std::string text;
+  std::size_t at = 0;
+  while (true) {
+    const std::size_t begin = line.find('$', at),
+                      end = begin == line.npos ? begin : line.find('$', begin + 1);
+    text += line.substr(at, begin == line.npos ? begin : begin - at);
+    if (end == line.npos) return text;
+    if (const auto math = parse_math(line.substr(begin + 1, end - begin - 1))) text += words(*math);
+    at = end + 1;
+  }
+}
+
 std::string SpeechText::words(const Claim& claim) const {
   const VerdictRow row = verdict_row(claim, nullptr, nullptr);
   std::string word(name_of(claim.kind));
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
-  std::string text = row.note.empty() ? word + '.' : word + ": " + row.note + '.';
+  const std::string note = words_of_line(row.note);
+  std::string text = note.empty() ? word + '.' : word + ": " + note + '.';
   std::string claimed;
   for (const std::string& tex : row.claimed)
     if (const auto math = parse_math(tex)) claimed += (claimed.empty() ? "" : "; ") + words(*math);

@@ -36,6 +36,8 @@ class SpeechText {
   std::string words_of_page(const Stage& stage, int first, int last) const;
 
  private:
+  std::string words_of_line(const std::string& line) const;
+
   const Lesson& lesson_;
   std::vector<MathSymbol> symbols_;
 };

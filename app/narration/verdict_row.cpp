@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/verdict_row.h"
 
-#include "lessons/claims/expression_tex.h"
 #include "physics/method.h"
 
 #include <fmt/format.h>
@@ -33,26 +32,38 @@ std::string how_it_is_computed(const Scene* scene) {
   return fmt::format("with {}, tolerance {:g}", facts.name, motion.tolerance.value_or(kDefaultTolerance));
 }
 
-std::string note_of(ClaimKind kind, const std::optional<Counterexample>& counter, const Scene* scene) {
+/// "for $I_2 = I_1$": what is given, as part of a sentence that `what` begins.
+std::string with_given(std::string what, const Given& given) {
+  std::string settings;
+  for (const Setting& setting : given.settings)
+    settings += (settings.empty() ? "" : ", ") + ('$' + setting.tex + '$');
+  if (settings.empty()) return what;
+  return what + (what.empty() ? "for " : what == "proved" ? " for " : ", for ") + settings;
+}
+
+std::string note_of(ClaimKind kind, const Given& given, const std::optional<Counterexample>& counter,
+                    const Scene* scene) {
   switch (kind) {
     case ClaimKind::identity:
-      return "proved for every state";
+      return with_given(given.empty() ? "proved for every state" : "proved", given);
     case ClaimKind::definition:
-      return "nothing to prove";
+      return with_given("nothing to prove", given);
     case ClaimKind::law:
-      return "assumed";
+      return with_given("assumed", given);
     case ClaimKind::motion:
-      return "proved for any torque";
+      return with_given(given.sets_torque() ? "proved" : "proved for any torque", given);
     case ClaimKind::free:
-      return "proved without torque";
+      return with_given("proved without torque", given);
     case ClaimKind::measured:
       return how_it_is_computed(scene);
     case ClaimKind::is_false:
-      return counter ? fmt::format("at {}: {} ≠ {}", counter->state, counter->left, counter->right) : "";
+      return with_given(
+          counter ? fmt::format("at {}: {} ≠ {}", counter->state, counter->left, counter->right) : "", given);
     case ClaimKind::non_sequitur:
-      return counter ? fmt::format("at {} the premise holds, yet {} ≠ {}", counter->state, counter->left,
-                                   counter->right)
-                     : "";
+      return with_given(counter ? fmt::format("at {} the premise holds, yet {} ≠ {}", counter->state,
+                                              counter->left, counter->right)
+                                : "",
+                        given);
   }
   return "";
 }
@@ -153,7 +164,7 @@ Row row_of(const ChainLines& chain, bool refutes, const LiveState& live, View vi
 /// Why a measured claim fails on its motion; nothing if it holds.
 std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel& model) {
   for (const ClaimLine& line : claim.lines) {
-    const auto measured = measure(line.equality, line.within, model);
+    const auto measured = measure(line.equality, line.within, model, claim.given);
     if (!measured) return "has no value at some time";
     if (measured->tolerance > kDecisive) return "the step is too long to tell";
     if (!measured->decides()) return "the terms cancel too far to tell";
@@ -175,9 +186,9 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
   for (const ClaimLine& line : claim.lines) {
     row.proved = row.proved && line.judgement && line.judgement->verdict == Verdict::holds;
     if (!counter && line.judgement) counter = line.judgement->counterexample;
-    if (claim.origin != Claim::Origin::formula) row.claimed.push_back(tex_of(line));
+    if (claim.origin != Claim::Origin::formula) row.claimed.push_back(line.tex);
   }
-  row.note = note_of(claim.kind, counter, scene);
+  row.note = note_of(claim.kind, claim.given, counter, scene);
   if (!row.proved) row.note = counter ? "does not hold: " + to_string(*counter) : "not proved";
   if (claim.kind != ClaimKind::measured || !model) return row;
   if (const auto why = why_not_measured(claim, *model)) row.note = *why, row.proved = false;
@@ -197,7 +208,7 @@ std::vector<std::string> widest_live_rows(const Claim& claim) {
 }
 
 std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, View view) {
-  const auto value = live_value(claim, live, view);
+  const auto value = holds_on(claim.given, live) ? live_value(claim, live, view) : std::nullopt;
   if (!value) return {};
   const bool refutes = claim.kind == ClaimKind::is_false;
   if (value->tolerance > kDecisive)

@@ -353,7 +353,8 @@ std::vector<const Ask*> LessonSession::questions() const {
 
 const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view text) {
   using Mark = AnswerJudgement::Mark;
-  JudgedAnswer& judged = judged_[ask.id] = {std::string(text), judge_answer(ask, text, Prover())};
+  JudgedAnswer& judged =
+      judged_[ask.id] = {std::string(text), judge_answer(ask, text, Prover(), &lesson().notation.vocabulary)};
   const Mark mark = judged.judgement.mark;
   if (mark != Mark::unreadable)
     note_try(answers_[answer_name(stage().id, ask.id)], mark == Mark::right, text);

@@ -5,6 +5,7 @@
 #include "lessons/reader/front_matter.h"
 #include "lessons/reader/markdown/markdown.h"
 #include "lessons/reader/toml_text.h"
+#include "physics/analysis/motion_errors.h"
 #include "physics/body/pivot.h"
 
 #include <fmt/format.h>
@@ -33,17 +34,47 @@ const char* name_of_shape(ShapeKind kind) {
   return "t-handle";
 }
 
+std::string key_of(const std::string& name) { return is_id(name) ? name : toml(name); }
+
+/// "tex = 'E', say = \"energy\""
+std::string looks_of(const Symbol& symbol) {
+  std::string keys = "tex = " + toml(symbol.tex);
+  if (!symbol.role.empty()) keys += ", role = " + toml(symbol.role);
+  if (!symbol.say.empty()) keys += ", say = " + toml(symbol.say);
+  if (!symbol.unit.empty()) keys += ", unit = " + toml(symbol.unit);
+  if (!symbol.note.empty()) keys += ", note = " + toml(symbol.note);
+  return keys;
+}
+
+/// Constants, definitions in their order, other symbols, and what can be assumed.
 std::string symbols_of(const Lesson& lesson) {
-  std::string lines;
-  for (const auto& [name, symbol] : lesson.symbols) {
-    lines += fmt::format("{} = {{ tex = {}", is_id(name) ? name : toml(name), toml(symbol.tex));
-    if (!symbol.role.empty()) lines += ", role = " + toml(symbol.role);
-    if (!symbol.say.empty()) lines += ", say = " + toml(symbol.say);
-    if (!symbol.unit.empty()) lines += ", unit = " + toml(symbol.unit);
-    if (!symbol.means.empty()) lines += ", means = " + toml(symbol.means);
-    lines += " }\n";
+  const Vocabulary& vocabulary = lesson.notation.vocabulary;
+  std::string constants, definitions, symbols, assumptions;
+  for (const Vocabulary::Word& word : vocabulary.words()) {
+    const auto found = lesson.symbols.find(word.name);
+    const std::string looks = found == lesson.symbols.end() ? "" : ", " + looks_of(found->second);
+    if (const auto constant = word.constant())
+      constants += fmt::format("{} = {{ value = {}{} }}\n", key_of(word.name), toml(constant->second), looks);
+    else
+      definitions +=
+          fmt::format("{} = {{ means = {}{} }}\n", key_of(word.name), toml(word.means.text), looks);
   }
-  return lines.empty() ? "" : "\n[symbols]\n" + lines;
+  for (const auto& [name, symbol] : lesson.symbols) {
+    if (vocabulary.find(name) != nullptr) continue;
+    const std::string means = symbol.means.empty() ? "" : ", means = " + toml(symbol.means);
+    symbols += fmt::format("{} = {{ {}{} }}\n", key_of(name), looks_of(symbol), means);
+  }
+  for (const auto& [name, given] : lesson.assumptions) {
+    std::string settings;
+    for (const Setting& setting : given.settings)
+      settings += (settings.empty() ? "" : ", ") + toml(setting.text);
+    assumptions += fmt::format("{} = [{}]\n", key_of(name), settings);
+  }
+  const auto table = [](const char* name, const std::string& lines) {
+    return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);
+  };
+  return table("constants", constants) + table("define", definitions) + table("symbols", symbols) +
+         table("assume", assumptions);
 }
 
 std::string macros_of(const Lesson& lesson) {
@@ -123,7 +154,8 @@ std::string own_body_of(const Body& body, const Torque& torque) {
     return lines + fmt::format("shape = \"{}\"\nsize_m = {}\nmass_kg = {}\n", name_of_shape(body.shape->kind),
                                toml(body.shape->size_m), toml(body.mass_kg));
   lines += fmt::format("moments = {}\n", toml(body.moments.vector()));
-  return body.shape == equivalent_box(body.moments) ? lines + "draw = \"box\"\n" : lines;
+  if (body.mass_kg != 1.0) lines += fmt::format("mass_kg = {}\n", toml(body.mass_kg));
+  return body.shape == equivalent_box(body.moments, body.mass_kg) ? lines + "draw = \"box\"\n" : lines;
 }
 
 std::string lesson_of(const LessonSession& session) {
@@ -149,12 +181,13 @@ std::string trace_of(const LessonSession& session) {
   const Problem problem = problem_of(model->scene);
   const double frames = std::round((to_s - from_s) / (model->rate * kFrameSeconds));
   const int lines = static_cast<int>(std::clamp(frames, 1.0, static_cast<double>(kMostTraceLines - 1)));
-  std::string csv = trace_csv_header();
+  const TraceColumns columns = usual_trace_columns();
+  std::string csv = trace_csv_header(columns);
   for (int i = 0; i <= lines; ++i) {
-    const TraceRow row =
-        trace_row(problem, *model->motion, std::lerp(from_s, to_s, static_cast<double>(i) / lines));
-    if (overflowed(row)) break;
-    csv += csv_line(row);
+    const double t_s = std::lerp(from_s, to_s, static_cast<double>(i) / lines);
+    const RigidBodyState state = model->motion->at(t_s);
+    if (!is_finite(state)) break;
+    csv += csv_line(trace_row(columns, problem, t_s, state));
   }
   return csv;
 }

@@ -8,8 +8,9 @@
 
 namespace polhode {
 
-/// "[body.NAME]" with its keys; empty for a built-in body. The shape is left out where the body's moments are
-/// not those of the shape, neither about the centre of mass nor about the pivot of this torque.
+/// "[body.NAME]" with its keys, moments about the pivot as such; empty for a built-in body. The shape is left
+/// out where the body's moments are not those of the shape, neither about the centre of mass nor about the
+/// pivot of this torque.
 std::string own_body_of(const Body& body, const Torque& torque);
 
 /// The present stage as a lesson of its own, which `polhode export` reads. It has the lesson's front matter

@@ -47,24 +47,35 @@ std::string text_of(std::span<const double> values) {
   return factor == 0 ? text : text + "·10" + superscript(factor);
 }
 
-/// Whether the scene has what the quantity is of.
-bool is_of_scene(const std::string& name, const Scene& scene) {
-  for (const char* of_center : {"p", "v", "F", "m"})
-    if (name == of_center) return drifts(scene);
-  return name != "A" || scene.show.contains(Overlay::transport);
+/// Whether the scene has what the expression is of.
+bool is_of_scene(const Expression& expression, const Scene& scene) {
+  for (const Quantity of_center : {Quantity::p, Quantity::v, Quantity::F, Quantity::m})
+    if (expression.uses(of_center) && !drifts(scene)) return false;
+  return !expression.uses(Quantity::A) || scene.show.contains(Overlay::transport);
 }
 
-void add_value(const std::string& name, const SceneModel& model, double t_s, SymbolNote& note) {
+/// What a symbol is, in the words of the lesson; nothing if it is nothing that has a value.
+std::optional<Expression> meaning_of(const Lesson& lesson, const std::string& name) {
+  const std::string& means = lesson.symbols.at(name).means;
+  const std::string& text = means.empty() ? name : means;
+  const SourceText source(text);
+  Report report(source, "");
+  return read_expression(text, {1, 1}, report, &lesson.notation.vocabulary);
+}
+
+void add_value(const Lesson& lesson, const std::string& name, const SceneModel& model, double t_s,
+               SymbolNote& note) {
   if (name == "I") {
     const Vec3 moments = model.scene.body.moments.vector();
     note.value = text_of({moments.data(), 3});
     note.frame = "body";
     return;
   }
-  if (!is_of_scene(name, model.scene)) return;
+  const auto expression = meaning_of(lesson, name);
+  if (!expression || !is_of_scene(*expression, model.scene)) return;
   const auto live = live_state(model, t_s);
   const View view = model.scene.views.front();
-  const auto value = live ? live_quantity(name, *live, view) : std::nullopt;
+  const auto value = live ? live_quantity(*expression, *live, view) : std::nullopt;
   if (!value) return;
   note.value = text_of({value->components.data(), value->is_vector ? 3u : 1u});
   if (value->is_vector) note.frame = view == View::space ? "space" : "body";
@@ -127,7 +138,7 @@ SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneMod
   }
   note.meaning = found->second.note.empty() ? found->second.say : found->second.note;
   note.unit = found->second.unit;
-  if (model) add_value(name, *model, t_s, note);
+  if (model) add_value(lesson, name, *model, t_s, note);
   return note;
 }
 

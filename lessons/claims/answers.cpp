@@ -42,13 +42,13 @@ class ExpressionJudge {
     if (const auto refused = unasked_derivative()) return *refused;
     if (equals(answer_, assumption_)) return right();
     AnswerJudgement judgement = reason();
-    judgement.counterexample = prover_.refute({answer_, *question_.expression}, assumption_);
+    judgement.counterexample = prover_.refute({answer_, *question_.expression}, assumption_, question_.given);
     return judgement;
   }
 
  private:
   bool equals(const Expression& variant, Assumption assumption) const {
-    return prover_.settle({variant, *question_.expression}, assumption) == Verdict::holds;
+    return prover_.settle({variant, *question_.expression}, assumption, question_.given) == Verdict::holds;
   }
   bool equals(const Expression& variant) const { return equals(variant, assumption_); }
 
@@ -76,8 +76,8 @@ class ExpressionJudge {
     if (const auto found = indices()) return *found;
     if (assumption_ == Assumption::identity && equals(answer_, Assumption::motion))
       return wrong("this follows from the equations of motion; here it has to hold whatever ω̇ is");
-    if (assumption_ != Assumption::free && !has_torque() && !vanishes_without_torque() &&
-        equals(answer_, Assumption::free))
+    if (assumption_ != Assumption::free && !question_.given.sets_torque() && !has_torque() &&
+        !vanishes_without_torque() && equals(answer_, Assumption::free))
       return wrong("this is right without torque only");
     return wrong("not equal to what is asked for");
   }
@@ -89,7 +89,8 @@ class ExpressionJudge {
 
   /// Then that an answer is right without torque says nothing.
   bool vanishes_without_torque() const {
-    return prover_.settle({*question_.expression, zero_expression()}, Assumption::free) == Verdict::holds;
+    return prover_.settle({*question_.expression, zero_expression()}, Assumption::free, question_.given) ==
+           Verdict::holds;
   }
 
   std::optional<AnswerJudgement> one_term() const {
@@ -132,17 +133,19 @@ class ExpressionJudge {
   Assumption assumption_;
 };
 
-AnswerJudgement judge_expression(const Question& question, std::string_view text, const Prover& prover) {
+AnswerJudgement judge_expression(const Question& question, std::string_view text, const Prover& prover,
+                                 const Vocabulary* vocabulary) {
   const SourceText source(text);
   Report report(source, "");
   if (source.line_count() > 1) return unreadable("an answer is one line");
-  const auto answer = read_expression(text, {1, 1}, report);
+  const auto answer = read_expression(text, {1, 1}, report, vocabulary);
   if (!answer) {
     const Diagnostic fault = report.take().front();
     return unreadable(fault.message, fault.hint, fault.place.column);
   }
   if (answer->uses(Operation::norm))
     return unreadable("a length is a root, and a proof has none", "write norm2(a) for a·a");
+  if (!is_rational(*answer)) return unreadable("a proof has no roots and no angles", "write it without them");
   if (prover.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
     return unreadable("this is nowhere defined", "is something divided by 0?");
   if (!fit(answer->type(), question.expression->type()))
@@ -209,8 +212,10 @@ AnswerJudgement judge_order(const Question& question, std::string_view text) {
 
 }  // namespace
 
-AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover) {
-  if (question.type == Question::Type::expression) return judge_expression(question, answer, prover);
+AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover,
+                             const Vocabulary* vocabulary) {
+  if (question.type == Question::Type::expression)
+    return judge_expression(question, answer, prover, vocabulary);
   if (question.type == Question::Type::order) return judge_order(question, answer);
   return judge_choice(question, answer);
 }

@@ -19,6 +19,7 @@ struct Question {
   std::optional<Expression> expression;  ///< the answer, of type expression
   std::vector<int> answers;              ///< the answer, of other types: 1-based, one index or all in order
   std::string modulo;                    ///< identity | motion | free; of expressions
+  Given given;                           ///< what the answer may assume, of expressions
 };
 
 /// Choices are called A, B, C … wherever they are shown or read; there are at most 16.
@@ -39,7 +40,9 @@ struct AnswerJudgement {
 /// signs, the sign of one term, a term too many, a constant factor, indices mixed up, what holds only along
 /// motions or without torque. Choices: a number from 1, or a letter; an order: all of them, with or without
 /// commas or spaces between. Up to some 50 ms.
-AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover);
+/// `vocabulary` has the words that the lesson adds to those of expressions; null: none.
+AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover,
+                             const Vocabulary* vocabulary = nullptr);
 
 /// The words of an expression that is asked for, for help: those that a learner may need.
 inline constexpr std::string_view kWordsOfAnswers =

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/claims/expression.h"
+#include "lessons/claims/given.h"
 #include "lessons/diagnostics/diagnostic.h"
 
 #include <optional>
@@ -47,6 +48,7 @@ struct ClaimLine {
   /// term left out, or the label of an underbrace.
   bool is_side_by_side = true;
   std::optional<Judgement> judgement{};  ///< once it is proved (lessons/reader/claim_check.h)
+  std::string tex{};                     ///< of what is not the formula itself: how it is printed
 };
 struct Claim {
   std::string equation;  ///< id of an equation of the same stage
@@ -56,6 +58,7 @@ struct Claim {
   /// Where the lines come from: read from the equation's TeX, or from what \proved{…} marks in it, or written
   /// beside it by an author. Whoever shows the verdict shows them too unless they are the whole formula.
   enum class Origin { beside, part, formula } origin = Origin::beside;
+  Given given{};  ///< what it assumes beyond its kind
   /// The author knows that the lines speak of other quantities than the formula does.
   bool in_other_words = false;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/claims/evaluation.h"
+#include "lessons/claims/given.h"
 
 #include <optional>
 
@@ -21,6 +22,7 @@ struct StateNumbers {
   std::array<N, 3> w{}, dw{}, v_S{}, dv_S{}, A_S{}, dA_S{}, N_B{}, F_S{};
   N m{1};
   N h{1}, k{1};
+  std::array<N, kMaxConstants> constants{};
 };
 
 /// Takes body components to space components: R(q) = homogeneous / |q|², with its rate.
@@ -78,6 +80,7 @@ ClaimState<N> state_of(StateNumbers<N> n, Assumption assumption) {
   state.m = n.m;
   state.h = n.h;
   state.k = n.k;
+  state.constants = n.constants;
   for (std::size_t i = 0; i < 3; ++i) {
     state.w_B[i] = {n.w[i], n.dw[i]};
     state.v_S[i] = {n.v_S[i], n.dv_S[i]};
@@ -85,6 +88,17 @@ ClaimState<N> state_of(StateNumbers<N> n, Assumption assumption) {
   }
   return state;
 }
+
+/// The numbers with those replaced that are given, one after the other. Nothing where one of them is not
+/// defined, or a moment would be 0.
+template <class N>
+std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given);
+
+/// Whether a body can have these moments: each is positive, and at most the sum of the other two.
+bool is_possible_body(const std::array<SizedNumber, 3>& I);
+
+/// Whether the two sides of each setting agree in a state, as far as `tolerance` of their terms.
+bool holds_in(const Given& given, const ClaimState<SizedNumber>& state, double tolerance);
 
 /// Whether both sides are equal in a state; nothing where one of them is not defined.
 template <int Bits>

@@ -10,10 +10,13 @@
 #include "lessons/claims/expression.h"
 #include "lessons/claims/prime_field.h"
 #include "lessons/claims/sized_number.h"
+#include "lessons/claims/vocabulary.h"
 
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -52,6 +55,8 @@ struct ClaimState {
   std::array<N, 3> N_B, F_S;
   N m;
   N h, k;  ///< any numbers
+  /// The lesson's constants; nothing: each is what the lesson says.
+  std::optional<std::array<N, kMaxConstants>> constants;
 };
 
 /// mantissa · 10^power, exactly; of doubles correctly rounded.
@@ -109,6 +114,36 @@ struct VectorSizes<SizedNumber> {
   }
 };
 
+/// sqrt, sin, cos, acos of x, or the angle whose tangent is x/y; with its rate. The size grows with the
+/// relative error that the operands may have. Not finite where it is not defined.
+inline Dual<SizedNumber> function_of(Operation operation, const Dual<SizedNumber>& x,
+                                     const Dual<SizedNumber>& y) {
+  const double a = x.value.value, b = y.value.value;
+  double value = 0, by_a = 0, by_b = 0;  // and its derivatives
+  switch (operation) {
+    case Operation::sqrt:
+      value = std::sqrt(a), by_a = 0.5 / value;
+      break;
+    case Operation::sin:
+      value = std::sin(a), by_a = std::cos(a);
+      break;
+    case Operation::cos:
+      value = std::cos(a), by_a = -std::sin(a);
+      break;
+    case Operation::acos:
+      value = std::acos(a), by_a = -1 / std::sqrt((1 - a) * (1 + a));
+      break;
+    default:
+      value = std::atan2(a, b), by_a = b / (a * a + b * b), by_b = -a / (a * a + b * b);
+      break;
+  }
+  // Where a derivative is infinite the value is known all the same: sqrt(0), acos(1).
+  const auto error = [](double slope, double size) { return size == 0 ? 0.0 : std::abs(slope) * size; };
+  const double size = std::abs(value) + error(by_a, x.value.size) + error(by_b, y.value.size);
+  return {{value, std::isfinite(size) ? size : std::abs(value) + std::sqrt(x.value.size)},
+          {by_a * x.rate.value + by_b * y.rate.value, error(by_a, x.rate.size) + error(by_b, y.rate.size)}};
+}
+
 /// Evaluates in one state; the state must live as long.
 template <class N>
 class Evaluation {
@@ -126,7 +161,7 @@ class Evaluation {
   bool operator()(const Expression& expression, Triple<N>& value) {
     values_.resize(expression.nodes.size());
     for (std::size_t i = 0; i < values_.size(); ++i)
-      if (!evaluate(expression.nodes[i], values_[i])) return false;
+      if (!evaluate(expression.nodes, i, values_[i])) return false;
     value = values_.back();
     return true;
   }
@@ -251,9 +286,21 @@ class Evaluation {
       case S::e2:
       case S::e3:
         return axis(nth(S::e1));
+      case S::ex:
+      case S::ey:
+      case S::ez: {
+        Triple<N> e_S;
+        e_S[nth(S::ex)] = constant(N(1));
+        return e_S;
+      }
       default:
         return scalar(constant(s_.J[nth(S::Jxx)]));
     }
+  }
+
+  static N pi() {
+    if constexpr (std::is_same_v<N, SizedNumber>) return std::numbers::pi;
+    return N(0);
   }
 
   static Triple<N> scaled(const Dual<N>& factor, const Triple<N>& x) {
@@ -270,14 +317,34 @@ class Evaluation {
     return true;
   }
 
-  bool evaluate(const ExpressionNode& node, Triple<N>& value) const {
+  /// A function that has values where N has roots and angles.
+  static bool function([[maybe_unused]] Operation operation, [[maybe_unused]] const Dual<N>& x,
+                       [[maybe_unused]] const Dual<N>& y, [[maybe_unused]] Triple<N>& value) {
+    if constexpr (std::is_same_v<N, SizedNumber>) {
+      value = scalar(function_of(operation, x, y));
+      return std::isfinite(value[0].value.value);
+    }
+    return false;
+  }
+
+  N constant_of(const ExpressionNode& node) const {
+    if (s_.constants) return (*s_.constants)[static_cast<std::size_t>(node.integer)];
+    if constexpr (std::is_same_v<N, SizedNumber>) return node.number.value;
+    return N(0);  // states of exact numbers have their constants
+  }
+
+  bool evaluate(const std::vector<ExpressionNode>& nodes, std::size_t index, Triple<N>& value) const {
     using O = Operation;
-    const auto operand = [this](int index) -> const Triple<N>& {
-      return values_[static_cast<std::size_t>(index)];
+    const ExpressionNode& node = nodes[index];
+    const auto operand = [this](int which) -> const Triple<N>& {
+      return values_[static_cast<std::size_t>(which)];
     };
     switch (node.operation) {
       case O::number:
         value = scalar(number(node.number));
+        break;
+      case O::constant:
+        value = scalar(constant(constant_of(node)));
         break;
       case O::quantity:
         value = value_of(node.quantity);
@@ -332,6 +399,27 @@ class Evaluation {
       case O::star:
         value = to_space(rate_of(to_body(operand(node.a))));
         break;
+      case O::pi:
+        if constexpr (!std::is_same_v<N, SizedNumber>) return false;
+        value = scalar(constant(pi()));
+        break;
+      case O::cos:
+        // The cosine of an angle is what the angle was taken of: exact, for all numbers.
+        if (const ExpressionNode& angle = nodes[static_cast<std::size_t>(node.a)];
+            angle.operation == O::acos) {
+          value = operand(angle.a);
+          break;
+        }
+        return function(node.operation, operand(node.a)[0], {}, value);
+      case O::acos:
+        if constexpr (!std::is_same_v<N, SizedNumber>)
+          break;  // of exact numbers only its cosine is asked for
+        return function(node.operation, operand(node.a)[0], {}, value);
+      case O::sqrt:
+      case O::sin:
+        return function(node.operation, operand(node.a)[0], {}, value);
+      case O::atan2:
+        return function(node.operation, operand(node.a)[0], operand(node.b)[0], value);
     }
     return true;
   }

@@ -3,6 +3,7 @@
 
 #include "base/spelling.h"
 #include "lessons/claims/expression_builder.h"
+#include "lessons/claims/vocabulary.h"
 
 #include <algorithm>
 #include <charconv>
@@ -18,7 +19,8 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 // kMaxExpressionNesting bounds the depth.
 class ExpressionReader {
  public:
-  explicit ExpressionReader(std::string_view text) : text_(text) {}
+  ExpressionReader(std::string_view text, const Vocabulary* vocabulary)
+      : text_(text), vocabulary_(vocabulary) {}
 
   std::vector<ExpressionNode> read() {
     skip_spaces();
@@ -202,17 +204,31 @@ class ExpressionReader {
     skip_spaces();
     if (next() == '(') return function_call(word, begin);
     if (const QuantityFacts* facts = find_quantity(word)) return builder_.quantity(*facts, begin, end_);
+    if (const Vocabulary::Word* said = own_word(word)) return builder_.insert(said->means, begin, end_);
+    if (word == kPiName) return builder_.pi(begin, end_);
     if (word == kTensorName) fail(begin, "J is a tensor", "write apply(J, a), trace(J) or a component: Jxy");
     if (find_function(word) != nullptr)
       fail(begin, in_quotes(word) + " is a function", "write " + std::string(word) + "(…)");
-    fail(begin, "unknown symbol " + in_quotes(word), suggestion(word, expression_symbols()));
+    if (vocabulary_ != nullptr && vocabulary_->is_announced(word))
+      fail(begin, in_quotes(word) + " is defined further down", "a definition uses those above it");
+    fail(begin, "unknown symbol " + in_quotes(word), suggestion(word, symbols()));
+  }
+
+  const Vocabulary::Word* own_word(std::string_view word) const {
+    return vocabulary_ == nullptr ? nullptr : vocabulary_->find(word);
+  }
+  std::vector<std::string> symbols() const {
+    std::vector<std::string> all = expression_symbols();
+    if (vocabulary_ != nullptr)
+      for (std::string& name : vocabulary_->names()) all.push_back(std::move(name));
+    return all;
   }
 
   int function_call(std::string_view word, std::size_t begin) {
     const FunctionFacts* function = find_function(word);
     if (function == nullptr) {
-      const auto& symbols = expression_symbols();
-      const bool symbol = std::find(symbols.begin(), symbols.end(), word) != symbols.end();
+      const auto known = symbols();
+      const bool symbol = std::find(known.begin(), known.end(), word) != known.end();
       fail(begin, symbol ? in_quotes(word) + " is no function" : "unknown function " + in_quotes(word),
            symbol ? "write * between factors" : suggestion(word, expression_functions()));
     }
@@ -276,6 +292,7 @@ class ExpressionReader {
   }
 
   std::string_view text_;
+  const Vocabulary* vocabulary_;
   std::size_t i_ = 0;
   std::size_t end_ = 0;  // of what was read last, without the spaces behind it
   std::vector<std::size_t> open_;
@@ -318,15 +335,47 @@ namespace {
 
 bool is_length(const Expression& side) { return side.nodes.back().operation == Operation::norm; }
 
+/// Whether nodes have no roots and no angles: cosines of acos have none.
+bool are_algebraic(const std::vector<ExpressionNode>& nodes) {
+  int angles = 0, cosines_of_angles = 0;
+  for (const ExpressionNode& node : nodes) {
+    switch (node.operation) {
+      case Operation::pi:
+      case Operation::sqrt:
+      case Operation::sin:
+      case Operation::atan2:
+        return false;
+      case Operation::acos:
+        ++angles;
+        break;
+      case Operation::cos:
+        if (nodes[static_cast<std::size_t>(node.a)].operation != Operation::acos) return false;
+        ++cosines_of_angles;
+        break;
+      default:
+        break;
+    }
+  }
+  return angles == cosines_of_angles;
+}
+
 }  // namespace
 
-bool has_provable_lengths(const Equality& equality) {
-  const auto holds_one = [](const Expression& side) {
+bool is_rational(const Expression& expression) {
+  return are_algebraic(expression.nodes) && !expression.uses(Operation::norm);
+}
+
+bool has_angles(const Equality& equality) {
+  return !are_algebraic(equality.left.nodes) || !are_algebraic(equality.right.nodes);
+}
+
+bool is_provable(const Equality& equality) {
+  const auto holds_length = [](const Expression& side) {
     return std::any_of(side.nodes.begin(), side.nodes.end() - 1,
                        [](const ExpressionNode& node) { return node.operation == Operation::norm; });
   };
-  return is_length(equality.left) == is_length(equality.right) && !holds_one(equality.left) &&
-         !holds_one(equality.right);
+  return is_length(equality.left) == is_length(equality.right) && !holds_length(equality.left) &&
+         !holds_length(equality.right) && !has_angles(equality);
 }
 
 Equality with_lengths_squared(Equality equality) {
@@ -343,11 +392,13 @@ Expression zero_expression() {
   return {"0", {zero}};
 }
 
-std::optional<Expression> read_expression(std::string_view text, SourcePlace start, Report& report) {
+std::optional<Expression> read_expression(std::string_view text, SourcePlace start, Report& report,
+                                          const Vocabulary* vocabulary) {
   try {
     if (text.size() > kMaxExpressionBytes)
       throw ExpressionFault(0, "an expression has at most " + std::to_string(kMaxExpressionBytes) + " bytes");
-    return Expression{std::string(text), ExpressionReader(text).read()};
+    return Expression{std::string(text), ExpressionReader(text, vocabulary).read(),
+                      vocabulary == nullptr ? nullptr : vocabulary->constants()};
   } catch (const ExpressionFault& fault) {
     report.error(advanced(start, text, fault.offset), fault.what(), fault.hint);
     return std::nullopt;
@@ -359,6 +410,7 @@ const std::vector<std::string>& expression_symbols() {
     std::vector<std::string> names;
     for (const QuantityFacts& facts : kQuantities) names.emplace_back(facts.name);
     names.emplace_back(kTensorName);
+    names.emplace_back(kPiName);
     return names;
   }();
   return kSymbols;

@@ -8,6 +8,7 @@
 #include "lessons/diagnostics/report.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,8 @@ inline constexpr int kMaxExpressionNesting = 64;
 inline constexpr int kMaxExponent = 16;
 /// Bound of the degree of numerator and denominator in all that can vary; see Degree.
 inline constexpr int kMaxDegree = 4096;
+/// Parts of an expression, once the lesson's own words are written out.
+inline constexpr std::size_t kMaxExpressionNodes = 4096;
 /// Digits of a number, without leading zeros; and the largest power of ten it may carry.
 inline constexpr int kMaxDigits = 15, kMaxPowerOfTen = 18;
 
@@ -32,18 +35,20 @@ std::string_view name_of(ExpressionType type);
 bool fit(ExpressionType a, ExpressionType b);
 
 /// Scalars, w_i, dw_i, N_i on the body axes; vectors; and the components of J. A is any vector, J any inertia
-/// tensor that is fixed in the body; h and k are any two numbers that do not change. T = ½ω·I·ω, L = I·ω and
-/// p = m v are what these definitions say; the others vary freely, or as a law has it.
+/// tensor that is fixed in the body; h and k are any two numbers that do not change; ex, ey, ez are the axes
+/// of space, e1, e2, e3 those of the body. T = ½ω·I·ω, L = I·ω and p = m v are what these definitions say;
+/// the others vary freely, or as a law has it.
 // clang-format off
 enum class Quantity {
   T, I1, I2, I3, w1, w2, w3, dw1, dw2, dw3, N1, N2, N3, m, h, k,
-  omega, L, N, p, v, F, A, e1, e2, e3,
+  omega, L, N, p, v, F, A, e1, e2, e3, ex, ey, ez,
   Jxx, Jxy, Jxz, Jyy, Jyz, Jzz
 };
 
 enum class Operation {
-  number, quantity, negate, add, subtract, multiply, divide, power,
-  dot, cross, norm2, norm, inertia, apply, comp, trace, star, ddt
+  number, constant, pi, quantity, negate, add, subtract, multiply, divide, power,
+  dot, cross, norm2, norm, inertia, apply, comp, trace, star, ddt,
+  sqrt, sin, cos, acos, atan2
 };
 // clang-format on
 
@@ -67,8 +72,8 @@ struct ExpressionNode {
   Operation operation = Operation::number;
   int a = -1, b = -1;  ///< indices of the operands; a vector comes second in a product
   Quantity quantity = Quantity::T;
-  DecimalNumber number;
-  int integer = 0;  ///< exponent of power, index (0 to 2) of comp
+  DecimalNumber number;  ///< of a constant what the lesson says that it is
+  int integer = 0;       ///< exponent of power, index (0 to 2) of comp, number of a constant
   ExpressionType type = ExpressionType::scalar;
   bool has_rate = true;  ///< its rate of change is known: it can be differentiated
   Degree degree;
@@ -78,16 +83,23 @@ struct ExpressionNode {
 struct Expression {
   std::string text;
   std::vector<ExpressionNode> nodes;  ///< at least one; the last is the whole
+  /// Names of the lesson's constants, by their numbers; null if the lesson has none.
+  std::shared_ptr<const std::vector<std::string>> constants{};
 
   ExpressionType type() const { return nodes.back().type; }
   bool uses(Operation operation) const;
   bool uses(Quantity quantity) const;
 };
 
-/// Reads a text that stands on one line, its first byte at `start`. One error with its column: characters and
+class Vocabulary;
+
+/// Reads a text that stands on one line, its first byte at `start`, in the words of the language and those of
+/// `vocabulary` (vocabulary.h; null: none), which are written out. One error with its column: characters and
 /// names that are not known, brackets, missing operands, arguments, sums and products of what does not fit
-/// together, derivatives of what has no known rate, too large exponents and degrees. Linear.
-std::optional<Expression> read_expression(std::string_view text, SourcePlace start, Report& report);
+/// together, derivatives of what has no known rate, too large exponents and degrees. Linear in the text and
+/// what its words stand for.
+std::optional<Expression> read_expression(std::string_view text, SourcePlace start, Report& report,
+                                          const Vocabulary* vocabulary = nullptr);
 
 /// The literal 0.
 Expression zero_expression();
@@ -101,10 +113,18 @@ struct Equality {
   }
 };
 
-/// A length is a root, which exact arithmetic has not. What is to be proved has lengths as norm(a) = norm(b)
-/// alone: lengths are not negative, so they are equal where their squares are.
-/// @return whether both sides are free of lengths inside, and both are one, or neither is.
-bool has_provable_lengths(const Equality& equality);
+/// Exact arithmetic has no roots, angles or π. What is to be proved is free of them, but for lengths as
+/// norm(a) = norm(b): these are not negative, so they are equal where their squares are.
+/// The cosine of an angle acos(a) is a: so far angles go.
+/// @return whether both sides are free of lengths inside, and both are one, or neither is; and no sqrt, sin,
+/// atan2 or pi is there, and no cos and acos but in cos(acos(a)).
+bool is_provable(const Equality& equality);
+/// Whether an equality is not provable for other reasons than its lengths; and what to say of it.
+bool has_angles(const Equality& equality);
+inline constexpr std::string_view kNoAngles =
+    "exact arithmetic has no roots and no angles, but the cosine of an angle acos(a)";
+/// The same of an answer, or of what an assumption sets.
+bool is_rational(const Expression& expression);
 /// Lengths that are whole sides replaced by their squares.
 Equality with_lengths_squared(Equality equality);
 

@@ -47,6 +47,12 @@ Degree degree_of(const DecimalNumber& number) {
   const double power = kLog10 * number.power_of_ten;
   return {0, 0, bits + std::max(power, 0.0), std::max(-power, 0.0)};
 }
+/// Functions that exact arithmetic has not.
+bool is_of_numbers(Operation operation) {
+  using O = Operation;
+  return operation == O::sqrt || operation == O::sin || operation == O::cos || operation == O::acos ||
+         operation == O::atan2;
+}
 constexpr Degree kRotation{2, 2};          ///< of R(q)
 constexpr Degree kTensor{5, 4, kLog3, 0};  ///< of R I Rᵀ
 
@@ -67,6 +73,10 @@ ExpressionNode binary(Operation operation, int a, int b, const ExpressionNode& l
 }  // namespace
 
 int ExpressionBuilder::push(ExpressionNode node, std::size_t at) {
+  if (nodes_.size() == kMaxExpressionNodes)
+    throw ExpressionFault(at,
+                          "written out, this has more than " + std::to_string(kMaxExpressionNodes) + " parts",
+                          "definitions in definitions grow quickly");
   if (std::max(node.degree.numerator, node.degree.denominator) > kMaxDegree)
     throw ExpressionFault(at, "the degree of this exceeds " + std::to_string(kMaxDegree),
                           "too many factors or divisions are nested here");
@@ -119,6 +129,37 @@ int ExpressionBuilder::quantity(const QuantityFacts& facts, std::size_t begin, s
   return push(node, begin);
 }
 
+int ExpressionBuilder::constant(int index, double value, std::size_t begin, std::size_t end) {
+  ExpressionNode node;
+  node.operation = Operation::constant;
+  node.integer = index;
+  node.number.value = value;
+  node.degree = {1, 0};
+  node.begin = static_cast<std::uint32_t>(begin);
+  node.end = static_cast<std::uint32_t>(end);
+  return push(node, begin);
+}
+
+int ExpressionBuilder::pi(std::size_t begin, std::size_t end) {
+  ExpressionNode node;
+  node.operation = Operation::pi;
+  node.begin = static_cast<std::uint32_t>(begin);
+  node.end = static_cast<std::uint32_t>(end);
+  return push(node, begin);
+}
+
+int ExpressionBuilder::insert(const Expression& meaning, std::size_t begin, std::size_t end) {
+  const int first = static_cast<int>(nodes_.size());
+  for (ExpressionNode node : meaning.nodes) {
+    if (node.a >= 0) node.a += first;
+    if (node.b >= 0) node.b += first;
+    node.begin = static_cast<std::uint32_t>(begin);
+    node.end = static_cast<std::uint32_t>(end);
+    push(node, begin);
+  }
+  return static_cast<int>(nodes_.size()) - 1;
+}
+
 int ExpressionBuilder::negate(int a, std::size_t at) {
   return push(unary(Operation::negate, a, at, (*this)[a].end), at);
 }
@@ -168,6 +209,7 @@ int ExpressionBuilder::power(int a, int exponent, std::size_t at, std::size_t en
 int ExpressionBuilder::call(const FunctionFacts& function, const std::vector<int>& arguments, std::size_t at,
                             std::size_t end) {
   using O = Operation;
+  if (is_of_numbers(function.operation)) return call_of_numbers(function, arguments, at, end);
   const bool is_rate = function.operation == O::star || function.operation == O::ddt;
   if (function.operation != O::ddt)
     for (const int argument : arguments) want_vector(argument, function.name);
@@ -193,6 +235,21 @@ int ExpressionBuilder::call(const FunctionFacts& function, const std::vector<int
   node.has_rate = false;
   node.degree = function.operation == O::ddt ? rate_of(first.degree)
                                              : product(rate_of(product(first.degree, kRotation)), kRotation);
+  return push(node, at);
+}
+
+int ExpressionBuilder::call_of_numbers(const FunctionFacts& function, const std::vector<int>& arguments,
+                                       std::size_t at, std::size_t end) {
+  for (const int argument : arguments)
+    want_scalar(argument, (*this)[argument].begin,
+                in_quotes(function.name) + " takes numbers, this is a vector",
+                "take a component or a length: dot(a, ez), norm(a)");
+  const ExpressionNode& first = (*this)[arguments.front()];
+  ExpressionNode node = binary(function.operation, arguments.front(),
+                               arguments.size() > 1 ? arguments[1] : -1, first, (*this)[arguments.back()]);
+  node.begin = static_cast<std::uint32_t>(at);
+  node.end = static_cast<std::uint32_t>(end);
+  node.degree = sum(first.degree, (*this)[arguments.back()].degree);
   return push(node, at);
 }
 

@@ -22,12 +22,17 @@ class ExpressionBuilder {
  public:
   int number(const DecimalNumber& number, std::size_t begin, std::size_t end);
   int quantity(const QuantityFacts& facts, std::size_t begin, std::size_t end);
+  /// A number of the lesson that does not change, by its place among these.
+  int constant(int index, double value, std::size_t begin, std::size_t end);
+  int pi(std::size_t begin, std::size_t end);
+  /// What a word of the lesson stands for, written out; all of it is the word's text.
+  int insert(const Expression& meaning, std::size_t begin, std::size_t end);
   int negate(int a, std::size_t at);
   int add(Operation add_or_subtract, int a, int b, std::size_t at);
   int multiply(int a, int b, std::size_t at);
   int divide(int a, int b, std::size_t at);
   int power(int a, int exponent, std::size_t at, std::size_t end);
-  /// dot, cross, norm2, inertia, star, ddt of what stands there.
+  /// dot, cross, norm2, inertia, star, ddt, sqrt … of what stands there.
   int call(const FunctionFacts& function, const std::vector<int>& arguments, std::size_t at, std::size_t end);
   /// comp(a, index + 1)
   int component(int a, int index, std::size_t at, std::size_t end);
@@ -46,6 +51,8 @@ class ExpressionBuilder {
 
  private:
   int push(ExpressionNode node, std::size_t at);
+  int call_of_numbers(const FunctionFacts& function, const std::vector<int>& arguments, std::size_t at,
+                      std::size_t end);
   ExpressionNode unary(Operation operation, int a, std::size_t begin, std::size_t end) const;
   void want_vector(int argument, std::string_view function) const;
   void want_scalar(int operand, std::size_t at, const std::string& message, std::string hint) const;

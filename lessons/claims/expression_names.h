@@ -28,10 +28,10 @@ inline constexpr double kLog3 = 1.585;  ///< log2 3, rounded up
 /// The tensor: an argument of apply and trace alone.
 inline constexpr std::string_view kTensorName = "J";
 
-inline constexpr std::array<QuantityFacts, 32> kQuantities = [] {
+inline constexpr std::array<QuantityFacts, 35> kQuantities = [] {
   using S = Quantity;
   constexpr auto scalar = ExpressionType::scalar, vector = ExpressionType::vector;
-  return std::array<QuantityFacts, 32>{{
+  return std::array<QuantityFacts, 35>{{
       {"T", S::T, scalar, true, {3, 0, kLog3, 1}},
       {"I1", S::I1, scalar, true, {1, 0}},
       {"I2", S::I2, scalar, true, {1, 0}},
@@ -58,6 +58,10 @@ inline constexpr std::array<QuantityFacts, 32> kQuantities = [] {
       {"e1", S::e1, vector, true, {2, 2}},
       {"e2", S::e2, vector, true, {2, 2}},
       {"e3", S::e3, vector, true, {2, 2}},
+      // On the body axes, where coefficients are bounded (proof.h), these are rows of R(q).
+      {"ex", S::ex, vector, true, {2, 2, 2, 2}},
+      {"ey", S::ey, vector, true, {2, 2, 2, 2}},
+      {"ez", S::ez, vector, true, {2, 2, 2, 2}},
       {"Jxx", S::Jxx, scalar, true, {1, 0}},
       {"Jxy", S::Jxy, scalar, true, {1, 0}},
       {"Jxz", S::Jxz, scalar, true, {1, 0}},
@@ -67,7 +71,10 @@ inline constexpr std::array<QuantityFacts, 32> kQuantities = [] {
   }};
 }();
 
-inline constexpr std::array<FunctionFacts, 10> kFunctions = {{{"dot", Operation::dot, 2},
+/// The ratio π, which only what is evaluated may use.
+inline constexpr std::string_view kPiName = "pi";
+
+inline constexpr std::array<FunctionFacts, 15> kFunctions = {{{"dot", Operation::dot, 2},
                                                               {"cross", Operation::cross, 2},
                                                               {"norm2", Operation::norm2, 1},
                                                               {"norm", Operation::norm, 1},
@@ -76,7 +83,12 @@ inline constexpr std::array<FunctionFacts, 10> kFunctions = {{{"dot", Operation:
                                                               {"comp", Operation::comp, 2},
                                                               {"trace", Operation::trace, 1},
                                                               {"star", Operation::star, 1},
-                                                              {"ddt", Operation::ddt, 1}}};
+                                                              {"ddt", Operation::ddt, 1},
+                                                              {"sqrt", Operation::sqrt, 1},
+                                                              {"sin", Operation::sin, 1},
+                                                              {"cos", Operation::cos, 1},
+                                                              {"acos", Operation::acos, 1},
+                                                              {"atan2", Operation::atan2, 2}}};
 
 const QuantityFacts* find_quantity(std::string_view name);
 const FunctionFacts* find_function(std::string_view name);

@@ -3,6 +3,8 @@
 
 #include "lessons/claims/expression_names.h"
 
+#include <cctype>
+
 namespace polhode {
 namespace {
 
@@ -45,7 +47,7 @@ std::string tex_of(Quantity quantity) {
     std::string name(facts.name);
     const std::string last(1, name.back());
     if (name.size() == 1) return name;
-    if (facts.type == ExpressionType::vector) return "\\hat e_" + last;
+    if (facts.type == ExpressionType::vector) return "\\hat e_" + last;  // of the body, or of space
     if (name.front() == 'd') return "\\dot\\omega_" + last;
     if (name.front() == 'w') return "\\omega_" + last;
     return name.size() == 2 ? name.substr(0, 1) + '_' + last : "J_{" + name.substr(1) + '}';
@@ -55,12 +57,31 @@ std::string tex_of(Quantity quantity) {
 
 class Printer {
  public:
-  explicit Printer(const Expression& expression) : expression_(expression) {}
+  Printer(const Expression& expression, const Vocabulary* vocabulary)
+      : expression_(expression), vocabulary_(vocabulary) {}
 
   Piece whole() const { return piece(static_cast<int>(expression_.nodes.size()) - 1); }
 
  private:
   const ExpressionNode& node(int index) const { return expression_.nodes[static_cast<std::size_t>(index)]; }
+
+  /// The lesson's word that a node was written as; all that stands below it was not written.
+  const Vocabulary::Word* word(const ExpressionNode& n) const {
+    if (vocabulary_ == nullptr) return nullptr;
+    std::string_view text(expression_.text);
+    text = text.substr(n.begin, n.end - n.begin);
+    const std::size_t begin = text.find_first_not_of("( \t"), end = text.find_last_not_of(") \t");
+    return begin == text.npos ? nullptr : vocabulary_->find(text.substr(begin, end - begin + 1));
+  }
+
+  /// A letter, or a command, perhaps with an index.
+  static bool is_letter(std::string_view tex) {
+    if (tex.empty()) return false;
+    std::size_t end = 1;
+    while (tex.front() == '\\' && end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])))
+      ++end;
+    return end == tex.size() || tex[end] == '_';
+  }
 
   std::string at_least(Level level, int index) const {
     Piece made = piece(index);
@@ -82,7 +103,7 @@ class Printer {
       case Operation::inertia:
       case Operation::apply:
       case Operation::trace:
-        return true;
+        return word(n) == nullptr;
       case Operation::multiply:
         return has_sign(n.a) || has_sign(n.b);
       default:
@@ -113,7 +134,8 @@ class Printer {
   std::string factor(int index) const {
     const Piece made = piece(index);
     const Operation operation = node(index).operation;
-    const bool splits = operation == Operation::dot || operation == Operation::trace;
+    const bool splits =
+        word(node(index)) == nullptr && (operation == Operation::dot || operation == Operation::trace);
     return made.level < Level::product || splits ? '(' + made.tex + ')' : made.tex;
   }
 
@@ -124,9 +146,11 @@ class Printer {
 
   Piece rate(const char* d, const ExpressionNode& n) const {
     const Operation of = node(n.a).operation;
-    const bool is_letter = of == Operation::quantity || of == Operation::norm || of == Operation::norm2 ||
-                           (of == Operation::comp && node(node(n.a).a).operation == Operation::quantity);
-    const std::string tex = is_letter ? piece(n.a).tex : '(' + piece(n.a).tex + ')';
+    const bool is_atom = of == Operation::quantity || of == Operation::norm || of == Operation::norm2 ||
+                         (of == Operation::comp && node(node(n.a).a).operation == Operation::quantity);
+    const Vocabulary::Word* said = word(node(n.a));
+    const bool stands_alone = said == nullptr ? is_atom : is_letter(said->tex);
+    const std::string tex = stands_alone ? piece(n.a).tex : '(' + piece(n.a).tex + ')';
     return {"\\frac{" + std::string(d) + tex + "}{dt}", Level::product};
   }
 
@@ -138,11 +162,40 @@ class Printer {
     return {'(' + piece(n.a).tex + ")_" + index, Level::atom};
   }
 
+  /// A function of numbers: \cos\theta, \cos(2\theta).
+  Piece function(const char* name, const ExpressionNode& n) const {
+    const Vocabulary::Word* said = word(node(n.a));
+    const bool stands_alone =
+        said == nullptr ? node(n.a).operation == Operation::quantity : is_letter(said->tex);
+    if (stands_alone) return {std::string(name) + ' ' + piece(n.a).tex, Level::product};
+    return {std::string(name) + '(' + piece(n.a).tex + ')', Level::product};
+  }
+
   Piece piece(int index) const {
     const ExpressionNode& n = node(index);
+    if (const Vocabulary::Word* said = word(n)) {
+      const std::string& tex = said->tex;
+      if (tex.empty()) return {"\\mathit{" + said->name + '}', Level::atom};
+      return {tex, is_letter(tex) ? Level::atom : Level::product};
+    }
     switch (n.operation) {
       case Operation::number:
         return number(n);
+      case Operation::constant:
+        return {expression_.constants ? (*expression_.constants)[static_cast<std::size_t>(n.integer)] : "",
+                Level::atom};
+      case Operation::pi:
+        return {"\\pi", Level::atom};
+      case Operation::sqrt:
+        return {"\\sqrt{" + piece(n.a).tex + '}', Level::atom};
+      case Operation::sin:
+        return function("\\sin", n);
+      case Operation::cos:
+        return function("\\cos", n);
+      case Operation::acos:
+        return function("\\arccos", n);
+      case Operation::atan2:
+        return {"\\text{atan2}(" + piece(n.a).tex + ", " + piece(n.b).tex + ')', Level::product};
       case Operation::quantity:
         return {tex_of(n.quantity), Level::atom};
       case Operation::negate:
@@ -157,9 +210,11 @@ class Printer {
         return {"\\frac{" + piece(n.a).tex + "}{" + piece(n.b).tex + '}', Level::product};
       case Operation::power: {
         const Operation base = node(n.a).operation;
-        const bool is_letter = base == Operation::quantity || base == Operation::comp;
-        return {(is_letter ? piece(n.a).tex : '(' + piece(n.a).tex + ')') + "^{" + std::to_string(n.integer) +
-                    '}',
+        const Vocabulary::Word* said = word(node(n.a));
+        const bool stands_alone =
+            said == nullptr ? base == Operation::quantity || base == Operation::comp : is_letter(said->tex);
+        return {(stands_alone ? piece(n.a).tex : '(' + piece(n.a).tex + ')') + "^{" +
+                    std::to_string(n.integer) + '}',
                 Level::atom};
       }
       case Operation::dot: {
@@ -189,19 +244,26 @@ class Printer {
   }
 
   const Expression& expression_;
+  const Vocabulary* vocabulary_;
 };
 
-std::string tex_of(const Equality& equality) {
-  return tex_of(equality.left) + " = " + tex_of(equality.right);
+std::string tex_of(const Equality& equality, const Vocabulary* vocabulary) {
+  return tex_of(equality.left, vocabulary) + " = " + tex_of(equality.right, vocabulary);
 }
 
 }  // namespace
 
-std::string tex_of(const Expression& expression) { return Printer(expression).whole().tex; }
+std::string tex_of(const Expression& expression, const Vocabulary* vocabulary) {
+  return Printer(expression, vocabulary).whole().tex;
+}
 
-std::string tex_of(const ClaimLine& line) {
-  const std::string tex = tex_of(line.equality);
-  return line.conclusion ? tex + "\\;\\not\\Rightarrow\\;" + tex_of(*line.conclusion) : tex;
+std::string tex_of(const ClaimLine& line, const Vocabulary* vocabulary) {
+  const std::string tex = tex_of(line.equality, vocabulary);
+  return line.conclusion ? tex + "\\;\\not\\Rightarrow\\;" + tex_of(*line.conclusion, vocabulary) : tex;
+}
+
+std::string tex_of(const Setting& setting, const Vocabulary* vocabulary) {
+  return tex_of(setting.quantity) + " = " + tex_of(setting.value, vocabulary);
 }
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/claims/claim.h"
+#include "lessons/claims/vocabulary.h"
 
 #include <string>
 
@@ -10,10 +11,14 @@ namespace polhode {
 
 /// "\vec\omega\cdot\mathbf I\cdot\vec\omega" of dot(omega, inertia(omega)): TeX that stands in a line of
 /// text. Read as a printed equation (lessons/reader/tex_equation.h) it is the same function of the state, but
-/// for the components of J, which no page prints. Linear.
-std::string tex_of(const Expression& expression);
+/// for the components of J, which no page prints. Words of the lesson's `vocabulary` are printed as it says,
+/// or by their names. Linear.
+std::string tex_of(const Expression& expression, const Vocabulary* vocabulary = nullptr);
 
 /// "2T = …"; of a non-sequitur with its conclusion, "A \not\Rightarrow B".
-std::string tex_of(const ClaimLine& line);
+std::string tex_of(const ClaimLine& line, const Vocabulary* vocabulary = nullptr);
+
+/// "I_2 = I_1".
+std::string tex_of(const Setting& setting, const Vocabulary* vocabulary = nullptr);
 
 }  // namespace polhode

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/live_claims.h"
 
-#include "lessons/claims/expression_names.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/claims/proof.h"
 #include "physics/analysis/difference.h"
@@ -105,6 +104,22 @@ std::optional<double> without_noise(const SizedNumber& number, double size) {
   return std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
 }
 
+/// The motion as it begins, without its rates.
+bool holds_at_start(const Given& given, const Scene& scene) {
+  const RigidBodyState start = problem_of(scene).start;
+  const Translation translation = translation_at(scene, 0);
+  ClaimState<SizedNumber> s{};
+  const Mat3 R_SB = start.q_SB.normalized().toRotationMatrix();
+  for (int row = 0; row < 3; ++row)
+    s.R[static_cast<std::size_t>(row)] = sized(Vec3(R_SB.row(row).transpose()), 1.0, Vec3::Zero(), 0);
+  s.w_B = sized(start.w_B, start.w_B.norm(), Vec3::Zero(), 0);
+  for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = scene.body.moments.vector()[i];
+  s.N_B = sized(torque_B(scene.torque, start));
+  s.F_S = sized(translation.F_S);
+  s.m = translation.mass_kg;
+  return holds_in(given, s, rounding_at(0, 1));
+}
+
 Triple<SizedNumber> in_body(const Triple<SizedNumber>& x_S, const ClaimState<SizedNumber>& state) {
   return Evaluation<SizedNumber>(state).to_body(x_S);
 }
@@ -177,17 +192,10 @@ std::optional<double> live_number(const Expression& scalar, const LiveState& liv
   return without_noise(value[0].value, value[0].value.size);
 }
 
-std::optional<LiveQuantity> live_quantity(std::string_view name, const LiveState& live, View view) {
-  const QuantityFacts* facts = find_quantity(name);
-  if (!facts) return std::nullopt;
-  ExpressionNode node;
-  node.operation = Operation::quantity;
-  node.quantity = facts->quantity;
-  node.type = facts->type;
-  const Expression expression{.text = std::string(name), .nodes = {node}};
+std::optional<LiveQuantity> live_quantity(const Expression& expression, const LiveState& live, View view) {
   Triple<SizedNumber> value;
   if (!Evaluation<SizedNumber>(live.state)(expression, value)) return std::nullopt;
-  LiveQuantity quantity{.is_vector = facts->type == ExpressionType::vector};
+  LiveQuantity quantity{.is_vector = expression.type() == ExpressionType::vector};
   if (quantity.is_vector && view == View::body) value = in_body(value, live.state);
   const double size = quantity.is_vector ? size_of(value) : value[0].value.size;
   for (std::size_t i = 0; i < (quantity.is_vector ? 3u : 1u); ++i) {
@@ -198,8 +206,13 @@ std::optional<LiveQuantity> live_quantity(std::string_view name, const LiveState
   return quantity;
 }
 
+bool holds_on(const Given& given, const LiveState& live) {
+  return holds_in(given, live.state, live.rounding);
+}
+
 bool can_be_shown(const Claim& claim, const Scene& scene) {
   if (claim.kind == ClaimKind::non_sequitur) return false;
+  if (!claim.given.empty() && !holds_at_start(claim.given, scene)) return false;
   if (claim.kind == ClaimKind::measured) return true;
   using Q = Quantity;
   const bool slips = std::any_of(scene.torque.begin(), scene.torque.end(), [](const TorqueTerm& term) {
@@ -264,7 +277,7 @@ double relative_side(const Equality& equality, const ClaimState<SizedNumber>& la
 }  // namespace
 
 std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
-                                        const SceneModel& model) {
+                                        const SceneModel& model, const Given& given) {
   MeasuredResidual worst{-1, 1, 0};
   double side = 0, allowed = 0;
   for (int n = 0; n < kMeasuredTimes; ++n) {
@@ -279,9 +292,10 @@ std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<
     allowed = std::max(allowed, tolerance);
   }
   // Sides that are lost in rounding all the time have to be 0 for a reason.
-  const Assumption assumption = model.scene.torque.empty() ? Assumption::free : Assumption::motion;
+  const bool is_free = model.scene.torque.empty() && !given.sets_torque();
+  const Assumption assumption = is_free ? Assumption::free : Assumption::motion;
   const bool is_proved =
-      side == 0 && has_provable_lengths(equality) && Prover().settle(equality, assumption) == Verdict::holds;
+      side == 0 && is_provable(equality) && Prover().settle(equality, assumption, given) == Verdict::holds;
   worst.side = side == 0 && !is_proved ? kRounding : side;
   worst.allowed = allowed;
   return worst;

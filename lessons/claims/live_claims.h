@@ -40,8 +40,11 @@ struct LiveValue {
 /// Whether the scene has numbers for what the claim speaks of. p, v, F and m have some only where the centre
 /// of mass moves, A only where that arrow is shown. J, a scalar no scene has, counts where the numbers refute
 /// what is said of J alone. Where an energy sink lets the body slip, rates have none. A non-sequitur is about
-/// another motion than the scene's and is never shown; a measured claim always is.
+/// another motion than the scene's and is never shown; a measured claim always is. What is given has to hold
+/// as the motion begins: of a body of three different moments nothing is shown that assumes I2 = I1.
 bool can_be_shown(const Claim& claim, const Scene& scene);
+/// Whether what is given holds on a motion at this moment, up to rounding.
+bool holds_on(const Given& given, const LiveState& live);
 /// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);
 /// The same of one line.
@@ -50,13 +53,13 @@ std::optional<LiveValue> live_value(const ClaimLine& line, const LiveState& live
 /// A scalar on a motion; nothing where it is not defined.
 std::optional<double> live_number(const Expression& scalar, const LiveState& live);
 
-/// A quantity of claims (expression_names.h) on a motion.
+/// An expression on a motion.
 struct LiveQuantity {
   bool is_vector = false;
   std::array<double, 3> components{};  ///< in the frame of the view; of a scalar the first
 };
-/// Nothing if there is none of that name. What is nothing but rounding is 0.
-std::optional<LiveQuantity> live_quantity(std::string_view name, const LiveState& live, View view);
+/// Nothing where it is not defined. What is nothing but rounding is 0.
+std::optional<LiveQuantity> live_quantity(const Expression& expression, const LiveState& live, View view);
 
 /// The larger part of a method's tolerance is its error in a step: kStepErrors (ΩH)^order, with step H and
 /// the rate Ω = |ω| (by |I₁ − I₂| ≤ I₃ nothing in a free body turns faster).
@@ -84,9 +87,9 @@ struct MeasuredResidual {
 };
 /// At so many times, evenly.
 inline constexpr int kMeasuredTimes = 25;
-/// The worst by residual/tolerance; `within` is the tolerance if it is given. Nothing where the motion or the
-/// claim has no values at some time.
+/// The worst by residual/tolerance; `within` is the tolerance if there is one. Nothing where the motion or
+/// the claim has no values at some time.
 std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
-                                        const SceneModel& model);
+                                        const SceneModel& model, const Given& given = {});
 
 }  // namespace polhode

@@ -16,10 +16,19 @@ namespace {
 /// both primes do.
 constexpr double kBitsOfOnePrime = 60, kBitsOfBoth = 187;
 
-/// log2 of a bound of the coefficients of left − right, free of fractions.
-double bits_of_difference(const Equality& equality) {
+/// log2 of a bound of the coefficients of left − right, free of fractions. Where a variable is replaced by
+/// p/q, and the whole multiplied by a power of q, each of the factors of a term brings in the coefficients of
+/// p or q.
+double bits_of_difference(const Equality& equality, const Given& given) {
   const Degree &left = equality.left.nodes.back().degree, &right = equality.right.nodes.back().degree;
-  return 1 +
+  const int degree = std::max(left.numerator + right.denominator, right.numerator + left.denominator);
+  double bits_of_values = 0;
+  for (const Setting& setting : given.settings) {
+    const Degree& value = setting.value.nodes.back().degree;
+    bits_of_values += std::max(value.numerator_bits, value.denominator_bits) +
+                      std::max(value.numerator, value.denominator) * bits_of_values;
+  }
+  return 1 + degree * bits_of_values +
          std::max(left.numerator_bits + right.denominator_bits, right.numerator_bits + left.denominator_bits);
 }
 
@@ -59,6 +68,7 @@ StateNumbers<N> drawn_numbers(const Draw& draw) {
   numbers.m = draw();
   numbers.h = draw();
   numbers.k = draw();
+  fill(numbers.constants);
   return numbers;
 }
 
@@ -110,41 +120,47 @@ Judgement undecided() {
 }
 
 /// What else could have been meant by an equality that fails under an assumption.
-std::string weaker_kind(const Equality& given, Assumption failed, const Prover& prover) {
-  const Equality equality = with_lengths_squared(given);  // as a whole: below each side is looked at alone
-  if (failed == Assumption::identity && prover.settle(equality, Assumption::motion) == Verdict::holds)
+std::string weaker_kind(const Equality& failing, Assumption failed, const Prover& prover,
+                        const Given& given) {
+  const Equality equality = with_lengths_squared(failing);  // as a whole: below each side is looked at alone
+  if (failed == Assumption::identity && prover.settle(equality, Assumption::motion, given) == Verdict::holds)
     return "it follows from the equations of motion: its kind is motion";
+  if (given.sets_torque()) return "";
   const bool both_vanish =
       equality.right.type() != ExpressionType::zero &&
-      prover.settle({equality.right, zero_expression()}, Assumption::free) == Verdict::holds;
+      prover.settle({equality.right, zero_expression()}, Assumption::free, given) == Verdict::holds;
   if (failed != Assumption::free && !both_vanish &&
-      prover.settle(equality, Assumption::free) == Verdict::holds)
+      prover.settle(equality, Assumption::free, given) == Verdict::holds)
     return "it holds without torque: its kind is free";
   return "";
 }
 
-Judgement judge_equality(const ClaimLine& line, ClaimKind kind, const Prover& prover) {
-  const Assumption assumption = assumption_of(kind);
-  const Verdict verdict = prover.settle(line.equality, assumption);
+Judgement judge_equality(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  const Assumption assumption = assumption_of(kind, given);
+  const Verdict verdict = prover.settle(line.equality, assumption, given);
   if (verdict == Verdict::holds) return {};
   if (verdict == Verdict::undecided) return undecided();
-  return not_what_it_says("this does not hold", weaker_kind(line.equality, assumption, prover),
-                          prover.refute(line.equality, assumption));
+  return not_what_it_says("this does not hold", weaker_kind(line.equality, assumption, prover, given),
+                          prover.refute(line.equality, assumption, given));
 }
 
-Judgement judge_false(const ClaimLine& line, const Prover& prover) {
-  const Verdict verdict = prover.settle(line.equality, Assumption::free);
+Judgement judge_false(const ClaimLine& line, const Prover& prover, const Given& given) {
+  const Assumption assumption = assumption_of(ClaimKind::is_false, given);
+  const Verdict verdict = prover.settle(line.equality, assumption, given);
   if (verdict == Verdict::undecided) return undecided();
   if (verdict == Verdict::holds)
-    return not_what_it_says("this is called false, but it holds without torque", "");
+    return not_what_it_says(assumption == Assumption::free
+                                ? "this is called false, but it holds without torque"
+                                : "this is called false, but it holds under the torque that is given",
+                            "");
   Judgement judgement;
-  judgement.counterexample = prover.refute(line.equality, Assumption::free);
+  judgement.counterexample = prover.refute(line.equality, assumption, given);
   return judgement;
 }
 
-Judgement judge_inference(const ClaimLine& line, const Prover& prover) {
+Judgement judge_inference(const ClaimLine& line, const Prover& prover, const Given& given) {
   Judgement judgement;
-  judgement.counterexample = prover.refute_inference(line.equality, *line.conclusion);
+  judgement.counterexample = prover.refute_inference(line.equality, *line.conclusion, given);
   if (judgement.counterexample) return judgement;
   return not_what_it_says(
       "no body and state of small whole numbers was found at which the premise holds and "
@@ -157,61 +173,89 @@ Judgement judge_inference(const ClaimLine& line, const Prover& prover) {
 Prover::Prover() {
   std::mt19937_64 random(kSeed);
   for (std::size_t assumption = 0; assumption < samples_.size(); ++assumption)
-    for (int n = 0; n < kMostSamples; ++n)
-      samples_[assumption].push_back(state_of(random_numbers(random), static_cast<Assumption>(assumption)));
-  const auto wide = drawn_numbers<WideFieldElement>([&] {
+    for (int n = 0; n < kMostSamples; ++n) {
+      numbers_[assumption].push_back(random_numbers(random));
+      samples_[assumption].push_back(
+          state_of(numbers_[assumption].back(), static_cast<Assumption>(assumption)));
+    }
+  wide_ = drawn_numbers<WideFieldElement>([&] {
     WideFieldElement element(1 + static_cast<std::int64_t>(random() >> 3));
     for (int n = 0; n < 2; ++n)
       element =
           element * WideFieldElement(std::int64_t{1} << 60) + 1 + static_cast<std::int64_t>(random() >> 3);
     return element;
   });
-  for (std::size_t assumption = 0; assumption < wide_.size(); ++assumption)
-    wide_[assumption] = state_of(wide, static_cast<Assumption>(assumption));
 }
 
-Verdict Prover::settle(const Equality& given, Assumption assumption) const {
-  const Equality equality = with_lengths_squared(given);
+namespace {
+
+template <class N>
+std::optional<ClaimState<N>> given_state(const StateNumbers<N>& numbers, Assumption assumption,
+                                         const Given& given) {
+  const auto replaced = with_given(numbers, given);
+  return replaced ? std::optional(state_of(*replaced, assumption)) : std::nullopt;
+}
+
+}  // namespace
+
+Verdict Prover::settle(const Equality& stated, Assumption assumption, const Given& given) const {
+  const Equality equality = with_lengths_squared(stated);
   int defined = 0;
-  for (const ClaimState<FieldElement>& state : samples(assumption)) {
-    const std::optional<bool> agrees = agree(equality, state);
+  for (std::size_t n = 0; n < samples(assumption).size(); ++n) {
+    std::optional<bool> agrees;
+    if (given.empty()) {
+      agrees = agree(equality, samples(assumption)[n]);
+    } else if (const auto state =
+                   given_state(numbers_[static_cast<std::size_t>(assumption)][n], assumption, given)) {
+      agrees = agree(equality, *state);
+    }
     if (!agrees) continue;
     if (!*agrees) return Verdict::fails;
     if (++defined < kSamples) continue;
-    return agrees_at_its_own_points(equality, assumption) ? confirmed(equality, assumption) : Verdict::fails;
+    return agrees_at_its_own_points(equality, assumption, given) ? confirmed(equality, assumption, given)
+                                                                 : Verdict::fails;
   }
   return Verdict::undecided;
 }
 
 /// At points that depend on the claim's own text, so that no claim can be made up to agree at all of them.
-bool Prover::agrees_at_its_own_points(const Equality& equality, Assumption assumption) const {
+bool Prover::agrees_at_its_own_points(const Equality& equality, Assumption assumption,
+                                      const Given& given) const {
   constexpr int kOwnSamples = 2;
-  std::mt19937_64 random(hash_of(equality.left.text, hash_of(equality.right.text, kSeed)));
-  for (int n = 0; n < kOwnSamples; ++n)
-    if (agree(equality, state_of(random_numbers(random), assumption)) == std::optional(false)) return false;
+  std::uint64_t seed = hash_of(equality.left.text, hash_of(equality.right.text, kSeed));
+  for (const Setting& setting : given.settings) seed = hash_of(setting.text, seed);
+  std::mt19937_64 random(seed);
+  for (int n = 0; n < kOwnSamples; ++n) {
+    const auto state = given_state(random_numbers(random), assumption, given);
+    if (state && agree(equality, *state) == std::optional(false)) return false;
+  }
   return true;
 }
 
-Verdict Prover::confirmed(const Equality& equality, Assumption assumption) const {
-  const double bits = bits_of_difference(equality);
+Verdict Prover::confirmed(const Equality& equality, Assumption assumption, const Given& given) const {
+  const double bits = bits_of_difference(equality, given);
   if (bits < kBitsOfOnePrime) return Verdict::holds;
-  const std::optional<bool> agrees = agree(equality, wide_[static_cast<std::size_t>(assumption)]);
+  const auto state = given_state(wide_, assumption, given);
+  const std::optional<bool> agrees = state ? agree(equality, *state) : std::nullopt;
   if (agrees && !*agrees) return Verdict::fails;
   return agrees && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
 }
 
-std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption) const {
-  return with_roots(first_small_state(with_lengths_squared(equality), nullptr, assumption), equality);
+std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption,
+                                             const Given& given) const {
+  return with_roots(first_small_state(with_lengths_squared(equality), nullptr, assumption, given), equality);
 }
 
-std::optional<Counterexample> Prover::refute_inference(const Equality& premise,
-                                                       const Equality& conclusion) const {
+std::optional<Counterexample> Prover::refute_inference(const Equality& premise, const Equality& conclusion,
+                                                       const Given& given) const {
   const Equality premise_squared = with_lengths_squared(premise);
-  return with_roots(first_small_state(with_lengths_squared(conclusion), &premise_squared, Assumption::motion),
-                    conclusion);
+  return with_roots(
+      first_small_state(with_lengths_squared(conclusion), &premise_squared, Assumption::motion, given),
+      conclusion);
 }
 
-Assumption assumption_of(ClaimKind kind) {
+Assumption assumption_of(ClaimKind kind, const Given& given) {
+  if (kind == ClaimKind::is_false && given.sets_torque()) return Assumption::motion;
   switch (kind) {
     case ClaimKind::identity:
     case ClaimKind::definition:
@@ -224,11 +268,11 @@ Assumption assumption_of(ClaimKind kind) {
   }
 }
 
-Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover) {
-  if (kind == ClaimKind::is_false) return judge_false(line, prover);
-  if (kind == ClaimKind::non_sequitur) return judge_inference(line, prover);
+Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  if (kind == ClaimKind::is_false) return judge_false(line, prover, given);
+  if (kind == ClaimKind::non_sequitur) return judge_inference(line, prover, given);
   if (kind == ClaimKind::measured) return {};
-  return judge_equality(line, kind, prover);
+  return judge_equality(line, kind, prover, given);
 }
 
 }  // namespace polhode

@@ -17,6 +17,12 @@
 // the claim is undecided.
 //
 // Lengths, norm(a) = norm(b), are compared by their squares: neither is negative.
+//
+// What a lesson assumes beyond the kind (given.h) is put into the points before anything is evaluated: I2 =
+// I1 replaces the second moment by the first. The sides are then functions of what is left, of a degree that
+// grows by the factor 1 + Σ of the values' degrees, at most 6·kMaxSettingDegree: a point is a zero of such a
+// difference with a probability below 2e-12, and kSamples are with one below 3e-94. The coefficients' bound
+// grows by the bits of the values to the power of the degree.
 #pragma once
 
 #include "lessons/claims/claim.h"
@@ -38,27 +44,30 @@ class Prover {
  public:
   Prover();
 
-  Verdict settle(const Equality& equality, Assumption assumption) const;
+  Verdict settle(const Equality& equality, Assumption assumption, const Given& given = {}) const;
   /// A state where the equality fails; nothing if none of those tried is one.
-  std::optional<Counterexample> refute(const Equality& equality, Assumption assumption) const;
+  std::optional<Counterexample> refute(const Equality& equality, Assumption assumption,
+                                       const Given& given = {}) const;
   /// A motion with any torque in which the premise holds and the conclusion fails.
-  std::optional<Counterexample> refute_inference(const Equality& premise, const Equality& conclusion) const;
+  std::optional<Counterexample> refute_inference(const Equality& premise, const Equality& conclusion,
+                                                 const Given& given = {}) const;
 
  private:
   const std::vector<ClaimState<FieldElement>>& samples(Assumption assumption) const {
     return samples_[static_cast<std::size_t>(assumption)];
   }
-  bool agrees_at_its_own_points(const Equality& equality, Assumption assumption) const;
-  Verdict confirmed(const Equality& equality, Assumption assumption) const;
+  bool agrees_at_its_own_points(const Equality& equality, Assumption assumption, const Given& given) const;
+  Verdict confirmed(const Equality& equality, Assumption assumption, const Given& given) const;
 
+  std::array<std::vector<StateNumbers<FieldElement>>, 3> numbers_;  ///< of the samples
   std::array<std::vector<ClaimState<FieldElement>>, 3> samples_;
-  std::array<ClaimState<WideFieldElement>, 3> wide_;
+  StateNumbers<WideFieldElement> wide_;
 };
 
 /// Of any kind but measured, which is a matter of the scene: live_claims.h.
-Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover);
+Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given = {});
 
-/// What a kind assumes; of `false`, what it must fail under.
-Assumption assumption_of(ClaimKind kind);
+/// What a kind assumes; of `false`, what it must fail under: no torque, unless one is given.
+Assumption assumption_of(ClaimKind kind, const Given& given = {});
 
 }  // namespace polhode

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/small_states.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -38,6 +42,12 @@ constexpr std::array<Whole3, 11> kTorques{{{0, 0, 0},
                                            {-1, 2, 1}}};
 constexpr std::array<Whole3, 5> kRates{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 3}}};
 
+/// Attitudes, of any length: body to space.
+constexpr std::array<std::array<Whole, 4>, 5> kAttitudes{
+    {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 1, 1, 1}, {2, 1, 0, 0}, {3, 1, -1, 2}}};
+/// The constants of a lesson have these values, one after the other, from some place on.
+constexpr std::array<Whole, 7> kConstants{2, 3, 1, 5, -1, 4, 7};
+
 /// What else there is; the eigenvalues of J lie between 6 and 12 (Gershgorin), so that it is possible.
 struct Company {
   std::array<Whole, 6> J;
@@ -54,6 +64,8 @@ constexpr std::array<Company, 5> kCompany{
 struct SmallNumbers {
   Whole3 I, w, dw, N;
   Company company;
+  std::array<Whole, 4> q;
+  std::size_t first_constant = 0;  ///< its place in kConstants
 };
 
 template <class N>
@@ -75,24 +87,33 @@ StateNumbers<N> as(const SmallNumbers& small) {
   numbers.m = N(small.company.m);
   numbers.h = N(small.company.h);
   numbers.k = N(small.company.k);
+  copy(small.q, numbers.q);
+  for (std::size_t i = 0; i < kMaxConstants; ++i)
+    numbers.constants[i] = N(kConstants[(small.first_constant + i) % kConstants.size()]);
   return numbers;
 }
 
 /// What the sides of an equality depend on, of what is free to choose.
 struct Dependence {
   bool I = false, J = false, w = false, dw = false, N = false, v = false, dv = false, A = false, dA = false,
-       F = false, m = false, h = false, k = false;
-  bool no_torque = false;  ///< on there being none
+       F = false, m = false, h = false, k = false, q = false;
+  bool no_torque = false;               ///< on there being none
+  std::vector<int> constants;           ///< of the lesson, by their numbers
+  std::vector<std::string> names = {};  ///< of all of these
 
   void operator|=(const Dependence& other) {
     for (bool Dependence::*part : kParts) this->*part = this->*part || other.*part;
+    for (const int constant : other.constants)
+      if (std::find(constants.begin(), constants.end(), constant) == constants.end())
+        constants.push_back(constant);
+    if (names.empty()) names = other.names;
   }
-  static const std::array<bool Dependence::*, 13> kParts;
+  static const std::array<bool Dependence::*, 14> kParts;
 };
-const std::array<bool Dependence::*, 13> Dependence::kParts = {
+const std::array<bool Dependence::*, 14> Dependence::kParts = {
     &Dependence::I, &Dependence::J,  &Dependence::w, &Dependence::dw, &Dependence::N,
     &Dependence::v, &Dependence::dv, &Dependence::A, &Dependence::dA, &Dependence::F,
-    &Dependence::m, &Dependence::h,  &Dependence::k};
+    &Dependence::m, &Dependence::h,  &Dependence::k, &Dependence::q};
 
 Dependence of_quantity(Quantity quantity) {
   using S = Quantity;
@@ -149,6 +170,11 @@ Dependence of_quantity(Quantity quantity) {
     case S::e2:
     case S::e3:
       break;
+    case S::ex:
+    case S::ey:
+    case S::ez:
+      d.q = true;
+      break;
     case S::Jxx:
     case S::Jxy:
     case S::Jxz:
@@ -174,37 +200,49 @@ Dependence dependence_of(const Expression& expression) {
   for (const ExpressionNode& node : expression.nodes) {
     Dependence d;
     if (node.operation == Operation::quantity) d = of_quantity(node.quantity);
+    if (node.operation == Operation::constant) d.constants = {node.integer};
     if (node.operation == Operation::inertia) d.I = true;
     if (node.operation == Operation::apply || node.operation == Operation::trace) d.J = true;
     if (node.a >= 0) d |= all[static_cast<std::size_t>(node.a)];
     if (node.b >= 0) d |= all[static_cast<std::size_t>(node.b)];
     if (node.operation == Operation::ddt || node.operation == Operation::star)
       differentiate(d, node.type == ExpressionType::vector);
-    all.push_back(d);
+    all.push_back(std::move(d));
   }
-  return all.back();
+  if (expression.constants) all.back().names = *expression.constants;
+  return std::move(all.back());
 }
 
-Dependence dependence_of(const Equality& equality, Assumption assumption) {
+/// What is given brings in what it is set to.
+void add_given(Dependence& d, const Given& given) {
+  for (auto setting = given.settings.rbegin(); setting != given.settings.rend(); ++setting) {
+    const Dependence set = of_quantity(setting->quantity);
+    if ((set.I && d.I) || (set.w && d.w) || (set.N && d.N) || (set.F && d.F))
+      d |= dependence_of(setting->value);
+  }
+}
+
+Dependence dependence_of(const Equality& equality, Assumption assumption, const Given& given) {
   Dependence d = dependence_of(equality.left);
   d |= dependence_of(equality.right);
-  if (assumption == Assumption::identity) return d;
-  if (d.dw) d.I = d.w = d.N = true;
-  if (d.dv) d.F = d.m = true;
-  d.dw = d.dv = false;
-  if (assumption == Assumption::free) d.no_torque = d.N, d.N = false;
+  if (assumption != Assumption::identity) {
+    if (d.dw) d.I = d.w = d.N = true;
+    if (d.dv) d.F = d.m = true;
+    d.dw = d.dv = false;
+    if (assumption == Assumption::free) d.no_torque = d.N, d.N = false;
+  }
+  add_given(d, given);
   return d;
 }
 
 template <class Numbers>
 std::string list_text(const Numbers& numbers) {
   std::string text;
-  for (const auto& number : numbers)
-    text += (text.empty() ? "(" : ", ") + number_text(static_cast<double>(number));
+  for (const SizedNumber number : numbers) text += (text.empty() ? "(" : ", ") + number_text(number.value);
   return text + ")";
 }
 
-std::string words_of(const SmallNumbers& s, const Dependence& d) {
+std::string words_of(const StateNumbers<SizedNumber>& s, const Dependence& d) {
   std::string text;
   const auto add = [&text](bool wanted, const char* name, const auto& numbers) {
     if (wanted) text += (text.empty() ? "" : ", ") + std::string(name) + " = " + list_text(numbers);
@@ -212,20 +250,25 @@ std::string words_of(const SmallNumbers& s, const Dependence& d) {
   add(d.I, "I", s.I);
   add(d.w, "ω", s.w);
   add(d.dw, "ω̇", s.dw);
-  add(d.N, "N", s.N);
+  add(d.N, "N", s.N_B);
   if (d.no_torque) text += ", N = 0";
-  add(d.A, "A", s.company.A);
-  add(d.dA, "dA/dt", s.company.dA);
-  add(d.v, "v", s.company.v);
-  add(d.dv, "dv/dt", s.company.dv);
-  add(d.F, "F", s.company.F);
-  const auto add_number = [&text](bool wanted, const char* name, Whole number) {
-    if (wanted) text += (text.empty() ? "" : ", ") + std::string(name) + " = " + std::to_string(number);
+  add(d.A, "A", s.A_S);
+  add(d.dA, "dA/dt", s.dA_S);
+  add(d.v, "v", s.v_S);
+  add(d.dv, "dv/dt", s.dv_S);
+  add(d.F, "F", s.F_S);
+  const auto add_number = [&text](bool wanted, const std::string& name, const SizedNumber& number) {
+    if (wanted) text += (text.empty() ? "" : ", ") + name + " = " + number_text(number.value);
   };
-  add_number(d.m, "m", s.company.m);
-  add_number(d.h, "h", s.company.h);
-  add_number(d.k, "k", s.company.k);
-  add(d.J, "J (xx, xy, xz, yy, yz, zz)", s.company.J);
+  add_number(d.m, "m", s.m);
+  add_number(d.h, "h", s.h);
+  add_number(d.k, "k", s.k);
+  for (const int constant : d.constants) {
+    const auto index = static_cast<std::size_t>(constant);
+    add_number(index < d.names.size(), d.names[index], s.constants[index]);
+  }
+  add(d.J, "J (xx, xy, xz, yy, yz, zz)", s.J);
+  add(d.q, "attitude", s.q);
   return text.empty() ? "any state" : text;
 }
 
@@ -239,13 +282,15 @@ std::string value_text(const Triple<SizedNumber>& value, ExpressionType type) {
 template <class Use>
 void for_each_state(const Dependence& d, const Use& use) {
   const auto firsts = [](const auto& all, bool vary) { return std::span(all).first(vary ? all.size() : 1); };
-  const bool company = d.J || d.v || d.dv || d.A || d.dA || d.F || d.m || d.h || d.k;
+  const bool company = d.J || d.v || d.dv || d.A || d.dA || d.F || d.m || d.h || d.k || !d.constants.empty();
   for (const Whole3& I : firsts(kMoments, d.I))
     for (const Company& c : firsts(kCompany, company))
-      for (const Whole3& w : firsts(kSpins, d.w))
-        for (const Whole3& N : firsts(kTorques, d.N))
-          for (const Whole3& dw : firsts(kRates, d.dw))
-            if (use(SmallNumbers{I, w, dw, N, c})) return;
+      for (const auto& q : firsts(kAttitudes, d.q))
+        for (const Whole3& w : firsts(kSpins, d.w))
+          for (const Whole3& N : firsts(kTorques, d.N))
+            for (const Whole3& dw : firsts(kRates, d.dw))
+              if (use(SmallNumbers{I, w, dw, N, c, q, static_cast<std::size_t>(&c - kCompany.data())}))
+                return;
 }
 
 /// Whole numbers so small that what is zero is far below this, and what is not far above.
@@ -261,6 +306,14 @@ bool holds(const Equality& equality, const ClaimState<FieldElement>& exact,
            const ClaimState<SizedNumber>& real) {
   const std::optional<Sides> sides = sides_of(equality, real);
   return sides && sides->residual < kZero && agree(equality, exact) == std::optional(true);
+}
+
+bool is_finite(const StateNumbers<SizedNumber>& numbers) {
+  const auto all_finite = [](const std::array<SizedNumber, 3>& three) {
+    return std::all_of(three.begin(), three.end(),
+                       [](const SizedNumber& x) { return std::isfinite(x.value); });
+  };
+  return all_finite(numbers.w) && all_finite(numbers.N_B) && all_finite(numbers.F_S);
 }
 
 /// Of states times nodes; what is longer is tried in fewer states.
@@ -280,21 +333,38 @@ std::string number_text(double value) {
                              : std::string(text.data(), end.ptr);
 }
 
+bool is_possible(const Given& given) {
+  constexpr int kMostDoublings = 140;
+  const Whole3 turning{1, 2, 3}, torque{-1, 2, 1}, rate{1, 2, 3};
+  for (const Whole3& I : kMoments)
+    for (std::size_t i = 0; i < kCompany.size(); ++i)
+      for (int doublings = -kMostDoublings; doublings <= kMostDoublings; ++doublings) {
+        auto numbers = as<SizedNumber>({I, turning, rate, torque, kCompany[i], kAttitudes.back(), i});
+        for (SizedNumber& moment : numbers.I) moment = std::ldexp(moment.value, doublings);
+        const auto replaced = with_given(numbers, given);
+        if (replaced && is_possible_body(replaced->I) && is_finite(*replaced)) return true;
+      }
+  return false;
+}
+
 std::optional<Counterexample> first_small_state(const Equality& equality, const Equality* premise,
-                                                Assumption assumption) {
-  Dependence depends = dependence_of(equality, assumption);
-  if (premise) depends |= dependence_of(*premise, assumption);
+                                                Assumption assumption, const Given& given) {
+  Dependence depends = dependence_of(equality, assumption, given);
+  if (premise) depends |= dependence_of(*premise, assumption, given);
   std::optional<Counterexample> found;
   const std::size_t work = size_of(equality) + (premise ? size_of(*premise) : 0);
   std::size_t work_left = kMostWork;
   for_each_state(depends, [&](const SmallNumbers& numbers) {
     if (work_left < work) return true;
     work_left -= work;
-    const auto exact = state_of(as<FieldElement>(numbers), assumption);
-    const auto real = state_of(as<SizedNumber>(numbers), assumption);
+    const auto exact_numbers = with_given(as<FieldElement>(numbers), given);
+    const auto real_numbers = with_given(as<SizedNumber>(numbers), given);
+    if (!exact_numbers || !real_numbers || !is_possible_body(real_numbers->I)) return false;
+    const auto exact = state_of(*exact_numbers, assumption);
+    const auto real = state_of(*real_numbers, assumption);
     if (!fails(equality, exact, real) || (premise && !holds(*premise, exact, real))) return false;
     const Sides sides = *sides_of(equality, real);
-    found = Counterexample{words_of(numbers, depends), value_text(sides.left, equality.left.type()),
+    found = Counterexample{words_of(*real_numbers, depends), value_text(sides.left, equality.left.type()),
                            value_text(sides.right, equality.right.type())};
     return true;
   });

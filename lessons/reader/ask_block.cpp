@@ -2,6 +2,7 @@
 #include "lessons/reader/ask_block.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/expression_variants.h"
 #include "lessons/reader/keys.h"
 
 #include <algorithm>
@@ -17,8 +18,9 @@ const std::vector<std::string> kModuloNames = {"identity", "motion", "free"};
 
 class AskReader {
  public:
-  AskReader(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts)
-      : table_(table), texts_(texts), report_(texts.report()) {
+  AskReader(const TomlTable& table, std::string id, SourcePlace place, const FrontMatter& front,
+            TextReader& texts)
+      : table_(table), front_(front), texts_(texts), report_(texts.report()) {
     ask_.id = std::move(id);
     ask_.place = place;
   }
@@ -31,6 +33,7 @@ class AskReader {
          {"choices", [this](const TomlEntry& e) { texts(e, kMaxChoices, ask_.choices, ask_.choice_texts); }},
          {"answer", [](const TomlEntry&) {}},  // read last: it depends on the others
          {"modulo", [this](const TomlEntry& e) { modulo(e); }},
+         {"given", [this](const TomlEntry& e) { given(e); }},
          {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints, ask_.hint_texts); }}},
         report_);
     for (const char* key : {"type", "prompt", "answer"}) {
@@ -65,6 +68,14 @@ class AskReader {
   }
   void modulo(const TomlEntry& entry) {
     if (const auto index = one_of(entry, kModuloNames)) ask_.modulo = kModuloNames[*index];
+  }
+
+  // The name of an assumption, or a list of some.
+  void given(const TomlEntry& entry) {
+    const auto names = read_texts(entry, kMaxGiven, report_);
+    auto given = names ? given_by(*names, front_.assumptions, report_) : std::nullopt;
+    ok_ = ok_ && given;
+    if (given) ask_.given = std::move(*given);
   }
 
   void prompt(const TomlEntry& entry) {
@@ -102,17 +113,28 @@ class AskReader {
                " needs at least two choices");
     }
     if (!expression && modulo != nullptr) fail(modulo->place, "\"modulo\" is of questions for an expression");
+    const TomlEntry* given = table_.find("given");
+    if (!expression && given != nullptr) fail(given->place, "\"given\" is of questions for an expression");
+    if (given != nullptr && ask_.modulo == "free" && ask_.given.sets_torque())
+      fail(given->place, "this gives a torque, and modulo = \"free\" says that there is none");
     if (expression && modulo == nullptr) ask_.modulo = "identity";
   }
 
   void answer(const TomlEntry& entry) {
     if (ask_.type == Ask::Type::expression) {
       const auto text = read_text(entry, report_);
-      if (text) ask_.expression = read_expression(*text, inside_quotes(entry.value.place), report_);
+      if (text)
+        ask_.expression =
+            read_expression(*text, inside_quotes(entry.value.place), report_, &front_.notation.vocabulary);
       ok_ = ask_.expression.has_value();
       if (ok_ && ask_.expression->uses(Operation::norm))
         fail(entry.value.place, "a length is a root, and answers are proved: norm cannot be in them",
              "ask for its square, norm2(a)");
+      else if (ok_ && !is_rational(*ask_.expression))
+        fail(entry.value.place, "answers are proved, and " + std::string(kNoAngles));
+      else if (ok_ && ask_.given.sets_spin() &&
+               std::any_of(ask_.expression->nodes.begin(), ask_.expression->nodes.end(), is_rate))
+        fail(entry.value.place, "what is given of ω holds at an instant, and says nothing of rates");
     } else if (ask_.type == Ask::Type::order) {
       order(entry);
     } else {
@@ -148,6 +170,7 @@ class AskReader {
   }
 
   const TomlTable& table_;
+  const FrontMatter& front_;
   TextReader& texts_;
   Report& report_;
   Ask ask_;
@@ -156,8 +179,9 @@ class AskReader {
 
 }  // namespace
 
-std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts) {
-  return AskReader(table, std::move(id), place, texts).read();
+std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place,
+                            const FrontMatter& front, TextReader& texts) {
+  return AskReader(table, std::move(id), place, front, texts).read();
 }
 
 }  // namespace polhode

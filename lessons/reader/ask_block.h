@@ -2,6 +2,7 @@
 // Keys of an ```ask fence.
 #pragma once
 
+#include "lessons/reader/front_matter.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/toml_tree.h"
@@ -14,8 +15,9 @@ namespace polhode {
 inline constexpr std::size_t kMaxChoices = 16;
 inline constexpr std::size_t kMaxHints = 16;
 
-/// The question its keys state; `place` is that of the fence. Nothing, and reports, if a key is wrong or
-/// missing.
-std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place, TextReader& texts);
+/// The question its keys state, in the words of the lesson; `place` is that of the fence. Nothing, and
+/// reports, if a key is wrong or missing.
+std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place,
+                            const FrontMatter& front, TextReader& texts);
 
 }  // namespace polhode

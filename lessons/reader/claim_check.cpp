@@ -26,7 +26,7 @@ std::int64_t nodes_in(const ClaimLine& line) {
 void prove(Claim& claim, const Prover& prover, const Effort& effort) {
   for (ClaimLine& line : claim.lines) {
     spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
-    Judgement judgement = judge(line, claim.kind, prover);
+    Judgement judgement = judge(line, claim.kind, prover, claim.given);
     const bool searched = judgement.verdict == Verdict::fails || claim.kind == ClaimKind::is_false;
     if (searched && !judgement.counterexample) spend(effort, kVainSearchEvaluations);
     line.judgement = std::move(judgement);
@@ -73,7 +73,7 @@ class ClaimCheck {
 
   void check(const Ask& ask, const Step&) {
     const auto& answer = ask.expression;
-    if (answer && prover_.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
+    if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");
   }
 
@@ -95,7 +95,7 @@ class ClaimCheck {
     for (const ClaimLine& line : claim.lines) {
       if (report_.is_full()) return;
       if (claim.kind == ClaimKind::measured)
-        check_measured(line, step);
+        check_measured(claim, line, step);
       else if (const auto& judgement = line.judgement; judgement && judgement->verdict != Verdict::holds)
         report_.error(line.place,
                       "the claim (" + std::string(name_of(claim.kind)) + ") fails: " + judgement->message,
@@ -147,7 +147,7 @@ class ClaimCheck {
     const auto same = [&](const Expression& x, const Expression& y) {
       if (!fit(x.type(), y.type())) return false;
       const Equality sides{x, y};
-      return has_provable_lengths(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
+      return is_provable(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
     };
     return (same(a.left, b.left) && same(a.right, b.right)) ||
            (same(a.left, b.right) && same(a.right, b.left));
@@ -175,14 +175,21 @@ class ClaimCheck {
                     "claim what is printed, or end the fence's line with in-other-words");
   }
 
-  void check_measured(const ClaimLine& line, const Step& step) {
+  void check_measured(const Claim& claim, const ClaimLine& line, const Step& step) {
     if (!step.scene) {
       report_.error(line.place, "a measured claim needs a scene to be measured on");
       return;
     }
     const SceneModel* model = model_of(step);
     if (!model) return;
-    const auto measured = measure(line.equality, line.within, *model);
+    for (const double t_s : {0.0, model->span_s}) {
+      const auto live = claim.given.empty() ? std::nullopt : live_state(*model, t_s);
+      if (!live || holds_on(claim.given, *live)) continue;
+      report_.error(line.place, "this is measured on a motion on which what is given does not hold",
+                    "show a body and a torque of which it does, or leave out \"given\"");
+      return;
+    }
+    const auto measured = measure(line.equality, line.within, *model, claim.given);
     if (!measured)
       report_.error(line.place, "this cannot be measured: the motion or a side has no value somewhere");
     else if (measured->tolerance > kDecisive)

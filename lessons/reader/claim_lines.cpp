@@ -17,8 +17,9 @@ constexpr std::string_view kImplies = "=>";
 // One line, read from the outside in: tolerance, then the two sides, then the expressions.
 class ClaimLineReader {
  public:
-  ClaimLineReader(std::string_view line, int number, ClaimKind kind, Report& report)
-      : line_(line), start_{number, 1}, kind_(kind), report_(report) {}
+  ClaimLineReader(std::string_view line, int number, ClaimKind kind, Report& report,
+                  const Vocabulary* vocabulary)
+      : line_(line), start_{number, 1}, kind_(kind), report_(report), vocabulary_(vocabulary) {}
 
   std::optional<ClaimLine> read() {
     ClaimLine result;
@@ -89,8 +90,9 @@ class ClaimLineReader {
     const std::string_view left_text = trimmed(text.substr(0, equals));
     const std::string_view right_text = trimmed(text.substr(equals + 1));
     // Both are read, so that both are reported.
-    auto left = read_expression(left_text, place_of(left_text.empty() ? text : left_text), report_);
-    auto right = read_expression(right_text, place_of(right_text), report_);
+    auto left =
+        read_expression(left_text, place_of(left_text.empty() ? text : left_text), report_, vocabulary_);
+    auto right = read_expression(right_text, place_of(right_text), report_, vocabulary_);
     if (!left || !right) return false;
     into = {std::move(*left), std::move(*right)};
     if (fit(into.left.type(), into.right.type())) return check_lengths(text, into);
@@ -100,7 +102,11 @@ class ClaimLineReader {
   }
 
   bool check_lengths(std::string_view text, const Equality& equality) {
-    if (kind_ == ClaimKind::measured || has_provable_lengths(equality)) return true;
+    if (kind_ == ClaimKind::measured || is_provable(equality)) return true;
+    if (has_angles(equality)) {
+      fail(text, std::string(kNoAngles), "measure the claim");
+      return false;
+    }
     fail(text, "a length is a root, and a proof has none: it is a whole side here, norm(a) = norm(b)",
          "square both sides with norm2(a), or measure the claim");
     return false;
@@ -110,12 +116,13 @@ class ClaimLineReader {
   SourcePlace start_;
   ClaimKind kind_;
   Report& report_;
+  const Vocabulary* vocabulary_;
 };
 
 }  // namespace
 
 std::vector<ClaimLine> read_claim_lines(const SourceText& source, int first_line, int last_line,
-                                        ClaimKind kind, Report& report) {
+                                        ClaimKind kind, Report& report, const Vocabulary* vocabulary) {
   std::vector<ClaimLine> lines;
   for (int line = first_line; line <= last_line && !report.is_full(); ++line) {
     const std::string_view text = source.line(line);
@@ -124,7 +131,8 @@ std::vector<ClaimLine> read_claim_lines(const SourceText& source, int first_line
       report.error({line, 1}, "a claim has at most " + std::to_string(kMaxClaimLines) + " lines");
       break;
     }
-    if (auto claim = ClaimLineReader(text, line, kind, report).read()) lines.push_back(std::move(*claim));
+    if (auto claim = ClaimLineReader(text, line, kind, report, vocabulary).read())
+      lines.push_back(std::move(*claim));
   }
   return lines;
 }

@@ -2,9 +2,12 @@
 #include "lessons/reader/front_matter.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/expression_names.h"
 #include "physics/body/bodies.h"
+#include "physics/body/pivot.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -48,6 +51,7 @@ struct BodyKeys {
   std::optional<ShapeKind> shape;
   std::optional<Vec3> size_m;
   std::optional<double> mass_kg;
+  std::optional<Vec3> pivot_m;
   bool draw_box = false;
 };
 
@@ -77,18 +81,19 @@ BodyKeys read_body_keys(const TomlTable& table, const std::string& where, Report
              {"shape", [&](const TomlEntry& e) { keys.shape = read_shape(e, report); }},
              {"size_m", [&](const TomlEntry& e) { keys.size_m = read_vector(e, report); }},
              {"mass_kg", [&](const TomlEntry& e) { keys.mass_kg = read_positive_number(e, report); }},
+             {"pivot_m", [&](const TomlEntry& e) { keys.pivot_m = read_vector(e, report); }},
              {"draw", draw}},
             report);
   return keys;
 }
 
-// True if the keys together say one thing: moments, or a shape with size and mass.
+// True if the keys together say one thing: moments, or a shape with size and mass; and a mass with a pivot.
 bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& report) {
   const bool by_moments = table.find("moments") != nullptr;
   bool consistent = true;
   for (const char* key : {"shape", "size_m", "mass_kg"}) {
     const TomlEntry* given = table.find(key);
-    if (by_moments && given != nullptr) {
+    if (by_moments && given != nullptr && given->key != "mass_kg") {
       report.error(given->place, "a body has moments or a shape, not both", "leave one out");
       return false;
     }
@@ -103,14 +108,40 @@ bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& rep
                  "a body with a shape is drawn as that shape");
     consistent = false;
   }
+  const TomlEntry* pivot = table.find("pivot_m");
+  if (by_moments && pivot != nullptr && table.find("mass_kg") == nullptr) {
+    report.error(pivot->place,
+                 "body " + in_quotes(entry.key) + " lacks \"mass_kg\": its weight is to turn it",
+                 "write mass_kg = 1.0 in kg");
+    consistent = false;
+  }
+  if (by_moments && pivot != nullptr && table.find("draw") != nullptr) {
+    report.error(table.find("draw")->place, "\"draw\" is for bodies without a pivot",
+                 "one on a pivot is drawn as it hangs there");
+    consistent = false;
+  }
   return consistent;
+}
+
+/// Whether a body can be held there: the point is another than its centre of mass, and 1, 2, 3 are principal.
+bool check_pivot(const Body& body, const Vec3& pivot_m, SourcePlace place, Report& report) {
+  if (pivot_m.isZero(0.0)) {
+    report.error(place, "\"pivot_m\" is the centre of mass, about which no weight turns a body",
+                 "leave it out");
+    return false;
+  }
+  const auto held = about_pivot(body, {weight_at(body.mass_kg, pivot_m)});
+  if (!held)
+    report.error(place, held.error(),
+                 "let two of its numbers be 0, or give moments about the pivot and a torque \"heavy:…\"");
+  return held.ok();
 }
 
 std::optional<Body> make_body_from(const std::string& name, const BodyKeys& keys) {
   if (keys.moments) {
     const Vec3& I = *keys.moments;
-    Body body{name, PrincipalMoments(I[0], I[1], I[2]), std::nullopt};
-    if (keys.draw_box) body.shape = equivalent_box(body.moments);
+    Body body{name, PrincipalMoments(I[0], I[1], I[2]), std::nullopt, keys.mass_kg.value_or(1.0)};
+    if (keys.draw_box) body.shape = equivalent_box(body.moments, body.mass_kg);
     return body;
   }
   if (keys.shape && keys.size_m && keys.mass_kg)
@@ -118,25 +149,34 @@ std::optional<Body> make_body_from(const std::string& name, const BodyKeys& keys
   return std::nullopt;
 }
 
-std::optional<Body> read_body(const TomlEntry& entry, Report& report) {
+/// False if it cannot be.
+bool read_body(const TomlEntry& entry, LessonBodies& bodies, Report& report) {
   const auto* table = entry.value.as<TomlTable>();
   if (table == nullptr) {
     report.error(entry.value.place, "a body takes a table, found " + std::string(entry.value.kind()),
                  "write [body." + entry.key + "] and its keys below");
-    return std::nullopt;
+    return false;
   }
   if (!is_id(entry.key)) {
     report.error(entry.place, "bad body name " + in_quotes(entry.key), std::string(kIdRule));
-    return std::nullopt;
+    return false;
   }
   const BodyKeys keys = read_body_keys(*table, "[body." + entry.key + "]", report);
-  if (!check_body_keys(entry, *table, report)) return std::nullopt;
+  if (!check_body_keys(entry, *table, report)) return false;
   try {
-    return make_body_from(entry.key, keys);
+    const auto body = make_body_from(entry.key, keys);
+    if (!body) return false;
+    if (keys.pivot_m) {
+      if (!check_pivot(*body, *keys.pivot_m, table->find("pivot_m")->value.place, report)) return false;
+      bodies.pivots_m.insert_or_assign(entry.key, *keys.pivot_m);
+    }
+    if (table->find("draw") != nullptr) bodies.drawn_as_box.insert(entry.key);
+    bodies.named.insert_or_assign(entry.key, *body);
+    return true;
   } catch (const std::domain_error& error) {
     const TomlEntry* culprit = table->find(keys.moments ? "moments" : "size_m");
     report.error(culprit->place, error.what());
-    return std::nullopt;
+    return false;
   }
 }
 
@@ -148,15 +188,8 @@ void read_bodies(const TomlEntry& entry, FrontMatter& front, Report& report) {
                  "write [body.NAME]; a scene's body goes below [scene]");
     return;
   }
-  for (const TomlEntry& one : table->entries) {
-    if (auto body = read_body(one, report)) {
-      front.bodies.named.insert_or_assign(one.key, std::move(*body));
-      const auto* keys = one.value.as<TomlTable>();
-      if (keys != nullptr && keys->find("draw") != nullptr) front.bodies.drawn_as_box.insert(one.key);
-    } else {
-      front.bodies.complete = false;
-    }
-  }
+  for (const TomlEntry& one : table->entries)
+    if (!read_body(one, front.bodies, report)) front.bodies.complete = false;
 }
 
 void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
@@ -169,29 +202,114 @@ void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
     report.error(entry.value.place, "unknown role " + in_quotes(*role), suggestion(*role, roles));
 }
 
-/// An expression of the language of claims, or a tensor's name.
-void read_meaning(const TomlEntry& entry, Symbol& symbol, TextReader& texts) {
+/// What is printed where no macros of the lesson are known; empty if that cannot be.
+std::string without_macros(const std::string& tex) { return parse_math(tex) ? tex : ""; }
+
+/// The tables whose entries say what letters are.
+enum class SymbolTable { constants, define, symbols };
+
+/// An expression of the language of claims, which is known by the symbol's name from now on, or a tensor's
+/// name.
+void read_meaning(const TomlEntry& entry, const std::string& name, Symbol& symbol, FrontMatter& front,
+                  TextReader& texts) {
   Report& report = texts.report();
   const auto text = read_text(entry, report);
   if (!text) return;
   const bool is_tensor = *text == "I" || *text == "J";
   const SourcePlace start =
       texts.source().place_of(located_string(texts.source(), entry.value.place, *text).offset_of(0));
-  if (!is_plain_line(*text))
+  if (!is_plain_line(*text)) {
     report.error(entry.value.place, "\"means\" is one line of text without control characters");
-  else if (is_tensor || read_expression(*text, start, report))
+    return;
+  }
+  if (is_tensor) {
     symbol.means = *text;
+    return;
+  }
+  auto expression = read_expression(*text, start, report, &front.notation.vocabulary);
+  if (!expression) return;
+  symbol.means = *text;
+  Vocabulary& vocabulary = front.notation.vocabulary;
+  if (vocabulary.find(name) != nullptr) {
+    report.error(entry.place, in_quotes(name) + " has a meaning already, above", "leave out \"means\"");
+  } else if (why_no_word(name).empty()) {
+    vocabulary.define(name, std::move(*expression), without_macros(symbol.tex));
+  }
 }
 
-void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
-  Report& report = texts.report();
+/// The value of a constant.
+void read_value(const TomlEntry& entry, const std::string& name, Symbol& symbol, FrontMatter& front,
+                Report& report) {
+  const auto value = read_number(entry, report);
+  Vocabulary& vocabulary = front.notation.vocabulary;
+  if (!value || vocabulary.find(name) != nullptr) return;
+  if (vocabulary.constants() && vocabulary.constants()->size() == kMaxConstants) {
+    report.error(entry.value.place, "a lesson has at most " + std::to_string(kMaxConstants) + " constants",
+                 "write numbers where they are used once");
+    return;
+  }
+  vocabulary.add_constant(name, *value, without_macros(symbol.tex));
+  symbol.means = name;
+}
+
+/// False, and a report, if this cannot be a word of expressions.
+bool check_word(const TomlEntry& entry, const FrontMatter& front, Report& report) {
+  const std::string why = why_no_word(entry.key);
+  if (!why.empty())
+    report.error(entry.place, "bad name " + in_quotes(entry.key) + ": " + why, "take another name");
+  else if (front.notation.vocabulary.find(entry.key) != nullptr)
+    report.error(entry.place, in_quotes(entry.key) + " is a constant already, or defined",
+                 "take another name");
+  else
+    return true;
+  return false;
+}
+
+/// Whether a symbol's unit is that of what it stands for, and what it means adds nothing of different units.
+void check_unit(const TomlEntry& entry, FrontMatter& front, Report& report) {
   const auto* table = entry.value.as<TomlTable>();
+  const TomlEntry* unit_entry = table == nullptr ? nullptr : table->find("unit");
+  const auto* text = unit_entry == nullptr ? nullptr : unit_entry->value.as<std::string>();
+  const auto unit = text == nullptr ? std::nullopt : dimension_of_unit(*text);
+  const QuantityFacts* quantity = find_quantity(entry.key);
+  const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
+  std::optional<Dimension> known;
+  if (const auto constant = word == nullptr ? std::nullopt : word->constant()) {
+    if (unit) front.dimensions.insert_or_assign(constant->first, *unit);
+    return;
+  }
+  if (word != nullptr) {
+    const DimensionReading reading = dimension_of(word->means, front.dimensions);
+    if (reading.fault)
+      report.error(entry.place, in_quotes(entry.key) + ": " + reading.fault->message,
+                   "a number with a unit is a constant: name = { value = …, unit = \"…\" }");
+    known = reading.dimension;
+  } else if (quantity != nullptr && table != nullptr && table->find("means") == nullptr) {
+    known = dimension_of(quantity->quantity);
+  }
+  if (unit && known && *unit != *known)
+    report.error(unit_entry->value.place, "units disagree: " + in_quotes(entry.key) + " is in " +
+                                              to_string(*known) + ", and this is " + to_string(*unit));
+}
+
+void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, TextReader& texts) {
+  Report& report = texts.report();
+  if (which != SymbolTable::symbols && !check_word(entry, front, report)) return;
+  if (front.symbols.contains(entry.key)) {
+    report.error(entry.place, "symbol " + in_quotes(entry.key) + " is there already, above", "leave one out");
+    return;
+  }
+  const auto* table = entry.value.as<TomlTable>();
+  Symbol symbol;
+  if (table == nullptr && which == SymbolTable::constants)
+    return read_value(entry, entry.key, symbol, front, report);
+  if (table == nullptr && which == SymbolTable::define)
+    return read_meaning(entry, entry.key, symbol, front, texts);
   if (table == nullptr) {
     report.error(entry.value.place, "a symbol takes a table, found " + std::string(entry.value.kind()),
                  "write " + entry.key + " = { tex = '…', say = \"…\" }");
     return;
   }
-  Symbol symbol;
   const auto text_into = [&report](std::string& target) {
     return [&report, &target](const TomlEntry& e) {
       if (auto text = read_text(e, report)) target = std::move(*text);
@@ -206,24 +324,40 @@ void read_symbol(const TomlEntry& entry, FrontMatter& front, TextReader& texts) 
         target = std::move(*text);
     };
   };
-  read_keys(*table, "symbol " + in_quotes(entry.key),
-            {{"tex", text_into(symbol.tex)},
-             {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
-             {"say", line_into(symbol.say)},
-             {"unit", line_into(symbol.unit)},
-             {"note", line_into(symbol.note)},
-             {"means", [&](const TomlEntry& e) { read_meaning(e, symbol, texts); }}},
-            report);
+  const std::string what = which == SymbolTable::constants ? "constant "
+                           : which == SymbolTable::define  ? "definition "
+                                                           : "symbol ";
+  const auto later = [](const TomlEntry&) {};  // what it means is printed as `tex` says
+  std::vector<KeyHandler> keys{{"tex", text_into(symbol.tex)},
+                               {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
+                               {"say", line_into(symbol.say)},
+                               {"unit", line_into(symbol.unit)},
+                               {"note", line_into(symbol.note)}};
+  keys.push_back({which == SymbolTable::constants ? "value" : "means", later});
+  read_keys(*table, what + in_quotes(entry.key), keys, report);
+  if (const TomlEntry* value = table->find("value"); value != nullptr && which == SymbolTable::constants)
+    read_value(*value, entry.key, symbol, front, report);
+  else if (which == SymbolTable::constants)
+    report.error(entry.place, what + in_quotes(entry.key) + " lacks \"value\"");
+  if (const TomlEntry* means = table->find("means"); means != nullptr && which != SymbolTable::constants)
+    read_meaning(*means, entry.key, symbol, front, texts);
+  else if (which == SymbolTable::define)
+    report.error(entry.place, what + in_quotes(entry.key) + " lacks \"means\"");
   if (const TomlEntry* tex = table->find("tex")) {
     const LocatedText located = located_string(texts.source(), tex->value.place, symbol.tex);
     symbol.offset = located.offset_of(0);
     if (auto math = texts.formula(located)) symbol.math = std::move(*math);
     if (!symbol.math.references.empty())
       report.error(tex->value.place, "\\eqref stands in texts and displays only");
+  } else if (which == SymbolTable::symbols) {
+    report.error(entry.place, what + in_quotes(entry.key) + " lacks \"tex\"");
   } else {
-    report.error(entry.place, "symbol " + in_quotes(entry.key) + " lacks \"tex\"");
+    return;  // a word of expressions alone
   }
-  front.notation.symbols.push_back({entry.key, symbol.math, symbol.means});
+  if (symbol.means.empty()) front.notation.vocabulary.print_as(entry.key, without_macros(symbol.tex));
+  // By its name, where that is a word: it is written as that.
+  const bool is_word = front.notation.vocabulary.find(entry.key) != nullptr;
+  front.notation.symbols.push_back({entry.key, symbol.math, is_word ? "" : symbol.means});
   front.symbols.insert_or_assign(entry.key, std::move(symbol));
 }
 
@@ -259,13 +393,15 @@ std::optional<std::string> built_in_meaning(const std::string& tex, const FrontM
 
 /// A symbol that means something is one that means nothing else: neither a quantity, nor a number or product
 /// of them, nor an index, nor the d and t of d/dt, nor another symbol.
-void check_meanings(const TomlTable& table, const FrontMatter& front, TextReader& texts) {
+void check_meanings(const std::vector<const TomlEntry*>& entries, const FrontMatter& front,
+                    TextReader& texts) {
   const auto key_of = [](std::string tex) {
     std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
     return tex;
   };
   std::map<std::string, std::string> names;
-  for (const TomlEntry& entry : table.entries) {
+  for (const TomlEntry* one : entries) {
+    const TomlEntry& entry = *one;
     const auto found = front.symbols.find(entry.key);
     if (found == front.symbols.end() || found->second.tex.empty()) continue;
     const Symbol& symbol = found->second;
@@ -276,7 +412,7 @@ void check_meanings(const TomlTable& table, const FrontMatter& front, TextReader
     const std::string tex = key_of(symbol.tex);
     const auto [same, is_new] = names.emplace(tex, entry.key);
     const bool means = !symbol.means.empty();
-    if (!is_new && (means || !front.symbols.at(same->second).means.empty()))
+    if (!is_new && same->second != entry.key && (means || !front.symbols.at(same->second).means.empty()))
       refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
     else if (means && known)
       refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
@@ -288,19 +424,47 @@ void check_meanings(const TomlTable& table, const FrontMatter& front, TextReader
   }
 }
 
-void read_symbols(const TomlEntry& entry, FrontMatter& front, TextReader& texts) {
+/// [constants], [define] and [symbols], in this order: each may use the words of those before it.
+void read_all_symbols(const TomlTable& table, FrontMatter& front, TextReader& texts) {
   Report& report = texts.report();
-  const auto* table = entry.value.as<TomlTable>();
-  if (table == nullptr) {
-    report.error(entry.value.place, "\"symbols\" takes a table, found " + std::string(entry.value.kind()));
-    return;
+  std::vector<const TomlEntry*> all;
+  constexpr std::array<std::pair<const char*, SymbolTable>, 3> kTables{{{"constants", SymbolTable::constants},
+                                                                        {"define", SymbolTable::define},
+                                                                        {"symbols", SymbolTable::symbols}}};
+  for (const auto& [name, which] : kTables) {
+    const TomlEntry* entry = table.find(name);
+    if (entry == nullptr) continue;
+    const auto* entries = entry->value.as<TomlTable>();
+    if (entries == nullptr) {
+      report.error(entry->value.place,
+                   in_quotes(name) + " takes a table, found " + std::string(entry->value.kind()));
+      continue;
+    }
+    if (all.size() + entries->entries.size() > kMaxSymbols) {
+      report.error(entry->place, "a lesson has at most " + std::to_string(kMaxSymbols) +
+                                     " symbols, constants and definitions");
+      return;
+    }
+    std::vector<const TomlEntry*> written;  // in their order: TOML sorts them by name
+    std::set<std::string> later;
+    for (const TomlEntry& one : entries->entries) {
+      written.push_back(&one);
+      const auto* keys = one.value.as<TomlTable>();
+      if (which != SymbolTable::symbols || (keys != nullptr && keys->find("means") != nullptr))
+        later.insert(one.key);
+    }
+    std::sort(written.begin(), written.end(), [](const TomlEntry* a, const TomlEntry* b) {
+      return std::pair(a->place.line, a->place.column) < std::pair(b->place.line, b->place.column);
+    });
+    front.notation.vocabulary.announce(std::move(later));
+    for (const TomlEntry* one : written) {
+      read_symbol(*one, which, front, texts);
+      check_unit(*one, front, report);
+    }
+    all.insert(all.end(), written.begin(), written.end());
+    front.notation.vocabulary.announce({});
   }
-  if (table->entries.size() > kMaxSymbols) {
-    report.error(entry.place, "a lesson has at most " + std::to_string(kMaxSymbols) + " symbols");
-    return;
-  }
-  for (const TomlEntry& symbol : table->entries) read_symbol(symbol, front, texts);
-  check_meanings(*table, front, texts);
+  check_meanings(all, front, texts);
 }
 
 void read_axes(const TomlEntry& entry, FrontMatter& front, Report& report) {
@@ -378,19 +542,26 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
   Report& report = texts.report();
   // Formulas use macros, so these come first; the scene names bodies, so it comes last.
   if (const TomlEntry* macros = table.find("macros")) read_macros(*macros, texts);
+  if (const TomlEntry* axes = table.find("axes")) read_axes(*axes, front, report);
+  read_all_symbols(table, front, texts);
   const TomlEntry* scene = table.find("scene");
   const auto later = [](const TomlEntry&) {};  // or already
   std::vector<KeyHandler> handlers = {{"format", [&](const TomlEntry& e) { read_format(e, report); }},
                                       {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
                                       {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
                                       {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
-                                      {"axes", [&](const TomlEntry& e) { read_axes(e, front, report); }},
+                                      {"axes", later},
                                       {"macros", later},
-                                      {"symbols", [&](const TomlEntry& e) { read_symbols(e, front, texts); }},
+                                      {"constants", later},
+                                      {"define", later},
+                                      {"symbols", later},
+                                      {"assume", later},
                                       {"scene", later}};
   for (KeyHandler& handler : about_key_handlers(front.about, report)) handlers.push_back(std::move(handler));
   read_keys(table, "the front matter", handlers, report);
   for (const Reference& reference : front.about.references) texts.citable()[reference.key] = false;
+  if (const TomlEntry* assume = table.find("assume"))
+    front.assumptions = read_assumptions(*assume, front.notation.vocabulary, front.dimensions, texts);
   if (scene != nullptr) read_base_scene(*scene, front, texts);
   for (const char* key : {"format", "id", "title"}) {
     if (table.find(key) == nullptr) {

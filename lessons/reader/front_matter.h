@@ -2,7 +2,9 @@
 // The TOML between the +++ lines at the top of a lesson.
 #pragma once
 
+#include "lessons/claims/dimension.h"
 #include "lessons/reader/about_keys.h"
+#include "lessons/reader/assumptions.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/scene_keys.h"
@@ -20,16 +22,18 @@ struct FrontMatter {
   std::map<std::string, Symbol> symbols;
   LessonBodies bodies;
   LessonScene scene;          ///< what every stage starts from
-  EquationNotation notation;  ///< how its formulas are read: its symbols, and what x, y, z are
+  EquationNotation notation;  ///< how its formulas are read: its symbols and words, and what x, y, z are
+  std::map<int, Dimension> dimensions;  ///< of its constants, as far as they have a unit
+  Assumptions assumptions;              ///< what its claims and questions can be given
   AboutKeys about;
-  int next_line = 1;  ///< first line after the closing +++
+  int next_line = 1;                    ///< first line after the closing +++
 };
 
 /// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.
 FrontMatter read_front_matter(TextReader& texts);
 
 inline constexpr std::size_t kMaxMacros = 64;
-/// Each atom of a formula is compared with each symbol.
+/// Constants, definitions and symbols. Each atom of a formula is compared with each.
 inline constexpr std::size_t kMaxSymbols = 200;
 
 /// Roles a symbol's colour can have.

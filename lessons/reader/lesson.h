@@ -8,6 +8,7 @@
 #include "lessons/claims/answers.h"
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
+#include "lessons/reader/assumptions.h"
 #include "lessons/reader/tex_equation.h"
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"
@@ -157,6 +158,7 @@ struct Lesson {
   std::map<std::string, Symbol> symbols;
   MathMacros macros;          ///< of the author
   EquationNotation notation;  ///< how its formulas are read
+  Assumptions assumptions;    ///< what its claims and questions can be given
   std::vector<Stage> stages;
   std::string source;  ///< the whole file, without a byte order mark
   About about{};

@@ -81,9 +81,11 @@ LessonReading read_lesson(std::string_view text, std::string_view file_name) {
     note_citations(front.about, texts.citable(), report);
     if (!report.has_errors()) {
       reading.lesson =
-          Lesson{std::move(front.id),       std::move(front.title),       std::move(front.symbols),
-                 std::move(texts.macros()), std::move(front.notation),    std::move(stages),
-                 std::string(text),         std::move(front.about.about), std::move(front.about.references),
+          Lesson{std::move(front.id),           std::move(front.title),
+                 std::move(front.symbols),      std::move(texts.macros()),
+                 std::move(front.notation),     std::move(front.assumptions),
+                 std::move(stages),             std::string(text),
+                 std::move(front.about.about),  std::move(front.about.references),
                  std::move(others)};
     }
   }

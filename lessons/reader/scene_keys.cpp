@@ -10,6 +10,7 @@
 #include "physics/body/pivot.h"
 #include "physics/body/torque_text.h"
 #include "physics/method.h"
+#include "render/scene/model/scene_problem.h"
 
 #include <algorithm>
 #include <array>
@@ -24,17 +25,89 @@ constexpr std::size_t kMaxViews = 2;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 static_assert(kMaxOverlays >= kOverlayCount);
 
+bool has_heavy(const Torque& torque) {
+  return std::any_of(torque.begin(), torque.end(),
+                     [](const TorqueTerm& term) { return std::holds_alternative<HeavyTop>(term); });
+}
+
+/// The `pivot_m` of a body of the lesson; null: it has none.
+const Vec3* pivot_of(const Body& body, const LessonBodies& bodies) {
+  const auto own = bodies.named.find(body.name);
+  const auto pivot = bodies.pivots_m.find(body.name);
+  return own != bodies.named.end() && own->second == body && pivot != bodies.pivots_m.end() ? &pivot->second
+                                                                                            : nullptr;
+}
+
+Result<Torque, SceneFault> torque_of(const LessonScene& scene, const LessonBodies& bodies) {
+  const Body& body = scene.scene.body;
+  if (!scene.weighs) return scene.scene.torque;
+  const Vec3* pivot_m = pivot_of(body, bodies);
+  if (pivot_m == nullptr)
+    return Failure<SceneFault>{
+        {"\"weight\" turns a body about the point where it is held, and " + in_quotes(body.name) +
+             " has none",
+         bodies.named.contains(body.name)
+             ? "give [body." + body.name + "] a mass_kg and pivot_m = [x, y, z], in m from its centre of mass"
+             : "give the lesson a [body.NAME] of its own, with mass_kg and pivot_m = [x, y, z]"}};
+  Torque torque{weight_at(body.mass_kg, *pivot_m)};
+  torque.insert(torque.end(), scene.scene.torque.begin(), scene.scene.torque.end());
+  return torque;
+}
+
 /// With moments about the pivot, where it hangs on one.
-Result<Body> body_of(const Scene& scene, const LessonBodies& bodies) {
-  if (bodies.drawn_as_box.contains(scene.body.name)) return scene.body;
-  return on_its_pivot(scene.body, scene.torque);
+Result<Body, SceneFault> body_of(const LessonScene& scene, const Torque& torque, const LessonBodies& bodies) {
+  const Body& body = scene.scene.body;
+  const Vec3* pivot_m = pivot_of(body, bodies);
+  if (bodies.drawn_as_box.contains(body.name)) return body;
+  if (pivot_m != nullptr && has_heavy(torque)) {
+    constexpr double kSame = 1e-6;  // of what is written with seven digits
+    if (!((center_from_pivot_B(body.mass_kg, torque) + *pivot_m).norm() <= kSame * pivot_m->norm()))
+      return Failure<SceneFault>{
+          {"\"heavy\" holds " + in_quotes(body.name) + " at another point than its pivot_m",
+           "write torque = \"weight\", or leave pivot_m out"}};
+  }
+  auto held = pivot_m != nullptr ? about_pivot(body, torque) : on_its_pivot(body, torque);
+  if (held) return std::move(held).value();
+  return Failure<SceneFault>{
+      {held.error(),
+       "let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by moments about the pivot"}};
+}
+
+/// What a scene comes to, and what stands in the way of it.
+struct Finished {
+  Scene scene;
+  std::optional<SceneFault> of_weight = {}, of_start = {};
+};
+
+Finished finish(const LessonScene& given, const LessonBodies& bodies) {
+  Finished finished{given.scene};
+  Scene& scene = finished.scene;
+  auto torque = torque_of(given, bodies);
+  if (torque) scene.torque = std::move(torque).value();
+  auto body = body_of(given, scene.torque, bodies);
+  if (body) scene.body = std::move(body).value();
+  if (!torque || !body) {
+    finished.of_weight = !torque ? torque.error() : body.error();
+  } else if (given.start) {
+    const auto state = state_of(*given.start, scene.body.moments, scene.torque);
+    if (state) {
+      scene.w0_B = state->w_B;
+      scene.attitude = state->q_SB;
+    } else {
+      finished.of_start = state.error();
+    }
+  }
+  return finished;
 }
 
 // One table's keys into one scene.
 class SceneKeys {
  public:
-  SceneKeys(const LessonBodies& bodies, LessonScene& scene, TextReader& texts)
+  SceneKeys(const LessonBodies& bodies, LessonScene& scene, TextReader& texts,
+            std::optional<SourcePlace> fence)
       : bodies_(bodies),
+        fence_(fence),
+        lesson_scene_(scene),
         scene_(scene.scene),
         caption_(scene.caption),
         shown_(scene.shown),
@@ -47,7 +120,7 @@ class SceneKeys {
   struct Row {
     SceneKeyFacts facts;
     void (SceneKeys::*read)(const TomlEntry&);
-    /// The value; empty where it is as usual.
+    /// The value; empty where the scene leaves it to what follows from the rest.
     std::string (*text)(const Scene&);
   };
   static std::span<const Row> rows();
@@ -103,28 +176,80 @@ class SceneKeys {
       scene_.attitude = attitude_from(*wxyz);
   }
 
+  void start(const TomlEntry& entry) { lesson_scene_.start = read_top_start(entry, report_); }
+
   void torque(const TomlEntry& entry) {
     const auto texts = read_texts(entry, kMaxTorqueTerms, report_);
     if (!texts) return;
     Torque torque;
+    bool weighs = false;
     for (const PlacedText& text : *texts) {
-      if (const Result<TorqueTerm> term = parse_torque_term(text.text))
+      if (text.text == "weight") {
+        if (weighs) report_.error(text.place, "\"weight\" is there already");
+        weighs = true;
+      } else if (const Result<TorqueTerm> term = parse_torque_term(text.text)) {
         torque.push_back(*term);
-      else
-        report_.error(text.place, "torque: " + term.error());
+      } else {
+        const bool has_numbers = text.text.find(':') != text.text.npos;
+        report_.error(text.place, "torque: " + term.error(),
+                      has_numbers ? "" : "or \"weight\": gravity on a body with a pivot_m");
+      }
     }
+    if (weighs && has_heavy(torque))
+      report_.error(entry.value.place, "\"weight\" and \"heavy\" are both gravity", "leave one out");
     scene_.torque = std::move(torque);
+    lesson_scene_.weighs = weighs;
   }
 
-  /// Said where a table names the torque or the body, not again on steps that go on with both.
-  void check_pivot(const TomlTable& table) {
-    const TomlEntry* torque = table.find("torque");
-    const TomlEntry* named = torque != nullptr ? torque : table.find("body");
-    if (named == nullptr) return;
-    if (const auto body = body_of(scene_, bodies_); !body)
+  /// The first of the keys that the table has; null: none.
+  static const TomlEntry* first_of(const TomlTable& table, std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (const TomlEntry* entry = table.find(key)) return entry;
+    return nullptr;
+  }
+
+  /// A start is ω and attitude in one: a later scene may change either of them, or both by another start.
+  void take_start_apart(const TomlTable& table) {
+    const TomlEntry* part = first_of(table, {"omega", "attitude"});
+    if (part == nullptr) return;
+    if (const TomlEntry* start = table.find("start"))
+      report_.error(start->place, "a scene has a start, or omega and attitude, not both",
+                    "leave out " + in_quotes(part->key) + ", or write it in place of the start");
+    if (!lesson_scene_.start) return;
+    const Scene before = finished(lesson_scene_, bodies_);
+    scene_.w0_B = before.w0_B;
+    scene_.attitude = before.attitude;
+    lesson_scene_.start.reset();
+  }
+
+  /// Said where a table names what is at fault, or where it is shown first; not again on steps that go on
+  /// with it.
+  void say(const SceneFault& fault, const TomlEntry* named) {
+    if (named == nullptr && (lesson_scene_.fault_said || !fence_)) return;
+    report_.error(named != nullptr ? named->value.place : *fence_, fault.message, fault.hint);
+    lesson_scene_.fault_said = true;
+  }
+
+  void check_held(const TomlTable& table) {
+    const Finished finished = finish(lesson_scene_, bodies_);
+    const bool is_of_top = lesson_scene_.weighs || lesson_scene_.start;
+    const bool may_follow = !fence_ && !(table.find("body") != nullptr && table.find("torque") != nullptr);
+    const bool is_known = bodies_.complete || !lesson_scene_.weighs;  // else the body's fault was said
+    if (!finished.of_weight && !finished.of_start) {
+      lesson_scene_.fault_said = false;
+    } else if (!(is_of_top && may_follow) && is_known) {
+      if (finished.of_weight) say(*finished.of_weight, first_of(table, {"torque", "body"}));
+      if (finished.of_start) say(*finished.of_start, first_of(table, {"start", "torque", "body"}));
+    }
+
+    const bool is_free = !lesson_scene_.weighs && !has_heavy(scene_.torque);
+    const bool is_pushed = !scene_.v0_S.isZero(0.0) || !scene_.F_S.isZero(0.0);
+    const TomlEntry* named = first_of(table, {"force", "velocity", "torque"});
+    if (named != nullptr && !is_free && is_pushed)
       report_.error(
-          named->value.place, body.error(),
-          "let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by moments about the pivot");
+          named->value.place,
+          "a body that is held at a pivot does not follow a velocity or force of its centre of mass",
+          "leave them out, or write velocity = [0, 0, 0] and force = [0, 0, 0]");
   }
 
   void arrow(const TomlEntry& entry) {
@@ -326,6 +451,8 @@ class SceneKeys {
   }
 
   const LessonBodies& bodies_;
+  const std::optional<SourcePlace> fence_;
+  LessonScene& lesson_scene_;
   Scene& scene_;
   std::shared_ptr<const RichText>& caption_;
   std::vector<PlacedText>& shown_;
@@ -343,57 +470,64 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
   static const std::array kRows = std::to_array<Row>({
       {{"body", "name of a body", R"(`"textbook"`)"},
        &SceneKeys::body,
-       [](const Scene& scene) { return scene.body != usual().body ? toml(scene.body.name.c_str()) : ""; }},
+       [](const Scene& scene) { return toml(scene.body.name.c_str()); }},
       {{"omega", "`[ω1, ω2, ω3]`, rad/s, body axes, at t = 0", "`[0.2, 0.1, 3.0]`"},
        &SceneKeys::omega,
-       [](const Scene& scene) { return scene.w0_B != usual().w0_B ? toml(scene.w0_B) : ""; }},
+       [](const Scene& scene) { return toml(scene.w0_B); }},
       {{"attitude", R"(`"L-down"`, `"L-up"`, or the quaternion `[w, x, y, z]` body → space)",
         "L down with `plane`, else up"},
        &SceneKeys::attitude,
        [](const Scene& scene) { return scene.attitude ? text_of(*scene.attitude) : ""; }},
+      {{"start",
+        "`{ theta_deg, phi_deg, psi_deg, spin, precession }`: how a top is set going, in place of `omega` "
+        "and "
+        "`attitude` (Tops, below)",
+        "none"},
+       &SceneKeys::start,
+       [](const Scene&) { return std::string(); }},  // a scene has the ω and attitude that it stands for
       {{"torque",
-        R"(a string or up to 4: `"space:x,y,z"` `"body:x,y,z"` `"heavy:MGR,ax,ay,az"` `"damping:C"` `"sink:C"`)",
+        R"(a string or up to 4: `"weight"` (Tops, below) `"space:x,y,z"` `"body:x,y,z"` `"heavy:MGR,ax,ay,az"` `"damping:C"` `"sink:C"`)",
         "none"},
        &SceneKeys::torque,
-       [](const Scene& scene) { return !scene.torque.empty() ? text_of(scene.torque) : ""; }},
+       [](const Scene& scene) { return text_of(scene.torque); }},
       {{"velocity",
         "`[x, y, z]`, m/s, space axes: velocity of the centre of mass at t = 0; the mass is the body's "
         "`mass_kg`, else 1 kg",
         "`[0, 0, 0]`"},
        &SceneKeys::velocity,
-       [](const Scene& scene) { return scene.v0_S != usual().v0_S ? toml(scene.v0_S) : ""; }},
+       [](const Scene& scene) { return toml(scene.v0_S); }},
       {{"force", "`[x, y, z]`, N, space axes: a constant force on the centre of mass", "`[0, 0, 0]`"},
        &SceneKeys::force,
-       [](const Scene& scene) { return scene.F_S != usual().F_S ? toml(scene.F_S) : ""; }},
+       [](const Scene& scene) { return toml(scene.F_S); }},
       {{"arrow", R"(what holds the arrow A of `transport`: `"space"`, `"body"`, or nothing: `"free"`)",
         R"(`"space"`)"},
        &SceneKeys::arrow,
-       [](const Scene& scene) { return scene.arrow != usual().arrow ? text_of(scene.arrow) : ""; }},
+       [](const Scene& scene) { return text_of(scene.arrow); }},
       {{"motion",
         R"(a method (below), or `{ method = "rk4", step = 0.02 }`, `{ method = "dormand-prince-8", tolerance = 1e-10 }`; step in s; `ghost = true` draws the exact body, translucent, beside the computed one)",
         R"(without torque `"exact"`, with it `"dormand-prince-8"`)"},
        &SceneKeys::motion,
-       [](const Scene& scene) { return scene.motion != usual().motion ? text_of(scene.motion) : ""; }},
+       [](const Scene& scene) { return text_of(scene.motion); }},
       {{"views", R"(`"space"`, `"body"`, or both in a list)", R"(`"space"`)"},
        &SceneKeys::views,
-       [](const Scene& scene) { return scene.views != usual().views ? text_of(scene.views) : ""; }},
+       [](const Scene& scene) { return text_of(scene.views); }},
       {{"show", "list of overlays, at most 40", "none"},
        &SceneKeys::show,
-       [](const Scene& scene) { return scene.show != usual().show ? text_of(scene.show) : ""; }},
+       [](const Scene& scene) { return text_of(scene.show); }},
       {{"camera",
         "`{ azimuth_deg, elevation_deg, distance, zoom }`; elevation −90 to 90, distance and zoom 0.1 to 100",
         "34°, 20°, 4.2, 1"},
        &SceneKeys::camera,
-       [](const Scene& scene) { return scene.camera != usual().camera ? text_of(scene.camera) : ""; }},
+       [](const Scene& scene) { return text_of(scene.camera); }},
       {{"at", "the t of a still, s", "0"},
        &SceneKeys::at,
-       [](const Scene& scene) { return scene.at_s != usual().at_s ? toml(scene.at_s) : ""; }},
+       [](const Scene& scene) { return toml(scene.at_s); }},
       {{"still",
         "the t of a still, s, where lengths of arrows under torque and the methods' tables are to be those "
         "of `at`",
         "`at`"},
        &SceneKeys::still,
-       [](const Scene& scene) { return still_time_s(scene) != scene.at_s ? toml(still_time_s(scene)) : ""; }},
+       [](const Scene& scene) { return scene.still_s ? toml(*scene.still_s) : ""; }},
       {{"duration", "what curves over time cover, s", "one polhode period or turn"},
        &SceneKeys::duration,
        [](const Scene& scene) { return scene.duration_s ? toml(*scene.duration_s) : ""; }},
@@ -405,14 +539,12 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
         R"(overlays, which are drawn bolder, or ids of `\term`s of the stage, which are marked on its pages; at most 4)",
         "none"},
        &SceneKeys::highlight,
-       [](const Scene& scene) { return !scene.highlight.empty() ? toml_list(scene.highlight) : ""; }},
+       [](const Scene& scene) { return toml_list(scene.highlight); }},
       {{"quality",
         R"(how finely pictures are drawn: `"draft"` (solid bodies with jagged edges), `"normal"` or `"fine"` (2 × 2 times the pixels); `export --quality` overrides it)",
         R"(`"normal"`)"},
        &SceneKeys::quality,
-       [](const Scene& scene) {
-         return scene.quality != usual().quality ? toml(name_of(scene.quality)) : "";
-       }},
+       [](const Scene& scene) { return toml(name_of(scene.quality)); }},
       {{"caption",
         "one line in the picture, at most 120 characters; formulas between `$` without macros, else plain "
         "text",
@@ -433,8 +565,9 @@ std::vector<PlacedText> SceneKeys::read(const TomlTable& table) {
   for (const Row& row : rows())
     handlers.push_back(
         {std::string(row.facts.name), [this, &row](const TomlEntry& e) { (this->*row.read)(e); }});
+  take_start_apart(table);
   read_keys(table, "the scene", handlers, report_);
-  check_pivot(table);
+  check_held(table);
   return std::move(highlighted_);
 }
 
@@ -447,15 +580,12 @@ Quat attitude_from(const std::vector<double>& wxyz) {
   return Quat(wxyz[0] / largest, wxyz[1] / largest, wxyz[2] / largest, wxyz[3] / largest).normalized();
 }
 
-Scene finished(const Scene& scene, const LessonBodies& bodies) {
-  Scene finished = scene;
-  if (auto body = body_of(scene, bodies)) finished.body = std::move(body).value();
-  return finished;
-}
+Scene finished(const LessonScene& scene, const LessonBodies& bodies) { return finish(scene, bodies).scene; }
 
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts) {
-  return SceneKeys(bodies, scene, texts).read(table);
+                                        LessonScene& scene, TextReader& texts,
+                                        std::optional<SourcePlace> fence) {
+  return SceneKeys(bodies, scene, texts, fence).read(table);
 }
 
 std::vector<SceneKeyFacts> scene_key_facts() {
@@ -464,12 +594,32 @@ std::vector<SceneKeyFacts> scene_key_facts() {
   return facts;
 }
 
+namespace {
+
+/// Whether a lesson need not say it. One may have a body of its own by the name of the default.
+bool is_default(const SceneKeys::Row& row, const Scene& scene) {
+  if (row.facts.name == "body") return scene.body == usual().body;
+  return row.text(scene) == row.text(usual());
+}
+
+}  // namespace
+
 std::string scene_keys_text(Scene scene, double still_s) {
-  scene.still_s = still_s;
+  scene.still_s = still_s != scene.at_s ? std::optional(still_s) : std::nullopt;
   std::string text;
   for (const SceneKeys::Row& row : SceneKeys::rows())
-    if (const std::string value = row.text(scene); !value.empty())
-      text += std::string(row.facts.name) + " = " + value + '\n';
+    if (!is_default(row, scene)) text += std::string(row.facts.name) + " = " + row.text(scene) + '\n';
+  return text;
+}
+
+std::string all_scene_keys_text(const Scene& scene) {
+  const Scene complete = completed(scene);
+  std::string text;
+  for (const SceneKeys::Row& row : SceneKeys::rows()) {
+    const std::string value = row.text(complete);
+    if (!value.empty())
+      text += std::string(row.facts.name) + " = " + value + (is_default(row, scene) ? "  # default\n" : "\n");
+  }
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include "lessons/reader/keys.h"
 #include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/top_start.h"
 #include "render/scene/description/scene.h"
 
 #include <map>
@@ -32,6 +33,11 @@ std::vector<SceneKeyFacts> scene_key_facts();
 /// shown then. The body is named: what stands for it in the front matter is another matter.
 std::string scene_keys_text(Scene scene, double still_s);
 
+/// Every key of the scene that has a value, a line each as above; what a lesson need not say, because it is
+/// so anyway, ends with "# default". What follows from the rest (such as `duration`) is filled in: read in
+/// the same lesson, it is the same picture.
+std::string all_scene_keys_text(const Scene& scene);
+
 /// The unit quaternion of the four numbers w, x, y, z of the key `attitude`, which are not all zero.
 Quat attitude_from(const std::vector<double>& wxyz);
 
@@ -39,24 +45,31 @@ Quat attitude_from(const std::vector<double>& wxyz);
 struct LessonBodies {
   std::map<std::string, Body> named;
   std::set<std::string> drawn_as_box;  ///< of these: known by their moments, though they have a shape
+  /// Of these: where it is held, m, from the centre of mass, about which its moments are then given.
+  std::map<std::string, Vec3> pivots_m;
   bool complete = true;  ///< false after an error in one: an unknown name is then no second error
 };
 
-/// A scene and what it needs besides.
+/// A scene as its keys say it, for later keys to change.
 struct LessonScene {
-  Scene scene;
+  Scene scene;  ///< its body with moments about the centre of mass, if it has others
   std::shared_ptr<const RichText> caption;  ///< Scene::caption, ready to be set; null: none
   std::vector<PlacedText> shown{};          ///< the overlays of Scene::show, as they are written
+  bool weighs = false;                      ///< torque = "weight", besides scene.torque
+  std::optional<TopStart> start = {};       ///< in place of ω and attitude of the scene
+  bool fault_said = false;                  ///< it cannot be, and was reported
 };
 
-/// The scene as it is to be modelled: a body known by its shape that hangs on a pivot under `heavy` has its
-/// moments about that (physics/body/pivot.h). The scene that later keys change keeps those about the
-/// centre of mass. Where they cannot be had, the reading has said so.
-Scene finished(const Scene& scene, const LessonBodies& bodies);
+/// The scene as it is to be modelled: "weight" is a HeavyTop, the first of its torques; a body known by its
+/// shape or held at its `pivot_m` has its moments about the pivot (physics/body/pivot.h); a `start` is the ω
+/// and attitude it stands for. Where one of them cannot be had, the reading has said so.
+Scene finished(const LessonScene& scene, const LessonBodies& bodies);
 
-/// Changes `scene` by the keys of a table; a key replaces its whole value.
+/// Changes `scene` by the keys of a table; a key replaces its whole value. `fence` is where a scene that is
+/// shown begins; without one it is the front matter's, whose body, torque or start the stages may give.
 /// @return what the table highlights, with places; the names are not checked here.
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts);
+                                        LessonScene& scene, TextReader& texts,
+                                        std::optional<SourcePlace> fence = {});
 
 }  // namespace polhode

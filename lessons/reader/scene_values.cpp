@@ -127,15 +127,10 @@ std::string text_of(const OverlaySet& shown) {
 }
 
 std::string text_of(const CameraSpec& camera) {
-  const CameraSpec usual;
-  std::vector<std::string> keys;
-  if (camera.azimuth_rad != usual.azimuth_rad)
-    keys.push_back("azimuth_deg = " + toml(degrees_that_read_as(camera.azimuth_rad)));
-  if (camera.elevation_rad != usual.elevation_rad)
-    keys.push_back("elevation_deg = " + toml(degrees_that_read_as(camera.elevation_rad)));
-  if (camera.distance != usual.distance) keys.push_back("distance = " + toml(camera.distance));
-  if (camera.zoom != usual.zoom) keys.push_back("zoom = " + toml(camera.zoom));
-  return fmt::format("{{ {} }}", fmt::join(keys, ", "));
+  return fmt::format("{{ azimuth_deg = {}, elevation_deg = {}, distance = {}, zoom = {} }}",
+                     toml(degrees_that_read_as(camera.azimuth_rad)),
+                     toml(degrees_that_read_as(camera.elevation_rad)), toml(camera.distance),
+                     toml(camera.zoom));
 }
 
 std::string text_of(const std::vector<Meter>& meters) {

@@ -2,6 +2,8 @@
 #include "lessons/reader/stage_builder.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/expression_tex.h"
+#include "lessons/claims/expression_variants.h"
 #include "lessons/reader/ask_block.h"
 #include "lessons/reader/claim_lines.h"
 #include "lessons/reader/markdown/callouts.h"
@@ -23,9 +25,32 @@ std::vector<std::string> names_of(const std::map<std::string, int>& lines) {
 }
 
 std::string usage_of(std::string_view kind) {
-  if (kind == "claim") return "```claim EQUATION KIND, or ```claim EQUATION KIND in-other-words";
-  if (kind == "math") return "```math ID, or ```math ID KIND where the formula is to be proved";
+  if (kind == "claim") return "```claim EQUATION KIND [given ASSUMPTION…] [in-other-words]";
+  if (kind == "math")
+    return "```math ID, or ```math ID KIND [given ASSUMPTION…] where the formula is to be proved";
   return kind == "scene" ? "```scene" : "```" + std::string(kind) + " ID";
+}
+
+/// What holds of ω at an instant says nothing of rates. False, and a report, if a claim speaks of them.
+bool check_given(const Claim& claim, Report& report) {
+  if (!claim.given.sets_spin()) return true;
+  const auto has_rates = [](const Expression& side) {
+    return std::any_of(side.nodes.begin(), side.nodes.end(), is_rate);
+  };
+  for (const ClaimLine& line : claim.lines) {
+    const bool concludes =
+        line.conclusion && (has_rates(line.conclusion->left) || has_rates(line.conclusion->right));
+    if (!has_rates(line.equality.left) && !has_rates(line.equality.right) && !concludes) continue;
+    report.error(line.place, "what is given of ω holds at an instant, and says nothing of rates");
+    return false;
+  }
+  return true;
+}
+
+/// How the lines are printed where they are not the formula itself.
+void print_lines(Claim& claim, const Vocabulary& vocabulary) {
+  if (claim.origin == Claim::Origin::formula) return;
+  for (ClaimLine& line : claim.lines) line.tex = tex_of(line, &vocabulary);
 }
 
 /// Whether a formula has no relation and no words: it is one side.
@@ -46,7 +71,9 @@ bool states_nothing(std::string_view tex) {
 
 // A fence with the words of its opening line.
 struct StageBuilder::Fence {
-  std::vector<PlacedText> words;  // the first is the kind
+  std::vector<PlacedText>
+      words;  // the first is the kind; without those of `given` and what stands behind them
+  std::vector<PlacedText> given;  // names of assumptions
   SourcePlace place;
   int first_line;  // of the content
   int last_line;
@@ -136,7 +163,7 @@ void StageBuilder::finish_step() {
   }
   add_footnotes();
   if (!has_scene_) return;
-  step().scene = finished(scene_.scene, front_.bodies);
+  step().scene = finished(scene_, front_.bodies);
   step().caption = scene_.caption;
   if (step_has_scene_) check_shown();
 }
@@ -277,6 +304,12 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
                   suggestion(kind, kinds));
     return;
   }
+  const bool proves = kind == "claim" || kind == "math";
+  if (proves && fence.words.size() > 4 && fence.words[3].text == "given") {
+    const auto end = fence.words.end() - (fence.words.back().text == "in-other-words" ? 1 : 0);
+    fence.given.assign(fence.words.begin() + 4, end);
+    fence.words.erase(fence.words.begin() + 3, end);
+  }
   const std::size_t most = kind == "claim" ? 4 : kind == "math" ? 3 : kind == "scene" ? 1 : 2;
   const std::size_t least = kind == "claim" || kind == "math" ? most - 1 : most;
   const bool has_other_words = kind == "claim" && fence.words.size() == most;
@@ -323,7 +356,7 @@ void StageBuilder::add_math(const Fence& fence) {
   auto claim = fence.words.size() > 2 ? claim_printed_in(equation, fence) : std::nullopt;
   above_.reset();
   if (claim && claim->origin == Claim::Origin::formula && claim->kind != ClaimKind::non_sequitur)
-    above_ = {equation.math, claim->kind};
+    above_ = {equation.math, claim->kind, claim->given.names};
   else if (fence.words.size() == 2 && states_nothing(equation.tex))
     above_ = {equation.math, {}};
   step().blocks.push_back(std::move(equation));
@@ -356,16 +389,35 @@ std::optional<Claim> StageBuilder::claim_printed_in(const Equation& equation, co
   };
   if (!std::all_of(equation.tag.begin(), equation.tag.end(), is_part_of_name))
     return refuse(whole("its tag is not a number or a name"));
-  const bool goes_on = above_ && (!above_->kind || above_->kind == kind);
+  Claim claim{.equation = equation.id, .kind = *kind, .lines = {}, .place = fence.place};
+  if (!take_given(fence, claim)) return std::nullopt;
+  const bool goes_on =
+      above_ && (!above_->kind || (above_->kind == kind && above_->given == claim.given.names));
   const auto read = read_equation(equation.math, front_.notation, goes_on ? &above_->math : nullptr);
   if (!read) return refuse(read.error());
   auto lines = claim_lines_of(*read, *kind, place_of);
   if (!lines) return refuse(lines.error());
-  return Claim{.equation = equation.id,
-               .kind = *kind,
-               .lines = std::move(*lines),
-               .place = fence.place,
-               .origin = read->is_part ? Claim::Origin::part : Claim::Origin::formula};
+  claim.lines = std::move(*lines);
+  claim.origin = read->is_part ? Claim::Origin::part : Claim::Origin::formula;
+  if (!check_given(claim, report_)) return std::nullopt;
+  print_lines(claim, front_.notation.vocabulary);
+  return claim;
+}
+
+/// The assumptions that a fence names; false if there is something wrong with them.
+bool StageBuilder::take_given(const Fence& fence, Claim& claim) {
+  if (fence.given.size() > kMaxGiven) {
+    report_.error(fence.given[kMaxGiven].place,
+                  "a claim puts together at most " + std::to_string(kMaxGiven) + " assumptions");
+    return false;
+  }
+  auto given = given_by(fence.given, front_.assumptions, report_);
+  if (!given) return false;
+  claim.given = std::move(*given);
+  if (claim.kind != ClaimKind::free || !claim.given.sets_torque()) return true;
+  report_.error(fence.given.front().place, "this gives a torque, and the kind free says that there is none",
+                "the kind is motion");
+  return false;
 }
 
 std::optional<ClaimKind> StageBuilder::kind_from(const PlacedText& word) {
@@ -379,7 +431,7 @@ std::optional<ClaimKind> StageBuilder::kind_from(const PlacedText& word) {
 void StageBuilder::read_live_numbers(Equation& equation) {
   for (const LiveNumber& number : equation.math.live) {
     const SourcePlace place = source_.place_of(equation.offset + number.offset);
-    auto expression = read_expression(number.expression, place, report_);
+    auto expression = read_expression(number.expression, place, report_, &front_.notation.vocabulary);
     if (expression && expression->type() == ExpressionType::vector)
       report_.error(place, "a live number is a scalar, this is a vector", "take a component: comp(a, 1)");
     if (expression) equation.live.push_back(std::move(*expression));
@@ -408,13 +460,14 @@ void StageBuilder::add_claim(const Fence& fence) {
     report_.error(fence.place, "this claim is empty", "write left = right on each line");
     return;
   }
-  auto lines = read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_);
-  parts_ += static_cast<int>(lines.size());
-  step().blocks.push_back(Claim{.equation = fence.words[1].text,
-                                .kind = *kind,
-                                .lines = std::move(lines),
-                                .place = fence.place,
-                                .in_other_words = fence.words.size() > 3});
+  Claim claim{.equation = fence.words[1].text, .kind = *kind, .lines = {}, .place = fence.place};
+  claim.in_other_words = fence.words.size() > 3;
+  const Vocabulary& vocabulary = front_.notation.vocabulary;
+  claim.lines = read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_, &vocabulary);
+  parts_ += static_cast<int>(claim.lines.size());
+  if (!take_given(fence, claim) || !check_given(claim, report_)) return;
+  print_lines(claim, vocabulary);
+  step().blocks.push_back(std::move(claim));
 }
 
 void StageBuilder::add_scene(const Fence& fence) {
@@ -426,7 +479,7 @@ void StageBuilder::add_scene(const Fence& fence) {
   scene_line_ = fence.place.line;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
-  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_);
+  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
 }
 
@@ -434,7 +487,7 @@ void StageBuilder::add_ask(const Fence& fence) {
   take_id(fence, ask_lines_, "question");
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
-  if (auto ask = read_ask(*table, fence.words[1].text, fence.place, texts_)) {
+  if (auto ask = read_ask(*table, fence.words[1].text, fence.place, front_, texts_)) {
     step().blocks.push_back(std::move(*ask));
   }
 }

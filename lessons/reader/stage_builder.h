@@ -45,6 +45,7 @@ class StageBuilder {
   void read_live_numbers(Equation& equation);
   void take_tag(const Equation& equation);
   std::optional<Claim> claim_printed_in(const Equation& equation, const Fence& fence);
+  bool take_given(const Fence& fence, Claim& claim);
   std::optional<ClaimKind> kind_from(const PlacedText& word);
   void add_claim(const Fence& fence);
   void add_scene(const Fence& fence);
@@ -81,6 +82,7 @@ class StageBuilder {
   struct Above {
     Math math;
     std::optional<ClaimKind> kind;  ///< nothing: it states nothing
+    std::vector<std::string> given{};
   };
   std::optional<Above> above_;
   std::map<std::string, int> ask_lines_;

@@ -60,7 +60,10 @@ struct Sentence {
 class EquationReader {
  public:
   EquationReader(const Math& math, const EquationNotation& notation, const Math* above)
-      : math_(math), terms_(math, notation), items_(formula_items(*math.root, kMaxEquationNesting)) {
+      : math_(math),
+        vocabulary_(notation.vocabulary),
+        terms_(math, notation),
+        items_(formula_items(*math.root, kMaxEquationNesting)) {
     if (above != nullptr && above->root && !items_.empty() && items_.front().is(ItemKind::relation, U'=')) {
       go_on_with(formula_items(*above->root, kMaxEquationNesting), !above->live.empty());
       above_root_ = above->root.get();
@@ -399,16 +402,17 @@ class EquationReader {
     sentence.links.push_back(std::move(link));
   }
 
-  static Expression side_of(const TexValue& value, const TexValue& other) {
+  Expression side_of(const TexValue& value, const TexValue& other) const {
     if (value.form != TexValue::Form::rate_of_length || other.type != TexValue::Type::zero)
-      return expression_of(value);
+      return expression_of(value, vocabulary_);
     TexValue square = value;
     square.text = "ddt(norm2(" + value.of + "))";
     square.marks.clear();
-    return expression_of(square);
+    return expression_of(square, vocabulary_);
   }
 
   const Math& math_;
+  const Vocabulary& vocabulary_;
   TexTerms terms_;
   TexItems items_, above_;
   const MathNode* above_root_ = nullptr;
@@ -442,7 +446,8 @@ std::string letter_of(const QuantityFacts& facts) {
 /// Adds the letters of what stands in a node: of each part that can be read, the smallest first to fail.
 class LetterSearch {
  public:
-  LetterSearch(const Math& math, const EquationNotation& notation) : terms_(math, notation) {}
+  LetterSearch(const Math& math, const EquationNotation& notation)
+      : terms_(math, notation), vocabulary_(notation.vocabulary) {}
 
   void add(const MathNode& node, int depth = 0) {
     if (depth > kMaxEquationNesting) return;
@@ -477,7 +482,7 @@ class LetterSearch {
         letters_.insert("I");
         return true;
       }
-      letters_.merge(letters_in(expression_of(value)));
+      letters_.merge(letters_in(expression_of(value, vocabulary_)));
       return true;
     } catch (const TexFault&) {
       return false;
@@ -485,6 +490,7 @@ class LetterSearch {
   }
 
   TexTerms terms_;
+  const Vocabulary& vocabulary_;
   std::set<std::string> letters_;
 };
 
@@ -526,14 +532,17 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
                   infers ? "this says what does not follow" : "a non-sequitur says \"… does not give …\"",
                   infers ? "the kind is non-sequitur" : "A \\quad\\text{does not give}\\quad B");
   const auto provable = [kind](const Equality& equality) {
-    return kind == ClaimKind::measured || has_provable_lengths(equality);
+    return kind == ClaimKind::measured || is_provable(equality);
   };
   for (const EquationSentence& sentence : equation.sentences) {
     if (sentence.is_no_torque) continue;
     for (const EquationLink& link : sentence.links) {
       if (!provable(link.equality))
-        return refuse(link.source, "a length is a root, and a proof has none: it is a whole side, |a| = |b|",
-                      "square both sides, or measure the claim");
+        return has_angles(link.equality)
+                   ? refuse(link.source, std::string(kNoAngles), "measure the claim")
+                   : refuse(link.source,
+                            "a length is a root, and a proof has none: it is a whole side, |a| = |b|",
+                            "square both sides, or measure the claim");
       lines.push_back({.equality = link.equality,
                        .conclusion = {},
                        .within = {},

@@ -33,7 +33,9 @@
 //   vmatrix of 2 or 3 rows               determinant; unit vectors may stand in the first row of three
 //   pmatrix, bmatrix of 3 rows           tensor, by its components on the body's axes
 //   \text{tr}                            trace
-//   a symbol of the lesson               what its `means` says, or the quantity that has its name
+//   \sqrt{a}, \sin, \cos, \arccos        of numbers: \cos\theta, \cos(2\theta); for what is measured, but
+//                                        \cos of an angle that means acos(a) is a
+//   a symbol of the lesson               what its `means` says, or the quantity or word that has its name
 //   x, y, z, \hat i, \hat j, \hat k      axes 1, 2, 3 where the lesson says so (xyz_are_body_axes)
 //
 // Precedence, strongest first: powers and indices; products without a sign; \cdot and \times; "/"; \sum and
@@ -44,7 +46,7 @@
 // Refused, because the page leaves it open: a x b x c, a·b·c, I·a x b, two vectors without a sign, a/b c,
 // a/b/c, d/dt (a) b, d/dt a·b, \dot of other vectors, T(0) and \omega_1(t) (factor or argument?), 2\frac12,
 // digits in groups, an index that no \sum and no condition binds (no silent sums), two signs in a row, \pm,
-// what follows from what, relations other than "=", second derivatives, functions and roots, primes and
+// what follows from what, relations other than "=", second derivatives, other functions and roots, primes and
 // unknown names, letters of other alphabets, other words.
 //
 // Where parts are marked by \proved{…} these alone are read, each as a formula of its own.
@@ -63,6 +65,7 @@
 
 #include "base/result.h"
 #include "lessons/claims/claim.h"
+#include "lessons/claims/vocabulary.h"
 #include "render/typeset/math/math.h"
 
 #include <functional>
@@ -75,7 +78,7 @@ namespace polhode {
 
 /// A symbol of the lesson, as it is printed and what it is.
 struct EquationSymbol {
-  std::string name;   ///< without `means`: the quantity of that name (or I, J), if there is one
+  std::string name;   ///< without `means`: the quantity or word of that name (or I, J), if there is one
   Math math;          ///< its TeX
   std::string means;  ///< an expression of the language of claims; I and J are the tensors
 };
@@ -84,6 +87,7 @@ struct EquationSymbol {
 /// is declared and means nothing known makes the formulas that use it unreadable.
 struct EquationNotation {
   std::vector<EquationSymbol> symbols;
+  Vocabulary vocabulary;  ///< what they mean may use these words
   bool xyz_are_body_axes = false;
 };
 
@@ -145,7 +149,7 @@ using PlaceOfSpan = std::function<SourcePlace(SourceSpan)>;
 /// others          every equality. Of "A ⇒ B" both are proved, which is more than that B follows; but N = 0
 ///                 is left out: of the kind free it is assumed, of others the rest holds with any torque
 ///
-/// "tempting:" goes with the kind false alone. Lengths have to be provable (has_provable_lengths), but for
+/// "tempting:" goes with the kind false alone. Lengths have to be provable (is_provable), but for
 /// `measured`.
 Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEquation& equation,
                                                                   ClaimKind kind,

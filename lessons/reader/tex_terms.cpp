@@ -358,6 +358,11 @@ TexTerms::Factor TexTerms::factor(Items items, std::size_t& at) {
     return made;
   }
   if (item.kind == ItemKind::operand && node->kind == Kind::text) {
+    if (node->text == "sin" || node->text == "cos" || node->text == "arccos") {
+      made.value = function(items, at);
+      made.span = joined_span(item.span, items[at - 1].span);
+      return made;
+    }
     if (node->text != "tr")
       throw TexFault(item.span, "the language of claims has no function " + node->text,
                      "give the whole a symbol with `means`");
@@ -533,6 +538,28 @@ TexValue TexTerms::trace(Items items, std::size_t& at) {
   return trace_of(of.value, joined_span(word.span, of.span));
 }
 
+/// \cos\theta, \cos^2\theta, \cos(a + b): of one letter, or what stands in brackets.
+TexValue TexTerms::function(Items items, std::size_t& at) {
+  const TexItem& word = items[at++];
+  if (is_conditioned()) throw TexFault(word.span, "functions are not read under a condition on ω");
+  if (word.sub != nullptr || at == items.size())
+    throw TexFault(word.span, in_quotes(word.node->text) + " of what?");
+  const bool is_group = items[at].kind == ItemKind::group && items[at].open == U'(' && is_plain(items[at]);
+  const bool is_sized = !is_group && items[at].kind == ItemKind::operand && is_digit(items[at]);
+  const Factor of = factor(items, at);
+  const auto begins_function = [](const TexItem& item) {
+    return item.kind == ItemKind::operand && item.node != nullptr && item.node->kind == Kind::text;
+  };
+  if (is_sized ||
+      (!is_group && at < items.size() && items[at].kind != ItemKind::times && !begins_function(items[at])))
+    throw TexFault(joined_span(word.span, of.span), "how far does the argument of this function go?",
+                   "write brackets around it, or put the function last");
+  if (of.value.is_vector() || of.value.is_tensor()) throw TexFault(of.span, "functions are taken of numbers");
+  const std::string name = word.node->text == "arccos" ? "acos" : word.node->text;
+  const SourceSpan span = joined_span(word.span, of.span);
+  return raised_by(called(name, of.value, nullptr, Type::scalar, span), word, true, false);
+}
+
 TexTerms::Factor TexTerms::number(Items items, std::size_t& at) {
   Factor made;
   const std::size_t begin = at;
@@ -606,12 +633,12 @@ TexValue TexTerms::meaning_of(const EquationSymbol& symbol, SourceSpan span) con
     tensor.kind = text == "J" ? TexTensor::Kind::any_inertia : TexTensor::Kind::inertia;
     return tensor_value(std::move(tensor), span);
   }
-  if (symbol.means.empty() && find_quantity(text) == nullptr)
+  if (symbol.means.empty() && find_quantity(text) == nullptr && notation_.vocabulary.find(text) == nullptr)
     throw TexFault(span, "the symbol " + in_quotes(symbol.name) + " has no meaning in the language of claims",
                    "say what it is with `means`");
   const SourceText source(text);
   Report report(source, "");
-  const auto expression = read_expression(text, {1, 1}, report);
+  const auto expression = read_expression(text, {1, 1}, report, &notation_.vocabulary);
   if (!expression)
     throw TexFault(
         span, "what " + in_quotes(symbol.name) + " means cannot be read: " + report.take().front().message);
@@ -623,7 +650,7 @@ TexValue TexTerms::meaning_of(const EquationSymbol& symbol, SourceSpan span) con
                               : type == ExpressionType::zero ? Type::zero
                                                              : Type::scalar,
                               span);
-  if (expression->nodes.size() > 1) {
+  if (expression->nodes.size() > 1 && notation_.vocabulary.find(text) == nullptr) {
     value.text = "(" + text + ")";
     if (value.text.size() > kMaxExpressionBytes) throw TexFault(span, "this is too long, written out");
   }
@@ -704,8 +731,15 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
       if (index >= math_.live.size()) throw TexFault(item.span, "this number is not read");
       return meaning_of({"live", {}, math_.live[index].expression}, item.span);
     }
-    case Kind::radical:
-      throw TexFault(item.span, "a proof has no roots", "square both sides, or keep a claim");
+    case Kind::radical: {
+      if (node.children.size() > 1 && !node.children[1].absent())
+        throw TexFault(item.span, "only square roots are read", "write powers, or square both sides");
+      if (is_conditioned()) throw TexFault(item.span, "roots are not read under a condition on ω");
+      const TexItems inside = items_of(node.children[0], kMaxEquationNesting);
+      const TexValue of = sum(inside, item.span);
+      if (!of.is_scalar()) throw TexFault(item.span, "roots are taken of numbers", "a length is |\\vec a|");
+      return called("sqrt", of, nullptr, Type::scalar, item.span);
+    }
     default:
       throw TexFault(item.span, "this is not read");
   }

@@ -67,6 +67,7 @@ class TexTerms {
   std::optional<TexValue> inline_rate(Items items, std::size_t& at);
   TexValue big_sum(Items items, std::size_t& at);
   TexValue trace(Items items, std::size_t& at);
+  TexValue function(Items items, std::size_t& at);
   Factor number(Items items, std::size_t& at);
   std::optional<TexValue> declared(Items items, std::size_t& at);
   TexValue meaning_of(const EquationSymbol& symbol, SourceSpan span) const;

@@ -286,10 +286,10 @@ TexValue trace_of(const TexValue& tensor, SourceSpan span) {
   return sum;
 }
 
-Expression expression_of(const TexValue& value) {
+Expression expression_of(const TexValue& value, const Vocabulary& vocabulary) {
   const SourceText source(value.text);
   Report report(source, "");
-  auto expression = read_expression(value.text, {1, 1}, report);
+  auto expression = read_expression(value.text, {1, 1}, report, &vocabulary);
   if (expression) return std::move(*expression);
   const auto diagnostics = report.take();
   const Diagnostic& first = diagnostics.front();

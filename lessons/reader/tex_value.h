@@ -4,6 +4,7 @@
 #pragma once
 
 #include "lessons/claims/expression.h"
+#include "lessons/claims/vocabulary.h"
 #include "lessons/reader/tex_items.h"
 
 #include <array>
@@ -80,6 +81,6 @@ TexValue trace_of(const TexValue& tensor, SourceSpan span);
 TexValue unit_vector(int axis, SourceSpan span);
 
 /// The whole as an expression; faults of the language point into the TeX.
-Expression expression_of(const TexValue& value);
+Expression expression_of(const TexValue& value, const Vocabulary& vocabulary);
 
 }  // namespace polhode

@@ -86,7 +86,7 @@ Body make_body(std::string name, ShapeKind kind, const Vec3& size_m, double mass
   return {std::move(name), moments_of(kind, size_m, mass_kg), Shape{kind, size_m}, mass_kg};
 }
 
-Shape equivalent_box(const PrincipalMoments& I) {
+Shape equivalent_box(const PrincipalMoments& I, double mass_kg) {
   const int e = 2 * (std::ilogb(I.vector().maxCoeff()) / 2);  // even: its root is exact
   const Vec3 J = I.vector().unaryExpr([e](double x) { return std::scalbn(x, -e); });
   const auto edge = [&J](int i) {
@@ -96,7 +96,8 @@ Shape equivalent_box(const PrincipalMoments& I) {
   };
   Vec3 size_m(edge(0), edge(1), edge(2));
   size_m = size_m.cwiseMax(kThinnestDrawn * size_m.maxCoeff());
-  return {ShapeKind::box, size_m.unaryExpr([e](double x) { return std::scalbn(x, e / 2); })};
+  return {ShapeKind::box,
+          size_m.unaryExpr([e](double x) { return std::scalbn(x, e / 2); }) / std::sqrt(mass_kg)};
 }
 
 std::optional<ShapeKind> shape_kind_from(std::string_view name) {

@@ -30,7 +30,7 @@ struct Body {
   std::string name;
   PrincipalMoments moments;    ///< kg m²
   std::optional<Shape> shape;  ///< nothing: known by its moments only
-  double mass_kg = 1.0;        ///< 1 kg, as in equivalent_box, where only the moments are known
+  double mass_kg = 1.0;        ///< 1 kg where nobody said
   bool operator==(const Body&) const = default;
 };
 
@@ -69,10 +69,9 @@ PrincipalMoments t_handle_moments(const Vec3& size_m, double mass_kg);
 /// Body of a shape and mass. @throws std::domain_error if a size or the mass is not finite and > 0.
 Body make_body(std::string name, ShapeKind kind, const Vec3& size_m, double mass_kg);
 
-/// Uniform box of 1 kg with these moments: a² = 6(I2 + I3 − I1), and cyclic. Only the ratios of its edges
-/// matter to a picture. An edge below 1/500 of the longest (a flat body has one of zero) is given as that, so
-/// it can be drawn.
-Shape equivalent_box(const PrincipalMoments& I);
+/// Uniform box with these moments: a² = 6(I2 + I3 − I1)/m, and cyclic. An edge below 1/500 of the longest (a
+/// flat body has one of zero) is given as that, so it can be drawn.
+Shape equivalent_box(const PrincipalMoments& I, double mass_kg = 1.0);
 
 /// "box" "ellipsoid" "cylinder" "t-handle"; nothing if unknown.
 std::optional<ShapeKind> shape_kind_from(std::string_view name);

@@ -83,6 +83,76 @@ TEST_F(Agreement, OnWhatIsTrueByConstructionAndOnItsMutants) {
   print();
 }
 
+/// "I2 = I1", each.
+Given given_by(const std::vector<std::string>& settings) {
+  Given given;
+  for (const std::string& text : settings) {
+    const std::size_t equals = text.find(" = ");
+    const Expression left = expression_from(text.substr(0, equals)).value();
+    given.settings.push_back(
+        {left.nodes.back().quantity, expression_from(text.substr(equals + 3)).value(), text, {}, {}});
+    EXPECT_FALSE(why_not_set(given.settings.back(), {given.settings.begin(), given.settings.end() - 1}));
+  }
+  return given;
+}
+
+// Tops, a plate, a torque by components, axes of space: what holds of them, and all its mutants.
+TEST_F(Agreement, OnWhatIsGivenAndOnTheAxesOfSpace) {
+  struct Case {
+    std::vector<std::string> given;
+    Assumption assumption;
+    std::vector<std::pair<const char*, const char*>> equal;
+  };
+  const std::string symmetric = "I2 = I1", heavy = "N = h*cross(ez, e3)";
+  const Case cases[] = {
+      {{symmetric},
+       Assumption::free,
+       {{"dw3", "0"},
+        {"dw1", "(I1 - I3)/I1*w2*w3"},
+        {"ddt(w1^2 + w2^2)", "0"},
+        {"ddt(e3)", "cross(L/I1, e3)"}}},
+      {{symmetric},
+       Assumption::identity,
+       {{"omega", "L/I1 + (I1 - I3)/I1*w3*e3"}, {"2*T", "I1*(w1^2 + w2^2) + I3*w3^2"}}},
+      {{heavy},
+       Assumption::motion,
+       {{"ddt(T + h*dot(ez, e3))", "0"}, {"ddt(dot(L, ez))", "0"}, {"dw3", "(I1 - I2)*w1*w2/I3"}}},
+      {{symmetric, heavy}, Assumption::motion, {{"ddt(dot(L, e3))", "0"}, {"dot(ddt(L), ez)", "0"}}},
+      {{"I3 = I1 + I2"}, Assumption::free, {{"dw1", "-w2*w3"}, {"dw2", "w3*w1"}}},
+      {{"I1 = I3", "I2 = (I1 + I3)/2"}, Assumption::motion, {{"ddt(omega)", "N/I3"}}},
+      {{"N1 = -k*w1", "N2 = -k*w2", "N3 = -k*w3"}, Assumption::motion, {{"ddt(T)", "-k*norm2(omega)"}}},
+      {{"w1 = 0", "w2 = 0"}, Assumption::identity, {{"L", "I3*omega"}, {"cross(omega, L)", "0"}}},
+      {{"F = -h*ez"}, Assumption::motion, {{"dot(ddt(p), ez)", "-h"}, {"ddt(dot(p, ex))", "0"}}},
+      {{}, Assumption::identity, {{"star(ez)", "cross(ez, omega)"}, {"ex", "cross(ey, ez)"}}},
+  };
+  int mutants = 0, held = 0;
+  for (const Case& c : cases) {
+    const Given given = given_by(c.given);
+    const Oracle oracle(c.assumption, given);
+    const auto agree = [&](const Equality& equality) {
+      const Verdict ours = prover_.settle(equality, c.assumption, given);
+      EXPECT_EQ(ours, verdict_of(oracle.compare(equality)))
+          << equality.left.text << " = " << equality.right.text;
+      return ours;
+    };
+    for (const auto& [left, right] : c.equal) {
+      const Equality equality = equality_from(left, right).value();
+      EXPECT_EQ(agree(equality), Verdict::holds) << left << " = " << right;
+      for (const bool of_left : {true, false})
+        for (Expression& mutant : mutants_of(of_left ? equality.left : equality.right)) {
+          Equality changed = of_left ? Equality{std::move(mutant), equality.right}
+                                     : Equality{equality.left, std::move(mutant)};
+          if (!fit(changed.left.type(), changed.right.type())) continue;
+          ++mutants;
+          held += agree(changed) == Verdict::holds ? 1 : 0;
+        }
+    }
+  }
+  EXPECT_GE(mutants, 300);
+  std::printf("%d mutants of what is given; %d of them say the same or something else that is true\n",
+              mutants, held);
+}
+
 TEST_F(Agreement, OnTwoExpressionsThatHaveNothingToDoWithEachOther) {
   Rewriter rewriter(7);
   while (equalities_ < 150) {

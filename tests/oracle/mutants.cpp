@@ -28,6 +28,8 @@ std::vector<Term> other_names(const Term& leaf) {
     for (const std::string& word : kTensor) rename(word);
   else if (leaf.word.size() > 1 && leaf.word.back() >= '1' && leaf.word.back() <= '3')
     for (const char digit : {'1', '2', '3'}) rename(leaf.word.substr(0, leaf.word.size() - 1) + digit);
+  else if (leaf.word == "ex" || leaf.word == "ey" || leaf.word == "ez")
+    for (const char axis : {'x', 'y', 'z'}) rename(std::string("e") + axis);
   else if (leaf.word == "omega" || leaf.word == "L")
     rename(leaf.word == "L" ? "omega" : "L");
   return others;
@@ -126,6 +128,13 @@ std::vector<Term> changed_here(const Term& spot) {
     case O::norm2:
     case O::norm:
     case O::trace:
+    case O::constant:
+    case O::pi:
+    case O::sqrt:
+    case O::sin:
+    case O::cos:
+    case O::acos:
+    case O::atan2:
       changed.push_back(with(O::multiply, {number("2"), spot}));
       break;
   }

@@ -32,7 +32,7 @@ std::vector<Line> proved_lines_of(const Lesson& lesson) {
         const auto* claim = std::get_if<Claim>(&block);
         if (!claim || claim->kind == ClaimKind::is_false || claim->kind == ClaimKind::non_sequitur) continue;
         for (const ClaimLine& line : claim->lines)
-          if (has_provable_lengths(line.equality))  // others are measured alone
+          if (is_provable(line.equality))  // others are measured alone
             lines.push_back({line.equality, assumption_of(claim->kind), claim->kind == ClaimKind::measured});
       }
   return lines;
@@ -83,7 +83,7 @@ class MutantCheck {
 
  private:
   void settle(const Equality& mutant, Decision decision, Assumption assumption) {
-    if (!has_provable_lengths(mutant)) return;  // lessons/reader/claim_lines.h refuses to read it
+    if (!is_provable(mutant)) return;  // lessons/reader/claim_lines.h refuses to read it
     const Verdict verdict = prover_.settle(mutant, assumption);
     const auto text = [&] { return mutant.left.text + " = " + mutant.right.text; };
     ++counts.mutants;

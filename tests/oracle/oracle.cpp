@@ -58,7 +58,7 @@ ex exact(const DecimalNumber& number) {
 
 }  // namespace
 
-Oracle::Oracle(Assumption assumption) : t_("t") {
+Oracle::Oracle(Assumption assumption, const Given& given) : t_("t") {
   const auto name = [this](const std::string& word) { return free_.emplace_back(word); };
   const auto named = [&](const std::string& word) {
     return Vector{name(word + "1"), name(word + "2"), name(word + "3")};
@@ -73,24 +73,67 @@ Oracle::Oracle(Assumption assumption) : t_("t") {
   m_ = name("m");
   h_ = name("h");
   k_ = name("k");
+  const ex a = name("a"), b = name("b"), c = name("c"), d = name("d");
+  length2_ = a * a + b * b + c * c + d * d;
+  space_[0] = scaled(1 / length2_, {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)});
+  space_[1] = scaled(1 / length2_, {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)});
+  space_[2] = scaled(1 / length2_, {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d});
+  if (given.sets_torque()) N_ = named("N");
+  if (given.sets(Quantity::F)) F_ = named("F");
+  for (const Setting& setting : given.settings) set(setting);
   const auto gyroscopic = [this] {  // ω×Iω on the principal axes
     return cross(w_, {I_[0] * w_[0], I_[1] * w_[1], I_[2] * w_[2]});
   };
   switch (assumption) {
     case Assumption::identity:
       dw_ = named("dw");
-      N_ = named("N");
-      F_ = named("F");
+      if (!given.sets_torque()) N_ = named("N");
+      if (!given.sets(Quantity::F)) F_ = named("F");
       break;
     case Assumption::motion:
-      dw_ = named("dw");
-      N_ = sum({I_[0] * dw_[0], I_[1] * dw_[1], I_[2] * dw_[2]}, gyroscopic());
-      F_ = scaled(m_, dv_);
+      if (given.sets_torque()) {
+        for (std::size_t i = 0; i < 3; ++i) dw_[i] = (N_[i] - gyroscopic()[i]) / I_[i];
+      } else {
+        dw_ = named("dw");
+        N_ = sum({I_[0] * dw_[0], I_[1] * dw_[1], I_[2] * dw_[2]}, gyroscopic());
+      }
+      if (given.sets(Quantity::F))
+        dv_ = scaled(1 / m_, F_);
+      else
+        F_ = scaled(m_, dv_);
       break;
     case Assumption::free:
       for (std::size_t i = 0; i < 3; ++i) dw_[i] = -gyroscopic()[i] / I_[i];
       N_ = {0, 0, 0};
       F_ = scaled(m_, dv_);
+      break;
+  }
+}
+
+void Oracle::set(const Setting& setting) {
+  using S = Quantity;
+  const Vector value = side(setting.value).value;
+  switch (setting.quantity) {
+    case S::I1:
+    case S::I2:
+    case S::I3:
+      I_[nth(setting.quantity, S::I1)] = value[0];
+      break;
+    case S::w1:
+    case S::w2:
+    case S::w3:
+      w_[nth(setting.quantity, S::w1)] = value[0];
+      break;
+    case S::N1:
+    case S::N2:
+    case S::N3:
+      N_[nth(setting.quantity, S::N1)] = value[0];
+      break;
+    case S::N:
+      N_ = value;  // the axes of body and space coincide
+      break;
+    default:
+      F_ = value;
       break;
   }
 }
@@ -163,6 +206,10 @@ Vector Oracle::quantity(Quantity q, bool moving) const {
     case S::e2:
     case S::e3:
       return axis(nth(q, S::e1), moving);
+    case S::ex:
+    case S::ey:
+    case S::ez:
+      return space_[nth(q, S::ex)];
     default:
       return scalar(J_[nth(q, S::Jxx)]);
   }
@@ -183,6 +230,8 @@ Vector Oracle::value(const Expression& expression, int index, bool moving, Side&
     case O::number:
       return scalar(exact(node.number));
     case O::quantity:
+      if (node.quantity == Quantity::ex || node.quantity == Quantity::ey || node.quantity == Quantity::ez)
+        side.divisors.push_back(length2_);
       return quantity(node.quantity, moving);
     case O::negate:
       return scaled(-1, a());
@@ -242,6 +291,14 @@ Vector Oracle::value(const Expression& expression, int index, bool moving, Side&
       const Vector moved = value(expression, node.a, true, side);
       return rate({dot(axis(0, true), moved), dot(axis(1, true), moved), dot(axis(2, true), moved)});
     }
+    case O::constant:
+    case O::pi:
+    case O::sqrt:
+    case O::sin:
+    case O::cos:
+    case O::acos:
+    case O::atan2:
+      break;  // nothing here has any
   }
   return {};
 }

@@ -3,9 +3,10 @@
 //
 // Body and space axes coincide at the moment t = 0 at which all is decided, R(t) = 1 + t[ω]× to first order;
 // every operation of the language turns with its vectors, and v, A, F and their rates are free, so that what
-// holds in this attitude for all of them holds in every one. Rates are taken by differentiating what has been
-// written out in symbols: no dual numbers. A motion is chosen by its ω̇ and v̇, and N = Iω̇ + ω×Iω, F = m v̇
-// follow, so that nothing is divided by; without torque ω̇ is what makes that N zero.
+// holds in this attitude for all of them holds in every one; the axes of space are any such triad, which does
+// not turn. Rates are taken by differentiating what has been written out in symbols: no dual numbers. A
+// motion is chosen by its ω̇ and v̇, and N = Iω̇ + ω×Iω, F = m v̇ follow, so that nothing is divided by; without
+// torque ω̇ is what makes that N zero.
 #pragma once
 
 #include "lessons/claims/claim_state.h"
@@ -31,7 +32,9 @@ class Oracle {
     bool defined = true;
   };
 
-  explicit Oracle(Assumption assumption);
+  /// What is given is put in, one after the other; a torque that is given makes the motion, not the other way
+  /// round.
+  explicit Oracle(Assumption assumption, const Given& given = {});
 
   Side side(const Expression& expression) const;
 
@@ -58,10 +61,13 @@ class Oracle {
   GiNaC::exmap random_point() const;
   Vector value(const Expression& expression, int index, bool moving, Side& side) const;
   Vector quantity(Quantity quantity, bool moving) const;
+  void set(const Setting& setting);
 
   GiNaC::symbol t_;
   std::vector<GiNaC::symbol> free_;
   Vector I_, w_, dw_, N_, v_, dv_, A_, dA_, F_;
+  std::array<Vector, 3> space_;  ///< the axes of space, by a quaternion: they stand still
+  GiNaC::ex length2_;            ///< of that quaternion, squared
   std::array<GiNaC::ex, 6> J_;
   GiNaC::ex m_, h_, k_;
   mutable std::mt19937_64 random_{1};

@@ -110,6 +110,8 @@ std::vector<Law> laws() {
       {"ddt(omega)", "star(omega)"},
       {"ddt(T)", "dot(omega, inertia(star(omega)))"},
       {"star(omega)", "dw1*e1 + dw2*e2 + dw3*e3"},
+      {"ez", "cross(ex, ey)"},
+      {"ey", "dot(ey, e1)*e1 + dot(ey, e2)*e2 + dot(ey, e3)*e3"},
   };
   const std::vector<Text> kMotion = {
       {"N", "ddt(L)"},
@@ -165,7 +167,8 @@ bool match(const Term& pattern, const Term& term, Holes& holes) {
 }  // namespace
 
 Term Rewriter::leaf(bool vector, bool rates) {
-  static const std::vector<std::string> kVectors = {"omega", "L", "A", "v", "p", "e1", "e2", "e3", "N", "F"},
+  static const std::vector<std::string> kVectors = {"omega", "L",  "A",  "v",  "p", "e1",
+                                                    "e2",    "e3", "ey", "ez", "N", "F"},
                                         kScalars = {"T",  "I1", "I2",  "I3",  "w1",  "w2",  "w3",
                                                     "m",  "3",  "0.5", "Jxx", "Jyz", "Jxy", "Jzz",
                                                     "N1", "N3", "N2",  "dw1", "dw2", "dw3"};

@@ -38,26 +38,18 @@ struct TypedOptions {
   bool json = false, all = false, rendering = false;
 };
 
-const Scene& scene_of(const Lesson& lesson, const TypedOptions& typed) {
+const Scene& chosen_scene(const Lesson& lesson, const TypedOptions& typed) {
   if (typed.stage.empty())
     throw usage(fmt::format("--stage is needed: which scene of \"{}\"; see: polhode info {}", lesson.id,
                             typed.lesson));
-  const Stage& stage = stage_of(lesson, typed.stage);
-  const auto drawn = std::find_if(stage.steps.rbegin(), stage.steps.rend(),
-                                  [](const Step& step) { return step.scene.has_value(); });
-  if (drawn == stage.steps.rend()) throw usage(fmt::format("stage \"{}\" has no scene", stage.id));
-  return *drawn->scene;
-}
-
-bool names_a_body(const TypedProblem& typed) {
-  return !typed.inertia.empty() || !typed.omega.empty() || !typed.attitude.empty() || !typed.torques.empty();
+  return scene_of(lesson, typed.stage);
 }
 
 Problem chosen_problem(const TypedOptions& typed) {
   if (!typed.lesson.empty()) {
     if (names_a_body(typed.problem))
       throw usage("either a LESSON with --stage, or --inertia and --omega: not both");
-    return checked(problem_of(scene_of(or_fail(load_lesson(typed.lesson)).lesson, typed)));
+    return checked(problem_of(chosen_scene(or_fail(load_lesson(typed.lesson)).lesson, typed)));
   }
   if (!typed.stage.empty()) throw usage("--stage is of a LESSON, and none is given");
   if (typed.problem.inertia.empty() || typed.problem.omega.empty())
@@ -159,7 +151,7 @@ ExitCode measure_pictures(const TypedOptions& typed) {
   request.of = "Poinsot's construction";
   if (!typed.lesson.empty()) {
     const LoadedLesson loaded = or_fail(load_lesson(typed.lesson));
-    request.scene = scene_of(loaded.lesson, typed);
+    request.scene = chosen_scene(loaded.lesson, typed);
     request.of = fmt::format("stage {} of {}", typed.stage, loaded.lesson.id);
   }
   if (!typed.tolerance.empty()) request.tolerance = positive("--tolerance", typed.tolerance, 0);
@@ -177,10 +169,11 @@ ExitCode measure(const TypedOptions& typed) {
 
 Command measure_command() {
   const auto typed = std::make_shared<TypedOptions>();
-  Command command = {"measure",
-                     "Speed against accuracy: of methods, or of pictures",
-                     {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " "},
-                      {"--stage", &typed->stage, "the stage whose last scene is measured", "ID"}}};
+  Command command = {
+      "measure",
+      "Speed against accuracy: of methods, or of pictures",
+      {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " "},
+       {"--stage", &typed->stage, "the stage whose last scene is measured, or STAGE:STEP", "STAGE[:STEP]"}}};
   const auto add = [&](const std::vector<CommandOption>& options) {
     command.options.insert(command.options.end(), options.begin(), options.end());
   };

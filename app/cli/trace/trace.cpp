@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // polhode trace: the numbers of a motion, row by row.
 #include "app/cli/commands.h"
+#include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
+#include "app/cli/or_fail.h"
 #include "app/cli/trace/trace_motion.h"
 #include "app/cli/trace/trace_times.h"
 #include "app/cli/typed_problem.h"
@@ -9,6 +11,8 @@
 #include "base/numbers.h"
 #include "physics/analysis/characteristic_time.h"
 #include "physics/analysis/horizon.h"
+#include "physics/analysis/motion_errors.h"
+#include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
 
@@ -23,10 +27,19 @@ namespace {
 
 /// As typed; empty where not given.
 struct TypedOptions {
+  std::string lesson, stage;
   TypedProblem problem;
   TypedMethod method;
   TypedTimes times;
-  std::string format;
+  std::string columns, format;
+};
+
+/// What is followed, and how it is told.
+struct Trace {
+  Problem problem;
+  TracedMotion traced;
+  TraceTimes times;
+  TraceColumns columns;
 };
 
 constexpr const char* kMethodHelp =
@@ -35,16 +48,22 @@ constexpr const char* kMethodHelp =
     "implicit-midpoint-exp, moser-veselov-2, moser-veselov-6, moser-veselov-10; adaptive\n"
     "dormand-prince-5, dormand-prince-8.";
 
-/// Both return the first time whose row could not be computed.
-std::optional<double> print_csv(const Problem& problem, const Motion& motion, const TraceTimes& times) {
+/// Tells each row to `print`; returns the first time at which there is no state.
+template <class Print>
+std::optional<double> for_each_row(const Trace& trace, const Print& print) {
   std::optional<double> overflow_s;
-  fmt::print("{}", trace_csv_header());
-  for (std::int64_t i = 0; i < times.count(); ++i) {
-    const TraceRow row = trace_row(problem, motion, times(i));
-    fmt::print("{}", csv_line(row));
-    if (!overflow_s && overflowed(row)) overflow_s = times(i);
+  for (std::int64_t i = 0; i < trace.times.count(); ++i) {
+    const double t_s = trace.times(i);
+    const RigidBodyState state = trace.traced.motion->at(t_s);
+    print(i, trace_row(trace.columns, trace.problem, t_s, state));
+    if (!overflow_s && !is_finite(state)) overflow_s = t_s;
   }
   return overflow_s;
+}
+
+std::optional<double> print_csv(const Trace& trace) {
+  fmt::print("{}", trace_csv_header(trace.columns));
+  return for_each_row(trace, [](std::int64_t, const TraceRow& row) { fmt::print("{}", csv_line(row)); });
 }
 
 std::string number_or_null(double value) { return std::isfinite(value) ? digits17(value) : "null"; }
@@ -66,18 +85,16 @@ std::string json_members(const Horizon& horizon) {
                      number_or_null(horizon.periods_1e_1.value_or(NAN)));
 }
 
-std::optional<double> print_json(const Problem& problem, const Motion& motion, const TraceTimes& times) {
-  std::optional<double> overflow_s;
-  fmt::print("{{\"method\":\"{}\",\"period\":{},{},\n\"rows\":[", motion.method(),
+std::optional<double> print_json(const Trace& trace) {
+  const Problem& problem = trace.problem;
+  fmt::print("{{\"method\":\"{}\",\"period\":{},{},\n\"rows\":[", trace.traced.motion->method(),
              number_or_null(polhode_period(problem).value_or(NAN)), json_members(horizon_of(problem)));
-  for (std::int64_t i = 0; i < times.count(); ++i) {
-    const TraceRow row = trace_row(problem, motion, times(i));
-    if (!overflow_s && overflowed(row)) overflow_s = times(i);
+  const auto overflow_s = for_each_row(trace, [&](std::int64_t i, const TraceRow& row) {
     fmt::print("{}\n{{", i == 0 ? "" : ",");
     for (std::size_t c = 0; c < row.size(); ++c)
-      fmt::print("{}\"{}\":{}", c == 0 ? "" : ",", kTraceColumns[c], number_or_null(row[c]));
+      fmt::print("{}\"{}\":{}", c == 0 ? "" : ",", trace.columns[c].name, number_or_null(row[c]));
     fmt::print("}}");
-  }
+  });
   fmt::print("\n]}}\n");
   return overflow_s;
 }
@@ -100,21 +117,49 @@ void print_note(const std::string& note) {
   if (!note.empty()) say("polhode: {}\n", note);
 }
 
+TraceColumns chosen_columns(const TypedOptions& typed) {
+  if (typed.columns.empty()) return usual_trace_columns();
+  auto columns = trace_columns_named(typed.columns);
+  if (!columns) throw usage("--columns: " + columns.error());
+  return std::move(columns).value();
+}
+
+Trace trace_of_lesson(const TypedOptions& typed) {
+  if (names_a_body(typed.problem))
+    throw usage("either a LESSON with --stage, or --inertia and --omega: not both");
+  const LoadedLesson loaded = or_fail(load_lesson(typed.lesson));
+  if (typed.stage.empty())
+    throw usage(fmt::format("--stage is needed: which scene of \"{}\"; see: polhode info {}",
+                            loaded.lesson.id, typed.lesson));
+  const Scene& scene = scene_of(loaded.lesson, typed.stage);
+  const Problem problem = checked(problem_of(scene));
+  return {problem, traced_motion(problem, typed.method, scene.motion),
+          trace_times(typed.times, characteristic_time(problem).value_or(0), span_s(scene)),
+          chosen_columns(typed)};
+}
+
+Trace trace_of_body(const TypedOptions& typed) {
+  if (!typed.stage.empty()) throw usage("--stage is of a LESSON, and none is given");
+  if (typed.problem.inertia.empty() || typed.problem.omega.empty())
+    throw usage("what to trace is needed: --inertia and --omega, or a LESSON with --stage");
+  const Problem problem = problem_from(typed.problem);
+  return {problem, traced_motion(problem, typed.method),
+          trace_times(typed.times, characteristic_time(problem).value_or(0)), chosen_columns(typed)};
+}
+
 ExitCode trace(const TypedOptions& typed) {
   const bool json = wants_json(typed.format);
-  const Problem problem = problem_from(typed.problem);
-  const TracedMotion traced = traced_motion(problem, typed.method);
-  const TraceTimes times = trace_times(typed.times, characteristic_time(problem).value_or(0));
-  check_reach(*traced.motion, times);
+  const Trace trace = typed.lesson.empty() ? trace_of_body(typed) : trace_of_lesson(typed);
+  const Motion& motion = *trace.traced.motion;
+  check_reach(motion, trace.times);
 
-  print_note(traced.note);
-  if (!json) print_note(sentence(horizon_of(problem)));
-  const auto overflow_s =
-      json ? print_json(problem, *traced.motion, times) : print_csv(problem, *traced.motion, times);
+  print_note(trace.traced.note);
+  if (!json) print_note(sentence(horizon_of(trace.problem)));
+  const auto overflow_s = json ? print_json(trace) : print_csv(trace);
   if (overflow_s)
     throw CommandError(ExitCode::failed,
                        fmt::format("the motion cannot be computed at t = {:.6g} s: {}", *overflow_s,
-                                   why_no_state(*traced.motion, problem, *overflow_s)));
+                                   why_no_state(motion, trace.problem, *overflow_s)));
   return ExitCode::done;
 }
 
@@ -122,8 +167,13 @@ ExitCode trace(const TypedOptions& typed) {
 
 Command trace_command() {
   const auto typed = std::make_shared<TypedOptions>();
-  Command command = {"trace", "Print the numbers of a motion as CSV or JSON",
-                     problem_options(typed->problem, true)};
+  Command command = {"trace",
+                     "Print the numbers of a motion as CSV or JSON",
+                     {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " "},
+                      {"--stage", &typed->stage, "its scene: the last of a stage, or that of a step, from 1",
+                       "STAGE[:STEP]"}}};
+  const auto of_body = problem_options(typed->problem, false);
+  command.options.insert(command.options.end(), of_body.begin(), of_body.end());
   command.options.insert(
       command.options.end(),
       {{"--times", &typed->times.times, "these times in s, in this order", "t1,t2,..."},
@@ -133,15 +183,22 @@ Command trace_command() {
        {"--periods", &typed->times.periods, "or: over P polhode periods; of none, of turns 2 pi/|omega| ...",
         "P"},
        {"--samples", &typed->times.samples, "... N rows, 2 or more, both ends included", "N"},
-       {"--method", &typed->method.method,
-        "see below (default: exact without torque, dormand-prince-8 with one)", "NAME"},
+       {"--method", &typed->method.method, "see below (default: the scene's, or the best that serves)",
+        "NAME"},
        {"--step", &typed->method.step, "step in s, needed by methods with a fixed one", "H"},
        {"--tolerance", &typed->method.tolerance, "of dormand-prince-5 and -8 (default: 1e-10)", "E"},
+       {"--columns", &typed->columns, "those to print, in this order, see below (default: t to Lz)",
+        "NAME,..."},
        {"--format", &typed->format, "form of the result (default: csv)", "csv|json"}});
   command.footer = fmt::format(
       "{}\n{}\n"
+      "Times of a LESSON need not be said: 101 rows, or --samples N, over the duration of the scene.\n"
+      "Without a method: exact without torque, dormand-prince-8 with one.\n"
       "Columns: t in s; w1 w2 w3 in rad/s, body axes; qw qx qy qz body to space; T in J; L = |L|;\n"
-      "Lx Ly Lz in kg m^2/s, space axes. 17 significant digits.",
+      "Lx Ly Lz in kg m^2/s, space axes. If asked for also theta_deg phi_deg psi_deg, Euler's angles\n"
+      "z-x-z (theta is that of axis 3 from the vertical; phi, psi from -180 to 180); e3x e3y e3z, axis 3\n"
+      "in space; V in J, potential energy under gravity, zero at the height of the pivot; E = T + V.\n"
+      "17 significant digits.",
       kMethodHelp, kTorqueHelp);
   command.run = [typed](const CommandWords&) { return trace(*typed); };
   return command;

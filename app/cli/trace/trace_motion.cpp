@@ -63,4 +63,11 @@ TracedMotion traced_motion(const Problem& problem, const TypedMethod& typed) {
   return {make_motion(problem, choice), std::move(note)};
 }
 
+TracedMotion traced_motion(const Problem& problem, const TypedMethod& typed, const MotionSpec& spec) {
+  if (!typed.method.empty() || !typed.step.empty() || !typed.tolerance.empty())
+    return traced_motion(problem, typed);
+  const Method method = spec.method.value_or(default_method(problem));
+  return {make_motion(problem, {method, spec.step_s, spec.tolerance}), {}};
+}
+
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "physics/method.h"
+#include "render/scene/description/scene.h"
 
 #include <memory>
 #include <optional>
@@ -29,5 +30,8 @@ Method serving_method(const Problem& problem, const std::string& name);
 MethodChoice method_choice(const Problem& problem, const TypedMethod& typed);
 
 TracedMotion traced_motion(const Problem& problem, const TypedMethod& typed);
+
+/// The same for a scene: as it says, unless something is typed.
+TracedMotion traced_motion(const Problem& problem, const TypedMethod& typed, const MotionSpec& spec);
 
 }  // namespace polhode

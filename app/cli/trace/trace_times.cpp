@@ -47,7 +47,16 @@ double TraceTimes::furthest_s() const {
   return furthest;
 }
 
-TraceTimes trace_times(const TypedTimes& typed, double period_s) {
+TraceTimes trace_times(const TypedTimes& typed, double period_s, double duration_s) {
+  const bool says_no_span = typed.times.empty() && typed.from.empty() && typed.to.empty() &&
+                            typed.every.empty() && typed.periods.empty();
+  if (says_no_span && duration_s > 0) {
+    TraceTimes times;
+    times.count_ =
+        typed.samples.empty() ? kUsualTraceRows : whole_number("--samples", typed.samples, 2, kMaxTraceRows);
+    times.whole_s_ = duration_s;
+    return times;
+  }
   const bool listed = !typed.times.empty();
   const bool stepped = chosen({{"--from", &typed.from}, {"--to", &typed.to}, {"--every", &typed.every}});
   const bool sampled = chosen({{"--periods", &typed.periods}, {"--samples", &typed.samples}});

@@ -2,28 +2,37 @@
 // The numbers of a motion at one time, as `polhode trace` gives them.
 #pragma once
 
+#include "base/result.h"
 #include "physics/body/problem.h"
-#include "physics/motion.h"
 
-#include <array>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace polhode {
 
-/// t in s; ω in rad/s, body axes; attitude body to space, scalar first; T in J; |L| and L in kg m²/s, space
-/// axes.
-inline constexpr std::array<std::string_view, 13> kTraceColumns = {"t",  "w1", "w2", "w3", "qw", "qx", "qy",
-                                                                   "qz", "T",  "L",  "Lx", "Ly", "Lz"};
-using TraceRow = std::array<double, kTraceColumns.size()>;
+struct TraceColumn {
+  std::string_view name;
+  double (*value)(const Problem& problem, double t_s, const RigidBodyState& state);
+};
+using TraceColumns = std::vector<TraceColumn>;
+using TraceRow = std::vector<double>;
 
-TraceRow trace_row(const Problem& problem, const Motion& motion, double t_s);
+/// t in s; w1 w2 w3, ω in rad/s, body axes; qw qx qy qz, attitude body to space; T in J; L = |L| and Lx Ly Lz
+/// in kg m²/s, space axes: those are given where nobody chooses. Besides them theta_deg phi_deg psi_deg,
+/// Euler's angles z-x-z in degrees, φ and ψ from −180 to 180; e3x e3y e3z, axis 3 in space; V, potential
+/// energy under gravity, J, zero at the height of the pivot; E = T + V.
+std::span<const TraceColumn> all_trace_columns();
+TraceColumns usual_trace_columns();
+/// Of names between commas. The error names the unknown one, and those that are known.
+Result<TraceColumns> trace_columns_named(std::string_view names);
 
-/// Whether the motion has overflowed: what it cannot compute is NaN from ω on.
-bool overflowed(const TraceRow& row);
+TraceRow trace_row(const TraceColumns& columns, const Problem& problem, double t_s,
+                   const RigidBodyState& state);
 
 /// Lines of a CSV file, with their line ends; 17 significant digits.
-std::string trace_csv_header();
+std::string trace_csv_header(const TraceColumns& columns);
 std::string csv_line(const TraceRow& row);
 
 }  // namespace polhode

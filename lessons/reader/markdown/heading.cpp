@@ -7,7 +7,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t kMaxWords = 4;  // one more than any fence has
+constexpr std::size_t kMaxWords = 16;  // more than any fence has
 constexpr std::size_t kMaxSlugBytes = 40;
 
 // An id made of the title's letters, to propose.

@@ -200,7 +200,8 @@ Vec3 room_for(const Snapshot& m, const Vec3& w_B) {
 
 /// In m, about the pivot where the scene shows one.
 std::vector<Part> parts_of(const Scene& scene, bool on_pivot) {
-  if (!on_pivot) return parts_of(scene.body.shape.value_or(equivalent_box(scene.body.moments)));
+  if (!on_pivot)
+    return parts_of(scene.body.shape.value_or(equivalent_box(scene.body.moments, scene.body.mass_kg)));
   const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
   std::vector<Part> parts = parts_of(rotor.shape);
   if (rotor.shape.kind == ShapeKind::cylinder) add_diameters(parts.front(), 0.5 * rotor.shape.size_m);

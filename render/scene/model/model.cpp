@@ -18,7 +18,6 @@
 namespace polhode {
 namespace {
 
-constexpr double kShownSecondsPerPeriod = 8.0;
 constexpr int kFamilySize = 4;  // polhodes on each side of the separatrix
 
 struct Choice {
@@ -131,7 +130,7 @@ void compute_parts(SceneModel& model, const Effort& effort, double chord_toleran
   if (model.needs.herpolhode && moves)
     model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
   spend_on(model.herpolhode_S, effort);
-  if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I));
+  if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I, scene.body.mass_kg));
   if (model.needs.terms) model.longest_term = longest_term(model);
   for (int k = 0; model.needs.orders && k < kOrderSteps; ++k)
     model.orders.push_back(
@@ -171,7 +170,7 @@ SceneModel make_model(const Scene& scene, Product product, const Effort& effort,
                  angular_momentum_B(scene.body.moments, model.motion->w_B_at(scene.at_s)).stableNorm());
   model.span_s = span_s(scene);
   model.reach_s = reach_of(*model.motion, scene.motion.step_s);
-  model.rate = scene.rate.value_or(natural_span_s(scene) / kShownSecondsPerPeriod);
+  model.rate = shown_rate(scene);
   if (model.needs.ghost) model.exact = reference_motion(problem, effort);
   compute_parts(model, effort, chord_tolerance);
   return model;

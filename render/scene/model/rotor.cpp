@@ -12,7 +12,7 @@ constexpr double kThinnest = 1.0 / 20.0;  // of the diameter
 bool is_disc_about_3(const Body& body, const Vec3& axis_B) {
   constexpr double kSame = 1e-9;  // of what an author writes with nine digits
   const PrincipalMoments& I = body.moments;
-  return !body.shape && std::abs(I[0] - I[1]) <= kSame * I[0] && axis_B.cross(Vec3::UnitZ()).norm() <= kSame;
+  return std::abs(I[0] - I[1]) <= kSame * I[0] && axis_B.cross(Vec3::UnitZ()).norm() <= kSame;
 }
 
 Shape disc_of(const Body& body, double l_m) {
@@ -23,20 +23,34 @@ Shape disc_of(const Body& body, double l_m) {
   return {ShapeKind::cylinder, Vec3(d, d, std::sqrt(std::max(h2, kThinnest * kThinnest * d * d)))};
 }
 
+/// The box that has the body's moments about its centre of mass, at l from the pivot; those about the pivot
+/// where Steiner's theorem leaves no body there.
+Shape box_of(const Body& body, double l_m, const Vec3& axis_B) {
+  const Vec3 I = body.moments.vector() - body.mass_kg * l_m * l_m * (Vec3::Ones() - axis_B.cwiseAbs2());
+  if (why_impossible(I[0], I[1], I[2])) return equivalent_box(body.moments, body.mass_kg);
+  return equivalent_box(PrincipalMoments(I[0], I[1], I[2]), body.mass_kg);
+}
+
 }  // namespace
 
 const HeavyTop* heavy_top_of(const Scene& scene) {
-  const HeavyTop* top = scene.torque.size() == 1 ? std::get_if<HeavyTop>(&scene.torque.front()) : nullptr;
-  return top != nullptr && top->mgr != 0.0 && !top->axis_B.isZero(0.0) ? top : nullptr;
+  const HeavyTop* found = nullptr;
+  for (const TorqueTerm& term : scene.torque) {
+    const auto* top = std::get_if<HeavyTop>(&term);
+    if (top == nullptr || top->mgr == 0.0 || top->axis_B.isZero(0.0)) continue;
+    if (found != nullptr) return nullptr;
+    found = top;
+  }
+  return found;
 }
 
 Rotor rotor_of(const Scene& scene, const HeavyTop& top) {
   const Body& body = scene.body;
   const Vec3 axis_B = top.axis_B.normalized();
   const double l_m = top.mgr / (body.mass_kg * kStandardGravity);
-  const Shape shape =
-      is_disc_about_3(body, axis_B) ? disc_of(body, l_m) : body.shape.value_or(equivalent_box(body.moments));
-  return {shape, l_m * axis_B};
+  const Vec3 center_B = l_m * axis_B;
+  if (body.shape) return {*body.shape, center_B};
+  return {is_disc_about_3(body, axis_B) ? disc_of(body, l_m) : box_of(body, l_m, axis_B), center_B};
 }
 
 }  // namespace polhode

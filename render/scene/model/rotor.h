@@ -13,12 +13,12 @@ struct Rotor {
   Vec3 center_B;  ///< of mass, m, from the pivot
 };
 
-/// The one torque of the scene, if it is a HeavyTop that weighs something; null otherwise.
+/// The one HeavyTop of the scene's torque that weighs something; null if there is none, or more than one.
 const HeavyTop* heavy_top_of(const Scene& scene);
 
-/// The centre of mass lies at l = mgr/(m g) along the top's axis. A body known by its moments alone, which
-/// are those about the pivot, with I1 = I2 and the axis along 3, is the disc that has them: I3 = m d²/8, I1 =
-/// m(d²/16 + h²/12 + l²); one of d/20 if that leaves no height. Other bodies keep their shape.
+/// The centre of mass lies at l = mgr/(m g) along the top's axis. A body keeps its shape. One known by its
+/// moments alone, which are those about the pivot, is the disc that has them if I1 = I2 and the axis is along
+/// 3: I3 = m d²/8, I1 = m(d²/16 + h²/12 + l²), with h = d/20 if that leaves no height; else the box.
 Rotor rotor_of(const Scene& scene, const HeavyTop& top);
 
 }  // namespace polhode

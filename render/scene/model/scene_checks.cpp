@@ -45,7 +45,8 @@ void check_herpolhode(const Scene& scene, const Requirements& needs) {
 
 void check_drift(const Scene& scene) {
   constexpr double kMostSizes = 200;  // of the body: further off it would be a speck
-  const double size_m = scene.body.shape.value_or(equivalent_box(scene.body.moments)).size_m.norm();
+  const double size_m =
+      scene.body.shape.value_or(equivalent_box(scene.body.moments, scene.body.mass_kg)).size_m.norm();
   for (double t_s : {scene.at_s, 0.5 * span_s(scene), span_s(scene)}) {
     const double sizes = translation_at(scene, t_s).r_S.norm() / size_m;
     if (!(sizes <= kMostSizes))

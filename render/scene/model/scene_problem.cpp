@@ -4,6 +4,8 @@
 #include "physics/analysis/characteristic_time.h"
 #include "physics/exact/powers_of_two.h"
 #include "physics/geometry/poinsot.h"
+#include "physics/method.h"
+#include "render/scene/model/scene_needs.h"
 
 #include <numbers>
 
@@ -35,9 +37,12 @@ Vec3 along_L_B(const Scene& scene) {
 /// in the body is the same, and the plane, to which L is normal, has to lie below. A torque that knows of
 /// space does tell up from down; there an author states the attitude, and the default is kept all the same,
 /// so that one rule (FORMAT.md) holds of every scene.
+AttitudeSpec attitude_spec(const Scene& scene) {
+  return scene.attitude.value_or(scene.show.contains(Overlay::plane) ? LPoints::down : LPoints::up);
+}
+
 Quat initial_attitude(const Scene& scene) {
-  const AttitudeSpec spec =
-      scene.attitude.value_or(scene.show.contains(Overlay::plane) ? LPoints::down : LPoints::up);
+  const AttitudeSpec spec = attitude_spec(scene);
   if (const Quat* given = std::get_if<Quat>(&spec)) return given->normalized();
   const double z = std::get<LPoints>(spec) == LPoints::down ? -1.0 : 1.0;
   return align(along_L_B(scene), Vec3(0.0, 0.0, z));
@@ -59,6 +64,24 @@ double span_s(const Scene& scene) { return scene.duration_s.value_or(natural_spa
 
 double herpolhode_span_s(const Scene& scene) {
   return scene.duration_s.value_or(kHerpolhodePeriods * natural_span_s(scene));
+}
+
+double shown_rate(const Scene& scene) {
+  constexpr double kShownSecondsPerPeriod = 8.0;
+  return scene.rate.value_or(natural_span_s(scene) / kShownSecondsPerPeriod);
+}
+
+Scene completed(Scene scene) {
+  scene.attitude = attitude_spec(scene);
+  MotionSpec& motion = scene.motion;
+  motion.method = motion.method.value_or(default_method(problem_of(scene)));
+  if (facts_of(*motion.method).control == StepControl::adaptive)
+    motion.tolerance = motion.tolerance.value_or(kDefaultTolerance);
+  scene.rate = shown_rate(scene);
+  scene.duration_s = span_s(scene);
+  scene.still_s = still_time_s(scene);
+  scene.meters = shown_meters(scene);
+  return scene;
 }
 
 double table_step_s(const Scene& scene) {

@@ -17,6 +17,13 @@ double span_s(const Scene& scene);
 /// What the herpolhode covers from t = 0: `duration`, or three polhode periods.
 double herpolhode_span_s(const Scene& scene);
 
+/// Simulated seconds per shown second: `rate`, or the natural span in 8 s.
+double shown_rate(const Scene& scene);
+
+/// The scene with all said that it leaves to what follows from the rest: attitude, method and tolerance,
+/// duration, rate, the t of the still and the plots of a page. It has the same motion.
+Scene completed(Scene scene);
+
 /// The step of the methods side by side: the scene's own, or 64 to a turn.
 double table_step_s(const Scene& scene);
 

@@ -47,13 +47,14 @@ TEST(Help, FitsAHundredColumns) {
 TEST(Help, OfACommandNamesItsOptions) {
   const std::map<std::string, Words> options = {
       {"list", {"--json"}},
-      {"lint", {"FILE", "--json"}},
+      {"lint", {"FILE", "--explain", "--json"}},
       {"info", {"LESSON", "--json"}},
       {"compare", {"--diff", "--json"}},
       {"verify", {"DIR", "--json"}},
       {"trace",
-       {"--inertia", "--omega", "--attitude", "--torque", "--times", "--from", "--to", "--every", "--periods",
-        "--samples", "--method", "--step", "--tolerance", "--format"}},
+       {"LESSON", "--stage", "--columns", "--inertia", "--omega", "--attitude", "--torque", "--times",
+        "--from", "--to", "--every", "--periods", "--samples", "--method", "--step", "--tolerance",
+        "--format"}},
       {"measure",
        {"LESSON", "--stage", "--inertia", "--omega", "--attitude", "--torque", "--periods", "--tolerance",
         "--method", "--seconds", "--all", "--csv", "--plot", "--json", "--rendering"}},
@@ -420,6 +421,84 @@ TEST(Info, SaysWhatALessonIsAbout) {
   const ProgramRun table = polhode({"info", scratch / "about.md"});
   EXPECT_THAT(table.out, HasSubstr("author         A. B.\n               C. D.\nlicence        CC BY 4.0\n"));
   EXPECT_THAT(table.out, HasSubstr("[LL]           Landau\n"));
+}
+
+TEST(Info, TellsTheNumbersOfEachMotion) {
+  const ProgramRun run = polhode({"info", test_lesson("tops.md"), "--json"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json stages = Json::parse(run.out)["stages"];
+  ASSERT_EQ(stages[0]["scenes"].size(), 2u) << "another camera is no other motion";
+  const Json &cusps = stages[0]["scenes"][0], &steady = stages[0]["scenes"][1],
+             &free = stages[1]["scenes"][0];
+  EXPECT_EQ(cusps["steps"], Json::parse("[1,2]"));
+  EXPECT_EQ(steady["steps"], Json::parse("[3,3]"));
+  // Of a disc of 1 kg, 20 cm across and 2 cm thick, 10 cm from the pivot.
+  const double I1 = 0.01 / 4 + 0.0004 / 12 + 0.01, I3 = 0.005, mgl = 0.980665, b = I3 * 60;
+  constexpr double kRounding = 1e-12;
+  EXPECT_NEAR(cusps["moments"][0].get<double>(), I1, kRounding);
+  EXPECT_EQ(cusps["mass_kg"], 1.0);
+  EXPECT_NEAR(cusps["T"].get<double>(), I3 * 60 * 60 / 2, kRounding);
+  EXPECT_NEAR(cusps["L"].get<double>(), b, kRounding);
+  EXPECT_TRUE(cusps["period"].is_null());
+  const Json& heavy = cusps["heavy_top"];
+  const double root = std::sqrt(b * b - 2 * I1 * mgl);  // 4 I1 cosθ mgl, cosθ = 1/2
+  EXPECT_NEAR(heavy["theta_deg"].get<double>(), 60, kRounding);
+  EXPECT_NEAR(heavy["slow"].get<double>(), (b - root) / I1, 1e3 * kRounding);
+  EXPECT_NEAR(heavy["fast"].get<double>(), (b + root) / I1, 1e3 * kRounding);
+  EXPECT_NEAR(heavy["theta_least_deg"].get<double>(), 60, 1e-6);
+  EXPECT_NEAR(heavy["theta_most_deg"].get<double>(), 75.9, 0.05);
+  EXPECT_NEAR(steady["heavy_top"]["theta_most_deg"].get<double>(), 60, 1e-4);
+  EXPECT_TRUE(cusps["free_precession"]["in_space"].is_null());
+
+  const double across = std::sin(M_PI / 9), w3 = 3, J1 = I1 - 0.01;
+  EXPECT_NEAR(free["moments"][0].get<double>(), J1, kRounding) << "about its centre of mass";
+  EXPECT_NEAR(free["free_precession"]["in_space"].get<double>(), std::hypot(J1 * across, I3 * w3) / J1,
+              kRounding);
+  EXPECT_NEAR(free["free_precession"]["in_body"].get<double>(), (I3 - J1) / J1 * w3, kRounding);
+  EXPECT_NEAR(free["period"].get<double>(), 2 * M_PI / ((I3 - J1) / J1 * w3), kRounding);
+  EXPECT_EQ(stages[2]["scenes"], Json::array());
+
+  const ProgramRun table = polhode({"info", test_lesson("tops.md")});
+  EXPECT_THAT(table.out, HasSubstr("heavy at 60 deg: slow 3.529"));
+  EXPECT_THAT(table.out, HasSubstr("free: "));
+}
+
+TEST(Lint, ExplainsTheSceneOfAStep) {
+  const ProgramRun run = polhode({"lint", test_lesson("tops.md"), "--explain", "heavy:2"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, testing::StartsWith("```scene\nbody = \"top\"\nomega = [0.0, 0.0, 60.0]\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nduration = 0.5\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nat = 0.0  # default\n"));
+  EXPECT_THAT(run.out,
+              HasSubstr("\nmotion = { method = \"dormand-prince-8\", tolerance = 1e-10 }  # default\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nmeters = [\"omega\", \"energy\", \"momentum\"]  # default\n"));
+
+  // In the same lesson it is the same motion, and says all of it.
+  const std::string lesson = text_of(test_lesson("tops.md"));
+  const ScratchFolder scratch;
+  write_text(scratch / "again.md", lesson + "\n# Again {again}\n\n" + run.out);
+  const ProgramRun again = polhode({"lint", scratch / "again.md", "--explain", "again"});
+  ASSERT_EQ(again.code, 0) << again.err;
+  const auto without_comments = [](std::string text) {
+    for (std::size_t at; (at = text.find("  # default")) != text.npos;) text.erase(at, 11);
+    return text;
+  };
+  EXPECT_EQ(without_comments(again.out), without_comments(run.out));
+  const auto traced = [&](const std::string& stage) {
+    return polhode({"trace", scratch / "again.md", "--stage", stage}).out;
+  };
+  EXPECT_EQ(traced("again"), traced("heavy:2"));
+}
+
+TEST(Lint, ExplainsNothingThatIsNotThere) {
+  const ProgramRun unknown = polhode({"lint", test_lesson("tops.md"), "--explain", "heavy:9"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("the step of \"heavy\""));
+  EXPECT_EQ(polhode({"lint", test_lesson("tops.md"), test_lesson("tiny.md"), "--explain", "heavy"}).code, 2);
+  EXPECT_EQ(polhode({"lint", test_lesson("tops.md"), "--json", "--explain", "heavy"}).code, 2);
+  const ProgramRun faulty = polhode({"lint", test_lesson("two_errors.md"), "--explain", "one"});
+  EXPECT_EQ(faulty.code, 3);
+  EXPECT_THAT(faulty.err, HasSubstr("two_errors.md:"));
 }
 
 }  // namespace

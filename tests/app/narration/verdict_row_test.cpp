@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/verdict_row.h"
 
+#include "lessons/claims/expression_tex.h"
 #include "lessons/claims/proof.h"
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/claim_lines.h"
@@ -24,7 +25,10 @@ Claim claim_of(const std::string& text, ClaimKind kind) {
   claim.kind = kind;
   claim.lines = read_claim_lines(source, 1, source.line_count(), kind, report);
   EXPECT_FALSE(report.has_errors()) << text;
-  for (ClaimLine& line : claim.lines) line.judgement = judge(line, kind, Prover());
+  for (ClaimLine& line : claim.lines) {
+    line.judgement = judge(line, kind, Prover());
+    line.tex = tex_of(line);
+  }
   return claim;
 }
 

@@ -183,9 +183,13 @@ TEST(SavedScene, DirectionsComeBackToTheBit) {
     Scene scene;
     scene.attitude = i % 3 == 0 ? attitude(hand) : writable(attitude(hand));
     scene.torque = {SpaceTorque{{hand.number(), 1e-7, -1e20}}, BodyTorque{{0, hand.number(), 0.1}},
-                    heavy_top(hand), LinearDamping{std::abs(hand.number())}};
-    scene.v0_S = {hand.number(), 0, 1e-300};
-    scene.F_S = {0, hand.number(), 3};
+                    LinearDamping{std::abs(hand.number())}};
+    if (i % 2 == 0) {
+      scene.torque.push_back(heavy_top(hand));
+    } else {  // what is held at a pivot has neither
+      scene.v0_S = {hand.number(), 0, 1e-300};
+      scene.F_S = {0, hand.number(), 3};
+    }
     scene.arrow = i % 2 == 0 ? ArrowHeld::free : ArrowHeld::in_body;
     scene.duration_s = std::abs(hand.number());
     scene.rate = 1.0 / 3;
@@ -292,6 +296,32 @@ TEST(SavedScene, ABodyOfAShapeOnItsPivotComesBack) {
     expect_saved(session);
     EXPECT_TRUE(saved_step(session).scene->body.shape) << body;
   }
+}
+
+TEST(SavedScene, ABodyByTheNameOfTheUsualOneComesBack) {
+  LessonSession session(
+      test::loaded_text("+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n[body.textbook]\nmoments = [1.0, 2.0, "
+                        "2.5]\nmass_kg = 0.3\n+++\n# X {x}\nText.\n```scene\nbody = \"textbook\"\nshow = "
+                        "\"shape\"\n```\n"));
+  expect_saved(session);
+  EXPECT_EQ(saved_step(session).scene->body.mass_kg, 0.3);
+}
+
+TEST(SavedScene, ATopComesBackToTheBit) {
+  const char* const bodies[] = {"shape = \"cylinder\"\nsize_m = [0.2, 0.2, 0.02]\nmass_kg = 0.7",
+                                "moments = [1.3, 1.3, 0.7]\nmass_kg = 0.3"};
+  for (const char* body : bodies)
+    for (double theta_deg : {0.0, 1.0, 33.3, 60.0, 90.0, 175.0})
+      for (const char* more : {"", ", precession = -1.7", ", precession = \"slow\""}) {
+        if (theta_deg == 0 && *more != '\0') continue;
+        LessonSession session(test::loaded_text(fmt::format(
+            "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n[body.rod]\n{}\npivot_m = [0, 0, -0.13]\n+++\n# X "
+            "{{x}}\n"
+            "Text.\n```scene\nbody = \"rod\"\ntorque = [\"weight\", \"damping:0.1\"]\nshow = [\"shape\", "
+            "\"pivot\"]\nstart = {{ theta_deg = {}, phi_deg = 17, psi_deg = -40, spin = 90{} }}\n```\n",
+            body, theta_deg, more)));
+        expect_saved(session);
+      }
 }
 
 }  // namespace

@@ -47,6 +47,20 @@ TEST(SymbolNote, SaysWhatASymbolIsAndWhatItIsNow) {
   EXPECT_EQ(I.frame, "body");
 }
 
+TEST(SymbolNote, OfWhatALessonDefinesHasItsValue) {
+  const LessonReading reading = read_lesson(
+      "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n[constants]\nc = { value = 2.5, tex = 'c', unit = \"N m\" "
+      "}\n"
+      "[define]\nE = { means = \"T + c\", tex = 'E', say = \"energy\", unit = \"J\" }\n+++\n# A {a}\nText.\n",
+      "a.md");
+  ASSERT_TRUE(reading.lesson);
+  const SceneModel model = make_model(steady());
+  EXPECT_EQ(note_of(*reading.lesson, "c", &model, 0.5).value, "2.50");
+  const SymbolNote energy = note_of(*reading.lesson, "E", &model, 0.5);
+  EXPECT_EQ(energy.value, "4.30") << "1.80 J and 2.5 J";
+  EXPECT_EQ(energy.meaning, "energy");
+}
+
 TEST(SymbolNote, HasTheValueInTheFrameOfTheFirstView) {
   Scene scene = steady();
   scene.w0_B = Vec3(0.31, -0.2, 1.13);

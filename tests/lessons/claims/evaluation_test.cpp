@@ -241,5 +241,58 @@ TEST(Evaluation, AtRestInSpaceItIsWhatOneWouldWrite) {
   EXPECT_EQ(values("comp(A, 3)"), (std::array{-1.0, 0.0, 0.0}));
 }
 
+// sqrt, sin, cos, acos, atan2 and their rates, beside central differences of the same functions.
+TEST(Evaluation, FunctionsOfNumbersHaveTheRatesOfTheirCurves) {
+  ClaimState<SizedNumber> state{};
+  for (std::size_t i = 0; i < 3; ++i) state.R[i][i] = {1.0, 0.0};
+  const double x = 0.3, dx = 0.7, y = -0.4, dy = 0.2;
+  state.w_B = {{{x, dx}, {y, dy}, {0.0, 0.0}}};
+  struct Case {
+    const char* text;
+    double (*of)(double, double);
+  };
+  const Case cases[] = {
+      {"sqrt(w1)", [](double a, double) { return std::sqrt(a); }},
+      {"sin(w1)", [](double a, double) { return std::sin(a); }},
+      {"cos(w1 + w2)", [](double a, double b) { return std::cos(a + b); }},
+      {"acos(w1)", [](double a, double) { return std::acos(a); }},
+      {"cos(acos(w1))", [](double a, double) { return a; }},
+      {"atan2(w1, w2)", [](double a, double b) { return std::atan2(a, b); }},
+      {"2*pi*w1", [](double a, double) { return 2 * std::acos(-1.0) * a; }},
+  };
+  const double h = 1e-5;  // errors: h²/6 of third derivatives below 100, and rounding over h
+  for (const Case& c : cases) {
+    const auto value = value_in(state, c.text)[0];
+    EXPECT_NEAR(value.value.value, c.of(x, y), 4e-16 * 4) << c.text;
+    const double rate = (c.of(x + h * dx, y + h * dy) - c.of(x - h * dx, y - h * dy)) / (2 * h);
+    EXPECT_NEAR(value.rate.value, rate, 100 * h * h / 6 + 8 * 2.3e-16 / h) << c.text;
+    EXPECT_GE(value.value.size, std::abs(value.value.value)) << c.text;
+  }
+}
+
+TEST(Evaluation, FunctionsOfNumbersEndWhereTheyAreNotDefined) {
+  ClaimState<SizedNumber> state{};
+  state.w_B = {{{2.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}}};
+  Evaluation<SizedNumber> evaluate(state);
+  Triple<SizedNumber> value;
+  for (const char* text : {"sqrt(w2)", "acos(w1)"})
+    EXPECT_FALSE(evaluate(equality(text, "0").left, value)) << text;
+  for (const char* text : {"sqrt(w3)", "acos(w1/2)", "atan2(w3, w3)"})
+    EXPECT_TRUE(evaluate(equality(text, "0").left, value)) << text;
+}
+
+// The axes of space do not move, and e_z as seen from the body turns backwards.
+TEST(Evaluation, AxesOfSpaceStandStill) {
+  const auto state = state_of(random_numbers(5), Assumption::motion);
+  for (const char* axis : {"ex", "ey", "ez"}) {
+    const std::string e(axis);
+    EXPECT_TRUE(*agree(equality("ddt(" + e + ")", "0"), state));
+    EXPECT_TRUE(*agree(equality("star(" + e + ")", "-cross(omega, " + e + ")"), state));
+    EXPECT_TRUE(*agree(equality("norm2(" + e + ")", "1"), state));
+  }
+  EXPECT_TRUE(*agree(equality("cross(ex, ey)", "ez"), state));
+  EXPECT_FALSE(*agree(equality("ez", "e3"), state));
+}
+
 }  // namespace
 }  // namespace polhode

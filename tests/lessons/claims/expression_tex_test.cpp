@@ -50,15 +50,13 @@ TEST(TexOfALine, SaysWhatDoesNotFollow) {
   EXPECT_EQ(tex_of(line), R"(T = m\;\not\Rightarrow\;\vec N = 0)");
 }
 
-/// Read as a printed equation, side by side with itself.
-void expect_same_function(const std::string& text) {
-  SCOPED_TRACE(text);
-  const Expression expression = expression_from(text);
-  const std::string tex = tex_of(expression) + " = " + tex_of(expression);
+/// Read as a printed equation of a lesson, side by side with itself.
+void expect_same_function(const Expression& expression, EquationNotation notation = {}) {
+  SCOPED_TRACE(expression.text);
+  const std::string side = tex_of(expression, &notation.vocabulary), tex = side + " = " + side;
   SCOPED_TRACE(tex);
   const auto math = parse_math(tex);
   ASSERT_TRUE(math.ok());
-  EquationNotation notation;
   for (const std::string name : {"h", "k"}) notation.symbols.push_back({name, *parse_math(name), name});
   notation.symbols.push_back({"J", *parse_math(R"(\mathbf J)"), "J"});
   const auto read = read_equation(*math, notation);
@@ -69,6 +67,8 @@ void expect_same_function(const std::string& text) {
   const Equality same{back, expression};
   EXPECT_EQ(Prover().settle(same, Assumption::identity), Verdict::holds);
 }
+
+void expect_same_function(const std::string& text) { expect_same_function(expression_from(text)); }
 
 TEST(TexOfAnExpression, IsReadAsTheSameFunction) {
   for (const auto* examples : {&testing::example_expressions(), &testing::example_quotients()})
@@ -99,7 +99,7 @@ TEST(TexOfAnExpression, OfEveryClaimOfTheLessonsIsReadAsTheSameFunction) {
                                           side->text.find("Jy") != std::string::npos ||
                                           side->text.find("Jz") != std::string::npos;
               if (side->text == "0" || side->uses(Operation::norm) || has_components) continue;
-              expect_same_function(side->text);
+              expect_same_function(*side, reading.lesson->notation);
               ++count;
             }
   }

@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 using testing::TextReport;
 
 std::optional<Ask> ask_from(TextReport& at) {
-  return read_ask(testing::toml(at.text), "a", {1, 1}, at.texts);
+  return read_ask(testing::toml(at.text), "a", {1, 1}, FrontMatter(), at.texts);
 }
 
 TEST(Ask, ReadsAnExpression) {

@@ -65,7 +65,9 @@ TEST(FrontMatter, ReadsWhatSymbolsMeanAndWhatTheAxesAre) {
   EXPECT_THAT(at.lines(), IsEmpty());
   EXPECT_TRUE(front.notation.xyz_are_body_axes);
   ASSERT_EQ(front.notation.symbols.size(), 2U);
-  EXPECT_EQ(front.notation.symbols[0].means, "2*T");
+  EXPECT_EQ(front.symbols.at("E").means, "2*T");
+  ASSERT_NE(front.notation.vocabulary.find("E"), nullptr);
+  EXPECT_EQ(front.notation.vocabulary.find("E")->means.text, "2*T");
   EXPECT_EQ(front.symbols.at("I").means, "J");
 }
 
@@ -143,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
         "macros = 1", "macros.w2 = 'x'", "macros.w = 1", "macros.w = { arguments = 1 }",
         "macros.w = { tex = 'x', arguments = 10 }", "macros.w = { tex = 'x', arguments = 'one' }",
         "symbols.L = { tex = '\\vecc' }", "symbols.L = { tex = '{' }", "symbols.L = {}",
-        "body.p = { moments = [1, 1, 1], mass_kg = 1 }", "body.p = { moments = [1, 1, 1], draw = 'ball' }",
+        "body.p = { moments = [1, 1, 1], mass_kg = 0 }", "body.p = { moments = [1, 1, 1], draw = 'ball' }",
         "body.p = { shape = 'box', size_m = [1, 1, 1], mass_kg = 1, draw = 'box' }",
         "body.p = { shape = 'box', size_m = [1, -1, 1], mass_kg = 1 }",
         "body.p = { shape = 'ring', size_m = [1, 1, 1], mass_kg = 1 }"));

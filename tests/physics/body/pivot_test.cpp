@@ -39,5 +39,22 @@ TEST(OnItsPivot, WhatHangsNowhereKeepsItsMoments) {
       "the moments of \"disc\" about the pivot: I2 = inf is not finite: no rigid body has these moments");
 }
 
+TEST(WeightAt, HangsOppositeToThePivot) {
+  const HeavyTop top = weight_at(2.0, Vec3(0, -0.1, 0));
+  EXPECT_NEAR(top.mgr, 2.0 * kStandardGravity * 0.1, kRounding);
+  EXPECT_EQ(top.axis_B, Vec3::UnitY());
+  for (double l_m : {1e-300, 1e-12, 1e200}) EXPECT_EQ(weight_at(1.0, Vec3(l_m, 0, 0)).axis_B, -Vec3::UnitX());
+  EXPECT_LT((center_from_pivot_B(2.0, {LinearDamping{1}, top}) - Vec3(0, 0.1, 0)).norm(), kRounding);
+  EXPECT_EQ(center_from_pivot_B(2.0, {}), Vec3::Zero());
+}
+
+TEST(AboutPivot, MovesTheMomentsOfAnyBody) {
+  const Body plate{"plate", PrincipalMoments(1.0, 2.0, 2.9), std::nullopt, 3.0};
+  const auto held = about_pivot(plate, {weight_at(3.0, Vec3(-0.5, 0, 0))});
+  ASSERT_TRUE(held);
+  EXPECT_LT((held->moments.vector() - Vec3(1.0, 2.75, 3.65)).norm(), kRounding);  // m l² = 3/4
+  EXPECT_EQ(*about_pivot(plate, {}), plate);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -2,6 +2,7 @@
 // polhode trace, from its output alone.
 #include "physics/method.h"
 #include "tests/app/run_program.h"
+#include "tests/support/euler_angle_top.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -238,6 +239,86 @@ TEST(Trace, TellsWhyAnAdaptiveMethodHasNoState) {
   const ProgramRun run = trace("1,2,3", "1,1,1", {"--times", "1", "--torque", "sink:1e300"});
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.err, HasSubstr("at t = 1 s: no step is short enough: the torque is too large"));
+}
+
+/// Numbers of a CSV text under any header.
+std::vector<Row> numbers_of(const std::string& csv, const std::string& header) {
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), header);
+  std::vector<Row> rows;
+  std::istringstream lines(csv.substr(csv.find('\n') + 1));
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(std::stod(field));
+  }
+  return rows;
+}
+
+ProgramRun trace_of_top(const std::string& stage, Words more) {
+  more.insert(more.begin(), {"trace", test_lesson("tops.md"), "--stage", stage});
+  return polhode(more);
+}
+
+TEST(Trace, FollowsTheSceneOfALesson) {
+  const ProgramRun run =
+      trace_of_top("heavy:1", {"--columns", "t,theta_deg,phi_deg,w3,E", "--times", "0,0.05,0.5"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto rows = numbers_of(run.out, "t,theta_deg,phi_deg,w3,E");
+  ASSERT_EQ(rows.size(), 3u);
+  const double I1 = 0.01 / 4 + 0.0004 / 12 + 0.01, I3 = 0.005, mgl = 0.980665;
+  const test::EulerAngleTop top{I1, I3, mgl, 60};
+  for (const Row& row : rows) {
+    // Some hundred steps of Dormand-Prince 8 at a tolerance of 1e-10, in degrees.
+    const auto y = top.after({M_PI / 3, 0, 0, 0, 0}, row[0], 20'000);
+    EXPECT_NEAR(row[1], y[0] * 180 / M_PI, 1e-6);
+    EXPECT_NEAR(row[2], y[1] * 180 / M_PI, 1e-6);
+    EXPECT_NEAR(row[3], 60, 1e-7);
+    EXPECT_NEAR(row[4], 0.5 * I3 * 60 * 60 + mgl * 0.5, 1e-7) << "T + V stays";
+  }
+}
+
+TEST(Trace, OfALessonIsOverTheDurationOfTheScene) {
+  const auto rows = [&](const Words& more) { return rows_of(trace_of_top("heavy", more).out); };
+  EXPECT_EQ(rows({}).size(), 101u);
+  EXPECT_EQ(rows({}).back()[t], 0.5);
+  EXPECT_EQ(rows({"--samples", "11"}).at(1)[t], 0.05);
+  EXPECT_GT(rows({"--samples", "2"}).at(0)[w2], 1) << "the last scene of the stage: it precesses";
+  EXPECT_EQ(rows_of(trace_of_top("heavy:2", {"--samples", "2"}).out).at(0)[w2], 0);
+  EXPECT_EQ(Json::parse(trace_of_top("free", {"--format", "json"}).out)["method"], "symmetric");
+  EXPECT_EQ(
+      Json::parse(
+          trace_of_top("heavy", {"--format", "json", "--method", "rk4", "--step", "1e-3"}).out)["method"],
+      "rk4");
+}
+
+TEST(Trace, ColumnsAreChosenByName) {
+  const ProgramRun json =
+      trace("1,2,2.5", "0,0,3", {"--times", "0", "--columns", "psi_deg,e3z,V", "--format", "json"});
+  EXPECT_EQ(Json::parse(json.out)["rows"][0], Json::parse("{\"psi_deg\":0,\"e3z\":1,\"V\":0}")) << json.out;
+  const ProgramRun unknown = trace("1,2,2.5", "0,0,3", {"--times", "0", "--columns", "t,theta"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--columns: no column \"theta\""));
+  EXPECT_THAT(unknown.err, HasSubstr("(there are t, w1, w2, w3, qw, qx, qy, qz, T, L, Lx, Ly, Lz, theta_deg, "
+                                     "phi_deg, psi_deg, e3x, e3y, e3z, V, E)"));
+  EXPECT_EQ(unknown.out, "");
+}
+
+TEST(Trace, OfALessonRefusesWhatIsNotThere) {
+  const std::vector<std::pair<Words, std::string>> refused = {
+      {{"trace", test_lesson("tops.md")}, "--stage is needed"},
+      {{"trace", test_lesson("tops.md"), "--stage", "havy"}, "did you mean \"heavy\"?"},
+      {{"trace", test_lesson("tops.md"), "--stage", "heavy:4"}, "the step of \"heavy\""},
+      {{"trace", test_lesson("tops.md"), "--stage", "heavy:x"}, "the step of \"heavy\""},
+      {{"trace", test_lesson("tops.md"), "--stage", "words"}, "stage \"words\" has no scene"},
+      {{"trace", test_lesson("tops.md"), "--stage", "words:1"}, "step 1 of stage \"words\" has no scene"},
+      {{"trace", test_lesson("tops.md"), "--stage", "heavy", "--inertia", "1,1,1"}, "not both"},
+      {{"trace", "--stage", "heavy", "--inertia", "1,1,1", "--omega", "1,2,3"}, "--stage is of a LESSON"},
+      {{"trace", "--times", "0"}, "what to trace is needed"}};
+  for (const auto& [words, says] : refused) {
+    const ProgramRun run = polhode(words);
+    EXPECT_EQ(run.code, 2) << says;
+    EXPECT_THAT(run.err, HasSubstr(says));
+  }
 }
 
 }  // namespace

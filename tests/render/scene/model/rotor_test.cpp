@@ -48,15 +48,31 @@ TEST(Rotor, AShapeStays) {
   EXPECT_LT((rotor.center_B - center_B).norm(), kRounding);
 }
 
+TEST(Rotor, WithoutAShapeIsTheBoxAtItsDistanceThatHasTheMoments) {
+  const Vec3 size_m(0.3, 0.2, 0.1), l2(0.01, 0.0, 0.01);  // along axis 2, 10 cm
+  const double mass_kg = 2.0;
+  const Vec3 I = box_moments(size_m, mass_kg).vector() + mass_kg * l2;
+  Scene scene;
+  scene.body = {"box", PrincipalMoments(I[0], I[1], I[2]), std::nullopt, mass_kg};
+  scene.torque = {HeavyTop{mass_kg * kStandardGravity * 0.1, Vec3::UnitY()}};
+  const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
+  EXPECT_EQ(rotor.shape.kind, ShapeKind::box);
+  // The shortest edge is a difference of moments 26 times its square.
+  EXPECT_LT((rotor.shape.size_m - size_m).norm(), 26 * kRounding * size_m.norm());
+}
+
 TEST(Rotor, NeedsOneHeavyTopThatWeighsSomething) {
   Scene scene;
   EXPECT_EQ(heavy_top_of(scene), nullptr);
   scene.torque = {HeavyTop{0.0, Vec3::UnitZ()}};
   EXPECT_EQ(heavy_top_of(scene), nullptr);
-  scene.torque = {HeavyTop{0.5, Vec3::UnitZ()}, LinearDamping{0.1}};
-  EXPECT_EQ(heavy_top_of(scene), nullptr);
+  scene.torque = {HeavyTop{0.5, Vec3::UnitZ()}, HeavyTop{0.5, Vec3::UnitX()}};
+  EXPECT_EQ(heavy_top_of(scene), nullptr) << "which of the two?";
   scene.torque.pop_back();
   EXPECT_NE(heavy_top_of(scene), nullptr);
+  scene.torque.insert(scene.torque.begin(), LinearDamping{0.1});
+  ASSERT_NE(heavy_top_of(scene), nullptr) << "a top that runs down hangs on its pivot all the same";
+  EXPECT_EQ(heavy_top_of(scene)->mgr, 0.5);
 }
 
 }  // namespace

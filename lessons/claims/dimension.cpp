@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/claims/dimension.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace polhode {
+namespace {
+
+constexpr Dimension kNumber{0, 0, 0};
+constexpr Dimension kInertia{1, 2, 0}, kEnergy{1, 2, -2};
+
+struct UnitFacts {
+  std::string_view name;
+  Dimension dimension;
+};
+constexpr std::array<UnitFacts, 12> kUnits{{{"kg", {1, 0, 0}},
+                                            {"m", {0, 1, 0}},
+                                            {"s", {0, 0, 1}},
+                                            {"N", {1, 1, -2}},
+                                            {"J", kEnergy},
+                                            {"W", {1, 2, -3}},
+                                            {"Hz", {0, 0, -1}},
+                                            {"rad", kNumber},
+                                            {"deg", kNumber},
+                                            {"°", kNumber},
+                                            {"1", kNumber},
+                                            {"", kNumber}}};
+
+/// A power behind a unit, which is cut off; 1 if there is none.
+int take_power(std::string_view& unit) {
+  constexpr std::array<std::pair<std::string_view, int>, 6> kPowers{
+      {{"²", 2}, {"³", 3}, {"⁴", 4}, {"^2", 2}, {"^3", 3}, {"^4", 4}}};
+  for (const auto& [text, power] : kPowers)
+    if (unit.size() > text.size() && unit.ends_with(text)) {
+      unit.remove_suffix(text.size());
+      return power;
+    }
+  return 1;
+}
+
+Dimension times(const Dimension& a, const Dimension& b, double power = 1) {
+  Dimension product = a;
+  for (std::size_t i = 0; i < 3; ++i) product[i] += power * b[i];
+  return product;
+}
+
+using Known = std::optional<Dimension>;
+
+class DimensionReader {
+ public:
+  DimensionReader(const Expression& expression, const std::map<int, Dimension>& constants)
+      : expression_(expression), constants_(constants) {}
+
+  DimensionReading read() {
+    for (const ExpressionNode& node : expression_.nodes) {
+      known_.push_back(of(node));
+      if (fault_) break;
+    }
+    if (fault_) return {{}, fault_};
+    return {known_.back(), {}};
+  }
+
+ private:
+  const Known& at(int index) const { return known_[static_cast<std::size_t>(index)]; }
+  const ExpressionNode& node(int index) const { return expression_.nodes[static_cast<std::size_t>(index)]; }
+
+  Known fail(const ExpressionNode& node, std::string message) {
+    fault_ = DimensionFault{std::move(message), node.begin};
+    return {};
+  }
+
+  Known product(int a, int b, double power = 1) const {
+    return at(a) && at(b) ? Known(times(*at(a), *at(b), power)) : std::nullopt;
+  }
+
+  Known both(const ExpressionNode& n, const char* what) {
+    if (at(n.a) && at(n.b) && *at(n.a) != *at(n.b))
+      return fail(node(n.b), "units disagree: " + to_string(*at(n.a)) + " and " + to_string(*at(n.b)) + what);
+    return at(n.a) ? at(n.a) : at(n.b);
+  }
+
+  Known angle_of(const ExpressionNode& n) {
+    if (at(n.a) && *at(n.a) != kNumber)
+      return fail(node(n.a), "units disagree: a function of numbers is taken of " + to_string(*at(n.a)));
+    return kNumber;
+  }
+
+  Known of(const ExpressionNode& n) {
+    using O = Operation;
+    switch (n.operation) {
+      case O::number:
+        return n.type == ExpressionType::zero ? Known() : Known(kNumber);
+      case O::constant: {
+        const auto found = constants_.find(n.integer);
+        return found == constants_.end() ? Known() : Known(found->second);
+      }
+      case O::pi:
+        return kNumber;
+      case O::quantity:
+        return dimension_of(n.quantity);
+      case O::negate:
+      case O::norm:
+      case O::comp:
+        return at(n.a);
+      case O::add:
+      case O::subtract:
+        return both(n, " are added");
+      case O::multiply:
+      case O::dot:
+      case O::cross:
+        return product(n.a, n.b);
+      case O::divide:
+        return product(n.a, n.b, -1);
+      case O::power:
+        return at(n.a) ? Known(times(kNumber, *at(n.a), n.integer)) : std::nullopt;
+      case O::norm2:
+        return product(n.a, n.a);
+      case O::inertia:
+      case O::apply:
+        return at(n.a) ? Known(times(*at(n.a), kInertia)) : std::nullopt;
+      case O::trace:
+        return kInertia;
+      case O::star:
+      case O::ddt:
+        return at(n.a) ? Known(times(*at(n.a), {0, 0, -1})) : std::nullopt;
+      case O::sqrt:
+        return at(n.a) ? Known(times(kNumber, *at(n.a), 0.5)) : std::nullopt;
+      case O::sin:
+      case O::cos:
+      case O::acos:
+        return angle_of(n);
+      case O::atan2:
+        both(n, " make no angle");
+        return kNumber;
+    }
+    return std::nullopt;
+  }
+
+  const Expression& expression_;
+  const std::map<int, Dimension>& constants_;
+  std::vector<Known> known_;
+  std::optional<DimensionFault> fault_;
+};
+
+}  // namespace
+
+std::optional<Dimension> dimension_of_unit(std::string_view unit) {
+  Dimension dimension = kNumber;
+  double sign = 1;
+  std::size_t at = 0;
+  constexpr std::string_view kDot = "·";
+  while (at <= unit.size()) {
+    std::size_t end = at;
+    while (end < unit.size() && unit[end] != ' ' && unit[end] != '/' && unit.substr(end, kDot.size()) != kDot)
+      ++end;
+    std::string_view name = unit.substr(at, end - at);
+    const int power = take_power(name);
+    const auto known = std::find_if(kUnits.begin(), kUnits.end(),
+                                    [name](const UnitFacts& facts) { return facts.name == name; });
+    if (known == kUnits.end()) return std::nullopt;
+    dimension = times(dimension, known->dimension, sign * power);
+    if (end == unit.size()) break;
+    if (unit[end] == '/') {
+      if (sign < 0) return std::nullopt;
+      sign = -1;
+    }
+    at = end + (unit.substr(end, kDot.size()) == kDot ? kDot.size() : 1);
+  }
+  return dimension;
+}
+
+std::string to_string(const Dimension& dimension) {
+  constexpr std::array<std::string_view, 3> kNames{"kg", "m", "s"};
+  const auto with_power = [&](std::size_t i, double power) {
+    std::string text(kNames[i]);
+    if (power == 2) return text + "²";
+    if (power == 3) return text + "³";
+    if (power == 1) return text;
+    std::string number = std::to_string(power);
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.ends_with('.')) number.pop_back();
+    return text + '^' + number;
+  };
+  std::string above, below;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (dimension[i] > 0) above += (above.empty() ? "" : " ") + with_power(i, dimension[i]);
+    if (dimension[i] < 0) below += (below.empty() ? "" : " ") + with_power(i, -dimension[i]);
+  }
+  if (above.empty() && below.empty()) return "a number";
+  return (above.empty() ? "1" : above) + (below.empty() ? "" : "/" + below);
+}
+
+std::optional<Dimension> dimension_of(Quantity quantity) {
+  using Q = Quantity;
+  switch (quantity) {
+    case Q::I1:
+    case Q::I2:
+    case Q::I3:
+    case Q::Jxx:
+    case Q::Jxy:
+    case Q::Jxz:
+    case Q::Jyy:
+    case Q::Jyz:
+    case Q::Jzz:
+      return kInertia;
+    case Q::w1:
+    case Q::w2:
+    case Q::w3:
+    case Q::omega:
+      return Dimension{0, 0, -1};
+    case Q::dw1:
+    case Q::dw2:
+    case Q::dw3:
+      return Dimension{0, 0, -2};
+    case Q::T:
+    case Q::N1:
+    case Q::N2:
+    case Q::N3:
+    case Q::N:
+      return kEnergy;
+    case Q::L:
+      return Dimension{1, 2, -1};
+    case Q::m:
+      return Dimension{1, 0, 0};
+    case Q::p:
+      return Dimension{1, 1, -1};
+    case Q::v:
+      return Dimension{0, 1, -1};
+    case Q::F:
+      return Dimension{1, 1, -2};
+    case Q::e1:
+    case Q::e2:
+    case Q::e3:
+    case Q::ex:
+    case Q::ey:
+    case Q::ez:
+      return kNumber;
+    case Q::A:
+    case Q::h:
+    case Q::k:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+DimensionReading dimension_of(const Expression& expression, const std::map<int, Dimension>& constants) {
+  return DimensionReader(expression, constants).read();
+}
+
+}  // namespace polhode

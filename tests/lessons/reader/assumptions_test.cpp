@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/assumptions.h"
+
+#include "lessons/reader/claim_check.h"
+#include "tests/lessons/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+/// A lesson with these tables in its front matter, from line 5 on, and this stage.
+std::string lesson(const std::string& tables, const std::string& body) {
+  return "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n" + tables +
+         "[body.top]\nmoments = [0.09, 0.09, 0.005]\n+++\n# Sample {sample}\n" + body;
+}
+
+constexpr const char* kTop =
+    "[constants]\nmgl = { value = 2.5, tex = 'mg\\ell', say = 'weight times lever', unit = 'N m' }\n"
+    "[define]\nu = { means = 'dot(ez, e3)', tex = 'u' }\nE = { means = 'T + mgl*u', tex = 'E' }\n"
+    "[symbols]\nez = { tex = '\\hat e_z' }\n"
+    "[assume]\nsymmetric = 'I2 = I1'\nheavy = ['N = mgl*cross(ez, e3)']\n";
+
+/// What reading and proving a lesson say.
+std::vector<std::string> faults(const std::string& text) {
+  LessonReading reading = read_lesson(text, "a.md");
+  if (!reading.lesson) return testing::lines_of(reading.diagnostics);
+  EXPECT_FALSE(prove_claims(*reading.lesson));
+  return testing::lines_of(check_claims(*reading.lesson, "a.md"));
+}
+
+std::string math(const std::string& opening, const std::string& tex) {
+  return "```math " + opening + "\n" + tex + "\n```\n";
+}
+
+TEST(Assumptions, ServeFormulasClaimsAndQuestions) {
+  EXPECT_THAT(faults(lesson(kTop, math("a motion given heavy", R"(\frac{dE}{dt} = 0)"))), IsEmpty());
+  EXPECT_THAT(faults(lesson(kTop, math("a motion given symmetric heavy", R"(\dot\omega_3 = 0)"))), IsEmpty());
+  EXPECT_THAT(faults(lesson(kTop, math("a motion given heavy", R"(\dot\omega_3 = 0)"))),
+              ElementsAre(HasSubstr("the claim (motion) fails: this does not hold: at I = ")));
+  EXPECT_THAT(faults(lesson(kTop, math("a motion", R"(\frac{dE}{dt} = 0)"))),
+              ElementsAre(HasSubstr("fails")));
+  EXPECT_THAT(faults(lesson(kTop, math("a", "x") + "```claim a free given symmetric in-other-words\n"
+                                                   "dw3 = 0\n```\n")),
+              IsEmpty());
+  const std::string ask =
+      "```ask a\ntype = 'expression'\nprompt = 'What?'\nanswer = '(I1 - I3)/I1*w2*w3'\nmodulo = 'free'\n"
+      "given = 'symmetric'\n```\n";
+  const LessonReading reading = read_lesson(lesson(kTop, ask), "a.md");
+  ASSERT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
+  const Ask& question = *blocks_of<Ask>(reading.lesson->stages[0].steps[0]).front();
+  const auto mark = [&](const std::string& answer) {
+    return judge_answer(question, answer, Prover(), &reading.lesson->notation.vocabulary).mark;
+  };
+  EXPECT_EQ(mark("(I2 - I3)/I1*w2*w3"), AnswerJudgement::Mark::right) << "I2 is I1";
+  EXPECT_EQ(mark("(I3 - I1)/I1*w2*w3"), AnswerJudgement::Mark::wrong);
+  EXPECT_EQ(mark("(I1 - I3)/I1*w2*w3*E/(T + mgl*u)"), AnswerJudgement::Mark::right) << "the lesson's words";
+}
+
+TEST(Assumptions, FormulasShowTheWordsOfTheLesson) {
+  EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(E = T + mg\ell\,u)"))), IsEmpty());
+  EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(E = T - mg\ell\,u)"))),
+              ElementsAre(HasSubstr("fails")));
+  EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(u = \hat e_z\cdot\hat e_3)"))), IsEmpty());
+}
+
+struct Wrong {
+  std::string tables, body, says;
+};
+
+TEST(Assumptions, WhatIsWrongIsSaidWhereItStands) {
+  const std::string assume = "[assume]\n";
+  const Wrong cases[] = {
+      {assume + "a = 'I2'\n", "",
+       "6:6: error: an assumption reads quantity = expression, there is no = here"},
+      {assume + "a = 'I4 = I1'\n", "", "6:6: error: what is assumed is that a quantity is something: \"I4\""},
+      {assume + "a = 'I2 = I1 + e1'\n", "", "6:14: error: a scalar and a vector cannot be added"},
+      {assume + "a = 'N = T'\n", "", "6:6: error: \"N\" is a vector, and this is a scalar"},
+      {assume + "a = ['I2 = I1', 'I1 = I2']\n", "", "6:18: error: what is set here is used by \"I2 = I1\""},
+      {assume + "a = 'I2 = 0*I1'\n", "", "6:5: error: no body is like this"},
+      {assume + "a = []\n", "", "6:5: error: nothing is assumed here"},
+      {assume + "a = 3\n", "", "6:5: error:"},
+      {assume + "'a b' = 'I2 = I1'\n", "", "6:1: error: bad name of an assumption"},
+      {"assume = 3\n", "", "5:10: error: \"assume\" takes a table"},
+      {assume + "sym = 'I2 = I1'\n", math("a free given sim", "T = T"), "unknown assumption \"sim\""},
+      {"", math("a free given sim", "T = T"), "(the front matter has no [assume])"},
+      {assume + "a = 'I2 = I1'\n", math("a free given a a", "T = T"), "\"a\" is given twice"},
+      {assume + "a = 'I2 = I1'\nb = 'I2 = I3'\n", math("a free given a b", "T = T"),
+       "\"b\" does not go with what stands before it: this is set already"},
+      {assume + "a = 'I2 = I1'\nb = 'I3 = 3*I1'\n", math("a free given a b", "T = T"),
+       "no body is as these assumptions together say"},
+      {assume + "a = 'N = h*omega'\n", math("a free given a", "T = T"),
+       "the kind free says that there is none"},
+      {assume + "a = 'w1 = 0'\n", math("a free given a", R"(\dot\omega_1 = 0)"), "says nothing of rates"},
+      {assume + "a = 'I2 = I1'\n", math("a free given", "T = T"), "this fence opens with"},
+      {"[constants]\ng = 'x'\n", "", "6:5: error:"},
+      {"[constants]\ng = inf\n", "", "6:5: error:"},
+      {"[constants]\nomega = 3\n", "", "6:1: error: bad name \"omega\": expressions have this word already"},
+      {"[constants]\ng = { tex = 'g' }\n", "", "6:1: error: constant \"g\" lacks \"value\""},
+      {"[define]\na = 'b'\nb = 'T'\n", "", "6:6: error: \"b\" is defined further down"},
+      {"[define]\na = 'a + 1'\n", "", "6:6: error: \"a\" is defined further down"},
+      {"[define]\na = 'T + e1'\n", "", "6:8: error: a scalar and a vector cannot be added"},
+      {"[define]\na = { tex = 'a' }\n", "", "6:1: error: definition \"a\" lacks \"means\""},
+      {"[constants]\na = 1\n[define]\na = 'T'\n", "", "8:1: error: \"a\" is a constant already, or defined"},
+      {"[define]\na = { means = 'T', tex = 'a' }\n[symbols]\na = { tex = 'b' }\n", "",
+       "8:1: error: symbol \"a\" is there already"},
+      {"[define]\na = 'T'\n[symbols]\na = { tex = 'a', means = 'T' }\n", "", "has a meaning already, above"},
+      {"define = 3\n", "", "5:10: error: \"define\" takes a table"},
+      {"[define]\nE = 'T + w1'\n", "", "6:1: error: \"E\": units disagree: kg m²/s² and 1/s are added"},
+      {"[define]\nE = { means = '2*T', unit = 'kg m²/s' }\n", "",
+       "6:29: error: units disagree: \"E\" is in kg m²/s², and this is kg m²/s"},
+      {"[symbols]\nL = { tex = '\\vec L', unit = 'N m' }\n", "", "units disagree: \"L\" is in kg m²/s"},
+      {"[constants]\nc = { value = 2, unit = 'kg' }\n[assume]\na = 'N = c*omega'\n", "",
+       "8:6: error: units disagree: \"N\" is in kg m²/s², this is in kg/s"},
+  };
+  for (const Wrong& c : cases) {
+    const auto said = faults(lesson(c.tables, c.body.empty() ? "Text.\n" : c.body));
+    ASSERT_FALSE(said.empty()) << c.tables << c.body;
+    EXPECT_THAT(said.front(), HasSubstr(c.says)) << c.tables << c.body;
+  }
+}
+
+TEST(Assumptions, TooManyConstantsAreRefused) {
+  std::string tables = "[constants]\n";
+  for (std::size_t n = 0; n <= kMaxConstants; ++n) tables += "c" + std::to_string(n) + " = 1\n";
+  EXPECT_THAT(faults(lesson(tables, "Text.\n")), ElementsAre(HasSubstr("a lesson has at most 16 constants")));
+}
+
+TEST(Assumptions, WhatIsMeasuredHasToBeMeasuredWhereTheyHold) {
+  const auto measured = [](const std::string& body_and_torque) {
+    return faults(lesson(kTop,
+                         "```math a measured given symmetric heavy\n\\frac{dE}{dt} = 0\n```\n"
+                         "```scene\nomega = [1, 0.5, 30]\nattitude = [0.8, 0.6, 0, 0]\n" +
+                             body_and_torque + "```\n"));
+  };
+  EXPECT_THAT(measured("body = 'top'\ntorque = 'heavy:2.5,0,0,1'\nduration = 0.5\n"), IsEmpty());
+  EXPECT_THAT(measured("body = 'top'\ntorque = 'heavy:2.6,0,0,1'\nduration = 0.5\n"),
+              ElementsAre(HasSubstr("on which what is given does not hold")));
+  EXPECT_THAT(measured("body = 'book'\ntorque = 'heavy:2.5,0,0,1'\nduration = 0.5\n"),
+              ElementsAre(HasSubstr("on which what is given does not hold")));
+}
+
+}  // namespace
+}  // namespace polhode
