@@ -26,7 +26,7 @@ struct FrontMatter {
   std::map<int, Dimension> dimensions;  ///< of its constants, as far as they have a unit
   Assumptions assumptions;              ///< what its claims and questions can be given
   AboutKeys about;
-  int next_line = 1;                    ///< first line after the closing +++
+  int next_line = 1;  ///< first line after the closing +++
 };
 
 /// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.

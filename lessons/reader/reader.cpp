@@ -80,13 +80,17 @@ LessonReading read_lesson(std::string_view text, std::string_view file_name) {
     others.insert(others.end(), linked.begin(), linked.end());
     note_citations(front.about, texts.citable(), report);
     if (!report.has_errors()) {
-      reading.lesson =
-          Lesson{std::move(front.id),           std::move(front.title),
-                 std::move(front.symbols),      std::move(texts.macros()),
-                 std::move(front.notation),     std::move(front.assumptions),
-                 std::move(stages),             std::string(text),
-                 std::move(front.about.about),  std::move(front.about.references),
-                 std::move(others)};
+      reading.lesson = Lesson{std::move(front.id),
+                              std::move(front.title),
+                              std::move(front.symbols),
+                              std::move(texts.macros()),
+                              std::move(front.notation),
+                              std::move(front.assumptions),
+                              std::move(stages),
+                              std::string(text),
+                              std::move(front.about.about),
+                              std::move(front.about.references),
+                              std::move(others)};
     }
   }
   reading.diagnostics = report.take();
