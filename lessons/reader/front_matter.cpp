@@ -455,6 +455,12 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
     return tex;
   };
+  // Two that look the same are told apart from what others are read as.
+  const auto has_twin = [&](const std::string& name, const std::string& tex) {
+    return std::any_of(front.symbols.begin(), front.symbols.end(), [&](const auto& other) {
+      return other.first != name && key_of(other.second.tex) == tex;
+    });
+  };
   std::map<std::string, std::string> names;
   for (const TomlEntry* one : entries) {
     const TomlEntry& entry = *one;
@@ -474,8 +480,9 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
       refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
     else if (means && (is_sign_of_language(tex) || !symbol.math.root || !is_plain_symbol(*symbol.math.root)))
       refuse("has a sign that formulas use otherwise", "take a letter, with an index or a mark");
-    else if (const auto by_others =
-                 means ? meaning_by_others(entry.key, symbol.tex, front, texts) : std::nullopt)
+    else if (const auto by_others = means && !has_twin(entry.key, tex)
+                                        ? meaning_by_others(entry.key, symbol.tex, front, texts)
+                                        : std::nullopt)
       refuse("is known already: the other symbols make it " + *by_others, "take another letter");
     else if (!means && known && *known != entry.key && is_quantity(entry.key))
       refuse("is printed as " + *known + ", and has the name of another quantity",
