@@ -18,7 +18,7 @@ struct SceneFacts {
   std::size_t first_step = 1, last_step = 1;  ///< from 1; steps between them show this motion, or no scene
   Body body;                                  ///< moments about the pivot, if it has one
   Problem problem;
-  double T = 0, L = 0;             ///< J, kg m²/s
+  double T = 0, L = 0;               ///< J, kg m²/s
   std::optional<double> period_s{};  ///< of the polhode
   std::optional<FreePrecession> free{};
   /// Of a symmetric top under gravity alone: θ is the angle of its axis, towards the centre of mass, from the

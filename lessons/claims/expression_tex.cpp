@@ -175,7 +175,7 @@ class Printer {
     const ExpressionNode& n = node(index);
     if (const Vocabulary::Word* said = word(n)) {
       const std::string& tex = said->tex;
-      if (tex.empty()) return {"\\mathit{" + said->name + '}', Level::atom};
+      if (tex.empty()) return {"\\text{" + said->name + '}', Level::atom};  // upright: no letter looks so
       return {tex, is_letter(tex) ? Level::atom : Level::product};
     }
     switch (n.operation) {

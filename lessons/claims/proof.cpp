@@ -155,6 +155,10 @@ Judgement judge_false(const ClaimLine& line, const Prover& prover, const Given& 
                             "");
   Judgement judgement;
   judgement.counterexample = prover.refute(line.equality, assumption, given);
+  // What is given may leave so few bodies that it holds for all that can be.
+  if (!given.empty() && !judgement.counterexample)
+    return not_what_it_says("no possible body was found, as is given, for which this fails",
+                            "perhaps it holds for all that can be");
   return judgement;
 }
 

@@ -90,8 +90,21 @@ class ClaimCheck {
     }
   }
 
+  /// A number of the scene's motion beside what holds for other motions would be false.
+  void check_live_numbers(const Claim& claim, const Step& step) {
+    const auto named = std::find_if(equations_.begin(), equations_.end(),
+                                    [&](const Equation* e) { return e->id == claim.equation; });
+    if (claim.given.empty() || named == equations_.end() || (*named)->live.empty() || !step.scene) return;
+    const SceneModel* model = model_of(step);
+    const auto live = model == nullptr ? std::nullopt : live_state(*model, still_time_s(*step.scene));
+    if (live && !holds_on(claim.given, *live))
+      report_.error(claim.place, "a live number is of a motion on which what is given does not hold",
+                    "show a body and a torque of which it does");
+  }
+
   void check(const Claim& claim, const Step& step) {
     if (claim.origin == Claim::Origin::beside) check_against_formula(claim);
+    check_live_numbers(claim, step);
     for (const ClaimLine& line : claim.lines) {
       if (report_.is_full()) return;
       if (claim.kind == ClaimKind::measured)

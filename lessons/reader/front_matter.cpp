@@ -5,6 +5,7 @@
 #include "lessons/claims/expression_names.h"
 #include "physics/body/bodies.h"
 #include "physics/body/pivot.h"
+#include "render/typeset/math/tree.h"
 
 #include <algorithm>
 #include <array>
@@ -202,6 +203,9 @@ void read_role(const TomlEntry& entry, Symbol& symbol, Report& report) {
     report.error(entry.value.place, "unknown role " + in_quotes(*role), suggestion(*role, roles));
 }
 
+/// Parts of all definitions of a lesson together, once they are written out.
+constexpr std::size_t kMaxDefinedParts = 20'000;
+
 /// What is printed where no macros of the lesson are known; empty if that cannot be.
 std::string without_macros(const std::string& tex) { return parse_math(tex) ? tex : ""; }
 
@@ -228,6 +232,15 @@ void read_meaning(const TomlEntry& entry, const std::string& name, Symbol& symbo
   }
   auto expression = read_expression(*text, start, report, &front.notation.vocabulary);
   if (!expression) return;
+  std::size_t parts = expression->nodes.size();
+  for (const Vocabulary::Word& word : front.notation.vocabulary.words()) parts += word.means.nodes.size();
+  if (parts > kMaxDefinedParts) {
+    report.error(entry.value.place,
+                 "written out, the definitions of a lesson have at most " + std::to_string(kMaxDefinedParts) +
+                     " parts",
+                 "definitions in definitions grow quickly");
+    return;
+  }
   symbol.means = *text;
   Vocabulary& vocabulary = front.notation.vocabulary;
   if (vocabulary.find(name) != nullptr) {
@@ -391,13 +404,65 @@ std::optional<std::string> built_in_meaning(const std::string& tex, const FrontM
   return read->sentences.front().links.front().equality.left.text;
 }
 
+/// A letter, or some side by side, with indices and marks that can be seen, none of which formulas use
+/// otherwise: no dots, fractions, roots, functions, blanks.
+bool is_plain_symbol(const MathNode& node, bool is_index = false) {
+  using Kind = MathNode::Kind;
+  constexpr char32_t kDot = 0x0307, kTwoDots = 0x0308;
+  const auto are_plain = [&](bool in_index) {
+    return std::all_of(node.children.begin(), node.children.end(),
+                       [in_index](const MathNode& child) { return is_plain_symbol(child, in_index); });
+  };
+  switch (node.kind) {
+    case Kind::symbol:
+      return true;
+    case Kind::row:
+    case Kind::alphabet:
+      return !node.children.empty() && are_plain(is_index);
+    case Kind::accent:
+      return node.character != kDot && node.character != kTwoDots && are_plain(is_index);
+    case Kind::bar:
+      return are_plain(is_index);
+    case Kind::text:
+      return is_index && node.text.find_first_of("0123456789") == std::string::npos &&
+             node.text.find_first_not_of(' ') != std::string::npos;
+    case Kind::scripts:
+      return is_plain_symbol(node.children[0], is_index) &&
+             (node.children[1].absent() || is_plain_symbol(node.children[1], true)) &&
+             (node.children[2].absent() || is_plain_symbol(node.children[2], true));
+    default:
+      return false;
+  }
+}
+
+/// What a symbol's TeX would be read as by the other symbols of the lesson; nothing if by none.
+std::optional<std::string> meaning_by_others(const std::string& name, const std::string& tex,
+                                             FrontMatter& front, TextReader& texts) {
+  const auto math = parse_math(tex + " = " + tex, texts.macros());
+  if (!math) return std::nullopt;
+  // A symbol without a formula is found in none.
+  std::vector<EquationSymbol>& symbols = front.notation.symbols;
+  const auto own =
+      std::find_if(symbols.begin(), symbols.end(), [&](const EquationSymbol& s) { return s.name == name; });
+  Math kept = own == symbols.end() ? Math() : std::exchange(own->math, Math());
+  const auto read = read_equation(*math, front.notation);
+  if (own != symbols.end()) own->math = std::move(kept);
+  if (!read) return std::nullopt;
+  return read->sentences.front().links.front().equality.left.text;
+}
+
 /// A symbol that means something is one that means nothing else: neither a quantity, nor a number or product
 /// of them, nor an index, nor the d and t of d/dt, nor another symbol.
-void check_meanings(const std::vector<const TomlEntry*>& entries, const FrontMatter& front,
-                    TextReader& texts) {
+void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& front, TextReader& texts) {
   const auto key_of = [](std::string tex) {
     std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
     return tex;
+  };
+  // Two that look the same are told apart from what others are read as.
+  const auto has_twin = [&](const std::string& name, const std::string& tex) {
+    return std::any_of(front.symbols.begin(), front.symbols.end(), [&](const auto& other) {
+      return other.first != name && key_of(other.second.tex) == tex;
+    });
   };
   std::map<std::string, std::string> names;
   for (const TomlEntry* one : entries) {
@@ -416,8 +481,12 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, const FrontMat
       refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
     else if (means && known)
       refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
-    else if (means && is_sign_of_language(tex))
-      refuse("has a sign that formulas use otherwise", "take another letter");
+    else if (means && (is_sign_of_language(tex) || !symbol.math.root || !is_plain_symbol(*symbol.math.root)))
+      refuse("has a sign that formulas use otherwise", "take a letter, with an index or a mark");
+    else if (const auto by_others = means && !has_twin(entry.key, tex)
+                                        ? meaning_by_others(entry.key, symbol.tex, front, texts)
+                                        : std::nullopt)
+      refuse("is known already: the other symbols make it " + *by_others, "take another letter");
     else if (!means && known && *known != entry.key && is_quantity(entry.key))
       refuse("is printed as " + *known + ", and has the name of another quantity",
              "give it the name " + *known);

@@ -395,6 +395,8 @@ std::optional<Claim> StageBuilder::claim_printed_in(const Equation& equation, co
       above_ && (!above_->kind || (above_->kind == kind && above_->given == claim.given.names));
   const auto read = read_equation(equation.math, front_.notation, goes_on ? &above_->math : nullptr);
   if (!read) return refuse(read.error());
+  if (read->has_condition && !claim.given.empty())
+    return refuse(whole("a condition in the formula does not go with what is given", "put it into [assume]"));
   auto lines = claim_lines_of(*read, *kind, place_of);
   if (!lines) return refuse(lines.error());
   claim.lines = std::move(*lines);

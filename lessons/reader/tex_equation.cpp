@@ -231,7 +231,7 @@ class EquationReader {
     if (read_range(inside)) return;
     if (!alone) throw TexFault(group.span, "which of the equations does this condition belong to?");
     if (is_no_torque(inside)) {
-      result_.without_torque = true;
+      result_.without_torque = result_.has_condition = true;
       return;
     }
     if (!read_spin(inside))
@@ -314,6 +314,7 @@ class EquationReader {
     for (const TexItem& item : items)
       if (item.kind == ItemKind::operand && !is_symbol(item, U'0') && terms_.is_redefined(item))
         throw TexFault(item.span, "a condition on a symbol of the lesson is not read");
+    result_.has_condition = true;
     if (items.size() == 3) {
       terms_.no_spin_about[static_cast<std::size_t>(axis_of(items[0], false) - 1)] = true;
     } else {

@@ -112,6 +112,7 @@ struct ReadEquation {
   std::vector<EquationSentence> sentences;
   bool is_tempting = false;     ///< "tempting:" stands before it
   bool without_torque = false;  ///< a condition says N = 0
+  bool has_condition = false;   ///< a condition on N or ω stands in it
   bool is_part = false;         ///< what \proved{…} marks; the rest was not read
 };
 

@@ -67,7 +67,8 @@ std::vector<Law> laws() {
       {"dot(A, inertia(v))", "dot(inertia(A), v)"},
       {"dot(A, apply(J, v))", "dot(apply(J, A), v)"},
       {"apply(J, A + v)", "apply(J, A) + apply(J, v)"},
-      {"comp(apply(J, A), 1)", "Jxx*comp(A, 1) + Jxy*comp(A, 2) + Jxz*comp(A, 3)"},
+      // Jxx would stand for any scalar here.
+      {"comp(apply(J, A), 1)", "dot(e1, apply(J, e1))*comp(A, 1) + Jxy*comp(A, 2) + Jxz*comp(A, 3)"},
       {"ddt(A)", "star(A) + cross(omega, A)"},
       {"star(A)", "ddt(A) - cross(omega, A)"},
       {"ddt(A + v)", "ddt(A) + ddt(v)"},

@@ -108,7 +108,7 @@ TEST(Vocabulary, IsPrintedAsTheLessonSays) {
   const auto printed = [&](const std::string& text) { return tex_of(*read(text, vocabulary), &vocabulary); };
   EXPECT_EQ(printed("T + mgl*u"), R"(T + mg\ell\,u)");
   EXPECT_EQ(printed("mgl^2*u^2"), R"((mg\ell)^{2}\,u^{2})");
-  EXPECT_EQ(printed("ddt(E)"), R"(\frac{d(\mathit{E})}{dt})");
+  EXPECT_EQ(printed("ddt(E)"), R"(\frac{d(\text{E})}{dt})");
   EXPECT_EQ(printed("ddt(u)"), R"(\frac{du}{dt})");
   EXPECT_EQ(printed("cos(theta)*sin(2*theta)"), R"(\cos \theta\,\sin(2\,\theta))");
   EXPECT_EQ(printed("(u)*dot(ez, omega)"), R"(u\,(\hat e_z\cdot \vec\omega))");

@@ -128,6 +128,53 @@ TEST(Assumptions, WhatIsWrongIsSaidWhereItStands) {
   }
 }
 
+// 2026-11-23: what a reviewer found accepted.
+TEST(Assumptions, NothingFalseIsPrintedAsProved) {
+  const std::string E = "[define]\nE = { means = 'T + 1*T', tex = 'E' }\n";
+  const auto define = [](const std::string& tex) {
+    return "[define]\nX = { means = '0*T', tex = '" + tex + "' }\n";
+  };
+  const Wrong cases[] = {
+      {E + "X = { means = '0*T', tex = '\\frac{dE}{dt}' }\n", "", "has a sign that formulas use otherwise"},
+      {E + "X = { means = '0*T', tex = '\\dot E' }\n", "", "has a sign that formulas use otherwise"},
+      {define("\\dot{\\vec L}"), "", "has a sign that formulas use otherwise"},
+      {define("\\tan\\theta"), "", "has a sign that formulas use otherwise"},
+      {define("T^{}"), "", "X\" "},
+      {define("\\overset{}{T}"), "", "has a sign that formulas use otherwise"},
+      {define("E\\quad"), "", "has a sign that formulas use otherwise"},
+      {define("\\omega_\\text{1}"), "", "X\" "},
+      {define("\\phantom{x}"), "", "has a sign that formulas use otherwise"},
+      {"[constants]\ng = { value = 2, tex = 'g' }\nX = { value = 5, tex = 'g^2' }\n", "",
+       "is known already: the other symbols make it g^2"},
+      {"[constants]\ng = { value = 2, tex = 'g' }\nX = { value = 5, tex = 'm g' }\n", "", "is known already"},
+      {"[assume]\na = 'N = cross(omega, L)'\n",
+       math("a false given a", R"(\frac{d\vec L}{dt} = 0\quad(\vec N = 0))"), "put it into [assume]"},
+      {"[assume]\na = 'w1 = w2'\n", math("a false given a", R"(\omega_1 = 0\quad(\omega_2 = 0))"),
+       "put it into [assume]"},
+      {"[constants]\nb = 1\n[assume]\na = 'I3 = I1 + I2 + (I1 - I2)^2/I1'\n",
+       math("a false given a", R"(I_1 = I_2)"), "no possible body was found"},
+      {"[assume]\na = 'I2 = I1'\n",
+       math("a identity given a", R"(I_2 = I_1 = \live{I1})") + "```scene\nbody = 'book'\n```\n",
+       "a live number is of a motion on which what is given does not hold"},
+  };
+  for (const Wrong& c : cases) {
+    const auto said = faults(lesson(c.tables, c.body.empty() ? "Text.\n" : c.body));
+    ASSERT_FALSE(said.empty()) << c.tables << c.body;
+    EXPECT_THAT(said.front(), HasSubstr(c.says)) << c.tables << c.body;
+  }
+}
+
+TEST(Assumptions, DefinitionsTogetherAreNotTooLong) {
+  std::string tables = "[define]\na0 = 'w1 + w2'\n", sum = "a0";
+  for (int n = 1; n < 10; ++n)
+    tables +=
+        "a" + std::to_string(n) + " = 'a" + std::to_string(n - 1) + " + a" + std::to_string(n - 1) + "'\n";
+  for (int n = 0; n < 9; ++n) tables += "b" + std::to_string(n) + " = 'a9 + w1'\n";
+  const auto said = faults(lesson(tables, "Text.\n"));
+  ASSERT_FALSE(said.empty());
+  EXPECT_THAT(said.front(), HasSubstr("at most 20000 parts"));
+}
+
 TEST(Assumptions, TooManyConstantsAreRefused) {
   std::string tables = "[constants]\n";
   for (std::size_t n = 0; n <= kMaxConstants; ++n) tables += "c" + std::to_string(n) + " = 1\n";
