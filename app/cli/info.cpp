@@ -57,7 +57,7 @@ StageInfo info_of(const Stage& stage) {
   StageInfo info;
   info.stage = &stage;
   const auto drawn = std::find_if(stage.steps.rbegin(), stage.steps.rend(),
-                                  [](const Step& s) { return s.scene.has_value(); });
+                                  [](const Step& s) { return s.scene != nullptr; });
   if (drawn == stage.steps.rend()) return info;
   info.scenes = facts_of(stage);
   const SceneModel model = make_model(*drawn->scene, Product::page);
@@ -263,7 +263,7 @@ Command info_command() {
   const auto options = std::make_shared<Options>();
   return {
       "info",
-      "What a lesson is about; what each scene requires, the motion chosen, its cost and its numbers",
+      "What a lesson is about, what its scenes require, and their numbers",
       {{"LESSON", &options->lesson, "Id or file", " ", true},
        {"--json", &options->json, "the same as JSON, costs in ns"}},
       "Of a page of each stage's last scene: setup is the time to choose the motion and compute the\n"

@@ -140,7 +140,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
       symbols_.move(session, page_->symbols(), -1);
       break;
     case Command::explain:
-      if (!follow(session, symbols_.link_at(page_->symbols(), true))) symbols_.toggle_explanation();
+      if (!follow(session, symbols_.focused(page_->symbols()))) symbols_.toggle_explanation();
       break;
     case Command::save_page:
       requests_.save_as = SaveAs::page;
@@ -257,11 +257,11 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
-  const bool points = on_page && !drag_.is_held() && !io.MouseDown[0];
-  symbols_.point_at(
-      session, page_->symbols(),
-      points ? symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt);
-  if (on_page && io.MouseClicked[0]) follow(session, symbols_.link_at(page_->symbols(), false));
+  const auto under =
+      on_page ? symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
+  const bool points = !drag_.is_held() && !io.MouseDown[0];
+  symbols_.point_at(session, page_->symbols(), points ? under : std::nullopt);
+  if (under && io.MouseClicked[0] && follow(session, page_->symbols()[*under].name)) return;
   if (on_page && io.MouseClicked[0] && !symbols_.is_pointed_at()) {
     ImGui::SetWindowFocus(nullptr);
     symbols_.leave(session);

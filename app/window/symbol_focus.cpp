@@ -17,13 +17,12 @@ constexpr float kWidestNote = 26;  // em
 
 }  // namespace
 
-std::string SymbolFocus::link_at(const Symbols& symbols, bool by_keys) const {
-  const auto at = by_keys ? focus_ : hovered_;
-  return at && *at < symbols.size() && is_link_name(symbols[*at].name) ? symbols[*at].name : "";
+std::string SymbolFocus::focused(const Symbols& symbols) const {
+  return focus_ && *focus_ < symbols.size() ? symbols[*focus_].name : "";
 }
 
 void SymbolFocus::light_focus(LessonSession& session, const Symbols& symbols) const {
-  session.light(focus_ && *focus_ < symbols.size() ? symbols[*focus_].name : "");
+  session.light(focused(symbols));
 }
 
 void SymbolFocus::move(LessonSession& session, const Symbols& symbols, int by) {

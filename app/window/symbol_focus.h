@@ -22,8 +22,8 @@ class SymbolFocus {
 
   /// To the next (1) or the one before (-1); beyond the last comes none.
   void move(LessonSession& session, const Symbols& symbols, int by);
-  /// The link that keys have reached, or the pointer is on; empty: it is none.
-  std::string link_at(const Symbols& symbols, bool by_keys) const;
+  /// The name of what keys have reached; empty: nothing.
+  std::string focused(const Symbols& symbols) const;
   void toggle_explanation() { explains_ = !explains_ && focus_; }
   void leave(LessonSession& session);
   /// Forgets what keys have reached and what the pointer is on: the page has changed.

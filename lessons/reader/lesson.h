@@ -95,7 +95,8 @@ using Block = std::variant<Prose, Equation, Claim, Callout, Ask, Footnote>;
 /// A step adds blocks to what the stage already shows; its scene is complete (inherited keys filled in).
 struct Step {
   std::vector<Block> blocks;
-  std::optional<Scene> scene;  ///< absent: text alone
+  /// Null: text alone. Steps that go on with a scene share it.
+  std::shared_ptr<const Scene> scene;
   /// The scene's, null if it has none; steps that go on with a caption share it.
   std::shared_ptr<const RichText> caption;
 };

@@ -163,7 +163,10 @@ void StageBuilder::finish_step() {
   }
   add_footnotes();
   if (!has_scene_) return;
-  step().scene = finished(scene_, front_.bodies);
+  const std::vector<Step>& steps = stages_.back().steps;
+  const bool goes_on = !step_has_scene_ && steps.size() > 1 && steps[steps.size() - 2].scene;
+  step().scene = goes_on ? steps[steps.size() - 2].scene
+                         : std::make_shared<const Scene>(finished(scene_, front_.bodies));
   step().caption = scene_.caption;
   if (step_has_scene_) check_shown();
 }

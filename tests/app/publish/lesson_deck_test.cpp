@@ -274,6 +274,7 @@ See [](#two/late), [here](#one), [there](other#x), [the web](https://a.b) and [c
 Words[^n].
 
 [^n]: Of [One](#one).
+
 ---
 ```math late
 x \tag{3}
@@ -298,16 +299,17 @@ TEST(LessonDeck, LeadsFromItsNotesToItsSlides) {
       all += '[' + note.text.substr(link.begin, link.end - link.begin) + "](" + link.to + ')';
     return all;
   };
-  EXPECT_EQ(links(deck.slides[0].notes[0]), "[(3)](#02-two-step2)[here](#01-one)[the web](https://a.b)");
+  EXPECT_EQ(links(deck.slides[0].notes[0]),
+            "[(3)](#02-two-step2)[here](#01-one-step1)[the web](https://a.b)");
   EXPECT_EQ(links(deck.slides[0].notes[1]), "[Two](#02-two-step1)");
-  EXPECT_EQ(deck.slides[1].notes.back().text, "¹ Of One");
-  EXPECT_EQ(links(deck.slides[1].notes.back()), "[One](#01-one)");
+  EXPECT_EQ(deck.slides[1].notes.back().text, "¹ Of One.");
+  EXPECT_EQ(links(deck.slides[1].notes.back()), "[One](#01-one-step1)");
   EXPECT_EQ(deck.slides[2].notes.back().text, "[LL] Landau") << "at the end of the last slide's";
   ExportOptions one = options;
   one.stages = {"one"};
   const ExportPlan part = plan_export(*lesson.lesson, one).value();
   EXPECT_EQ(links(deck_of(*lesson.lesson, one, part, folder.path())->slides[0].notes[0]),
-            "[here](#01-one)[the web](https://a.b)")
+            "[here](#01-one-step1)[the web](https://a.b)")
       << "what is not in the deck is led to by no link";
 }
 
