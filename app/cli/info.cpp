@@ -57,7 +57,7 @@ StageInfo info_of(const Stage& stage) {
   StageInfo info;
   info.stage = &stage;
   const auto drawn = std::find_if(stage.steps.rbegin(), stage.steps.rend(),
-                                  [](const Step& s) { return s.scene.has_value(); });
+                                  [](const Step& s) { return s.scene != nullptr; });
   if (drawn == stage.steps.rend()) return info;
   info.scenes = facts_of(stage);
   const SceneModel model = make_model(*drawn->scene, Product::page);
@@ -118,6 +118,20 @@ Json to_json(const StageInfo& info) {
           {"scenes", std::move(scenes)}};
 }
 
+Json about_json(const Lesson& lesson) {
+  const About& about = lesson.about;
+  const auto text_or_null = [](const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); };
+  Json references = Json::object();
+  for (const Reference& reference : lesson.references) references[reference.key] = reference.text;
+  return {{"author", about.authors},
+          {"licence", text_or_null(about.licence)},
+          {"language", about.language},
+          {"outcomes", about.outcomes},
+          {"prerequisites", about.prerequisites},
+          {"next", text_or_null(about.next)},
+          {"references", std::move(references)}};
+}
+
 std::string duration_text(double ns) {
   if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
   return ns < 1e6 ? fmt::format("{:.1f} us", ns / 1e3) : fmt::format("{:.1f} ms", ns / 1e6);
@@ -142,6 +156,26 @@ void print_row(const StageInfo& info, std::size_t width, std::vector<std::string
              duration_text(info.setup_ns), duration_text(info.call_ns),
              periods ? fmt::format("{:.0e}", *periods) : "-",
              info.needs.empty() ? "nothing" : fmt::format("{}", fmt::join(info.needs, " ")));
+}
+
+/// What the front matter says of the lesson itself: a line for each thing it says.
+void print_about(const Lesson& lesson) {
+  const About& about = lesson.about;
+  const auto print_lines = [](std::string_view name, const std::vector<std::string>& lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      fmt::print("{:<14} {}\n", i == 0 ? name : "", printable(lines[i]));
+  };
+  const auto print_line = [&](std::string_view name, const std::string& line) {
+    if (!line.empty()) print_lines(name, {line});
+  };
+  print_lines("author", about.authors);
+  print_line("licence", about.licence);
+  print_line("language", about.language);
+  print_lines("outcomes", about.outcomes);
+  print_lines("prerequisites", about.prerequisites);
+  print_line("next", about.next);
+  for (const Reference& reference : lesson.references)
+    fmt::print("{:<14} {}\n", '[' + reference.key + ']', printable(reference.text));
 }
 
 std::string rates_text(const SceneFacts& facts) {
@@ -188,7 +222,9 @@ void print_scenes(const std::vector<StageInfo>& infos, std::size_t width) {
 void print_table(const Lesson& lesson, const std::vector<StageInfo>& infos) {
   std::size_t width = 5;
   for (const StageInfo& info : infos) width = std::max(width, info.stage->id.size());
-  fmt::print("{} ({})\n\n", lesson.title, lesson.id);
+  fmt::print("{} ({})\n", lesson.title, lesson.id);
+  print_about(lesson);
+  fmt::print("\n");
   fmt::print("{:<{}}  steps  {:<20}  {:>9}  {:>8}  {:>7}  requires\n", "stage", width, "motion", "setup",
              "call", "horizon");
   std::vector<std::string> reasons;
@@ -209,7 +245,10 @@ ExitCode show_info(const std::string& name, bool json) {
   }
   Json stages = Json::array();
   for (const StageInfo& info : infos) stages.push_back(to_json(info));
-  const Json all = {{"lesson", loaded.lesson.id}, {"stages", std::move(stages)}};
+  const Json all = {{"lesson", loaded.lesson.id},
+                    {"title", loaded.lesson.title},
+                    {"about", about_json(loaded.lesson)},
+                    {"stages", std::move(stages)}};
   fmt::print("{}\n", printable(all.dump(2, ' ', false, Json::error_handler_t::replace)));
   return ExitCode::done;
 }
@@ -224,7 +263,7 @@ Command info_command() {
   const auto options = std::make_shared<Options>();
   return {
       "info",
-      "What each scene requires, the motion chosen, its cost and its numbers",
+      "What a lesson is about, what its scenes require, and their numbers",
       {{"LESSON", &options->lesson, "Id or file", " ", true},
        {"--json", &options->json, "the same as JSON, costs in ns"}},
       "Of a page of each stage's last scene: setup is the time to choose the motion and compute the\n"

@@ -162,7 +162,7 @@ const Scene& scene_of(const Lesson& lesson, std::string_view stage_and_step) {
     return *scene;
   }
   const auto drawn = std::find_if(stage.steps.rbegin(), stage.steps.rend(),
-                                  [](const Step& step) { return step.scene.has_value(); });
+                                  [](const Step& step) { return step.scene != nullptr; });
   if (drawn == stage.steps.rend()) throw usage(fmt::format("stage \"{}\" has no scene", stage.id));
   return *drawn->scene;
 }

@@ -6,6 +6,7 @@
 #include "app/cli/or_fail.h"
 #include "app/page/page_lint.h"
 #include "base/printable.h"
+#include "base/spelling.h"
 #include "lessons/reader/claim_check.h"
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/scene_keys.h"
@@ -15,6 +16,11 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace polhode {
 
@@ -48,11 +54,72 @@ Diagnostic failed_check(const std::string& file, const std::exception& error) {
   return {Severity::error, file, {1, 1}, fmt::format("the lesson cannot be checked: {}", error.what()), ""};
 }
 
+/// What a lesson says of others is held against these, where they are beside it or in a folder of lessons.
+class OtherLessons {
+ public:
+  explicit OtherLessons(const std::filesystem::path& file) : folders_(lesson_folders()) {
+    folders_.insert(folders_.begin(), file.has_parent_path() ? file.parent_path() : ".");
+  }
+
+  std::vector<Diagnostic> check(const Lesson& lesson, const std::string& file) {
+    std::vector<Diagnostic> found;
+    for (const OutsideReference& reference : lesson.other_lessons)
+      if (auto diagnostic = check(reference)) {
+        diagnostic->file = file;
+        diagnostic->place = reference.place;
+        found.push_back(std::move(*diagnostic));
+      }
+    return found;
+  }
+
+ private:
+  std::optional<Diagnostic> check(const OutsideReference& reference) {
+    const auto unchecked = [](std::string why) {
+      return Diagnostic{Severity::warning, "", {}, std::move(why), "so what refers to it is not checked"};
+    };
+    auto known = read_.find(reference.lesson);
+    if (known == read_.end()) known = read_.emplace(reference.lesson, read(reference.lesson)).first;
+    const Result<Lesson>& lesson = known->second;
+    if (!lesson) return unchecked(lesson.error());
+    const Result<const Stage*> stage = lesson->stage_named(reference.stage);
+    if (reference.stage.empty()) return std::nullopt;
+    if (!stage) return Diagnostic{Severity::error, "", {}, stage.error(), ""};
+    if (reference.equation.empty()) return std::nullopt;
+    std::vector<std::string> equations;
+    for (const Equation* equation : equations_of(**stage)) equations.push_back(equation->id);
+    if (std::find(equations.begin(), equations.end(), reference.equation) != equations.end())
+      return std::nullopt;
+    return Diagnostic{Severity::error,
+                      "",
+                      {},
+                      fmt::format("stage \"{}\" of lesson \"{}\" has no equation \"{}\"", reference.stage,
+                                  reference.lesson, reference.equation),
+                      suggestion(reference.equation, equations)};
+  }
+
+  Result<Lesson> read(const std::string& id) const {
+    for (const std::filesystem::path& folder : folders_) {
+      const auto text = read_lesson_text(folder / (id + ".md"));
+      if (!text) continue;
+      LessonReading reading = read_lesson(*text, id + ".md");
+      if (!reading.lesson) return failure(fmt::format("lesson \"{}\" has errors itself", id));
+      return std::move(*reading.lesson);
+    }
+    std::vector<std::string> known;
+    for (const FoundLesson& lesson : lessons_in(folders_)) known.push_back(lesson.id);
+    return failure(fmt::format("no lesson \"{}\" is beside this one{}", id, did_you_mean(id, known)));
+  }
+
+  std::vector<std::filesystem::path> folders_;
+  std::map<std::string, Result<Lesson>> read_;
+};
+
 /// All that is wrong with a text, for no more than kLintBudget.
 std::vector<Diagnostic> diagnostics_of(std::string_view text, const std::string& file) {
   Budget budget(kLintBudget);
   LessonReading reading = check_lesson(text, file, budget.effort());
   if (!reading.lesson) return std::move(reading.diagnostics);
+  add_in_order(OtherLessons(file).check(*reading.lesson, file), reading.diagnostics);
   try {
     add_in_order(check_claims(*reading.lesson, file, budget.effort()), reading.diagnostics);
     if (!budget.is_spent())

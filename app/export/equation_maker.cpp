@@ -165,7 +165,7 @@ class EquationMaker : public PictureMaker {
     for (const Stage& stage : context_.lesson.stages)
       for (const Step& step : stage.steps)
         for (const Block& block : step.blocks)
-          if (std::get_if<Equation>(&block) == &equation) return step.scene ? &*step.scene : nullptr;
+          if (std::get_if<Equation>(&block) == &equation) return step.scene.get();
     return nullptr;
   }
 

@@ -28,7 +28,7 @@ Result<std::vector<Place>> selected_stages(const Lesson& lesson, const std::vect
 
 /// Whether there is something of the kind to draw at a step.
 bool has(const Step& step, What what) {
-  if (what == What::figure) return step.scene.has_value();
+  if (what == What::figure) return step.scene != nullptr;
   return what != What::equation || !blocks_of<Equation>(step).empty();
 }
 

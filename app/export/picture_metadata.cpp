@@ -16,6 +16,8 @@ PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std
                         {"polhode:lesson", lesson.id},
                         {"polhode:stage", stage.id}},
                        dpi};
+  for (const std::string& author : lesson.about.authors) metadata.text.emplace_back("Author", author);
+  if (!lesson.about.licence.empty()) metadata.text.emplace_back("Copyright", lesson.about.licence);
   if (t_s) metadata.text.emplace_back("polhode:t", digits17(*t_s));
   return metadata;
 }

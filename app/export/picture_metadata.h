@@ -13,8 +13,8 @@ namespace polhode {
 /// "polhode 0.1.0"
 std::string program_name_and_version();
 
-/// Title, Description (the alt text), Software, polhode:lesson, polhode:stage, polhode:t if it has one; no
-/// time stamp.
+/// Title, Description (the alt text), Software, polhode:lesson, polhode:stage, polhode:t if it has one; each
+/// Author of the lesson, and its licence as Copyright; no time stamp.
 PngMetadata picture_metadata(const Lesson& lesson, const Stage& stage, const std::string& alt,
                              const std::optional<double>& t_s, int dpi);
 

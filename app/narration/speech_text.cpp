@@ -2,6 +2,7 @@
 #include "app/narration/speech_text.h"
 
 #include "app/narration/verdict_row.h"
+#include "lessons/reader/markdown/footnotes.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +12,18 @@ namespace polhode {
 
 namespace {
 
-/// As a sentence: with a full stop, unless it ends like one.
+/// As a sentence: with a full stop, unless it ends like one, but for marks of footnotes.
 std::string sentence(std::string text) {
-  if (!text.empty() && std::string_view(".:;!?").find(text.back()) == std::string_view::npos) text += '.';
+  std::string_view said = text;
+  for (bool found = true; found;) {
+    found = false;
+    for (int digit = 0; digit <= 9 && !found; ++digit) {
+      const std::string raised = raised_number(digit);
+      found = said.ends_with(raised);
+      if (found) said.remove_suffix(raised.size());
+    }
+  }
+  if (!said.empty() && std::string_view(".:;!?").find(said.back()) == std::string_view::npos) text += '.';
   return text;
 }
 
@@ -54,16 +64,20 @@ void add_symbol(std::string& text, std::string_view words) {
   }
 }
 
+/// Those from `first` on stand so many bytes behind where they stood.
+void moved_by(std::size_t bytes, std::size_t first, std::vector<NoteLink>& links) {
+  for (std::size_t i = first; i < links.size(); ++i) {
+    links[i].begin += bytes;
+    links[i].end += bytes;
+  }
+}
+
 void add(std::string& text, const std::string& more) {
   if (!text.empty() && !more.empty()) text += ' ';
   text += more;
 }
 
 }  // namespace
-
-std::string_view words_of(Callout::Kind kind) {
-  return kind == Callout::Kind::said ? "The lecture said" : "What it meant";
-}
 
 SpeechText::SpeechText(const Lesson& lesson) : lesson_(lesson) {
   for (const auto& [name, symbol] : lesson.symbols) symbols_.push_back({name, symbol.math, {}});
@@ -76,21 +90,33 @@ std::string SpeechText::words(const Math& math) const {
   });
 }
 
-std::string SpeechText::words(const TextBlock& block) const {
+std::string SpeechText::words(const TextBlock& block, std::vector<NoteLink>* links) const {
   std::string text;
+  const TextSpan* before = nullptr;
   for (const TextSpan& span : block.spans) {
+    const std::size_t begin = text.size();
     if (span.kind == TextSpan::Kind::math)
       add_symbol(text, words(span.math));
     else
       text += span.text;
+    if (links != nullptr && !span.link.empty()) {
+      if (before == nullptr || before->link != span.link) links->push_back({begin, begin, span.link});
+      links->back().end = text.size();
+    }
     if (span.break_after) text += ' ';
+    before = &span;
   }
   return text;
 }
 
-std::string SpeechText::words(const RichText& text) const {
+std::string SpeechText::words(const RichText& text, std::vector<NoteLink>* links) const {
   std::string all;
-  for (const TextBlock& block : text) add(all, words(block));
+  for (const TextBlock& block : text) {
+    const std::size_t known = links != nullptr ? links->size() : 0;
+    const std::string more = words(block, links);
+    add(all, more);
+    if (links != nullptr) moved_by(all.size() - more.size(), known, *links);
+  }
   return all;
 }
 
@@ -127,8 +153,16 @@ std::string SpeechText::words(const Claim& claim) const {
   return text;
 }
 
-std::string SpeechText::words(const Callout& callout) const {
-  return fmt::format("{}: {}", words_of(callout.kind), sentence(words(callout.text)));
+std::string SpeechText::words(const Callout& callout, std::vector<NoteLink>* links) const {
+  const auto own = lesson_.about.labels.find(callout.kind);
+  const std::string_view label =
+      own != lesson_.about.labels.end() ? std::string_view(own->second) : names_of(callout.kind).words;
+  std::string text = fmt::format("{}: ", label);
+  if (!callout.title.empty()) text += sentence(words(callout.title)) + ' ';
+  const std::size_t known = links != nullptr ? links->size() : 0;
+  const std::string said = sentence(words(callout.text, links));
+  if (links != nullptr) moved_by(text.size(), known, *links);
+  return text + said;
 }
 
 std::string SpeechText::words(const Ask& ask) const {
@@ -154,6 +188,8 @@ std::string SpeechText::words_of_page(const Stage& stage, int first, int last) c
       if (const auto* claim = std::get_if<Claim>(&block)) add(text, words(*claim));
       if (const auto* callout = std::get_if<Callout>(&block)) add(text, words(*callout));
       if (const auto* ask = std::get_if<Ask>(&block)) add(text, words(*ask));
+      if (const auto* note = std::get_if<Footnote>(&block))
+        add(text, raised_number(note->number) + ' ' + sentence(words(note->text)));
     }
   return text;
 }

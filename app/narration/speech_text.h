@@ -3,6 +3,7 @@
 // as the lesson's `say` has them.
 #pragma once
 
+#include "app/narration/step_note.h"
 #include "lessons/reader/lesson.h"
 
 #include <string>
@@ -17,13 +18,14 @@ class SpeechText {
 
   std::string words(const Math& math) const;
   /// Paragraphs and items of lists one after the other, in one line.
-  std::string words(const RichText& text) const;
-  std::string words(const TextBlock& block) const;
+  /// `links`, if it is not null, gets those of the text, where they stand in what is returned.
+  std::string words(const RichText& text, std::vector<NoteLink>* links = nullptr) const;
+  std::string words(const TextBlock& block, std::vector<NoteLink>* links = nullptr) const;
   /// "Equation (5): d L over d t equals N."
   std::string words(const Equation& equation) const;
   /// "Motion: proved for any torque."
   std::string words(const Claim& claim) const;
-  std::string words(const Callout& callout) const;
+  std::string words(const Callout& callout, std::vector<NoteLink>* links = nullptr) const;
   /// With its choices, without hints and answer.
   std::string words(const Ask& ask) const;
   /// "Euler's equation in vector form."
@@ -39,8 +41,5 @@ class SpeechText {
   const Lesson& lesson_;
   std::vector<MathSymbol> symbols_;
 };
-
-/// "The lecture said", "What it meant"
-std::string_view words_of(Callout::Kind kind);
 
 }  // namespace polhode

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/step_notes.h"
 
+#include "lessons/reader/markdown/footnotes.h"
+
 #include <fmt/format.h>
 
 namespace polhode {
@@ -16,12 +18,23 @@ class Notes {
   void add(const Prose& prose) {
     for (const TextBlock& block : prose.text) {
       const bool item = !block.marker.empty();
-      add(item ? Kind::item : Kind::text, (item ? block.marker + ' ' : "") + speech_.words(block));
+      std::vector<NoteLink> links;
+      const std::string words = speech_.words(block, &links);
+      add(item ? Kind::item : Kind::text, item ? block.marker + ' ' : "", words, std::move(links));
     }
   }
   void add(const Equation& equation) { add(Kind::equation, speech_.words(equation)); }
-  void add(const Callout& callout) { add(Kind::callout, speech_.words(callout)); }
+  void add(const Callout& callout) {
+    std::vector<NoteLink> links;
+    const std::string words = speech_.words(callout, &links);
+    add(Kind::callout, "", words, std::move(links));
+  }
   void add(const Claim&) {}
+  void add(const Footnote& note) {
+    std::vector<NoteLink> links;
+    const std::string words = speech_.words(note.text, &links);
+    add(Kind::note, raised_number(note.number) + ' ', words, std::move(links));
+  }
   void add(const Ask& ask) {
     add(Kind::question, "Question: " + speech_.words(ask.prompt_text));
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
@@ -34,6 +47,14 @@ class Notes {
  private:
   void add(Kind kind, std::string text) {
     if (!text.empty()) notes_.push_back({kind, std::move(text)});
+  }
+  /// The links are those of the words.
+  void add(Kind kind, const std::string& before, const std::string& words, std::vector<NoteLink> links) {
+    for (NoteLink& link : links) {
+      link.begin += before.size();
+      link.end += before.size();
+    }
+    if (!words.empty() || !before.empty()) notes_.push_back({kind, before + words, std::move(links)});
   }
 
   const SpeechText& speech_;

@@ -3,6 +3,7 @@
 
 #include "app/narration/speech_text.h"
 #include "base/utf8.h"
+#include "lessons/reader/markdown/footnotes.h"
 
 #include <fmt/format.h>
 
@@ -33,6 +34,14 @@ class Transcript {
     }
   }
 
+  /// What the lesson cites, wherever: a reader finds it at the end.
+  void add_references(const std::vector<Reference>& references) {
+    std::string cited;
+    for (const Reference& reference : references)
+      if (reference.is_cited) cited += wrapped(reference.text, fmt::format("[{}] ", reference.key));
+    if (!cited.empty()) text_ += '\n' + underlined("References", '-') + '\n' + cited;
+  }
+
   std::string take() { return std::move(text_); }
 
  private:
@@ -49,6 +58,9 @@ class Transcript {
 
   void add(const Equation& equation) { add_paragraph(speech_.words(equation), "    "); }
   void add(const Callout& callout) { add_paragraph(speech_.words(callout), "  > "); }
+  void add(const Footnote& note) {
+    text_ += '\n' + wrapped(speech_.words(note.text), raised_number(note.number) + ' ');
+  }
   void add(const Claim& claim) { text_ += wrapped(speech_.words(claim), "      "); }
 
   void add(const Ask& ask) {
@@ -96,6 +108,7 @@ std::string transcript_of(const Lesson& lesson, const std::vector<std::string>& 
     if (stages.empty() || std::find(stages.begin(), stages.end(), stage.id) != stages.end())
       transcript.add(stage, i + 1);
   }
+  transcript.add_references(lesson.references);
   return transcript.take();
 }
 

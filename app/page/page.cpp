@@ -198,9 +198,8 @@ void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet
   }
   const auto* fading = std::get_if<FadingIn>(&request.entrance);
   const double opacity = fading ? fading->opacity : 1.0;
-  const std::size_t old = text.stack.pieces.size() - text.stack.newest;
-  for (std::size_t i = 0; i < text.stack.pieces.size(); ++i)
-    append(sheet, faded(text.stack.pieces[i].sheet, i < old ? 1.0 : opacity), text.corner);
+  for (const ColumnPiece& piece : text.stack.pieces)
+    append(sheet, faded(piece.sheet, piece.is_new ? opacity : 1.0), text.corner);
   append(sheet, faded(values, opacity), text.corner);
 }
 

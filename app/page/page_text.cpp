@@ -126,8 +126,11 @@ class ScaledText {
         last_(static_cast<std::size_t>(request.step - 1)),
         begun_{header(false), title()},
         continued_{header(true), begun_[1]},
+        footnote_rule_(column_.footnote_rule()),
         whole_(last_ + 1),
-        equations_(last_ + 1) {}
+        equations_(last_ + 1) {
+    footnote_rule_.of = &request_.stage.steps;
+  }
 
   double scale() const { return scale_; }
 
@@ -138,7 +141,7 @@ class ScaledText {
     return shown;
   }
 
-  Stack stacked(const Selection& shown) { return stack(pieces(shown), whole(last_).size()); }
+  Stack stacked(const Selection& shown) { return stack(pieces(shown)); }
 
   double formula_scale(const Selection& shown) {
     double least = 1.0;
@@ -158,9 +161,7 @@ class ScaledText {
  private:
   std::optional<Selection> most_that_fits(double height) {
     const std::size_t whole_from = first_that_fits(last_ + 1, height, [&](std::size_t i) {
-      PieceRefs tried = heading(i > 0);
-      for (std::size_t k = i; k <= last_; ++k) add(tried, whole(k));
-      return tried;
+      return pieces({i, i});
     });
     if (whole_from > last_) return std::nullopt;
     for (std::size_t from = whole_from; from <= last_; ++from) {
@@ -179,18 +180,17 @@ class ScaledText {
   }
 
   std::size_t with_equations(std::size_t whole_from, double height) {
-    return first_that_fits(whole_from, height, [&](std::size_t i) {
-      PieceRefs tried = heading(whole_from > 0);
-      for (std::size_t k = i; k < whole_from; ++k) add(tried, equations(k));
-      for (std::size_t k = whole_from; k <= last_; ++k) add(tried, whole(k));
-      return tried;
-    });
+    return first_that_fits(whole_from, height, [&](std::size_t i) { return pieces({i, whole_from}); });
   }
 
   PieceRefs pieces(const Selection& shown) {
     PieceRefs all = heading(shown.whole_from > 0);
     for (std::size_t i = shown.equations_from; i < shown.whole_from; ++i) add(all, equations(i));
-    for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i));
+    for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i).text);
+    // All footnotes stand at the foot.
+    const std::size_t body = all.size();
+    for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i).notes);
+    if (all.size() > body) all.insert(all.begin() + static_cast<std::ptrdiff_t>(body), &footnote_rule_);
     return all;
   }
 
@@ -235,12 +235,16 @@ class ScaledText {
     return piece;
   }
 
-  const Pieces& whole(std::size_t i) {
+  /// What a step adds.
+  struct Whole {
+    Pieces text, notes;
+  };
+  const Whole& whole(std::size_t i) {
     if (!whole_[i]) whole_[i] = made_whole(request_.stage.steps[i], i == last_);
     return *whole_[i];
   }
 
-  Pieces made_whole(const Step& step, bool is_present) {
+  Whole made_whole(const Step& step, bool is_present) {
     const Equation* first = focus_of(request_.stage, step);
     const auto focus_on = [&](const Equation& equation) {
       if (&equation != first) return Focus::none;
@@ -250,14 +254,15 @@ class ScaledText {
     };
     const std::vector<std::string> marked =
         is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
-    Pieces pieces;
+    Whole made;
     const auto take = [&](Result<ColumnPiece> set, const Block& block) {
       ColumnPiece piece = noted(std::move(set));
       piece.of = &block;
       tell_cost_of(piece);
       keep_numbers_of(piece);
       piece.is_main = first && std::get_if<Equation>(&block) == first;
-      pieces.push_back(std::move(piece));
+      piece.is_new = is_present;
+      (std::holds_alternative<Footnote>(block) ? made.notes : made.text).push_back(std::move(piece));
     };
     for (const Block& block : step.blocks) {
       if (const auto* equation = std::get_if<Equation>(&block))
@@ -267,10 +272,12 @@ class ScaledText {
       if (const auto* claim = std::get_if<Claim>(&block); claim && !has_equation(step, claim->equation))
         take(verdict(*claim, is_present), block);
       if (const auto* prose = std::get_if<Prose>(&block)) take(column_.prose(prose->text), block);
-      if (const auto* callout = std::get_if<Callout>(&block)) take(column_.callout(*callout), block);
+      if (const auto* callout = std::get_if<Callout>(&block))
+        take(column_.callout(*callout, std::string(label_of(request_.lesson, callout->kind))), block);
       if (const auto* ask = std::get_if<Ask>(&block)) take(column_.question(*ask), block);
+      if (const auto* note = std::get_if<Footnote>(&block)) take(column_.footnote(*note), block);
     }
-    return pieces;
+    return made;
   }
 
   Pieces verdicts_on(const Equation& equation, const Step& step, bool is_present) const {
@@ -332,7 +339,9 @@ class ScaledText {
   Status status_ = success();  ///< of the first text that could not be set
   std::size_t last_;           ///< index of the step
   Pieces begun_, continued_;   ///< header and title
-  std::vector<std::optional<Pieces>> whole_, equations_;
+  ColumnPiece footnote_rule_;
+  std::vector<std::optional<Whole>> whole_;
+  std::vector<std::optional<Pieces>> equations_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace polhode {
 
 struct FittedText {
-  Stack stack;               ///< its newest pieces: what the present step adds
+  Stack stack;
   double scale = 1;          ///< of the type's normal size
   double formula_scale = 1;  ///< of the display that had to be set smallest to fit the column's width
   std::vector<const Equation*> equations;  ///< that stand there

@@ -214,9 +214,8 @@ class PageTransition {
 
 Sheet fading_in(const FittedText& text, double way) {
   Sheet sheet;
-  const std::size_t old = text.stack.pieces.size() - text.stack.newest;
-  for (std::size_t i = 0; i < text.stack.pieces.size(); ++i)
-    append(sheet, faded(text.stack.pieces[i].sheet, i < old ? 1.0 : appeared(way)), text.corner);
+  for (const ColumnPiece& piece : text.stack.pieces)
+    append(sheet, faded(piece.sheet, piece.is_new ? appeared(way) : 1.0), text.corner);
   return sheet;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/text_column.h"
 
+#include "lessons/reader/markdown/footnotes.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +18,8 @@ constexpr double kDisplaySize = 1.34;
 constexpr double kEarlierSize = 1.0;
 constexpr double kCalloutSize = 0.94;
 constexpr double kLabelSize = 0.62;
+constexpr double kFootnoteSize = 0.74;
+constexpr double kFootnoteRule = 4.1;  ///< length of the line above footnotes
 constexpr double kTagSize = 1.0;
 constexpr double kVerdictSize = 0.6;
 constexpr double kVerdictLine = 1.35;  ///< of its size
@@ -286,21 +290,57 @@ Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& 
   const double indent = std::round(kLabelIndent * size_), bar = indent - std::round(0.55 * size_);
   TextStyle small = style(kLabelSize * size_, color, 0);
   small.sans = small.bold = true;
+  small.leading = 1.2;
   const double baseline = plain->sheet.texts.front().at.y();
-  ColumnPiece piece{.sheet = {}, .height = plain->height, .gap = plain->gap};
+  DisplayList name = set_line(label, small, fonts_);
+  if (const double room = bar - std::round(0.45 * size_); name.width > room) {  // in several lines
+    small.width = room;
+    TextSpan span;
+    span.text = label;
+    Result<DisplayList> lines = set({TextBlock{.indent = 0, .marker = {}, .spans = {span}}}, small);
+    if (!lines) return failure(lines.error());
+    name = std::move(lines).value();
+  }
+  const double name_end = std::ceil(baseline + name.depth + 0.1 * size_);
+  ColumnPiece piece{.sheet = {}, .height = std::max(plain->height, name_end), .gap = plain->gap};
   piece.sheet.shapes.push_back(Stroke{
       .points = {{bar, 1}, {bar, piece.height - 1}}, .width = std::max(1.5, 0.09 * size_), .color = color});
-  piece.sheet.texts.push_back({.list = set_line(label, small, fonts_), .at = {0, baseline}});
+  piece.sheet.texts.push_back({.list = std::move(name), .at = {0, baseline}});
   append(piece.sheet, std::move(plain->sheet), {indent, 0});
   return piece;
 }
 
-Result<ColumnPiece> TextColumn::callout(const Callout& callout) const {
-  const bool said = callout.kind == Callout::Kind::said;
+Result<ColumnPiece> TextColumn::callout(const Callout& callout, const std::string& label) const {
+  using Kind = Callout::Kind;
+  const Color& color = callout.kind == Kind::said || callout.kind == Kind::quote ? colors().said
+                       : callout.kind == Kind::meant                             ? colors().meant
+                                                                                 : colors().quiet;
   const double em = kCalloutSize * size_;
   const double width = width_ - std::round(kLabelIndent * size_);
-  return labelled(said ? "As said" : "As meant", said ? colors().said : colors().meant,
-                  piece_of(set(callout.text, style(em, colors().ink, width)), em, kParagraphGap * size_));
+  const RichText& shown = callout.kind == Kind::derivation ? callout.title : callout.text;
+  return labelled(label, color,
+                  piece_of(set(shown, style(em, colors().ink, width)), em, kParagraphGap * size_));
+}
+
+Result<ColumnPiece> TextColumn::footnote(const Footnote& note) const {
+  const double em = kFootnoteSize * size_;
+  TextStyle small = style(em, colors().ink, width_);
+  small.leading = 1.35;
+  RichText text = note.text;
+  if (!text.empty()) {
+    text.front().marker = raised_number(note.number);
+    text.front().indent = 1;
+  }
+  return piece_of(set(text, small), em, 0.3 * em);
+}
+
+ColumnPiece TextColumn::footnote_rule() const {
+  const double thickness = std::max(1.0, std::round(0.045 * size_)), y = 0.5 * thickness;
+  ColumnPiece piece{.sheet = {}, .height = thickness, .gap = 0.55 * size_};
+  piece.sheet.shapes.push_back(Stroke{.points = {{0, y}, {std::round(kFootnoteRule * size_), y}},
+                                      .width = thickness,
+                                      .color = colors().line});
+  return piece;
 }
 
 Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
@@ -320,8 +360,8 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   return labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
 }
 
-Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest) {
-  Stack made{.pieces = {}, .newest = newest};
+Stack stack(const std::vector<const ColumnPiece*>& pieces) {
+  Stack made;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i > 0) made.height += std::round(std::max(pieces[i - 1]->gap, pieces[i]->gap));
     const ColumnPiece& piece = *pieces[i];
@@ -332,6 +372,7 @@ Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest) {
                            .of = piece.of,
                            .formula = piece.formula,
                            .is_main = piece.is_main,
+                           .is_new = piece.is_new,
                            .panel = piece.panel});
     add(made.pieces.back(), piece, {0, made.height});
     made.height += piece.height;

@@ -42,6 +42,7 @@ struct ColumnPiece {
   const void* of = nullptr;              ///< the part of the lesson it shows: the same on another page
   std::optional<std::size_t> formula{};  ///< of an equation: which of the sheet's texts it is
   bool is_main = false;                  ///< the equation that its step has come to
+  bool is_new = false;                   ///< of the present step
   std::size_t panel = 0;  ///< how many of the sheet's shapes, from the first, are panel and bar of the focus
 };
 
@@ -68,7 +69,12 @@ class TextColumn {
   /// there is room.
   Result<ColumnPiece> earlier_equation(const Equation& equation, const std::string& kind = {}) const;
   Result<ColumnPiece> prose(const RichText& text) const;
-  Result<ColumnPiece> callout(const Callout& callout) const;
+  /// Of a derivation the title alone.
+  Result<ColumnPiece> callout(const Callout& callout, const std::string& label) const;
+  /// Small, behind its number.
+  Result<ColumnPiece> footnote(const Footnote& note) const;
+  /// The short line above all footnotes.
+  ColumnPiece footnote_rule() const;
   Result<ColumnPiece> question(const Ask& ask) const;
 
  private:
@@ -95,10 +101,9 @@ class TextColumn {
 /// Pieces one below the other, each in its place; the height they take together.
 struct Stack {
   std::vector<ColumnPiece> pieces;
-  std::size_t newest = 0;  ///< how many of them, at the end, are of the present step
   double height = 0;
 };
-Stack stack(const std::vector<const ColumnPiece*>& pieces, std::size_t newest = 0);
+Stack stack(const std::vector<const ColumnPiece*>& pieces);
 /// The same without drawing.
 double height_of(const std::vector<const ColumnPiece*>& pieces);
 

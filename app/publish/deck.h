@@ -19,16 +19,17 @@
 namespace polhode {
 
 struct DeckSlide {
-  std::filesystem::path png;  ///< its name without folder and ending identifies the slide; no two are alike
-  int stage = 1;              ///< from 1; slides of a stage follow each other
-  std::string title;          ///< of the stage
-  std::string part;           ///< "step 2 of 3"; empty: the slide is all of its stage
-  std::string alt;            ///< what is seen
-  std::vector<StepNote> notes;
+  std::filesystem::path png;    ///< its name without folder and ending identifies the slide; no two are alike
+  int stage = 1;                ///< from 1; slides of a stage follow each other
+  std::string title;            ///< of the stage
+  std::string part;             ///< "step 2 of 3"; empty: the slide is all of its stage
+  std::string alt;              ///< what is seen
+  std::vector<StepNote> notes;  ///< their links lead to "#slide", or to an address of the web
 };
 
 struct Deck {
   std::string title;
+  std::string author{};         ///< all of them in one line; may be empty
   std::string language = "en";  ///< BCP 47
   Theme theme = Theme::paper;   ///< around the pictures
   int dpi = 0;                  ///< of printed pictures; 0: their shorter side is kDeckSide_in

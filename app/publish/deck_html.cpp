@@ -64,16 +64,32 @@ const char* class_of(StepNote::Kind kind) {
       return "callout";
     case StepNote::Kind::question:
       return "question";
+    case StepNote::Kind::note:
+      return "note";
     case StepNote::Kind::figure:
       break;
   }
   return "figure";
 }
 
+/// The text of a note, its links as such.
+std::string linked_html(const StepNote& note) {
+  std::string html;
+  std::size_t at = 0;
+  const std::string_view text = note.text;
+  for (const NoteLink& link : note.links) {
+    html += html_escaped(text.substr(at, link.begin - at));
+    html += fmt::format("<a href=\"{}\">{}</a>", html_escaped(link.to),
+                        html_escaped(text.substr(link.begin, link.end - link.begin)));
+    at = link.end;
+  }
+  return html + html_escaped(text.substr(at));
+}
+
 std::string notes_html(const std::vector<StepNote>& notes) {
   std::string html;
   for (const StepNote& note : notes)
-    html += fmt::format("<p class=\"{}\">{}</p>\n", class_of(note.kind), html_escaped(note.text));
+    html += fmt::format("<p class=\"{}\">{}</p>\n", class_of(note.kind), linked_html(note));
   return html.empty() ? "<p class=\"text\">This slide has no notes.</p>\n" : html;
 }
 
@@ -199,6 +215,9 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
       {"paper", hex(colors_of(deck.theme).paper)},
       {"program", html_escaped(program_name_and_version())},
       {"title", html_escaped(deck.title)},
+      {"author", deck.author.empty()
+                     ? ""
+                     : fmt::format("<meta name=\"author\" content=\"{}\">\n", html_escaped(deck.author))},
       {"style", style},
       {"script", script},
   };

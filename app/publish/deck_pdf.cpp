@@ -193,6 +193,7 @@ class PdfDeck {
     root.set("/StructTreeRoot", tree);
     Object info = dictionary("<< >>");
     info.set("/Title", Object::text(deck_.title));
+    if (!deck_.author.empty()) info.set("/Author", Object::text(deck_.author));
     info.set("/Creator", Object::text(program_name_and_version()));
     pdf_.trailer().set("/Info", info);
   }

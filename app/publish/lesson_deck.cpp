@@ -5,6 +5,7 @@
 #include "render/image/png_summary.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -42,6 +43,36 @@ Steps steps_said(const ExportPlan& plan, std::size_t i) {
           is_last ? static_cast<int>(picture.stage->steps.size()) : picture.step};
 }
 
+/// The slide that shows a step: the first of its stage that has come so far. Nothing where there is none.
+std::string slide_with(const ExportPlan& plan, const StepPlace& place) {
+  for (const PlannedPicture& picture : plan.pictures)
+    if (static_cast<std::size_t>(picture.number) == place.stage + 1 &&
+        static_cast<std::size_t>(picture.step) > place.step)
+      return '#' + std::filesystem::path(picture.file).stem().string();
+  return "";
+}
+
+/// Links of the lesson as links of the deck; what leads to no slide and to no address is none.
+void lead_to_slides(const Lesson& lesson, const ExportPlan& plan, std::vector<StepNote>& notes) {
+  for (StepNote& note : notes) {
+    for (NoteLink& link : note.links) {
+      const auto place = target_of(lesson, link.to);
+      if (place)
+        link.to = slide_with(plan, *place);
+      else if (!link.to.starts_with("http") && !link.to.starts_with("mailto:"))
+        link.to.clear();
+    }
+    std::erase_if(note.links, [](const NoteLink& link) { return link.to.empty(); });
+  }
+}
+
+/// What the lesson cites, behind its last words.
+void add_references(const Lesson& lesson, std::vector<StepNote>& notes) {
+  for (const Reference& reference : lesson.references)
+    if (reference.is_cited)
+      notes.push_back({StepNote::Kind::note, fmt::format("[{}] {}", reference.key, reference.text)});
+}
+
 }  // namespace
 
 Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const ExportPlan& plan,
@@ -49,6 +80,8 @@ Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const E
   const SpeechText speech(lesson);
   Deck deck;
   deck.title = lesson.title;
+  deck.author = fmt::format("{}", fmt::join(lesson.about.authors, ", "));
+  deck.language = lesson.about.language;
   deck.theme = options.theme;
   deck.dpi = options.dpi;
   for (std::size_t i = 0; i < plan.pictures.size(); ++i) {
@@ -63,6 +96,8 @@ Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const E
     slide.alt = std::move(*alt);
     const Steps said = steps_said(plan, i);
     slide.notes = notes_of(speech, *picture.stage, said.first, said.last);
+    lead_to_slides(lesson, plan, slide.notes);
+    if (i + 1 == plan.pictures.size()) add_references(lesson, slide.notes);
     deck.slides.push_back(std::move(slide));
   }
   return deck;

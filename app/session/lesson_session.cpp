@@ -121,21 +121,20 @@ void LessonSession::go_to(Place place) {
 
 void LessonSession::arrive(Place place) {
   const bool same_stage = place.stage == place_.stage;
-  const std::optional<Scene> left = step().scene;
+  const std::shared_ptr<const Scene> left = step().scene;
   transition_ = same_stage && place.step == place_.step + 1 && !preferences.reduced_motion ? 0 : 1;
   place_ = place;
   visited_.insert(stage().id);
   judged_.clear();
   notes_shown_ = false;
-  if (same_stage && left == step().scene) return;
+  const bool both = left != nullptr && has_scene();
+  if (same_stage && (left == step().scene || (both && *left == lesson_scene()))) return;
 
-  const bool goes_on =
-      same_stage && left && has_scene() && same_course(*left, lesson_scene()) && keeps_motion(edits_);
+  const bool goes_on = same_stage && both && same_course(*left, lesson_scene()) && keeps_motion(edits_);
   const double t_s = t_s_;
   const bool playing = playing_;
-  const auto turned = same_stage && left && has_scene() && left->camera == lesson_scene().camera
-                          ? edits_.camera
-                          : std::nullopt;
+  const auto turned =
+      same_stage && both && left->camera == lesson_scene().camera ? edits_.camera : std::nullopt;
   if (!same_stage) following_ = false;
   show_lesson_scene();
   if (!goes_on && !turned) return;

@@ -114,7 +114,7 @@ class LessonSession {
   const std::vector<double>& flips() const;
 
   // The scene of the step with what was changed.
-  bool has_scene() const { return step().scene.has_value(); }
+  bool has_scene() const { return step().scene != nullptr; }
   const Scene& lesson_scene() const { return *step().scene; }  ///< precondition: has_scene()
   /// Null without a scene. Its camera, quality and highlight are up to date too; what is pointed at is
   /// highlighted.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/page_symbols.h"
 
+#include "render/typeset/rich_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -39,13 +41,21 @@ class Runs {
 
   void take(const Naming& naming, const TypeBox& box, const DisplayList& list) {
     const std::int16_t index = index_in(naming);
-    if (index != running_ && index >= 0) {
+    const bool goes_on = index >= 0 && index == running_ && !is_on_next_line(box);
+    if (index >= 0 && !goes_on) {
       runs_.push_back(found_.size());
       indices_.push_back(index);
       found_.push_back({list.names[static_cast<std::size_t>(index)], of_terms_, {}});
     }
     running_ = index;
     if (index >= 0) found_[runs_.back()].box = united(found_[runs_.back()].box, box);
+  }
+
+  /// A link in a text may go on where the next line begins: lower, and back to the left.
+  bool is_on_next_line(const TypeBox& box) const {
+    const PageSymbol& last = found_[runs_.back()];
+    return is_link_name(last.name) && !box.empty() && !last.box.empty() && box.x0 < last.box.x1 &&
+           box.y0 > last.box.y1;
   }
 
   /// Rules come after all glyphs: each belongs to the run of its name that is nearest.

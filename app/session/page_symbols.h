@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The symbols and terms on a page that is set: where they stand, which is under the pointer, in which order
-// Tab goes through them.
+// The symbols, terms and links on a page that is set: where they stand, which is under the pointer, in which
+// order Tab goes through them.
 #pragma once
 
 #include "render/drawing/sheet.h"
@@ -15,13 +15,13 @@ namespace polhode {
 /// One occurrence.
 struct PageSymbol {
   std::string name;      ///< of the symbol ("omega"), or of the \term
-  bool is_term = false;  ///< a \term; symbols in it are there as well
+  bool is_term = false;  ///< a \term, or a link (is_link_name); symbols in it are there as well
   TypeBox box;           ///< px of the page; all its ink
 };
 
 /// All symbols of a page in reading order: text after text as they lie on the sheet, each text from left to
-/// right as it is set, a term before the symbols in it. Neighbours of the same name count as one. Some 20 µs
-/// for a page.
+/// right as it is set, a term before the symbols in it. Neighbours of the same name count as one, of a link
+/// those on one line. Some 20 µs for a page.
 std::vector<PageSymbol> symbols_on(const Sheet& sheet, const Fonts& fonts);
 
 /// The innermost (smallest) one within `reach` px of the point; nothing if there is none.

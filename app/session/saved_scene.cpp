@@ -42,6 +42,7 @@ std::string looks_of(const Symbol& symbol) {
   if (!symbol.role.empty()) keys += ", role = " + toml(symbol.role);
   if (!symbol.say.empty()) keys += ", say = " + toml(symbol.say);
   if (!symbol.unit.empty()) keys += ", unit = " + toml(symbol.unit);
+  if (!symbol.note.empty()) keys += ", note = " + toml(symbol.note);
   return keys;
 }
 

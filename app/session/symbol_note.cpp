@@ -112,18 +112,31 @@ Math term_seen_last(const Lesson& lesson, const std::string& name, const std::st
   return {};
 }
 
+/// "Go to: Which spins are stable?", or what is cited.
+std::string words_of_link(const Lesson& lesson, const std::string& link) {
+  if (const auto place = target_of(lesson, link))
+    return "Go to: " + SpeechText(lesson).words(lesson.stages[place->stage].title_text);
+  for (const Reference& reference : lesson.references)
+    if (link == std::string(kCiteLink) + reference.key) return reference.text;
+  return link.find("://") == link.npos ? "In another lesson: " + link : "Click to copy: " + link;
+}
+
 }  // namespace
 
 SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s,
                    const std::string& stage_id, std::size_t step) {
   SymbolNote note;
+  if (is_link_name(name)) {
+    note.meaning = words_of_link(lesson, name);
+    return note;
+  }
   const auto found = lesson.symbols.find(name);
   if (found == lesson.symbols.end()) {
     const Math term = term_seen_last(lesson, name, stage_id, step);
     if (term.root) note.meaning = SpeechText(lesson).words(term);
     return note;
   }
-  note.meaning = found->second.say;
+  note.meaning = found->second.note.empty() ? found->second.say : found->second.note;
   note.unit = found->second.unit;
   if (model) add_value(lesson, name, *model, t_s, note);
   return note;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is to be said of a symbol or term that is pointed at.
+// What is to be said of a symbol, term or link that is pointed at.
 #pragma once
 
 #include "lessons/reader/lesson.h"
@@ -10,10 +10,12 @@
 namespace polhode {
 
 struct SymbolNote {
-  std::string meaning;  ///< "angular velocity"; of a term its formula in words; empty: nothing is known of it
-  std::string unit;     ///< "rad/s"; may be empty
-  std::string value;    ///< "(0.31, −0.20, 1.13)", "2.94", "3.10·10⁻⁶"; empty where the scene has none
-  std::string frame;    ///< of the value's components: "space" or "body"; empty for scalars
+  /// "angular velocity"; of a term its formula in words; of a link where it leads, of a citation what is
+  /// cited; empty: nothing is known of it
+  std::string meaning;
+  std::string unit;   ///< "rad/s"; may be empty
+  std::string value;  ///< "(0.31, −0.20, 1.13)", "2.94", "3.10·10⁻⁶"; empty where the scene has none
+  std::string frame;  ///< of the value's components: "space" or "body"; empty for scalars
 };
 
 /// `model` may be null. The value is that of the quantity of claims with the symbol's name

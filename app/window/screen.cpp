@@ -140,7 +140,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
       symbols_.move(session, page_->symbols(), -1);
       break;
     case Command::explain:
-      symbols_.toggle_explanation();
+      if (!follow(session, symbols_.focused(page_->symbols()))) symbols_.toggle_explanation();
       break;
     case Command::save_page:
       requests_.save_as = SaveAs::page;
@@ -257,10 +257,11 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
-  const bool points = on_page && !drag_.is_held() && !io.MouseDown[0];
-  symbols_.point_at(
-      session, page_->symbols(),
-      points ? symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt);
+  const auto under =
+      on_page ? symbol_at(page_->symbols(), {io.MousePos.x, io.MousePos.y}, kSymbolReach) : std::nullopt;
+  const bool points = !drag_.is_held() && !io.MouseDown[0];
+  symbols_.point_at(session, page_->symbols(), points ? under : std::nullopt);
+  if (under && io.MouseClicked[0] && follow(session, page_->symbols()[*under].name)) return;
   if (on_page && io.MouseClicked[0] && !symbols_.is_pointed_at()) {
     ImGui::SetWindowFocus(nullptr);
     symbols_.leave(session);
@@ -269,6 +270,18 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   const std::string refusal =
       drag_.use_mouse(session, page_->insets(), on_page, kTipReach * sizes_->em / 15.0);
   if (!refusal.empty()) tell(refusal);
+}
+
+/// Goes where a link of the lesson leads; the address of another is copied. False: there is nothing to
+/// follow.
+bool Screen::follow(LessonSession& session, const std::string& link) {
+  if (const auto place = target_of(session.lesson(), link)) {
+    session.go_to({place->stage, place->step});
+    return true;
+  }
+  if (link.find("://") == link.npos) return false;
+  requests_.clipboard = link;
+  return true;
 }
 
 /// What is pointed at is lit in the window alone.

@@ -71,6 +71,7 @@ class Screen {
   void show_preview(const LessonSession& session, const Region& region);
   void lay_out_controls(LessonSession& session, const Region& page, Size size);
   void use_pointer(LessonSession& session, const Region& page);
+  bool follow(LessonSession& session, const std::string& link);
   void save(LessonSession& session);
   void copy();
 

@@ -2,6 +2,7 @@
 #include "app/window/symbol_focus.h"
 
 #include "app/session/symbol_note.h"
+#include "render/typeset/rich_text.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -12,10 +13,16 @@ namespace {
 
 constexpr std::size_t kMostWords = 60;  // of a term read aloud: a longer one is no help
 
+constexpr float kWidestNote = 26;  // em
+
 }  // namespace
 
+std::string SymbolFocus::focused(const Symbols& symbols) const {
+  return focus_ && *focus_ < symbols.size() ? symbols[*focus_].name : "";
+}
+
 void SymbolFocus::light_focus(LessonSession& session, const Symbols& symbols) const {
-  session.light(focus_ && *focus_ < symbols.size() ? symbols[*focus_].name : "");
+  session.light(focused(symbols));
 }
 
 void SymbolFocus::move(LessonSession& session, const Symbols& symbols, int by) {
@@ -56,8 +63,8 @@ void SymbolFocus::draw_note(const LessonSession& session, const Symbols& symbols
   const PageSymbol& symbol = symbols[*shown];
   const SymbolNote note = note_of(session.lesson(), symbol.name, session.model(), session.t_s(),
                                   session.stage().id, session.place().step);
-  if (note.value.empty() && (note.meaning.empty() || (symbol.is_term && note.meaning.size() > kMostWords)))
-    return;
+  const bool is_term = symbol.is_term && !is_link_name(symbol.name);
+  if (note.value.empty() && (note.meaning.empty() || (is_term && note.meaning.size() > kMostWords))) return;
   const TypeBox& box = symbol.box;
   const bool above = box.y0 > 0.25 * ImGui::GetIO().DisplaySize.y;
   const float gap = 0.5F * em;
@@ -70,7 +77,9 @@ void SymbolFocus::draw_note(const LessonSession& session, const Symbols& symbols
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoNav |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs |
                    ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PushTextWrapPos(kWidestNote * em);
   ImGui::TextUnformatted(note.meaning.c_str());
+  ImGui::PopTextWrapPos();
   if (!note.value.empty()) {
     ImGui::TextUnformatted(
         fmt::format("{}{}{}", note.value, note.unit.empty() ? "" : " ", note.unit).c_str());

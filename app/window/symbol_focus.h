@@ -7,6 +7,7 @@
 #include "app/session/page_symbols.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace polhode {
@@ -21,6 +22,8 @@ class SymbolFocus {
 
   /// To the next (1) or the one before (-1); beyond the last comes none.
   void move(LessonSession& session, const Symbols& symbols, int by);
+  /// The name of what keys have reached; empty: nothing.
+  std::string focused(const Symbols& symbols) const;
   void toggle_explanation() { explains_ = !explains_ && focus_; }
   void leave(LessonSession& session);
   /// Forgets what keys have reached and what the pointer is on: the page has changed.

@@ -344,7 +344,8 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
   std::vector<KeyHandler> keys{{"tex", text_into(symbol.tex)},
                                {"role", [&](const TomlEntry& e) { read_role(e, symbol, report); }},
                                {"say", line_into(symbol.say)},
-                               {"unit", line_into(symbol.unit)}};
+                               {"unit", line_into(symbol.unit)},
+                               {"note", line_into(symbol.note)}};
   keys.push_back({which == SymbolTable::constants ? "value" : "means", later});
   read_keys(*table, what + in_quotes(entry.key), keys, report);
   if (const TomlEntry* value = table->find("value"); value != nullptr && which == SymbolTable::constants)
@@ -359,6 +360,8 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
     const LocatedText located = located_string(texts.source(), tex->value.place, symbol.tex);
     symbol.offset = located.offset_of(0);
     if (auto math = texts.formula(located)) symbol.math = std::move(*math);
+    if (!symbol.math.references.empty())
+      report.error(tex->value.place, "\\eqref stands in texts and displays only");
   } else if (which == SymbolTable::symbols) {
     report.error(entry.place, what + in_quotes(entry.key) + " lacks \"tex\"");
   } else {
@@ -574,7 +577,10 @@ void read_macro(const TomlEntry& entry, TextReader& texts) {
       macro.arguments = static_cast<int>(*count);
   };
   const auto tex = [&](const TomlEntry& e) {
-    if (auto text = read_text(e, report)) macro.body = std::move(*text);
+    auto text = read_text(e, report);
+    if (!text) return;
+    texts.locate_macro(entry.key, located_string(texts.source(), e.value.place, *text));
+    macro.body = std::move(*text);
   };
   if (const auto* table = entry.value.as<TomlTable>()) {
     read_keys(*table, "macro " + in_quotes(entry.key), {{"arguments", arguments}, {"tex", tex}}, report);
@@ -609,19 +615,20 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
   read_all_symbols(table, front, texts);
   const TomlEntry* scene = table.find("scene");
   const auto later = [](const TomlEntry&) {};  // or already
-  read_keys(table, "the front matter",
-            {{"format", [&](const TomlEntry& e) { read_format(e, report); }},
-             {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
-             {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
-             {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
-             {"axes", later},
-             {"macros", later},
-             {"constants", later},
-             {"define", later},
-             {"symbols", later},
-             {"assume", later},
-             {"scene", later}},
-            report);
+  std::vector<KeyHandler> handlers = {{"format", [&](const TomlEntry& e) { read_format(e, report); }},
+                                      {"id", [&](const TomlEntry& e) { read_lesson_id(e, front, report); }},
+                                      {"title", [&](const TomlEntry& e) { read_title(e, front, report); }},
+                                      {"body", [&](const TomlEntry& e) { read_bodies(e, front, report); }},
+                                      {"axes", later},
+                                      {"macros", later},
+                                      {"constants", later},
+                                      {"define", later},
+                                      {"symbols", later},
+                                      {"assume", later},
+                                      {"scene", later}};
+  for (KeyHandler& handler : about_key_handlers(front.about, report)) handlers.push_back(std::move(handler));
+  read_keys(table, "the front matter", handlers, report);
+  for (const Reference& reference : front.about.references) texts.citable()[reference.key] = false;
   if (const TomlEntry* assume = table.find("assume"))
     front.assumptions = read_assumptions(*assume, front.notation.vocabulary, front.dimensions, texts);
   if (scene != nullptr) read_base_scene(*scene, front, texts);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/claims/dimension.h"
+#include "lessons/reader/about_keys.h"
 #include "lessons/reader/assumptions.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
@@ -24,7 +25,8 @@ struct FrontMatter {
   EquationNotation notation;  ///< how its formulas are read: its symbols and words, and what x, y, z are
   std::map<int, Dimension> dimensions;  ///< of its constants, as far as they have a unit
   Assumptions assumptions;              ///< what its claims and questions can be given
-  int next_line = 1;                    ///< first line after the closing +++
+  AboutKeys about;
+  int next_line = 1;  ///< first line after the closing +++
 };
 
 /// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.

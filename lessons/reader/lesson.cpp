@@ -30,4 +30,24 @@ std::vector<const Equation*> equations_of(const Stage& stage) {
   return all;
 }
 
+std::optional<StepPlace> target_of(const Lesson& lesson, std::string_view link) {
+  if (!link.starts_with('#')) return std::nullopt;
+  link.remove_prefix(1);
+  const std::size_t slash = std::min(link.find('/'), link.size());
+  const std::string_view equation = link.substr(std::min(slash + 1, link.size()));
+  for (std::size_t i = 0; i < lesson.stages.size(); ++i) {
+    if (lesson.stages[i].id != link.substr(0, slash)) continue;
+    if (equation.empty()) return StepPlace{i, 0};
+    for (std::size_t k = 0; k < lesson.stages[i].steps.size(); ++k)
+      for (const Equation* here : blocks_of<Equation>(lesson.stages[i].steps[k]))
+        if (here->id == equation) return StepPlace{i, k};
+  }
+  return std::nullopt;
+}
+
+std::string_view label_of(const Lesson& lesson, Callout::Kind kind) {
+  const auto own = lesson.about.labels.find(kind);
+  return own != lesson.about.labels.end() ? std::string_view(own->second) : names_of(kind).label;
+}
+
 }  // namespace polhode

@@ -13,9 +13,11 @@
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -39,10 +41,40 @@ struct Equation {
   std::vector<Expression> live{};  ///< of its \live numbers: scalars
 };
 
-/// What the lecture said, or meant: a block quote that opens with [!said] or [!meant].
+/// A call-out: a block quote that opens with [!KIND].
 struct Callout {
-  enum class Kind { said, meant } kind = Kind::said;
+  enum class Kind { said, meant, note, example, quote, aside, derivation } kind = Kind::said;
   std::string markdown;
+  RichText text;  ///< of a quote with the name below it
+  SourcePlace place;
+  /// Of a derivation what pages show of it: the text is for notes and transcripts. Empty of all others.
+  RichText title{};
+};
+
+/// What a kind of call-out is called.
+struct CalloutNames {
+  Callout::Kind kind;
+  std::string_view name;   ///< in lessons
+  std::string_view label;  ///< beside it on a page, unless [labels] has another
+  std::string_view words;  ///< before it where it is said
+};
+/// All kinds, in the order of the enumeration.
+inline constexpr std::array<CalloutNames, 7> kCallouts = {
+    {{Callout::Kind::said, "said", "As said", "The lecture said"},
+     {Callout::Kind::meant, "meant", "As meant", "What it meant"},
+     {Callout::Kind::note, "note", "Note", "Note"},
+     {Callout::Kind::example, "example", "Example", "Example"},
+     {Callout::Kind::quote, "quote", "Quote", "Quote"},
+     {Callout::Kind::aside, "aside", "Aside", "Aside"},
+     {Callout::Kind::derivation, "derivation", "Derivation", "Derivation"}}};
+constexpr const CalloutNames& names_of(Callout::Kind kind) {
+  return kCallouts[static_cast<std::size_t>(kind)];
+}
+
+/// What stands at the foot of a page, behind the number that its mark has in the text. The last blocks of a
+/// step.
+struct Footnote {
+  int number = 1;
   RichText text;
   SourcePlace place;
 };
@@ -58,12 +90,13 @@ struct Ask : Question {
   SourcePlace place;
 };
 
-using Block = std::variant<Prose, Equation, Claim, Callout, Ask>;
+using Block = std::variant<Prose, Equation, Claim, Callout, Ask, Footnote>;
 
 /// A step adds blocks to what the stage already shows; its scene is complete (inherited keys filled in).
 struct Step {
   std::vector<Block> blocks;
-  std::optional<Scene> scene;  ///< absent: text alone
+  /// Null: text alone. Steps that go on with a scene share it.
+  std::shared_ptr<const Scene> scene;
   /// The scene's, null if it has none; steps that go on with a caption share it.
   std::shared_ptr<const RichText> caption;
 };
@@ -92,7 +125,32 @@ struct Symbol {
   std::string role;        ///< colour role
   std::string say;         ///< spoken form
   std::string unit;
+  std::string note{};   ///< what is told to those who point at it; empty: the spoken form
   std::string means{};  ///< what it is, in the language of claims; "I" and "J" are the tensors
+};
+
+/// What the front matter says of the lesson itself; all of it may be left out.
+struct About {
+  std::vector<std::string> authors;
+  std::string licence;
+  std::string language = "en";                       ///< BCP 47
+  std::vector<std::string> outcomes, prerequisites;  ///< plain lines
+  std::string next;                                  ///< id of a lesson
+  std::map<Callout::Kind, std::string> labels;       ///< of call-outs that are not to have the usual ones
+};
+
+/// A source that the lesson can cite.
+struct Reference {
+  std::string key;   ///< "LL", as it is cited
+  std::string text;  ///< a plain line
+  bool is_cited = false;
+};
+
+/// Where another lesson is referred to: whoever has that lesson can tell whether there is such a place.
+struct OutsideReference {
+  std::string lesson;
+  std::string stage{}, equation{};  ///< empty: all of the lesson, or of the stage
+  SourcePlace place;
 };
 
 struct Lesson {
@@ -104,6 +162,9 @@ struct Lesson {
   Assumptions assumptions;    ///< what its claims and questions can be given
   std::vector<Stage> stages;
   std::string source;  ///< the whole file, without a byte order mark
+  About about{};
+  std::vector<Reference> references{};            ///< by their keys
+  std::vector<OutsideReference> other_lessons{};  ///< in their order
 
   const Stage* find_stage(std::string_view stage_id) const;
   /// The error names the one that may have been meant.
@@ -112,5 +173,17 @@ struct Lesson {
 
 /// All display mathematics of a stage.
 std::vector<const Equation*> equations_of(const Stage& stage);
+
+/// A step of a lesson by its index among those of its stage, and that by its index.
+struct StepPlace {
+  std::size_t stage = 0, step = 0;
+  bool operator==(const StepPlace&) const = default;
+};
+/// Where a link of the lesson's texts leads within the lesson: "#stage", or "#stage/equation" to the step
+/// that brings the equation. Nothing for any other link.
+std::optional<StepPlace> target_of(const Lesson& lesson, std::string_view link);
+
+/// The label beside a call-out of the lesson.
+std::string_view label_of(const Lesson& lesson, Callout::Kind kind);
 
 }  // namespace polhode

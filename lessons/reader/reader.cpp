@@ -5,6 +5,7 @@
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/front_matter.h"
 #include "lessons/reader/markdown/markdown.h"
+#include "lessons/reader/references.h"
 #include "lessons/reader/stage_builder.h"
 
 #include <algorithm>
@@ -50,6 +51,19 @@ std::vector<Stage> read_stages(const FrontMatter& front, TextReader& texts) {
   return stages;
 }
 
+void note_citations(AboutKeys& about, const std::map<std::string, bool>& cited, Report& report) {
+  for (std::size_t i = 0; i < about.references.size(); ++i) {
+    Reference& reference = about.references[i];
+    reference.is_cited = cited.at(reference.key);
+    if (!reference.is_cited)
+      report.warning(about.reference_places[i].place,
+                     "reference " + in_quotes(reference.key) + " is cited nowhere",
+                     "write [cite: " + reference.key + "] in a text, or leave it out");
+  }
+  std::sort(about.references.begin(), about.references.end(),
+            [](const Reference& a, const Reference& b) { return a.key < b.key; });
+}
+
 }  // namespace
 
 LessonReading read_lesson(std::string_view text, std::string_view file_name) {
@@ -61,11 +75,22 @@ LessonReading read_lesson(std::string_view text, std::string_view file_name) {
     TextReader texts(report);
     FrontMatter front = read_front_matter(texts);
     std::vector<Stage> stages = read_stages(front, texts);
+    std::vector<OutsideReference> others = std::move(front.about.next);
+    const std::vector<OutsideReference> linked = resolve_references(stages, report);
+    others.insert(others.end(), linked.begin(), linked.end());
+    note_citations(front.about, texts.citable(), report);
     if (!report.has_errors()) {
-      reading.lesson =
-          Lesson{std::move(front.id),       std::move(front.title),    std::move(front.symbols),
-                 std::move(texts.macros()), std::move(front.notation), std::move(front.assumptions),
-                 std::move(stages),         std::string(text)};
+      reading.lesson = Lesson{std::move(front.id),
+                              std::move(front.title),
+                              std::move(front.symbols),
+                              std::move(texts.macros()),
+                              std::move(front.notation),
+                              std::move(front.assumptions),
+                              std::move(stages),
+                              std::string(text),
+                              std::move(front.about.about),
+                              std::move(front.about.references),
+                              std::move(others)};
     }
   }
   reading.diagnostics = report.take();

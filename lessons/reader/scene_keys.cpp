@@ -110,6 +110,7 @@ class SceneKeys {
         lesson_scene_(scene),
         scene_(scene.scene),
         caption_(scene.caption),
+        shown_(scene.shown),
         texts_(texts),
         report_(texts.report()) {}
 
@@ -339,14 +340,17 @@ class SceneKeys {
     const auto names = read_texts(entry, static_cast<std::size_t>(kMaxOverlays), report_);
     if (!names) return;
     OverlaySet shown;
+    shown_.clear();
     for (const PlacedText& name : *names) {
       const auto overlay = overlay_from(name.text);
       if (!overlay)
         unknown("overlay", name, overlay_names());
       else if (shown.contains(*overlay))
         report_.warning(name.place, in_quotes(name.text) + " is shown already");
-      else
+      else {
         shown.insert(*overlay);
+        shown_.push_back(name);
+      }
     }
     scene_.show = shown;
   }
@@ -451,6 +455,7 @@ class SceneKeys {
   LessonScene& lesson_scene_;
   Scene& scene_;
   std::shared_ptr<const RichText>& caption_;
+  std::vector<PlacedText>& shown_;
   TextReader& texts_;
   Report& report_;
   std::vector<PlacedText> highlighted_;

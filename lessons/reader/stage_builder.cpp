@@ -9,6 +9,7 @@
 #include "lessons/reader/markdown/callouts.h"
 #include "lessons/reader/markdown/heading.h"
 #include "lessons/reader/reader.h"
+#include "render/scene/model/scene_needs.h"
 
 #include <algorithm>
 #include <cctype>
@@ -132,6 +133,7 @@ bool StageBuilder::start_stage(const MarkdownBlock& block) {
   }
   stage.steps.emplace_back();
   stages_.push_back(std::move(stage));
+  texts_.notes().start_stage();
   scene_ = front_.scene;
   has_scene_ = step_has_scene_ = false;
   step_is_empty_ = true;
@@ -159,9 +161,62 @@ void StageBuilder::finish_step() {
     report_.error(step_place_, only_one ? "this stage is empty" : "this step is empty",
                   only_one ? "write its text below the heading" : "leave out one ---");
   }
+  add_footnotes();
   if (!has_scene_) return;
-  step().scene = finished(scene_, front_.bodies);
+  const std::vector<Step>& steps = stages_.back().steps;
+  const bool goes_on = !step_has_scene_ && steps.size() > 1 && steps[steps.size() - 2].scene;
+  step().scene = goes_on ? steps[steps.size() - 2].scene
+                         : std::make_shared<const Scene>(finished(scene_, front_.bodies));
   step().caption = scene_.caption;
+  if (step_has_scene_) check_shown();
+}
+
+/// Of what a scene shows all is to be seen; where not, its author may not know.
+void StageBuilder::check_shown() {
+  for (const PlacedText& name : scene_.shown)
+    if (const std::string unseen = what_is_unseen(*overlay_from(name.text), *step().scene); !unseen.empty())
+      report_.warning(name.place, "in the scene of line " + std::to_string(scene_line_) + ' ' +
+                                      in_quotes(name.text) + ' ' + unseen);
+}
+
+void StageBuilder::take_footnote(const PlacedText& id, LocatedText text) {
+  const auto same =
+      std::find_if(notes_.begin(), notes_.end(), [&](const Note& note) { return note.id.text == id.text; });
+  if (!is_id(id.text))
+    report_.error(id.place, "bad id " + in_quotes(id.text), std::string(kIdRule));
+  else if (same != notes_.end())
+    report_.error(id.place, "footnote " + in_quotes(id.text) + " is there already, on line " +
+                                std::to_string(same->id.place.line));
+  else if (notes_.size() == kMaxFootnotes)
+    report_.error(id.place, "a step has at most " + std::to_string(kMaxFootnotes) + " footnotes");
+  else
+    notes_.push_back({id, std::move(text)});
+}
+
+/// The footnotes of the step, in the order of their marks.
+void StageBuilder::add_footnotes() {
+  std::vector<std::string> known;
+  for (const Note& note : notes_) known.push_back(note.id.text);
+  std::set<std::string> marked;
+  for (const FootnoteMarks::Mark& mark : texts_.notes().finish_step()) {
+    marked.insert(mark.id);
+    const auto note =
+        std::find_if(notes_.begin(), notes_.end(), [&](const Note& one) { return one.id.text == mark.id; });
+    if (note == notes_.end()) {
+      report_.error(source_.place_of(mark.offset), "this step has no footnote " + in_quotes(mark.id),
+                    known.empty() ? "write [^" + mark.id + "]: and its text below an empty line"
+                                  : suggestion(mark.id, known));
+      continue;
+    }
+    ++parts_;
+    if (trimmed_lines(note->text.text()).empty()) report_.error(note->id.place, "this footnote is empty");
+    step().blocks.push_back(Footnote{mark.number, texts_.note(note->text), note->id.place});
+  }
+  for (const Note& note : notes_)
+    if (!marked.contains(note.id.text))
+      report_.error(note.id.place, "nothing in this step refers to footnote " + in_quotes(note.id.text),
+                    "write [^" + note.id.text + "] where it belongs");
+  notes_.clear();
 }
 
 void StageBuilder::finish_stage() {
@@ -199,8 +254,31 @@ void StageBuilder::check_highlights() {
 
 void StageBuilder::add_prose(const MarkdownBlock& block) {
   const SourcePlace place{block.first_line, 1};
-  const std::string_view text = source_.lines(block.first_line, block.last_line);
-  step().blocks.push_back(Prose{std::string(text), texts_.passage(LocatedText(source_, text)), place});
+  LocatedText text, note;
+  PlacedText id;
+  bool in_note = false;  // a footnote ends with its paragraph
+  const auto end_note = [&] {
+    if (in_note) take_footnote(id, std::exchange(note, {}));
+    in_note = false;
+  };
+  for (int number = block.first_line; number <= block.last_line; ++number) {
+    const std::string_view line = source_.line(number);
+    const auto opening = footnote_opening(line);
+    if (opening || is_blank(line)) end_note();
+    if (opening) {
+      in_note = true;
+      id = {std::string(opening->id), source_.place_of(opening->id)};
+      note.append(opening->text, source_.offset_of(opening->text));
+      continue;
+    }
+    LocatedText& into = in_note ? note : text;
+    if (in_note || number > block.first_line) into.append("\n", source_.begin_of(number) - 1);
+    into.append(line, source_.offset_of(line));
+  }
+  end_note();
+  const std::string_view markdown = trimmed_lines(text.text());
+  if (markdown.empty()) return;
+  step().blocks.push_back(Prose{std::string(markdown), texts_.passage(text), place});
 }
 
 void StageBuilder::add_quote(const MarkdownBlock& block) {
@@ -403,6 +481,7 @@ void StageBuilder::add_scene(const Fence& fence) {
     return;
   }
   has_scene_ = step_has_scene_ = true;
+  scene_line_ = fence.place.line;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
   std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_, fence.place);

@@ -34,8 +34,11 @@ class StageBuilder {
   void finish_stage();
   void check_claims();
   void check_highlights();
+  void check_shown();
+  void add_footnotes();
 
   void add_prose(const MarkdownBlock& prose);
+  void take_footnote(const PlacedText& id, LocatedText text);
   void add_quote(const MarkdownBlock& quote);
   void add_fence(const MarkdownBlock& block);
   void add_math(const Fence& fence);
@@ -65,8 +68,14 @@ class StageBuilder {
   LessonScene scene_;
   bool has_scene_ = false;
   bool step_has_scene_ = false;
+  int scene_line_ = 1;         ///< of its fence
   bool step_is_empty_ = true;  ///< nothing stands in it, right or wrong
   SourcePlace step_place_;
+  struct Note {
+    PlacedText id;
+    LocatedText text;
+  };
+  std::vector<Note> notes_;  ///< footnotes of the step being read
   std::map<std::string, int> equation_lines_;
   /// What a formula that begins with "=" goes on with: the one above, if that is proved as printed and of the
   /// same kind, or is one side alone, which states nothing.

@@ -47,7 +47,11 @@ class TypeCheck {
   }
 
   void check(const Prose& prose) { text(prose.text, body_); }
-  void check(const Callout& callout) { text(callout.text, body_); }
+  void check(const Callout& callout) {
+    text(callout.text, body_);
+    text(callout.title, body_);
+  }
+  void check(const Footnote& note) { text(note.text, body_); }
   void check(const Equation& equation) { formula(equation.math, equation.offset); }
   void check(const Claim&) {}
   void check(const Ask& ask) {

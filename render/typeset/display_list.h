@@ -33,9 +33,10 @@ struct SourceSpan {
   bool operator==(const SourceSpan&) const = default;
 };
 
-/// What is named: a `\term{id}{…}`, or a symbol of the lesson. Indices into DisplayList::names; −1: none.
+/// What is named: a `\term{id}{…}` or a link, or a symbol of the lesson. Indices into DisplayList::names; −1:
+/// none.
 struct Naming {
-  std::int16_t term = -1;    ///< the innermost \term
+  std::int16_t term = -1;    ///< the innermost \term, else the link
   std::int16_t symbol = -1;  ///< the innermost symbol
   bool operator==(const Naming&) const = default;
 };
@@ -86,7 +87,9 @@ struct TypeBox {
 struct TypeError {
   std::size_t offset = 0;
   std::string message;
-  std::string hint;  ///< what to do; may be empty
+  std::string hint{};          ///< what to do; may be empty
+  std::string macro{};         ///< of the author, which says what is wrong; empty: the text itself does
+  std::size_t macro_offset{};  ///< byte of what that macro stands for
 };
 
 /// So many of them are told of one text at most.

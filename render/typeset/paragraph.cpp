@@ -317,7 +317,7 @@ class TextSetter {
                     -rise - g.y * size,
                     size,
                     color_of(block.spans[e.span]),
-                    {},
+                    naming_of(block.spans[e.span], list_),
                     e.source};
       atom.is_cluster = g.cluster != cluster && !is_combining(e.character);
       atom.span = e.span;
@@ -339,6 +339,12 @@ class TextSetter {
   }
 
   Color color_of(const TextSpan& span) const { return span.link.empty() ? style_.color : style_.link_color; }
+
+  /// All of a link has its name, so that whoever shows the text can follow it.
+  static Naming naming_of(const TextSpan& span, DisplayList& list) {
+    if (span.link.empty()) return {};
+    return {index_of(list, span.link), -1};
+  }
 
   void add_formula(const TextSpan& span, std::uint32_t index, double width, Parts& parts) {
     auto formula = formula_of(span, width);
@@ -377,7 +383,11 @@ class TextSetter {
       return std::nullopt;
     }
     const auto move = [&span](SourceSpan& source) { source = source_of(span, source.begin, source.end); };
-    for (Glyph& glyph : set->glyphs) move(glyph.source);
+    const Naming link = naming_of(span, *set);
+    for (Glyph& glyph : set->glyphs) {
+      move(glyph.source);
+      if (glyph.naming.term < 0) glyph.naming.term = link.term;
+    }
     for (Rule& rule : set->rules) move(rule.source);
     return std::move(*set);
   }

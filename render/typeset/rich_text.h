@@ -16,7 +16,7 @@ struct TextSpan {
   std::string text;  ///< UTF-8; of a formula its TeX
   Math math;         ///< of Kind::math
   bool bold = false, italic = false, code = false;
-  std::string link;  ///< where it leads; empty: nowhere
+  std::string link;  ///< where it leads, the name of its glyphs (DisplayList::names); empty: nowhere
   bool break_after = false;
   SourceSpan source;  ///< of a formula without its dollars
 };
@@ -27,6 +27,12 @@ struct TextBlock {
   std::string marker;  ///< "•", "2."; empty: none
   std::vector<TextSpan> spans;
 };
+
+/// A link to the source of what is said: behind it stands the source's key in the lesson.
+inline constexpr std::string_view kCiteLink = "cite:";
+
+/// Whether glyphs of this name (DisplayList::names) are those of a link: no \term has such an id.
+inline bool is_link_name(std::string_view name) { return name.find_first_of("#:") != name.npos; }
 
 using RichText = std::vector<TextBlock>;
 

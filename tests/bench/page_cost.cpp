@@ -38,7 +38,7 @@ Sheet sheet_of_all_kinds() {
 /// yet.
 double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& context) {
   const Step& step = stage.steps.back();
-  const SceneModel model = make_model(step.scene.value(), Product::page);
+  const SceneModel model = make_model(*step.scene, Product::page);
   const Fonts fonts = Fonts::open().value();
   const auto renderer = value_of(Renderer::create(context, fonts));
   const PageRequest request{.lesson = lesson,

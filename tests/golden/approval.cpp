@@ -92,9 +92,9 @@ void lay_over_violet(Image& image) {
   }
 }
 
-void expect_as_approved(const std::string& name, const Image& got) {
+void expect_as_approved(const std::string& name, const Image& got, const fs::path& folder) {
   EXPECT_FALSE(is_blank(got));
-  const fs::path path = kFolder / (name + ".png");
+  const fs::path path = folder / (name + ".png");
   const std::string driver = renderer().driver(), recorded = recorded_mesa();
   const bool by_other_mesa = mesa_of(driver) != recorded;
   const char* asked = std::getenv("POLHODE_REMAKE");

@@ -35,7 +35,8 @@ Remake remake_of(const std::string& name, const std::string& asked, bool by_othe
 /// goldens, drawn by Mesa 25.0.7 (Debian 13) and by 26.2.6 (sid) against those of 22.3.6: at most 10 of
 /// 129,600 pixels are off by more than 3 levels, none by more than 41 of the 48 allowed. With registers of
 /// 256 bits it would be 78, by every Mesa alike.
-void expect_as_approved(const std::string& name, const Image& got);
+void expect_as_approved(const std::string& name, const Image& got,
+                        const std::filesystem::path& folder = kFolder);
 
 /// Names of the goldens of page_golden_test.cpp.
 std::vector<std::string> page_names();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/markdown/inline_text.h"
 
-#include "lessons/reader/markdown/inline_math.h"
+#include "base/spelling.h"
+#include "lessons/reader/markdown/heading.h"
+#include "lessons/reader/markdown/inline_marks.h"
 #include "render/typeset/characters.h"
 #include "render/typeset/line_formulas.h"
 #include "render/typeset/math/tree.h"
@@ -54,15 +56,16 @@ std::optional<char32_t> entity_character(std::string_view entity) {
 
 }  // namespace
 
-/// Turns md4c's calls into blocks and spans. md4c reads a copy in which letters stand for the formulas, so
-/// that no mark of Markdown in them counts; its pointers into the copy say where everything is.
+/// Turns md4c's calls into blocks and spans. md4c reads a copy in which letters stand for formulas, and
+/// commas for marks of footnotes and citations, so that no mark of Markdown in them counts; its pointers into
+/// the copy say where everything is.
 class TextReader::Builder {
  public:
-  Builder(TextReader& reader, const LocatedText& markdown, bool one_paragraph)
-      : reader_(reader), markdown_(markdown), text_(markdown.text()), one_paragraph_(one_paragraph) {}
+  Builder(TextReader& reader, const LocatedText& markdown, Form form)
+      : reader_(reader), markdown_(markdown), text_(markdown.text()), form_(form) {}
 
   RichText run() {
-    formulas_ = find_inline_math(markdown_, reader_.report_);
+    marks_ = find_inline_marks(markdown_, reader_.report_);
     make_copy();
     MD_PARSER parser{};
     parser.flags = MD_FLAG_NOINDENTEDCODEBLOCKS | MD_FLAG_TABLES;
@@ -84,7 +87,7 @@ class TextReader::Builder {
     const int stopped = md_parse(copy_.data(), static_cast<MD_SIZE>(copy_.size()), &parser, this);
     if (stopped != 0 && !saw_limit_) error(0, "there is not enough memory to read this text");
     if (stopped != 0) return {};
-    report_lost_formulas(text_.size());
+    report_lost_marks(text_.size());
     if (saw_unread_block_ && !reader_.report_.has_errors())
       error(0, "a heading or fence inside a text is not read", "begin it at the margin");
     for (TextBlock& block : blocks_) block.spans.shrink_to_fit();
@@ -99,13 +102,15 @@ class TextReader::Builder {
   };
 
   void make_copy() {
-    copy_ = one_paragraph_ ? std::string(kParagraphOpener) : std::string();
+    const bool one_paragraph = form_ == Form::line;
+    copy_ = one_paragraph ? std::string(kParagraphOpener) : std::string();
     opener_ = copy_.size();
     copy_ += text_;
-    for (const SourceSpan& formula : formulas_)
-      std::fill(copy_.begin() + static_cast<std::ptrdiff_t>(opener_ + formula.begin - 1),
-                copy_.begin() + static_cast<std::ptrdiff_t>(opener_ + formula.end + 1), 'x');
-    if (one_paragraph_) std::replace(copy_.begin(), copy_.end(), '\n', ' ');
+    for (const InlineMark& mark : marks_)
+      std::fill(copy_.begin() + static_cast<std::ptrdiff_t>(opener_ + mark.whole.begin),
+                copy_.begin() + static_cast<std::ptrdiff_t>(opener_ + mark.whole.end),
+                mark.kind == InlineMark::Kind::formula ? 'x' : ',');
+    if (one_paragraph) std::replace(copy_.begin(), copy_.end(), '\n', ' ');
   }
 
   void error(std::size_t at, std::string message, std::string hint = {}) {
@@ -203,17 +208,36 @@ class TextReader::Builder {
       error(next_of("!["), "images are not read", "a ```scene fence draws the figure of a step");
     if (type == MD_SPAN_A) {
       const MD_ATTRIBUTE& href = static_cast<MD_SPAN_A_DETAIL*>(detail)->href;
-      link_ = href.size > 0 ? std::string(href.text, href.size) : "#";
+      link_ = href.size > 0 ? as_written({href.text, href.size}) : "#";
+      link_at_ = next_of("[");
+      link_is_empty_ = true;
     }
     return 0;
+  }
+
+  /// A part of the copy, without what stands for formulas there.
+  std::string as_written(std::string_view part) const {
+    const std::less<const char*> before;
+    const bool in_copy =
+        !before(part.data(), copy_.data() + opener_) && before(part.data(), copy_.data() + copy_.size());
+    if (!in_copy) return std::string(part);
+    return std::string(
+        text_.substr(static_cast<std::size_t>(part.data() - copy_.data()) - opener_, part.size()));
   }
 
   int leave_span(MD_SPANTYPE type) {
     if (type == MD_SPAN_STRONG) --bold_;
     if (type == MD_SPAN_EM) --italic_;
     if (type == MD_SPAN_CODE) --code_;
-    if (type == MD_SPAN_A) link_.clear();
-    return 0;
+    if (type == MD_SPAN_A) {
+      if (link_is_empty_) {
+        spans();
+        push(new_span(markdown_.span_of(link_at_, std::min(link_at_ + 1, text_.size()))));
+        cursor_ = std::max(cursor_, link_at_ + 1);
+      }
+      link_.clear();
+    }
+    return saw_limit_ ? kStop : 0;
   }
 
   int add_text(MD_TEXTTYPE type, std::string_view part) {
@@ -237,24 +261,80 @@ class TextReader::Builder {
     return saw_limit_ ? kStop : 0;
   }
 
-  /// Cuts the formulas out of [begin, end).
+  /// Cuts formulas, marks of footnotes and citations out of [begin, end).
   void add_part(MD_TEXTTYPE type, std::size_t begin, std::size_t end) {
-    report_lost_formulas(begin);
-    while (next_formula_ < formulas_.size() && formulas_[next_formula_].end < end) {
-      const SourceSpan formula = formulas_[next_formula_++];
-      add_words(type, begin, formula.begin - 1);
-      add_formula(formula);
-      begin = formula.end + 1;
+    report_lost_marks(begin);
+    while (next_mark_ < marks_.size() && marks_[next_mark_].whole.end <= end) {
+      const InlineMark mark = marks_[next_mark_++];
+      add_words(type, begin, mark.whole.begin);
+      add(mark);
+      begin = mark.whole.end;
     }
     add_words(type, begin, end);
     cursor_ = std::max(cursor_, end);
   }
 
-  /// Of formulas that begin before `end` and were in no text: they are in a link's address or the like.
-  void report_lost_formulas(std::size_t end) {
-    while (next_formula_ < formulas_.size() && formulas_[next_formula_].begin - 1 < end)
-      error(formulas_[next_formula_++].begin - 1, "a formula cannot stand here",
-            "write \\$ for a dollar sign");
+  /// Of those that begin before `end` and were in no text: they are in a link's address or the like.
+  void report_lost_marks(std::size_t end) {
+    for (; next_mark_ < marks_.size() && marks_[next_mark_].whole.begin < end; ++next_mark_) {
+      const InlineMark& mark = marks_[next_mark_];
+      if (mark.kind == InlineMark::Kind::formula)
+        error(mark.whole.begin, "a formula cannot stand here", "write \\$ for a dollar sign");
+      else
+        error(mark.whole.begin, "a footnote or citation cannot stand here", "write \\[ for the bracket");
+    }
+  }
+
+  void add(const InlineMark& mark) {
+    if (mark.kind == InlineMark::Kind::formula) return add_formula(mark.inside);
+    if (mark.kind == InlineMark::Kind::note) return add_note_mark(mark);
+    add_citation(mark);
+  }
+
+  void add_note_mark(const InlineMark& mark) {
+    const std::string id(text_.substr(mark.inside.begin, mark.inside.end - mark.inside.begin));
+    if (form_ != Form::passage)
+      return error(mark.whole.begin, "the mark of a footnote stands in text and call-outs only");
+    if (text_.substr(mark.whole.end, 1) == ":" && begins_line(mark.whole.begin))
+      return error(mark.whole.begin, "a footnote begins at the margin, below an empty line or another one");
+    if (!is_id(id)) return error(mark.inside.begin, "bad id " + in_quotes(id), std::string(kIdRule));
+    add_made(raised_number(reader_.notes_.number_of(id, markdown_.offset_of(mark.inside.begin))), mark);
+  }
+
+  bool begins_line(std::size_t at) const {
+    const std::size_t before = text_.substr(0, at).find_last_not_of(" \t");
+    return before == std::string_view::npos || text_[before] == '\n';
+  }
+
+  /// `[cite: KEY]` or `[cite: KEY, where]` is shown as [KEY, where].
+  void add_citation(const InlineMark& mark) {
+    std::string_view inside = text_.substr(mark.inside.begin, mark.inside.end - mark.inside.begin);
+    const std::size_t comma = std::min(inside.find(','), inside.size());
+    const std::string key(trimmed_lines(inside.substr(0, comma)));
+    const auto found = reader_.citable_.find(key);
+    if (found == reader_.citable_.end()) {
+      std::vector<std::string> known;
+      for (const auto& [name, is_cited] : reader_.citable_) known.push_back(name);
+      const std::string hint = known.empty() ? "write [references] in the front matter, and " +
+                                                   (is_id(key) ? key : "KEY") + " = \"…\" below"
+                                             : suggestion(key, known);
+      return error(mark.whole.begin, "no reference " + in_quotes(key) + " to cite", hint);
+    }
+    found->second = true;
+    std::string where;  // in one line
+    if (comma < inside.size()) where = trimmed_lines(inside.substr(comma + 1));
+    std::replace(where.begin(), where.end(), '\n', ' ');
+    const std::string around = std::exchange(link_, std::string(kCiteLink) + key);
+    add_made('[' + key + (where.empty() ? "" : ", " + where) + ']', mark);
+    link_ = around;
+  }
+
+  /// Text that stands for a mark.
+  void add_made(std::string text, const InlineMark& mark) {
+    TextSpan span = new_span(markdown_.span_of(mark.whole.begin, mark.whole.end));
+    span.text = std::move(text);
+    spans();
+    push(std::move(span));
   }
 
   void add_words(MD_TEXTTYPE type, std::size_t begin, std::size_t end) {
@@ -332,6 +412,7 @@ class TextReader::Builder {
   }
 
   void push(TextSpan span) {
+    link_is_empty_ = false;
     saw_limit_ = !reader_.take_spans(1, span.source.begin);
     if (!saw_limit_) blocks_.back().spans.push_back(std::move(span));
   }
@@ -339,9 +420,9 @@ class TextReader::Builder {
   TextReader& reader_;
   const LocatedText& markdown_;
   std::string_view text_;
-  bool one_paragraph_;
-  std::vector<SourceSpan> formulas_;
-  std::size_t next_formula_ = 0;
+  Form form_;
+  std::vector<InlineMark> marks_;
+  std::size_t next_mark_ = 0;
   std::string copy_;
   std::size_t opener_ = 0;  // bytes of the copy before the text
   std::size_t cursor_ = 0;  // in the text, behind what was read last
@@ -356,12 +437,15 @@ class TextReader::Builder {
   bool saw_limit_ = false;
   int bold_ = 0, italic_ = 0, code_ = 0;
   std::string link_;
+  std::size_t link_at_ = 0;    // where its bracket opens
+  bool link_is_empty_ = true;  // no text of it has come
 };
 
-RichText TextReader::passage(const LocatedText& markdown) { return read(markdown, false); }
-RichText TextReader::line(const LocatedText& markdown) { return read(markdown, true); }
+RichText TextReader::passage(const LocatedText& markdown) { return read(markdown, Form::passage); }
+RichText TextReader::note(const LocatedText& markdown) { return read(markdown, Form::note); }
+RichText TextReader::line(const LocatedText& markdown) { return read(markdown, Form::line); }
 
-RichText TextReader::read(const LocatedText& markdown, bool one_paragraph) {
+RichText TextReader::read(const LocatedText& markdown, Form form) {
   const std::size_t size = markdown.text().size();
   if (size > kMaxPassageBytes) {
     report_.error(source().place_of(markdown.offset_of(0)),
@@ -370,7 +454,7 @@ RichText TextReader::read(const LocatedText& markdown, bool one_paragraph) {
                   "put it into several steps with ---");
     return {};
   }
-  return Builder(*this, markdown, one_paragraph).run();
+  return Builder(*this, markdown, form).run();
 }
 
 RichText TextReader::caption(const LocatedText& text) {
@@ -384,6 +468,9 @@ RichText TextReader::caption(const LocatedText& text) {
     if (math) {
       auto parsed = parse_inline(text, begin, end, {});
       if (!parsed) return;
+      if (!parsed->references.empty())
+        report_.error(source().place_of(text.offset_of(begin + parsed->references.front().offset)),
+                      "\\eqref stands in texts and displays only");
       span.kind = TextSpan::Kind::math;
       span.math = std::move(*parsed);
     }
@@ -443,8 +530,17 @@ std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin
   auto math = parse_math(std::string_view(text.text()).substr(begin, end - begin), macros);
   if (math) return has_room_for(math->made) ? std::optional(std::move(*math)) : std::nullopt;
   for (const TypeError& error : math.error())
-    report_.error(source().place_of(text.offset_of(begin + error.offset)), error.message, error.hint);
+    report(error, source().place_of(text.offset_of(begin + error.offset)));
   return std::nullopt;
+}
+
+/// A mistake in a macro is one, however often the macro is used.
+void TextReader::report(const TypeError& error, SourcePlace used_at) {
+  const auto body = macro_bodies_.find(error.macro);
+  if (body == macro_bodies_.end()) return report_.error(used_at, error.message, error.hint);
+  if (!said_of_macros_.emplace(error.macro, error.macro_offset, error.message).second) return;
+  report_.error(source().place_of(body->second.offset_of(error.macro_offset)),
+                error.message + ", as line " + std::to_string(used_at.line) + " uses it", error.hint);
 }
 
 bool TextReader::take_spans(std::size_t count, std::size_t offset) {

@@ -3,11 +3,16 @@
 #pragma once
 
 #include "lessons/diagnostics/report.h"
+#include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/markdown/located_text.h"
 #include "render/typeset/rich_text.h"
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <set>
+#include <string>
+#include <tuple>
 
 namespace polhode {
 
@@ -27,10 +32,19 @@ class TextReader {
   const SourceText& source() const { return report_.source(); }
   /// The author's macros, which all formulas read after them may use.
   MathMacros& macros() { return macros_; }
+  /// What a macro stands for, and where: a mistake in it is reported there, once.
+  void locate_macro(const std::string& name, LocatedText body) { macro_bodies_[name] = std::move(body); }
+  /// Marks of footnotes in passages are taken into account here.
+  FootnoteMarks& notes() { return notes_; }
+  /// What can be cited: true once it is.
+  std::map<std::string, bool>& citable() { return citable_; }
 
-  /// Paragraphs and lists: emphasis, code, links, hard breaks, entities, formulas. Images, tables, HTML, and
-  /// quotes are reported.
+  /// Paragraphs and lists: emphasis, code, links, hard breaks, entities, formulas, marks of footnotes,
+  /// citations. Images, tables, HTML, and quotes are reported. A link without text has one empty span:
+  /// what is shown is what it leads to (references.h).
   RichText passage(const LocatedText& markdown);
+  /// A footnote's text: a passage without marks of footnotes.
+  RichText note(const LocatedText& markdown);
   /// One paragraph, whatever its lines begin with: titles, choices.
   RichText line(const LocatedText& markdown);
   /// One line of plain text with formulas, as set_line has it, without macros: captions.
@@ -40,15 +54,21 @@ class TextReader {
 
  private:
   class Builder;
-  RichText read(const LocatedText& markdown, bool one_paragraph);
+  enum class Form { passage, note, line };
+  RichText read(const LocatedText& markdown, Form form);
   std::optional<Math> parse_inline(const LocatedText& text, std::size_t begin, std::size_t end,
                                    const MathMacros& macros);
   std::optional<Math> parse(const LocatedText& text, std::size_t begin, std::size_t end,
                             const MathMacros& macros);
+  void report(const TypeError& error, SourcePlace used_at);
   bool take_spans(std::size_t count, std::size_t offset);
 
   Report& report_;
   MathMacros macros_;
+  std::map<std::string, LocatedText> macro_bodies_;
+  std::set<std::tuple<std::string, std::size_t, std::string>> said_of_macros_;
+  FootnoteMarks notes_;
+  std::map<std::string, bool> citable_;
   std::size_t math_bytes_ = 0;
   std::size_t spans_ = 0;
 };

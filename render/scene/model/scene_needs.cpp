@@ -5,6 +5,7 @@
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
+#include <array>
 
 namespace polhode {
 namespace {
@@ -42,6 +43,32 @@ OverlaySet drawn_overlays(const Scene& scene) {
     if (is_seen && scene.show.contains(facts.overlay)) drawn.insert(facts.overlay);
   }
   return drawn;
+}
+
+std::string what_is_unseen(Overlay overlay, const Scene& scene) {
+  struct Reason {
+    SeenIf lacking;
+    std::string_view words;
+  };
+  constexpr std::array kReasons = {
+      Reason{SeenIf::free, "it belongs to motion without torque, and a torque acts"},
+      Reason{SeenIf::torque, "no torque acts"},
+      Reason{SeenIf::moves, "the body is at rest"},
+      Reason{SeenIf::space_view, "it is seen from space only"},
+      Reason{SeenIf::L_down, "only where L points down is it level: attitude = \"L-down\""},
+      Reason{SeenIf::translates, "the centre of mass is at rest: there is no velocity or force"},
+      Reason{SeenIf::force, "there is no force"},
+      Reason{SeenIf::pivot, "the torque is not that of one heavy top"}};
+  const OverlayFacts& facts = facts_of(overlay);
+  const SeenIf holds = what_holds(scene);
+  if (scene.show.contains(Overlay::turn_orders) && !facts.stays_in_turns)
+    return "shows nothing beside turn-orders: that body is turned by hand, and has no motion";
+  for (const Reason& reason : kReasons) {
+    const bool is_asked = (facts.seen_if | reason.lacking) == facts.seen_if;
+    if (is_asked && (holds | reason.lacking) != holds) return "shows nothing: " + std::string(reason.words);
+  }
+  const bool half_of_cones = overlay == Overlay::cones && !contains(scene.views, View::space);
+  return half_of_cones ? "shows the body cone alone: the space cone is seen from space only" : "";
 }
 
 std::vector<Meter> shown_meters(const Scene& scene) {

@@ -6,6 +6,7 @@
 #include "render/scene/description/requirements.h"
 #include "render/scene/description/scene.h"
 
+#include <string>
 #include <vector>
 
 namespace polhode {
@@ -15,6 +16,10 @@ namespace polhode {
 /// pointing down (only there is it level); N to a torque; a body at rest without torque has its shape and its
 /// axes alone.
 OverlaySet drawn_overlays(const Scene& scene);
+
+/// What is missing of an overlay that a scene shows, and why: "shows nothing: no torque acts". Empty: nothing
+/// is.
+std::string what_is_unseen(Overlay overlay, const Scene& scene);
 
 /// The plots of a page about the scene: those it names, or else ω and drift without a torque, and ω, energy
 /// and momentum under one.

@@ -464,6 +464,7 @@ constexpr Amount kAmounts[] = {
     {"proved", Action::proved},
     {"live", Action::live},
     {"tag", Action::tag},
+    {"eqref", Action::reference},
     {"boxed", Action::box},
     {"fbox", Action::box},
     {"phantom", Action::phantom, 3},

@@ -43,6 +43,7 @@ struct MathCommand {
     proved,
     live,
     tag,
+    reference,
     cancel,  ///< `character`
     box,
     phantom,  ///< `amount`

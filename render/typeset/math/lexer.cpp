@@ -120,7 +120,11 @@ class Scan {
 }  // namespace
 
 void MathErrors::add(std::size_t offset, std::string message, std::string hint) {
-  if (!full()) errors_.push_back({offset, std::move(message), std::move(hint)});
+  add({offset, std::move(message), std::move(hint)});
+}
+
+void MathErrors::add(TypeError error) {
+  if (!full()) errors_.push_back(std::move(error));
 }
 
 std::vector<TypeError> MathErrors::take() {
@@ -166,13 +170,20 @@ void MathTokens::stop() {
   stopped_ = true;
 }
 
+TypeError MathTokens::error_at(const MathToken& at, std::string message, std::string hint) const {
+  TypeError error{at.span.begin, std::move(message), std::move(hint)};
+  if (at.origin < 0) return error;
+  const Expansion& expansion = expansions_[static_cast<std::size_t>(at.origin)];
+  if (!macros_.contains(expansion.name)) return error;
+  error.macro = expansion.name;
+  error.macro_offset = at.body;
+  return error;
+}
+
 void MathTokens::error(const MathToken& at, std::string message, std::string hint) {
-  if (at.origin >= 0) {
-    const Expansion& expansion = expansions_[static_cast<std::size_t>(at.origin)];
-    if (!math_command(expansion.name) || macros_.contains(expansion.name))
-      message = "in \\" + std::string(expansion.name) + ": " + message;
-  }
-  errors_.add(at.span.begin, std::move(message), std::move(hint));
+  TypeError error = error_at(at, std::move(message), std::move(hint));
+  if (!error.macro.empty()) error.message = "in \\" + error.macro + ": " + error.message;
+  errors_.add(std::move(error));
   if (errors_.full()) stop();
 }
 
@@ -205,7 +216,7 @@ void MathTokens::expand() {
 bool MathTokens::may_expand(const MathToken& call, std::string_view name) {
   for (int i = call.origin; i >= 0; i = expansions_[static_cast<std::size_t>(i)].parent) {
     if (expansions_[static_cast<std::size_t>(i)].name != name) continue;
-    errors_.add(call.span.begin, "macro \\" + std::string(name) + " calls itself");
+    errors_.add(error_at(call, "macro \\" + std::string(name) + " calls itself"));
     stop();
     return false;
   }
@@ -253,6 +264,7 @@ void MathTokens::put_back(const List& body, const std::vector<List>& arguments, 
       made.insert(made.end(), argument.begin(), argument.end());
     } else {
       made.push_back(token);
+      made.back().body = token.span.begin;
       made.back().span = call.span;
       made.back().origin = origin;
     }

@@ -14,6 +14,7 @@ namespace polhode {
 class MathErrors {
  public:
   void add(std::size_t offset, std::string message, std::string hint = {});
+  void add(TypeError error);
   bool full() const { return errors_.size() >= kMaxTypeErrors; }
   bool none() const { return errors_.empty(); }
   /// In the order of their offsets.
@@ -30,6 +31,7 @@ struct MathToken {
   std::string_view name;   ///< of a command, without backslash
   SourceSpan span;         ///< of what a macro stands for: the whole call
   int origin = -1;         ///< index of the expansion it comes from
+  std::uint32_t body = 0;  ///< byte of what the macro of that expansion stands for
 
   bool is(char32_t c) const { return kind == Kind::character && character == c; }
   bool is_command(std::string_view n) const { return kind == Kind::command && name == n; }
@@ -70,6 +72,8 @@ class MathTokens {
 
   List read(std::string_view tex, bool is_macro);
   void expand();
+  /// Of something that the token does: said of the macro of the author that holds it, if one does.
+  TypeError error_at(const MathToken& at, std::string message, std::string hint = {}) const;
   bool may_expand(const MathToken& call, std::string_view name);
   bool read_argument(const MathToken& call, std::string_view name, int count, List& into, std::uint32_t& end);
   void put_back(const List& body, const std::vector<List>& arguments, const MathToken& call, int origin);

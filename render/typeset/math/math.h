@@ -35,14 +35,21 @@ struct LiveNumber {
 inline constexpr std::string_view kLiveRoom = "−0.00";
 std::string live_name(std::size_t index);
 
+/// \eqref{id}: shows the number of another formula.
+struct MathReference {
+  std::string id;          ///< as it is written
+  std::size_t offset = 0;  ///< byte where it begins
+};
+
 struct MathNode;  // render/typeset/math/tree.h
 
 /// A formula that reads without errors.
 struct Math {
   std::shared_ptr<const MathNode> root;
-  std::string tag;                 ///< of \tag{…}; empty: none
-  std::vector<std::string> terms;  ///< ids of \term{id}{…}, in their order
-  std::vector<LiveNumber> live;    ///< in their order
+  std::string tag;                          ///< of \tag{…}; empty: none
+  std::vector<std::string> terms;           ///< ids of \term{id}{…}, in their order
+  std::vector<LiveNumber> live;             ///< in their order
+  std::vector<MathReference> references{};  ///< in their order
   std::vector<std::size_t> tag_offsets,
       term_offsets;      ///< bytes where each name begins; several tags are joined
   std::size_t made = 0;  ///< so many signs the author's macros stand for, with all of theirs
@@ -51,6 +58,14 @@ struct Math {
 /// All that is wrong is reported, up to 16 errors, in the order of their offsets. Linear in the formula's
 /// length.
 Result<Math, std::vector<TypeError>> parse_math(std::string_view tex, const MathMacros& macros = {});
+
+/// Where a reference leads, and what it shows.
+struct ShownReference {
+  std::string link;  ///< the name of its glyphs (DisplayList::names)
+  std::string number;
+};
+/// The formula with "(number)" for each reference whose id is known; before that all show "(?)".
+Math with_references(const Math& math, const std::map<std::string, ShownReference>& shown);
 
 /// A symbol of a lesson: wherever its formula stands, it has its colour and its name.
 struct MathSymbol {

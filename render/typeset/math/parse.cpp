@@ -14,6 +14,7 @@ Math MathParser::run() {
   math.tag = std::move(tag_);
   math.terms = std::move(terms_);
   math.live = std::move(live_);
+  math.references = std::move(references_);
   math.tag_offsets = std::move(tag_offsets_);
   math.term_offsets = std::move(term_offsets_);
   math.made = tokens_.made();

@@ -141,6 +141,8 @@ MathNode MathParser::command(const Token& token) {
       return proved_part(token);
     case Action::live:
       return live_number(token);
+    case Action::reference:
+      return reference(token);
     case Action::arrow:
       return arrow(token, *known);
     case Action::negate:

@@ -356,6 +356,20 @@ MathNode MathParser::live_number(const Token& token) {
   return made;
 }
 
+MathNode MathParser::reference(const Token& token) {
+  std::size_t offset = token.span.begin;
+  auto id = plain_argument(token, "\\eqref{id}", &offset);
+  if (!id) return {};
+  MathNode number = node_of(Kind::text, token.span);
+  number.text = "(?)";
+  number.sources.assign(number.text.size(), token.span);
+  MathNode made = node_of(Kind::term, token.span);
+  made.text = std::string(kReferenceMark) + *id;
+  made.children.push_back(std::move(number));
+  references_.push_back({std::move(*id), offset});
+  return made;
+}
+
 MathNode MathParser::term(const Token& token) {
   std::size_t offset = token.span.begin;
   const auto id = plain_argument(token, "\\term{…}", &offset);

@@ -129,6 +129,7 @@ class MathParser {
   MathNode term(const Token& token);
   MathNode proved_part(const Token& token);
   MathNode live_number(const Token& token);
+  MathNode reference(const Token& token);
   void tag();
   /// Accents, bars, braces, boxes and what else does something to one argument.
   MathNode wrapped(const Token& token, const MathCommand& command);
@@ -165,6 +166,7 @@ class MathParser {
   std::string tag_;
   std::vector<std::string> terms_;
   std::vector<LiveNumber> live_;
+  std::vector<MathReference> references_;
   std::vector<std::size_t> tag_offsets_, term_offsets_;
 };
 

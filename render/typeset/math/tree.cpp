@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "render/typeset/math/tree.h"
 
+#include "base/utf8.h"
+#include "render/typeset/math/math.h"
+
 #include <algorithm>
 
 namespace polhode {
@@ -8,6 +11,30 @@ namespace polhode {
 std::string live_name(std::size_t index) { return "live " + std::to_string(index); }
 
 using Kind = MathNode::Kind;
+
+namespace {
+
+void show_references(MathNode& node, const std::map<std::string, ShownReference>& shown) {
+  for (MathNode& child : node.children) show_references(child, shown);
+  if (node.kind != Kind::term || !node.text.starts_with(kReferenceMark)) return;
+  const auto found = shown.find(node.text.substr(kReferenceMark.size()));
+  if (found == shown.end()) return;
+  node.text = found->second.link;
+  MathNode& number = node.children.front();
+  number.text = '(' + found->second.number + ')';
+  number.sources.assign(static_cast<std::size_t>(count_characters(number.text)), node.span);
+}
+
+}  // namespace
+
+Math with_references(const Math& math, const std::map<std::string, ShownReference>& shown) {
+  if (!math.root) return math;
+  auto root = std::make_shared<MathNode>(*math.root);
+  show_references(*root, shown);
+  Math made = math;
+  made.root = std::move(root);
+  return made;
+}
 
 const MathNode& without_groups(const MathNode& node) {
   const MathNode* inner = &node;

@@ -57,6 +57,9 @@ struct MathGrid {
 /// The name of the term that \proved{…} makes: no id of an author has a blank.
 inline constexpr std::string_view kProvedPart = "proved part";
 
+/// Begins the name of the term that \eqref{…} makes until it is known where it leads.
+inline constexpr std::string_view kReferenceMark = "#";
+
 struct MathNode {
   /// What `children` are is said after each; `nothing` stands for one that is absent.
   enum class Kind : std::uint8_t {

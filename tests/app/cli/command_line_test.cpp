@@ -402,6 +402,27 @@ TEST(Info, SaysWhatEachStageRequires) {
   EXPECT_THAT(table.out, HasSubstr("[1] " + stages[0]["why"].get<std::string>()));
 }
 
+TEST(Info, SaysWhatALessonIsAbout) {
+  const ScratchFolder scratch;
+  write_text(
+      scratch / "about.md",
+      "+++\nformat = 1\nid = \"about\"\ntitle = \"About\"\nauthor = [\"A. B.\", \"C. D.\"]\nlicence = \"CC "
+      "BY 4.0\"\noutcomes = \"know it\"\nnext = \"tiny\"\n[references]\nLL = \"Landau\"\n+++\n# One "
+      "{one}\n[cite: LL]\n");
+  const Json info = Json::parse(polhode({"info", scratch / "about.md", "--json"}).out);
+  EXPECT_EQ(info["title"], "About");
+  EXPECT_EQ(info["about"]["author"], (Json{"A. B.", "C. D."}));
+  EXPECT_EQ(info["about"]["licence"], "CC BY 4.0");
+  EXPECT_EQ(info["about"]["language"], "en");
+  EXPECT_EQ(info["about"]["outcomes"], Json::array({"know it"}));
+  EXPECT_EQ(info["about"]["prerequisites"], Json::array());
+  EXPECT_EQ(info["about"]["next"], "tiny");
+  EXPECT_EQ(info["about"]["references"]["LL"], "Landau");
+  const ProgramRun table = polhode({"info", scratch / "about.md"});
+  EXPECT_THAT(table.out, HasSubstr("author         A. B.\n               C. D.\nlicence        CC BY 4.0\n"));
+  EXPECT_THAT(table.out, HasSubstr("[LL]           Landau\n"));
+}
+
 TEST(Info, TellsTheNumbersOfEachMotion) {
   const ProgramRun run = polhode({"info", test_lesson("tops.md"), "--json"});
   EXPECT_EQ(run.code, 0) << run.err;

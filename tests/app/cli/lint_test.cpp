@@ -199,5 +199,28 @@ TEST(Lint, EchoesNothingThatSteersATerminal) {
   }
 }
 
+TEST(Lint, HoldsWhatALessonSaysOfOthersAgainstThem) {
+  const ScratchFolder scratch;
+  const auto lesson = [](const std::string& id, const std::string& front, const std::string& body) {
+    return "+++\nformat = 1\nid = \"" + id + "\"\ntitle = \"X\"\n" + front + "+++\n# One {one}\n" + body +
+           '\n';
+  };
+  write_text(scratch / "other.md", lesson("other", "", "Words.\n\n```math eq\nx\n```"));
+  write_text(scratch / "broken.md", lesson("broken", "", "[x](#nowhere)"));
+  write_text(scratch / "this.md",
+             lesson("this", "next = \"othr\"\n",
+                    "[a](other#one) [b](other#one/eq) [c](other#two) [d](other#one/eqq) [e](broken#one)"));
+  const ProgramRun run = polhode({"lint", scratch / "this.md"});
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.out, HasSubstr("this.md:5:8: warning: no lesson \"othr\" is beside this one; did you mean "
+                                 "\"other\"? (so what refers to it is not checked)\n"));
+  EXPECT_THAT(run.out, HasSubstr("this.md:8:35: error: lesson \"other\" has no stage \"two\""));
+  EXPECT_THAT(run.out,
+              HasSubstr("this.md:8:50: error: stage \"one\" of lesson \"other\" has no equation \"eqq\" "
+                        "(did you mean \"eq\"?)"));
+  EXPECT_THAT(run.out, HasSubstr("this.md:8:69: warning: lesson \"broken\" has errors itself"));
+  EXPECT_THAT(run.err, HasSubstr("2 errors, 2 warnings"));
+}
+
 }  // namespace
 }  // namespace polhode

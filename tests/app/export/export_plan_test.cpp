@@ -11,10 +11,12 @@ namespace {
 
 using testing::ElementsAre;
 
-Step drawn(double at_s) {
+Step drawn(double at_s, std::optional<double> still_s = {}) {
   Step step;
-  step.scene = Scene{};
-  step.scene->at_s = at_s;
+  Scene scene;
+  scene.at_s = at_s;
+  scene.still_s = still_s;
+  step.scene = std::make_shared<const Scene>(std::move(scene));
   return step;
 }
 
@@ -60,7 +62,7 @@ TEST(ExportPlan, StageShowsItsLastDrawnStep) {
 
 TEST(ExportPlan, AStillMayBeOfAnotherTimeThanTheScenesOwn) {
   Lesson l = lesson();
-  l.stages[0].steps[1].scene->still_s = 7.0;
+  l.stages[0].steps[1] = drawn(2, 7.0);
   ExportOptions options = figures();
   const ExportPlan plan = plan_export(l, options).value();
   EXPECT_EQ(time_of(plan.pictures[0], options, 5.0), 7.0);

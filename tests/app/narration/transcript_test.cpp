@@ -134,5 +134,49 @@ TEST(Wrapped, NoWordsAreNoLine) {
   EXPECT_EQ(wrapped(" \n ", ""), "");
 }
 
+constexpr const char* kReferring = R"(+++
+format = 1
+id = "referring"
+title = "A lesson that refers"
+[references]
+LL = "Landau, Lifshitz: Mechanics"
+GO = "Goldstein: Classical Mechanics"
+[labels]
+said = "The book"
++++
+# One {one}
+By [](#e), as [cite: LL, §35] has it[^n].
+
+```math e
+x = 0 \tag{7}
+```
+
+> [!said] So it is.[^n]
+
+> [!quote Newton] Hypotheses non fingo.
+
+> [!derivation Why] Because of $\eqref{e}$.
+
+[^n]: Not all.
+)";
+
+TEST(Transcript, HasFootnotesCallOutsAndWhatIsCited) {
+  LessonReading reading = check_lesson(kReferring, "referring.md");
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+  const std::string text = transcript_of(*reading.lesson, {});
+  std::size_t at = 0;
+  for (const char* part :
+       {"By (7), as [LL, §35] has it¹.\n", "Equation (7): x equals 0.\n", "  > The book: So it is.¹\n",
+        "  > Quote: Hypotheses non fingo. — Newton.\n", "  > Derivation: Why. Because of (7).\n",
+        "¹ Not all.\n", "References\n----------\n\n[LL] Landau, Lifshitz: Mechanics\n"}) {
+    const std::size_t found = text.find(part, at);
+    ASSERT_NE(found, std::string::npos) << part << "\nin\n" << text;
+    at = found;
+  }
+  EXPECT_THAT(text, Not(HasSubstr("Goldstein"))) << "it is not cited";
+  EXPECT_THAT(SpeechText(*reading.lesson).words_of_page(reading.lesson->stages[0], 1, 1),
+              HasSubstr("¹ Not all."));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -187,8 +187,10 @@ class Checked {
       if (const auto* e = std::get_if<Equation>(&block))
         add(column_.equation(*e, Focus::none, {}, {}).value());
       if (const auto* p = std::get_if<Prose>(&block)) add(column_.prose(p->text).value());
-      if (const auto* c = std::get_if<Callout>(&block)) add(column_.callout(*c).value());
+      if (const auto* c = std::get_if<Callout>(&block))
+        add(column_.callout(*c, std::string(label_of(request_.lesson, c->kind))).value());
       if (const auto* q = std::get_if<Ask>(&block)) add(column_.question(*q).value());
+      if (const auto* n = std::get_if<Footnote>(&block)) add(column_.footnote(*n).value());
     }
     return all;
   }
@@ -543,6 +545,34 @@ TEST(Page, AHighlightedTermIsMarkedBehind) {
                         [&](const FlatShape& shape) { return color_of(shape) == color; });
   };
   EXPECT_LT(at(colors_of(Theme::paper).panel), at(colors_of(Theme::paper).marked));
+}
+
+TEST(Footnotes, StandBelowAllTextOfThePageInSmallerType) {
+  const Lesson lesson =
+      lesson_of("# A stage {one}\nFirst[^a].\n\n[^a]: Note a.\n\n---\nSecond[^b].\n\n[^b]: Note b.\n");
+  const Checked page = text_page(lesson, 2);
+  ASSERT_EQ(page.page().whole_from, 1);
+  const std::vector<const PlacedType*> texts = column_of(page.page());
+  ASSERT_EQ(texts.size(), 6u) << "header, title, two texts, two notes";
+  for (std::size_t i = 1; i < texts.size(); ++i) EXPECT_GT(box_of(*texts[i]).y0, box_of(*texts[i - 1]).y1);
+  EXPECT_LT(texts[4]->list.glyphs.back().size, 0.8 * texts[3]->list.glyphs.front().size);
+  const auto rules = page.page().sheet.shapes;
+  ASSERT_EQ(rules.size(), 1u) << "one line above both";
+  EXPECT_GT(box_of(rules[0]).y0, box_of(*texts[3]).y1);
+  EXPECT_LT(box_of(rules[0]).y1, box_of(*texts[4]).y0);
+}
+
+TEST(Footnotes, ComeAndGoWithTheStepThatTheyBelongTo) {
+  const auto page_with = [](int more) {  // words in the second step
+    return Lesson(
+        lesson_of("# A stage {one}\nFirst[^a].\n\n[^a]: Note a.\n\n---\n" + paragraphs(more, "Some words")));
+  };
+  int more = 1;
+  Lesson lesson = page_with(more);
+  while (text_page(lesson, 2).page().whole_from == 1) lesson = page_with(++more);
+  EXPECT_GT(more, 1) << "where there is room the first step stays, with its note";
+  EXPECT_EQ(text_page(lesson, 2).page().whole_from, 2);
+  EXPECT_TRUE(text_page(lesson, 2).page().sheet.shapes.empty());
 }
 
 }  // namespace

@@ -84,7 +84,8 @@ class Column : public testing::TestWithParam<Sizes> {
       pieces.push_back(c.equation(equation, Focus::now, {"turning"}).value());
       pieces.push_back(c.earlier_equation(equation).value());
     }
-    for (const Callout& callout : blocks_of<Callout>()) pieces.push_back(c.callout(callout).value());
+    for (const Callout& callout : blocks_of<Callout>())
+      pieces.push_back(c.callout(callout, std::string(names_of(callout.kind).label)).value());
     for (const Ask& ask : blocks_of<Ask>()) pieces.push_back(c.question(ask).value());
     return pieces;
   }
@@ -205,7 +206,7 @@ TEST_P(Column, MarksLieBehindTheTermsOfTheirNamesAlone) {
 TEST_P(Column, CalloutsAndQuestionsHaveTheirNameAndABarBesideTheirWholeText) {
   std::vector<std::pair<ColumnPiece, Color>> labelled;
   for (const Callout& callout : blocks_of<Callout>())
-    labelled.emplace_back(column().callout(callout).value(),
+    labelled.emplace_back(column().callout(callout, std::string(names_of(callout.kind).label)).value(),
                           callout.kind == Callout::Kind::said ? colors().said : colors().meant);
   labelled.emplace_back(column().question(blocks_of<Ask>()[0]).value(), colors().question);
   ASSERT_EQ(labelled.size(), 3u);
@@ -268,6 +269,26 @@ TEST(Stack, KeepsTheLargerOfTwoGaps) {
   const ColumnPiece a{.sheet = {}, .height = 10, .gap = 3}, b{.sheet = {}, .height = 20, .gap = 7};
   EXPECT_EQ(stack({&a, &b}).height, 10 + 7 + 20);
   EXPECT_EQ(stack({&b, &a, &a}).height, 20 + 7 + 10 + 3 + 10);
+}
+
+TEST_P(Column, LabelsThatAreTooWideForTheirPlaceHaveSeveralLines) {
+  Callout callout = blocks_of<Callout>().back();
+  const ColumnPiece piece = column().callout(callout, "A label of twenty four c").value();
+  const PixelBox bar = box_of(piece.sheet.shapes[0]), name = box_of(piece.sheet.texts[0]);
+  EXPECT_LT(name.x1, bar.x0);
+  EXPECT_LE(name.y1, piece.height);
+  EXPECT_GT(name.y1 - name.y0, 1.5 * piece.sheet.texts[0].list.glyphs[0].size);
+}
+
+TEST_P(Column, DerivationsShowTheirTitleAlone) {
+  Callout derivation = blocks_of<Callout>().front();
+  derivation.kind = Callout::Kind::derivation;
+  derivation.title = blocks_of<Callout>().back().text;
+  const auto letters = [&](const RichText& text) {
+    return letters_of(column().prose(text).value().sheet.texts.front().list);
+  };
+  const ColumnPiece piece = column().callout(derivation, "Derivation").value();
+  EXPECT_EQ(letters_of(piece.sheet.texts.back().list), letters(derivation.title));
 }
 
 }  // namespace

@@ -140,5 +140,16 @@ TEST(Deck, PaperIsThatOfASlideShowOrAsManyDotsSay) {
   expect(paper_size({3508, 2480}, 300), 3508 / 300.0, 2480 / 300.0);
 }
 
+TEST(DeckHtml, HasLinksInItsNotesAndItsAuthor) {
+  const ScratchFolder folder;
+  Deck deck = example_deck(folder);
+  EXPECT_THAT(written(deck, DeckKind::html), Not(HasSubstr("name=\"author\"")));
+  deck.author = "A <B>";
+  deck.slides[0].notes = {{StepNote::Kind::text, "a < \"two\" > b", {{4, 9, "#s2"}}}};
+  const std::string html = written(deck, DeckKind::html);
+  EXPECT_THAT(html, HasSubstr("<meta name=\"author\" content=\"A &lt;B&gt;\">\n<title>"));
+  EXPECT_THAT(html, HasSubstr("<p class=\"text\">a &lt; <a href=\"#s2\">&quot;two&quot;</a> &gt; b</p>"));
+}
+
 }  // namespace
 }  // namespace polhode

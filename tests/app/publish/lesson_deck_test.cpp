@@ -256,5 +256,62 @@ TEST(ExportDeck, SaysWhatCannotBe) {
          "a transcript is text");
 }
 
+constexpr const char* kReferring = R"(+++
+format = 1
+id     = "referring"
+title  = "Referring"
+author = ["A. B.", "C. D."]
+language = "de"
+[references]
+LL = "Landau"
++++
+# One {one}
+See [](#two/late), [here](#one), [there](other#x), [the web](https://a.b) and [cite: LL].
+
+> [!note] Or [](#two).
+
+# Two {two}
+Words[^n].
+
+[^n]: Of [One](#one).
+
+---
+```math late
+x \tag{3}
+```
+)";
+
+TEST(LessonDeck, LeadsFromItsNotesToItsSlides) {
+  const auto lesson = check_lesson(kReferring, "referring.md");
+  ASSERT_TRUE(lesson.lesson) << lesson.diagnostics[0].message;
+  const ScratchFolder folder;
+  const ExportOptions options = options_of(What::page, Each::step);
+  const ExportPlan plan = plan_export(*lesson.lesson, options).value();
+  for (const PlannedPicture& picture : plan.pictures)
+    slide_of(folder, fs::path(picture.file).stem(), Image{{2, 1}, std::vector<std::uint8_t>(8, 255)});
+  const Deck deck = *deck_of(*lesson.lesson, options, plan, folder.path());
+  EXPECT_EQ(deck.author, "A. B., C. D.");
+  EXPECT_EQ(deck.language, "de");
+  ASSERT_EQ(deck.slides.size(), 3u);
+  const auto links = [](const StepNote& note) {
+    std::string all;
+    for (const NoteLink& link : note.links)
+      all += '[' + note.text.substr(link.begin, link.end - link.begin) + "](" + link.to + ')';
+    return all;
+  };
+  EXPECT_EQ(links(deck.slides[0].notes[0]),
+            "[(3)](#02-two-step2)[here](#01-one-step1)[the web](https://a.b)");
+  EXPECT_EQ(links(deck.slides[0].notes[1]), "[Two](#02-two-step1)");
+  EXPECT_EQ(deck.slides[1].notes.back().text, "¹ Of One.");
+  EXPECT_EQ(links(deck.slides[1].notes.back()), "[One](#01-one-step1)");
+  EXPECT_EQ(deck.slides[2].notes.back().text, "[LL] Landau") << "at the end of the last slide's";
+  ExportOptions one = options;
+  one.stages = {"one"};
+  const ExportPlan part = plan_export(*lesson.lesson, one).value();
+  EXPECT_EQ(links(deck_of(*lesson.lesson, one, part, folder.path())->slides[0].notes[0]),
+            "[here](#01-one-step1)[the web](https://a.b)")
+      << "what is not in the deck is led to by no link";
+}
+
 }  // namespace
 }  // namespace polhode

@@ -11,8 +11,7 @@ namespace polhode::test {
 
 std::shared_ptr<const LoadedLesson> loaded_text(const std::string& text) {
   LessonReading reading = check_lesson(text, "example.md");
-  if (!reading.diagnostics.empty())
-    throw std::runtime_error(to_string(reading.diagnostics.front()) + "\nin\n" + text);
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()) + "\nin\n" + text);
   return std::make_shared<const LoadedLesson>(LoadedLesson{std::move(*reading.lesson), "example.md", ""});
 }
 

@@ -178,5 +178,29 @@ TEST(PageSymbols, AreFoundInAFrame) {
   EXPECT_LT(least_s, 0.5e-3);
 }
 
+TEST(PageSymbols, OfALinkThatIsBrokenAreItsPartsOnEachLine) {
+  TextBlock block;
+  TextSpan words, link;
+  words.text = "Words before ";
+  link.text = "the words of a link that is longer than a line of this text";
+  link.link = "#stage";
+  block.spans = {words, link};
+  TextStyle style;
+  style.size = 20;
+  style.width = 300;
+  const auto found = symbols_on(
+      sheet_of({{.list = set_text({block}, style, test_fonts()).value(), .at = {50, 50}}}), test_fonts());
+  ASSERT_GE(found.size(), 2u);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].name, "#stage");
+    EXPECT_TRUE(found[i].is_term);
+    EXPECT_LT(found[i].box.y1 - found[i].box.y0, 1.2 * style.size);
+    if (i > 0) {
+      EXPECT_GT(found[i].box.y0, found[i - 1].box.y1);
+    }
+  }
+  EXPECT_GT(found[0].box.x0, found[1].box.x0) << "it begins in the middle of a line";
+}
+
 }  // namespace
 }  // namespace polhode

@@ -147,5 +147,22 @@ TEST(SymbolNote, OfEverySymbolOfTheLessonsSaysSomething) {
   }
 }
 
+TEST(SymbolNote, OfALinkSaysWhereItLeads) {
+  LessonReading reading = read_lesson(
+      "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n[symbols]\nL = { tex = '\\vec L', say = \"L\", note = "
+      "\"the angular momentum\" }\n[references]\nLL = \"Landau\"\n+++\n# How $\\vec L$ turns {one}\n[cite: "
+      "LL]\n",
+      "a.md");
+  ASSERT_TRUE(reading.lesson);
+  const auto meaning = [&](const std::string& name) {
+    return note_of(*reading.lesson, name, nullptr, 0).meaning;
+  };
+  EXPECT_EQ(meaning("#one"), "Go to: How L turns");
+  EXPECT_EQ(meaning("cite:LL"), "Landau");
+  EXPECT_EQ(meaning("https://a.b"), "Click to copy: https://a.b");
+  EXPECT_EQ(meaning("other#one"), "In another lesson: other#one");
+  EXPECT_EQ(meaning("L"), "the angular momentum") << "not what is spoken";
+}
+
 }  // namespace
 }  // namespace polhode

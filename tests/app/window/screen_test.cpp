@@ -5,6 +5,7 @@
 #include "app/session/figure_interaction.h"
 #include "app/window/speaker_notes.h"
 #include "tests/app/session/example_lesson.h"
+#include "tests/base/files/folder.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -378,11 +379,10 @@ std::string text_of(const std::filesystem::path& path) {
 }
 
 TEST_F(ScreenTest, WhatIsPointedAtIsLitInTheWindowAlone) {
-  const auto folder = std::filesystem::temp_directory_path() / "polhode-screen-test";
-  std::filesystem::remove_all(folder);
+  const test::Folder folder;
   session.go_to({1, 0});
   frame(3);
-  screen->set_folder(folder.string());
+  screen->set_folder(folder.path().string());
   screen->press(session, "Ctrl+S");
   frame(2);
   session.light("p");
@@ -392,12 +392,11 @@ TEST_F(ScreenTest, WhatIsPointedAtIsLitInTheWindowAlone) {
   const std::string plain = text_of(folder / "02-newton-step1.png");
   EXPECT_GT(plain.size(), 1000U);
   EXPECT_EQ(plain, text_of(folder / "02-newton-step1-2.png"));
-  std::filesystem::remove_all(folder);
 }
 
 TEST_F(ScreenTest, WhatIsSavedIsToldByItsRealPath) {
-  const auto home = std::filesystem::temp_directory_path() / "polhode-screen-test-home";
-  std::filesystem::remove_all(home);
+  const test::Folder scratch;
+  const std::filesystem::path& home = scratch.path();
   std::filesystem::create_directories(home / "talks");
   std::filesystem::create_directory_symlink(home / "talks", home / "linked");
   const char* before = std::getenv("HOME");
@@ -414,7 +413,6 @@ TEST_F(ScreenTest, WhatIsSavedIsToldByItsRealPath) {
   EXPECT_TRUE(std::filesystem::exists(real / "01-frames-step1-2.png"));
   EXPECT_EQ(screen->notice(), "saved: " + (real / "01-frames-step1-2.png").string());
   EXPECT_FALSE(std::filesystem::exists("~")) << "here";
-  std::filesystem::remove_all(home);
 }
 
 TEST_F(ScreenTest, WhatCannotBeSavedIsTold) {
@@ -425,6 +423,36 @@ TEST_F(ScreenTest, WhatCannotBeSavedIsTold) {
   screen->press(session, "Ctrl+S");
   frame(3);
   EXPECT_NE(screen->read().rgba, before.rgba);
+}
+
+TEST_F(ScreenTest, LinksAreFollowedByAClickAndByKeys) {
+  session.replace_lesson(test::loaded_text(
+      "+++\nformat = 1\nid = \"links\"\ntitle = \"Links\"\n+++\n# One {one}\nTo [](#two/e), and "
+      "[the web](https://a.b).\n\n# Two {two}\nWords.\n\n---\n```math e\nx \\tag{5}\n```\n"));
+  frame(3);
+  const auto link_to = [&](const std::string& name) {
+    const auto& symbols = screen->page().symbols();
+    const auto found = std::find_if(symbols.begin(), symbols.end(),
+                                    [&](const PageSymbol& symbol) { return symbol.name == name; });
+    return found == symbols.end() ? PageSymbol{} : *found;
+  };
+  const PageSymbol inside = link_to("#two/e"), web = link_to("https://a.b");
+  ASSERT_FALSE(inside.box.empty());
+  ASSERT_FALSE(web.box.empty());
+  const auto click_on = [&](const PageSymbol& link) {
+    click(0.5 * (link.box.x0 + link.box.x1), 0.5 * (link.box.y0 + link.box.y1));
+  };
+  click_on(web);
+  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_STREQ(ImGui::GetClipboardText(), "https://a.b");
+  click_on(inside);
+  EXPECT_EQ(session.place(), (Place{1, 1})) << "the step that brings the equation";
+  session.go_to({0, 0});
+  move(1, 1);
+  screen->press(session, "Tab", false);
+  frame(2);
+  screen->press(session, "Enter", false);
+  EXPECT_EQ(session.place(), (Place{1, 1}));
 }
 
 }  // namespace

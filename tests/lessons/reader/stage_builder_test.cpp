@@ -145,5 +145,17 @@ TEST(Fences, MayBeMadeOfTildes) {
   EXPECT_EQ(std::get<Equation>(stage_of("~~~ math a\nx\n~~~\n").steps[0].blocks[0]).tex, "x");
 }
 
+TEST(Scenes, WarnOfWhatShowsNothing) {
+  EXPECT_THAT(
+      testing::complaints(lesson_with("Text.\n\n```scene\ntorque = \"damping:0.1\"\nshow = [\"omega\", "
+                                      "\"polhode\"]\n```\n")),
+      ElementsAre("13:18: warning: in the scene of line 11 \"polhode\" shows nothing: it belongs to motion "
+                  "without torque, and a torque acts"));
+  EXPECT_THAT(
+      testing::complaints(lesson_with("Text.\n\n```scene\nshow = [\"polhode\"]\n```\n---\n```scene\ntorque = "
+                                      "\"damping:0.1\"\n```\n")),
+      ElementsAre(HasSubstr("12:9: warning: in the scene of line 15 \"polhode\" shows nothing")));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -71,6 +71,46 @@ TEST(InlineText, TakesMarksInFormulasForMathematics) {
             "[m:a_1][ and ][i:b][ ][m:[c](d)][ ][c:$e$][ ][m:\\{f]");
 }
 
+TEST(InlineText, HasMarksOfFootnotesByNumber) {
+  TextReport at("One[^a], _two_[^b], one again[^a].");
+  const RichText text = at.texts.passage(LocatedText(at.source, at.source.text()));
+  EXPECT_THAT(at.lines(), IsEmpty());
+  std::string words;
+  for (const TextSpan& span : text.at(0).spans) words += span.text;
+  EXPECT_EQ(words, "One¹, two², one again¹.");
+  const auto marks = at.texts.notes().finish_step();
+  ASSERT_THAT(marks, SizeIs(2));
+  EXPECT_EQ(marks[1].id, "b");
+  EXPECT_EQ(marks[1].offset, 16U);
+  EXPECT_THAT(at.texts.notes().finish_step(), IsEmpty());
+  EXPECT_EQ(at.texts.notes().number_of("a", 0), 3) << "of another step of the stage";
+}
+
+TEST(InlineText, HasCitations) {
+  TextReport at("As in [cite: LL, §35] and [cite:\nGO].");
+  at.texts.citable() = {{"LL", false}, {"GO", false}, {"XX", false}};
+  const RichText text = at.texts.passage(LocatedText(at.source, at.source.text()));
+  EXPECT_THAT(at.lines(), IsEmpty());
+  ASSERT_THAT(text.at(0).spans, SizeIs(5));
+  EXPECT_EQ(text[0].spans[1].text, "[LL, §35]");
+  EXPECT_EQ(text[0].spans[1].link, "cite:LL");
+  EXPECT_EQ(text[0].spans[3].text, "[GO]");
+  EXPECT_TRUE(at.texts.citable()["GO"]);
+  EXPECT_FALSE(at.texts.citable()["XX"]);
+  TextReport unknown("[cite: LK]");
+  unknown.texts.citable() = {{"LL", false}};
+  unknown.texts.passage(LocatedText(unknown.source, unknown.source.text()));
+  EXPECT_THAT(unknown.lines(), ::testing::ElementsAre("1:1: error: no reference \"LK\" to cite (did you mean "
+                                                      "\"LL\"?)"));
+}
+
+TEST(InlineText, HasNoMarksOfFootnotesInTitles) {
+  TextReport at("A title[^1]");
+  at.texts.line(LocatedText(at.source, at.source.text()));
+  EXPECT_THAT(at.lines(),
+              ::testing::ElementsAre("1:8: error: the mark of a footnote stands in text and call-outs only"));
+}
+
 TEST(InlineText, JoinsLinesAndBreaksWhereItIsTold) {
   EXPECT_EQ(passage("a\nb  \nc\\\nd"), "[a b/][c/][d]");
   EXPECT_EQ(passage("a $x\n+ y$ b"), "[a ][m:x\n+ y][ b]");

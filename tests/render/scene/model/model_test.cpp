@@ -334,5 +334,39 @@ TEST(Model, AnEmptySceneIsAModelToo) {
   EXPECT_EQ(model.motion->method(), "uniform");
 }
 
+TEST(WhatIsUnseen, SaysWhy) {
+  Scene scene = scene_with({O::polhode, O::cones, O::N, O::herpolhode, O::plane});
+  EXPECT_EQ(what_is_unseen(O::polhode, scene), "");
+  EXPECT_EQ(what_is_unseen(O::cones, scene), "");
+  EXPECT_EQ(what_is_unseen(O::N, scene), "shows nothing: no torque acts");
+  EXPECT_EQ(what_is_unseen(O::p, scene),
+            "shows nothing: the centre of mass is at rest: there is no velocity or force");
+  EXPECT_EQ(what_is_unseen(O::pivot, scene), "shows nothing: the torque is not that of one heavy top");
+  scene.views = {View::body};
+  EXPECT_EQ(what_is_unseen(O::herpolhode, scene), "shows nothing: it is seen from space only");
+  EXPECT_EQ(what_is_unseen(O::cones, scene),
+            "shows the body cone alone: the space cone is seen from space only");
+  scene.torque = {LinearDamping{0.1}};
+  for (const O overlay : {O::polhode, O::herpolhode, O::cones, O::plane})
+    EXPECT_EQ(what_is_unseen(overlay, scene),
+              "shows nothing: it belongs to motion without torque, and a torque acts");
+}
+
+TEST(WhatIsUnseen, IsWhatIsNotDrawn) {
+  const std::vector<View> space{View::space}, body{View::body};
+  for (const auto& views : {space, body})
+    for (const bool torque : {false, true})
+      for (const bool rest : {false, true})
+        for (int i = 0; i < kOverlayCount; ++i) {
+          const auto overlay = static_cast<O>(i);
+          Scene scene = scene_with({overlay}, views);
+          if (torque) scene.torque = {LinearDamping{0.1}};
+          if (rest) scene.w0_B = Vec3::Zero();
+          const bool half = overlay == O::cones && views == body && !torque && !rest;
+          EXPECT_EQ(what_is_unseen(overlay, scene).empty(), drawn_overlays(scene).contains(overlay) && !half)
+              << name_of(overlay);
+        }
+}
+
 }  // namespace
 }  // namespace polhode

@@ -254,6 +254,41 @@ TEST(MathMacros, AreBounded) {
   EXPECT_THAT(complaints("\\f{\\f{a}}", {{"f", {1, "(#1)"}}}), IsEmpty()) << "in its argument it may stand";
 }
 
+TEST(MathMacros, SayWhereTheirMistakesAre) {
+  const MathMacros macros = {{"f", {1, "x + \\ometa #1"}}, {"g", {0, "\\f{y}"}}};
+  for (const char* tex : {"\\f{y}", "a \\g"}) {
+    const auto math = parse_math(tex, macros);
+    ASSERT_FALSE(math.ok()) << tex;
+    ASSERT_THAT(math.error(), SizeIs(1)) << tex;
+    EXPECT_EQ(math.error()[0].macro, "f");
+    EXPECT_EQ(math.error()[0].macro_offset, 4U);
+  }
+  const auto of_argument = parse_math("\\f{\\nope}", {{"f", {1, "(#1)"}}});
+  ASSERT_FALSE(of_argument.ok());
+  EXPECT_EQ(of_argument.error()[0].macro, "") << "what it is given is no mistake of the macro";
+  EXPECT_EQ(parse_math("\\f", {{"f", {0, "\\f"}}}).error()[0].macro, "f");
+}
+
+TEST(MathReferences, ShowTheNumberOfWhatTheyNameOnceItIsKnown) {
+  const auto math = parse_math("a \\eqref{one} \\frac{\\eqref{two/b}}{\\eqref{one}}");
+  ASSERT_TRUE(math.ok());
+  ASSERT_THAT(math->references, SizeIs(3));
+  EXPECT_EQ(math->references[0].id, "one");
+  EXPECT_EQ(math->references[0].offset, 9U);
+  EXPECT_EQ(math->references[1].id, "two/b");
+  const auto say = [](std::string_view) { return std::string(); };
+  EXPECT_EQ(spoken(*math, {}, say), "a (?) (?) over (?)");
+  const Math shown = with_references(*math, {{"one", {"#s/one", "7"}}});
+  EXPECT_EQ(spoken(shown, {}, say), "a (7) (?) over (7)");
+  EXPECT_EQ(spoken(*math, {}, say), "a (?) (?) over (?)") << "the formula itself stays as it was";
+  const auto fonts = Fonts::open();
+  ASSERT_TRUE(fonts.ok());
+  const auto list = set_math(shown, MathStyle{}, *fonts);
+  ASSERT_TRUE(list.ok());
+  EXPECT_THAT(list->names, testing::Contains("#s/one"));
+  EXPECT_THAT(complaints("\\eqref"), SizeIs(1));
+}
+
 TEST(MathCommands, HaveEachNameOnce) {
   std::set<std::string_view> names;
   for (const MathCommand& c : math_commands()) EXPECT_TRUE(names.insert(c.name).second) << c.name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/markdown/inline_math.h"
+#include "lessons/reader/markdown/inline_marks.h"
 
 #include "render/typeset/characters.h"
 
@@ -14,7 +14,7 @@ class InlineScan {
   InlineScan(const LocatedText& markdown, Report& report)
       : markdown_(markdown), text_(markdown.text()), report_(report) {}
 
-  std::vector<SourceSpan> run() {
+  std::vector<InlineMark> run() {
     while (i_ < text_.size()) {
       if (i_ >= paragraph_end_) start_paragraph();
       step();
@@ -40,6 +40,8 @@ class InlineScan {
       pass_code();
     else if (text_[i_] == '$')
       dollar();
+    else if (text_[i_] == '[')
+      bracket();
     else
       ++i_;
   }
@@ -82,9 +84,33 @@ class InlineScan {
       report_.warning(place_of(i_), "is this a formula? It begins or ends with a space",
                       "write \\$ for a dollar sign");
     } else {
-      found_.push_back({static_cast<std::uint32_t>(i_ + 1), static_cast<std::uint32_t>(end)});
+      add(InlineMark::Kind::formula, 1, end);
     }
     i_ = end + 1;
+  }
+
+  void bracket() {
+    const std::string_view rest = text_.substr(i_, paragraph_end_ - i_);
+    const bool is_citation = rest.substr(0, kCitationOpening.size()) == kCitationOpening;
+    const bool is_note = rest.substr(0, kNoteOpening.size()) == kNoteOpening;
+    std::size_t end = rest.size();
+    if ((is_citation || is_note) && i_ >= never_closed_) end = std::min(rest.find(']'), rest.size());
+    if (end == rest.size()) {
+      if (is_citation || is_note) never_closed_ = paragraph_end_;
+      ++i_;
+      return;
+    }
+    if (is_note)
+      add(InlineMark::Kind::note, kNoteOpening.size(), i_ + end);
+    else
+      add(InlineMark::Kind::citation, kCitationOpening.size(), i_ + end);
+    i_ += end + 1;
+  }
+
+  /// That begins here with so many bytes, and is closed by the byte at `end`.
+  void add(InlineMark::Kind kind, std::size_t opening, std::size_t end) {
+    const auto at = [](std::size_t offset) { return static_cast<std::uint32_t>(offset); };
+    found_.push_back({kind, {at(i_), at(end + 1)}, {at(i_ + opening), at(end)}});
   }
 
   const LocatedText& markdown_;
@@ -92,12 +118,13 @@ class InlineScan {
   Report& report_;
   std::size_t i_ = 0;
   std::size_t paragraph_end_ = 0;
-  std::vector<SourceSpan> found_;
+  std::size_t never_closed_ = 0;  // up to here no bracket is
+  std::vector<InlineMark> found_;
 };
 
 }  // namespace
 
-std::vector<SourceSpan> find_inline_math(const LocatedText& markdown, Report& report) {
+std::vector<InlineMark> find_inline_marks(const LocatedText& markdown, Report& report) {
   return InlineScan(markdown, report).run();
 }
 

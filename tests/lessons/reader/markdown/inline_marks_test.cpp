@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/markdown/inline_math.h"
+#include "lessons/reader/markdown/inline_marks.h"
 
 #include "tests/lessons/support.h"
 
@@ -14,14 +14,18 @@ using ::testing::IsEmpty;
 using testing::TextReport;
 
 struct Found {
-  std::vector<std::string> formulas, complaints;
+  std::vector<std::string> formulas, notes, citations, complaints;
 };
 Found find(const std::string& text) {
   TextReport at(text);
   const LocatedText located(at.source, at.source.text());
   Found found;
-  for (const SourceSpan& span : find_inline_math(located, at.report))
-    found.formulas.push_back(text.substr(span.begin, span.end - span.begin));
+  for (const InlineMark& mark : find_inline_marks(located, at.report)) {
+    const std::string inside = text.substr(mark.inside.begin, mark.inside.end - mark.inside.begin);
+    if (mark.kind == InlineMark::Kind::formula) found.formulas.push_back(inside);
+    if (mark.kind == InlineMark::Kind::note) found.notes.push_back(inside);
+    if (mark.kind == InlineMark::Kind::citation) found.citations.push_back(inside);
+  }
   found.complaints = at.lines();
   return found;
 }
@@ -65,8 +69,16 @@ TEST(InlineMath, ReportsDisplayMathematicsOnce) {
       ElementsAre("2:1: error: display mathematics stands in a fence (write ```math ID, the formula, ```)"));
 }
 
-TEST(InlineMath, EndsAnywhere) {
-  const std::string text = "a `$x$` \\$ $\\{x$ $$ y $$\n\n`` $z$ ` $\\";
+TEST(InlineMarks, AreFootnotesAndCitations) {
+  const Found found = find("a[^1] [cite: LL, §35]. \\[^2] `[^3]` [x](#y) [^4\n\n5] [cite:\nA b]");
+  EXPECT_THAT(found.notes, ElementsAre("1"));
+  EXPECT_THAT(found.citations, ElementsAre(" LL, §35", "\nA b"));
+  EXPECT_THAT(found.complaints, IsEmpty());
+  EXPECT_THAT(find("$[^1]$").notes, IsEmpty());
+}
+
+TEST(InlineMarks, EndAnywhere) {
+  const std::string text = "a `$x$` \\$ $\\{x$ $$ y $$\n\n`` $z$ [^1] [cite: A] ` $\\";
   for (std::size_t size = 0; size <= text.size(); ++size) find(text.substr(0, size));
 }
 
