@@ -276,9 +276,20 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
   TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
   quiet.sans = true;
   DisplayList word = set_line(kind, quiet, fonts_);
-  const Vec2& formula = piece.sheet.texts.back().at;
-  if (kind.empty() || word.width + size_ >= formula.x()) return piece;
-  piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = {0, formula.y()}});
+  if (kind.empty()) return piece;
+  Vec2 at{0, piece.sheet.texts.back().at.y()};
+  if (word.width + size_ >= piece.sheet.texts.back().at.x()) {  // above a formula that is too wide
+    const double line = std::round(kVerdictLine * quiet.size);
+    ColumnPiece below{.sheet = {},
+                      .height = piece.height + line,
+                      .gap = piece.gap,
+                      .formula_scale = piece.formula_scale,
+                      .formula = piece.formula};
+    add(below, std::move(piece), {0, line});
+    piece = std::move(below);
+    at.y() = std::round(0.9 * quiet.size);
+  }
+  piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = at});
   ++*piece.formula;
   return piece;
 }

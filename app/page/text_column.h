@@ -65,8 +65,8 @@ class TextColumn {
   /// Kind and note in one row, what is claimed below where the equation is not that itself; with rows for
   /// live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
-  /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, where
-  /// there is room.
+  /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, or
+  /// above it where it is too wide.
   Result<ColumnPiece> earlier_equation(const Equation& equation, const std::string& kind = {}) const;
   Result<ColumnPiece> prose(const RichText& text) const;
   /// Of a derivation the title alone.

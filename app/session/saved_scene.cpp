@@ -155,7 +155,11 @@ std::string own_body_of(const Body& body, const Torque& torque) {
                                toml(body.shape->size_m), toml(body.mass_kg));
   lines += fmt::format("moments = {}\n", toml(body.moments.vector()));
   if (body.mass_kg != 1.0) lines += fmt::format("mass_kg = {}\n", toml(body.mass_kg));
-  return body.shape == equivalent_box(body.moments, body.mass_kg) ? lines + "draw = \"box\"\n" : lines;
+  if (!body.shape) return lines;
+  lines += fmt::format("draw = \"{}\"\n", name_of_shape(body.shape->kind));
+  if (body.shape != equivalent_box(body.moments, body.mass_kg))
+    lines += fmt::format("size_m = {}\n", toml(body.shape->size_m));
+  return lines;
 }
 
 std::string lesson_of(const LessonSession& session) {

@@ -83,7 +83,7 @@ struct Footnote {
 struct Ask : Question {
   std::string id;
   std::string prompt;
-  RichText prompt_text;
+  RichText prompt_text;  ///< with what is given behind it
   std::vector<RichText> choice_texts;
   std::vector<std::string> hints;
   std::vector<RichText> hint_texts;
@@ -99,6 +99,7 @@ struct Step {
   std::shared_ptr<const Scene> scene;
   /// The scene's, null if it has none; steps that go on with a caption share it.
   std::shared_ptr<const RichText> caption;
+  SourcePlace place{};  ///< of the stage's heading, or of the rule that it begins with
 };
 
 /// The blocks of one kind that a step adds, in their order.

@@ -58,7 +58,7 @@ Result<Torque, SceneFault> torque_of(const LessonScene& scene, const LessonBodie
 Result<Body, SceneFault> body_of(const LessonScene& scene, const Torque& torque, const LessonBodies& bodies) {
   const Body& body = scene.scene.body;
   const Vec3* pivot_m = pivot_of(body, bodies);
-  if (bodies.drawn_as_box.contains(body.name)) return body;
+  if (bodies.drawn.contains(body.name)) return body;
   if (pivot_m != nullptr && has_heavy(torque)) {
     constexpr double kSame = 1e-6;  // of what is written with seven digits
     if (!((center_from_pivot_B(body.mass_kg, torque) + *pivot_m).norm() <= kSame * pivot_m->norm()))

@@ -44,7 +44,7 @@ Quat attitude_from(const std::vector<double>& wxyz);
 /// The lesson's own bodies; other names are those of physics/body/bodies.h.
 struct LessonBodies {
   std::map<std::string, Body> named;
-  std::set<std::string> drawn_as_box;  ///< of these: known by their moments, though they have a shape
+  std::set<std::string> drawn;  ///< of these: known by their moments, though they have a shape to be drawn
   /// Of these: where it is held, m, from the centre of mass, about which its moments are then given.
   std::map<std::string, Vec3> pivots_m;
   bool complete = true;  ///< false after an error in one: an unknown name is then no second error

@@ -137,7 +137,7 @@ bool StageBuilder::start_stage(const MarkdownBlock& block) {
   scene_ = front_.scene;
   has_scene_ = step_has_scene_ = false;
   step_is_empty_ = true;
-  step_place_ = {block.first_line, 1};
+  step().place = stages_.back().place;
   return true;
 }
 
@@ -151,14 +151,14 @@ bool StageBuilder::start_step(const MarkdownBlock& rule) {
   stages_.back().steps.emplace_back();
   step_has_scene_ = false;
   step_is_empty_ = true;
-  step_place_ = {rule.first_line, 1};
+  step().place = {rule.first_line, 1};
   return true;
 }
 
 void StageBuilder::finish_step() {
   if (step_is_empty_) {
     const bool only_one = stages_.back().steps.size() == 1;
-    report_.error(step_place_, only_one ? "this stage is empty" : "this step is empty",
+    report_.error(step().place, only_one ? "this stage is empty" : "this step is empty",
                   only_one ? "write its text below the heading" : "leave out one ---");
   }
   add_footnotes();

@@ -70,7 +70,6 @@ class StageBuilder {
   bool step_has_scene_ = false;
   int scene_line_ = 1;         ///< of its fence
   bool step_is_empty_ = true;  ///< nothing stands in it, right or wrong
-  SourcePlace step_place_;
   struct Note {
     PlacedText id;
     LocatedText text;

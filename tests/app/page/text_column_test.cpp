@@ -152,6 +152,23 @@ TEST_P(Column, ATagStandsAtTheRightEdgeOnTheBaselineOfItsEquation) {
   EXPECT_EQ(column().equation(equations[2], Focus::none, {}).value().sheet.texts.size(), 1u);
 }
 
+TEST_P(Column, AnEarlierEquationKeepsTheKindOfItsClaimHoweverWideItIs) {
+  for (const Equation& equation : blocks_of<Equation>()) {
+    const ColumnPiece plain = column().earlier_equation(equation).value(),
+                      marked = column().earlier_equation(equation, "MEASURED").value();
+    ASSERT_EQ(marked.sheet.texts.size(), plain.sheet.texts.size() + 1);
+    EXPECT_EQ(*marked.formula, *plain.formula + 1);
+    const PlacedType &word = marked.sheet.texts.front(), &formula = marked.sheet.texts[*marked.formula];
+    const bool is_above = marked.height > plain.height;
+    EXPECT_EQ(formula.at.y() - word.at.y() > 0, is_above);
+    EXPECT_EQ(formula.at.x(), plain.sheet.texts[*plain.formula].at.x());
+    if (is_above)
+      EXPECT_LE(word.at.y() + word.list.depth, formula.at.y() - formula.list.ascent);
+    else
+      EXPECT_LT(word.at.x() + word.list.width, formula.at.x());
+  }
+}
+
 TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {
   for (const Equation& equation : blocks_of<Equation>()) {
     const ColumnPiece plain = column().equation(equation, Focus::none, {}).value(),

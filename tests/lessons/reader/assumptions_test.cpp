@@ -57,6 +57,9 @@ TEST(Assumptions, ServeFormulasClaimsAndQuestions) {
   const LessonReading reading = read_lesson(lesson(kTop, ask), "a.md");
   ASSERT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
   const Ask& question = *blocks_of<Ask>(reading.lesson->stages[0].steps[0]).front();
+  std::string told;
+  for (const TextSpan& span : question.prompt_text.back().spans) told += span.text;
+  EXPECT_EQ(told, "Given: I_2 = I_1.");
   const auto mark = [&](const std::string& answer) {
     return judge_answer(question, answer, Prover(), &reading.lesson->notation.vocabulary).mark;
   };
