@@ -168,15 +168,17 @@ void StageBuilder::finish_step() {
   }
   add_footnotes();
   if (!has_scene_) return;
-  step().scene = finished(shown_, front_.bodies);
-  step().varied = varied_;
-  if (varied_) {
-    step().scene = varied_->strip().value();
-  } else {
-    step().scene->vary.clear();  // what cannot be, and was reported
+  if ((shown_.size() > 1 || varied_) && ++steps_with_several_ > kMaxStepsWithSeveral) {
+    if (steps_with_several_ == kMaxStepsWithSeveral + 1)
+      report_.error(step_place_, "a lesson has at most " + std::to_string(kMaxStepsWithSeveral) +
+                                     " steps with \"scenes\" or \"vary\"");
+    shown_ = {scene_};
+    varied_.reset();
   }
-  const std::size_t shown = step().scene->beside.size() + 1;
-  for (std::size_t i = 0; i < shown; ++i)
+  step().scene = varied_ ? varied_->strip().value() : finished(shown_, front_.bodies);
+  step().varied = varied_;
+  if (!varied_) step().scene->vary.clear();  // what cannot be, and was reported
+  for (std::size_t i = 0; i <= step().scene->beside.size(); ++i)
     step().captions.push_back(varied_ ? scene_.caption : shown_[i].caption);
   if (step_has_scene_) check_shown();
 }

@@ -64,6 +64,7 @@ class StageBuilder {
   std::map<std::string, int> stage_lines_;  // ids in use and their lines
   std::map<std::string, int> tag_lines_;
   int parts_ = 0;
+  int steps_with_several_ = 0;
   bool said_text_before_stage_ = false;
 
   // Of the stage being read.

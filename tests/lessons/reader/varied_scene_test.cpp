@@ -262,7 +262,7 @@ TEST(Comparisons, OfTheFormatAreAsTheTextBesideThemSays) {
     EXPECT_EQ(std::round(angle * 180 / std::numbers::pi), 2);
   }
   EXPECT_THAT(scene_of("pencil-and-coin").beside, SizeIs(1));
-  EXPECT_THAT(shown_scenes(scene_of("from-flat-to-long")), SizeIs(3));
+  EXPECT_THAT(shown_scenes(scene_of("from-long-to-flat")), SizeIs(3));
 }
 
 }  // namespace
