@@ -27,9 +27,9 @@ class FigureMaker : public PictureMaker {
     const auto shown = shown_in(picture);
     if (!shown) return passed_on(shown);
     const auto& [model, t_s] = *shown;
-    const std::string alt = speech_.words_of_title(*picture.stage) + ' ' +
-                            alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
-                                     model->motion->w_B_at(t_s), t_s);
+    const std::string alt =
+        speech_.words_of_title(*picture.stage) + ' ' +
+        alt_text(*model, speech_.words_of_captions(step_of(picture), *picture.scene), t_s);
     return {{alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model->motion->method()),
              context_.options.size}};
   }
@@ -41,8 +41,8 @@ class FigureMaker : public PictureMaker {
     const Size size = context_.options.size;
     const Background background = background_of(context_.options);
     const Quality quality = quality_of(context_.options.quality.value_or(picture.scene->quality));
-    if (!diagrams_in(model->drawn).empty())
-      return outcome_of(draw_with_diagrams(*model, t_s, background, quality));
+    if (!diagrams_in(model->drawn).empty() || !model->beside.empty())
+      return outcome_of(draw_in_parts(*model, t_s, background, quality));
     const double aspect = static_cast<double>(size.width) / size.height;
     return outcome_of(context_.renderer.draw(make_figure(*model, t_s, aspect), size, background, quality));
   }
@@ -61,9 +61,10 @@ class FigureMaker : public PictureMaker {
     return Shown{&model, t_s};
   }
 
-  /// Diagrams stand on a plain ground: paper instead of the studio.
-  Result<Image> draw_with_diagrams(const SceneModel& model, double t_s, const Background& background,
-                                   const Quality& quality) {
+  /// Diagrams, and a caption that scenes have in common, stand on a plain ground: paper instead of the
+  /// studio.
+  Result<Image> draw_in_parts(const SceneModel& model, double t_s, const Background& background,
+                              const Quality& quality) {
     using Kind = Background::Kind;
     const Size size = context_.options.size;
     const Background ground = background.kind == Kind::studio ? Background{Kind::paper, {}} : background;

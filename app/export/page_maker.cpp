@@ -34,8 +34,8 @@ class PageMaker : public PictureMaker {
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();
     description.alt +=
-        " Figure: " + alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
-                               shown.model->motion->w_B_at(shown.t_s), shown.t_s);
+        " Figure: " +
+        alt_text(*shown.model, speech_.words_of_captions(step_of(picture), *picture.scene), shown.t_s);
     return description;
   }
 

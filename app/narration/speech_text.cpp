@@ -3,6 +3,7 @@
 
 #include "app/narration/verdict_row.h"
 #include "lessons/reader/markdown/footnotes.h"
+#include "lessons/reader/varied_scene.h"
 
 #include <fmt/format.h>
 
@@ -174,9 +175,41 @@ std::string SpeechText::words(const Ask& ask) const {
 
 std::string SpeechText::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
 
-std::string SpeechText::words_of_caption(const Stage& stage, int step) const {
-  const auto& caption = stage.steps[static_cast<std::size_t>(step - 1)].caption;
-  return caption ? words(*caption) : std::string();
+std::vector<std::string> SpeechText::words_of_captions(const Step& step, const Scene& shown) const {
+  std::vector<std::string> captions;
+  for (const Scene* scene : shown_scenes(shown)) {
+    const auto& written = step.captions[std::min(captions.size(), step.captions.size() - 1)];
+    const std::string caption = written ? words(*written) : std::string();
+    const std::string label = words_of_line(scene->label);
+    captions.push_back(label + (label.empty() || caption.empty() ? "" : ". ") + caption);
+  }
+  return captions;
+}
+
+std::vector<FigureWords> SpeechText::words_of_figure(const Step& step) const {
+  if (!step.scene) return {};
+  if (step.varied) {
+    std::vector<FigureWords> lines;
+    if (step.captions.front()) lines.push_back({"Figure: ", words(*step.captions.front())});
+    for (const Variation& number : step.scene->vary) {
+      const VariedNumber& facts = *find_varied_number(number.number);
+      lines.push_back({"Varied: ", fmt::format("{} from {:.4g} to {:.4g} {}",
+                                               words_of_line('$' + std::string(facts.tex) + '$'), number.from,
+                                               number.to, facts.unit)});
+    }
+    return lines;
+  }
+  const std::vector<std::string> captions = words_of_captions(step, *step.scene);
+  const auto is_first = [&](const std::string& caption) { return caption == captions.front(); };
+  const bool is_shared = std::all_of(captions.begin(), captions.end(), is_first);
+  std::vector<FigureWords> lines;
+  if (is_shared && !captions.empty() && !captions.front().empty())
+    lines.push_back({"Figure: ", captions.front()});
+  if (is_shared) return lines;
+  for (std::size_t i = 0; i < captions.size(); ++i)
+    if (!captions[i].empty())
+      lines.push_back({fmt::format("Figure {} of {}: ", i + 1, captions.size()), captions[i]});
+  return lines;
 }
 
 std::string SpeechText::words_of_page(const Stage& stage, int first, int last) const {

@@ -11,6 +11,12 @@
 
 namespace polhode {
 
+/// "Figure: " and the caption, or "Figure 2 of 3: " and that of a scene beside others.
+struct FigureWords {
+  std::string opening, caption;
+  bool operator==(const FigureWords&) const = default;
+};
+
 class SpeechText {
  public:
   /// `lesson` must outlive it.
@@ -30,8 +36,12 @@ class SpeechText {
   std::string words(const Ask& ask) const;
   /// "Euler's equation in vector form."
   std::string words_of_title(const Stage& stage) const;
-  /// Of the step's figure (steps from 1); empty: none.
-  std::string words_of_caption(const Stage& stage, int step) const;
+  /// The labels and captions of the scenes that are shown at the step, in their order; empty where one has
+  /// none. `shown` is the step's scene, or what a reader has made of it: in the window no filmstrip is shown.
+  std::vector<std::string> words_of_captions(const Step& step, const Scene& shown) const;
+  /// What is said of the step's figure: its caption, which scenes side by side may have in common, or a line
+  /// for each of them.
+  std::vector<FigureWords> words_of_figure(const Step& step) const;
   /// Title, and what the steps from `first` to `last` add.
   std::string words_of_page(const Stage& stage, int first, int last) const;
 

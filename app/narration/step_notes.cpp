@@ -40,7 +40,7 @@ class Notes {
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
       add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speech_.words(ask.choice_texts[i])));
   }
-  void add_caption(const RichText& caption) { add(Kind::figure, "Figure: " + speech_.words(caption)); }
+  void add(const FigureWords& figure) { add(Kind::figure, figure.opening + figure.caption); }
 
   std::vector<StepNote> take() { return std::move(notes_); }
 
@@ -69,8 +69,8 @@ std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int
   for (std::size_t i = begin; i < end; ++i) {
     const Step& step = stage.steps[i];
     for (const Block& block : step.blocks) std::visit([&](const auto& b) { notes.add(b); }, block);
-    const RichText* before = i > 0 ? stage.steps[i - 1].caption.get() : nullptr;
-    if (step.caption && step.caption.get() != before) notes.add_caption(*step.caption);
+    if (i > 0 && step.captions == stage.steps[i - 1].captions) continue;
+    for (const FigureWords& figure : speech.words_of_figure(step)) notes.add(figure);
   }
   return notes.take();
 }

@@ -27,10 +27,10 @@ class Transcript {
     text_ += '\n' + underlined(fmt::format("{}. {}", number, speech_.words(stage.title_text)), '-');
     for (const Step& step : stage.steps) {
       for (const Block& block : step.blocks) std::visit([this](const auto& b) { add(b); }, block);
-      if (step.caption && step.scene->caption != caption_) {
-        caption_ = step.scene->caption;
-        add_paragraph(speech_.words(*step.caption), "Figure: ");
-      }
+      const std::vector<FigureWords> figure = speech_.words_of_figure(step);
+      if (figure.empty() || figure == figure_) continue;
+      figure_ = figure;
+      for (const auto& [opening, caption] : figure) add_paragraph(caption, opening);
     }
   }
 
@@ -75,7 +75,7 @@ class Transcript {
 
   SpeechText speech_;
   std::string text_;
-  std::string caption_;  ///< the last one: steps inherit it
+  std::vector<FigureWords> figure_;  ///< of the last one: steps inherit captions
 };
 
 }  // namespace

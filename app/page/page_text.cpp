@@ -73,6 +73,15 @@ Verdicts verdicts_of(const PageRequest& request) {
   return verdicts;
 }
 
+/// What the scenes of a step highlight.
+std::vector<std::string> marked_by(const Step& step) {
+  std::vector<std::string> marked;
+  if (!step.scene) return marked;
+  for (const Scene* scene : shown_scenes(*step.scene))
+    marked.insert(marked.end(), scene->highlight.begin(), scene->highlight.end());
+  return marked;
+}
+
 /// Whether two scenes show one motion: all that live numbers come from (LiveState) is the same, however it is
 /// drawn, and for how long. Scenes are not compared as they are written: one that names its method or
 /// attitude shows the motion of one that has the same by default.
@@ -252,8 +261,7 @@ class ScaledText {
              : std::holds_alternative<FadingIn>(request_.entrance) ? Focus::before
                                                                    : Focus::none;
     };
-    const std::vector<std::string> marked =
-        is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
+    const std::vector<std::string> marked = is_present ? marked_by(step) : std::vector<std::string>();
     Whole made;
     const auto take = [&](Result<ColumnPiece> set, const Block& block) {
       ColumnPiece piece = noted(std::move(set));

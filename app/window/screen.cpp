@@ -3,6 +3,7 @@
 
 #include "app/session/command.h"
 #include "app/session/typed_folder.h"
+#include "app/window/number_sliders.h"
 #include "app/window/speaker_notes.h"
 
 #include <fmt/format.h>
@@ -174,6 +175,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
   ImGui::NewFrame();
   lay_out_controls(session, page_region(session, frame.size), frame.size);
+  lay_out_sliders(session);
   use_pointer(session, page_region(session, frame.size));
   if (!requests_.clipboard.empty()) copy();
   if (requests_.save_as) save(session);
@@ -251,6 +253,16 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
   }
   if (session.panel != Panel::none) panels_.draw(context, {page.width, 0, width - page.width, page.height});
   draw_bar(context, {0, page.height, width, height - page.height});
+}
+
+/// On the figure as the last frame had it: the first has none yet.
+void Screen::lay_out_sliders(LessonSession& session) {
+  const PixelBox& at = page_->page().figure;
+  if (at.width() <= 0 || (session.is_presenting() && session.are_notes_shown())) return;
+  const Region figure{static_cast<float>(at.x0), static_cast<float>(at.y0), static_cast<float>(at.width()),
+                      static_cast<float>(at.height())};
+  const std::string refusal = draw_number_sliders(session, figure, *sizes_);
+  if (!refusal.empty()) tell(refusal);
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {

@@ -223,7 +223,12 @@ class ClaimCheck {
   /// Null if the scene cannot be: whoever checks the scenes says so.
   const SceneModel* model_of(const Step& step) {
     try {
-      if (!model_) model_.emplace(make_model(*step.scene, Product::figure, effort_));
+      if (!model_) {
+        Scene measured = *step.scene;
+        measured.beside.clear();  // claims are about the first
+        measured.before = 0;
+        model_.emplace(make_model(measured, Product::figure, effort_));
+      }
       return &*model_;
     } catch (const std::domain_error&) {
       return nullptr;

@@ -23,6 +23,8 @@
 
 namespace polhode {
 
+class VariedScene;  // varied_scene.h
+
 /// Prose between two fences: Markdown as written (inline $…$ included), without the block's own syntax.
 struct Prose {
   std::string markdown;
@@ -97,8 +99,11 @@ struct Step {
   std::vector<Block> blocks;
   /// Null: text alone. Steps that go on with a scene share it.
   std::shared_ptr<const Scene> scene;
-  /// The scene's, null if it has none; steps that go on with a caption share it.
-  std::shared_ptr<const RichText> caption;
+  /// Of the scene and those beside it, in the order in which they stand; null where one has none. Steps that
+  /// go on with a caption share it.
+  std::vector<std::shared_ptr<const RichText>> captions{};
+  /// The scene with other numbers than it has, for the readers of its `vary`; null: there is none.
+  std::shared_ptr<const VariedScene> varied{};
   SourcePlace place{};  ///< of the stage's heading, or of the rule that it begins with
 };
 

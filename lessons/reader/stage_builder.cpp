@@ -9,10 +9,14 @@
 #include "lessons/reader/markdown/callouts.h"
 #include "lessons/reader/markdown/heading.h"
 #include "lessons/reader/reader.h"
+#include "lessons/reader/varied_scene.h"
 #include "render/scene/model/scene_needs.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
 
 namespace polhode {
@@ -135,6 +139,8 @@ bool StageBuilder::start_stage(const MarkdownBlock& block) {
   stages_.push_back(std::move(stage));
   texts_.notes().start_stage();
   scene_ = front_.scene;
+  shown_ = {scene_};
+  varied_.reset();
   has_scene_ = step_has_scene_ = false;
   step_is_empty_ = true;
   step().place = stages_.back().place;
@@ -163,20 +169,38 @@ void StageBuilder::finish_step() {
   }
   add_footnotes();
   if (!has_scene_) return;
-  const std::vector<Step>& steps = stages_.back().steps;
-  const bool goes_on = !step_has_scene_ && steps.size() > 1 && steps[steps.size() - 2].scene;
-  step().scene = goes_on ? steps[steps.size() - 2].scene
-                         : std::make_shared<const Scene>(finished(scene_, front_.bodies));
-  step().caption = scene_.caption;
-  if (step_has_scene_) check_shown();
+  if (!step_has_scene_) {
+    const Step& before = *std::prev(stages_.back().steps.end(), 2);
+    step().scene = before.scene;
+    step().captions = before.captions;
+    step().varied = before.varied;
+    return;
+  }
+  if ((shown_.size() > 1 || varied_) && ++steps_with_several_ > kMaxStepsWithSeveral) {
+    if (steps_with_several_ == kMaxStepsWithSeveral + 1)
+      report_.error(step().place, "a lesson has at most " + std::to_string(kMaxStepsWithSeveral) +
+                                      " steps that begin \"scenes\" or \"vary\"");
+    shown_ = {scene_};
+    varied_.reset();
+  }
+  Scene scene = varied_ ? varied_->strip().value() : finished(shown_, front_.bodies);
+  if (!varied_) scene.vary.clear();  // what cannot be, and was reported
+  for (std::size_t i = 0; i <= scene.beside.size(); ++i)
+    step().captions.push_back(varied_ ? scene_.caption : shown_[i].caption);
+  step().scene = std::make_shared<const Scene>(std::move(scene));
+  step().varied = varied_;
+  check_shown();
 }
 
 /// Of what a scene shows all is to be seen; where not, its author may not know.
 void StageBuilder::check_shown() {
-  for (const PlacedText& name : scene_.shown)
-    if (const std::string unseen = what_is_unseen(*overlay_from(name.text), *step().scene); !unseen.empty())
-      report_.warning(name.place, "in the scene of line " + std::to_string(scene_line_) + ' ' +
-                                      in_quotes(name.text) + ' ' + unseen);
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const Scene& scene = i == 0 ? *step().scene : step().scene->beside[i - 1];
+    for (const PlacedText& name : shown_[i].shown)
+      if (const std::string unseen = what_is_unseen(*overlay_from(name.text), scene); !unseen.empty())
+        report_.warning(name.place, "in the scene of line " + std::to_string(scene_line_) + ' ' +
+                                        in_quotes(name.text) + ' ' + unseen);
+  }
 }
 
 void StageBuilder::take_footnote(const PlacedText& id, LocatedText text) {
@@ -486,6 +510,64 @@ void StageBuilder::add_scene(const Fence& fence) {
   if (!table) return;
   std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
+  std::vector<LessonScene> shown = side_by_side(scene_, front_.bodies, texts_, highlighted_);
+  for (std::size_t i = 0; i < std::min(shown.size(), shown_.size()); ++i)  // steps share what stays
+    if (shown[i].scene.caption == shown_[i].scene.caption) shown[i].caption = shown_[i].caption;
+  shown_ = std::move(shown);
+  vary_scene();
+}
+
+/// What `vary` asks for, where the scene has such numbers and all can be as far as their ranges go.
+void StageBuilder::vary_scene() {
+  varied_.reset();
+  std::vector<Variation>& numbers = scene_.scene.vary;
+  if (numbers.empty() || scene_.fault_said) return;
+  const std::vector<SourcePlace>& places = scene_.vary_places;
+  if (scene_.scenes) {
+    report_.error(places.front(), "a scene is varied, or has others beside it, not both",
+                  "write scenes = [] or vary = {}");
+    return;
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    Variation& number = numbers[i];
+    const auto value = number_of(scene_, front_.bodies, number.number);
+    if (!value) {
+      report_.error(places[i], in_quotes(number.number) + " cannot be varied: " + value.error().message,
+                    value.error().hint);
+      return;
+    }
+    number.value = *value;
+    if (number.from <= number.value && number.value <= number.to) continue;
+    report_.error(places[i], fmt::format("{} is {:.7g} in this scene, beyond its range from {:.7g} to {:.7g}",
+                                         in_quotes(number.number), number.value, number.from, number.to));
+    return;
+  }
+  auto varied = std::make_shared<const VariedScene>(scene_, front_.bodies);
+  if (check_ends(*varied)) varied_ = std::move(varied);
+}
+
+/// False, and a report, if a scene cannot be at a corner of the ranges.
+bool StageBuilder::check_ends(const VariedScene& varied) {
+  const std::vector<Variation>& numbers = scene_.scene.vary;
+  for (unsigned corner = 0; corner < 1U << numbers.size(); ++corner) {
+    std::vector<double> values;
+    std::string named;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      values.push_back((corner >> i & 1U) != 0 ? numbers[i].to : numbers[i].from);
+      named += fmt::format("{}{} = {:.7g}", i > 0 ? ", " : "", numbers[i].number, values.back());
+    }
+    const auto scene = varied.at(values);
+    if (scene) continue;
+    report_.error(scene_.vary_places.front(),
+                  fmt::format("at {} there is no such scene: {}", named, scene.error()),
+                  "make the range smaller");
+    return false;
+  }
+  if (const auto strip = varied.strip(); !strip) {
+    report_.error(scene_.vary_places.front(), strip.error(), "make the range smaller");
+    return false;
+  }
+  return true;
 }
 
 void StageBuilder::add_ask(const Fence& fence) {

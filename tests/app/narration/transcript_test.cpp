@@ -178,5 +178,30 @@ TEST(Transcript, HasFootnotesCallOutsAndWhatIsCited) {
               HasSubstr("¹ Not all."));
 }
 
+std::string told(const std::string& scene) {
+  const std::string text =
+      "+++\nformat = 1\nid = 'a'\ntitle = 'A'\n+++\n# S {s}\n\n```scene\n" + scene + "\n```\n";
+  LessonReading reading = check_lesson(text, "a.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return transcript_of(*reading.lesson, {});
+}
+
+TEST(Transcript, ScenesSideBySideHaveALineEachUnlessTheirCaptionIsOne) {
+  const std::string own = told("scenes = [{ caption = 'slow' }, {}, { caption = 'fast' }]");
+  EXPECT_THAT(own, HasSubstr("\nFigure 1 of 3: slow\n"));
+  EXPECT_THAT(own, HasSubstr("\nFigure 3 of 3: fast\n"));
+  EXPECT_THAT(own, Not(HasSubstr("2 of 3")));
+  const std::string common = told("caption = 'both'\nscenes = [{}, { omega = [0, 0, 1] }]");
+  EXPECT_THAT(common, HasSubstr("\nFigure: both\n"));
+  EXPECT_THAT(common, Not(HasSubstr("of 2")));
+}
+
+TEST(Transcript, TheRangeOfWhatIsVariedIsSaid) {
+  const std::string text =
+      told("caption = 'faster'\nomega = [0, 0.1, 3]\nvary = { omega3 = { from = 1, to = 9 } }");
+  EXPECT_THAT(text, HasSubstr("\nFigure: faster\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\nVaried: .* from 1 to 9 rad/s\n"));
+}
+
 }  // namespace
 }  // namespace polhode
