@@ -36,6 +36,8 @@ class PageMaker : public PictureMaker {
     description.alt +=
         " Figure: " + alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
                                shown.model->motion->w_B_at(shown.t_s), shown.t_s);
+    if (const std::string plots = speech_.words_of_plots(*picture.scene); !plots.empty())
+      description.alt += " Plotted: " + plots;
     return description;
   }
 

@@ -32,6 +32,9 @@ class SpeechText {
   std::string words_of_title(const Stage& stage) const;
   /// Of the step's figure (steps from 1); empty: none.
   std::string words_of_caption(const Stage& stage, int step) const;
+  /// What the lesson's own plots of a scene show: "T and E against time; U against u, with the level E.";
+  /// empty: there are none.
+  std::string words_of_plots(const Scene& scene) const;
   /// Title, and what the steps from `first` to `last` add.
   std::string words_of_page(const Stage& stage, int first, int last) const;
 

@@ -41,6 +41,7 @@ class Notes {
       add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speech_.words(ask.choice_texts[i])));
   }
   void add_caption(const RichText& caption) { add(Kind::figure, "Figure: " + speech_.words(caption)); }
+  void add_plots(const std::string& words) { add(Kind::figure, "Plotted: " + words); }
 
   std::vector<StepNote> take() { return std::move(notes_); }
 
@@ -71,6 +72,9 @@ std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int
     for (const Block& block : step.blocks) std::visit([&](const auto& b) { notes.add(b); }, block);
     const RichText* before = i > 0 ? stage.steps[i - 1].caption.get() : nullptr;
     if (step.caption && step.caption.get() != before) notes.add_caption(*step.caption);
+    const auto plots_of = [&](const Step& one) { return one.scene ? speech.words_of_plots(*one.scene) : ""; };
+    const std::string plots = plots_of(step);
+    if (!plots.empty() && (i == 0 || plots != plots_of(stage.steps[i - 1]))) notes.add_plots(plots);
   }
   return notes.take();
 }

@@ -31,6 +31,9 @@ class Transcript {
         caption_ = step.scene->caption;
         add_paragraph(speech_.words(*step.caption), "Figure: ");
       }
+      const std::string plots = step.scene ? speech_.words_of_plots(*step.scene) : "";
+      if (!plots.empty() && plots != plots_) add_paragraph(plots, "Plotted: ");
+      plots_ = plots;
     }
   }
 
@@ -76,6 +79,7 @@ class Transcript {
   SpeechText speech_;
   std::string text_;
   std::string caption_;  ///< the last one: steps inherit it
+  std::string plots_;    ///< likewise
 };
 
 }  // namespace

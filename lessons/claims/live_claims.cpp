@@ -146,7 +146,6 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s, const R
   const Mat3 J = on_turned_axes(I);
   s.J = {J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2)};
   live.rounding = rounding_at(t_s, rate);
-  live.method_error = error_of_method(model, rate);
   return live;
 }
 
@@ -167,7 +166,9 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
   const Moving rates = derivative_at([&](double at_s) { return moving(model, at_s, model.motion->at(at_s)); },
                                      t_s, kDifferenceAngle / rate);
   if (!rates.allFinite()) return std::nullopt;
-  return live_state(model, t_s, state, rates, rate);
+  auto live = live_state(model, t_s, state, rates, rate);
+  if (live) live->method_error = error_of_method(model, rate);
+  return live;
 }
 
 std::optional<LiveState> still_state(const SceneModel& model, double t_s, const RigidBodyState& state) {

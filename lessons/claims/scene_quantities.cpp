@@ -3,6 +3,7 @@
 
 #include "lessons/claims/live_claims.h"
 
+#include <limits>
 #include <memory>
 #include <sstream>
 #include <utility>
@@ -45,6 +46,27 @@ SceneQuantity scene_quantity(Expression expression, std::string tex, std::string
     return Vec3(now->components[0], now->components[1], now->components[2]);
   };
   return quantity;
+}
+
+FunctionOfConstant function_of_constant(Expression expression, int variable) {
+  FunctionOfConstant function{meaning_of(expression), {}};
+  const auto shared = std::make_shared<const Expression>(std::move(expression));
+  function.values = [shared, variable, of_rates = has_rates(*shared)](const SceneModel& model,
+                                                                      const std::vector<double>& x) {
+    std::vector<double> values(x.size(), std::numeric_limits<double>::quiet_NaN());
+    if (of_rates && slips(model.scene)) return values;
+    const auto start = of_rates ? live_state(model, 0) : still_state(model, 0, model.motion->at(0));
+    if (!start) return values;
+    Expression at_x = *shared;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (ExpressionNode& node : at_x.nodes)
+        if (node.operation == Operation::constant && node.integer == variable) node.number.value = x[i];
+      const auto value = live_quantity(at_x, *start, View::space);
+      if (value) values[i] = value->components[0];
+    }
+    return values;
+  };
+  return function;
 }
 
 }  // namespace polhode

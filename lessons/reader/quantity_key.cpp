@@ -105,6 +105,16 @@ std::string usual_unit(const Dimension& dimension) {
   return to_string(dimension);
 }
 
+bool has_value_on_motions(const Expression& expression, SourcePlace place, Report& report) {
+  for (const auto& [quantity, name] : {std::pair(Quantity::h, "h"), std::pair(Quantity::k, "k")})
+    if (expression.uses(quantity)) {
+      report.error(place, in_quotes(name) + " is any number: no motion says which",
+                   "give the lesson a constant: [constants] NAME = 1.5");
+      return false;
+    }
+  return true;
+}
+
 std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWords& words,
                                           TextReader& texts) {
   Report& report = texts.report();
@@ -116,12 +126,7 @@ std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWor
   }
   auto expression = read_expression(text.text, place, report, words.vocabulary);
   if (!expression) return std::nullopt;
-  for (const auto& [quantity, name] : {std::pair(Quantity::h, "h"), std::pair(Quantity::k, "k")})
-    if (expression->uses(quantity)) {
-      report.error(place, in_quotes(name) + " is any number: no motion says which",
-                   "give the lesson a constant: [constants] NAME = 1.5");
-      return std::nullopt;
-    }
+  if (!has_value_on_motions(*expression, place, report)) return std::nullopt;
   static const std::map<int, Dimension> kNone;
   const DimensionReading reading =
       dimension_of(*expression, words.dimensions != nullptr ? *words.dimensions : kNone);

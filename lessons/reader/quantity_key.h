@@ -35,6 +35,9 @@ struct ReadQuantity {
 /// Nothing where it cannot be read: the report says why.
 std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWords& words, TextReader& texts);
 
+/// Whether an expression speaks of what motions have alone; else it is reported at `place`.
+bool has_value_on_motions(const Expression& expression, SourcePlace place, Report& report);
+
 /// The usual name of a unit, "J", "rad/s"; empty of a number.
 std::string usual_unit(const Dimension& dimension);
 

@@ -541,7 +541,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::caption,
        [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; }},
       {{"meters",
-        R"(plots against time beside the figure of a page, over `duration`: a list of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start); `[]` for none)",
+        R"(plots beside the figure of a page: a list of up to 6 of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start), each against time over `duration`, and of plots of your own (Plots, below); `[]` for none)",
         R"(`["omega", "drift"]`, under torque `["omega", "energy", "momentum"]`)"},
        &SceneKeys::meters,
        [](const Scene& scene) { return scene.meters ? plots_text(*scene.meters) : ""; }},
