@@ -6,6 +6,7 @@
 #include "lessons/reader/varied_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -210,6 +211,31 @@ std::vector<FigureWords> SpeechText::words_of_figure(const Step& step) const {
     if (!captions[i].empty())
       lines.push_back({fmt::format("Figure {} of {}: ", i + 1, captions.size()), captions[i]});
   return lines;
+}
+
+std::string SpeechText::words_of_plots(const Scene& scene) const {
+  std::vector<std::string> plots;
+  for (const PlotSpec& spec : scene.meters.value_or(std::vector<PlotSpec>())) {
+    const auto* own = std::get_if<OwnPlot>(&spec);
+    if (own == nullptr) continue;
+    const auto spoken = [&](const std::string& tex) { return words_of_line('$' + tex + '$'); };
+    const auto name = [&](std::size_t i, const std::string& tex) {
+      return spoken(i < own->tex.size() ? own->tex[i] : tex);
+    };
+    std::string words = own->title.empty() ? "" : words_of_line(own->title) + ": ";
+    if (own->function) {
+      words += name(0, own->function->tex) + " against " + spoken(own->function->of.tex);
+      if (own->function->level) words += ", with the level " + spoken(own->function->level->tex);
+    } else {
+      for (std::size_t i = 0; i < own->curves.size(); ++i) {
+        if (i > 0) words += i + 1 == own->curves.size() ? " and " : ", ";
+        words += name(i, own->curves[i].tex);
+      }
+      words += " against " + (own->against ? spoken(own->against->tex) : "time");
+    }
+    plots.push_back(std::move(words));
+  }
+  return plots.empty() ? "" : sentence(fmt::format("{}", fmt::join(plots, "; ")));
 }
 
 std::string SpeechText::words_of_page(const Stage& stage, int first, int last) const {

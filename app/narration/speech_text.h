@@ -42,6 +42,9 @@ class SpeechText {
   /// What is said of the step's figure: its caption, which scenes side by side may have in common, or a line
   /// for each of them.
   std::vector<FigureWords> words_of_figure(const Step& step) const;
+  /// What the lesson's own plots of a scene show: "T and E against time; U against u, with the level E.";
+  /// empty: there are none.
+  std::string words_of_plots(const Scene& scene) const;
   /// Title, and what the steps from `first` to `last` add.
   std::string words_of_page(const Stage& stage, int first, int last) const;
 

@@ -41,6 +41,7 @@ class Notes {
       add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speech_.words(ask.choice_texts[i])));
   }
   void add(const FigureWords& figure) { add(Kind::figure, figure.opening + figure.caption); }
+  void add_plots(const std::string& words) { add(Kind::figure, "Plotted: " + words); }
 
   std::vector<StepNote> take() { return std::move(notes_); }
 
@@ -69,8 +70,11 @@ std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int
   for (std::size_t i = begin; i < end; ++i) {
     const Step& step = stage.steps[i];
     for (const Block& block : step.blocks) std::visit([&](const auto& b) { notes.add(b); }, block);
-    if (i > 0 && step.captions == stage.steps[i - 1].captions) continue;
-    for (const FigureWords& figure : speech.words_of_figure(step)) notes.add(figure);
+    if (i == 0 || step.captions != stage.steps[i - 1].captions)
+      for (const FigureWords& figure : speech.words_of_figure(step)) notes.add(figure);
+    const auto plots_of = [&](const Step& one) { return one.scene ? speech.words_of_plots(*one.scene) : ""; };
+    const std::string plots = plots_of(step);
+    if (!plots.empty() && (i == 0 || plots != plots_of(stage.steps[i - 1]))) notes.add_plots(plots);
   }
   return notes.take();
 }

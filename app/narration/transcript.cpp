@@ -28,9 +28,13 @@ class Transcript {
     for (const Step& step : stage.steps) {
       for (const Block& block : step.blocks) std::visit([this](const auto& b) { add(b); }, block);
       const std::vector<FigureWords> figure = speech_.words_of_figure(step);
-      if (figure.empty() || figure == figure_) continue;
-      figure_ = figure;
-      for (const auto& [opening, caption] : figure) add_paragraph(caption, opening);
+      if (!figure.empty() && figure != figure_) {
+        figure_ = figure;
+        for (const auto& [opening, caption] : figure) add_paragraph(caption, opening);
+      }
+      const std::string plots = step.scene ? speech_.words_of_plots(*step.scene) : "";
+      if (!plots.empty() && plots != plots_) add_paragraph(plots, "Plotted: ");
+      plots_ = plots;
     }
   }
 
@@ -76,6 +80,7 @@ class Transcript {
   SpeechText speech_;
   std::string text_;
   std::vector<FigureWords> figure_;  ///< of the last one: steps inherit captions
+  std::string plots_;                ///< likewise
 };
 
 }  // namespace

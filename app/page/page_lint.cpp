@@ -4,10 +4,12 @@
 #include "app/page/page.h"
 #include "app/page/still_numbers.h"
 #include "lessons/reader/lint_budget.h"
+#include "render/drawing/plots/meter_plots.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 
@@ -60,6 +62,7 @@ class PageLint {
 
   void check(const Stage& stage, int number, int step_number, const Step& step) {
     const SceneModel model = step.scene ? make_model(*step.scene, Product::page, effort_) : SceneModel();
+    if (step.scene) check_plots(stage, step_number, model);
     for (const Size& size : sizes_) {
       spend(effort_, kPageEvaluations);
       if (!check({.lesson = lesson_,
@@ -74,6 +77,26 @@ class PageLint {
                   .effort = effort_}))
         break;
     }
+  }
+
+  /// Of a quantity that the motion does not have there is nothing to see, and nothing else says why. A scene
+  /// that steps go on with is said once.
+  void check_plots(const Stage& stage, int step_number, const SceneModel& model) {
+    const auto has_own = [](const PlotSpec& plot) { return std::holds_alternative<OwnPlot>(plot); };
+    const std::vector<PlotSpec> specs = shown_meters(model.scene);
+    if (std::none_of(specs.begin(), specs.end(), has_own) || specs == checked_plots_) return;
+    checked_plots_ = specs;
+    const std::vector<TimePlot> plots = meter_plots(model, still_time_s(model.scene));
+    for (std::size_t i = 0; i < plots.size(); ++i)
+      for (const TimeSeries& series : plots[i].series) {
+        const auto is_seen = [](double y) { return std::isfinite(y); };
+        if (!has_own(specs[i]) || std::any_of(series.y.begin(), series.y.end(), is_seen)) continue;
+        warn(fmt::format(
+                 "step {} of stage \"{}\": there is nothing to plot of {}, which is not defined on this "
+                 "motion",
+                 step_number, stage.id, series.label),
+             "leave it out, or plot it where it is");
+      }
   }
 
   /// Whether the page is as it should be.
@@ -110,6 +133,7 @@ class PageLint {
   const Effort& effort_;
   StillNumbers still_numbers_;
   SourcePlace place_;  ///< of the step that is checked
+  std::vector<PlotSpec> checked_plots_;
   std::vector<Diagnostic> found_;
 };
 

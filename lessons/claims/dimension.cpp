@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -13,9 +14,12 @@ namespace {
 constexpr Dimension kNumber{0, 0, 0};
 constexpr Dimension kInertia{1, 2, 0}, kEnergy{1, 2, -2};
 
+constexpr double kDegree = std::numbers::pi / 180;
+
 struct UnitFacts {
   std::string_view name;
   Dimension dimension;
+  double size = 1;  ///< of SI units in it
 };
 constexpr std::array<UnitFacts, 12> kUnits{{{"kg", {1, 0, 0}},
                                             {"m", {0, 1, 0}},
@@ -25,10 +29,49 @@ constexpr std::array<UnitFacts, 12> kUnits{{{"kg", {1, 0, 0}},
                                             {"W", {1, 2, -3}},
                                             {"Hz", {0, 0, -1}},
                                             {"rad", kNumber},
-                                            {"deg", kNumber},
-                                            {"°", kNumber},
+                                            {"deg", kNumber, kDegree},
+                                            {"°", kNumber, kDegree},
                                             {"1", kNumber},
                                             {"", kNumber}}};
+
+struct PrefixFacts {
+  std::string_view name;
+  double size;
+};
+constexpr std::array<PrefixFacts, 9> kPrefixes{{{"p", 1e-12},
+                                                {"n", 1e-9},
+                                                {"µ", 1e-6},  // the micro sign
+                                                {"μ", 1e-6},  // the letter mu
+                                                {"m", 1e-3},
+                                                {"c", 1e-2},
+                                                {"k", 1e3},
+                                                {"M", 1e6},
+                                                {"G", 1e9}}};
+/// They stand before these, and before g.
+constexpr std::array<std::string_view, 7> kPrefixed{"m", "s", "N", "J", "W", "Hz", "rad"};
+
+std::optional<UnitFacts> find_unit(std::string_view name) {
+  const auto known = std::find_if(kUnits.begin(), kUnits.end(),
+                                  [name](const UnitFacts& facts) { return facts.name == name; });
+  return known == kUnits.end() ? std::nullopt : std::optional(*known);
+}
+
+std::optional<UnitFacts> find_prefixed_unit(std::string_view name) {
+  constexpr UnitFacts kGram{"g", {1, 0, 0}, 1e-3};
+  if (const auto known = find_unit(name)) return known;
+  if (name == kGram.name) return kGram;
+  for (const PrefixFacts& prefix : kPrefixes) {
+    if (!name.starts_with(prefix.name)) continue;
+    const std::string_view rest = name.substr(prefix.name.size());
+    auto unit = rest == kGram.name ? std::optional(kGram)
+                : std::find(kPrefixed.begin(), kPrefixed.end(), rest) != kPrefixed.end() ? find_unit(rest)
+                                                                                         : std::nullopt;
+    if (!unit) continue;
+    unit->size *= prefix.size;
+    return unit;
+  }
+  return std::nullopt;
+}
 
 /// A power behind a unit, which is cut off; 1 if there is none.
 int take_power(std::string_view& unit) {
@@ -148,8 +191,11 @@ class DimensionReader {
 
 }  // namespace
 
-std::optional<Dimension> dimension_of_unit(std::string_view unit) {
-  Dimension dimension = kNumber;
+namespace {
+
+template <class Find>
+std::optional<ScaledUnit> read_unit(std::string_view unit, const Find& find) {
+  ScaledUnit read{kNumber, 1};
   double sign = 1;
   std::size_t at = 0;
   constexpr std::string_view kDot = "·";
@@ -159,10 +205,10 @@ std::optional<Dimension> dimension_of_unit(std::string_view unit) {
       ++end;
     std::string_view name = unit.substr(at, end - at);
     const int power = take_power(name);
-    const auto known = std::find_if(kUnits.begin(), kUnits.end(),
-                                    [name](const UnitFacts& facts) { return facts.name == name; });
-    if (known == kUnits.end()) return std::nullopt;
-    dimension = times(dimension, known->dimension, sign * power);
+    const std::optional<UnitFacts> known = find(name);
+    if (!known) return std::nullopt;
+    read.dimension = times(read.dimension, known->dimension, sign * power);
+    read.size *= std::pow(known->size, sign * power);
     if (end == unit.size()) break;
     if (unit[end] == '/') {
       if (sign < 0) return std::nullopt;
@@ -170,8 +216,17 @@ std::optional<Dimension> dimension_of_unit(std::string_view unit) {
     }
     at = end + (unit.substr(end, kDot.size()) == kDot ? kDot.size() : 1);
   }
-  return dimension;
+  return read;
 }
+
+}  // namespace
+
+std::optional<Dimension> dimension_of_unit(std::string_view unit) {
+  const auto read = read_unit(unit, find_unit);
+  return read ? std::optional(read->dimension) : std::nullopt;
+}
+
+std::optional<ScaledUnit> scaled_unit(std::string_view unit) { return read_unit(unit, find_prefixed_unit); }
 
 std::string to_string(const Dimension& dimension) {
   constexpr std::array<std::string_view, 3> kNames{"kg", "m", "s"};

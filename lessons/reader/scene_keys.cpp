@@ -4,6 +4,7 @@
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
 #include "lessons/reader/scene_values.h"
 #include "lessons/reader/toml_text.h"
@@ -108,8 +109,10 @@ class SceneKeys {
   enum class Of { front_matter, fence, scenes };
 
   /// `begin` is where the table begins.
-  SceneKeys(const LessonBodies& bodies, LessonScene& scene, TextReader& texts, Of of, SourcePlace begin)
+  SceneKeys(const LessonBodies& bodies, const SceneWords& words, LessonScene& scene, TextReader& texts, Of of,
+            SourcePlace begin)
       : bodies_(bodies),
+        words_(words),
         of_(of),
         begin_(begin),
         lesson_scene_(scene),
@@ -469,21 +472,7 @@ class SceneKeys {
     }
   }
 
-  void meters(const TomlEntry& entry) {
-    const auto names = read_texts(entry, static_cast<std::size_t>(kMeterCount), report_);
-    if (!names) return;
-    std::vector<Meter> meters;
-    for (const PlacedText& name : *names) {
-      const auto meter = meter_from(name.text);
-      if (!meter)
-        unknown("meter", name, meter_names());
-      else if (std::find(meters.begin(), meters.end(), *meter) != meters.end())
-        report_.warning(name.place, "the meter " + in_quotes(name.text) + " is there already");
-      else
-        meters.push_back(*meter);
-    }
-    scene_.meters = std::move(meters);
-  }
+  void meters(const TomlEntry& entry) { assign(scene_.meters, read_plots(entry, words_, texts_)); }
 
   void scenes(const TomlEntry& entry) {
     static constexpr const char* kExample =
@@ -549,6 +538,7 @@ class SceneKeys {
   }
 
   const LessonBodies& bodies_;
+  const SceneWords& words_;
   const Of of_;
   const SourcePlace begin_;
   LessonScene& lesson_scene_;
@@ -656,10 +646,10 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::caption,
        [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; }},
       {{"meters",
-        R"(plots against time beside the figure of a page, over `duration`: a list of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start); `[]` for none)",
+        R"(plots beside the figure of a page: a list of up to 6 of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start), each against time over `duration`, and of plots of your own (Plots, below); `[]` for none)",
         R"(`["omega", "drift"]`, under torque `["omega", "energy", "momentum"]`)"},
        &SceneKeys::meters,
-       [](const Scene& scene) { return scene.meters ? text_of(*scene.meters) : ""; }},
+       [](const Scene& scene) { return scene.meters ? plots_text(*scene.meters) : ""; }},
       {{"scenes", "two or three tables of these keys: scenes side by side (below); `[]` for none", "none"},
        &SceneKeys::scenes,
        text_of_scenes,
@@ -743,14 +733,16 @@ Scene finished(const std::vector<LessonScene>& scenes, const LessonBodies& bodie
 }
 
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts,
+                                        const SceneWords& words, LessonScene& scene, TextReader& texts,
                                         std::optional<SourcePlace> fence) {
   using Of = SceneKeys::Of;
-  return SceneKeys(bodies, scene, texts, fence ? Of::fence : Of::front_matter, fence.value_or(SourcePlace{}))
+  return SceneKeys(bodies, words, scene, texts, fence ? Of::fence : Of::front_matter,
+                   fence.value_or(SourcePlace{}))
       .read(table);
 }
 
-std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodies& bodies, TextReader& texts,
+std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodies& bodies,
+                                      const SceneWords& words, TextReader& texts,
                                       std::vector<PlacedText>& highlighted) {
   if (!scene.scenes) return {scene};
   std::vector<LessonScene> scenes;
@@ -758,7 +750,7 @@ std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodi
     LessonScene& one = scenes.emplace_back(scene);
     one.scenes = nullptr;
     if (scenes.size() > 1) one.scene = without_plots(std::move(one.scene));
-    SceneKeys keys(bodies, one, texts, SceneKeys::Of::scenes, entry.place);
+    SceneKeys keys(bodies, words, one, texts, SceneKeys::Of::scenes, entry.place);
     std::vector<PlacedText> names = keys.read(*entry.as<TomlTable>());
     std::move(names.begin(), names.end(), std::back_inserter(highlighted));
   }

@@ -4,6 +4,7 @@
 
 #include "lessons/reader/keys.h"
 #include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/quantity_key.h"
 #include "lessons/reader/top_start.h"
 #include "render/scene/description/scene.h"
 
@@ -67,7 +68,8 @@ struct LessonScene {
 /// What a scene shows: itself, or its scenes side by side, each complete; the first is the one whose motion
 /// the page speaks of. What is wrong with their tables is reported once, however often they are read anew.
 /// `highlighted` gets what they highlight.
-std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodies& bodies, TextReader& texts,
+std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodies& bodies,
+                                      const SceneWords& words, TextReader& texts,
                                       std::vector<PlacedText>& highlighted);
 
 /// The first of the scenes with the others beside it.
@@ -84,7 +86,7 @@ Result<Scene, SceneFault> finished_or_fault(const LessonScene& scene, const Less
 /// shown begins; without one it is the front matter's, whose body, torque or start the stages may give.
 /// @return what the table highlights, with places; the names are not checked here.
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts,
+                                        const SceneWords& words, LessonScene& scene, TextReader& texts,
                                         std::optional<SourcePlace> fence = {});
 
 }  // namespace polhode

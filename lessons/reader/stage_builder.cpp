@@ -508,9 +508,10 @@ void StageBuilder::add_scene(const Fence& fence) {
   scene_line_ = fence.place.line;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
-  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_, fence.place);
+  std::vector<PlacedText> names =
+      read_scene_keys(*table, front_.bodies, front_.words(), scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
-  std::vector<LessonScene> shown = side_by_side(scene_, front_.bodies, texts_, highlighted_);
+  std::vector<LessonScene> shown = side_by_side(scene_, front_.bodies, front_.words(), texts_, highlighted_);
   for (std::size_t i = 0; i < std::min(shown.size(), shown_.size()); ++i)  // steps share what stays
     if (shown[i].scene.caption == shown_[i].scene.caption) shown[i].caption = shown_[i].caption;
   shown_ = std::move(shown);

@@ -54,7 +54,7 @@ TEST(SideBySide, EachTableChangesTheCommonScene) {
   EXPECT_EQ(first.beside[0].w0_B, Vec3(0, 0, 4));
   EXPECT_THAT(first.beside[0].views, ElementsAre(View::body));
   EXPECT_EQ(first.beside[0].body.name, "book");
-  EXPECT_EQ(first.beside[0].meters, std::vector<Meter>{}) << "plots are those of the first";
+  EXPECT_EQ(first.beside[0].meters, std::vector<PlotSpec>{}) << "plots are those of the first";
   EXPECT_EQ(first.beside[1].body.name, "phone");
   EXPECT_EQ(first.beside[1].meters, std::vector{Meter::omega});
   for (const Scene* scene : shown_scenes(first)) EXPECT_EQ(scene->rate, 0.5);
