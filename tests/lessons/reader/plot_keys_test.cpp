@@ -78,7 +78,7 @@ TEST(PlotKeys, AFunctionIsThatOfItsVariable) {
   EXPECT_EQ(own.function->of.text, "u");
   EXPECT_EQ(own.function->level->text, "E");
   EXPECT_EQ(own.y.unit, "J");
-  EXPECT_THAT(own.function->tex, HasSubstr("u^2")) << "the variable is printed as what it is on the motion";
+  EXPECT_THAT(own.function->tex, HasSubstr("u^{2}")) << "the variable is printed as what it is on the motion";
   Scene scene;
   scene.w0_B = Vec3(0.1, 0.2, 0.3);
   const SceneModel model = make_model(scene, Product::page);
@@ -115,8 +115,8 @@ TEST(PlotKeys, ReadAsTheyAreWritten) {
 
 TEST(PlotKeys, SayWhatIsWrongAndWhere) {
   // Column of the value, in the line "meters = …".
-  EXPECT_THAT(complaint("3"), HasSubstr("17:10: error: \"meters\" takes a list of plots, found a number"));
-  EXPECT_THAT(complaint("[3]"), HasSubstr("17:11: error: a plot is a name or a table"));
+  EXPECT_THAT(complaint("3"), HasSubstr("18:10: error: \"meters\" takes a list of plots, found a number"));
+  EXPECT_THAT(complaint("[3]"), HasSubstr("18:11: error: a plot is a name or a table"));
   EXPECT_THAT(complaint("[{ }]"), HasSubstr("has neither"));
   EXPECT_THAT(complaint(R"x([{ plot = "T", curve = "x" }])x"), HasSubstr("not both"));
   EXPECT_THAT(complaint(R"x([{ plot = [] }])x"), HasSubstr("nothing is plotted"));
