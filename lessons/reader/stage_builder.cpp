@@ -8,6 +8,7 @@
 #include "lessons/reader/claim_lines.h"
 #include "lessons/reader/markdown/callouts.h"
 #include "lessons/reader/markdown/heading.h"
+#include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
 #include "render/scene/model/scene_needs.h"
 
@@ -164,6 +165,7 @@ void StageBuilder::finish_step() {
   add_footnotes();
   if (!has_scene_) return;
   step().scene = finished(scene_, front_.bodies);
+  if (step().scene->meters) parts_ += parts_of(*step().scene->meters);
   step().caption = scene_.caption;
   if (step_has_scene_) check_shown();
 }

@@ -160,6 +160,26 @@ TEST(PlotKeys, SayWhatIsWrongWithAFunction) {
   EXPECT_THAT(with("mgl*T", x + ", var = \"T\""), HasSubstr("no word for a variable"));
 }
 
+TEST(PlotKeys, WhatStepsGoOnWithIsBounded) {
+  // Words of a definition count where they are written out.
+  std::string sum = "T";
+  for (int i = 0; i < 200; ++i) sum += "+T";
+  EXPECT_THAT(complaint("[{ plot = \"" + sum + "\" }]"), HasSubstr("at most 256 parts"));
+  // 36 curves of 4 KiB in all: some 300 of 128 bytes with what they need besides, in each of 2000 steps.
+  std::string curves;
+  for (int i = 0; i < 6; ++i) curves += "\"" + std::string(600, ' ') + "T\", ";
+  std::string meters;
+  for (int i = 0; i < 6; ++i) meters += "{ plot = [" + curves + "] }, ";
+  std::string text = lesson_with_meters("[" + meters + "]");
+  for (int stage = 0; stage < 20; ++stage) {
+    text += "\n# T {s" + std::to_string(stage) + "}\n\n```scene\nmeters = [" + meters + "]\n```\n";
+    for (int step = 1; step < 100; ++step) text += "\n---\n\nText\n";
+  }
+  const auto lines = testing::complaints(text);
+  ASSERT_FALSE(lines.empty());
+  EXPECT_THAT(lines.front(), HasSubstr("at most 50000 parts"));
+}
+
 /// The example of FORMAT.md.
 const Lesson& example() {
   static const Lesson kLesson = [] {
