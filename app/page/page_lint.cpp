@@ -10,12 +10,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 
 namespace polhode {
 
 namespace {
+
+/// What a value of a quantity of the lesson's own counts as.
+constexpr std::int64_t kEvaluationsOfValue = 20;
 
 constexpr Size kPages[] = {{1920, 1080}, {1024, 768}, {1080, 1920}};
 
@@ -64,7 +68,7 @@ class PageLint {
     const SceneModel model = step.scene ? make_model(*step.scene, Product::page, effort_) : SceneModel();
     if (step.scene) check_plots(stage, step_number, model);
     for (const Size& size : sizes_) {
-      spend(effort_, kPageEvaluations);
+      spend(effort_, kPageEvaluations + (step.scene ? plot_evaluations_ : 0));
       if (!check({.lesson = lesson_,
                   .stage = stage,
                   .number = number,
@@ -84,11 +88,15 @@ class PageLint {
   void check_plots(const Stage& stage, int step_number, const SceneModel& model) {
     const auto has_own = [](const PlotSpec& plot) { return std::holds_alternative<OwnPlot>(plot); };
     const std::vector<PlotSpec> specs = shown_meters(model.scene);
-    if (std::none_of(specs.begin(), specs.end(), has_own) || specs == checked_plots_) return;
+    if (specs == checked_plots_) return;
     checked_plots_ = specs;
+    plot_evaluations_ = 0;
+    if (std::none_of(specs.begin(), specs.end(), has_own)) return;
     const std::vector<TimePlot> plots = meter_plots(model, still_time_s(model.scene));
     for (std::size_t i = 0; i < plots.size(); ++i)
       for (const TimeSeries& series : plots[i].series) {
+        if (has_own(specs[i]))
+          plot_evaluations_ += kEvaluationsOfValue * static_cast<std::int64_t>(series.y.size());
         const auto is_seen = [](double y) { return std::isfinite(y); };
         if (!has_own(specs[i]) || std::any_of(series.y.begin(), series.y.end(), is_seen)) continue;
         warn(fmt::format(
@@ -134,6 +142,7 @@ class PageLint {
   StillNumbers still_numbers_;
   SourcePlace place_;  ///< of the step that is checked
   std::vector<PlotSpec> checked_plots_;
+  std::int64_t plot_evaluations_ = 0;  ///< that they count as, on each page
   std::vector<Diagnostic> found_;
 };
 

@@ -3,6 +3,7 @@
 
 #include "lessons/claims/live_claims.h"
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -11,7 +12,8 @@
 namespace polhode {
 namespace {
 
-/// Its parts, by number: words of the lesson are written out in them.
+/// A mark of its parts, in which words of the lesson are written out: two that are not the same have another.
+/// Only whether a lesson that was changed needs another picture hangs on it.
 std::string meaning_of(const Expression& expression) {
   std::ostringstream text;
   text.precision(17);
@@ -22,7 +24,7 @@ std::string meaning_of(const Expression& expression) {
       text << node.number.value;
     text << ' ' << node.integer << ';';
   }
-  return std::move(text).str();
+  return std::to_string(std::hash<std::string>()(text.str()));
 }
 
 }  // namespace

@@ -424,6 +424,26 @@ std::optional<std::vector<PlotSpec>> read_plots(const TomlEntry& entry, const Sc
   return PlotReader(words, texts).read(entry);
 }
 
+int parts_of(const std::vector<PlotSpec>& plots) {
+  constexpr std::size_t kBytesOfPart = 128;
+  const auto bytes_of = [](const SceneQuantity& quantity) {
+    return sizeof quantity + quantity.text.size() + quantity.tex.size() + quantity.meaning.size();
+  };
+  std::size_t bytes = 0;
+  for (const PlotSpec& plot : plots) {
+    const auto* own = std::get_if<OwnPlot>(&plot);
+    if (own == nullptr) continue;
+    bytes += sizeof *own;
+    for (const SceneQuantity& quantity : own->curves) bytes += bytes_of(quantity);
+    for (const std::string& tex : own->tex) bytes += sizeof tex + tex.size();
+    if (own->against) bytes += own->against->text.size() + own->against->tex.size();
+    if (!own->function) continue;
+    const PlotFunction& f = *own->function;
+    bytes += f.text.size() + f.tex.size() + bytes_of(f.of) + (f.level ? bytes_of(*f.level) : 0);
+  }
+  return static_cast<int>(bytes / kBytesOfPart);
+}
+
 std::string plots_text(const std::vector<PlotSpec>& plots) {
   std::string text;
   for (const PlotSpec& plot : plots) {

@@ -15,6 +15,10 @@ namespace polhode {
 std::optional<std::vector<PlotSpec>> read_plots(const TomlEntry& entry, const SceneWords& words,
                                                 TextReader& texts);
 
+/// What they count as of a lesson's parts (reader.h): each step that goes on with them has them again, and
+/// this bounds their memory.
+int parts_of(const std::vector<PlotSpec>& plots);
+
 /// As TOML that reads back as the same.
 std::string plots_text(const std::vector<PlotSpec>& plots);
 

@@ -112,7 +112,11 @@ bool has_value_on_motions(const Expression& expression, SourcePlace place, Repor
                    "give the lesson a constant: [constants] NAME = 1.5");
       return false;
     }
-  return true;
+  if (expression.nodes.size() <= kMaxQuantityNodes) return true;
+  report.error(place, "a quantity of a scene has at most " + std::to_string(kMaxQuantityNodes) +
+                          " parts, with the lesson's words written out this has " +
+                          std::to_string(expression.nodes.size()));
+  return false;
 }
 
 std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWords& words,

@@ -35,7 +35,11 @@ struct ReadQuantity {
 /// Nothing where it cannot be read: the report says why.
 std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWords& words, TextReader& texts);
 
-/// Whether an expression speaks of what motions have alone; else it is reported at `place`.
+/// Parts of a quantity, once the lesson's words are written out: plots have some thousand values of each.
+inline constexpr std::size_t kMaxQuantityNodes = 256;
+
+/// Whether an expression speaks of what motions have alone, and is not too long; else it is reported at
+/// `place`.
 bool has_value_on_motions(const Expression& expression, SourcePlace place, Report& report);
 
 /// The usual name of a unit, "J", "rad/s"; empty of a number.

@@ -8,6 +8,7 @@
 #include "lessons/reader/claim_lines.h"
 #include "lessons/reader/markdown/callouts.h"
 #include "lessons/reader/markdown/heading.h"
+#include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
 #include "lessons/reader/varied_scene.h"
 #include "render/scene/model/scene_needs.h"
@@ -187,6 +188,8 @@ void StageBuilder::finish_step() {
   if (!varied_) scene.vary.clear();  // what cannot be, and was reported
   for (std::size_t i = 0; i <= scene.beside.size(); ++i)
     step().captions.push_back(varied_ ? scene_.caption : shown_[i].caption);
+  for (const Scene* shown : shown_scenes(scene))
+    if (shown->meters) parts_ += parts_of(*shown->meters);
   step().scene = std::make_shared<const Scene>(std::move(scene));
   step().varied = varied_;
   check_shown();

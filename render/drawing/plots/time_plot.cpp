@@ -182,13 +182,13 @@ class TimePlotLayout {
                                plot_.t.empty() ? 1.0 : plot_.t.back());
   }
 
-  /// The frame becomes smaller, its middle stays.
+  /// The frame becomes smaller, and stays on the axis below.
   void scale_alike() {
     const double x_length = (time_.high - time_.low) * std::pow(10.0, time_.exponent);
     const double px_per_unit = std::min(frame_.width() / x_length, frame_.height() / axis_.length());
     const double x_gap = 0.5 * (frame_.width() - px_per_unit * x_length),
                  y_gap = 0.5 * (frame_.height() - px_per_unit * axis_.length());
-    frame_ = {frame_.x0 + x_gap, frame_.y0 + y_gap, frame_.x1 - x_gap, frame_.y1 - y_gap};
+    frame_ = {frame_.x0 + x_gap, frame_.y0 + 2.0 * y_gap, frame_.x1 - x_gap, frame_.y1};
     axis_.place(frame_.y1, frame_.y0, px(kMarkSpacing));
   }
 
@@ -266,7 +266,7 @@ class TimePlotLayout {
 
   /// As close as the width of their texts allows.
   std::vector<LinearAxis::Mark> time_marks() const {
-    double spacing = px(kTimeMarkSpacing);
+    double spacing = px(plot_.is_path ? kMarkSpacing : kTimeMarkSpacing);
     for (;; spacing *= 1.5) {
       std::vector<LinearAxis::Mark> marks = time_.marks(spacing);
       double widest = 0.0;
@@ -334,7 +334,7 @@ class TimePlotLayout {
       const std::vector<Stretch> stretches = stretches_of(series);
       if (stretches.empty()) continue;
       named.push_back(&series);
-      ends.push_back(stretches.back().back());
+      ends.push_back(plot_.is_path ? rightmost_of(stretches) : stretches.back().back());
       wanted.push_back(ends.back().y());
     }
     const std::vector<double> placed =
@@ -348,6 +348,14 @@ class TimePlotLayout {
       add_text(name_of(*named[i]), {name.x(), std::round(name.y() + px(0.5 * kCapHeight))}, 0.0,
                name_color(*named[i]), box_.x1 - name.x());
     }
+  }
+
+  static Vec2 rightmost_of(const std::vector<Stretch>& stretches) {
+    Vec2 rightmost = stretches.front().front();
+    for (const Stretch& stretch : stretches)
+      for (const Vec2& point : stretch)
+        if (point.x() > rightmost.x()) rightmost = point;
+    return rightmost;
   }
 
   void add_point(const Vec2& at, const TimeSeries& series) {

@@ -78,7 +78,7 @@ TEST(PlotKeys, AFunctionIsThatOfItsVariable) {
   EXPECT_EQ(own.function->of.text, "u");
   EXPECT_EQ(own.function->level->text, "E");
   EXPECT_EQ(own.y.unit, "J");
-  EXPECT_THAT(own.function->tex, HasSubstr("u^2")) << "the variable is printed as what it is on the motion";
+  EXPECT_THAT(own.function->tex, HasSubstr("u^{2}")) << "the variable is printed as what it is on the motion";
   Scene scene;
   scene.w0_B = Vec3(0.1, 0.2, 0.3);
   const SceneModel model = make_model(scene, Product::page);
@@ -115,8 +115,8 @@ TEST(PlotKeys, ReadAsTheyAreWritten) {
 
 TEST(PlotKeys, SayWhatIsWrongAndWhere) {
   // Column of the value, in the line "meters = …".
-  EXPECT_THAT(complaint("3"), HasSubstr("17:10: error: \"meters\" takes a list of plots, found a number"));
-  EXPECT_THAT(complaint("[3]"), HasSubstr("17:11: error: a plot is a name or a table"));
+  EXPECT_THAT(complaint("3"), HasSubstr("18:10: error: \"meters\" takes a list of plots, found a number"));
+  EXPECT_THAT(complaint("[3]"), HasSubstr("18:11: error: a plot is a name or a table"));
   EXPECT_THAT(complaint("[{ }]"), HasSubstr("has neither"));
   EXPECT_THAT(complaint(R"x([{ plot = "T", curve = "x" }])x"), HasSubstr("not both"));
   EXPECT_THAT(complaint(R"x([{ plot = [] }])x"), HasSubstr("nothing is plotted"));
@@ -158,6 +158,26 @@ TEST(PlotKeys, SayWhatIsWrongWithAFunction) {
   EXPECT_THAT(with("mgl*x", x + ", level = \"w1\""), HasSubstr("units disagree"));
   EXPECT_THAT(with("mgl*u", x + ", var = \"u\""), HasSubstr("has this word already"));
   EXPECT_THAT(with("mgl*T", x + ", var = \"T\""), HasSubstr("no word for a variable"));
+}
+
+TEST(PlotKeys, WhatStepsGoOnWithIsBounded) {
+  // Words of a definition count where they are written out.
+  std::string sum = "T";
+  for (int i = 0; i < 200; ++i) sum += "+T";
+  EXPECT_THAT(complaint("[{ plot = \"" + sum + "\" }]"), HasSubstr("at most 256 parts"));
+  // 36 curves of 4 KiB in all: some 300 of 128 bytes with what they need besides, in each of 2000 steps.
+  std::string curves;
+  for (int i = 0; i < 6; ++i) curves += "\"" + std::string(600, ' ') + "T\", ";
+  std::string meters;
+  for (int i = 0; i < 6; ++i) meters += "{ plot = [" + curves + "] }, ";
+  std::string text = lesson_with_meters("[" + meters + "]");
+  for (int stage = 0; stage < 20; ++stage) {
+    text += "\n# T {s" + std::to_string(stage) + "}\n\n```scene\nmeters = [" + meters + "]\n```\n";
+    for (int step = 1; step < 100; ++step) text += "\n---\n\nText\n";
+  }
+  const auto lines = testing::complaints(text);
+  ASSERT_FALSE(lines.empty());
+  EXPECT_THAT(lines.front(), HasSubstr("at most 50000 parts"));
 }
 
 /// The example of FORMAT.md.
