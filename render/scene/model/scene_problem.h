@@ -21,8 +21,7 @@ double herpolhode_span_s(const Scene& scene);
 double shown_rate(const Scene& scene);
 
 /// The scene with all said that it leaves to what follows from the rest: attitude, method and tolerance,
-/// duration, rate, the t of the still and the plots of a page. It has the same motion. So have those beside it;
-/// their durations are then left unsaid, each has its own.
+/// duration, rate, the t of the still and the plots of a page. It has the same motion.
 Scene completed(Scene scene);
 
 /// The step of the methods side by side: the scene's own, or 64 to a turn.
