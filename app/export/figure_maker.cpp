@@ -4,6 +4,7 @@
 #include "app/narration/alt_text.h"
 #include "app/narration/speech_text.h"
 #include "app/page/figure_place.h"
+#include "app/page/live_numbers.h"
 #include "physics/method.h"
 #include "render/figure/make_figure.h"
 
@@ -42,9 +43,10 @@ class FigureMaker : public PictureMaker {
     const Background background = background_of(context_.options);
     const Quality quality = quality_of(context_.options.quality.value_or(picture.scene->quality));
     if (!diagrams_in(model->drawn).empty())
-      return outcome_of(draw_with_diagrams(*model, t_s, background, quality));
-    const double aspect = static_cast<double>(size.width) / size.height;
-    return outcome_of(context_.renderer.draw(make_figure(*model, t_s, aspect), size, background, quality));
+      return outcome_of(draw_with_diagrams(*model, t_s, caption_in(picture, *shown), background, quality));
+    Figure figure = make_figure(*model, t_s, static_cast<double>(size.width) / size.height);
+    figure.caption = caption_in(picture, *shown);
+    return outcome_of(context_.renderer.draw(figure, size, background, quality));
   }
 
  private:
@@ -61,9 +63,17 @@ class FigureMaker : public PictureMaker {
     return Shown{&model, t_s};
   }
 
+  std::string caption_in(const PlannedPicture& picture, const Shown& shown) const {
+    const Step& step = picture.stage->steps[static_cast<std::size_t>(picture.step - 1)];
+    const auto& [model, t_s] = shown;
+    const LongestNumbers longest =
+        picture.frame ? longest_in_caption(context_.lesson, step, *model) : LongestNumbers();
+    return caption_at(context_.lesson, step, *model, t_s, longest);
+  }
+
   /// Diagrams stand on a plain ground: paper instead of the studio.
-  Result<Image> draw_with_diagrams(const SceneModel& model, double t_s, const Background& background,
-                                   const Quality& quality) {
+  Result<Image> draw_with_diagrams(const SceneModel& model, double t_s, const std::string& caption,
+                                   const Background& background, const Quality& quality) {
     using Kind = Background::Kind;
     const Size size = context_.options.size;
     const Background ground = background.kind == Kind::studio ? Background{Kind::paper, {}} : background;
@@ -72,7 +82,8 @@ class FigureMaker : public PictureMaker {
                       .theme = is_dark(halo_of(ground)) ? Theme::dark : Theme::paper,
                       .background = background,
                       .ground = {},
-                      .quality = quality};
+                      .quality = quality,
+                      .caption = caption};
     if (ground.kind != Kind::transparent) place.ground = sky_of(ground);
     const PlacedFigure placed = place_figure(model, t_s, place, context_.renderer.fonts());
     return context_.renderer.draw(placed.sheet, placed.insets, size, ground);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/speech_text.h"
 
+#include "app/narration/number_text.h"
 #include "app/narration/verdict_row.h"
 #include "lessons/reader/markdown/footnotes.h"
 
@@ -79,21 +80,76 @@ void add(std::string& text, const std::string& more) {
 
 }  // namespace
 
-SpeechText::SpeechText(const Lesson& lesson) : lesson_(lesson) {
+SpeechText::SpeechText(const Lesson& lesson, Effort effort)
+    : lesson_(lesson), steps_of_numbers_(lesson.numbers.size()), stills_(std::move(effort)) {
   for (const auto& [name, symbol] : lesson.symbols) symbols_.push_back({name, symbol.math, {}});
+  const auto belong_to = [&](const Step& step, const std::vector<int>& ids) {
+    for (const int id : ids)
+      if (const Step*& known = steps_of_numbers_[static_cast<std::size_t>(id)]; known == nullptr)
+        known = &step;
+  };
+  for (const Stage& stage : lesson.stages)
+    for (const Step& step : stage.steps) {
+      belong_to(step, numbers_in(step));
+      if (step.caption) belong_to(step, numbers_in(*step.caption));
+    }
 }
 
-std::string SpeechText::words(const Math& math) const {
-  return spoken(math, symbols_, [this](std::string_view name) {
+Math SpeechText::with_spoken_numbers(const Math& math, const Step* of) const {
+  if (math.live.empty()) return math;
+  std::vector<ShownNumber> shown;
+  for (const LiveNumber& number : math.live) {
+    shown.emplace_back();
+    const Step* step = of ? of : steps_of_numbers_.at(static_cast<std::size_t>(number.id));
+    if (!number.typed.empty() || step == nullptr) continue;
+    const StillNumbers::Values& values = stills_.of(lesson_, *step);
+    const auto value = values.find(number.id);
+    if (value == values.end()) continue;
+    if (auto said = parse_math("\\text{" + number_words(value->second, number.digits) + '}'))
+      shown.back().number = std::move(*said);
+  }
+  return with_numbers(math, shown);
+}
+
+std::string SpeechText::words(const Math& math) const { return words(math, nullptr); }
+
+std::string SpeechText::words(const Math& math, const Step* step) const {
+  return spoken(with_spoken_numbers(math, step), symbols_, [this](std::string_view name) {
     const auto found = lesson_.symbols.find(std::string(name));
     return found == lesson_.symbols.end() ? std::string() : found->second.say;
   });
 }
 
 std::string SpeechText::words(const TextBlock& block, std::vector<NoteLink>* links) const {
+  if (!block.is_table()) return words(block.spans, links);
+  std::string text;
+  for (const std::string& row : words_of_rows(block.table)) add(text, row);
+  return text;
+}
+
+std::vector<std::string> SpeechText::words_of_rows(const TextTable& table) const {
+  std::vector<std::string> head, said;
+  std::string columns;
+  for (const TextTable::Cell& cell : table.rows.front()) {
+    head.push_back(words(cell, nullptr));
+    if (!head.back().empty()) columns += (columns.empty() ? "" : ", ") + head.back();
+  }
+  said.push_back(columns.empty() ? "Table." : "Table with the columns " + columns + '.');
+  for (std::size_t r = 1; r < table.rows.size(); ++r) {
+    std::string row;
+    for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
+      const std::string cell = words(table.rows[r][c], nullptr);
+      if (!cell.empty()) row += (row.empty() ? "" : "; ") + (head[c].empty() ? cell : head[c] + ": " + cell);
+    }
+    if (!row.empty()) said.push_back(sentence(row));
+  }
+  return said;
+}
+
+std::string SpeechText::words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links) const {
   std::string text;
   const TextSpan* before = nullptr;
-  for (const TextSpan& span : block.spans) {
+  for (const TextSpan& span : spans) {
     const std::size_t begin = text.size();
     if (span.kind == TextSpan::Kind::math)
       add_symbol(text, words(span.math));
@@ -175,8 +231,16 @@ std::string SpeechText::words(const Ask& ask) const {
 std::string SpeechText::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
 
 std::string SpeechText::words_of_caption(const Stage& stage, int step) const {
-  const auto& caption = stage.steps[static_cast<std::size_t>(step - 1)].caption;
-  return caption ? words(*caption) : std::string();
+  const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
+  if (!of.caption) return "";
+  std::string text;
+  for_each_span(*of.caption, [&](const TextSpan& span) {
+    if (span.kind == TextSpan::Kind::math)
+      add_symbol(text, words(span.math, &of));
+    else
+      text += span.text;
+  });
+  return text;
 }
 
 std::string SpeechText::words_of_page(const Stage& stage, int first, int last) const {

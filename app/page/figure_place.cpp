@@ -126,12 +126,13 @@ void add_caption(const std::string& caption, const FigurePlace& place, const Col
 PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts) {
   PlacedFigure placed;
   const std::vector<Overlay> diagrams = diagrams_in(model.drawn);
+  const std::string caption = place.caption.value_or(model.scene.caption);
   if (diagrams.empty()) {
     placed.insets.push_back(space_of(model, t_s, place.rect, place));
+    placed.insets.back().figure.caption = caption;
     return placed;
   }
   const DiagramStyle style = diagram_style(place);
-  const std::string& caption = model.scene.caption;
   const double pad = kPad * place.caption_px;
   PixelBox box = box_of(place.rect);
   if (place.ground) add_ground(box, *place.ground, placed.sheet);

@@ -20,6 +20,7 @@ struct FigurePlace {
   Background background{};        ///< of the space
   std::optional<Color> ground{};  ///< of diagrams and caption, painted; absent: what is under the sheet
   Quality quality{};
+  std::optional<std::string> caption{};  ///< one line with formulas between `$`; absent: the scene's
 };
 
 struct PlacedFigure {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,9 @@ constexpr Dimension kInertia{1, 2, 0}, kEnergy{1, 2, -2};
 struct UnitFacts {
   std::string_view name;
   Dimension dimension;
+  double si = 1;
 };
+constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array<UnitFacts, 12> kUnits{{{"kg", {1, 0, 0}},
                                             {"m", {0, 1, 0}},
                                             {"s", {0, 0, 1}},
@@ -25,8 +28,8 @@ constexpr std::array<UnitFacts, 12> kUnits{{{"kg", {1, 0, 0}},
                                             {"W", {1, 2, -3}},
                                             {"Hz", {0, 0, -1}},
                                             {"rad", kNumber},
-                                            {"deg", kNumber},
-                                            {"°", kNumber},
+                                            {"deg", kNumber, kDegree},
+                                            {"°", kNumber, kDegree},
                                             {"1", kNumber},
                                             {"", kNumber}}};
 
@@ -149,7 +152,12 @@ class DimensionReader {
 }  // namespace
 
 std::optional<Dimension> dimension_of_unit(std::string_view unit) {
-  Dimension dimension = kNumber;
+  const auto read = unit_from(unit);
+  return read ? std::optional(read->dimension) : std::nullopt;
+}
+
+std::optional<Unit> unit_from(std::string_view unit) {
+  Unit read{kNumber};
   double sign = 1;
   std::size_t at = 0;
   constexpr std::string_view kDot = "·";
@@ -162,7 +170,8 @@ std::optional<Dimension> dimension_of_unit(std::string_view unit) {
     const auto known = std::find_if(kUnits.begin(), kUnits.end(),
                                     [name](const UnitFacts& facts) { return facts.name == name; });
     if (known == kUnits.end()) return std::nullopt;
-    dimension = times(dimension, known->dimension, sign * power);
+    read.dimension = times(read.dimension, known->dimension, sign * power);
+    read.si *= std::pow(known->si, sign * power);
     if (end == unit.size()) break;
     if (unit[end] == '/') {
       if (sign < 0) return std::nullopt;
@@ -170,7 +179,7 @@ std::optional<Dimension> dimension_of_unit(std::string_view unit) {
     }
     at = end + (unit.substr(end, kDot.size()) == kDot ? kDot.size() : 1);
   }
-  return dimension;
+  return read;
 }
 
 std::string to_string(const Dimension& dimension) {

@@ -16,9 +16,18 @@ namespace polhode {
 /// Powers of kg, m and s; angles have none.
 using Dimension = std::array<double, 3>;
 
+/// A unit: of what dimension, and how much of SI's it is.
+struct Unit {
+  Dimension dimension{};
+  double si = 1;  ///< of a degree π/180
+};
+
 /// "kg m²/s", "N m", "rad/s", "1": names of SI units with powers (², ^2), blanks or · between them; all that
 /// stands behind the first / is below the line. Nothing for what is no such unit.
+std::optional<Unit> unit_from(std::string_view unit);
 std::optional<Dimension> dimension_of_unit(std::string_view unit);
+/// The names of units, for messages.
+inline constexpr std::string_view kUnitNames = "kg, m, s, N, J, W, Hz, rad, deg, ° with powers";
 
 /// "kg m²/s²"; "a number" of what has none.
 std::string to_string(const Dimension& dimension);

@@ -9,6 +9,7 @@
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
 #include "lessons/reader/assumptions.h"
+#include "lessons/reader/computed_number.h"
 #include "lessons/reader/tex_equation.h"
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"
@@ -38,7 +39,6 @@ struct Equation {
   Math math;
   std::size_t offset = 0;  ///< of the TeX in Lesson::source
   SourcePlace place;
-  std::vector<Expression> live{};  ///< of its \live numbers: scalars
 };
 
 /// A call-out: a block quote that opens with [!KIND].
@@ -164,6 +164,7 @@ struct Lesson {
   About about{};
   std::vector<Reference> references{};            ///< by their keys
   std::vector<OutsideReference> other_lessons{};  ///< in their order
+  std::vector<ComputedNumber> numbers{};          ///< by LiveNumber::id
 
   const Stage* find_stage(std::string_view stage_id) const;
   /// The error names the one that may have been meant.
@@ -172,6 +173,12 @@ struct Lesson {
 
 /// All display mathematics of a stage.
 std::vector<const Equation*> equations_of(const Stage& stage);
+
+/// The ids of the numbers that the formulas of a text show, and those of what a step adds; those of its
+/// caption are not among the latter.
+std::vector<int> numbers_in(const RichText& text);
+std::vector<int> numbers_in(const Block& block);
+std::vector<int> numbers_in(const Step& step);
 
 /// A step of a lesson by its index among those of its stage, and that by its index.
 struct StepPlace {

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
-// The live numbers of a lesson as they are on the stills of their own steps.
+// The computed numbers of a lesson as they are on the stills of their own steps.
 #pragma once
 
 #include "lessons/reader/lesson.h"
 #include "physics/effort.h"
 
 #include <map>
+#include <utility>
 
 namespace polhode {
 
 /// Each step's motion is computed once, when its numbers are first asked for. The lesson must outlive it.
 class StillNumbers {
  public:
-  using Values = std::map<const Expression*, double>;
+  /// In their units, by LiveNumber::id.
+  using Values = std::map<int, double>;
 
   /// `effort` is told what the motions cost.
   explicit StillNumbers(Effort effort = {}) : effort_(std::move(effort)) {}
 
-  /// The numbers in the equations that the step adds, except those that have no value there. Empty without a
-  /// scene.
+  /// The numbers that the step adds, and those of its caption, except those that have no value there. Empty
+  /// without a scene.
   /// @throws what `effort` throws; nothing is remembered then
-  const Values& of(const Step& step);
+  const Values& of(const Lesson& lesson, const Step& step);
 
  private:
-  Values computed(const Step& step) const;
+  Values computed(const Lesson& lesson, const Step& step) const;
 
   Effort effort_;
   std::map<const Step*, Values> known_;
