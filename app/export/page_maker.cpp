@@ -3,9 +3,9 @@
 #include "app/export/picture_maker.h"
 #include "app/narration/alt_text.h"
 #include "app/narration/speech_text.h"
+#include "app/narration/still_numbers.h"
 #include "app/page/page.h"
 #include "app/page/page_text.h"
-#include "app/page/still_numbers.h"
 
 #include <algorithm>
 
@@ -130,6 +130,7 @@ class PageMaker : public PictureMaker {
             .quality = context_.options.quality,
             .text_scale = context_.options.text_scale,
             .entrance = entrance_of(opacity_in(picture)),
+            .runs = picture.frame.has_value(),
             .still_numbers = &still_numbers_,
             .effort = context_.effort};
   }

@@ -18,6 +18,11 @@ class Notes {
   void add(const Prose& prose) {
     for (const TextBlock& block : prose.text) {
       const bool item = !block.marker.empty();
+      if (block.is_table()) {
+        const std::vector<std::string> rows = speech_.words_of_rows(block.table);
+        for (const std::string& row : rows) add(&row == rows.data() ? Kind::text : Kind::item, row);
+        continue;
+      }
       std::vector<NoteLink> links;
       const std::string words = speech_.words(block, &links);
       add(item ? Kind::item : Kind::text, item ? block.marker + ' ' : "", words, std::move(links));

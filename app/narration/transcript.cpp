@@ -52,11 +52,25 @@ class Transcript {
   void add(const Prose& prose) {
     bool in_list = false;
     for (const TextBlock& block : prose.text) {
+      if (block.is_table()) {
+        add_table(block.table);
+        in_list = false;
+        continue;
+      }
       // Items of a list stand close.
       if (!(in_list && !block.marker.empty())) text_ += '\n';
       in_list = !block.marker.empty();
       const std::string blanks(2 * static_cast<std::size_t>(std::max(0, block.indent)), ' ');
       text_ += wrapped(speech_.words(block), in_list ? blanks + block.marker + ' ' : blanks);
+    }
+  }
+
+  void add_table(const TextTable& table) {
+    text_ += '\n';
+    std::string first;
+    for (const std::string& row : speech_.words_of_rows(table)) {
+      text_ += wrapped(row, first);
+      first = "  ";
     }
   }
 

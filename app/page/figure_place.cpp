@@ -168,33 +168,35 @@ PlacedFigure place_scene(const SceneModel& model, const std::string& caption, do
   return placed;
 }
 
-/// What all have as their caption; empty: they have not the same.
-std::string common_caption(const std::vector<const SceneModel*>& shown) {
+bool have_one_caption(const std::vector<const SceneModel*>& shown) {
   const std::string& caption = shown.front()->scene.caption;
-  const auto has_it = [&](const SceneModel* model) { return model->scene.caption == caption; };
-  return std::all_of(shown.begin(), shown.end(), has_it) ? caption : "";
+  return std::all_of(shown.begin(), shown.end(),
+                     [&](const SceneModel* model) { return model->scene.caption == caption; });
 }
 
 }  // namespace
 
 PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts) {
   const std::vector<const SceneModel*> shown = shown_models(model);
-  if (shown.size() == 1) return place_scene(model, model.scene.caption, t_s, place, fonts);
+  const auto caption_of = [&](std::size_t i) -> const std::string& {
+    return place.captions.empty() ? shown[i]->scene.caption : place.captions[i];
+  };
+  if (shown.size() == 1) return place_scene(model, caption_of(0), t_s, place, fonts);
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
-  const std::string common = common_caption(shown);
-  if (!common.empty()) {
+  const bool is_common = have_one_caption(shown);
+  if (is_common && !model.scene.caption.empty()) {
     const double y1 = box.y1 - std::round(kCaptionRoom * place.caption_px);
     if (place.ground) add_ground({box.x0, y1, box.x1, box.y1}, *place.ground, placed.sheet);
-    add_caption(common, place, diagram_style(place).ink, placed.sheet, fonts);
+    add_caption(caption_of(model.scene.before), place, diagram_style(place).ink, placed.sheet, fonts);
     box.y1 = y1;
   }
   const std::vector<PixelBox> cells = places_of_scenes(model, box);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     FigurePlace cell = place;
     cell.rect = rect_of(cells[i]);
-    const Scene& scene = shown[i]->scene;
-    const std::string& own = scene.label.empty() && common.empty() ? scene.caption : scene.label;
+    const std::string& label = shown[i]->scene.label;
+    const std::string& own = label.empty() && !is_common ? caption_of(i) : label;
     PlacedFigure one = place_scene(*shown[i], own, t_s, cell, fonts);
     append(placed.sheet, std::move(one.sheet), {0, 0});
     const auto at = shown[i] == &model ? placed.insets.begin() : placed.insets.end();

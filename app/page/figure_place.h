@@ -21,6 +21,8 @@ struct FigurePlace {
   Background background{};        ///< of the space
   std::optional<Color> ground{};  ///< of diagrams and caption, painted; absent: what is under the sheet
   Quality quality{};
+  /// Of the scenes in the order in which they stand, lines with formulas between `$`; none: the scenes' own.
+  std::vector<std::string> captions{};
 };
 
 struct PlacedFigure {

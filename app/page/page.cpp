@@ -135,7 +135,8 @@ TimePlotStyle plot_style(Theme theme, double type_size) {
           .paper = colors.paper};
 }
 
-PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const Fonts& fonts) {
+PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const LongestNumbers& in_captions,
+                            const Fonts& fonts) {
   FigurePlace place{.rect = grid.figure,
                     .caption_px = kCaptionSize * grid.small_em,
                     .theme = request.theme,
@@ -145,6 +146,8 @@ PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const 
     place.ground = colors_of(request.theme).backdrop;
     place.background = {Background::Kind::color, *place.ground};
   }
+  const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
+  place.captions = captions_at(request.lesson, step, *request.model, request.t_s, in_captions);
   return place_figure(*request.model, request.t_s, place, fonts);
 }
 
@@ -184,8 +187,8 @@ void add_meters(const PageRequest& request, const Grid& grid, Sheet& sheet, cons
 Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, const Fonts& fonts) {
   Sheet sheet;
   for (const LiveNumberSlot& slot : piece.numbers) {
-    const auto running = live ? live_number(*slot.number, *live) : std::nullopt;
-    sheet.texts.push_back(live_number_in(slot.room, slot.kept ? slot.kept : running, fonts));
+    const auto value = live ? value_of(*slot.number, *live) : std::nullopt;
+    sheet.texts.push_back(live_number_in(slot.room, *slot.number, value, fonts));
   }
   if (!live) return sheet;
   for (const LiveSlot& slot : piece.live) {
@@ -241,6 +244,9 @@ Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) 
   const Grid grid = grid_of(request);
   Result<FittedText> text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
   if (text) text->corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
+  if (text && request.runs && request.model)
+    text->in_captions = longest_in_captions(
+        request.lesson, request.stage.steps[static_cast<std::size_t>(request.step - 1)], *request.model);
   return text;
 }
 
@@ -264,7 +270,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
                  static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
   add_column(request, text, page.sheet, fonts);
   if (!request.model) return page;
-  PlacedFigure figure = figure_on_page(request, grid, fonts);
+  PlacedFigure figure = figure_on_page(request, grid, text.in_captions, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
   add_meters(request, grid, page.sheet, fonts);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_lint.h"
 
+#include "app/narration/still_numbers.h"
 #include "app/page/page.h"
-#include "app/page/still_numbers.h"
 #include "lessons/reader/lint_budget.h"
 #include "render/drawing/plots/meter_plots.h"
 

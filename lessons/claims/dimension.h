@@ -20,12 +20,14 @@ using Dimension = std::array<double, 3>;
 /// stands behind the first / is below the line. Nothing for what is no such unit.
 std::optional<Dimension> dimension_of_unit(std::string_view unit);
 
-/// A unit that a plot can have: besides those above, with a prefix from p to G, as "mJ", "km/s".
+/// A unit in which numbers can be shown: besides those above, with a prefix from p to G, as "mJ", "km/s".
 struct ScaledUnit {
   Dimension dimension;
   double size = 1;  ///< of SI units in it; of "deg" π/180
 };
 std::optional<ScaledUnit> scaled_unit(std::string_view unit);
+/// The names of these, for messages.
+inline constexpr std::string_view kUnitNames = "kg, g, m, s, N, J, W, Hz, rad, deg, ° with powers and prefixes";
 
 /// "kg m²/s²"; "a number" of what has none.
 std::string to_string(const Dimension& dimension);

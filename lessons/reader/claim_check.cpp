@@ -45,10 +45,12 @@ class ClaimCheck {
         equations_ = equations_of(stage);
         for (const Step& step : stage.steps) {
           model_.reset();
+          still_.reset();
           for (const Block& block : step.blocks) {
             if (report_.is_full()) return report_.take();
             check_block(block, step, place);
           }
+          check_captions(step);
         }
       }
     } catch (const BudgetSpent&) {
@@ -62,6 +64,7 @@ class ClaimCheck {
   void check_block(const Block& block, const Step& step, SourcePlace& place) {
     place = std::visit([](const auto& b) { return b.place; }, block);
     try {
+      check_numbers(numbers_in(block), step);
       std::visit([&](const auto& b) { check(b, step); }, block);
     } catch (const std::domain_error& error) {
       report_.error(place, std::string("this cannot be checked: ") + error.what());
@@ -77,28 +80,60 @@ class ClaimCheck {
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");
   }
 
-  void check(const Equation& equation, const Step& step) {
-    for (std::size_t i = 0; i < equation.live.size(); ++i) {
-      const SourcePlace place = source_.place_of(equation.offset + equation.math.live[i].offset);
-      if (!step.scene) {
-        report_.error(place, "a live number needs a scene");
-      } else if (const SceneModel* model = model_of(step)) {
-        const auto live = live_state(*model, still_time_s(*step.scene));
-        if (!live || !live_number(equation.live[i], *live))
-          report_.error(place, "this has no value on the scene's motion");
-      }
+  /// A caption that several scenes have in common is about the first.
+  void check_captions(const Step& step) {
+    if (!step.scene) return;
+    const std::vector<const Scene*> shown = shown_scenes(*step.scene);
+    const RichText* first = caption_of(step, step.scene->before);
+    if (first != nullptr) check_numbers(numbers_in(*first), step);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const RichText* caption = caption_of(step, i);
+      const std::vector<int> ids = caption == nullptr || caption == first ? std::vector<int>() : numbers_in(*caption);
+      if (ids.empty()) continue;
+      const auto live =
+          live_state(make_model(*shown[i], Product::numbers, effort_), still_time_s(*step.scene));
+      for (const int id : ids) check_number(lesson_.numbers[static_cast<std::size_t>(id)], live ? &*live : nullptr, step);
     }
+  }
+
+  /// Every number has a value on the still of its step, and what is typed is that.
+  void check_numbers(const std::vector<int>& ids, const Step& step) {
+    for (const int id : ids) {
+      if (report_.is_full()) return;
+      const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(id)];
+      if (!step.scene) {
+        report_.error(number.place, "a computed number needs a scene",
+                      "add a ```scene fence to this step or above it");
+        continue;
+      }
+      if (!model_of(step)) return;
+      check_number(number, still_of(step), step);
+    }
+  }
+
+  void check_number(const ComputedNumber& number, const LiveState* live, const Step& step) {
+    spend(effort_, kClaimNodeEvaluations * static_cast<std::int64_t>(number.expression.nodes.size()));
+    const auto value = live ? value_of(number, *live) : std::nullopt;
+    if (!value)
+      report_.error(number.place, "this has no value on the scene's motion");
+    else if (const auto right = number.is_typed() ? right_instead(number, *value) : std::nullopt)
+      report_.error(number.place,
+                    "this number is " + digits(*value, kDigitsOfHint) +
+                        " at t = " + digits(still_time_s(*step.scene), 3) + " s, and " +
+                        number.written.typed + " is typed",
+                    "write \\value{" + *right + "}");
   }
 
   /// A number of the scene's motion beside what holds for other motions would be false.
   void check_live_numbers(const Claim& claim, const Step& step) {
     const auto named = std::find_if(equations_.begin(), equations_.end(),
                                     [&](const Equation* e) { return e->id == claim.equation; });
-    if (claim.given.empty() || named == equations_.end() || (*named)->live.empty() || !step.scene) return;
+    if (claim.given.empty() || named == equations_.end() || (*named)->math.live.empty() || !step.scene)
+      return;
     const SceneModel* model = model_of(step);
-    const auto live = model == nullptr ? std::nullopt : live_state(*model, still_time_s(*step.scene));
+    const LiveState* live = model == nullptr ? nullptr : still_of(step);
     if (live && !holds_on(claim.given, *live))
-      report_.error(claim.place, "a live number is of a motion on which what is given does not hold",
+      report_.error(claim.place, "a computed number is of a motion on which what is given does not hold",
                     "show a body and a torque of which it does");
   }
 
@@ -235,13 +270,22 @@ class ClaimCheck {
     }
   }
 
+  /// The scene's motion at its still; null where it cannot be computed. Precondition: there is a model of it.
+  const LiveState* still_of(const Step& step) {
+    if (!still_) still_.emplace(live_state(*model_, still_time_s(*step.scene)));
+    return *still_ ? &**still_ : nullptr;
+  }
+
+  static constexpr int kDigitsOfHint = 6;
+
   const Lesson& lesson_;
   SourceText source_;
   Report report_;
   const Effort& effort_;
   Prover prover_;
-  std::vector<const Equation*> equations_;  // of the stage
-  std::optional<SceneModel> model_;         // of the step
+  std::vector<const Equation*> equations_;         // of the stage
+  std::optional<SceneModel> model_;                // of the step
+  std::optional<std::optional<LiveState>> still_;  // its state at the still, once it was asked for
 };
 
 }  // namespace

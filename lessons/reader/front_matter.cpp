@@ -635,6 +635,7 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
   for (const Reference& reference : front.about.references) texts.citable()[reference.key] = false;
   if (const TomlEntry* assume = table.find("assume"))
     front.assumptions = read_assumptions(*assume, front.notation.vocabulary, front.dimensions, texts);
+  texts.speak(front.notation.vocabulary, front.dimensions);
   if (scene != nullptr) read_base_scene(*scene, front, texts);
   for (const char* key : {"format", "id", "title"}) {
     if (table.find(key) == nullptr) {

@@ -640,8 +640,8 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        [](const Scene& scene) { return toml(name_of(scene.quality)); },
        true},
       {{"caption",
-        "one line in the picture, at most 120 characters; formulas between `$` without macros, else plain "
-        "text",
+        "one line in the picture, at most 120 characters; formulas between `$` without macros, computed "
+        "numbers too, else plain text",
         "none"},
        &SceneKeys::caption,
        [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; }},

@@ -379,7 +379,6 @@ void StageBuilder::add_math(const Fence& fence) {
   }
   Equation equation{fence.words[1].text, std::string(tex), "", {}, source_.offset_of(tex), fence.place};
   if (auto math = texts_.formula(LocatedText(source_, tex))) equation.math = std::move(*math);
-  read_live_numbers(equation);
   equation.tag = equation.math.tag;
   take_tag(equation);
   terms_.insert(equation.math.terms.begin(), equation.math.terms.end());
@@ -458,16 +457,6 @@ std::optional<ClaimKind> StageBuilder::kind_from(const PlacedText& word) {
     report_.error(word.place, "unknown kind of claim " + in_quotes(word.text),
                   suggestion(word.text, claim_kind_names()));
   return kind;
-}
-
-void StageBuilder::read_live_numbers(Equation& equation) {
-  for (const LiveNumber& number : equation.math.live) {
-    const SourcePlace place = source_.place_of(equation.offset + number.offset);
-    auto expression = read_expression(number.expression, place, report_, &front_.notation.vocabulary);
-    if (expression && expression->type() == ExpressionType::vector)
-      report_.error(place, "a live number is a scalar, this is a vector", "take a component: comp(a, 1)");
-    if (expression) equation.live.push_back(std::move(*expression));
-  }
 }
 
 /// Several tags of one equation are joined by commas.

@@ -42,7 +42,6 @@ class StageBuilder {
   void add_quote(const MarkdownBlock& quote);
   void add_fence(const MarkdownBlock& block);
   void add_math(const Fence& fence);
-  void read_live_numbers(Equation& equation);
   void take_tag(const Equation& equation);
   std::optional<Claim> claim_printed_in(const Equation& equation, const Fence& fence);
   bool take_given(const Fence& fence, Claim& claim);
