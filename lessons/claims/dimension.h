@@ -3,7 +3,7 @@
 // for.
 #pragma once
 
-#include "lessons/claims/vocabulary.h"
+#include "lessons/claims/expression_names.h"
 
 #include <array>
 #include <map>
@@ -13,18 +13,12 @@
 
 namespace polhode {
 
-/// Powers of kg, m and s; angles have none.
-using Dimension = std::array<double, 3>;
-
 /// "kg m²/s", "N m", "rad/s", "1": names of SI units with powers (², ^2), blanks or · between them; all that
 /// stands behind the first / is below the line. Nothing for what is no such unit.
 std::optional<Dimension> dimension_of_unit(std::string_view unit);
 
 /// "kg m²/s²"; "a number" of what has none.
 std::string to_string(const Dimension& dimension);
-
-/// Nothing of h, k and A, which may be anything.
-std::optional<Dimension> dimension_of(Quantity quantity);
 
 /// What is wrong, and the bytes of the expression's text where it is.
 struct DimensionFault {
