@@ -11,9 +11,6 @@
 namespace polhode {
 namespace {
 
-constexpr Dimension kNumber{0, 0, 0};
-constexpr Dimension kInertia{1, 2, 0}, kEnergy{1, 2, -2};
-
 constexpr double kDegree = std::numbers::pi / 180;
 
 struct UnitFacts {
@@ -144,7 +141,7 @@ class DimensionReader {
       case O::pi:
         return kNumber;
       case O::quantity:
-        return dimension_of(n.quantity);
+        return facts_of(n.quantity).dimension;
       case O::negate:
       case O::norm:
       case O::comp:
@@ -247,59 +244,6 @@ std::string to_string(const Dimension& dimension) {
   }
   if (above.empty() && below.empty()) return "a number";
   return (above.empty() ? "1" : above) + (below.empty() ? "" : "/" + below);
-}
-
-std::optional<Dimension> dimension_of(Quantity quantity) {
-  using Q = Quantity;
-  switch (quantity) {
-    case Q::I1:
-    case Q::I2:
-    case Q::I3:
-    case Q::Jxx:
-    case Q::Jxy:
-    case Q::Jxz:
-    case Q::Jyy:
-    case Q::Jyz:
-    case Q::Jzz:
-      return kInertia;
-    case Q::w1:
-    case Q::w2:
-    case Q::w3:
-    case Q::omega:
-      return Dimension{0, 0, -1};
-    case Q::dw1:
-    case Q::dw2:
-    case Q::dw3:
-      return Dimension{0, 0, -2};
-    case Q::T:
-    case Q::N1:
-    case Q::N2:
-    case Q::N3:
-    case Q::N:
-      return kEnergy;
-    case Q::L:
-      return Dimension{1, 2, -1};
-    case Q::m:
-      return Dimension{1, 0, 0};
-    case Q::p:
-      return Dimension{1, 1, -1};
-    case Q::v:
-      return Dimension{0, 1, -1};
-    case Q::F:
-      return Dimension{1, 1, -2};
-    case Q::e1:
-    case Q::e2:
-    case Q::e3:
-    case Q::ex:
-    case Q::ey:
-    case Q::ez:
-      return kNumber;
-    case Q::A:
-    case Q::h:
-    case Q::k:
-      return std::nullopt;
-  }
-  return std::nullopt;
 }
 
 DimensionReading dimension_of(const Expression& expression, const std::map<int, Dimension>& constants) {

@@ -22,6 +22,9 @@ struct LiveState {
   /// What rounding and the differences allow of a residual; and where rates are compared, the method's error
   /// in a step.
   double rounding = 0, method_error = 0;
+  /// By what both grow for second rates: these are divided once more by the step of the difference; and of a
+  /// step of the method, whose second rate is of one order less.
+  double growth_of_second = 1;
 };
 
 /// About the axis (1, 1, 1), rad.
@@ -42,7 +45,7 @@ struct LiveValue {
   bool is_vector = false;
   std::array<double, 3> left{}, right{};  ///< components in the frame of the view; of a scalar the first
   double size = 0;                        ///< of what the sides come from: `residual` is relative to it
-  double residual = 0, tolerance = 0;
+  double residual = 0, tolerance = 0;     ///< of an inequality the residual is 0
 };
 /// Whether the scene has numbers for what the claim speaks of. p, v, F and m have some only where the centre
 /// of mass moves, A only where that arrow is shown. J, a scalar no scene has, counts where the numbers refute

@@ -26,8 +26,12 @@ std::int64_t nodes_in(const ClaimLine& line) {
 void prove(Claim& claim, const Prover& prover, const Effort& effort) {
   for (ClaimLine& line : claim.lines) {
     spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
+    const bool writes_out =
+        line.relation != Relation::equal || (line.conclusion && claim.kind != ClaimKind::non_sequitur);
+    if (writes_out) spend(effort, kWrittenOutEvaluations);
     Judgement judgement = judge(line, claim.kind, prover, claim.given);
-    const bool searched = judgement.verdict == Verdict::fails || claim.kind == ClaimKind::is_false;
+    const bool searched = judgement.verdict == Verdict::fails || judgement.verdict == Verdict::not_refuted ||
+                          claim.kind == ClaimKind::is_false;
     if (searched && !judgement.counterexample) spend(effort, kVainSearchEvaluations);
     line.judgement = std::move(judgement);
   }
@@ -144,7 +148,11 @@ class ClaimCheck {
       if (report_.is_full()) return;
       if (claim.kind == ClaimKind::measured)
         check_measured(claim, line, step);
-      else if (const auto& judgement = line.judgement; judgement && judgement->verdict != Verdict::holds)
+      else if (const auto& judgement = line.judgement;
+               judgement && judgement->verdict == Verdict::not_refuted)
+        report_.warning(line.place, "this is not proved: " + judgement->message,
+                        "write the difference of the sides as a sum of squares");
+      else if (judgement && judgement->verdict != Verdict::holds)
         report_.error(line.place,
                       "the claim (" + std::string(name_of(claim.kind)) + ") fails: " + judgement->message,
                       judgement->hint);
@@ -174,8 +182,9 @@ class ClaimCheck {
     for (const ClaimLine& line : claim.lines) {
       const std::size_t before = claimed.size();
       for (const EquationLink* link : links)
-        if (is_same(line.equality, link->equality) ||
-            (line.conclusion && is_same(*line.conclusion, link->equality)))
+        if (line.relation == link->relation &&
+            (is_same(line.equality, link->equality, line.relation == Relation::equal) ||
+             (line.conclusion && is_same(*line.conclusion, link->equality, true))))
           claimed.insert(link);
       if (claimed.size() == before && !claim.in_other_words)
         report_.warning(line.place, "the formula does not say this", as_printed);
@@ -189,8 +198,8 @@ class ClaimCheck {
                       as_printed);
   }
 
-  /// Whether two equalities have the same sides, in either order.
-  bool is_same(const Equality& a, const Equality& b) const {
+  /// Whether two equalities have the same sides, in either order if that is all the same.
+  bool is_same(const Equality& a, const Equality& b, bool in_any_order) const {
     spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * (nodes_in(a) + nodes_in(b)));
     const auto same = [&](const Expression& x, const Expression& y) {
       if (!fit(x.type(), y.type())) return false;
@@ -198,7 +207,7 @@ class ClaimCheck {
       return is_provable(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
     };
     return (same(a.left, b.left) && same(a.right, b.right)) ||
-           (same(a.left, b.right) && same(a.right, b.left));
+           (in_any_order && same(a.left, b.right) && same(a.right, b.left));
   }
 
   void compare_letters(const Claim& claim, const Math& formula) {

@@ -302,7 +302,7 @@ void check_unit(const TomlEntry& entry, FrontMatter& front, Report& report) {
                    "a number with a unit is a constant: name = { value = …, unit = \"…\" }");
     known = reading.dimension;
   } else if (quantity != nullptr && table != nullptr && table->find("means") == nullptr) {
-    known = dimension_of(quantity->quantity);
+    known = quantity->dimension;
   }
   if (unit && known && *unit != *known)
     report.error(unit_entry->value.place, "units disagree: " + in_quotes(entry.key) + " is in " +

@@ -55,7 +55,7 @@ bool check_given(const Claim& claim, Report& report) {
 /// How the lines are printed where they are not the formula itself.
 void print_lines(Claim& claim, const Vocabulary& vocabulary) {
   if (claim.origin == Claim::Origin::formula) return;
-  for (ClaimLine& line : claim.lines) line.tex = tex_of(line, &vocabulary);
+  for (ClaimLine& line : claim.lines) line.tex = tex_of(line, claim.kind, &vocabulary);
 }
 
 /// Whether a formula has no relation and no words: it is one side.

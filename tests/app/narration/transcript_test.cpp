@@ -147,8 +147,8 @@ TEST(Transcript, HasTheNumbersOfTheStills) {
           "\nTable with the columns time, spin.\n  time: now; spin: 4.00.\n  spin: minus omega sub 3.\n"));
   EXPECT_THAT(text, HasSubstr("Figure: Spin 4.00\n"));
   const SpeechText speech(*reading.lesson);
-  EXPECT_EQ(caption_words(speech, reading.lesson->stages[0].steps[0]), "Spin 4.00");
-  EXPECT_EQ(caption_words(speech, reading.lesson->stages[0].steps[1]), "Spin 5.00")
+  EXPECT_EQ(speech.words_of_figure(reading.lesson->stages[0].steps[0]).at(0).caption, "Spin 4.00");
+  EXPECT_EQ(speech.words_of_figure(reading.lesson->stages[0].steps[1]).at(0).caption, "Spin 5.00")
       << "the caption goes on, the scene too";
 }
 
