@@ -33,6 +33,11 @@ class PlotReader {
                                            std::string(entry.value.kind()));
       return std::nullopt;
     }
+    if (list != nullptr && list->size() > kMaxPlots) {
+      report_.error(entry.value.place, in_quotes(entry.key) + " takes at most " + std::to_string(kMaxPlots) +
+                                           " plots, found " + std::to_string(list->size()));
+      return std::nullopt;
+    }
     std::vector<PlotSpec> plots;
     for (const TomlValue& value : list != nullptr ? *list : alone) {
       if (const auto* name = value.as<std::string>())
@@ -43,9 +48,6 @@ class PlotReader {
         report_.error(value.place, "a plot is a name or a table, found " + std::string(value.kind()),
                       "for example \"energy\", or { plot = [\"w1\", \"w2\"] }");
     }
-    if (plots.size() > kMaxPlots)
-      report_.error(entry.value.place, in_quotes(entry.key) + " takes at most " + std::to_string(kMaxPlots) +
-                                           " plots, found " + std::to_string(plots.size()));
     return plots;
   }
 

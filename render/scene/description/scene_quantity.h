@@ -21,8 +21,8 @@ struct SceneQuantity {
   std::string unit;        ///< of SI, "kg m²/s"; empty: a number, or one that cannot be told
   std::string role;        ///< of its colour, as role_from of palette.h knows it; empty: none
   /// On the model's motion, whose state at t_s the last argument is: components in space, SI; of a scalar
-  /// the first. Nothing where it is not defined or not finite. What is nothing but rounding is 0. Pure. Less
-  /// than 1 µs where it speaks of no rates, else six more states of the motion.
+  /// the first. Nothing where it is not defined or not finite. What is nothing but rounding is 0. Pure. About
+  /// 1 µs where it speaks of no rates, else with six more states of the motion.
   std::function<std::optional<Vec3>(const SceneModel&, double t_s, const RigidBodyState&)> value;
 
   /// The same word may stand for something else in a lesson that was changed.

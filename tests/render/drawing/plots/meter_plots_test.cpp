@@ -188,7 +188,7 @@ TEST(MeterPlots, WhatIsNotDefinedLeavesGaps) {
   const SceneModel model = page_of({}, {OwnPlot{.curves = {quantity("gap", [](double t_s, const Vec3&) {
                                                   return t_s > 0.5 ? std::nan("") : 1.0;
                                                 })}}});
-  const auto& plot = meter_plots(model, 0).front();
+  const TimePlot plot = meter_plots(model, 0).front();
   EXPECT_EQ(plot.series[0].y.front(), 1.0);
   EXPECT_TRUE(std::isnan(plot.series[0].y.back()));
 }
