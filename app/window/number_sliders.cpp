@@ -21,7 +21,7 @@ constexpr std::array kKeys = {
 
 }  // namespace
 
-std::string draw_number_sliders(LessonSession& session, const Region& figure, const ControlSizes& sizes) {
+SlidersUsed draw_number_sliders(LessonSession& session, const Region& figure, const ControlSizes& sizes) {
   const std::vector<Variation> numbers = session.variations();
   if (numbers.empty()) return {};
   const float width = std::min(26 * sizes.em, figure.width - 2 * sizes.padding);
@@ -31,8 +31,8 @@ std::string draw_number_sliders(LessonSession& session, const Region& figure, co
   ImGui::Begin("numbers", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoMove);
-  std::string refusal;
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
+  SlidersUsed used;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const Variation& number = numbers[i];
     const VariedNumber& facts = *find_varied_number(number.number);
@@ -50,14 +50,15 @@ std::string draw_number_sliders(LessonSession& session, const Region& figure, co
       value = session.step().scene->vary[i].value;
       changed = true;
     }
+    used.is_held = used.is_held || ImGui::IsItemActive();
     tooltip_of_last(fmt::format("From {:.4g} to {:.4g} {}; double click: the lesson's value. {}; {}",
                                 number.from, number.to, facts.unit, told(kKeys[i][0]), told(kKeys[i][1])));
     if (changed)
-      if (const Status made = session.vary(i, value); !made) refusal = made.error();
+      if (const Status made = session.vary(i, value); !made) used.refusal = made.error();
     ImGui::PopID();
   }
   ImGui::End();
-  return refusal;
+  return used;
 }
 
 }  // namespace polhode

@@ -8,9 +8,13 @@
 
 namespace polhode {
 
+struct SlidersUsed {
+  bool is_held = false;   ///< one of them is being moved
+  std::string refusal{};  ///< why a value was not taken; empty: it was
+};
+
 /// At the upper edge of the figure, the region; nothing where the scene varies no number. A double click
 /// gives back the lesson's value.
-/// @return why a value was refused; empty: it was not
-std::string draw_number_sliders(LessonSession& session, const Region& figure, const ControlSizes& sizes);
+SlidersUsed draw_number_sliders(LessonSession& session, const Region& figure, const ControlSizes& sizes);
 
 }  // namespace polhode

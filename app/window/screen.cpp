@@ -189,7 +189,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     if (!made) return failure(made.error());
     picture_ = std::move(made).value();
   }
-  const bool is_dragging = drag_.is_held() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+  const bool is_dragging = (drag_.is_held() || varies_) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
   const bool moving = session.is_moving() || is_dragging;
   const double resolution = moving ? pace_.resolution() : 1.0;
   const auto painted = show_page(session, page_region(session, frame.size), resolution);
@@ -208,7 +208,7 @@ Result<bool> Screen::show_page(LessonSession& session, const Region& region, dou
   const PageLook look{.size = whole(region),
                       .focus = symbols_.place(),
                       .resolution = resolution,
-                      .keep_text = drag_.holds_omega()};
+                      .keep_text = drag_.holds_omega() || varies_};
   auto painted = page_->show(session, look);
   notices_.set_page_error(painted ? "" : painted.error());
   picture_->bind();
@@ -257,12 +257,14 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
 
 /// On the figure as the last frame had it: the first has none yet.
 void Screen::lay_out_sliders(LessonSession& session) {
+  varies_ = false;
   const PixelBox& at = page_->page().figure;
   if (at.width() <= 0 || (session.is_presenting() && session.are_notes_shown())) return;
   const Region figure{static_cast<float>(at.x0), static_cast<float>(at.y0), static_cast<float>(at.width()),
                       static_cast<float>(at.height())};
-  const std::string refusal = draw_number_sliders(session, figure, *sizes_);
-  if (!refusal.empty()) tell(refusal);
+  const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
+  varies_ = used.is_held;
+  if (!used.refusal.empty()) tell(used.refusal);
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {

@@ -87,6 +87,7 @@ class Screen {
   Panels panels_;
   SymbolFocus symbols_;
   FigureDrag drag_;
+  bool varies_ = false;  ///< a number, by a slider that is held
   Notices notices_;
   std::unique_ptr<SpeechText> speech_;
   const Lesson* spoken_ = nullptr;  ///< the lesson of speech_

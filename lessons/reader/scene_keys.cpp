@@ -19,6 +19,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace polhode {
 namespace {
@@ -513,7 +514,11 @@ class SceneKeys {
     std::vector<KeyHandler> numbers;
     for (const VariedNumber& number : varied_numbers())
       numbers.push_back({std::string(number.name), [this](const TomlEntry& e) { vary_number(e); }});
-    read_keys(*table, "\"vary\"", numbers, report_);
+    TomlTable in_order = *table;  // of the text: the first is that of the filmstrip
+    std::sort(in_order.entries.begin(), in_order.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+      return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+    });
+    read_keys(in_order, "\"vary\"", numbers, report_);
   }
 
   void vary_number(const TomlEntry& entry) {
