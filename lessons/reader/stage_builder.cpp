@@ -249,6 +249,7 @@ void StageBuilder::add_footnotes() {
 void StageBuilder::finish_stage() {
   if (stages_.empty()) return;
   finish_step();
+  stages_.back().steps.shrink_to_fit();  // complete scenes are large
   check_claims();
   check_highlights();
   equation_lines_.clear();
