@@ -26,7 +26,7 @@ SceneFault omega_is_free(const LessonScene& scene, const LessonBodies&) {
 
 SceneFault moments_are_given(const LessonScene& scene, const LessonBodies& bodies) {
   const Body& body = scene.scene.body;
-  if (!body.shape || bodies.drawn_as_box.contains(body.name)) return {};
+  if (!body.shape || bodies.drawn.contains(body.name)) return {};
   return {"the moments of " + in_quotes(body.name) + " follow from its shape", "give a body by its moments"};
 }
 
@@ -153,7 +153,7 @@ VariedScene::VariedScene(LessonScene scene, const LessonBodies& bodies)
   if (const auto own = bodies.named.find(name); own != bodies.named.end()) own_.named.insert(*own);
   if (const auto pivot = bodies.pivots_m.find(name); pivot != bodies.pivots_m.end())
     own_.pivots_m.insert(*pivot);
-  if (bodies.drawn_as_box.contains(name)) own_.drawn_as_box.insert(name);
+  if (bodies.drawn.contains(name)) own_.drawn.insert(name);
 }
 
 Result<Scene> VariedScene::at(const std::vector<double>& values) const {

@@ -66,7 +66,7 @@ TEST(Requirements, WhatPlotsNeedIsOfPagesAlone) {
   scene.meters = std::vector<PlotSpec>{Meter::omega, Meter::energy, Meter::momentum};
   EXPECT_TRUE(requirements(scene, Product::page).meters);
   EXPECT_FALSE(requirements(scene, Product::page).attitude) << "|L| is that of the body's frame";
-  scene.meters->push_back(Meter::drift);
+  scene.meters->emplace_back(Meter::drift);
   EXPECT_TRUE(requirements(scene, Product::page).attitude);
   EXPECT_EQ(requirements(scene), figure);
   scene.meters = std::vector<PlotSpec>{Meter::momentum};
