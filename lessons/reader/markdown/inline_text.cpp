@@ -696,7 +696,7 @@ bool TextReader::take_unit(ComputedNumber& number, SourcePlace place) {
   const DimensionReading reading = dimension_of(number.expression, language_->dimensions);
   number.unit_si = unit->size;
   if (!reading.dimension || *reading.dimension == unit->dimension) return true;
-  report_.error(place, "units disagree: this number is " + to_string(*reading.dimension) + ", and " +
+  report_.error(place, "units disagree: the expression is " + to_string(*reading.dimension) + ", and " +
                            in_quotes(number.written.unit) + " is " + to_string(unit->dimension));
   return false;
 }

@@ -83,7 +83,7 @@ TEST(ComputedNumbers, HaveOptions) {
   refuses(R"(\live[unit={}]{T})", "this unit is empty");
   refuses(R"(\live[unit={cal}]{T})", "13:16: error: unknown unit \"cal\"");
   refuses(R"(\live[unit={rad/s}]{T})",
-          "13:16: error: units disagree: this number is kg m²/s², and \"rad/s\" is 1/s");
+          "13:16: error: units disagree: the expression is kg m²/s², and \"rad/s\" is 1/s");
   refuses(R"(\live[unit=\text{J}]{T})", "are text that ends with ]");
   refuses(R"(\value[digits=3]{9}{T})", "has the digits that it has");
 }
