@@ -24,9 +24,9 @@ constexpr std::array kKeys = {
 SlidersUsed draw_number_sliders(LessonSession& session, const Region& figure, const ControlSizes& sizes) {
   const std::vector<Variation> numbers = session.variations();
   if (numbers.empty()) return {};
-  const float width = std::min(26 * sizes.em, figure.width - 2 * sizes.padding);
-  ImGui::SetNextWindowPos({figure.x + figure.width - sizes.padding, figure.y + sizes.padding},
-                          ImGuiCond_Always, {1, 0});
+  const float width = std::min(17 * sizes.em, figure.width - 2 * sizes.padding);
+  // Bodies and captions stand in the middle.
+  ImGui::SetNextWindowPos({figure.x + sizes.padding, figure.y + sizes.padding}, ImGuiCond_Always);
   ImGui::SetNextWindowSize({width, 0});
   ImGui::Begin("numbers", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |

@@ -13,8 +13,8 @@ struct SlidersUsed {
   std::string refusal{};  ///< why a value was not taken; empty: it was
 };
 
-/// At the upper edge of the figure, the region; nothing where the scene varies no number. A double click
-/// gives back the lesson's value.
+/// In the upper left corner of the figure, the region; nothing where the scene varies no number. A double
+/// click gives back the lesson's value.
 SlidersUsed draw_number_sliders(LessonSession& session, const Region& figure, const ControlSizes& sizes);
 
 }  // namespace polhode

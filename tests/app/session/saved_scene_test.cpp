@@ -27,6 +27,7 @@ Scene shown_in(const LessonSession& session) {
   Scene scene = session.model()->scene;
   const double t_s = session.t_s();
   scene.still_s = t_s == scene.at_s ? std::nullopt : std::optional(t_s);
+  for (Scene& other : scene.beside) other.still_s = scene.still_s;
   return scene;
 }
 
