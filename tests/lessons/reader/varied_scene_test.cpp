@@ -50,13 +50,13 @@ TEST(SideBySide, EachTableChangesTheCommonScene) {
   ASSERT_THAT(first.beside, SizeIs(2));
   EXPECT_EQ(first.caption, "left");
   EXPECT_EQ(first.w0_B, Vec3(1, 2, 3));
-  EXPECT_EQ(first.meters, std::vector{Meter::energy});
+  EXPECT_EQ(first.meters, std::vector<PlotSpec>{Meter::energy});
   EXPECT_EQ(first.beside[0].w0_B, Vec3(0, 0, 4));
   EXPECT_THAT(first.beside[0].views, ElementsAre(View::body));
   EXPECT_EQ(first.beside[0].body.name, "book");
   EXPECT_EQ(first.beside[0].meters, std::vector<PlotSpec>{}) << "plots are those of the first";
   EXPECT_EQ(first.beside[1].body.name, "phone");
-  EXPECT_EQ(first.beside[1].meters, std::vector{Meter::omega});
+  EXPECT_EQ(first.beside[1].meters, std::vector<PlotSpec>{Meter::omega});
   for (const Scene* scene : shown_scenes(first)) EXPECT_EQ(scene->rate, 0.5);
   EXPECT_EQ(shown_scenes(first).front(), &first);
 }
