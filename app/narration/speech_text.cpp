@@ -237,8 +237,8 @@ std::string SpeechText::words_of_caption(const Step& step, std::size_t shown) co
   std::string text;
   for_each_span(*caption, [&](const TextSpan& span) {
     if (span.kind == TextSpan::Kind::math)
-      add_symbol(text, words(span.math, span.math.live.empty() ? nullptr
-                                                               : &stills_.of_caption(lesson_, step, shown)));
+      add_symbol(text, words(span.math,
+                             span.math.live.empty() ? nullptr : &stills_.of_caption(lesson_, step, shown)));
     else
       text += span.text;
   });

@@ -19,8 +19,8 @@ class StillNumbers {
   /// `effort` is told what the motions cost.
   explicit StillNumbers(Effort effort = {}) : effort_(std::move(effort)) {}
 
-  /// The numbers that the step adds, and those of its figure's caption, except those that have no value there.
-  /// Empty without a scene.
+  /// The numbers that the step adds, and those of its figure's caption, except those that have no value
+  /// there. Empty without a scene.
   /// @throws what `effort` throws; nothing is remembered then
   const Values& of(const Lesson& lesson, const Step& step);
   /// Those in the caption of one of the scenes side by side, by their order: of its own motion.

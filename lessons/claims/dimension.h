@@ -24,7 +24,8 @@ struct ScaledUnit {
 };
 std::optional<ScaledUnit> scaled_unit(std::string_view unit);
 /// The names of these, for messages.
-inline constexpr std::string_view kUnitNames = "kg, g, m, s, N, J, W, Hz, rad, deg, ° with powers and prefixes";
+inline constexpr std::string_view kUnitNames =
+    "kg, g, m, s, N, J, W, Hz, rad, deg, ° with powers and prefixes";
 
 /// "kg m²/s²"; "a number" of what has none.
 std::string to_string(const Dimension& dimension);

@@ -92,11 +92,13 @@ class ClaimCheck {
     if (first != nullptr) check_numbers(numbers_in(*first), step);
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const RichText* caption = caption_of(step, i);
-      const std::vector<int> ids = caption == nullptr || caption == first ? std::vector<int>() : numbers_in(*caption);
+      const std::vector<int> ids =
+          caption == nullptr || caption == first ? std::vector<int>() : numbers_in(*caption);
       if (ids.empty()) continue;
       const auto live =
           live_state(make_model(*shown[i], Product::numbers, effort_), still_time_s(*step.scene));
-      for (const int id : ids) check_number(lesson_.numbers[static_cast<std::size_t>(id)], live ? &*live : nullptr, step);
+      for (const int id : ids)
+        check_number(lesson_.numbers[static_cast<std::size_t>(id)], live ? &*live : nullptr, step);
     }
   }
 

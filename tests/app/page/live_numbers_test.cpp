@@ -105,11 +105,11 @@ TEST(PageNumbers, TakeTheirRoomFromTheScenesInterval) {
 TEST(Captions, HaveTheirNumbers) {
   const Step& step = top().stages[0].steps[0];
   const SceneModel model = make_model(*step.scene, Product::page);
-  EXPECT_EQ(caption_at(top(), step, model, 0), "Spin ${3.0}\\,\\text{rad/s}$ now, \\$");
-  EXPECT_EQ(caption_at(top(), step, model, 9.2), "Spin ${12}\\,\\text{rad/s}$ now, \\$");
-  const LongestNumbers longest = longest_in_caption(top(), step, model);
+  EXPECT_EQ(captions_at(top(), step, model, 0).at(0), "Spin ${3.0}\\,\\text{rad/s}$ now, \\$");
+  EXPECT_EQ(captions_at(top(), step, model, 9.2).at(0), "Spin ${12}\\,\\text{rad/s}$ now, \\$");
+  const LongestNumbers longest = longest_in_captions(top(), step, model);
   EXPECT_EQ(longest.at(2), "3.0");
-  EXPECT_EQ(caption_at(top(), step, model, 9.2, longest),
+  EXPECT_EQ(captions_at(top(), step, model, 9.2, longest).at(0),
             "Spin $\\hphantom{3}{12}\\,\\text{rad/s}$ now, \\$");
 }
 

@@ -466,19 +466,19 @@ TEST_F(ScreenTest, ASliderVariesANumberAndADoubleClickGivesItBack) {
   frame(3);
   const auto value = [&] { return session.variations().at(0).value; };
   const PixelBox at = screen->page().page().figure;
-  const double right = at.x0 + 265, y = at.y0 + 30;  // near the end of the bar
-  click(right, y);
+  const double right = at.x0 + 265, middle = at.y0 + 30;  // near the end of the bar
+  click(right, middle);
   EXPECT_GT(value(), 8);
   EXPECT_EQ(session.model()->scene.w0_B[2], value());
   const CameraSpec camera = session.camera();
   frame(30);  // no double click of what follows
-  drag(right, y, right - 100, y);
+  drag(right, middle, right - 100, middle);
   EXPECT_LT(value(), 8);
   EXPECT_GT(value(), 3);
   EXPECT_EQ(session.camera(), camera) << "the slider has the mouse, not the figure";
   frame(30);
-  click(right, y);
-  click(right, y);
+  click(right, middle);
+  click(right, middle);
   EXPECT_EQ(value(), 3);
   EXPECT_TRUE(screen->press(session, "]"));
   EXPECT_NEAR(value(), 3 + 8.0 / 50, 1e-12);
