@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -20,6 +21,13 @@ Verdict verdict_of(Decision decision) {
   return decision == Decision::same        ? Verdict::holds
          : decision == Decision::different ? Verdict::fails
                                            : Verdict::undecided;
+}
+
+/// Second rates of long terms fill pages of algebra; they have tests of their own below.
+bool is_long(const Equality& equality) {
+  constexpr std::size_t kLongest = 16;
+  return std::max(equality.left.order(), equality.right.order()) > 1 &&
+         equality.left.nodes.size() + equality.right.nodes.size() > kLongest;
 }
 
 class Agreement : public ::testing::Test {
@@ -68,7 +76,7 @@ TEST_F(Agreement, OnWhatIsTrueByConstructionAndOnItsMutants) {
       other = rewriter.rewritten(std::move(other), assumption);
     if (other == term || size_of(term) + size_of(other) > kLongest) continue;
     const auto equality = equality_from(text_of(term), text_of(other));
-    if (!equality) continue;
+    if (!equality || is_long(*equality)) continue;
     ++made;
     const Verdict verdict = compare(*equality, assumption);
     EXPECT_NE(verdict, Verdict::fails) << equality->left.text << " = " << equality->right.text;
@@ -76,7 +84,8 @@ TEST_F(Agreement, OnWhatIsTrueByConstructionAndOnItsMutants) {
     const auto mutants = mutants_of(equality->right);
     if (mutants.empty()) continue;
     const Expression& mutant = mutants[rewriter.below(mutants.size())];
-    if (fit(mutant.type(), equality->left.type())) compare({equality->left, mutant}, assumption);
+    if (fit(mutant.type(), equality->left.type()) && !is_long({equality->left, mutant}))
+      compare({equality->left, mutant}, assumption);
   }
   EXPECT_GE(equalities_, 500);
   EXPECT_GE(held, 9 * kTrue / 10) << "the others are divided by 0 everywhere";
@@ -173,7 +182,7 @@ TEST_F(Agreement, OnTwoExpressionsThatHaveNothingToDoWithEachOther) {
     const bool vector = equalities_ % 2 == 0;
     const Term left = vector ? rewriter.vector(2) : rewriter.scalar(2);
     const Term right = vector ? rewriter.vector(2) : rewriter.scalar(2);
-    if (const auto equality = equality_from(text_of(left), text_of(right)))
+    if (const auto equality = equality_from(text_of(left), text_of(right)); equality && !is_long(*equality))
       compare(*equality, Assumption::identity);
   }
   print();

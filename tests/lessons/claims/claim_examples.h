@@ -75,7 +75,7 @@ inline const std::vector<std::string>& example_expressions() {
       "ddt(ddt(T)) - ddt(N3)*w3",
       "star(star(A)) + star(ddt(v))",
       "ddt(star(p)) - ddt(F)",
-      "dot(ddt(ddt(e3)), ez)",
+      "dot(ddt(ddt(e3)), A)",
   };
   return all;
 }

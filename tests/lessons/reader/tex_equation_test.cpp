@@ -174,7 +174,7 @@ TEST(TexEquation, RefusesWhatThePageLeavesOpen) {
       {R"((T] = m)", "closes nothing"},
       {R"(T)", "no = here"},
       {R"(= T)", "a side is missing"},
-      {R"(\frac{d\vec N}{dt} = 0)", "rate of change of this is not known"},
+      {R"(\frac{d^2\vec N}{dt^2} = 0)", "rate of change of this is not known"},
       {R"(I_{12} = I_1)", "principal moments"},
       {R"(\begin{aligned} T &= m \\ &- I_1 = 0 \end{aligned})", "go on with the one above"},
       {R"(\dot{\vec\omega} = 0 \qquad (\vec\omega = \omega_3\hat e_3))", "under a condition"},
