@@ -188,6 +188,7 @@ Vector Oracle::axis(std::size_t i, bool moving) const {
   Vector axis{0, 0, 0};
   axis[i] = 1;
   if (!moving) return axis;
+  if (!twice_) return sum(axis, scaled(t_, cross(w_, axis)));
   const Vector second = sum(cross(dw_, axis), cross(w_, cross(w_, axis)));
   return sum(axis, sum(scaled(t_, cross(w_, axis)), scaled(t_ * t_ / 2, second)));
 }
@@ -201,7 +202,9 @@ Vector Oracle::in_space(const Vector& on_body_axes, bool moving) const {
 Vector Oracle::quantity(Quantity q, bool moving) const {
   using S = Quantity;
   const auto at = [&](const Vector& value, const Vector& its_rate, const Vector& its_second = {0, 0, 0}) {
-    return moving ? sum(value, sum(scaled(t_, its_rate), scaled(t_ * t_ / 2, its_second))) : value;
+    if (!moving) return value;
+    const Vector first = sum(value, scaled(t_, its_rate));
+    return twice_ ? sum(first, scaled(t_ * t_ / 2, its_second)) : first;
   };
   const Vector w = at(w_, dw_, ddw_);
   const Vector L{I_[0] * w[0], I_[1] * w[1], I_[2] * w[2]};
@@ -351,6 +354,7 @@ Vector Oracle::value(const Expression& expression, int index, bool moving, Side&
 
 Oracle::Side Oracle::side(const Expression& expression) const {
   Side side;
+  twice_ = expression.order() > 1;
   side.value = value(expression, static_cast<int>(expression.nodes.size()) - 1, false, side);
   return side;
 }

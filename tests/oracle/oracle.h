@@ -76,6 +76,7 @@ class Oracle {
   std::array<GiNaC::ex, 6> J_;
   GiNaC::ex m_, h_, k_;
   std::array<GiNaC::ex, kMaxConstants> constants_;
+  mutable bool twice_ = false;  ///< second rates are asked for: t² is kept
   mutable std::mt19937_64 random_{1};
   mutable int proofs_ = 0, by_points_ = 0;
 };
