@@ -54,12 +54,12 @@ std::string_view unsaid_part(std::string_view text, std::string_view symbol) {
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 
-/// At the start of a sentence a word, which a single letter is not, has a capital.
-void add_symbol(std::string& text, std::string_view words) {
+/// At the start of a sentence a word, which a single letter is not, has a capital; a text may be one or not.
+void add_symbol(std::string& text, std::string_view words, bool begins_sentence = true) {
   const std::string_view rest = unsaid_part(text, words);
   if (rest.empty() && text.ends_with(' ')) text.pop_back();
   const bool is_word = rest.size() > 1 && is_lower(rest[0]) && is_lower(rest[1]);
-  const bool begins = text.empty() || text.ends_with(". ");
+  const bool begins = text.empty() ? begins_sentence : text.ends_with(". ");
   text += rest;
   if (is_word && begins) {
     char& first = text[text.size() - rest.size()];
@@ -132,7 +132,7 @@ std::vector<std::string> SpeechText::words_of_rows(const TextTable& table) const
   std::vector<std::string> head, said;
   std::string columns;
   for (const TextTable::Cell& cell : table.rows.front()) {
-    head.push_back(words(cell, nullptr));
+    head.push_back(words(cell, nullptr, false));
     if (!head.back().empty()) columns += (columns.empty() ? "" : ", ") + head.back();
   }
   said.push_back(columns.empty() ? "Table." : "Table with the columns " + columns + '.');
@@ -147,13 +147,14 @@ std::vector<std::string> SpeechText::words_of_rows(const TextTable& table) const
   return said;
 }
 
-std::string SpeechText::words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links) const {
+std::string SpeechText::words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links,
+                              bool is_sentence) const {
   std::string text;
   const TextSpan* before = nullptr;
   for (const TextSpan& span : spans) {
     const std::size_t begin = text.size();
     if (span.kind == TextSpan::Kind::math)
-      add_symbol(text, words(span.math));
+      add_symbol(text, words(span.math), is_sentence);
     else
       text += span.text;
     if (links != nullptr && !span.link.empty()) {

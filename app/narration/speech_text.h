@@ -54,7 +54,8 @@ class SpeechText {
 
  private:
   std::string words_of_line(const std::string& line) const;
-  std::string words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links) const;
+  std::string words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links,
+                    bool is_sentence = true) const;
   std::string words_of_caption(const Step& step, std::size_t shown) const;
   /// With these numbers; null: each as on the still of its own step.
   std::string words(const Math& math, const StillNumbers::Values* numbers) const;

@@ -181,7 +181,7 @@ Command trace_command() {
        {"--to", &typed->times.to, "... to B s ...", "B"},
        {"--every", &typed->times.every, "... every D s", "D"},
        {"--periods", &typed->times.periods,
-        "or: over P polhode periods; of none, of turns 2 pi/|omega|, with --samples", "P"},
+        "or: over P polhode periods; of none, turns 2 pi/|omega|; with --samples", "P"},
        {"--samples", &typed->times.samples, "... or N rows, 2 or more, both ends included", "N"},
        {"--method", &typed->method.method, "see below (default: the scene's, or the best that serves)",
         "NAME"},

@@ -165,7 +165,8 @@ TEST(PlotKeys, WhatStepsGoOnWithIsBounded) {
   std::string sum = "T";
   for (int i = 0; i < 200; ++i) sum += "+T";
   EXPECT_THAT(complaint("[{ plot = \"" + sum + "\" }]"), HasSubstr("at most 256 parts"));
-  // 36 curves of 4 KiB in all: some 300 of 128 bytes with what they need besides, in each of 2000 steps.
+  // 36 curves of 4 KiB in all: some 300 of 128 bytes with what they need besides, in the scene of
+  // each of 2000 steps.
   std::string curves;
   for (int i = 0; i < 6; ++i) curves += "\"" + std::string(600, ' ') + "T\", ";
   std::string meters;
@@ -173,7 +174,7 @@ TEST(PlotKeys, WhatStepsGoOnWithIsBounded) {
   std::string text = lesson_with_meters("[" + meters + "]");
   for (int stage = 0; stage < 20; ++stage) {
     text += "\n# T {s" + std::to_string(stage) + "}\n\n```scene\nmeters = [" + meters + "]\n```\n";
-    for (int step = 1; step < 100; ++step) text += "\n---\n\nText\n";
+    for (int step = 1; step < 100; ++step) text += "\n---\n\n```scene\nat = 1\n```\n";
   }
   const auto lines = testing::complaints(text);
   ASSERT_FALSE(lines.empty());
