@@ -181,6 +181,7 @@ class TextReader::Builder {
     if ((type == MD_BLOCK_UL || type == MD_BLOCK_OL) && !lists_.empty()) lists_.pop_back();
     block_is_open_ = false;
     if (type == MD_BLOCK_HTML) in_html_ = false;
+    if (type == MD_BLOCK_THEAD) cursor_ = std::max(cursor_, next_line(head_line_).end);
     if (type == MD_BLOCK_TR) cursor_ = std::max(cursor_, std::min(row_line_.end, text_.size()));
     if (type == MD_BLOCK_TH || type == MD_BLOCK_TD) in_cell_ = false;
     item_is_new_ = item_is_new_ && type != MD_BLOCK_LI;
@@ -226,10 +227,14 @@ class TextReader::Builder {
       return refuse("a table has at most " + std::to_string(kMaxTableColumns) +
                         " columns, and below its head " + std::to_string(kMaxTableRows) + " rows",
                     "make several tables of it");
-    open_block();
-    row_line_ = {};
     head_line_ = line_at(at);
     marker_lines_.erase(next_line(head_line_).begin);
+    if (const std::size_t cells = cells_in(head_line_); cells != table.col_count)
+      return refuse("the head has " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
+                        ", the line below it " + std::to_string(table.col_count),
+                    "write as many | --- | below it");
+    open_block();
+    row_line_ = {};
     columns_ = table.col_count;
     return 0;
   }
@@ -294,9 +299,15 @@ class TextReader::Builder {
   }
 
   void report_marker_lines() {
-    for (const std::size_t begin : marker_lines_)
-      error(text_.find_first_not_of(" \t", begin), "no table comes of this line",
-            "above it stands the head alone, in one line with as many cells, below an empty line");
+    for (const std::size_t begin : marker_lines_) {
+      const std::size_t at = text_.find_first_not_of(" \t", begin);
+      if (cells_in(line_at(begin)) > kMaxTableColumns)
+        error(at, "a table has at most " + std::to_string(kMaxTableColumns) + " columns",
+              "make several of it");
+      else
+        error(at, "no table comes of this line",
+              "above it stands the head alone, in one line with as many cells, below an empty line");
+    }
   }
 
   std::vector<TextSpan>& current() {
