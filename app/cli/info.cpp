@@ -52,6 +52,14 @@ double call_cost_ns(const SceneModel& model) {
   return median_ns(kRepeats, calls) / kCalls;
 }
 
+/// Of all that it shows.
+Requirements needs_of(const SceneModel& model) {
+  Requirements needs = model.needs;
+  for (const SceneModel& other : model.beside)
+    for (const RequirementFacts& facts : requirement_facts()) needs.*facts.part |= other.needs.*facts.part;
+  return needs;
+}
+
 StageInfo info_of(const Stage& stage) {
   constexpr int kSetups = 5;
   StageInfo info;
@@ -62,7 +70,7 @@ StageInfo info_of(const Stage& stage) {
   info.scenes = facts_of(stage);
   const SceneModel model = make_model(*drawn->scene, Product::page);
   info.has_scene = true;
-  info.needs = names_of(model.needs);
+  info.needs = names_of(needs_of(model));
   info.motion = model.motion->method();
   info.why = model.why;
   info.setup_ns = median_ns(kSetups, [&] { static_cast<void>(make_model(*drawn->scene, Product::page)); });

@@ -4,11 +4,14 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
+#include "app/session/edited_step.h"
 #include "app/session/saved_progress.h"
 #include "app/session/state_file.h"
 #include "app/window/window.h"
 #include "base/interrupt.h"
 #include "base/printable.h"
+#include "lessons/reader/claim_check.h"
+#include "lessons/reader/lint_budget.h"
 
 #include <fmt/format.h>
 
@@ -45,10 +48,22 @@ class LessonWatch {
     errors = loaded ? "" : printable(loaded.error().text);
     if (!loaded || (*loaded)->sha256 == sha256_) return;
     sha256_ = (*loaded)->sha256;
+    const auto edited = edited_step(session.lesson(), (*loaded)->lesson);
     session.replace_lesson(*loaded);
+    if (edited) session.go_to({edited->stage, edited->step});
+    errors = false_claims((*loaded)->lesson);
   }
 
  private:
+  /// What the lesson claims and is not so, on whatever page that stands.
+  std::string false_claims(const Lesson& lesson) const {
+    Budget budget(kLintBudget);
+    std::string all;
+    for (const Diagnostic& diagnostic : check_claims(lesson, path_.string(), budget.effort()))
+      if (diagnostic.severity == Severity::error) all += (all.empty() ? "" : "\n") + to_string(diagnostic);
+    return printable(all);
+  }
+
   /// An editor may be replacing it just now: the least time then.
   fs::file_time_type time() const {
     std::error_code error;

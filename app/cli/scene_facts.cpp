@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace polhode {
 
@@ -44,14 +46,25 @@ SceneFacts facts_of(const Scene& scene) {
 
 std::vector<SceneFacts> facts_of(const Stage& stage) {
   std::vector<SceneFacts> all;
+  std::set<std::size_t> before;  // what the last step with a scene shows
   for (std::size_t i = 0; i < stage.steps.size(); ++i) {
-    const auto& scene = stage.steps[i].scene;
-    if (!scene) continue;
-    if (all.empty() || !is_same(all.back().problem, problem_of(*scene)) || all.back().body != scene->body) {
-      all.push_back(facts_of(*scene));
-      all.back().first_step = i + 1;
+    if (!stage.steps[i].scene) continue;
+    std::set<std::size_t> now;
+    for (const Scene* scene : shown_scenes(*stage.steps[i].scene)) {
+      const auto goes_on = [&](std::size_t k) {
+        return is_same(all[k].problem, problem_of(*scene)) && all[k].body == scene->body;
+      };
+      const auto same = std::find_if(before.begin(), before.end(), goes_on);
+      const std::size_t k = same != before.end() ? *same : all.size();
+      if (k == all.size()) {
+        all.push_back(facts_of(*scene));
+        all.back().first_step = i + 1;
+      }
+      all[k].last_step = i + 1;
+      now.insert(k);
+      before.insert(k);  // scenes side by side may differ in their looks alone
     }
-    all.back().last_step = i + 1;
+    before = std::move(now);
   }
   return all;
 }

@@ -139,33 +139,28 @@ class EquationMaker : public PictureMaker {
     style.color = colors_of(context_.options.theme).ink;
     style.strike = colors_of(context_.options.theme).accent;
     style.symbols = &symbols_;
-    auto list = set_math(equation.math, style, context_.renderer.fonts());
+    auto list = set_math(with_numbers_of_still(equation), style, context_.renderer.fonts());
     if (!list)
       return failure_of(Fault::invalid, fmt::format("equation \"{}\" cannot be set: {}", equation.id,
                                                     list.error().front().message));
-    put_live_numbers_in(*list, equation);
     lists_.emplace(&equation, centred(*list));
     return done();
   }
 
-  /// At the `at` of the scene beside it.
-  void put_live_numbers_in(DisplayList& list, const Equation& equation) const {
-    if (equation.live.empty()) return;
-    const Scene* scene = scene_beside(equation);
-    const SceneModel model = scene ? make_model(*scene, Product::page, context_.effort) : SceneModel();
-    const auto live = scene ? live_state(model, still_time_s(*scene)) : std::nullopt;
-    for (const LiveRoom& room : take_live_rooms(list)) {
-      const auto value = live ? live_number(equation.live[room.index], *live) : std::nullopt;
-      const PlacedType number = live_number_in(room, value, context_.renderer.fonts());
-      append(list, number.list, number.at.x(), number.at.y());
-    }
+  /// As it is on the still of its step.
+  Math with_numbers_of_still(const Equation& equation) {
+    if (equation.math.live.empty()) return equation.math;
+    PageNumbers numbers(context_.lesson, context_.renderer.fonts());
+    if (const Step* step = step_of(equation))
+      for (const auto& [id, value] : stills_.of(context_.lesson, *step)) numbers.keep(id, value);
+    return numbers.put_into(equation.math);
   }
 
-  const Scene* scene_beside(const Equation& equation) const {
+  const Step* step_of(const Equation& equation) const {
     for (const Stage& stage : context_.lesson.stages)
       for (const Step& step : stage.steps)
         for (const Block& block : step.blocks)
-          if (std::get_if<Equation>(&block) == &equation) return step.scene.get();
+          if (std::get_if<Equation>(&block) == &equation) return &step;
     return nullptr;
   }
 
@@ -181,6 +176,7 @@ class EquationMaker : public PictureMaker {
 
   MakerContext context_;
   SpeechText speech_;
+  StillNumbers stills_{context_.effort};
   std::vector<MathSymbol> symbols_;
   double em_;                                     ///< px
   std::map<const Equation*, DisplayList> lists_;  ///< looked up only: its order is never used

@@ -52,6 +52,11 @@ struct PlannedPicture {
   std::string file;                   ///< name without folder
 };
 
+/// The step of a picture.
+inline const Step& step_of(const PlannedPicture& picture) {
+  return picture.stage->steps[static_cast<std::size_t>(picture.step - 1)];
+}
+
 struct ExportPlan {
   std::vector<PlannedPicture> pictures;  ///< in the order of the lesson; they point into it
   std::vector<std::string> left_out;     ///< ids of selected stages that have nothing of the kind to draw

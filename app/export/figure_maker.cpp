@@ -4,6 +4,7 @@
 #include "app/narration/alt_text.h"
 #include "app/narration/speech_text.h"
 #include "app/page/figure_place.h"
+#include "app/page/live_numbers.h"
 #include "physics/method.h"
 #include "render/figure/make_figure.h"
 
@@ -27,9 +28,9 @@ class FigureMaker : public PictureMaker {
     const auto shown = shown_in(picture);
     if (!shown) return passed_on(shown);
     const auto& [model, t_s] = *shown;
-    const std::string alt = speech_.words_of_title(*picture.stage) + ' ' +
-                            alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
-                                     model->motion->w_B_at(t_s), t_s);
+    const std::string alt =
+        speech_.words_of_title(*picture.stage) + ' ' +
+        alt_text(*model, speech_.words_of_captions(step_of(picture), *picture.scene), t_s);
     return {{alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model->motion->method()),
              context_.options.size}};
   }
@@ -41,10 +42,12 @@ class FigureMaker : public PictureMaker {
     const Size size = context_.options.size;
     const Background background = background_of(context_.options);
     const Quality quality = quality_of(context_.options.quality.value_or(picture.scene->quality));
-    if (!diagrams_in(model->drawn).empty())
-      return outcome_of(draw_with_diagrams(*model, t_s, background, quality));
-    const double aspect = static_cast<double>(size.width) / size.height;
-    return outcome_of(context_.renderer.draw(make_figure(*model, t_s, aspect), size, background, quality));
+    const std::vector<std::string> captions = captions_in(picture, *shown);
+    if (!diagrams_in(model->drawn).empty() || !model->beside.empty())
+      return outcome_of(draw_in_parts(*model, t_s, captions, background, quality));
+    Figure figure = make_figure(*model, t_s, static_cast<double>(size.width) / size.height);
+    figure.caption = captions.front();
+    return outcome_of(context_.renderer.draw(figure, size, background, quality));
   }
 
  private:
@@ -61,9 +64,18 @@ class FigureMaker : public PictureMaker {
     return Shown{&model, t_s};
   }
 
-  /// Diagrams stand on a plain ground: paper instead of the studio.
-  Result<Image> draw_with_diagrams(const SceneModel& model, double t_s, const Background& background,
-                                   const Quality& quality) {
+  std::vector<std::string> captions_in(const PlannedPicture& picture, const Shown& shown) const {
+    const Step& step = step_of(picture);
+    const auto& [model, t_s] = shown;
+    const LongestNumbers longest =
+        picture.frame ? longest_in_captions(context_.lesson, step, *model) : LongestNumbers();
+    return captions_at(context_.lesson, step, *model, t_s, longest);
+  }
+
+  /// Diagrams, and a caption that scenes have in common, stand on a plain ground: paper instead of the
+  /// studio.
+  Result<Image> draw_in_parts(const SceneModel& model, double t_s, const std::vector<std::string>& captions,
+                              const Background& background, const Quality& quality) {
     using Kind = Background::Kind;
     const Size size = context_.options.size;
     const Background ground = background.kind == Kind::studio ? Background{Kind::paper, {}} : background;
@@ -72,7 +84,8 @@ class FigureMaker : public PictureMaker {
                       .theme = is_dark(halo_of(ground)) ? Theme::dark : Theme::paper,
                       .background = background,
                       .ground = {},
-                      .quality = quality};
+                      .quality = quality,
+                      .captions = captions};
     if (ground.kind != Kind::transparent) place.ground = sky_of(ground);
     const PlacedFigure placed = place_figure(model, t_s, place, context_.renderer.fonts());
     return context_.renderer.draw(placed.sheet, placed.insets, size, ground);

@@ -3,9 +3,9 @@
 #include "app/export/picture_maker.h"
 #include "app/narration/alt_text.h"
 #include "app/narration/speech_text.h"
+#include "app/narration/still_numbers.h"
 #include "app/page/page.h"
 #include "app/page/page_text.h"
-#include "app/page/still_numbers.h"
 
 #include <algorithm>
 
@@ -34,8 +34,10 @@ class PageMaker : public PictureMaker {
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();
     description.alt +=
-        " Figure: " + alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
-                               shown.model->motion->w_B_at(shown.t_s), shown.t_s);
+        " Figure: " +
+        alt_text(*shown.model, speech_.words_of_captions(step_of(picture), *picture.scene), shown.t_s);
+    if (const std::string plots = speech_.words_of_plots(*picture.scene); !plots.empty())
+      description.alt += " Plotted: " + plots;
     return description;
   }
 
@@ -128,6 +130,7 @@ class PageMaker : public PictureMaker {
             .quality = context_.options.quality,
             .text_scale = context_.options.text_scale,
             .entrance = entrance_of(opacity_in(picture)),
+            .runs = picture.frame.has_value(),
             .still_numbers = &still_numbers_,
             .effort = context_.effort};
   }

@@ -63,4 +63,15 @@ std::string alt_text(const Scene& scene, const std::string& caption, const Vec3&
   return text + moment_words(scene.body.moments, w_B, t_s);
 }
 
+std::string alt_text(const SceneModel& model, const std::vector<std::string>& captions, double t_s) {
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  std::string text;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (shown.size() > 1)
+      text += fmt::format("{}Scene {} of {}, side by side. ", i > 0 ? " " : "", i + 1, shown.size());
+    text += alt_text(shown[i]->scene, captions[i], shown[i]->motion->w_B_at(t_s), t_s);
+  }
+  return text;
+}
+
 }  // namespace polhode

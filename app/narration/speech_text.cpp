@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/speech_text.h"
 
+#include "app/narration/number_text.h"
 #include "app/narration/verdict_row.h"
 #include "lessons/reader/markdown/footnotes.h"
+#include "lessons/reader/varied_scene.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -51,12 +54,12 @@ std::string_view unsaid_part(std::string_view text, std::string_view symbol) {
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 
-/// At the start of a sentence a word, which a single letter is not, has a capital.
-void add_symbol(std::string& text, std::string_view words) {
+/// At the start of a sentence a word, which a single letter is not, has a capital; a text may be one or not.
+void add_symbol(std::string& text, std::string_view words, bool begins_sentence = true) {
   const std::string_view rest = unsaid_part(text, words);
   if (rest.empty() && text.ends_with(' ')) text.pop_back();
   const bool is_word = rest.size() > 1 && is_lower(rest[0]) && is_lower(rest[1]);
-  const bool begins = text.empty() || text.ends_with(". ");
+  const bool begins = text.empty() ? begins_sentence : text.ends_with(". ");
   text += rest;
   if (is_word && begins) {
     char& first = text[text.size() - rest.size()];
@@ -79,24 +82,79 @@ void add(std::string& text, const std::string& more) {
 
 }  // namespace
 
-SpeechText::SpeechText(const Lesson& lesson) : lesson_(lesson) {
+SpeechText::SpeechText(const Lesson& lesson, Effort effort)
+    : lesson_(lesson), steps_of_numbers_(lesson.numbers.size()), stills_(std::move(effort)) {
   for (const auto& [name, symbol] : lesson.symbols) symbols_.push_back({name, symbol.math, {}});
+  const auto belong_to = [&](const Step& step, const std::vector<int>& ids) {
+    for (const int id : ids)
+      if (const Step*& known = steps_of_numbers_[static_cast<std::size_t>(id)]; known == nullptr)
+        known = &step;
+  };
+  for (const Stage& stage : lesson.stages)
+    for (const Step& step : stage.steps) {
+      belong_to(step, numbers_in(step));
+    }
 }
 
-std::string SpeechText::words(const Math& math) const {
-  return spoken(math, symbols_, [this](std::string_view name) {
+Math SpeechText::with_spoken_numbers(const Math& math, const StillNumbers::Values* of) const {
+  if (math.live.empty()) return math;
+  std::vector<ShownNumber> shown;
+  for (const LiveNumber& number : math.live) {
+    shown.emplace_back();
+    const Step* step = steps_of_numbers_.at(static_cast<std::size_t>(number.id));
+    if (!number.typed.empty() || (of == nullptr && step == nullptr)) continue;
+    const StillNumbers::Values& values = of ? *of : stills_.of(lesson_, *step);
+    const auto value = values.find(number.id);
+    if (value == values.end()) continue;
+    if (auto said = parse_math("\\text{" + number_words(value->second, number.digits) + '}'))
+      shown.back().number = std::move(*said);
+  }
+  return with_numbers(math, shown);
+}
+
+std::string SpeechText::words(const Math& math) const { return words(math, nullptr); }
+
+std::string SpeechText::words(const Math& math, const StillNumbers::Values* numbers) const {
+  return spoken(with_spoken_numbers(math, numbers), symbols_, [this](std::string_view name) {
     const auto found = lesson_.symbols.find(std::string(name));
     return found == lesson_.symbols.end() ? std::string() : found->second.say;
   });
 }
 
 std::string SpeechText::words(const TextBlock& block, std::vector<NoteLink>* links) const {
+  if (!block.is_table()) return words(block.spans, links);
+  std::string text;
+  for (const std::string& row : words_of_rows(block.table)) add(text, row);
+  return text;
+}
+
+std::vector<std::string> SpeechText::words_of_rows(const TextTable& table) const {
+  std::vector<std::string> head, said;
+  std::string columns;
+  for (const TextTable::Cell& cell : table.rows.front()) {
+    head.push_back(words(cell, nullptr, false));
+    if (!head.back().empty()) columns += (columns.empty() ? "" : ", ") + head.back();
+  }
+  said.push_back(columns.empty() ? "Table." : "Table with the columns " + columns + '.');
+  for (std::size_t r = 1; r < table.rows.size(); ++r) {
+    std::string row;
+    for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
+      const std::string cell = words(table.rows[r][c], nullptr);
+      if (!cell.empty()) row += (row.empty() ? "" : "; ") + (head[c].empty() ? cell : head[c] + ": " + cell);
+    }
+    if (!row.empty()) said.push_back(sentence(row));
+  }
+  return said;
+}
+
+std::string SpeechText::words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links,
+                              bool is_sentence) const {
   std::string text;
   const TextSpan* before = nullptr;
-  for (const TextSpan& span : block.spans) {
+  for (const TextSpan& span : spans) {
     const std::size_t begin = text.size();
     if (span.kind == TextSpan::Kind::math)
-      add_symbol(text, words(span.math));
+      add_symbol(text, words(span.math), is_sentence);
     else
       text += span.text;
     if (links != nullptr && !span.link.empty()) {
@@ -174,9 +232,83 @@ std::string SpeechText::words(const Ask& ask) const {
 
 std::string SpeechText::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
 
-std::string SpeechText::words_of_caption(const Stage& stage, int step) const {
-  const auto& caption = stage.steps[static_cast<std::size_t>(step - 1)].caption;
-  return caption ? words(*caption) : std::string();
+std::string SpeechText::words_of_caption(const Step& step, std::size_t shown) const {
+  const RichText* caption = caption_of(step, shown);
+  if (caption == nullptr) return "";
+  std::string text;
+  for_each_span(*caption, [&](const TextSpan& span) {
+    if (span.kind == TextSpan::Kind::math)
+      add_symbol(text, words(span.math,
+                             span.math.live.empty() ? nullptr : &stills_.of_caption(lesson_, step, shown)));
+    else
+      text += span.text;
+  });
+  return text;
+}
+
+std::vector<std::string> SpeechText::words_of_captions(const Step& step, const Scene& shown) const {
+  const std::vector<const Scene*> scenes = shown_scenes(shown);
+  const bool have_one = std::all_of(scenes.begin(), scenes.end(), [&](const Scene* scene) {
+    return scene->caption == scenes.front()->caption;
+  });
+  std::vector<std::string> captions;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const std::string caption = words_of_caption(step, have_one && step.scene ? step.scene->before : i);
+    const std::string label = words_of_line(scenes[i]->label);
+    captions.push_back(label + (label.empty() || caption.empty() ? "" : ". ") + caption);
+  }
+  return captions;
+}
+
+std::vector<FigureWords> SpeechText::words_of_figure(const Step& step) const {
+  if (!step.scene) return {};
+  if (step.varied) {
+    std::vector<FigureWords> lines;
+    if (step.captions.front()) lines.push_back({"Figure: ", words_of_caption(step, step.scene->before)});
+    for (const Variation& number : step.scene->vary) {
+      const VariedNumber& facts = *find_varied_number(number.number);
+      lines.push_back({"Varied: ", fmt::format("{} from {:.4g} to {:.4g} {}",
+                                               words_of_line('$' + std::string(facts.tex) + '$'), number.from,
+                                               number.to, facts.unit)});
+    }
+    return lines;
+  }
+  const std::vector<std::string> captions = words_of_captions(step, *step.scene);
+  const auto is_first = [&](const std::string& caption) { return caption == captions.front(); };
+  const bool is_shared = std::all_of(captions.begin(), captions.end(), is_first);
+  std::vector<FigureWords> lines;
+  if (is_shared && !captions.empty() && !captions.front().empty())
+    lines.push_back({"Figure: ", captions.front()});
+  if (is_shared) return lines;
+  for (std::size_t i = 0; i < captions.size(); ++i)
+    if (!captions[i].empty())
+      lines.push_back({fmt::format("Figure {} of {}: ", i + 1, captions.size()), captions[i]});
+  return lines;
+}
+
+std::string SpeechText::words_of_plots(const Scene& scene) const {
+  std::vector<std::string> plots;
+  for (const PlotSpec& spec : scene.meters.value_or(std::vector<PlotSpec>())) {
+    const auto* own = std::get_if<OwnPlot>(&spec);
+    if (own == nullptr) continue;
+    const auto spoken = [&](const std::string& tex) { return words_of_line('$' + tex + '$'); };
+    const auto name = [&](std::size_t i, const std::string& tex) {
+      return spoken(i < own->tex.size() ? own->tex[i] : tex);
+    };
+    std::string words = own->title.empty() ? "" : words_of_line(own->title) + ": ";
+    if (own->function) {
+      words += name(0, own->function->tex) + " against " + spoken(own->function->of.tex);
+      if (own->function->level) words += ", with the level " + spoken(own->function->level->tex);
+    } else {
+      for (std::size_t i = 0; i < own->curves.size(); ++i) {
+        if (i > 0) words += i + 1 == own->curves.size() ? " and " : ", ";
+        words += name(i, own->curves[i].tex);
+      }
+      words += " against " + (own->against ? spoken(own->against->tex) : "time");
+    }
+    plots.push_back(std::move(words));
+  }
+  return plots.empty() ? "" : sentence(fmt::format("{}", fmt::join(plots, "; ")));
 }
 
 std::string SpeechText::words_of_page(const Stage& stage, int first, int last) const {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Lessons as they would be read aloud: for alternative texts and transcripts. Formulas are in words, symbols
-// as the lesson's `say` has them.
+// as the lesson's `say` has them, and computed numbers those of the stills of their steps.
 #pragma once
 
 #include "app/narration/step_note.h"
+#include "app/narration/still_numbers.h"
 #include "lessons/reader/lesson.h"
 
 #include <string>
@@ -11,16 +12,25 @@
 
 namespace polhode {
 
+/// "Figure: " and the caption, or "Figure 2 of 3: " and that of a scene beside others.
+struct FigureWords {
+  std::string opening, caption;
+  bool operator==(const FigureWords&) const = default;
+};
+
 class SpeechText {
  public:
-  /// `lesson` must outlive it.
-  explicit SpeechText(const Lesson& lesson);
+  /// `lesson` must outlive it. `effort` is told what the motions of stills cost.
+  explicit SpeechText(const Lesson& lesson, Effort effort = {});
 
   std::string words(const Math& math) const;
   /// Paragraphs and items of lists one after the other, in one line.
   /// `links`, if it is not null, gets those of the text, where they stand in what is returned.
   std::string words(const RichText& text, std::vector<NoteLink>* links = nullptr) const;
   std::string words(const TextBlock& block, std::vector<NoteLink>* links = nullptr) const;
+  /// Of a table its head, and each row with the words of the head: "Table with the columns body, period.",
+  /// "body: coin; period: 0.2 s."
+  std::vector<std::string> words_of_rows(const TextTable& table) const;
   /// "Equation (5): d L over d t equals N."
   std::string words(const Equation& equation) const;
   /// "Motion: proved for any torque."
@@ -30,16 +40,31 @@ class SpeechText {
   std::string words(const Ask& ask) const;
   /// "Euler's equation in vector form."
   std::string words_of_title(const Stage& stage) const;
-  /// Of the step's figure (steps from 1); empty: none.
-  std::string words_of_caption(const Stage& stage, int step) const;
+  /// The labels and captions of the scenes that are shown at the step, in their order; empty where one has
+  /// none. `shown` is the step's scene, or what a reader has made of it: in the window no filmstrip is shown.
+  std::vector<std::string> words_of_captions(const Step& step, const Scene& shown) const;
+  /// What is said of the step's figure: its caption, which scenes side by side may have in common, or a line
+  /// for each of them.
+  std::vector<FigureWords> words_of_figure(const Step& step) const;
+  /// What the lesson's own plots of a scene show: "T and E against time; U against u, with the level E.";
+  /// empty: there are none.
+  std::string words_of_plots(const Scene& scene) const;
   /// Title, and what the steps from `first` to `last` add.
   std::string words_of_page(const Stage& stage, int first, int last) const;
 
  private:
   std::string words_of_line(const std::string& line) const;
+  std::string words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links,
+                    bool is_sentence = true) const;
+  std::string words_of_caption(const Step& step, std::size_t shown) const;
+  /// With these numbers; null: each as on the still of its own step.
+  std::string words(const Math& math, const StillNumbers::Values* numbers) const;
+  Math with_spoken_numbers(const Math& math, const StillNumbers::Values* numbers) const;
 
   const Lesson& lesson_;
   std::vector<MathSymbol> symbols_;
+  std::vector<const Step*> steps_of_numbers_;  ///< by their ids
+  mutable StillNumbers stills_;                ///< computed when they are first spoken
 };
 
 }  // namespace polhode

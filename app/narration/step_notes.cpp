@@ -18,6 +18,11 @@ class Notes {
   void add(const Prose& prose) {
     for (const TextBlock& block : prose.text) {
       const bool item = !block.marker.empty();
+      if (block.is_table()) {
+        const std::vector<std::string> rows = speech_.words_of_rows(block.table);
+        for (const std::string& row : rows) add(&row == rows.data() ? Kind::text : Kind::item, row);
+        continue;
+      }
       std::vector<NoteLink> links;
       const std::string words = speech_.words(block, &links);
       add(item ? Kind::item : Kind::text, item ? block.marker + ' ' : "", words, std::move(links));
@@ -40,7 +45,8 @@ class Notes {
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
       add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speech_.words(ask.choice_texts[i])));
   }
-  void add_caption(const RichText& caption) { add(Kind::figure, "Figure: " + speech_.words(caption)); }
+  void add(const FigureWords& figure) { add(Kind::figure, figure.opening + figure.caption); }
+  void add_plots(const std::string& words) { add(Kind::figure, "Plotted: " + words); }
 
   std::vector<StepNote> take() { return std::move(notes_); }
 
@@ -69,8 +75,11 @@ std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int
   for (std::size_t i = begin; i < end; ++i) {
     const Step& step = stage.steps[i];
     for (const Block& block : step.blocks) std::visit([&](const auto& b) { notes.add(b); }, block);
-    const RichText* before = i > 0 ? stage.steps[i - 1].caption.get() : nullptr;
-    if (step.caption && step.caption.get() != before) notes.add_caption(*step.caption);
+    if (i == 0 || step.captions != stage.steps[i - 1].captions)
+      for (const FigureWords& figure : speech.words_of_figure(step)) notes.add(figure);
+    const auto plots_of = [&](const Step& one) { return one.scene ? speech.words_of_plots(*one.scene) : ""; };
+    const std::string plots = plots_of(step);
+    if (!plots.empty() && (i == 0 || plots != plots_of(stage.steps[i - 1]))) notes.add_plots(plots);
   }
   return notes.take();
 }

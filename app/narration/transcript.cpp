@@ -27,10 +27,14 @@ class Transcript {
     text_ += '\n' + underlined(fmt::format("{}. {}", number, speech_.words(stage.title_text)), '-');
     for (const Step& step : stage.steps) {
       for (const Block& block : step.blocks) std::visit([this](const auto& b) { add(b); }, block);
-      if (step.caption && step.scene->caption != caption_) {
-        caption_ = step.scene->caption;
-        add_paragraph(speech_.words(*step.caption), "Figure: ");
+      const std::vector<FigureWords> figure = speech_.words_of_figure(step);
+      if (!figure.empty() && figure != figure_) {
+        figure_ = figure;
+        for (const auto& [opening, caption] : figure) add_paragraph(caption, opening);
       }
+      const std::string plots = step.scene ? speech_.words_of_plots(*step.scene) : "";
+      if (!plots.empty() && plots != plots_) add_paragraph(plots, "Plotted: ");
+      plots_ = plots;
     }
   }
 
@@ -48,11 +52,25 @@ class Transcript {
   void add(const Prose& prose) {
     bool in_list = false;
     for (const TextBlock& block : prose.text) {
+      if (block.is_table()) {
+        add_table(block.table);
+        in_list = false;
+        continue;
+      }
       // Items of a list stand close.
       if (!(in_list && !block.marker.empty())) text_ += '\n';
       in_list = !block.marker.empty();
       const std::string blanks(2 * static_cast<std::size_t>(std::max(0, block.indent)), ' ');
       text_ += wrapped(speech_.words(block), in_list ? blanks + block.marker + ' ' : blanks);
+    }
+  }
+
+  void add_table(const TextTable& table) {
+    text_ += '\n';
+    std::string first;
+    for (const std::string& row : speech_.words_of_rows(table)) {
+      text_ += wrapped(row, first);
+      first = "  ";
     }
   }
 
@@ -75,7 +93,8 @@ class Transcript {
 
   SpeechText speech_;
   std::string text_;
-  std::string caption_;  ///< the last one: steps inherit it
+  std::vector<FigureWords> figure_;  ///< of the last one: steps inherit captions
+  std::string plots_;                ///< likewise
 };
 
 }  // namespace

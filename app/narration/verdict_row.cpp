@@ -150,12 +150,16 @@ Row row_of(const ChainLines& chain, bool refutes, const LiveState& live, View vi
   const SideText side(values);
   std::string left = side(values.front().left);
   std::string text = frame_of(values.front().is_vector, view) + left;
-  for (const LiveValue& value : values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const LiveValue& value = values[i];
+    const ClaimLine& line = *chain[i];
+    const bool is_order = line.relation != Relation::equal;
     const bool apart = value.residual > value.tolerance;
     // What is equal is printed equal, whichever way the last digit was rounded.
-    const std::string right = apart || value.right == std::array<double, 3>{} ? side(value.right) : left;
-    if (refutes && !apart) return {};
-    text += (apart ? " ≠ " : " = ") + right;
+    const std::string right =
+        apart || is_order || value.right == std::array<double, 3>{} ? side(value.right) : left;
+    if (refutes && !apart) return {};  // of inequalities too: whether one fails here is not said
+    text += (apart ? " ≠ " : ' ' + std::string(sign_of(line.relation)) + ' ') + right;
     left = right;
   }
   return {text, side.is_nothing()};
@@ -183,13 +187,17 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
                  .refutes = refutes(claim.kind),
                  .proved = true};
   std::optional<Counterexample> counter;
+  int states = 0;  // in which what is not refuted held, the fewest of a line; 0: there is no such line
   for (const ClaimLine& line : claim.lines) {
+    if (line.judgement && line.judgement->verdict == Verdict::not_refuted)
+      states = states == 0 ? line.judgement->states : std::min(states, line.judgement->states);
     row.proved = row.proved && line.judgement && line.judgement->verdict == Verdict::holds;
     if (!counter && line.judgement) counter = line.judgement->counterexample;
     if (claim.origin != Claim::Origin::formula) row.claimed.push_back(line.tex);
   }
   row.note = note_of(claim.kind, claim.given, counter, scene);
   if (!row.proved) row.note = counter ? "does not hold: " + to_string(*counter) : "not proved";
+  if (states > 0 && !counter) row.note = fmt::format("not proved, not refuted at {} states", states);
   if (claim.kind != ClaimKind::measured || !model) return row;
   if (const auto why = why_not_measured(claim, *model)) row.note = *why, row.proved = false;
   return row;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/figure_place.h"
 
+#include "render/drawing/plots/meter_plots.h"
 #include "render/figure/make_figure.h"
 #include "render/typeset/paragraph.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace polhode {
@@ -102,6 +104,20 @@ Inset space_of(const SceneModel& model, double t_s, const PixelRect& rect, const
   return inset;
 }
 
+/// Left and right, or above and below, as lets the views be larger; with plots below them left and right.
+std::vector<PixelBox> places_of_scenes(const SceneModel& model, const PixelBox& place) {
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  const auto smallest = [&](const std::vector<PixelBox>& cells) {
+    double side = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      side = std::min(
+          {side, cells[i].width() / static_cast<double>(shown[i]->scene.views.size()), cells[i].height()});
+    return side;
+  };
+  const auto beside = cells_of(place, shown.size(), true), below = cells_of(place, shown.size(), false);
+  return each_has_meters(model) || smallest(beside) >= smallest(below) ? beside : below;
+}
+
 void add_ground(const PixelBox& box, const Color& color, Sheet& sheet) {
   sheet.shapes.push_back(
       Area{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}, color});
@@ -121,17 +137,17 @@ void add_caption(const std::string& caption, const FigurePlace& place, const Col
   sheet.texts.push_back({.list = std::move(line), .at = at, .text = caption});
 }
 
-}  // namespace
-
-PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts) {
+/// One scene, whatever stands beside it, with a caption of its own or none.
+PlacedFigure place_scene(const SceneModel& model, const std::string& caption, double t_s,
+                         const FigurePlace& place, const Fonts& fonts) {
   PlacedFigure placed;
   const std::vector<Overlay> diagrams = diagrams_in(model.drawn);
   if (diagrams.empty()) {
     placed.insets.push_back(space_of(model, t_s, place.rect, place));
+    placed.insets.back().figure.caption = caption;
     return placed;
   }
   const DiagramStyle style = diagram_style(place);
-  const std::string& caption = model.scene.caption;
   const double pad = kPad * place.caption_px;
   PixelBox box = box_of(place.rect);
   if (place.ground) add_ground(box, *place.ground, placed.sheet);
@@ -150,6 +166,49 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
     append(placed.sheet, lay_out_diagram(diagrams[i], model, t_s, cells[i].grown(-pad), style, fonts),
            {0, 0});
   return placed;
+}
+
+bool have_one_caption(const std::vector<const SceneModel*>& shown) {
+  const std::string& caption = shown.front()->scene.caption;
+  return std::all_of(shown.begin(), shown.end(),
+                     [&](const SceneModel* model) { return model->scene.caption == caption; });
+}
+
+}  // namespace
+
+PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts) {
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  const auto caption_of = [&](std::size_t i) -> const std::string& {
+    return place.captions.empty() ? shown[i]->scene.caption : place.captions[i];
+  };
+  if (shown.size() == 1) return place_scene(model, caption_of(0), t_s, place, fonts);
+  PlacedFigure placed;
+  PixelBox box = box_of(place.rect);
+  const bool is_common = have_one_caption(shown);
+  if (is_common && !model.scene.caption.empty()) {
+    const double y1 = box.y1 - std::round(kCaptionRoom * place.caption_px);
+    if (place.ground) add_ground({box.x0, y1, box.x1, box.y1}, *place.ground, placed.sheet);
+    add_caption(caption_of(model.scene.before), place, diagram_style(place).ink, placed.sheet, fonts);
+    box.y1 = y1;
+  }
+  const std::vector<PixelBox> cells = places_of_scenes(model, box);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    FigurePlace cell = place;
+    cell.rect = rect_of(cells[i]);
+    const std::string& label = shown[i]->scene.label;
+    const std::string& own = label.empty() && !is_common ? caption_of(i) : label;
+    PlacedFigure one = place_scene(*shown[i], own, t_s, cell, fonts);
+    append(placed.sheet, std::move(one.sheet), {0, 0});
+    const auto at = shown[i] == &model ? placed.insets.begin() : placed.insets.end();
+    placed.insets.insert(at, std::make_move_iterator(one.insets.begin()),
+                         std::make_move_iterator(one.insets.end()));
+  }
+  return placed;
+}
+
+bool each_has_meters(const SceneModel& model) {
+  return std::any_of(model.beside.begin(), model.beside.end(),
+                     [](const SceneModel& other) { return meter_count(other) > 0; });
 }
 
 Quality quality_of(QualityLevel level) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What stands in the place of a scene's figure: its space, its diagrams, or both side by side and never over
-// each other, with the caption below. The same for a figure by itself and for a figure on a page.
+// each other, with the caption below; of scenes side by side, all of them. The same for a figure by itself
+// and for a figure on a page.
 #pragma once
 
 #include "app/page/page_theme.h"
@@ -20,6 +21,8 @@ struct FigurePlace {
   Background background{};        ///< of the space
   std::optional<Color> ground{};  ///< of diagrams and caption, painted; absent: what is under the sheet
   Quality quality{};
+  /// Of the scenes in the order in which they stand, lines with formulas between `$`; none: the scenes' own.
+  std::vector<std::string> captions{};
 };
 
 struct PlacedFigure {
@@ -28,8 +31,14 @@ struct PlacedFigure {
 };
 
 /// The diagrams' type is as large as there is room for, up to that of labels. Where space and diagrams share
-/// the place, they share it left and right or above and below, as serves both better.
+/// the place, they share it left and right or above and below, as serves both better; so do scenes, in equal
+/// parts. A caption that all have in common stands once, below them. The first inset is that of the model's
+/// own space, if it shows one.
 PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts);
+
+/// Whether each of several scenes has its plots on a page, below it, where they stand left and right; else
+/// there are plots of the model's own scene alone.
+bool each_has_meters(const SceneModel& model);
 
 /// Em of the caption of a figure by itself.
 double caption_px_of(Size size);

@@ -1,64 +1,180 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/live_numbers.h"
 
-#include "render/typeset/paragraph.h"
-
-#include <fmt/format.h>
+#include "app/narration/number_text.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace polhode {
 
 namespace {
 
-std::optional<std::size_t> live_index(const std::string& name, const std::vector<std::string>& live_names) {
-  const auto found = std::find(live_names.begin(), live_names.end(), name);
-  if (found == live_names.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - live_names.begin());
+constexpr const char* kDots = "\\ldots";
+/// So many times of the scene's interval say how wide a number becomes.
+constexpr int kWidthTimes = 25;
+
+Math read_math(const std::string& tex) { return parse_math(tex).value(); }
+
+std::string tex_of(const ComputedNumber& number, std::optional<double> value) {
+  return value ? number_tex(*value, number.written.digits) : kDots;
 }
+
+bool is_plain(const std::string& tex) { return tex.find('\\') == tex.npos; }
 
 }  // namespace
 
-std::string live_number_text(double value) {
-  if (value == 0) return "0";
-  const std::string rounded = fmt::format("{:.2e}", std::abs(value));  // "2.25e+04"
-  const std::size_t e = rounded.find('e');
-  const int exponent = std::stoi(rounded.substr(e + 1));
-  const bool is_plain = exponent >= -2 && exponent <= 4;
-  const std::string text = is_plain ? fmt::format("{:.{}f}", std::abs(value), std::max(2 - exponent, 0))
-                                    : fmt::format("{}${{\\cdot}}10^{{{}}}$", rounded.substr(0, e), exponent);
-  return (value < 0 ? "−" : "") + text;
+double PageNumbers::width_em(const std::string& tex) const {
+  MathStyle style;
+  style.size = 100;  // on a fine grid
+  const auto set = set_math(read_math(tex), style, *fonts_);
+  return set ? set->width / style.size : 0.0;
 }
 
-std::vector<LiveRoom> take_live_rooms(DisplayList& list) {
-  std::vector<std::string> live_names;
-  for (std::size_t i = 0; i < list.names.size(); ++i) live_names.push_back(live_name(i));
+void PageNumbers::keep(int id, std::optional<double> value) {
+  shown_.insert_or_assign(id,
+                          Shown{read_math(tex_of(lesson_->numbers[static_cast<std::size_t>(id)], value))});
+}
+
+void PageNumbers::run(int id, const std::vector<double>& values) {
+  const ComputedNumber& number = lesson_->numbers[static_cast<std::size_t>(id)];
+  std::set<std::string> texts;
+  for (const double value : values) texts.insert(tex_of(number, value));
+  Shown widest;
+  for (const std::string& tex : texts)
+    if (const double width = width_em(tex); width > widest.width_em) widest = {read_math(tex), true, width};
+  shown_.insert_or_assign(id, std::move(widest));
+}
+
+Math PageNumbers::put_into(const Math& math) const {
+  if (math.live.empty()) return math;
+  std::vector<ShownNumber> shown;
+  for (const LiveNumber& number : math.live) {
+    const auto found = shown_.find(number.id);
+    if (!number.typed.empty())
+      shown.emplace_back();
+    else if (found == shown_.end())
+      shown.push_back({read_math(kDots)});
+    else
+      shown.push_back(
+          {found->second.number, found->second.runs ? live_name(static_cast<std::size_t>(number.id)) : ""});
+  }
+  return with_numbers(math, shown);
+}
+
+RichText PageNumbers::put_into(RichText text) const {
+  for_each_span(text, [this](TextSpan& span) { span.math = put_into(span.math); });
+  return text;
+}
+
+std::vector<LiveRoom> PageNumbers::take_rooms(DisplayList& list) const {
+  std::map<std::int16_t, int> ids;  // by the indices of their names
+  for (const auto& [id, shown] : shown_) {
+    const auto name =
+        std::find(list.names.begin(), list.names.end(), live_name(static_cast<std::size_t>(id)));
+    if (name != list.names.end()) ids.emplace(static_cast<std::int16_t>(name - list.names.begin()), id);
+  }
   std::vector<LiveRoom> rooms;
+  if (ids.empty()) return rooms;
+  std::set<int> taken;
   const auto take = [&](const Glyph& glyph) {
-    if (glyph.naming.term < 0) return false;
-    const auto index = live_index(list.names[static_cast<std::size_t>(glyph.naming.term)], live_names);
-    if (!index) return false;
-    if (rooms.empty() || rooms.back().index != *index)
-      rooms.push_back({*index, Vec2(glyph.x, glyph.y), glyph.size, glyph.color});
+    const auto found = ids.find(glyph.naming.term);
+    if (found == ids.end()) return false;
+    const int id = found->second;
+    if (taken.insert(id).second)
+      rooms.push_back(
+          {id, Vec2(glyph.x, glyph.y), shown_.at(id).width_em * glyph.size, glyph.size, glyph.color});
     return true;
   };
   list.glyphs.erase(std::remove_if(list.glyphs.begin(), list.glyphs.end(), take), list.glyphs.end());
   return rooms;
 }
 
-PlacedType live_number_in(const LiveRoom& room, std::optional<double> value, const Fonts& fonts) {
-  TextStyle style;
+PlacedType live_number_in(const LiveRoom& room, const ComputedNumber& number, std::optional<double> value,
+                          const Fonts& fonts) {
+  const Math math = read_math(tex_of(number, value));
+  MathStyle style;
   style.size = room.size;
   style.color = room.color;
-  const std::string text = value ? live_number_text(*value) : "…";
-  DisplayList list = set_line(text, style, fonts);
-  const double width = set_line(std::string(kLiveRoom), style, fonts).width;
-  if (list.width > width) {
-    style.size *= width / list.width;
-    list = set_line(text, style, fonts);
+  DisplayList list = set_math(math, style, fonts).value();
+  if (list.width > room.width * (1 + 1e-9)) {
+    style.size *= room.width / list.width;
+    list = set_math(math, style, fonts).value();
   }
-  return {.list = std::move(list), .at = room.at};
+  const Vec2 at = room.at + Vec2(room.width - list.width, 0);
+  return {.list = std::move(list), .at = at};
+}
+
+std::map<int, std::vector<double>> values_over(const SceneModel& model, const Lesson& lesson,
+                                               const std::vector<int>& ids) {
+  std::map<int, std::vector<double>> values;
+  if (ids.empty()) return values;
+  for (int n = -1; n < kWidthTimes; ++n) {
+    const double t_s =
+        n < 0 ? still_time_s(model.scene) : std::min(model.span_s, model.reach_s) * n / (kWidthTimes - 1);
+    const auto live = live_state(model, t_s);
+    for (const int id : ids)
+      if (const auto value =
+              live ? value_of(lesson.numbers[static_cast<std::size_t>(id)], *live) : std::nullopt)
+        values[id].push_back(*value);
+  }
+  return values;
+}
+
+LongestNumbers longest_in_captions(const Lesson& lesson, const Step& step, const SceneModel& model) {
+  LongestNumbers longest;
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const RichText* caption = caption_of(step, i);
+    if (caption == nullptr) continue;
+    for (const auto& [id, values] : values_over(*shown[i], lesson, numbers_in(*caption)))
+      for (const double value : values) {
+        const std::string tex = tex_of(lesson.numbers[static_cast<std::size_t>(id)], value);
+        if (tex.size() > longest[id].size() && is_plain(tex)) longest[id] = tex;
+      }
+  }
+  return longest;
+}
+
+namespace {
+
+std::string caption_at(const Lesson& lesson, const RichText* caption, const SceneModel& model, double t_s,
+                       const LongestNumbers& longest) {
+  if (caption == nullptr || numbers_in(*caption).empty()) return model.scene.caption;
+  const auto live = live_state(model, t_s);
+  std::string line;
+  const auto add_formula = [&](const TextSpan& span) {
+    std::string tex;
+    std::size_t at = 0;
+    for (const LiveNumber& number : span.math.live) {
+      if (!number.typed.empty()) continue;
+      tex += span.text.substr(at, number.whole.begin - at);
+      at = number.whole.end;
+      const ComputedNumber& computed = lesson.numbers[static_cast<std::size_t>(number.id)];
+      const std::string now = tex_of(computed, live ? value_of(computed, *live) : std::nullopt);
+      const auto widest = longest.find(number.id);
+      if (widest != longest.end() && is_plain(now) && now.size() < widest->second.size())
+        tex += "\\hphantom{" + widest->second.substr(0, widest->second.size() - now.size()) + '}';
+      tex += '{' + now + '}' + unit_tex(number.unit);
+    }
+    line += '$' + tex + span.text.substr(at) + '$';
+  };
+  for_each_span(*caption, [&](const TextSpan& span) {
+    if (span.kind == TextSpan::Kind::math) return add_formula(span);
+    for (const char c : span.text) line += c == '$' ? std::string("\\$") : std::string(1, c);
+  });
+  return line;
+}
+
+}  // namespace
+
+std::vector<std::string> captions_at(const Lesson& lesson, const Step& step, const SceneModel& model,
+                                     double t_s, const LongestNumbers& longest) {
+  std::vector<std::string> captions;
+  for (const SceneModel* shown : shown_models(model))
+    captions.push_back(caption_at(lesson, caption_of(step, captions.size()), *shown, t_s, longest));
+  return captions;
 }
 
 }  // namespace polhode

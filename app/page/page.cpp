@@ -46,7 +46,7 @@ PixelRect rounded(double x0, double y0, double x1, double y1) {
 /// What a page is laid out for.
 struct Room {
   double w, h;
-  std::size_t meters;
+  std::size_t meter_rows;
   double text_scale;
 };
 
@@ -60,11 +60,11 @@ double half_as_much(double text_scale) { return std::sqrt(text_scale); }
 
 /// Text on the left; on the right the figure to the page's edges, meters below it.
 Grid side_by_side(const Room& room) {
-  const auto [w, h, meters, text_scale] = room;
+  const auto [w, h, meter_rows, text_scale] = room;
   const double em = std::min(w / (1600.0 / 23.25), h / 36.0);
   const double measure = measure_of(text_scale, kWidestText * w / em - kMargin - kGutter);
   const double split = std::round((kMargin + measure + kGutter) * em);
-  const double below = meters == 0 ? 0.0 : meters > 3 ? 0.48 * h : 0.30 * h;
+  const double below = meter_rows == 0 ? 0.0 : meter_rows > 1 ? 0.48 * h : 0.30 * h;
   return {text_scale * em,
           half_as_much(text_scale) * em,
           {kMargin * em, kTop * em, (kMargin + measure) * em, h - kBottom * em},
@@ -75,10 +75,10 @@ Grid side_by_side(const Room& room) {
 /// The figure on top, meters below it, then the text, which takes of the figure's room what larger type
 /// needs.
 Grid one_above_the_other(const Room& room) {
-  const auto [w, h, meters, text_scale] = room;
+  const auto [w, h, meter_rows, text_scale] = room;
   const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0);
   const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
-  const double rows = meters == 0 ? 0.0 : meters > 3 ? 2.0 : 1.0;
+  const double rows = std::min(2.0, static_cast<double>(meter_rows));
   const double figure = (rows > 1.0 ? 0.27 : 0.34) * h / half_as_much(text_scale),
                below = figure + 0.14 * rows * h;
   const double left = 0.5 * (w - measure * em);
@@ -90,7 +90,7 @@ Grid one_above_the_other(const Room& room) {
 }
 
 Grid text_alone(const Room& room) {
-  const auto [w, h, meters, text_scale] = room;
+  const auto [w, h, meter_rows, text_scale] = room;
   const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 26.0);
   const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
   const double left = 0.5 * (w - measure * em);
@@ -101,9 +101,27 @@ Grid text_alone(const Room& room) {
           {}};
 }
 
+/// How plots stand in their place.
+struct Rows {
+  std::size_t rows, columns;
+};
+/// All plots of a page in the whole width, or below each of several scenes its own.
+Rows rows_of(std::size_t plots, bool is_part) {
+  const std::size_t columns = is_part ? 1 : plots > 3 ? 2 : std::max<std::size_t>(1, plots);
+  return {(plots + columns - 1) / columns, columns};
+}
+
+std::size_t meter_rows(const SceneModel& model) {
+  const bool each = each_has_meters(model);
+  std::size_t most = 0;
+  for (const SceneModel* shown : shown_models(model))
+    most = std::max(most, rows_of(meter_count(*shown), each).rows);
+  return most;
+}
+
 Grid grid_of(const PageRequest& request) {
   const Room room{static_cast<double>(request.size.width), static_cast<double>(request.size.height),
-                  request.model ? meter_count(*request.model) : 0, request.text_scale};
+                  request.model ? meter_rows(*request.model) : 0, request.text_scale};
   if (!request.model) return text_alone(room);
   return room.w > 1.05 * room.h ? side_by_side(room) : one_above_the_other(room);
 }
@@ -117,7 +135,8 @@ TimePlotStyle plot_style(Theme theme, double type_size) {
           .paper = colors.paper};
 }
 
-PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const Fonts& fonts) {
+PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const LongestNumbers& in_captions,
+                            const Fonts& fonts) {
   FigurePlace place{.rect = grid.figure,
                     .caption_px = kCaptionSize * grid.small_em,
                     .theme = request.theme,
@@ -127,24 +146,40 @@ PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const 
     place.ground = colors_of(request.theme).backdrop;
     place.background = {Background::Kind::color, *place.ground};
   }
+  const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
+  place.captions = captions_at(request.lesson, step, *request.model, request.t_s, in_captions);
   return place_figure(*request.model, request.t_s, place, fonts);
 }
 
-void add_meters(const PageRequest& request, const Grid& grid, const std::vector<TimePlot>& plots,
-                Sheet& sheet, const Fonts& fonts) {
-  if (plots.empty()) return;
-  const std::size_t columns = plots.size() > 3 ? 2 : plots.size();
-  const std::size_t rows = (plots.size() + columns - 1) / columns;
+void add_plots(const std::vector<TimePlot>& plots, const PixelBox& place, const Rows& arranged,
+               const PageRequest& request, const Grid& grid, Sheet& sheet, const Fonts& fonts) {
   const double pad = 1.3 * grid.small_em;
   for (std::size_t i = 0; i < plots.size(); ++i) {
-    const double width = grid.meters.width() / static_cast<double>(columns),
-                 height = grid.meters.height() / static_cast<double>(rows);
-    const std::size_t column = i % columns, row = i / columns;
-    const double x = grid.meters.x0 + width * static_cast<double>(column),
-                 y = grid.meters.y0 + height * static_cast<double>(row);
+    const double width = place.width() / static_cast<double>(arranged.columns),
+                 height = place.height() / static_cast<double>(arranged.rows);
+    const std::size_t column = i % arranged.columns, row = i / arranged.columns;
+    const double x = place.x0 + width * static_cast<double>(column),
+                 y = place.y0 + height * static_cast<double>(row);
     const PixelBox box{x + pad, y + pad, x + width - 0.5 * pad, y + height - 0.6 * pad};
     append(sheet, lay_out(plots[i], box, plot_style(request.theme, kMeterSize * grid.small_em), fonts),
            {0, 0});
+  }
+}
+
+void add_meters(const PageRequest& request, const Grid& grid, Sheet& sheet, const Fonts& fonts) {
+  const SceneModel& model = *request.model;
+  if (!each_has_meters(model)) {
+    const std::vector<TimePlot> plots = meter_plots(model, request.t_s);
+    add_plots(plots, grid.meters, rows_of(plots.size(), false), request, grid, sheet, fonts);
+    return;
+  }
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  const double width = grid.meters.width() / static_cast<double>(shown.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const double x = grid.meters.x0 + width * static_cast<double>(i);
+    const PixelBox place{x, grid.meters.y0, x + width, grid.meters.y1};
+    add_plots(meter_plots(*shown[i], request.t_s), place, {meter_rows(model), 1}, request, grid, sheet,
+              fonts);
   }
 }
 
@@ -152,8 +187,8 @@ void add_meters(const PageRequest& request, const Grid& grid, const std::vector<
 Sheet live_values(const ColumnPiece& piece, const LiveState* live, View view, const Fonts& fonts) {
   Sheet sheet;
   for (const LiveNumberSlot& slot : piece.numbers) {
-    const auto running = live ? live_number(*slot.number, *live) : std::nullopt;
-    sheet.texts.push_back(live_number_in(slot.room, slot.kept ? slot.kept : running, fonts));
+    const auto value = live ? value_of(*slot.number, *live) : std::nullopt;
+    sheet.texts.push_back(live_number_in(slot.room, *slot.number, value, fonts));
   }
   if (!live) return sheet;
   for (const LiveSlot& slot : piece.live) {
@@ -209,6 +244,9 @@ Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) 
   const Grid grid = grid_of(request);
   Result<FittedText> text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
   if (text) text->corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
+  if (text && request.runs && request.model)
+    text->in_captions = longest_in_captions(
+        request.lesson, request.stage.steps[static_cast<std::size_t>(request.step - 1)], *request.model);
   return text;
 }
 
@@ -232,10 +270,10 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
                  static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
   add_column(request, text, page.sheet, fonts);
   if (!request.model) return page;
-  PlacedFigure figure = figure_on_page(request, grid, fonts);
+  PlacedFigure figure = figure_on_page(request, grid, text.in_captions, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
-  add_meters(request, grid, meter_plots(*request.model, request.t_s), page.sheet, fonts);
+  add_meters(request, grid, page.sheet, fonts);
   return page;
 }
 

@@ -52,6 +52,9 @@ struct PageRequest {
   /// Text that does not fit at this size is set smaller, as at any other.
   double text_scale = 1;
   PageEntrance entrance{};
+  /// Its time goes on: computed numbers run in rooms that are wide enough for all that they come to, so that
+  /// the text does not move. Else they are put into the text as they are at t_s, which that text is for.
+  bool runs = false;
   /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
   StillNumbers* still_numbers = nullptr;
   /// Told what laying the text out costs, as if it were evaluations of a motion
@@ -80,15 +83,15 @@ inline constexpr double kLeastScale = 0.86;
 /// A display set smaller than this part of its size is hard to read.
 inline constexpr double kLeastFormulaScale = 0.6;
 
-/// The text column (page_text.h), which is the same at all times and throughout an entrance; most of what a
-/// page costs.
+/// The text column (page_text.h), which is the same at all times, if it runs or has no computed numbers, and
+/// throughout an entrance; most of what a page costs.
 /// The error says which text cannot be set, or that the step has more than a page holds (lint says where).
 Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts);
 
 /// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
 /// Errors as of text_of_page.
 Result<Page> compose_page(const PageRequest& request, const Fonts& fonts);
-/// The same with a text that is there: of this request, whatever its time and entrance.
+/// The same with a text that is there: of this request, whatever its entrance, and if it runs its time.
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts);
 
 }  // namespace polhode

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_lint.h"
 
+#include "app/narration/still_numbers.h"
 #include "app/page/page.h"
-#include "app/page/still_numbers.h"
 #include "lessons/reader/lint_budget.h"
+#include "render/drawing/plots/meter_plots.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <span>
 #include <stdexcept>
 
 namespace polhode {
 
 namespace {
+
+/// What a value of a quantity of the lesson's own counts as.
+constexpr std::int64_t kEvaluationsOfValue = 20;
 
 constexpr Size kPages[] = {{1920, 1080}, {1024, 768}, {1080, 1920}};
 
@@ -60,8 +66,9 @@ class PageLint {
 
   void check(const Stage& stage, int number, int step_number, const Step& step) {
     const SceneModel model = step.scene ? make_model(*step.scene, Product::page, effort_) : SceneModel();
+    if (step.scene) check_plots(stage, step_number, model);
     for (const Size& size : sizes_) {
-      spend(effort_, kPageEvaluations);
+      spend(effort_, kPageEvaluations + (step.scene ? plot_evaluations_ : 0));
       if (!check({.lesson = lesson_,
                   .stage = stage,
                   .number = number,
@@ -74,6 +81,30 @@ class PageLint {
                   .effort = effort_}))
         break;
     }
+  }
+
+  /// Of a quantity that the motion does not have there is nothing to see, and nothing else says why. A scene
+  /// that steps go on with is said once.
+  void check_plots(const Stage& stage, int step_number, const SceneModel& model) {
+    const auto has_own = [](const PlotSpec& plot) { return std::holds_alternative<OwnPlot>(plot); };
+    const std::vector<PlotSpec> specs = shown_meters(model.scene);
+    if (specs == checked_plots_) return;
+    checked_plots_ = specs;
+    plot_evaluations_ = 0;
+    if (std::none_of(specs.begin(), specs.end(), has_own)) return;
+    const std::vector<TimePlot> plots = meter_plots(model, still_time_s(model.scene));
+    for (std::size_t i = 0; i < plots.size(); ++i)
+      for (const TimeSeries& series : plots[i].series) {
+        if (has_own(specs[i]))
+          plot_evaluations_ += kEvaluationsOfValue * static_cast<std::int64_t>(series.y.size());
+        const auto is_seen = [](double y) { return std::isfinite(y); };
+        if (!has_own(specs[i]) || std::any_of(series.y.begin(), series.y.end(), is_seen)) continue;
+        warn(fmt::format(
+                 "step {} of stage \"{}\": there is nothing to plot of {}, which is not defined on this "
+                 "motion",
+                 step_number, stage.id, series.label),
+             "leave it out, or plot it where it is");
+      }
   }
 
   /// Whether the page is as it should be.
@@ -110,6 +141,8 @@ class PageLint {
   const Effort& effort_;
   StillNumbers still_numbers_;
   SourcePlace place_;  ///< of the step that is checked
+  std::vector<PlotSpec> checked_plots_;
+  std::int64_t plot_evaluations_ = 0;  ///< that they count as, on each page
   std::vector<Diagnostic> found_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_text.h"
 
-#include "app/page/still_numbers.h"
+#include "app/narration/still_numbers.h"
 #include "lessons/reader/lint_budget.h"
 #include "physics/method.h"
 
@@ -73,6 +73,15 @@ Verdicts verdicts_of(const PageRequest& request) {
   return verdicts;
 }
 
+/// What the scenes of a step highlight.
+std::vector<std::string> marked_by(const Step& step) {
+  std::vector<std::string> marked;
+  if (!step.scene) return marked;
+  for (const Scene* scene : shown_scenes(*step.scene))
+    marked.insert(marked.end(), scene->highlight.begin(), scene->highlight.end());
+  return marked;
+}
+
 /// Whether two scenes show one motion: all that live numbers come from (LiveState) is the same, however it is
 /// drawn, and for how long. Scenes are not compared as they are written: one that names its method or
 /// attitude shows the motion of one that has the same by default.
@@ -88,19 +97,37 @@ bool same_motion(const Scene& a, const Scene& b) {
          a.F_S == b.F_S && a.arrow == b.arrow;
 }
 
-/// The live numbers of earlier steps whose motion the page's step has replaced by another, as they are on the
-/// stills of their own: what the formula says of one motion does not turn into a number of the other.
-StillNumbers::Values kept_numbers(const PageRequest& request) {
+/// The numbers of all steps up to the page's. Those of earlier steps whose motion the page's step has
+/// replaced by another are as they are on the stills of their own: what the formula says of one motion does
+/// not turn into a number of the other.
+PageNumbers numbers_of(const PageRequest& request, const Fonts& fonts) {
+  const Lesson& lesson = request.lesson;
+  PageNumbers shown(lesson, fonts);
   StillNumbers own;
-  StillNumbers& numbers = request.still_numbers ? *request.still_numbers : own;
-  StillNumbers::Values kept;
+  StillNumbers& stills = request.still_numbers ? *request.still_numbers : own;
   const std::vector<Step>& steps = request.stage.steps;
   const Step& present = steps[static_cast<std::size_t>(request.step - 1)];
-  for (int i = 0; i + 1 < request.step; ++i)
-    if (const Step& step = steps[static_cast<std::size_t>(i)];
-        step.scene && present.scene && !same_motion(*step.scene, *present.scene))
-      kept.insert(numbers.of(step).begin(), numbers.of(step).end());
-  return kept;
+  std::vector<int> now;  // those of the page's motion
+  for (int i = 0; i < request.step; ++i) {
+    const Step& step = steps[static_cast<std::size_t>(i)];
+    const std::vector<int> ids = numbers_in(step);
+    const bool is_of_page =
+        i + 1 == request.step || !step.scene || !present.scene || same_motion(*step.scene, *present.scene);
+    if (is_of_page) now.insert(now.end(), ids.begin(), ids.end());
+    if (is_of_page || ids.empty()) continue;
+    const StillNumbers::Values& values = stills.of(lesson, step);
+    for (const int id : ids) {
+      const auto value = values.find(id);
+      shown.keep(id, value != values.end() ? std::optional(value->second) : std::nullopt);
+    }
+  }
+  if (now.empty() || !request.model) return shown;
+  if (request.runs)
+    for (const auto& [id, values] : values_over(*request.model, lesson, now)) shown.run(id, values);
+  const auto live = request.runs ? std::nullopt : live_state(*request.model, request.t_s);
+  for (const int id : now)
+    if (live) shown.keep(id, value_of(lesson.numbers[static_cast<std::size_t>(id)], *live));
+  return shown;
 }
 
 /// What of the earlier steps a page shows: nothing before `equations_from`, everything from `whole_from`.
@@ -114,15 +141,14 @@ struct Selection {
 class ScaledText {
  public:
   ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, const Verdicts& verdicts,
-             const StillNumbers::Values& kept, double width, double em, double scale, const Fonts& fonts)
+             const PageNumbers& numbers, double width, double em, double scale, const Fonts& fonts)
       : request_(request),
         verdicts_(verdicts),
-        kept_(kept),
         fonts_(fonts),
         width_(width),
         em_(em),
         scale_(scale),
-        column_(width, scale * em, request.theme, symbols, fonts),
+        column_(width, scale * em, request.theme, symbols, numbers, fonts),
         last_(static_cast<std::size_t>(request.step - 1)),
         begun_{header(false), title()},
         continued_{header(true), begun_[1]},
@@ -252,14 +278,12 @@ class ScaledText {
              : std::holds_alternative<FadingIn>(request_.entrance) ? Focus::before
                                                                    : Focus::none;
     };
-    const std::vector<std::string> marked =
-        is_present && step.scene ? step.scene->highlight : std::vector<std::string>();
+    const std::vector<std::string> marked = is_present ? marked_by(step) : std::vector<std::string>();
     Whole made;
     const auto take = [&](Result<ColumnPiece> set, const Block& block) {
       ColumnPiece piece = noted(std::move(set));
       piece.of = &block;
       tell_cost_of(piece);
-      keep_numbers_of(piece);
       piece.is_main = first && std::get_if<Equation>(&block) == first;
       piece.is_new = is_present;
       (std::holds_alternative<Footnote>(block) ? made.notes : made.text).push_back(std::move(piece));
@@ -307,11 +331,6 @@ class ScaledText {
     spend(request_.effort, kGlyphEvaluations * static_cast<std::int64_t>(glyphs));
   }
 
-  void keep_numbers_of(ColumnPiece& piece) const {
-    for (LiveNumberSlot& slot : piece.numbers)
-      if (const auto kept = kept_.find(slot.number); kept != kept_.end()) slot.kept = kept->second;
-  }
-
   /// Without the words that refute it, what is wrong would stand there as if it were right.
   const Pieces& equations(std::size_t i) {
     if (equations_[i]) return *equations_[i];
@@ -323,7 +342,6 @@ class ScaledText {
             noted(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i]))));
         pieces.back().of = &block;
         tell_cost_of(pieces.back());
-        keep_numbers_of(pieces.back());
         pieces.back().is_main = equation == focus_of(request_.stage, request_.stage.steps[i]);
       }
     equations_[i] = std::move(pieces);
@@ -332,7 +350,6 @@ class ScaledText {
 
   const PageRequest& request_;
   const Verdicts& verdicts_;
-  const StillNumbers::Values& kept_;
   const Fonts& fonts_;
   double width_, em_, scale_;
   TextColumn column_;
@@ -350,9 +367,9 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
                             const Fonts& fonts) {
   const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
   const Verdicts verdicts = verdicts_of(request);
-  const StillNumbers::Values kept = kept_numbers(request);
+  const PageNumbers numbers = numbers_of(request, fonts);
   const auto text_at = [&](double scale) {
-    return ScaledText(request, symbols, verdicts, kept, width, em, scale, fonts);
+    return ScaledText(request, symbols, verdicts, numbers, width, em, scale, fonts);
   };
   const auto fitted = [](ScaledText& text, const Selection& shown) {
     return FittedText{text.stacked(shown),

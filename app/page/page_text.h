@@ -15,6 +15,7 @@ struct FittedText {
   std::vector<const Equation*> equations;  ///< that stand there
   int whole_from = 1;                      ///< the first step that is there whole
   Vec2 corner{0, 0};                       ///< of the column, px of the page
+  LongestNumbers in_captions{};            ///< of a page that runs
 };
 
 /// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a

@@ -44,17 +44,6 @@ Result<DisplayList> or_why_not(Result<DisplayList, std::vector<TypeError>> set) 
   return std::move(set).value();
 }
 
-/// The list with its highest ink or line at y = 0.
-Result<ColumnPiece> piece_of(Result<DisplayList> list, double em, double gap) {
-  if (!list) return failure(list.error());
-  ColumnPiece piece;
-  const double top = std::round(std::max(list->ascent, kLineTop * em));
-  piece.height = top + std::round(std::max(list->depth, kLineBottom * em));
-  piece.gap = gap;
-  piece.sheet.texts.push_back({.list = std::move(list).value(), .at = {0, top}});
-  return piece;
-}
-
 /// Boxes behind the glyphs of the terms of these names.
 void mark(const DisplayList& list, const Vec2& at, const std::vector<std::string>& names, double em,
           const Color& color, const Fonts& fonts, Sheet& sheet) {
@@ -106,7 +95,25 @@ TextStyle TextColumn::style(double size, Color color, double width) const {
 }
 
 Result<DisplayList> TextColumn::set(const RichText& text, const TextStyle& style) const {
-  return or_why_not(set_text(text, style, fonts_));
+  return or_why_not(set_text(numbers_.put_into(text), style, fonts_));
+}
+
+void TextColumn::take_rooms(DisplayList& list, const Vec2& at, ColumnPiece& piece) const {
+  for (LiveRoom room : numbers_.take_rooms(list)) {
+    room.at += at;
+    piece.numbers.push_back({&numbers_.lesson().numbers[static_cast<std::size_t>(room.id)], room});
+  }
+}
+
+Result<ColumnPiece> TextColumn::piece_of(Result<DisplayList> list, double em, double gap) const {
+  if (!list) return failure(list.error());
+  ColumnPiece piece;
+  const double top = std::round(std::max(list->ascent, kLineTop * em));
+  piece.height = top + std::round(std::max(list->depth, kLineBottom * em));
+  piece.gap = gap;
+  take_rooms(*list, {0, top}, piece);
+  piece.sheet.texts.push_back({.list = std::move(list).value(), .at = {0, top}});
+  return piece;
 }
 
 Result<ColumnPiece> TextColumn::title(const RichText& title) const {
@@ -129,11 +136,12 @@ Result<TextColumn::Formula> TextColumn::formula(const Equation& equation, double
                   .strike = colors().accent,
                   .line_width = room,
                   .symbols = &symbols_};
-  Result<DisplayList> list = or_why_not(set_math(equation.math, style, fonts_));
+  const Math math = numbers_.put_into(equation.math);
+  Result<DisplayList> list = or_why_not(set_math(math, style, fonts_));
   constexpr int kMostTries = 8;  // a smaller formula may be broken elsewhere
   for (int i = 0; i < kMostTries && list && list->width > room; ++i) {
     style.size *= 0.999 * room / list->width;
-    list = or_why_not(set_math(equation.math, style, fonts_));
+    list = or_why_not(set_math(math, style, fonts_));
   }
   if (!list) return failure(list.error());
   return Formula{std::move(list).value(), style.size / size};
@@ -163,10 +171,7 @@ Result<ColumnPiece> TextColumn::numbered(const Equation& equation, double size,
   piece.formula_scale = formula_scale;
   const Vec2 at(std::max(0.0, x), top);
   mark(list, at, marked, size, colors().marked, fonts_, piece.sheet);
-  for (LiveRoom room : take_live_rooms(list)) {
-    room.at += at;
-    piece.numbers.push_back({&equation.live[room.index], room});
-  }
+  take_rooms(list, at, piece);
   if (!equation.tag.empty())
     piece.sheet.texts.push_back({.list = tag, .at = {std::round(width_ - tag.width), top}});
   piece.formula = piece.sheet.texts.size();
@@ -276,9 +281,20 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
   TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
   quiet.sans = true;
   DisplayList word = set_line(kind, quiet, fonts_);
-  const Vec2& formula = piece.sheet.texts.back().at;
-  if (kind.empty() || word.width + size_ >= formula.x()) return piece;
-  piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = {0, formula.y()}});
+  if (kind.empty()) return piece;
+  Vec2 at{0, piece.sheet.texts.back().at.y()};
+  if (word.width + size_ >= piece.sheet.texts.back().at.x()) {  // above a formula that is too wide
+    const double line = std::round(kVerdictLine * quiet.size);
+    ColumnPiece below{.sheet = {},
+                      .height = piece.height + line,
+                      .gap = piece.gap,
+                      .formula_scale = piece.formula_scale,
+                      .formula = piece.formula};
+    add(below, std::move(piece), {0, line});
+    piece = std::move(below);
+    at.y() = std::round(0.9 * quiet.size);
+  }
+  piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = at});
   ++*piece.formula;
   return piece;
 }
@@ -306,7 +322,7 @@ Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& 
   piece.sheet.shapes.push_back(Stroke{
       .points = {{bar, 1}, {bar, piece.height - 1}}, .width = std::max(1.5, 0.09 * size_), .color = color});
   piece.sheet.texts.push_back({.list = std::move(name), .at = {0, baseline}});
-  append(piece.sheet, std::move(plain->sheet), {indent, 0});
+  add(piece, std::move(plain).value(), {indent, 0});
   return piece;
 }
 

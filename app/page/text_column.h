@@ -23,12 +23,10 @@ struct LiveSlot {
   TextStyle style;
 };
 
-/// Where a live number of a formula is to stand.
+/// Where a number that runs with the page is to stand.
 struct LiveNumberSlot {
-  const Expression* number = nullptr;
+  const ComputedNumber* number = nullptr;
   LiveRoom room;
-  /// Its value where its step shows another motion than the page; absent: it runs with the page's.
-  std::optional<double> kept{};
 };
 
 /// Something in the column: its drawing from the upper left corner, and the room it takes.
@@ -51,10 +49,10 @@ enum class Focus { none, now, before };
 
 class TextColumn {
  public:
-  /// `size` is the em of prose. Symbols and fonts are kept by reference.
+  /// `size` is the em of prose. Symbols, numbers and fonts are kept by reference.
   TextColumn(double width, double size, Theme theme, const std::vector<MathSymbol>& symbols,
-             const Fonts& fonts)
-      : width_(width), size_(size), theme_(theme), symbols_(symbols), fonts_(fonts) {}
+             const PageNumbers& numbers, const Fonts& fonts)
+      : width_(width), size_(size), theme_(theme), symbols_(symbols), numbers_(numbers), fonts_(fonts) {}
 
   // The error of each says why the text cannot be set: the fonts lack a character of it.
 
@@ -65,8 +63,8 @@ class TextColumn {
   /// Kind and note in one row, what is claimed below where the equation is not that itself; with rows for
   /// live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
-  /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, where
-  /// there is room.
+  /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, or
+  /// above it where it is too wide.
   Result<ColumnPiece> earlier_equation(const Equation& equation, const std::string& kind = {}) const;
   Result<ColumnPiece> prose(const RichText& text) const;
   /// Of a derivation the title alone.
@@ -81,6 +79,9 @@ class TextColumn {
   const PageColors& colors() const { return colors_of(theme_); }
   TextStyle style(double size, Color color, double width) const;
   Result<DisplayList> set(const RichText& text, const TextStyle& style) const;
+  /// The list with its highest ink or line at y = 0, and the rooms of its running numbers.
+  Result<ColumnPiece> piece_of(Result<DisplayList> list, double em, double gap) const;
+  void take_rooms(DisplayList& list, const Vec2& at, ColumnPiece& piece) const;
   struct Formula {
     DisplayList list;
     double scale = 1;
@@ -95,6 +96,7 @@ class TextColumn {
   double width_, size_;
   Theme theme_;
   const std::vector<MathSymbol>& symbols_;
+  const PageNumbers& numbers_;
   const Fonts& fonts_;
 };
 

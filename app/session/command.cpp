@@ -67,6 +67,15 @@ void toggle_ghost(LessonSession& session) {
   static_cast<void>(session.set_edits(edits));
 }
 
+/// By a fiftieth of its range.
+void change_number(LessonSession& session, std::size_t number, double steps) {
+  constexpr double kSteps = 50;
+  const std::vector<Variation> numbers = session.variations();
+  if (number >= numbers.size()) return;
+  const Variation& present = numbers[number];
+  static_cast<void>(session.vary(number, present.value + steps / kSteps * (present.to - present.from)));
+}
+
 void toggle_theme(Preferences& preferences) {
   preferences.theme = preferences.theme == Theme::paper ? Theme::dark : Theme::paper;
 }
@@ -120,6 +129,14 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { session.set_following(!session.is_following()); }},
     CommandFacts{C::ghost, "G", "Body", "the exact body beside the computed one", false,
                  [](LessonSession& session) { toggle_ghost(session); }},
+    CommandFacts{C::larger_number, "]", "Body", "the number of the slider larger", true,
+                 [](LessonSession& session) { change_number(session, 0, 1); }},
+    CommandFacts{C::smaller_number, "[", "Body", "smaller", true,
+                 [](LessonSession& session) { change_number(session, 0, -1); }},
+    CommandFacts{C::larger_second_number, "}", "Body", "that of the second slider larger", true,
+                 [](LessonSession& session) { change_number(session, 1, 1); }},
+    CommandFacts{C::smaller_second_number, "{", "Body", "smaller", true,
+                 [](LessonSession& session) { change_number(session, 1, -1); }},
     CommandFacts{C::reset_scene, "R", "Body", "the scene of the lesson again", false,
                  [](LessonSession& session) { session.reset_edits(); }},
 

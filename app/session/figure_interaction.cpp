@@ -187,14 +187,14 @@ const std::vector<CameraPreset>& camera_presets() {
 
 std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets) {
   std::vector<TipOnScreen> tips;
-  for (std::size_t i = 0; i < insets.size(); ++i) {
-    const std::vector<Pane>& panes = insets[i].figure.panes;
-    if (panes.size() != model.scene.views.size()) continue;
-    for (std::size_t k = 0; k < panes.size(); ++k) {
-      const auto drawn = drawn_omega(model, t_s, k, aspect_of(insets[i].place));
-      const auto at = drawn ? on_page(*drawn, rect_of(panes[k], insets[i].place)) : std::nullopt;
-      if (at) tips.push_back({i, k, model.scene.views[k], at->x(), at->y()});
-    }
+  if (insets.empty() || !shows_space(model.drawn)) return tips;
+  const PixelRect& place = insets.front().place;
+  const std::vector<Pane>& panes = insets.front().figure.panes;
+  if (panes.size() != model.scene.views.size()) return tips;
+  for (std::size_t k = 0; k < panes.size(); ++k) {
+    const auto drawn = drawn_omega(model, t_s, k, aspect_of(place));
+    const auto at = drawn ? on_page(*drawn, rect_of(panes[k], place)) : std::nullopt;
+    if (at) tips.push_back({0, k, model.scene.views[k], at->x(), at->y()});
   }
   return tips;
 }

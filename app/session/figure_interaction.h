@@ -30,7 +30,8 @@ struct TipOnScreen {
   View view = View::space;
   double x = 0, y = 0;  ///< px of the page
 };
-/// Of every pane that shows ω; empty if none does.
+/// Of every pane of the model's own space, the first inset, that shows ω; empty if none does. What stands
+/// beside it is not taken hold of.
 std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets);
 
 /// The ω, in body axes, whose tip is drawn at the point (px of the page), or as near to it as any can be. It

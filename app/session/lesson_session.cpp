@@ -2,6 +2,7 @@
 #include "app/session/lesson_session.h"
 
 #include "app/export/picture_maker.h"
+#include "lessons/reader/varied_scene.h"
 #include "physics/body/euler.h"
 #include "physics/geometry/flips.h"
 
@@ -23,14 +24,20 @@ bool same_course(Scene a, const Scene& b) {
   a.quality = b.quality;
   a.caption = b.caption;
   a.meters = b.meters;
-  return a == b;
+  const bool same_beside =
+      std::equal(a.beside.begin(), a.beside.end(), b.beside.begin(), b.beside.end(), same_course);
+  a.beside = b.beside;
+  return same_beside && a == b;
 }
 
 /// Whether the model of one serves the other with a word changed.
 bool same_model(Scene a, const Scene& b) {
   a.camera = b.camera;
   a.quality = b.quality;
-  return a == b;
+  const bool same_beside =
+      std::equal(a.beside.begin(), a.beside.end(), b.beside.begin(), b.beside.end(), same_model);
+  a.beside = b.beside;
+  return same_beside && a == b;
 }
 
 bool starts_another_motion(const SceneEdits& a, const SceneEdits& b) {
@@ -39,7 +46,7 @@ bool starts_another_motion(const SceneEdits& a, const SceneEdits& b) {
 
 /// Whether the motion is that of the lesson, computed as it is there.
 bool keeps_motion(const SceneEdits& edits) {
-  return !starts_another_motion(edits, SceneEdits{}) && !edits.motion;
+  return !starts_another_motion(edits, SceneEdits{}) && !edits.motion && edits.numbers.empty();
 }
 
 /// The principal axis whose heading about the vertical is the body's: of the smallest and the largest moment
@@ -128,9 +135,9 @@ void LessonSession::arrive(Place place) {
   judged_.clear();
   notes_shown_ = false;
   const bool both = left != nullptr && has_scene();
-  if (same_stage && (left == step().scene || (both && *left == lesson_scene()))) return;
+  if (same_stage && (left == step().scene || (both && *left == *step().scene))) return;
 
-  const bool goes_on = same_stage && both && same_course(*left, lesson_scene()) && keeps_motion(edits_);
+  const bool goes_on = same_stage && both && same_course(*left, *step().scene) && keeps_motion(edits_);
   const double t_s = t_s_;
   const bool playing = playing_;
   const auto turned =
@@ -165,7 +172,8 @@ void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   judged_.clear();
   transition_ = 1;
 
-  const SceneEdits kept = edits_;
+  SceneEdits kept = edits_;
+  if (!has_scene() || kept.numbers.size() != step().scene->vary.size()) kept.numbers.clear();
   const double t_s = t_s_;
   const bool playing = playing_;
   show_lesson_scene();
@@ -187,8 +195,19 @@ void LessonSession::show_lesson_scene() {
   patch_model();
 }
 
+const Scene& LessonSession::lesson_scene() const {
+  return step().varied ? step().varied->alone() : *step().scene;
+}
+
+Scene LessonSession::scene_with(const SceneEdits& edits) const {
+  if (edits.numbers.empty() || !step().varied) return edited(lesson_scene(), edits);
+  Result<Scene> varied = step().varied->at(edits.numbers);
+  if (!varied) throw std::domain_error(varied.error());
+  return edited(std::move(varied).value(), edits);
+}
+
 void LessonSession::make_model_of(const SceneEdits& edits) {
-  model_ = std::make_unique<SceneModel>(make_model(edited(lesson_scene(), edits), Product::page, effort_));
+  model_ = std::make_unique<SceneModel>(make_model(scene_with(edits), Product::page, effort_));
   edits_ = edits;
   ++model_number_;
 }
@@ -198,10 +217,22 @@ void LessonSession::patch_model() {
   Scene& scene = model_->scene;
   scene.camera = camera();
   scene.quality = edits_.quality.value_or(lesson_scene().quality);
-  scene.highlight = lesson_scene().highlight;
-  const auto& lights = scene.highlight;
+  scene.highlight = with_lit(lesson_scene());
+  for (std::size_t i = 0; i < model_->beside.size(); ++i) {
+    const Scene& of_lesson = lesson_scene().beside[i];
+    Scene& other = model_->beside[i].scene;
+    other.camera = camera_beside(lesson_scene().camera, of_lesson.camera, scene.camera);
+    other.quality = scene.quality;
+    other.highlight = with_lit(of_lesson);
+    scene.beside[i] = other;
+  }
+}
+
+std::vector<std::string> LessonSession::with_lit(const Scene& scene) const {
+  std::vector<std::string> lights = scene.highlight;
   if (overlay_from(lit_) && std::find(lights.begin(), lights.end(), lit_) == lights.end())
-    scene.highlight.push_back(lit_);
+    lights.push_back(lit_);
+  return lights;
 }
 
 // Time.
@@ -272,7 +303,7 @@ Status LessonSession::set_edits(const SceneEdits& edits) {
   if (wanted.camera) wanted.camera = writable(*wanted.camera);
   if (wanted.attitude) wanted.attitude = writable(*wanted.attitude);
   try {
-    if (same_model(edited(lesson_scene(), wanted), edited(lesson_scene(), edits_))) {
+    if (same_model(scene_with(wanted), scene_with(edits_))) {
       edits_ = wanted;
     } else {
       const bool another = starts_another_motion(wanted, edits_);
@@ -285,6 +316,28 @@ Status LessonSession::set_edits(const SceneEdits& edits) {
   heading_rad_ = heading_at(t_s_);
   patch_model();
   return success();
+}
+
+std::vector<Variation> LessonSession::variations() const {
+  if (!step().varied) return {};
+  std::vector<Variation> present = step().scene->vary;
+  for (std::size_t i = 0; i < edits_.numbers.size(); ++i) present[i].value = edits_.numbers[i];
+  return present;
+}
+
+Status LessonSession::vary(std::size_t number, double value) {
+  const std::vector<Variation> present = variations();
+  if (number >= present.size() || !std::isfinite(value)) return failure("this step has no such number");
+  SceneEdits edits = edits_;
+  edits.numbers.clear();
+  bool is_lessons = true;
+  for (std::size_t i = 0; i < present.size(); ++i) {
+    edits.numbers.push_back(i == number ? std::clamp(value, present[i].from, present[i].to)
+                                        : present[i].value);
+    is_lessons = is_lessons && edits.numbers[i] == step().scene->vary[i].value;
+  }
+  if (is_lessons) edits.numbers.clear();
+  return set_edits(edits);
 }
 
 void LessonSession::reset_edits() {

@@ -115,7 +115,8 @@ class LessonSession {
 
   // The scene of the step with what was changed.
   bool has_scene() const { return step().scene != nullptr; }
-  const Scene& lesson_scene() const { return *step().scene; }  ///< precondition: has_scene()
+  /// Of a scene that varies numbers what the lesson has, without the filmstrip. Precondition: has_scene()
+  const Scene& lesson_scene() const;
   /// Null without a scene. Its camera, quality and highlight are up to date too; what is pointed at is
   /// highlighted.
   const SceneModel* model() const { return model_.get(); }
@@ -126,6 +127,10 @@ class LessonSession {
   /// motion (body, ω, attitude) starts it at t = 0; time goes on over a change of method or overlays. Camera
   /// and attitude become the `writable` ones.
   Status set_edits(const SceneEdits& edits);
+  /// The numbers that readers may vary, with their present values; none where the scene varies none.
+  std::vector<Variation> variations() const;
+  /// One of these, within its range; time goes on. Refused as edits are.
+  Status vary(std::size_t number, double value);
   /// Follows nothing any more; a motion that was changed begins at the scene's own time.
   void reset_edits();
   /// The camera alone: cheap.
@@ -174,9 +179,11 @@ class LessonSession {
  private:
   void arrive(Place place);
   void show_lesson_scene();
+  Scene scene_with(const SceneEdits& edits) const;
   void make_model_of(const SceneEdits& edits);
   void go_on_from(double t_s);
   void patch_model();
+  std::vector<std::string> with_lit(const Scene& scene) const;  ///< what is highlighted of it now
   void set_time(double t_s);
   double heading_at(double t_s) const;
 

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace polhode {
@@ -95,9 +97,25 @@ Scene saved(const LessonSession& session) {
   for (std::size_t i = 0; i <= session.place().step; ++i)
     for (const Equation* equation : blocks_of<Equation>(session.stage().steps[i]))
       terms.insert(equation->math.terms.begin(), equation->math.terms.end());
-  scene.highlight.clear();
-  for (const std::string& name : session.lesson_scene().highlight)
-    if (overlay_from(name) || terms.count(name) > 0) scene.highlight.push_back(name);
+  const auto saved_of = [&](const std::vector<std::string>& highlight) {
+    std::vector<std::string> kept;
+    for (const std::string& name : highlight)
+      if (overlay_from(name) || terms.count(name) > 0) kept.push_back(name);
+    return kept;
+  };
+  scene.highlight = saved_of(session.lesson_scene().highlight);
+  std::map<std::string, Body> bodies{{scene.body.name, scene.body}};
+  for (std::size_t i = 0; i < scene.beside.size(); ++i) {
+    Scene& other = scene.beside[i];
+    other.highlight = saved_of(session.lesson_scene().beside[i].highlight);
+    // A body on its pivot has other moments than the same body in the air.
+    const std::string name = other.body.name;
+    for (int n = 2;
+         !bodies.emplace(other.body.name, other.body).second && bodies.at(other.body.name) != other.body;
+         ++n) {
+      other.body.name = fmt::format("{}-{}", name, n);
+    }
+  }
   return scene;
 }
 
@@ -155,7 +173,11 @@ std::string own_body_of(const Body& body, const Torque& torque) {
                                toml(body.shape->size_m), toml(body.mass_kg));
   lines += fmt::format("moments = {}\n", toml(body.moments.vector()));
   if (body.mass_kg != 1.0) lines += fmt::format("mass_kg = {}\n", toml(body.mass_kg));
-  return body.shape == equivalent_box(body.moments, body.mass_kg) ? lines + "draw = \"box\"\n" : lines;
+  if (!body.shape) return lines;
+  lines += fmt::format("draw = \"{}\"\n", name_of_shape(body.shape->kind));
+  if (body.shape != equivalent_box(body.moments, body.mass_kg))
+    lines += fmt::format("size_m = {}\n", toml(body.shape->size_m));
+  return lines;
 }
 
 std::string lesson_of(const LessonSession& session) {
@@ -167,7 +189,9 @@ std::string lesson_of(const LessonSession& session) {
   if (session.has_scene()) {
     const Scene scene = saved(session);
     keys = scene_keys_text(scene, session.t_s());
-    text += own_body_of(scene.body, scene.torque);
+    std::set<std::string> written;
+    for (const Scene* shown : shown_scenes(scene))
+      if (written.insert(shown->body.name).second) text += own_body_of(shown->body, shown->torque);
   }
   text += macros_of(lesson) + symbols_of(lesson) + "+++\n\n";
   const SourceText source(lesson.source);

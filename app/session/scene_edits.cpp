@@ -43,6 +43,7 @@ void show(OverlaySet& shown, const SceneEdits& edits) {
 }  // namespace
 
 Scene edited(Scene scene, const SceneEdits& edits) {
+  const CameraSpec lesson_camera = scene.camera;
   if (!scene.attitude) {
     // The plane, shown or not, decides on an attitude that nobody stated. Hiding it does not turn the body
     // over; nor does showing it under a torque, which knows up from down: that would be another motion.
@@ -59,7 +60,21 @@ Scene edited(Scene scene, const SceneEdits& edits) {
   replace(scene.camera, edits.camera);
   replace(scene.quality, edits.quality);
   show(scene.show, edits);
+  SceneEdits of_look = edits;
+  of_look.body = {};
+  of_look.w0_B = {};
+  of_look.attitude = {};
+  of_look.motion = {};
+  for (std::size_t i = 0; i < scene.beside.size(); ++i) {
+    Scene other = edited(scene.beside[i], of_look);
+    other.camera = camera_beside(lesson_camera, scene.beside[i].camera, scene.camera);
+    scene.beside[i] = std::move(other);
+  }
   return scene;
+}
+
+CameraSpec camera_beside(const CameraSpec& lesson_camera, const CameraSpec& own, const CameraSpec& shown) {
+  return shown == lesson_camera || shown == writable(lesson_camera) ? own : shown;
 }
 
 void set_shown(SceneEdits& edits, const Scene& lesson_scene, Overlay overlay, bool is_shown) {

@@ -13,6 +13,7 @@ namespace polhode {
 
 /// What is absent is the lesson's.
 struct SceneEdits {
+  std::vector<double> numbers{};  ///< of the scene's `vary`, in their order; empty: the lesson's
   std::optional<Body> body{};
   std::optional<Vec3> w0_B{};  ///< rad/s at t = 0
   std::optional<AttitudeSpec> attitude{};
@@ -29,9 +30,13 @@ struct SceneEdits {
 /// The scene with the edits in it. ω and the attitude of the lesson stay with another body; L keeps pointing
 /// down where the plane, which had it so, is hidden. A body of a shape hangs on the pivot of the lesson's
 /// heavy torque, if there is one (physics/body/pivot.h). A method that cannot serve the body or torque
-/// is left to make_model to refuse.
+/// is left to make_model to refuse. Scenes beside it are looked at as it is; their motions are the lesson's.
 /// @throws std::domain_error if the body cannot hang there
 Scene edited(Scene scene, const SceneEdits& edits);
+
+/// The camera of a scene beside another one, which is `shown` by a camera: that one too, so that what is
+/// turned can be compared, unless it is the lesson's.
+CameraSpec camera_beside(const CameraSpec& lesson_camera, const CameraSpec& own, const CameraSpec& shown);
 
 /// Shows the overlay, or hides it. Where the lesson does so anyway, there is nothing left to edit.
 void set_shown(SceneEdits& edits, const Scene& lesson_scene, Overlay overlay, bool is_shown);

@@ -15,7 +15,8 @@ PageRequest request_of(const LessonSession& session, Size size) {
           .size = size,
           .theme = session.preferences.theme,
           .quality = {},
-          .text_scale = session.preferences.text_scale};
+          .text_scale = session.preferences.text_scale,
+          .runs = true};
 }
 
 }  // namespace

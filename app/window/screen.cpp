@@ -3,6 +3,7 @@
 
 #include "app/session/command.h"
 #include "app/session/typed_folder.h"
+#include "app/window/number_sliders.h"
 #include "app/window/speaker_notes.h"
 
 #include <fmt/format.h>
@@ -174,6 +175,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
   ImGui::NewFrame();
   lay_out_controls(session, page_region(session, frame.size), frame.size);
+  lay_out_sliders(session);
   use_pointer(session, page_region(session, frame.size));
   if (!requests_.clipboard.empty()) copy();
   if (requests_.save_as) save(session);
@@ -187,7 +189,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
     if (!made) return failure(made.error());
     picture_ = std::move(made).value();
   }
-  const bool is_dragging = drag_.is_held() && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
+  const bool is_dragging = (drag_.is_held() || varies_) && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0);
   const bool moving = session.is_moving() || is_dragging;
   const double resolution = moving ? pace_.resolution() : 1.0;
   const auto painted = show_page(session, page_region(session, frame.size), resolution);
@@ -206,7 +208,7 @@ Result<bool> Screen::show_page(LessonSession& session, const Region& region, dou
   const PageLook look{.size = whole(region),
                       .focus = symbols_.place(),
                       .resolution = resolution,
-                      .keep_text = drag_.holds_omega()};
+                      .keep_text = drag_.holds_omega() || varies_};
   auto painted = page_->show(session, look);
   notices_.set_page_error(painted ? "" : painted.error());
   picture_->bind();
@@ -251,6 +253,18 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
   }
   if (session.panel != Panel::none) panels_.draw(context, {page.width, 0, width - page.width, page.height});
   draw_bar(context, {0, page.height, width, height - page.height});
+}
+
+/// On the figure as the last frame had it: the first has none yet.
+void Screen::lay_out_sliders(LessonSession& session) {
+  varies_ = false;
+  const PixelBox& at = page_->page().figure;
+  if (at.width() <= 0 || (session.is_presenting() && session.are_notes_shown())) return;
+  const Region figure{static_cast<float>(at.x0), static_cast<float>(at.y0), static_cast<float>(at.width()),
+                      static_cast<float>(at.height())};
+  const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
+  varies_ = used.is_held;
+  if (!used.refusal.empty()) tell(used.refusal);
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {

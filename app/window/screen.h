@@ -70,6 +70,7 @@ class Screen {
   Result<bool> show_page(LessonSession& session, const Region& region, double resolution);
   void show_preview(const LessonSession& session, const Region& region);
   void lay_out_controls(LessonSession& session, const Region& page, Size size);
+  void lay_out_sliders(LessonSession& session);
   void use_pointer(LessonSession& session, const Region& page);
   bool follow(LessonSession& session, const std::string& link);
   void save(LessonSession& session);
@@ -86,6 +87,7 @@ class Screen {
   Panels panels_;
   SymbolFocus symbols_;
   FigureDrag drag_;
+  bool varies_ = false;  ///< a number, by a slider that is held
   Notices notices_;
   std::unique_ptr<SpeechText> speech_;
   const Lesson* spoken_ = nullptr;  ///< the lesson of speech_

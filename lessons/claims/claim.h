@@ -19,7 +19,17 @@ std::string_view name_of(ClaimKind kind);
 std::optional<ClaimKind> claim_kind_from(std::string_view name);
 std::vector<std::string> claim_kind_names();
 
-enum class Verdict { holds, fails, undecided };  ///< undecided: too seldom defined, or its numbers too large
+/// How the sides of a line are related.
+enum class Relation { equal, less, less_or_equal, greater, greater_or_equal };
+/// "=", "<", "<=", ">", ">=", as claims are written; and as it is read: "≤".
+std::string_view text_of(Relation relation);
+std::string_view sign_of(Relation relation);
+/// TeX: "\\le".
+std::string_view tex_of(Relation relation);
+
+/// not_refuted: an inequality without a proof, which held in every state that was tried. undecided: too
+/// seldom defined, or its numbers too large.
+enum class Verdict { holds, not_refuted, fails, undecided };
 
 /// A possible body in a state of small whole numbers; axes of body and space coincide.
 struct Counterexample {
@@ -35,12 +45,14 @@ struct Judgement {
   std::string message, hint;         ///< of what is not
   /// Where the line does not hold; for the kinds false and non-sequitur that is what is claimed.
   std::optional<Counterexample> counterexample;
+  int states = 0;  ///< of what is not refuted: in how many it held
 };
 
-/// One line of a claim: `left = right`, or `premise => conclusion` for a non-sequitur. proof.h settles it.
+/// One line of a claim: `left = right`, `left <= right`, or `premise => conclusion`: what follows, and for a
+/// non-sequitur what does not. proof.h settles it.
 struct ClaimLine {
-  Equality equality;                   ///< of a non-sequitur the premise
-  std::optional<Equality> conclusion;  ///< of a non-sequitur
+  Equality equality;                   ///< the sides; where something follows or not, the premise
+  std::optional<Equality> conclusion;  ///< where something follows or not
   std::optional<double> within;        ///< of `measured`: relative tolerance after the word
   SourcePlace place;
   bool goes_on = false;  ///< the chain of the line before: its left side is that line's right side
@@ -48,6 +60,7 @@ struct ClaimLine {
   /// term left out, or the label of an underbrace.
   bool is_side_by_side = true;
   std::optional<Judgement> judgement{};  ///< once it is proved (lessons/reader/claim_check.h)
+  Relation relation = Relation::equal;   ///< of the sides
   std::string tex{};                     ///< of what is not the formula itself: how it is printed
 };
 struct Claim {

@@ -1,57 +1,134 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/claim_state.h"
 
+#include "lessons/claims/rational_function.h"
+
 #include <algorithm>
 
 namespace polhode {
 
+namespace {
+
+/// Which of three that follow each other; nothing if it is none of them.
+std::optional<std::size_t> place_among_three(Quantity quantity, Quantity first) {
+  const int place = static_cast<int>(quantity) - static_cast<int>(first);
+  return place >= 0 && place < 3 ? std::optional(static_cast<std::size_t>(place)) : std::nullopt;
+}
+
+/// All but the rates of N, F, and what follows from these.
+template <class N>
+ClaimState<N> first_order_state(const StateNumbers<N>& n, Assumption assumption) {
+  ClaimState<N> state{};
+  state.I = n.I;
+  state.J = n.J;
+  state.m = n.m;
+  state.h = n.h;
+  state.k = n.k;
+  state.constants = n.constants;
+  const bool moves_freely = assumption == Assumption::identity;
+  const std::array<N, 3> torque = assumption == Assumption::free ? std::array<N, 3>{} : n.N_B;
+  const std::array<N, 3> dw = moves_freely ? n.dw : euler_rate(n.I, n.w, torque);
+  const N reciprocal = moves_freely ? N(0) : inverse(n.m);
+  for (std::size_t i = 0; i < 3; ++i) {
+    state.N_B[i].value = torque[i];
+    state.F_S[i].value = n.F_S[i];
+    state.w_B[i] = {n.w[i], dw[i]};
+    state.v_S[i] = {n.v_S[i], moves_freely ? n.dv_S[i] : reciprocal * n.F_S[i]};
+    state.A_S[i] = {n.A_S[i], n.dA_S[i], n.ddA_S[i]};
+  }
+  state.R = attitude_matrix(turning(n.q, n.w, dw));
+  return state;
+}
+
+/// The rates of what a setting sets N and F to. False where it is not defined.
+template <class N>
+bool add_given_rate(ClaimState<N>& state, const Setting& setting) {
+  const auto component = place_among_three(setting.quantity, Quantity::N1);
+  if (!component && setting.quantity != Quantity::N && setting.quantity != Quantity::F) return true;
+  Evaluation<N, 1> evaluate(state);
+  Triple<N, 1> value;
+  if (!evaluate(setting.value, value)) return false;
+  if (component) {
+    state.N_B[*component].rate = value[0].rate;
+    return true;
+  }
+  if (setting.quantity == Quantity::N) value = evaluate.to_body(value);
+  Triple<N>& vector = setting.quantity == Quantity::N ? state.N_B : state.F_S;
+  for (std::size_t i = 0; i < 3; ++i) vector[i].rate = value[i].rate;
+  return true;
+}
+
+}  // namespace
+
+template <class N>
+std::optional<ClaimState<N>> state_of(StateNumbers<N> n, Assumption assumption, const Given& given) {
+  if (!given.settings.empty()) {
+    auto replaced = with_given(std::move(n), given);
+    if (!replaced) return std::nullopt;
+    n = std::move(*replaced);
+  }
+  ClaimState<N> state = first_order_state(n, assumption);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (assumption != Assumption::free) state.N_B[i].rate = n.dN_B[i];
+    state.F_S[i].rate = n.dF_S[i];
+  }
+  for (const Setting& setting : given.settings)
+    if (!add_given_rate(state, setting)) return std::nullopt;
+  if (assumption == Assumption::identity) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      state.w_B[i].second = n.ddw[i];
+      state.v_S[i].second = n.ddv_S[i];
+    }
+    return state;
+  }
+  using Number = Jet<N, 1>;
+  std::array<Number, 3> I, w, torque;
+  for (std::size_t i = 0; i < 3; ++i) {
+    I[i] = Number(n.I[i], N(0));
+    w[i] = Number(state.w_B[i]);
+    torque[i] = Number(state.N_B[i]);
+  }
+  const std::array<Number, 3> dw = euler_rate(I, w, torque);
+  const N reciprocal = inverse(n.m);
+  for (std::size_t i = 0; i < 3; ++i) {
+    state.w_B[i].second = dw[i].rate;
+    state.v_S[i].second = reciprocal * state.F_S[i].rate;
+  }
+  return state;
+}
+
 template <class N>
 std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given) {
   for (const Setting& setting : given.settings) {
-    const ClaimState<N> so_far = state_of(n, Assumption::identity);
-    Evaluation<N> evaluate(so_far);
-    Triple<N> value;
+    const ClaimState<N> so_far = first_order_state(n, Assumption::identity);
+    Evaluation<N, 0> evaluate(so_far);
+    Triple<N, 0> value;
     if (!evaluate(setting.value, value)) return std::nullopt;
-    const auto place = [&setting](Quantity first) {
-      return static_cast<std::size_t>(static_cast<int>(setting.quantity) - static_cast<int>(first));
-    };
-    using Q = Quantity;
-    switch (setting.quantity) {
-      case Q::I1:
-      case Q::I2:
-      case Q::I3:
-        if (value[0].value.is_zero()) return std::nullopt;
-        n.I[place(Q::I1)] = value[0].value;
-        break;
-      case Q::w1:
-      case Q::w2:
-      case Q::w3:
-        n.w[place(Q::w1)] = value[0].value;
-        break;
-      case Q::N1:
-      case Q::N2:
-      case Q::N3:
-        n.N_B[place(Q::N1)] = value[0].value;
-        break;
-      case Q::N: {
-        const Triple<N> N_B = evaluate.to_body(value);
-        for (std::size_t i = 0; i < 3; ++i) n.N_B[i] = N_B[i].value;
-        break;
-      }
-      case Q::F:
-        for (std::size_t i = 0; i < 3; ++i) n.F_S[i] = value[i].value;
-        break;
-      default:
-        return std::nullopt;  // given.h
+    if (const auto moment = place_among_three(setting.quantity, Quantity::I1)) {
+      if (value[0].value.is_zero()) return std::nullopt;
+      n.I[*moment] = value[0].value;
+    } else if (const auto spin = place_among_three(setting.quantity, Quantity::w1)) {
+      n.w[*spin] = value[0].value;
+    } else if (const auto torque = place_among_three(setting.quantity, Quantity::N1)) {
+      n.N_B[*torque] = value[0].value;
+    } else {
+      const bool is_torque = setting.quantity == Quantity::N;
+      if (is_torque) value = evaluate.to_body(value);
+      std::array<N, 3>& vector = is_torque ? n.N_B : n.F_S;
+      for (std::size_t i = 0; i < 3; ++i) vector[i] = value[i].value;
     }
   }
   return n;
 }
 
-template std::optional<StateNumbers<FieldElement>> with_given(StateNumbers<FieldElement>, const Given&);
-template std::optional<StateNumbers<WideFieldElement>> with_given(StateNumbers<WideFieldElement>,
-                                                                  const Given&);
-template std::optional<StateNumbers<SizedNumber>> with_given(StateNumbers<SizedNumber>, const Given&);
+#define POLHODE_STATES_OF(N)                                                                 \
+  template std::optional<ClaimState<N>> state_of(StateNumbers<N>, Assumption, const Given&); \
+  template std::optional<StateNumbers<N>> with_given(StateNumbers<N>, const Given&);
+POLHODE_STATES_OF(FieldElement)
+POLHODE_STATES_OF(WideFieldElement)
+POLHODE_STATES_OF(SizedNumber)
+POLHODE_STATES_OF(RationalFunction)
+#undef POLHODE_STATES_OF
 
 bool is_possible_body(const std::array<SizedNumber, 3>& I) {
   for (std::size_t i = 0; i < 3; ++i) {
@@ -62,30 +139,67 @@ bool is_possible_body(const std::array<SizedNumber, 3>& I) {
 }
 
 bool holds_in(const Given& given, const ClaimState<SizedNumber>& state, double tolerance) {
-  Evaluation<SizedNumber> evaluate(state);
   return std::all_of(given.settings.begin(), given.settings.end(), [&](const Setting& setting) {
     ExpressionNode quantity;
     quantity.operation = Operation::quantity;
     quantity.quantity = setting.quantity;
-    Triple<SizedNumber> is, shall_be;
-    return evaluate({"", {quantity}}, is) && evaluate(setting.value, shall_be) &&
-           relative_residual(is, shall_be) <= tolerance;
+    const auto is = value_in(state, Expression{"", {quantity}}), shall_be = value_in(state, setting.value);
+    return is && shall_be && relative_residual(*is, *shall_be) <= tolerance;
   });
 }
 
-template <int Bits>
-std::optional<bool> agree(const Equality& equality, const ClaimState<MersenneElement<Bits>>& state) {
-  Evaluation<MersenneElement<Bits>> evaluate(state);
-  Triple<MersenneElement<Bits>> left, right;
-  if (!evaluate(equality.left, left) || !evaluate(equality.right, right)) return std::nullopt;
+namespace {
+
+/// Of several expressions, in their order; by jets of this order.
+template <class N, int Order, std::size_t Count>
+std::optional<std::array<Triple<N, 0>, Count>> values_by_jets(
+    const ClaimState<N>& state, const std::array<const Expression*, Count>& expressions) {
+  Evaluation<N, Order> evaluate(state);
+  std::array<Triple<N, 0>, Count> values;
+  for (std::size_t i = 0; i < Count; ++i) {
+    Triple<N, Order> value;
+    if (!evaluate(*expressions[i], value)) return std::nullopt;
+    values[i] = {Jet<N, 0>(value[0]), Jet<N, 0>(value[1]), Jet<N, 0>(value[2])};
+  }
+  return values;
+}
+
+template <class N, std::size_t Count>
+std::optional<std::array<Triple<N, 0>, Count>> values_in(
+    const ClaimState<N>& state, const std::array<const Expression*, Count>& expressions) {
+  int order = 0;
+  for (const Expression* expression : expressions) order = std::max(order, expression->order());
+  if (order == 0) return values_by_jets<N, 0>(state, expressions);
+  return order == 1 ? values_by_jets<N, 1>(state, expressions) : values_by_jets<N, 2>(state, expressions);
+}
+
+}  // namespace
+
+template <class N>
+std::optional<Triple<N, 0>> value_in(const ClaimState<N>& state, const Expression& expression) {
+  const auto values = values_in(state, std::array{&expression});
+  return values ? std::optional(values->front()) : std::nullopt;
+}
+
+template <class N>
+std::optional<bool> agree(const Equality& equality, const ClaimState<N>& state) {
+  const auto sides = values_in(state, std::array{&equality.left, &equality.right});
+  if (!sides) return std::nullopt;
+  const auto& [left, right] = *sides;
   return left[0].value == right[0].value && left[1].value == right[1].value &&
          left[2].value == right[2].value;
 }
 
+template std::optional<Triple<FieldElement, 0>> value_in(const ClaimState<FieldElement>&, const Expression&);
+template std::optional<Triple<WideFieldElement, 0>> value_in(const ClaimState<WideFieldElement>&,
+                                                             const Expression&);
+template std::optional<Triple<SizedNumber, 0>> value_in(const ClaimState<SizedNumber>&, const Expression&);
+template std::optional<Triple<RationalFunction, 0>> value_in(const ClaimState<RationalFunction>&,
+                                                             const Expression&);
 template std::optional<bool> agree(const Equality&, const ClaimState<FieldElement>&);
 template std::optional<bool> agree(const Equality&, const ClaimState<WideFieldElement>&);
 
-double relative_residual(const Triple<SizedNumber>& left, const Triple<SizedNumber>& right) {
+double relative_residual(const Triple<SizedNumber, 0>& left, const Triple<SizedNumber, 0>& right) {
   double difference = 0, size_of_left = 0, size_of_right = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     difference = std::hypot(difference, left[i].value.value - right[i].value.value);
@@ -97,10 +211,10 @@ double relative_residual(const Triple<SizedNumber>& left, const Triple<SizedNumb
 }
 
 std::optional<Sides> sides_of(const Equality& equality, const ClaimState<SizedNumber>& state) {
-  Evaluation<SizedNumber> evaluate(state);
-  Sides sides;
-  if (!evaluate(equality.left, sides.left) || !evaluate(equality.right, sides.right)) return std::nullopt;
-  sides.residual = relative_residual(sides.left, sides.right);
+  const auto values = values_in(state, std::array{&equality.left, &equality.right});
+  if (!values) return std::nullopt;
+  const auto& [left, right] = *values;
+  const Sides sides{left, right, relative_residual(left, right)};
   return std::isfinite(sides.residual) ? std::optional(sides) : std::nullopt;
 }
 

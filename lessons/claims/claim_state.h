@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// What a state obeys. identity: nothing, ω̇, N, v̇, F vary freely. motion: Euler's equations with any N, and
-/// m v̇ = F. free: the same with N = 0.
+/// What a state obeys. identity: nothing, ω̇, N, v̇, F and their rates vary freely. motion: Euler's equations
+/// with any N and any rate of it, and m v̇ = F. free: the same with N = 0 all the time.
 enum class Assumption { identity, motion, free };
 
 /// The numbers that a state is made of, on the body axes unless the name says otherwise.
@@ -20,6 +20,7 @@ struct StateNumbers {
   std::array<N, 3> I{};
   std::array<N, 6> J{};
   std::array<N, 3> w{}, dw{}, v_S{}, dv_S{}, A_S{}, dA_S{}, N_B{}, F_S{};
+  std::array<N, 3> ddw{}, ddv_S{}, ddA_S{}, dN_B{}, dF_S{};  ///< second rates; of N and F the first
   N m{1};
   N h{1}, k{1};
   std::array<N, kMaxConstants> constants{};
@@ -27,10 +28,10 @@ struct StateNumbers {
 
 /// Takes body components to space components: R(q) = homogeneous / |q|², with its rate.
 template <class N>
-std::array<Triple<N>, 3> attitude_matrix(const std::array<Dual<N>, 4>& q) {
+std::array<Triple<N>, 3> attitude_matrix(const std::array<Jet<N>, 4>& q) {
   const auto& [w, x, y, z] = q;
-  const Dual<N> scale = inverse(w * w + x * x + y * y + z * z);
-  const auto twice = [](const Dual<N>& a) { return a + a; };
+  const Jet<N> scale = inverse(w * w + x * x + y * y + z * z);
+  const auto twice = [](const Jet<N>& a) { return a + a; };
   const std::array<Triple<N>, 3> homogeneous{
       {{w * w + x * x - y * y - z * z, twice(x * y - w * z), twice(x * z + w * y)},
        {twice(x * y + w * z), w * w - x * x + y * y - z * z, twice(y * z - w * x)},
@@ -41,18 +42,23 @@ std::array<Triple<N>, 3> attitude_matrix(const std::array<Dual<N>, 4>& q) {
   return R;
 }
 
-/// q̇ = ½ q ω.
+/// q̇ = ½ q ω, and so q̈ = ½ (q̇ ω + q ω̇).
 template <class N>
-std::array<Dual<N>, 4> turning(const std::array<N, 4>& q, const std::array<N, 3>& w_B) {
-  const auto& [w, x, y, z] = q;
+std::array<Jet<N>, 4> turning(const std::array<N, 4>& q, const std::array<N, 3>& w_B,
+                              const std::array<N, 3>& dw_B) {
   const N half = inverse(N(2));
-  return {{{w, -(half * (x * w_B[0] + y * w_B[1] + z * w_B[2]))},
-           {x, half * (w * w_B[0] + y * w_B[2] - z * w_B[1])},
-           {y, half * (w * w_B[1] + z * w_B[0] - x * w_B[2])},
-           {z, half * (w * w_B[2] + x * w_B[1] - y * w_B[0])}}};
+  const auto times = [&half](const std::array<N, 4>& a, const std::array<N, 3>& b) -> std::array<N, 4> {
+    return {
+        -(half * (a[1] * b[0] + a[2] * b[1] + a[3] * b[2])), half * (a[0] * b[0] + a[2] * b[2] - a[3] * b[1]),
+        half * (a[0] * b[1] + a[3] * b[0] - a[1] * b[2]), half * (a[0] * b[2] + a[1] * b[1] - a[2] * b[0])};
+  };
+  const std::array<N, 4> rate = times(q, w_B), turned = times(rate, w_B), hastened = times(q, dw_B);
+  std::array<Jet<N>, 4> all;
+  for (std::size_t i = 0; i < 4; ++i) all[i] = {q[i], rate[i], turned[i] + hastened[i]};
+  return all;
 }
 
-/// I ω̇ = N − ω×Iω, component by component: equations (7) to (9).
+/// I ω̇ = N − ω×Iω, component by component: equations (7) to (9). Of numbers, or of jets: then ω̈ is the rate.
 template <class N>
 std::array<N, 3> euler_rate(const std::array<N, 3>& I, const std::array<N, 3>& w,
                             const std::array<N, 3>& torque_B) {
@@ -61,36 +67,20 @@ std::array<N, 3> euler_rate(const std::array<N, 3>& I, const std::array<N, 3>& w
           inverse(I[2]) * (torque_B[2] - w[0] * w[1] * (I[1] - I[0]))};
 }
 
-/// The state of these numbers under an assumption, which overrules dw, dv_S and N_B. Precondition: q, I and m
-/// are not zero.
+/// The state of these numbers under an assumption, which overrules the rates of ω and v, and what is given,
+/// which overrules what it sets; of N and F also the rates. Nothing where what is given is not defined, or a
+/// moment would be 0. Precondition: q, I and m are not zero.
 template <class N>
-ClaimState<N> state_of(StateNumbers<N> n, Assumption assumption) {
-  if (assumption == Assumption::free) n.N_B = {N(0), N(0), N(0)};
-  if (assumption != Assumption::identity) {
-    n.dw = euler_rate(n.I, n.w, n.N_B);
-    const N reciprocal = inverse(n.m);
-    for (std::size_t i = 0; i < 3; ++i) n.dv_S[i] = reciprocal * n.F_S[i];
-  }
-  ClaimState<N> state;
-  state.R = attitude_matrix(turning(n.q, n.w));
-  state.I = n.I;
-  state.J = n.J;
-  state.N_B = n.N_B;
-  state.F_S = n.F_S;
-  state.m = n.m;
-  state.h = n.h;
-  state.k = n.k;
-  state.constants = n.constants;
-  for (std::size_t i = 0; i < 3; ++i) {
-    state.w_B[i] = {n.w[i], n.dw[i]};
-    state.v_S[i] = {n.v_S[i], n.dv_S[i]};
-    state.A_S[i] = {n.A_S[i], n.dA_S[i]};
-  }
-  return state;
+std::optional<ClaimState<N>> state_of(StateNumbers<N> n, Assumption assumption, const Given& given);
+
+/// The same where nothing is given: there is always one.
+template <class N>
+ClaimState<N> state_of(const StateNumbers<N>& n, Assumption assumption) {
+  return *state_of(n, assumption, Given());
 }
 
-/// The numbers with those replaced that are given, one after the other. Nothing where one of them is not
-/// defined, or a moment would be 0.
+/// The numbers with those replaced that are given, one after the other; rates are not. Nothing where one of
+/// them is not defined, or a moment would be 0.
 template <class N>
 std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given);
 
@@ -100,18 +90,22 @@ bool is_possible_body(const std::array<SizedNumber, 3>& I);
 /// Whether the two sides of each setting agree in a state, as far as `tolerance` of their terms.
 bool holds_in(const Given& given, const ClaimState<SizedNumber>& state, double tolerance);
 
+/// The value in a state, by jets of the expression's order; nothing where it is not defined.
+template <class N>
+std::optional<Triple<N, 0>> value_in(const ClaimState<N>& state, const Expression& expression);
+
 /// Whether both sides are equal in a state; nothing where one of them is not defined.
-template <int Bits>
-std::optional<bool> agree(const Equality& equality, const ClaimState<MersenneElement<Bits>>& state);
+template <class N>
+std::optional<bool> agree(const Equality& equality, const ClaimState<N>& state);
 
 /// |left − right| relative to the larger of the two sides' sizes: of terms that cancel, the rounding error.
 /// 0 if there is nothing but zeros; not finite where an operand is not.
-double relative_residual(const Triple<SizedNumber>& left, const Triple<SizedNumber>& right);
+double relative_residual(const Triple<SizedNumber, 0>& left, const Triple<SizedNumber, 0>& right);
 
 /// Both sides in doubles.
 struct Sides {
-  Triple<SizedNumber> left, right;  ///< components in space
-  double residual = 0;              ///< relative_residual
+  Triple<SizedNumber, 0> left, right;  ///< components in space
+  double residual = 0;                 ///< relative_residual
 };
 /// Nothing where one of them is not defined, or not finite.
 std::optional<Sides> sides_of(const Equality& equality, const ClaimState<SizedNumber>& state);

@@ -4,18 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 namespace polhode {
 namespace {
 
-constexpr Dimension kNumber{0, 0, 0};
-constexpr Dimension kInertia{1, 2, 0}, kEnergy{1, 2, -2};
+constexpr double kDegree = std::numbers::pi / 180;
 
 struct UnitFacts {
   std::string_view name;
   Dimension dimension;
+  double size = 1;  ///< of SI units in it
 };
 constexpr std::array<UnitFacts, 12> kUnits{{{"kg", {1, 0, 0}},
                                             {"m", {0, 1, 0}},
@@ -25,10 +26,49 @@ constexpr std::array<UnitFacts, 12> kUnits{{{"kg", {1, 0, 0}},
                                             {"W", {1, 2, -3}},
                                             {"Hz", {0, 0, -1}},
                                             {"rad", kNumber},
-                                            {"deg", kNumber},
-                                            {"°", kNumber},
+                                            {"deg", kNumber, kDegree},
+                                            {"°", kNumber, kDegree},
                                             {"1", kNumber},
                                             {"", kNumber}}};
+
+struct PrefixFacts {
+  std::string_view name;
+  double size;
+};
+constexpr std::array<PrefixFacts, 9> kPrefixes{{{"p", 1e-12},
+                                                {"n", 1e-9},
+                                                {"µ", 1e-6},  // the micro sign
+                                                {"μ", 1e-6},  // the letter mu
+                                                {"m", 1e-3},
+                                                {"c", 1e-2},
+                                                {"k", 1e3},
+                                                {"M", 1e6},
+                                                {"G", 1e9}}};
+/// They stand before these, and before g.
+constexpr std::array<std::string_view, 7> kPrefixed{"m", "s", "N", "J", "W", "Hz", "rad"};
+
+std::optional<UnitFacts> find_unit(std::string_view name) {
+  const auto known = std::find_if(kUnits.begin(), kUnits.end(),
+                                  [name](const UnitFacts& facts) { return facts.name == name; });
+  return known == kUnits.end() ? std::nullopt : std::optional(*known);
+}
+
+std::optional<UnitFacts> find_prefixed_unit(std::string_view name) {
+  constexpr UnitFacts kGram{"g", {1, 0, 0}, 1e-3};
+  if (const auto known = find_unit(name)) return known;
+  if (name == kGram.name) return kGram;
+  for (const PrefixFacts& prefix : kPrefixes) {
+    if (!name.starts_with(prefix.name)) continue;
+    const std::string_view rest = name.substr(prefix.name.size());
+    auto unit = rest == kGram.name ? std::optional(kGram)
+                : std::find(kPrefixed.begin(), kPrefixed.end(), rest) != kPrefixed.end() ? find_unit(rest)
+                                                                                         : std::nullopt;
+    if (!unit) continue;
+    unit->size *= prefix.size;
+    return unit;
+  }
+  return std::nullopt;
+}
 
 /// A power behind a unit, which is cut off; 1 if there is none.
 int take_power(std::string_view& unit) {
@@ -101,7 +141,7 @@ class DimensionReader {
       case O::pi:
         return kNumber;
       case O::quantity:
-        return dimension_of(n.quantity);
+        return facts_of(n.quantity).dimension;
       case O::negate:
       case O::norm:
       case O::comp:
@@ -148,8 +188,11 @@ class DimensionReader {
 
 }  // namespace
 
-std::optional<Dimension> dimension_of_unit(std::string_view unit) {
-  Dimension dimension = kNumber;
+namespace {
+
+template <class Find>
+std::optional<ScaledUnit> read_unit(std::string_view unit, const Find& find) {
+  ScaledUnit read{kNumber, 1};
   double sign = 1;
   std::size_t at = 0;
   constexpr std::string_view kDot = "·";
@@ -159,10 +202,10 @@ std::optional<Dimension> dimension_of_unit(std::string_view unit) {
       ++end;
     std::string_view name = unit.substr(at, end - at);
     const int power = take_power(name);
-    const auto known = std::find_if(kUnits.begin(), kUnits.end(),
-                                    [name](const UnitFacts& facts) { return facts.name == name; });
-    if (known == kUnits.end()) return std::nullopt;
-    dimension = times(dimension, known->dimension, sign * power);
+    const std::optional<UnitFacts> known = find(name);
+    if (!known) return std::nullopt;
+    read.dimension = times(read.dimension, known->dimension, sign * power);
+    read.size *= std::pow(known->size, sign * power);
     if (end == unit.size()) break;
     if (unit[end] == '/') {
       if (sign < 0) return std::nullopt;
@@ -170,8 +213,17 @@ std::optional<Dimension> dimension_of_unit(std::string_view unit) {
     }
     at = end + (unit.substr(end, kDot.size()) == kDot ? kDot.size() : 1);
   }
-  return dimension;
+  return read;
 }
+
+}  // namespace
+
+std::optional<Dimension> dimension_of_unit(std::string_view unit) {
+  const auto read = read_unit(unit, find_unit);
+  return read ? std::optional(read->dimension) : std::nullopt;
+}
+
+std::optional<ScaledUnit> scaled_unit(std::string_view unit) { return read_unit(unit, find_prefixed_unit); }
 
 std::string to_string(const Dimension& dimension) {
   constexpr std::array<std::string_view, 3> kNames{"kg", "m", "s"};
@@ -192,59 +244,6 @@ std::string to_string(const Dimension& dimension) {
   }
   if (above.empty() && below.empty()) return "a number";
   return (above.empty() ? "1" : above) + (below.empty() ? "" : "/" + below);
-}
-
-std::optional<Dimension> dimension_of(Quantity quantity) {
-  using Q = Quantity;
-  switch (quantity) {
-    case Q::I1:
-    case Q::I2:
-    case Q::I3:
-    case Q::Jxx:
-    case Q::Jxy:
-    case Q::Jxz:
-    case Q::Jyy:
-    case Q::Jyz:
-    case Q::Jzz:
-      return kInertia;
-    case Q::w1:
-    case Q::w2:
-    case Q::w3:
-    case Q::omega:
-      return Dimension{0, 0, -1};
-    case Q::dw1:
-    case Q::dw2:
-    case Q::dw3:
-      return Dimension{0, 0, -2};
-    case Q::T:
-    case Q::N1:
-    case Q::N2:
-    case Q::N3:
-    case Q::N:
-      return kEnergy;
-    case Q::L:
-      return Dimension{1, 2, -1};
-    case Q::m:
-      return Dimension{1, 0, 0};
-    case Q::p:
-      return Dimension{1, 1, -1};
-    case Q::v:
-      return Dimension{0, 1, -1};
-    case Q::F:
-      return Dimension{1, 1, -2};
-    case Q::e1:
-    case Q::e2:
-    case Q::e3:
-    case Q::ex:
-    case Q::ey:
-    case Q::ez:
-      return kNumber;
-    case Q::A:
-    case Q::h:
-    case Q::k:
-      return std::nullopt;
-  }
-  return std::nullopt;
 }
 
 DimensionReading dimension_of(const Expression& expression, const std::map<int, Dimension>& constants) {

@@ -3,7 +3,7 @@
 // for.
 #pragma once
 
-#include "lessons/claims/vocabulary.h"
+#include "lessons/claims/expression_names.h"
 
 #include <array>
 #include <map>
@@ -13,18 +13,22 @@
 
 namespace polhode {
 
-/// Powers of kg, m and s; angles have none.
-using Dimension = std::array<double, 3>;
-
 /// "kg m²/s", "N m", "rad/s", "1": names of SI units with powers (², ^2), blanks or · between them; all that
 /// stands behind the first / is below the line. Nothing for what is no such unit.
 std::optional<Dimension> dimension_of_unit(std::string_view unit);
 
+/// A unit in which numbers can be shown: besides those above, with a prefix from p to G, as "mJ", "km/s".
+struct ScaledUnit {
+  Dimension dimension;
+  double size = 1;  ///< of SI units in it; of "deg" π/180
+};
+std::optional<ScaledUnit> scaled_unit(std::string_view unit);
+/// The names of these, for messages.
+inline constexpr std::string_view kUnitNames =
+    "kg, g, m, s, N, J, W, Hz, rad, deg, ° with powers and prefixes";
+
 /// "kg m²/s²"; "a number" of what has none.
 std::string to_string(const Dimension& dimension);
-
-/// Nothing of h, k and A, which may be anything.
-std::optional<Dimension> dimension_of(Quantity quantity);
 
 /// What is wrong, and the bytes of the expression's text where it is.
 struct DimensionFault {

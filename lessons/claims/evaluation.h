@@ -2,9 +2,9 @@
 // The value of an expression in one state of a body, over numbers N: residues modulo a prime (FieldElement),
 // where equality is proof, or doubles (SizedNumber), where it is measured. One code for both.
 //
-// Every vector is evaluated by its components in space with their rates (dual numbers), so that d/dt is the
-// rate of those components, d*/dt that of the components on the body axes Rᵀv, and the transport theorem is
-// tested, not assumed.
+// Every vector is evaluated by its components in space with their rates (jets), so that d/dt is the rate of
+// those components, d*/dt that of the components on the body axes Rᵀv, and the transport theorem is tested,
+// not assumed. Rates are carried along as far as the expression's order needs them.
 #pragma once
 
 #include "lessons/claims/expression.h"
@@ -22,28 +22,60 @@
 
 namespace polhode {
 
-/// A value and its rate of change: x + ẋε with ε² = 0.
-template <class N>
-struct Dual {
-  N value{}, rate{};
+/// A value and its rates of change, as far as Order: x + ẋt + ẍt²/2. Those beyond are not computed.
+template <class N, int Order = kMaxOrder>
+struct Jet {
+  N value{}, rate{}, second{};
 
-  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.rate + b.rate}; }
-  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.rate - b.rate}; }
-  friend Dual operator-(const Dual& a) { return {-a.value, -a.rate}; }
-  friend Dual operator*(const Dual& a, const Dual& b) {
-    return {a.value * b.value, a.value * b.rate + a.rate * b.value};
+  Jet() = default;
+  Jet(N its_value, N its_rate, N its_second = N(0))
+      : value(std::move(its_value)), rate(std::move(its_rate)), second(std::move(its_second)) {}
+  template <int Other>
+  explicit Jet(const Jet<N, Other>& other) : Jet(other.value, other.rate, other.second) {}
+
+  friend Jet operator+(const Jet& a, const Jet& b) {
+    Jet sum;
+    sum.value = a.value + b.value;
+    if constexpr (Order >= 1) sum.rate = a.rate + b.rate;
+    if constexpr (Order >= 2) sum.second = a.second + b.second;
+    return sum;
+  }
+  friend Jet operator-(const Jet& a, const Jet& b) {
+    Jet difference;
+    difference.value = a.value - b.value;
+    if constexpr (Order >= 1) difference.rate = a.rate - b.rate;
+    if constexpr (Order >= 2) difference.second = a.second - b.second;
+    return difference;
+  }
+  friend Jet operator-(const Jet& a) { return Jet() - a; }
+  friend Jet operator*(const Jet& a, const Jet& b) {
+    Jet product;
+    product.value = a.value * b.value;
+    if constexpr (Order >= 1) product.rate = a.value * b.rate + a.rate * b.value;
+    if constexpr (Order >= 2) {
+      const N both = a.rate * b.rate;
+      product.second = a.value * b.second + (both + both) + a.second * b.value;
+    }
+    return product;
   }
 };
 
-template <class N>
-Dual<N> inverse(const Dual<N>& a) {
-  const N reciprocal = inverse(a.value);
-  return {reciprocal, -(a.rate * reciprocal * reciprocal)};
+/// 1/a: a b = 1 has no rates.
+template <class N, int Order>
+Jet<N, Order> inverse(const Jet<N, Order>& a) {
+  Jet<N, Order> b;
+  b.value = inverse(a.value);
+  if constexpr (Order >= 1) b.rate = -(a.rate * b.value * b.value);
+  if constexpr (Order >= 2) {
+    const N both = a.rate * b.rate;
+    b.second = -((both + both + a.second * b.value) * b.value);
+  }
+  return b;
 }
 
 /// Components; of a scalar the first.
-template <class N>
-using Triple = std::array<Dual<N>, 3>;
+template <class N, int Order = kMaxOrder>
+using Triple = std::array<Jet<N, Order>, 3>;
 
 /// All that can vary. R takes body components to space components; columns are the body axes.
 template <class N>
@@ -52,7 +84,7 @@ struct ClaimState {
   std::array<N, 3> I;          ///< principal moments
   std::array<N, 6> J;          ///< Jxx Jxy Jxz Jyy Jyz Jzz on the body axes
   Triple<N> w_B, v_S, A_S;     ///< with their rates
-  std::array<N, 3> N_B, F_S;
+  Triple<N> N_B, F_S;          ///< with their first rates
   N m;
   N h, k;  ///< any numbers
   /// The lesson's constants; nothing: each is what the lesson says.
@@ -74,91 +106,126 @@ inline SizedNumber decimal<SizedNumber>(const DecimalNumber& number) {
 
 /// The size of a vector's component is that of the whole vector (sized_number.h): turning does not change it.
 /// Of other numbers there is nothing to say.
-template <class N>
+template <class N, int Order>
 struct VectorSizes {
-  static void turned(Triple<N>&, const Triple<N>&, const std::array<Triple<N>, 3>&) {}
-  static void mapped(Triple<N>&, const Triple<N>&) {}
-  static void multiplied(Dual<N>&, const Triple<N>&, const Triple<N>&) {}
+  using Vector = Triple<N, Order>;
+  static void turned(Vector&, const Vector&, const std::array<Vector, 3>&) {}
+  static void mapped(Vector&, const Vector&) {}
+  static void multiplied(Jet<N, Order>&, const Vector&, const Vector&) {}
 };
 
-template <>
-struct VectorSizes<SizedNumber> {
-  using Vector = Triple<SizedNumber>;
+template <int Order>
+struct VectorSizes<SizedNumber, Order> {
+  using Vector = Triple<SizedNumber, Order>;
 
   /// y = R x, or Rᵀx.
   static void turned(Vector& y, const Vector& x, const std::array<Vector, 3>& R) {
-    const double turning = std::fmax(std::fmax(rate_size(R[0]), rate_size(R[1])), rate_size(R[2]));
-    share(y, size(x), rate_size(x) + turning * size(x));
+    Sizes turning{1, 0, 0};
+    for (const Vector& row : R) {
+      turning.rate = std::fmax(turning.rate, sizes(row).rate);
+      turning.second = std::fmax(turning.second, sizes(row).second);
+    }
+    const Sizes shared = product(turning, sizes(x));
+    for (Jet<SizedNumber, Order>& component : y) set(component, shared);
   }
   /// y is a tensor that is applied to x.
   static void mapped(Vector& y, const Vector& x) {
     const double length = std::hypot(x[0].value.value, x[1].value.value, x[2].value.value);
     const double mapped = std::hypot(y[0].value.value, y[1].value.value, y[2].value.value);
-    share(y, length > 0 ? size(x) * mapped / length : size(y), rate_size(y));
+    Sizes shared = sizes(y);
+    if (length > 0) shared.value = sizes(x).value * mapped / length;
+    for (Jet<SizedNumber, Order>& component : y) set(component, shared);
   }
   /// Of a product of two vectors, or a component of one.
-  static void multiplied(Dual<SizedNumber>& product, const Vector& a, const Vector& b) {
-    product.value.size = size(a) * size(b);
-    product.rate.size = size(a) * rate_size(b) + rate_size(a) * size(b);
+  static void multiplied(Jet<SizedNumber, Order>& result, const Vector& a, const Vector& b) {
+    set(result, product(sizes(a), sizes(b)));
   }
 
  private:
-  static double size(const Vector& x) {
-    return std::fmax(std::fmax(x[0].value.size, x[1].value.size), x[2].value.size);
+  struct Sizes {
+    double value = 0, rate = 0, second = 0;
+  };
+  static Sizes sizes(const Vector& x) {
+    Sizes largest;
+    for (const Jet<SizedNumber, Order>& component : x) {
+      largest.value = std::fmax(largest.value, component.value.size);
+      largest.rate = std::fmax(largest.rate, component.rate.size);
+      largest.second = std::fmax(largest.second, component.second.size);
+    }
+    return largest;
   }
-  static double rate_size(const Vector& x) {
-    return std::fmax(std::fmax(x[0].rate.size, x[1].rate.size), x[2].rate.size);
+  static Sizes product(const Sizes& a, const Sizes& b) {
+    return {a.value * b.value, a.value * b.rate + a.rate * b.value,
+            a.value * b.second + 2 * a.rate * b.rate + a.second * b.value};
   }
-  static void share(Vector& x, double size, double rate_size) {
-    for (Dual<SizedNumber>& component : x) component.value.size = size, component.rate.size = rate_size;
+  static void set(Jet<SizedNumber, Order>& x, const Sizes& its) {
+    x.value.size = its.value, x.rate.size = its.rate, x.second.size = its.second;
   }
 };
 
-/// sqrt, sin, cos, acos of x, or the angle whose tangent is x/y; with its rate. The size grows with the
+/// sqrt, sin, cos, acos of x, or the angle whose tangent is x/y; with its rates. The size grows with the
 /// relative error that the operands may have. Not finite where it is not defined.
-inline Dual<SizedNumber> function_of(Operation operation, const Dual<SizedNumber>& x,
-                                     const Dual<SizedNumber>& y) {
+template <int Order>
+Jet<SizedNumber, Order> function_of(Operation operation, const Jet<SizedNumber, Order>& x,
+                                    const Jet<SizedNumber, Order>& y) {
   const double a = x.value.value, b = y.value.value;
-  double value = 0, by_a = 0, by_b = 0;  // and its derivatives
+  double value = 0, by_a = 0, by_b = 0, by_aa = 0, by_ab = 0, by_bb = 0;  // and its derivatives
   switch (operation) {
     case Operation::sqrt:
-      value = std::sqrt(a), by_a = 0.5 / value;
+      value = std::sqrt(a), by_a = 0.5 / value, by_aa = -0.5 * by_a / a;
       break;
     case Operation::sin:
-      value = std::sin(a), by_a = std::cos(a);
+      value = std::sin(a), by_a = std::cos(a), by_aa = -value;
       break;
     case Operation::cos:
-      value = std::cos(a), by_a = -std::sin(a);
+      value = std::cos(a), by_a = -std::sin(a), by_aa = -value;
       break;
     case Operation::acos:
-      value = std::acos(a), by_a = -1 / std::sqrt((1 - a) * (1 + a));
+      value = std::acos(a), by_a = -1 / std::sqrt((1 - a) * (1 + a)), by_aa = a * by_a / ((1 - a) * (1 + a));
       break;
-    default:
-      value = std::atan2(a, b), by_a = b / (a * a + b * b), by_b = -a / (a * a + b * b);
+    default: {
+      const double square = a * a + b * b;
+      value = std::atan2(a, b), by_a = b / square, by_b = -a / square;
+      by_aa = 2 * by_a * by_b, by_bb = -by_aa, by_ab = (a * a - b * b) / (square * square);
       break;
+    }
   }
   // Where a derivative is infinite the value is known all the same: sqrt(0), acos(1).
   const auto error = [](double slope, double size) { return size == 0 ? 0.0 : std::abs(slope) * size; };
   const double size = std::abs(value) + error(by_a, x.value.size) + error(by_b, y.value.size);
-  return {{value, std::isfinite(size) ? size : std::abs(value) + std::sqrt(x.value.size)},
-          {by_a * x.rate.value + by_b * y.rate.value, error(by_a, x.rate.size) + error(by_b, y.rate.size)}};
+  Jet<SizedNumber, Order> result;
+  result.value = {value, std::isfinite(size) ? size : std::abs(value) + std::sqrt(x.value.size)};
+  const SizedNumber da = x.rate, db = y.rate;
+  if constexpr (Order >= 1)
+    result.rate = {by_a * da.value + by_b * db.value, error(by_a, da.size) + error(by_b, db.size)};
+  if constexpr (Order >= 2)
+    result.second = {by_a * x.second.value + by_b * y.second.value + by_aa * da.value * da.value +
+                         2 * by_ab * da.value * db.value + by_bb * db.value * db.value,
+                     error(by_a, x.second.size) + error(by_b, y.second.size) +
+                         error(by_aa, da.size * da.size) + error(2 * by_ab, da.size * db.size) +
+                         error(by_bb, db.size * db.size)};
+  return result;
 }
 
-/// Evaluates in one state; the state must live as long.
-template <class N>
+/// Evaluates what is of at most this order in one state; the state must live as long.
+template <class N, int Order = kMaxOrder>
 class Evaluation {
+  using Number = Jet<N, Order>;
+
  public:
-  explicit Evaluation(const ClaimState<N>& state) : s_(state) {
-    const Triple<N> L_B = I_times(s_.w_B);
-    for (std::size_t i = 0; i < 3; ++i) N_B_[i] = constant(s_.N_B[i]);
-    omega_ = to_space(s_.w_B);
+  using Vector = Triple<N, Order>;
+
+  explicit Evaluation(const ClaimState<N>& state)
+      : s_(state), R_{cut(s_.R[0]), cut(s_.R[1]), cut(s_.R[2])}, w_B_(cut(s_.w_B)), N_B_(cut(s_.N_B)) {
+    const Vector L_B = I_times(w_B_);
+    omega_ = to_space(w_B_);
     L_ = to_space(L_B);
     N_ = to_space(N_B_);
-    T_ = constant(inverse(N(2))) * dot(s_.w_B, L_B);
+    T_ = constant(inverse(N(2))) * dot(w_B_, L_B);
   }
 
   /// False if it is not defined there: something was divided by zero.
-  bool operator()(const Expression& expression, Triple<N>& value) {
+  bool operator()(const Expression& expression, Vector& value) {
     values_.resize(expression.nodes.size());
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (!evaluate(expression.nodes, i, values_[i])) return false;
@@ -167,78 +234,77 @@ class Evaluation {
   }
 
   /// Components on the body axes.
-  Triple<N> to_body(const Triple<N>& x_S) const {
-    Triple<N> x_B;
-    for (std::size_t i = 0; i < 3; ++i)
-      x_B[i] = s_.R[0][i] * x_S[0] + s_.R[1][i] * x_S[1] + s_.R[2][i] * x_S[2];
-    VectorSizes<N>::turned(x_B, x_S, s_.R);
+  Vector to_body(const Vector& x_S) const {
+    Vector x_B;
+    for (std::size_t i = 0; i < 3; ++i) x_B[i] = R_[0][i] * x_S[0] + R_[1][i] * x_S[1] + R_[2][i] * x_S[2];
+    VectorSizes<N, Order>::turned(x_B, x_S, R_);
     return x_B;
   }
 
  private:
-  static Dual<N> constant(const N& value) { return {value, N(0)}; }
-  static Triple<N> scalar(const Dual<N>& value) { return {value, Dual<N>(), Dual<N>()}; }
+  static Number constant(const N& value) { return {value, N(0)}; }
+  /// Without what is not needed of the state's rates.
+  static Vector cut(const Triple<N>& x) { return {Number(x[0]), Number(x[1]), Number(x[2])}; }
+  static Vector scalar(const Number& value) { return {value, Number(), Number()}; }
 
-  Triple<N> to_space(const Triple<N>& x_B) const {
-    Triple<N> x_S;
-    for (std::size_t i = 0; i < 3; ++i)
-      x_S[i] = s_.R[i][0] * x_B[0] + s_.R[i][1] * x_B[1] + s_.R[i][2] * x_B[2];
-    VectorSizes<N>::turned(x_S, x_B, s_.R);
+  Vector to_space(const Vector& x_B) const {
+    Vector x_S;
+    for (std::size_t i = 0; i < 3; ++i) x_S[i] = R_[i][0] * x_B[0] + R_[i][1] * x_B[1] + R_[i][2] * x_B[2];
+    VectorSizes<N, Order>::turned(x_S, x_B, R_);
     return x_S;
   }
 
-  static Dual<N> dot(const Triple<N>& a, const Triple<N>& b) {
-    Dual<N> product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    VectorSizes<N>::multiplied(product, a, b);
+  static Number dot(const Vector& a, const Vector& b) {
+    Number product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    VectorSizes<N, Order>::multiplied(product, a, b);
     return product;
   }
-  static Triple<N> cross(const Triple<N>& a, const Triple<N>& b) {
-    Triple<N> product{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-    for (Dual<N>& component : product) VectorSizes<N>::multiplied(component, a, b);
+  static Vector cross(const Vector& a, const Vector& b) {
+    Vector product{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    for (Number& component : product) VectorSizes<N, Order>::multiplied(component, a, b);
     return product;
   }
 
   /// |x|, where N has roots; its rate x·ẋ/|x| is nothing that can be used where x = 0.
-  static bool length([[maybe_unused]] const Triple<N>& x, [[maybe_unused]] Triple<N>& value) {
+  static bool length([[maybe_unused]] const Vector& x, [[maybe_unused]] Vector& value) {
     if constexpr (std::is_same_v<N, SizedNumber>) {
-      const Dual<N> square = dot(x, x);
-      const double length = std::sqrt(square.value.value);
-      value = scalar({{length, std::sqrt(square.value.size)},
-                      {square.rate.value / (2 * length), square.rate.size / (2 * length)}});
+      const Number square = dot(x, x);
+      value = scalar(function_of(Operation::sqrt, square, {}));
+      value[0].value.size = std::sqrt(square.value.size);
       return true;
     }
     return false;
   }
 
-  Dual<N> J_at(std::size_t row, std::size_t column) const {
+  Number J_at(std::size_t row, std::size_t column) const {
     constexpr std::size_t kPlace[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
     return constant(s_.J[kPlace[row][column]]);
   }
-  Triple<N> J_times(const Triple<N>& x_B) const {
-    Triple<N> y_B;
+  Vector J_times(const Vector& x_B) const {
+    Vector y_B;
     for (std::size_t i = 0; i < 3; ++i)
       y_B[i] = J_at(i, 0) * x_B[0] + J_at(i, 1) * x_B[1] + J_at(i, 2) * x_B[2];
-    VectorSizes<N>::mapped(y_B, x_B);
+    VectorSizes<N, Order>::mapped(y_B, x_B);
     return y_B;
   }
-  Triple<N> I_times(const Triple<N>& x_B) const {
-    Triple<N> y_B{constant(s_.I[0]) * x_B[0], constant(s_.I[1]) * x_B[1], constant(s_.I[2]) * x_B[2]};
-    VectorSizes<N>::mapped(y_B, x_B);
+  Vector I_times(const Vector& x_B) const {
+    Vector y_B{constant(s_.I[0]) * x_B[0], constant(s_.I[1]) * x_B[1], constant(s_.I[2]) * x_B[2]};
+    VectorSizes<N, Order>::mapped(y_B, x_B);
     return y_B;
   }
   /// tr(R J Rᵀ): of the components in space.
-  Dual<N> trace_J() const {
-    Dual<N> sum;
-    for (const Triple<N>& row : s_.R) sum = sum + dot(row, J_times(row));
+  Number trace_J() const {
+    Number sum;
+    for (const Vector& row : R_) sum = sum + dot(row, J_times(row));
     return sum;
   }
-  Triple<N> axis(std::size_t i) const { return {s_.R[0][i], s_.R[1][i], s_.R[2][i]}; }
+  Vector axis(std::size_t i) const { return {R_[0][i], R_[1][i], R_[2][i]}; }
 
-  static Triple<N> rate_of(const Triple<N>& x) {
-    return {constant(x[0].rate), constant(x[1].rate), constant(x[2].rate)};
+  static Vector rate_of(const Vector& x) {
+    return {Number(x[0].rate, x[0].second), Number(x[1].rate, x[1].second), Number(x[2].rate, x[2].second)};
   }
 
-  Triple<N> value_of(Quantity quantity) const {
+  Vector value_of(Quantity quantity) const {
     using S = Quantity;
     const auto nth = [quantity](S first) {
       return static_cast<std::size_t>(static_cast<int>(quantity) - static_cast<int>(first));
@@ -253,11 +319,11 @@ class Evaluation {
       case S::w1:
       case S::w2:
       case S::w3:
-        return scalar(s_.w_B[nth(S::w1)]);
+        return scalar(w_B_[nth(S::w1)]);
       case S::dw1:
       case S::dw2:
       case S::dw3:
-        return scalar(constant(s_.w_B[nth(S::dw1)].rate));
+        return scalar(rate_of(w_B_)[nth(S::dw1)]);
       case S::N1:
       case S::N2:
       case S::N3:
@@ -275,13 +341,13 @@ class Evaluation {
       case S::N:
         return N_;
       case S::p:
-        return scaled(constant(s_.m), s_.v_S);
+        return scaled(constant(s_.m), cut(s_.v_S));
       case S::v:
-        return s_.v_S;
+        return cut(s_.v_S);
       case S::F:
-        return {constant(s_.F_S[0]), constant(s_.F_S[1]), constant(s_.F_S[2])};
+        return cut(s_.F_S);
       case S::A:
-        return s_.A_S;
+        return cut(s_.A_S);
       case S::e1:
       case S::e2:
       case S::e3:
@@ -289,7 +355,7 @@ class Evaluation {
       case S::ex:
       case S::ey:
       case S::ez: {
-        Triple<N> e_S;
+        Vector e_S;
         e_S[nth(S::ex)] = constant(N(1));
         return e_S;
       }
@@ -303,23 +369,23 @@ class Evaluation {
     return N(0);
   }
 
-  static Triple<N> scaled(const Dual<N>& factor, const Triple<N>& x) {
+  static Vector scaled(const Number& factor, const Vector& x) {
     return {factor * x[0], factor * x[1], factor * x[2]};
   }
 
-  static Dual<N> number(const DecimalNumber& number) { return constant(decimal<N>(number)); }
+  static Number number(const DecimalNumber& number) { return constant(decimal<N>(number)); }
 
-  static bool power(const Dual<N>& base, int exponent, Dual<N>& result) {
+  static bool power(const Number& base, int exponent, Number& result) {
     if (exponent < 0 && base.value.is_zero()) return false;
-    const Dual<N> factor = exponent < 0 ? inverse(base) : base;
+    const Number factor = exponent < 0 ? inverse(base) : base;
     result = constant(N(1));
     for (int n = std::abs(exponent); n > 0; --n) result = result * factor;
     return true;
   }
 
   /// A function that has values where N has roots and angles.
-  static bool function([[maybe_unused]] Operation operation, [[maybe_unused]] const Dual<N>& x,
-                       [[maybe_unused]] const Dual<N>& y, [[maybe_unused]] Triple<N>& value) {
+  static bool function([[maybe_unused]] Operation operation, [[maybe_unused]] const Number& x,
+                       [[maybe_unused]] const Number& y, [[maybe_unused]] Vector& value) {
     if constexpr (std::is_same_v<N, SizedNumber>) {
       value = scalar(function_of(operation, x, y));
       return std::isfinite(value[0].value.value);
@@ -333,10 +399,10 @@ class Evaluation {
     return N(0);  // states of exact numbers have their constants
   }
 
-  bool evaluate(const std::vector<ExpressionNode>& nodes, std::size_t index, Triple<N>& value) const {
+  bool evaluate(const std::vector<ExpressionNode>& nodes, std::size_t index, Vector& value) const {
     using O = Operation;
     const ExpressionNode& node = nodes[index];
-    const auto operand = [this](int which) -> const Triple<N>& {
+    const auto operand = [this](int which) -> const Vector& {
       return values_[static_cast<std::size_t>(which)];
     };
     switch (node.operation) {
@@ -365,13 +431,13 @@ class Evaluation {
         value = scaled(operand(node.a)[0], operand(node.b));
         break;
       case O::divide: {
-        const Dual<N>& divisor = operand(node.b)[0];
+        const Number& divisor = operand(node.b)[0];
         if (divisor.value.is_zero()) return false;
         value = scaled(inverse(divisor), operand(node.a));
         break;
       }
       case O::power:
-        value = Triple<N>();
+        value = Vector();
         return power(operand(node.a)[0], node.integer, value[0]);
       case O::dot:
         value = scalar(dot(operand(node.a), operand(node.b)));
@@ -425,9 +491,10 @@ class Evaluation {
   }
 
   const ClaimState<N>& s_;
-  Triple<N> omega_, L_, N_B_, N_;
-  Dual<N> T_;
-  std::vector<Triple<N>> values_;
+  std::array<Vector, 3> R_;
+  Vector w_B_, N_B_, omega_, L_, N_;
+  Number T_;
+  std::vector<Vector> values_;
 };
 
 }  // namespace polhode

@@ -308,6 +308,10 @@ const typename Facts::value_type* find_named(const Facts& facts, std::string_vie
 
 }  // namespace
 
+const QuantityFacts& facts_of(Quantity quantity) {
+  return *std::find_if(kQuantities.begin(), kQuantities.end(),
+                       [quantity](const QuantityFacts& facts) { return facts.quantity == quantity; });
+}
 const QuantityFacts* find_quantity(std::string_view name) { return find_named(kQuantities, name); }
 const FunctionFacts* find_function(std::string_view name) { return find_named(kFunctions, name); }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Expressions of claims and answers: read once, evaluated over whatever numbers there are (evaluation.h).
 //
-// What is read is meant: types are checked, a derivative is taken of nothing whose rate is not known, and the
-// degree is bounded, so that agreement at random points is proof (proof.h).
+// What is read is meant: types are checked, derivatives go as far as rates are known, and the degree is
+// bounded, so that agreement at random points is proof (proof.h).
 #pragma once
 
 #include "lessons/diagnostics/report.h"
@@ -25,6 +25,8 @@ inline constexpr int kMaxExponent = 16;
 inline constexpr int kMaxDegree = 4096;
 /// Parts of an expression, once the lesson's own words are written out.
 inline constexpr std::size_t kMaxExpressionNodes = 4096;
+/// Derivatives are at most second ones: of ω̇, N and F first ones.
+inline constexpr int kMaxOrder = 2;
 /// Digits of a number, without leading zeros; and the largest power of ten it may carry.
 inline constexpr int kMaxDigits = 15, kMaxPowerOfTen = 18;
 
@@ -75,7 +77,7 @@ struct ExpressionNode {
   DecimalNumber number;  ///< of a constant what the lesson says that it is
   int integer = 0;       ///< exponent of power, index (0 to 2) of comp, number of a constant
   ExpressionType type = ExpressionType::scalar;
-  bool has_rate = true;  ///< its rate of change is known: it can be differentiated
+  int order = 0;  ///< of the highest derivative in it; ω̇, and N and F, which make rates, are of order 1
   Degree degree;
   std::uint32_t begin = 0, end = 0;  ///< bytes of the text that it stands for
 };
@@ -89,6 +91,7 @@ struct Expression {
   ExpressionType type() const { return nodes.back().type; }
   bool uses(Operation operation) const;
   bool uses(Quantity quantity) const;
+  int order() const { return nodes.back().order; }
 };
 
 class Vocabulary;
@@ -115,16 +118,16 @@ struct Equality {
 
 /// Exact arithmetic has no roots, angles or π. What is to be proved is free of them, but for lengths as
 /// norm(a) = norm(b): these are not negative, so they are equal where their squares are.
-/// The cosine of an angle acos(a) is a: so far angles go.
+/// Of angles there is one thing that is exact: the cosine of acos(a) is a.
 /// @return whether both sides are free of lengths inside, and both are one, or neither is; and no sqrt, sin,
 /// atan2 or pi is there, and no cos and acos but in cos(acos(a)).
 bool is_provable(const Equality& equality);
+/// Whether a single expression has none of these, and no lengths: an answer, or what an assumption sets.
+bool is_rational(const Expression& expression);
 /// Whether an equality is not provable for other reasons than its lengths; and what to say of it.
 bool has_angles(const Equality& equality);
 inline constexpr std::string_view kNoAngles =
     "exact arithmetic has no roots and no angles, but the cosine of an angle acos(a)";
-/// The same of an answer, or of what an assumption sets.
-bool is_rational(const Expression& expression);
 /// Lengths that are whole sides replaced by their squares.
 Equality with_lengths_squared(Equality equality);
 

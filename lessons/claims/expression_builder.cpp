@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/expression_builder.h"
 
+#include "lessons/claims/degree.h"
+
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace polhode {
@@ -11,50 +11,12 @@ namespace {
 
 using Type = ExpressionType;
 
-double log2_of_sum(double a_bits, double b_bits) {
-  return std::max(a_bits, b_bits) + std::log2(1 + std::exp2(-std::abs(a_bits - b_bits)));
-}
-
-Degree sum(const Degree& a, const Degree& b) {
-  return {std::max(a.numerator + b.denominator, b.numerator + a.denominator), a.denominator + b.denominator,
-          log2_of_sum(a.numerator_bits + b.denominator_bits, b.numerator_bits + a.denominator_bits),
-          a.denominator_bits + b.denominator_bits};
-}
-Degree product(const Degree& a, const Degree& b) {
-  return {a.numerator + b.numerator, a.denominator + b.denominator, a.numerator_bits + b.numerator_bits,
-          a.denominator_bits + b.denominator_bits};
-}
-Degree power_of(const Degree& a, int exponent) {
-  const int n = std::abs(exponent);
-  const Degree up{a.numerator * n, a.denominator * n, a.numerator_bits * n, a.denominator_bits * n};
-  return exponent < 0 ? Degree{up.denominator, up.numerator, up.denominator_bits, up.numerator_bits} : up;
-}
-/// The sum of so many that have the degree.
-Degree times(double count, Degree a) {
-  a.numerator_bits += std::log2(count);
-  return a;
-}
-/// (n/d)˙ = (ṅ d − n ḋ)/d². The rates of all that moves have the three moments and the mass below them; above
-/// them they have at most degree 6 and three terms. A vector's turning adds ω×(n/d).
-Degree rate_of(const Degree& a) {
-  return {a.numerator + a.denominator + 5, 2 * a.denominator + 4,
-          a.numerator_bits + a.denominator_bits + std::log2(3 * (a.numerator + a.denominator) + 2),
-          2 * a.denominator_bits};
-}
-Degree degree_of(const DecimalNumber& number) {
-  constexpr double kLog10 = 3.322;  // log2 10, rounded up
-  const double bits = number.mantissa == 0 ? 0 : std::log2(static_cast<double>(number.mantissa));
-  const double power = kLog10 * number.power_of_ten;
-  return {0, 0, bits + std::max(power, 0.0), std::max(-power, 0.0)};
-}
 /// Functions that exact arithmetic has not.
 bool is_of_numbers(Operation operation) {
   using O = Operation;
   return operation == O::sqrt || operation == O::sin || operation == O::cos || operation == O::acos ||
          operation == O::atan2;
 }
-constexpr Degree kRotation{2, 2};          ///< of R(q)
-constexpr Degree kTensor{5, 4, kLog3, 0};  ///< of R I Rᵀ
 
 Type sum_type(Type a, Type b) { return a == Type::zero ? b : a; }
 
@@ -64,7 +26,7 @@ ExpressionNode binary(Operation operation, int a, int b, const ExpressionNode& l
   node.operation = operation;
   node.a = a;
   node.b = b;
-  node.has_rate = left.has_rate && right.has_rate;
+  node.order = std::max(left.order, right.order);
   node.begin = left.begin;
   node.end = right.end;
   return node;
@@ -77,6 +39,9 @@ int ExpressionBuilder::push(ExpressionNode node, std::size_t at) {
     throw ExpressionFault(at,
                           "written out, this has more than " + std::to_string(kMaxExpressionNodes) + " parts",
                           "definitions in definitions grow quickly");
+  static const DegreeTable kNothingGiven;
+  const auto degree_of = [this](int operand) { return operand < 0 ? Degree() : (*this)[operand].degree; };
+  node.degree = kNothingGiven.of(node, degree_of(node.a), degree_of(node.b));
   if (std::max(node.degree.numerator, node.degree.denominator) > kMaxDegree)
     throw ExpressionFault(at, "the degree of this exceeds " + std::to_string(kMaxDegree),
                           "too many factors or divisions are nested here");
@@ -95,7 +60,7 @@ void ExpressionBuilder::want_scalar(int operand, std::size_t at, const std::stri
   if ((*this)[operand].type == Type::vector) throw ExpressionFault(at, message, std::move(hint));
 }
 
-/// What is over a single operand and has its type, rate and degree.
+/// What is over a single operand and has its type and order.
 ExpressionNode ExpressionBuilder::unary(Operation operation, int a, std::size_t begin,
                                         std::size_t end) const {
   ExpressionNode node = (*this)[a];
@@ -110,7 +75,6 @@ ExpressionNode ExpressionBuilder::unary(Operation operation, int a, std::size_t 
 int ExpressionBuilder::number(const DecimalNumber& number, std::size_t begin, std::size_t end) {
   ExpressionNode node;
   node.number = number;
-  node.degree = degree_of(number);
   node.type = number.mantissa == 0 ? Type::zero : Type::scalar;
   node.begin = static_cast<std::uint32_t>(begin);
   node.end = static_cast<std::uint32_t>(end);
@@ -122,8 +86,7 @@ int ExpressionBuilder::quantity(const QuantityFacts& facts, std::size_t begin, s
   node.operation = Operation::quantity;
   node.quantity = facts.quantity;
   node.type = facts.type;
-  node.has_rate = facts.has_rate;
-  node.degree = facts.degree;
+  node.order = facts.order;
   node.begin = static_cast<std::uint32_t>(begin);
   node.end = static_cast<std::uint32_t>(end);
   return push(node, begin);
@@ -134,7 +97,6 @@ int ExpressionBuilder::constant(int index, double value, std::size_t begin, std:
   node.operation = Operation::constant;
   node.integer = index;
   node.number.value = value;
-  node.degree = {1, 0};
   node.begin = static_cast<std::uint32_t>(begin);
   node.end = static_cast<std::uint32_t>(end);
   return push(node, begin);
@@ -171,7 +133,6 @@ int ExpressionBuilder::add(Operation add_or_subtract, int a, int b, std::size_t 
                                   " cannot be added");
   ExpressionNode node = binary(add_or_subtract, a, b, left, right);
   node.type = sum_type(left.type, right.type);
-  node.degree = sum(left.degree, right.degree);
   return push(node, at);
 }
 
@@ -183,7 +144,6 @@ int ExpressionBuilder::multiply(int a, int b, std::size_t at) {
   const bool vector = left.type == Type::vector || right.type == Type::vector;
   const bool zeros = left.type == Type::zero && right.type == Type::zero;
   node.type = vector ? Type::vector : zeros ? Type::zero : Type::scalar;
-  node.degree = product(left.degree, right.degree);
   if (left.type == Type::vector) std::swap(node.a, node.b);  // a vector comes second, for who evaluates
   return push(node, at);
 }
@@ -193,7 +153,6 @@ int ExpressionBuilder::divide(int a, int b, std::size_t at) {
   const ExpressionNode &left = (*this)[a], &right = (*this)[b];
   ExpressionNode node = binary(Operation::divide, a, b, left, right);
   node.type = left.type;
-  node.degree = product(left.degree, power_of(right.degree, -1));
   return push(node, at);
 }
 
@@ -202,7 +161,6 @@ int ExpressionBuilder::power(int a, int exponent, std::size_t at, std::size_t en
   ExpressionNode node = unary(Operation::power, a, (*this)[a].begin, end);
   node.integer = exponent;
   node.type = Type::scalar;
-  node.degree = power_of(node.degree, exponent);
   return push(node, at);
 }
 
@@ -222,19 +180,12 @@ int ExpressionBuilder::call(const FunctionFacts& function, const std::vector<int
   node.type = function.operation == O::dot || is_length ? Type::scalar
               : function.operation == O::ddt            ? first.type
                                                         : Type::vector;
-  node.degree = first.degree;
-  if (function.operation == O::cross) node.degree = times(2, product(first.degree, (*this)[node.b].degree));
-  if (function.operation == O::dot) node.degree = times(3, product(first.degree, (*this)[node.b].degree));
-  if (is_length) node.degree = times(3, power_of(first.degree, 2));  // a length is proved by its square
-  if (function.operation == O::inertia) node.degree = product(first.degree, kTensor);
   if (!is_rate) return push(node, at);
 
-  if (!first.has_rate)
+  if (first.order == kMaxOrder)
     throw ExpressionFault(first.begin, "the rate of change of this is not known",
-                          "N and F have none, and derivatives do not nest");
-  node.has_rate = false;
-  node.degree = function.operation == O::ddt ? rate_of(first.degree)
-                                             : product(rate_of(product(first.degree, kRotation)), kRotation);
+                          "derivatives are at most second ones, of ω̇, N and F first ones");
+  ++node.order;
   return push(node, at);
 }
 
@@ -249,7 +200,6 @@ int ExpressionBuilder::call_of_numbers(const FunctionFacts& function, const std:
                                arguments.size() > 1 ? arguments[1] : -1, first, (*this)[arguments.back()]);
   node.begin = static_cast<std::uint32_t>(at);
   node.end = static_cast<std::uint32_t>(end);
-  node.degree = sum(first.degree, (*this)[arguments.back()].degree);
   return push(node, at);
 }
 
@@ -258,7 +208,6 @@ int ExpressionBuilder::component(int a, int index, std::size_t at, std::size_t e
   ExpressionNode node = unary(Operation::comp, a, at, end);
   node.integer = index;
   node.type = Type::scalar;
-  node.degree = product(node.degree, kRotation);
   return push(node, at);
 }
 
@@ -266,14 +215,12 @@ int ExpressionBuilder::apply_tensor(int a, std::size_t at, std::size_t end) {
   want_vector(a, "apply");
   ExpressionNode node = unary(Operation::apply, a, at, end);
   node.type = Type::vector;
-  node.degree = product(node.degree, kTensor);
   return push(node, at);
 }
 
 int ExpressionBuilder::trace_of_tensor(std::size_t at, std::size_t end) {
   ExpressionNode node;
   node.operation = Operation::trace;
-  node.degree = kTensor;
   node.begin = static_cast<std::uint32_t>(at);
   node.end = static_cast<std::uint32_t>(end);
   return push(node, at);

@@ -5,16 +5,21 @@
 #include "lessons/claims/expression.h"
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace polhode {
+
+/// Powers of kg, m and s; angles have none.
+using Dimension = std::array<double, 3>;
+inline constexpr Dimension kNumber{0, 0, 0}, kInertia{1, 2, 0}, kEnergy{1, 2, -2};
 
 struct QuantityFacts {
   std::string_view name;
   Quantity quantity;
   ExpressionType type;
-  bool has_rate;
-  Degree degree;  ///< vectors: of their components in space, with R(q) = homogeneous / |q|²
+  int order;                           ///< as of ExpressionNode
+  std::optional<Dimension> dimension;  ///< nothing: it may be anything
 };
 
 struct FunctionFacts {
@@ -31,43 +36,43 @@ inline constexpr std::string_view kTensorName = "J";
 inline constexpr std::array<QuantityFacts, 35> kQuantities = [] {
   using S = Quantity;
   constexpr auto scalar = ExpressionType::scalar, vector = ExpressionType::vector;
+  constexpr Dimension kSpin{0, 0, -1};
   return std::array<QuantityFacts, 35>{{
-      {"T", S::T, scalar, true, {3, 0, kLog3, 1}},
-      {"I1", S::I1, scalar, true, {1, 0}},
-      {"I2", S::I2, scalar, true, {1, 0}},
-      {"I3", S::I3, scalar, true, {1, 0}},
-      {"w1", S::w1, scalar, true, {1, 0}},
-      {"w2", S::w2, scalar, true, {1, 0}},
-      {"w3", S::w3, scalar, true, {1, 0}},
-      {"dw1", S::dw1, scalar, false, {3, 1, kLog3, 0}},
-      {"dw2", S::dw2, scalar, false, {3, 1, kLog3, 0}},
-      {"dw3", S::dw3, scalar, false, {3, 1, kLog3, 0}},
-      {"N1", S::N1, scalar, false, {1, 0}},
-      {"N2", S::N2, scalar, false, {1, 0}},
-      {"N3", S::N3, scalar, false, {1, 0}},
-      {"m", S::m, scalar, true, {1, 0}},
-      {"h", S::h, scalar, true, {1, 0}},
-      {"k", S::k, scalar, true, {1, 0}},
-      {"omega", S::omega, vector, true, {3, 2}},
-      {"L", S::L, vector, true, {4, 2}},
-      {"N", S::N, vector, false, {3, 2}},
-      {"p", S::p, vector, true, {2, 0}},
-      {"v", S::v, vector, true, {1, 0}},
-      {"F", S::F, vector, false, {1, 0}},
-      {"A", S::A, vector, true, {1, 0}},
-      {"e1", S::e1, vector, true, {2, 2}},
-      {"e2", S::e2, vector, true, {2, 2}},
-      {"e3", S::e3, vector, true, {2, 2}},
-      // On the body axes, where coefficients are bounded (proof.h), these are rows of R(q).
-      {"ex", S::ex, vector, true, {2, 2, 2, 2}},
-      {"ey", S::ey, vector, true, {2, 2, 2, 2}},
-      {"ez", S::ez, vector, true, {2, 2, 2, 2}},
-      {"Jxx", S::Jxx, scalar, true, {1, 0}},
-      {"Jxy", S::Jxy, scalar, true, {1, 0}},
-      {"Jxz", S::Jxz, scalar, true, {1, 0}},
-      {"Jyy", S::Jyy, scalar, true, {1, 0}},
-      {"Jyz", S::Jyz, scalar, true, {1, 0}},
-      {"Jzz", S::Jzz, scalar, true, {1, 0}},
+      {"T", S::T, scalar, 0, kEnergy},
+      {"I1", S::I1, scalar, 0, kInertia},
+      {"I2", S::I2, scalar, 0, kInertia},
+      {"I3", S::I3, scalar, 0, kInertia},
+      {"w1", S::w1, scalar, 0, kSpin},
+      {"w2", S::w2, scalar, 0, kSpin},
+      {"w3", S::w3, scalar, 0, kSpin},
+      {"dw1", S::dw1, scalar, 1, Dimension{0, 0, -2}},
+      {"dw2", S::dw2, scalar, 1, Dimension{0, 0, -2}},
+      {"dw3", S::dw3, scalar, 1, Dimension{0, 0, -2}},
+      {"N1", S::N1, scalar, 1, kEnergy},
+      {"N2", S::N2, scalar, 1, kEnergy},
+      {"N3", S::N3, scalar, 1, kEnergy},
+      {"m", S::m, scalar, 0, Dimension{1, 0, 0}},
+      {"h", S::h, scalar, 0, {}},
+      {"k", S::k, scalar, 0, {}},
+      {"omega", S::omega, vector, 0, kSpin},
+      {"L", S::L, vector, 0, Dimension{1, 2, -1}},
+      {"N", S::N, vector, 1, kEnergy},
+      {"p", S::p, vector, 0, Dimension{1, 1, -1}},
+      {"v", S::v, vector, 0, Dimension{0, 1, -1}},
+      {"F", S::F, vector, 1, Dimension{1, 1, -2}},
+      {"A", S::A, vector, 0, {}},
+      {"e1", S::e1, vector, 0, kNumber},
+      {"e2", S::e2, vector, 0, kNumber},
+      {"e3", S::e3, vector, 0, kNumber},
+      {"ex", S::ex, vector, 0, kNumber},
+      {"ey", S::ey, vector, 0, kNumber},
+      {"ez", S::ez, vector, 0, kNumber},
+      {"Jxx", S::Jxx, scalar, 0, kInertia},
+      {"Jxy", S::Jxy, scalar, 0, kInertia},
+      {"Jxz", S::Jxz, scalar, 0, kInertia},
+      {"Jyy", S::Jyy, scalar, 0, kInertia},
+      {"Jyz", S::Jyz, scalar, 0, kInertia},
+      {"Jzz", S::Jzz, scalar, 0, kInertia},
   }};
 }();
 
@@ -90,6 +95,8 @@ inline constexpr std::array<FunctionFacts, 15> kFunctions = {{{"dot", Operation:
                                                               {"acos", Operation::acos, 1},
                                                               {"atan2", Operation::atan2, 2}}};
 
+/// The row of a quantity.
+const QuantityFacts& facts_of(Quantity quantity);
 const QuantityFacts* find_quantity(std::string_view name);
 const FunctionFacts* find_function(std::string_view name);
 

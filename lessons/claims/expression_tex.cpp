@@ -145,13 +145,23 @@ class Printer {
   }
 
   Piece rate(const char* d, const ExpressionNode& n) const {
+    const ExpressionNode& below = node(n.a);
+    if (n.operation == Operation::ddt && word(below) == nullptr) {
+      if (below.operation == Operation::quantity && facts_of(below.quantity).name.starts_with("dw"))
+        return {"\\ddot\\omega_" + std::string(1, facts_of(below.quantity).name.back()), Level::atom};
+      if (below.operation == Operation::ddt) return fraction_of_rate("d^2", "dt^2", node(n.a));
+    }
+    return fraction_of_rate(d, "dt", n);
+  }
+
+  Piece fraction_of_rate(const char* d, const char* dt, const ExpressionNode& n) const {
     const Operation of = node(n.a).operation;
     const bool is_atom = of == Operation::quantity || of == Operation::norm || of == Operation::norm2 ||
                          (of == Operation::comp && node(node(n.a).a).operation == Operation::quantity);
     const Vocabulary::Word* said = word(node(n.a));
     const bool stands_alone = said == nullptr ? is_atom : is_letter(said->tex);
     const std::string tex = stands_alone ? piece(n.a).tex : '(' + piece(n.a).tex + ')';
-    return {"\\frac{" + std::string(d) + tex + "}{dt}", Level::product};
+    return {"\\frac{" + std::string(d) + tex + "}{" + dt + '}', Level::product};
   }
 
   Piece component(const ExpressionNode& n) const {
@@ -247,8 +257,9 @@ class Printer {
   const Vocabulary* vocabulary_;
 };
 
-std::string tex_of(const Equality& equality, const Vocabulary* vocabulary) {
-  return tex_of(equality.left, vocabulary) + " = " + tex_of(equality.right, vocabulary);
+std::string tex_of(const Equality& sides, Relation relation, const Vocabulary* vocabulary) {
+  return tex_of(sides.left, vocabulary) + ' ' + std::string(tex_of(relation)) + ' ' +
+         tex_of(sides.right, vocabulary);
 }
 
 }  // namespace
@@ -257,9 +268,11 @@ std::string tex_of(const Expression& expression, const Vocabulary* vocabulary) {
   return Printer(expression, vocabulary).whole().tex;
 }
 
-std::string tex_of(const ClaimLine& line, const Vocabulary* vocabulary) {
-  const std::string tex = tex_of(line.equality, vocabulary);
-  return line.conclusion ? tex + "\\;\\not\\Rightarrow\\;" + tex_of(*line.conclusion, vocabulary) : tex;
+std::string tex_of(const ClaimLine& line, ClaimKind kind, const Vocabulary* vocabulary) {
+  const std::string tex = tex_of(line.equality, line.relation, vocabulary);
+  if (!line.conclusion) return tex;
+  const char* arrow = kind == ClaimKind::non_sequitur ? "\\;\\not\\Rightarrow\\;" : "\\;\\Rightarrow\\;";
+  return tex + arrow + tex_of(*line.conclusion, Relation::equal, vocabulary);
 }
 
 std::string tex_of(const Setting& setting, const Vocabulary* vocabulary) {

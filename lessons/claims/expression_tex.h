@@ -15,8 +15,9 @@ namespace polhode {
 /// or by their names. Linear.
 std::string tex_of(const Expression& expression, const Vocabulary* vocabulary = nullptr);
 
-/// "2T = …"; of a non-sequitur with its conclusion, "A \not\Rightarrow B".
-std::string tex_of(const ClaimLine& line, const Vocabulary* vocabulary = nullptr);
+/// "2T = …"; with its conclusion, if it has one, "A \Rightarrow B", or of a non-sequitur "A \not\Rightarrow
+/// B".
+std::string tex_of(const ClaimLine& line, ClaimKind kind, const Vocabulary* vocabulary = nullptr);
 
 /// "I_2 = I_1".
 std::string tex_of(const Setting& setting, const Vocabulary* vocabulary = nullptr);

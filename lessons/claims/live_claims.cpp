@@ -4,6 +4,7 @@
 #include "lessons/claims/expression_variants.h"
 #include "lessons/claims/proof.h"
 #include "physics/analysis/difference.h"
+#include "physics/analysis/motion_errors.h"
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "physics/method.h"
@@ -28,35 +29,36 @@ double rate_scale(const SceneModel& model, const RigidBodyState& state) {
   return scale > 0 ? scale : 1;
 }
 
-/// What changes: attitude by rows, ω, the arrow, the velocity of the centre of mass. One vector, so that one
-/// difference is taken of all.
-using Moving = Eigen::Matrix<double, 18, 1>;
+/// What changes: attitude by rows, ω, the arrow, the velocity of the centre of mass, the torque. One vector,
+/// so that one difference is taken of all.
+using Moving = Eigen::Matrix<double, 21, 1>;
 
 Moving moving(const SceneModel& model, double t_s, const RigidBodyState& state) {
   const Mat3 R_SB = state.q_SB.toRotationMatrix();
   Moving all;
   all << R_SB.row(0).transpose(), R_SB.row(1).transpose(), R_SB.row(2).transpose(), state.w_B,
-      arrow_A_S(model, t_s, state.q_SB), translation_at(model.scene, t_s).v_S;
+      arrow_A_S(model, t_s, state.q_SB), translation_at(model.scene, t_s).v_S,
+      torque_B(model.scene.torque, state);
   return all;
 }
 
 Vec3 part(const Moving& all, int index) { return all.segment<3>(3 * index); }
 
-/// Components have the size of the whole vector: what is small by chance is no better known.
-Triple<SizedNumber> sized(const Vec3& x, double size, const Vec3& rate, double rate_size) {
+/// Components have the size of the whole vector, and their rates at least that which `rate` would give: what
+/// is small by chance is no better known.
+Triple<SizedNumber> sized(const Vec3& x, double size, double rate, const Vec3& first, const Vec3& second) {
   Triple<SizedNumber> result;
   for (int i = 0; i < 3; ++i)
-    result[static_cast<std::size_t>(i)] = {{x[i], size}, {rate[i], std::max(rate_size, std::abs(rate[i]))}};
+    result[static_cast<std::size_t>(i)] = {{x[i], size},
+                                           {first[i], std::max(rate * size, std::abs(first[i]))},
+                                           {second[i], std::max(rate * rate * size, std::abs(second[i]))}};
   return result;
 }
 
-std::array<SizedNumber, 3> sized(const Vec3& x) {
-  const double size = x.norm();
-  return {{{x[0], size}, {x[1], size}, {x[2], size}}};
-}
+Triple<SizedNumber> at_rest(const Vec3& x) { return sized(x, x.norm(), 0, Vec3::Zero(), Vec3::Zero()); }
 
 Mat3 on_turned_axes(const PrincipalMoments& I) {
-  const Mat3 Q = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
+  static const Mat3 Q = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
   return Q.transpose() * I.vector().asDiagonal() * Q;
 }
 
@@ -77,23 +79,20 @@ double rounding_at(double t_s, double rate) {
   return kRoundings * kEpsilon * (1.0 + rate * std::abs(t_s)) / kDifferenceAngle;
 }
 
-bool has_rates(const Equality& equality) {
-  const auto has = [](const Expression& side) {
-    return std::any_of(side.nodes.begin(), side.nodes.end(), is_rate);
-  };
-  return has(equality.left) || has(equality.right);
-}
+bool has_rates(const Equality& equality) { return has_rates(equality.left) || has_rates(equality.right); }
 
 /// What does not speak of rates has no part in the error of a step.
 double tolerance_of(const Equality& equality, std::optional<double> within, const LiveState& live) {
-  return within.value_or(live.rounding + (has_rates(equality) ? live.method_error : 0.0));
+  const bool is_second = std::max(equality.left.order(), equality.right.order()) > 1;
+  const double allowed = live.rounding + (has_rates(equality) ? live.method_error : 0.0);
+  return within.value_or(is_second ? live.growth_of_second * allowed : allowed);
 }
 
-double size_of(const Triple<SizedNumber>& x) {
+double size_of(const Triple<SizedNumber, 0>& x) {
   return std::hypot(x[0].value.size, x[1].value.size, x[2].value.size);
 }
 
-std::array<double, 3> values_of(const Triple<SizedNumber>& x) {
+std::array<double, 3> values_of(const Triple<SizedNumber, 0>& x) {
   return {x[0].value.value, x[1].value.value, x[2].value.value};
 }
 
@@ -111,54 +110,82 @@ bool holds_at_start(const Given& given, const Scene& scene) {
   ClaimState<SizedNumber> s{};
   const Mat3 R_SB = start.q_SB.normalized().toRotationMatrix();
   for (int row = 0; row < 3; ++row)
-    s.R[static_cast<std::size_t>(row)] = sized(Vec3(R_SB.row(row).transpose()), 1.0, Vec3::Zero(), 0);
-  s.w_B = sized(start.w_B, start.w_B.norm(), Vec3::Zero(), 0);
+    s.R[static_cast<std::size_t>(row)] =
+        sized(Vec3(R_SB.row(row).transpose()), 1.0, 0, Vec3::Zero(), Vec3::Zero());
+  s.w_B = at_rest(start.w_B);
   for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = scene.body.moments.vector()[i];
-  s.N_B = sized(torque_B(scene.torque, start));
-  s.F_S = sized(translation.F_S);
+  s.N_B = at_rest(torque_B(scene.torque, start));
+  s.F_S = at_rest(translation.F_S);
   s.m = translation.mass_kg;
   return holds_in(given, s, rounding_at(0, 1));
 }
 
-Triple<SizedNumber> in_body(const Triple<SizedNumber>& x_S, const ClaimState<SizedNumber>& state) {
-  return Evaluation<SizedNumber>(state).to_body(x_S);
+Triple<SizedNumber, 0> in_body(const Triple<SizedNumber, 0>& x_S, const ClaimState<SizedNumber>& state) {
+  return Evaluation<SizedNumber, 0>(state).to_body(x_S);
 }
 
-}  // namespace
+struct Rates {
+  Moving first = Moving::Zero(), second = Moving::Zero();
+  double scale = 0;  ///< rad/s; 0: there are none
+};
 
-std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
-  const RigidBodyState state = model.motion->at(t_s);
-  if (!state.w_B.allFinite() || !state.q_SB.coeffs().allFinite()) return std::nullopt;
-  const double rate = rate_scale(model, state);
-  const Moving now = moving(model, t_s, state);
-  const Moving rates = derivative_at([&](double at_s) { return moving(model, at_s, model.motion->at(at_s)); },
-                                     t_s, kDifferenceAngle / rate);
-  if (!rates.allFinite()) return std::nullopt;
-
+LiveState live_state(const SceneModel& model, double t_s, const Moving& now, const Rates& rates) {
   LiveState live;
   ClaimState<SizedNumber>& s = live.state;
   for (int row = 0; row < 3; ++row)
-    s.R[static_cast<std::size_t>(row)] = sized(part(now, row), 1.0, part(rates, row), rate);
+    s.R[static_cast<std::size_t>(row)] =
+        sized(part(now, row), 1.0, rates.scale, part(rates.first, row), part(rates.second, row));
   const auto turning = [&](int index) {
-    const double size = part(now, index).norm();
-    return sized(part(now, index), size, part(rates, index), rate * size);
+    const Vec3 x = part(now, index);
+    return sized(x, x.norm(), rates.scale, part(rates.first, index), part(rates.second, index));
   };
   s.w_B = turning(3);
   s.A_S = turning(4);
   s.v_S = turning(5);
   const Translation translation = translation_at(model.scene, t_s);
   const PrincipalMoments& I = model.scene.body.moments;
-  s.F_S = sized(translation.F_S);
+  s.F_S = at_rest(translation.F_S);  // it does not change
   s.m = translation.mass_kg;
   // No motion says what these are: what uses them has no value.
   s.h = s.k = std::numeric_limits<double>::quiet_NaN();
-  s.N_B = sized(torque_B(model.scene.torque, state));
+  s.N_B = turning(6);
   for (int i = 0; i < 3; ++i) s.I[static_cast<std::size_t>(i)] = I.vector()[i];
   const Mat3 J = on_turned_axes(I);
   s.J = {J(0, 0), J(0, 1), J(0, 2), J(1, 1), J(1, 2), J(2, 2)};
-  live.rounding = rounding_at(t_s, rate);
-  live.method_error = error_of_method(model, rate);
+  live.rounding = rounding_at(t_s, rates.scale);
   return live;
+}
+
+}  // namespace
+
+bool has_rates(const Expression& expression) {
+  return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_rate);
+}
+
+bool slips(const Scene& scene) {
+  return std::any_of(scene.torque.begin(), scene.torque.end(),
+                     [](const TorqueTerm& term) { return std::holds_alternative<EnergySink>(term); });
+}
+
+std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
+  const RigidBodyState state = model.motion->at(t_s);
+  if (!is_finite(state)) return std::nullopt;
+  const double rate = rate_scale(model, state);
+  const Moving now = moving(model, t_s, state);
+  const auto [first, second] =
+      derivatives_at([&](double at_s) { return moving(model, at_s, model.motion->at(at_s)); }, now, t_s,
+                     kDifferenceAngle / rate);
+  if (!first.allFinite() || !second.allFinite()) return std::nullopt;
+  LiveState live = live_state(model, t_s, now, {first, second, rate});
+  live.method_error = error_of_method(model, rate);
+  const double turn_in_step = rate * model.scene.motion.step_s.value_or(kDifferenceAngle / rate);
+  live.growth_of_second = 1 / std::min(kDifferenceAngle, turn_in_step);
+  return live;
+}
+
+std::optional<LiveState> still_state(const SceneModel& model, double t_s, const RigidBodyState& state) {
+  if (!is_finite(state)) return std::nullopt;
+  return live_state(model, t_s, moving(model, t_s, state), {});
 }
 
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view) {
@@ -177,7 +204,7 @@ std::optional<LiveValue> live_value(const ClaimLine& line, const LiveState& live
   if (!sides || line.conclusion) return std::nullopt;
   LiveValue value;
   value.is_vector = line.equality.is_vector();
-  value.residual = sides->residual;
+  value.residual = line.relation == Relation::equal ? sides->residual : 0;
   value.tolerance = tolerance_of(line.equality, line.within, live);
   value.size = std::max(size_of(sides->left), size_of(sides->right));
   const bool turned = view == View::body && value.is_vector;
@@ -187,14 +214,14 @@ std::optional<LiveValue> live_value(const ClaimLine& line, const LiveState& live
 }
 
 std::optional<double> live_number(const Expression& scalar, const LiveState& live) {
-  Triple<SizedNumber> value;
-  if (!Evaluation<SizedNumber>(live.state)(scalar, value)) return std::nullopt;
-  return without_noise(value[0].value, value[0].value.size);
+  const auto value = value_in(live.state, scalar);
+  return value ? without_noise((*value)[0].value, (*value)[0].value.size) : std::nullopt;
 }
 
 std::optional<LiveQuantity> live_quantity(const Expression& expression, const LiveState& live, View view) {
-  Triple<SizedNumber> value;
-  if (!Evaluation<SizedNumber>(live.state)(expression, value)) return std::nullopt;
+  const auto has_value = value_in(live.state, expression);
+  if (!has_value) return std::nullopt;
+  Triple<SizedNumber, 0> value = *has_value;
   LiveQuantity quantity{.is_vector = expression.type() == ExpressionType::vector};
   if (quantity.is_vector && view == View::body) value = in_body(value, live.state);
   const double size = quantity.is_vector ? size_of(value) : value[0].value.size;
@@ -215,9 +242,7 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
   if (!claim.given.empty() && !holds_at_start(claim.given, scene)) return false;
   if (claim.kind == ClaimKind::measured) return true;
   using Q = Quantity;
-  const bool slips = std::any_of(scene.torque.begin(), scene.torque.end(), [](const TorqueTerm& term) {
-    return std::holds_alternative<EnergySink>(term);
-  });
+  const bool has_no_rates = slips(scene);
   return std::all_of(claim.lines.begin(), claim.lines.end(), [&](const ClaimLine& line) {
     const auto uses = [&](auto what) {
       return line.equality.left.uses(what) || line.equality.right.uses(what);
@@ -233,7 +258,7 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
                                             Q::dw3, Q::N1, Q::N2, Q::N3) ||
                                    uses(Operation::inertia);
     if (of_tensor && (claim.kind != ClaimKind::is_false || on_principal_axes)) return false;
-    return !(slips && has_rates(line.equality));
+    return !(has_no_rates && has_rates(line.equality));
   });
 }
 
@@ -247,16 +272,22 @@ ClaimState<SizedNumber> with_lawful_rates(ClaimState<SizedNumber> s, const Scene
   const Vec3 dw_B = angular_acceleration_B(I, state.w_B, torque);
   const Mat3 R = state.q_SB.toRotationMatrix();
   const Translation translation = translation_at(model.scene, t_s);
-  const auto set = [](Triple<SizedNumber>& x, const Vec3& rate) {
+  const auto set = [](Triple<SizedNumber>& x, const Vec3& rate, const Vec3& second) {
     for (int i = 0; i < 3; ++i) {
-      SizedNumber& old = x[static_cast<std::size_t>(i)].rate;
-      old = {rate[i], std::max(old.size, std::abs(rate[i]))};
+      Jet<SizedNumber>& old = x[static_cast<std::size_t>(i)];
+      old.rate = {rate[i], std::max(old.rate.size, std::abs(rate[i]))};
+      old.second = {second[i], std::max(old.second.size, std::abs(second[i]))};
     }
   };
-  for (int row = 0; row < 3; ++row)
-    set(s.R[static_cast<std::size_t>(row)], Vec3(R.row(row).transpose()).cross(state.w_B));
-  set(s.w_B, dw_B);
-  set(s.v_S, translation.F_S / translation.mass_kg);
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 row = R.row(i).transpose(), rate = row.cross(state.w_B);
+    set(s.R[static_cast<std::size_t>(i)], rate, rate.cross(state.w_B) + row.cross(dw_B));
+  }
+  Vec3 torque_rate;  // no law says it
+  for (int i = 0; i < 3; ++i) torque_rate[i] = s.N_B[static_cast<std::size_t>(i)].rate.value;
+  const Vec3 L_B = I.vector().cwiseProduct(state.w_B), dL_B = I.vector().cwiseProduct(dw_B);
+  set(s.w_B, dw_B, (torque_rate - dw_B.cross(L_B) - state.w_B.cross(dL_B)).cwiseQuotient(I.vector()));
+  set(s.v_S, translation.F_S / translation.mass_kg, Vec3::Zero());
   return s;
 }
 

@@ -22,6 +22,9 @@ struct LiveState {
   /// What rounding and the differences allow of a residual; and where rates are compared, the method's error
   /// in a step.
   double rounding = 0, method_error = 0;
+  /// By what both grow for second rates: these are divided once more by the step of the difference; and of a
+  /// step of the method, whose second rate is of one order less.
+  double growth_of_second = 1;
 };
 
 /// About the axis (1, 1, 1), rad.
@@ -30,12 +33,19 @@ inline constexpr double kTurnOfAxes = 0.5;
 /// Nothing where the motion cannot be computed. Seven states of the motion, some 10 µs for a closed form.
 std::optional<LiveState> live_state(const SceneModel& model, double t_s);
 
+/// The same with all rates 0, for what has none: nothing more is asked of the motion than its state at t.
+std::optional<LiveState> still_state(const SceneModel& model, double t_s, const RigidBodyState& state);
+/// Whether an expression speaks of rates.
+bool has_rates(const Expression& expression);
+/// Whether an energy sink lets the body slip, so that rates are not those of what is drawn.
+bool slips(const Scene& scene);
+
 /// Both sides of a claim on a motion: of that line whose residual is the largest beside its tolerance.
 struct LiveValue {
   bool is_vector = false;
   std::array<double, 3> left{}, right{};  ///< components in the frame of the view; of a scalar the first
   double size = 0;                        ///< of what the sides come from: `residual` is relative to it
-  double residual = 0, tolerance = 0;
+  double residual = 0, tolerance = 0;     ///< of an inequality the residual is 0
 };
 /// Whether the scene has numbers for what the claim speaks of. p, v, F and m have some only where the centre
 /// of mass moves, A only where that arrow is shown. J, a scalar no scene has, counts where the numbers refute

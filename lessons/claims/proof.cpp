@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/proof.h"
 
+#include "lessons/claims/condition.h"
+#include "lessons/claims/degree.h"
+#include "lessons/claims/signs.h"
 #include "lessons/claims/small_states.h"
 
 #include <algorithm>
@@ -16,20 +19,12 @@ namespace {
 /// both primes do.
 constexpr double kBitsOfOnePrime = 60, kBitsOfBoth = 187;
 
-/// log2 of a bound of the coefficients of left − right, free of fractions. Where a variable is replaced by
-/// p/q, and the whole multiplied by a power of q, each of the factors of a term brings in the coefficients of
-/// p or q.
-double bits_of_difference(const Equality& equality, const Given& given) {
-  const Degree &left = equality.left.nodes.back().degree, &right = equality.right.nodes.back().degree;
-  const int degree = std::max(left.numerator + right.denominator, right.numerator + left.denominator);
-  double bits_of_values = 0;
-  for (const Setting& setting : given.settings) {
-    const Degree& value = setting.value.nodes.back().degree;
-    bits_of_values += std::max(value.numerator_bits, value.denominator_bits) +
-                      std::max(value.numerator, value.denominator) * bits_of_values;
-  }
-  return 1 + degree * bits_of_values +
-         std::max(left.numerator_bits + right.denominator_bits, right.numerator_bits + left.denominator_bits);
+/// Of left − right, free of fractions, with what is given put in.
+Degree degree_of_difference(const Equality& equality, const Given& given) {
+  if (given.settings.empty())
+    return degree_of_difference(equality.left.nodes.back().degree, equality.right.nodes.back().degree);
+  const DegreeTable table(given);
+  return degree_of_difference(table.of(equality.left), table.of(equality.right));
 }
 
 constexpr std::uint64_t kSeed = 20250614;
@@ -69,6 +64,8 @@ StateNumbers<N> drawn_numbers(const Draw& draw) {
   numbers.h = draw();
   numbers.k = draw();
   fill(numbers.constants);
+  for (auto* vector : {&numbers.ddw, &numbers.ddv_S, &numbers.ddA_S, &numbers.dN_B, &numbers.dF_S})
+    fill(*vector);
   return numbers;
 }
 
@@ -144,6 +141,17 @@ Judgement judge_equality(const ClaimLine& line, ClaimKind kind, const Prover& pr
                           prover.refute(line.equality, assumption, given));
 }
 
+Judgement judge_order(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  Judgement judgement = prover.settle_order(line, assumption_of(kind, given), given);
+  if (kind != ClaimKind::is_false) return judgement;
+  if (judgement.verdict == Verdict::fails) return {Verdict::holds, "", "", judgement.counterexample};
+  if (judgement.verdict == Verdict::undecided) return judgement;
+  return not_what_it_says(judgement.verdict == Verdict::holds
+                              ? "this is called false, but it holds"
+                              : "this is called false, but no state was found in which it fails",
+                          "");
+}
+
 Judgement judge_false(const ClaimLine& line, const Prover& prover, const Given& given) {
   const Assumption assumption = assumption_of(ClaimKind::is_false, given);
   const Verdict verdict = prover.settle(line.equality, assumption, given);
@@ -160,6 +168,28 @@ Judgement judge_false(const ClaimLine& line, const Prover& prover, const Given& 
     return not_what_it_says("no possible body was found, as is given, for which this fails",
                             "perhaps it holds for all that can be");
   return judgement;
+}
+
+/// What follows where the premise holds, which is put into the states as what is given is.
+Judgement judge_implication(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  const Assumption assumption = assumption_of(kind, given);
+  const auto refuse = [](std::string why, std::string hint = {}) {
+    return Judgement{Verdict::undecided, std::move(why), std::move(hint), {}};
+  };
+  auto settings = settings_of_condition(line.equality, assumption, given);
+  if (!settings)
+    return refuse(settings.error(), "assume it in [assume], or claim only that it does not follow");
+  Given all = given;
+  all.settings.insert(all.settings.end(), settings->begin(), settings->end());
+  if (!is_possible(all)) return refuse("this condition holds for no possible body");
+  const Equality& conclusion = *line.conclusion;
+  const int order = std::max(conclusion.left.order(), conclusion.right.order());
+  if (order > 1 || (order > 0 && all.sets_spin()))
+    return refuse("a condition holds at an instant, and says nothing of the rates of what it is about");
+  const Verdict verdict = prover.settle(conclusion, assumption, all);
+  if (verdict == Verdict::holds) return {};
+  if (verdict == Verdict::undecided) return undecided();
+  return not_what_it_says("this does not follow", "", prover.refute(conclusion, assumption, all));
 }
 
 Judgement judge_inference(const ClaimLine& line, const Prover& prover, const Given& given) {
@@ -191,17 +221,6 @@ Prover::Prover() {
   });
 }
 
-namespace {
-
-template <class N>
-std::optional<ClaimState<N>> given_state(const StateNumbers<N>& numbers, Assumption assumption,
-                                         const Given& given) {
-  const auto replaced = with_given(numbers, given);
-  return replaced ? std::optional(state_of(*replaced, assumption)) : std::nullopt;
-}
-
-}  // namespace
-
 Verdict Prover::settle(const Equality& stated, Assumption assumption, const Given& given) const {
   const Equality equality = with_lengths_squared(stated);
   int defined = 0;
@@ -210,7 +229,7 @@ Verdict Prover::settle(const Equality& stated, Assumption assumption, const Give
     if (given.empty()) {
       agrees = agree(equality, samples(assumption)[n]);
     } else if (const auto state =
-                   given_state(numbers_[static_cast<std::size_t>(assumption)][n], assumption, given)) {
+                   state_of(numbers_[static_cast<std::size_t>(assumption)][n], assumption, given)) {
       agrees = agree(equality, *state);
     }
     if (!agrees) continue;
@@ -230,19 +249,40 @@ bool Prover::agrees_at_its_own_points(const Equality& equality, Assumption assum
   for (const Setting& setting : given.settings) seed = hash_of(setting.text, seed);
   std::mt19937_64 random(seed);
   for (int n = 0; n < kOwnSamples; ++n) {
-    const auto state = given_state(random_numbers(random), assumption, given);
+    const auto state = state_of(random_numbers(random), assumption, given);
     if (state && agree(equality, *state) == std::optional(false)) return false;
   }
   return true;
 }
 
 Verdict Prover::confirmed(const Equality& equality, Assumption assumption, const Given& given) const {
-  const double bits = bits_of_difference(equality, given);
+  const Degree degree = degree_of_difference(equality, given);
+  if (degree.numerator >= kMostProvableDegree) return Verdict::undecided;
+  const double bits = degree.numerator_bits;
   if (bits < kBitsOfOnePrime) return Verdict::holds;
-  const auto state = given_state(wide_, assumption, given);
+  const auto state = state_of(wide_, assumption, given);
   const std::optional<bool> agrees = state ? agree(equality, *state) : std::nullopt;
   if (agrees && !*agrees) return Verdict::fails;
   return agrees && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
+}
+
+Judgement Prover::settle_order(const ClaimLine& line, Assumption assumption, const Given& given) const {
+  const bool is_upward = line.relation == Relation::greater || line.relation == Relation::greater_or_equal;
+  const bool is_strict = line.relation == Relation::greater || line.relation == Relation::less;
+  const Equality& sides = line.equality;
+  const Equality larger_first = is_upward ? sides : Equality{sides.right, sides.left};
+  if (is_never_less(larger_first, is_strict, assumption, given)) return {};
+  int tried = 0;
+  auto counter = with_roots(
+      first_small_state(with_lengths_squared(sides), nullptr, assumption, given, line.relation, &tried),
+      sides);
+  if (counter) return not_what_it_says("this does not hold", "", std::move(counter));
+  if (tried == 0) return undecided();
+  Judgement judgement;
+  judgement.verdict = Verdict::not_refuted;
+  judgement.states = tried;
+  judgement.message = "no proof was found; it held in all of " + std::to_string(tried) + " states";
+  return judgement;
 }
 
 std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption,
@@ -273,9 +313,11 @@ Assumption assumption_of(ClaimKind kind, const Given& given) {
 }
 
 Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  if (kind == ClaimKind::measured) return {};
+  if (line.conclusion && kind != ClaimKind::non_sequitur) return judge_implication(line, kind, prover, given);
+  if (line.relation != Relation::equal) return judge_order(line, kind, prover, given);
   if (kind == ClaimKind::is_false) return judge_false(line, prover, given);
   if (kind == ClaimKind::non_sequitur) return judge_inference(line, prover, given);
-  if (kind == ClaimKind::measured) return {};
   return judge_equality(line, kind, prover, given);
 }
 

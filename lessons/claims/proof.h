@@ -2,27 +2,29 @@
 // Whether a claim holds: settled by exact arithmetic, with a counterexample where it does not.
 //
 // The two sides are rational functions of the state (moments, components of ω, ω̇, N …, quaternion) with
-// rational coefficients. They are compared at kSamples points drawn at random modulo p = 2⁶¹ − 1. One point
-// where they differ refutes the claim for certain. Two different functions agree only at the zeros of a
-// polynomial, of total degree at most 2·kMaxDegree + 64. A random point is such a zero with a probability of
-// at most 8256/p < 4e-15 (Schwartz, J. ACM 27 (1980) 701-717, Lemma 1; Zippel, EUROSAM 1979); kSamples
-// independent points all are with one below 3e-116. The points are drawn from a fixed seed, so that runs
-// repeat. Lest somebody make up a claim that agrees at just these, it is tried at two more points, whose seed
-// is a hash of its own text.
+// rational coefficients, and so are their rates: those of ω̇, N and F that no law says are numbers of the
+// state like others. They are compared at kSamples points drawn at random modulo p = 2⁶¹ − 1. One point where
+// they differ refutes the claim for certain. Two different functions agree only at the zeros of a polynomial.
+// Its degree d is bounded as the expressions are read (degree.h), by at most 2·kMaxDegree + 64. A random
+// point is such a zero with a probability of at most d/p ≤ 8256/p < 4e-15 (Schwartz, J. ACM 27 (1980)
+// 701-717, Lemma 1; Zippel, EUROSAM 1979); kSamples independent points all are with one below 3e-116. The
+// points are drawn from a fixed seed, so that runs repeat. Lest somebody make up a claim that agrees at just
+// these, it is tried at two more points, whose seed is a hash of its own text.
 //
 // Coefficients that p divides would vanish too. All operations turn with their vectors, so the claim says the
 // same where the axes of body and space coincide; there the coefficients of the difference are whole
-// numbers whose size the reader bounds (Degree). Below 2⁶⁰ none but 0 is divisible by p. Otherwise the sides
-// are compared at one more point modulo 2¹²⁷ − 1, whose product with p divides none but 0 below 2¹⁸⁷; beyond,
-// the claim is undecided.
+// numbers whose size is bounded as the degree is (Degree). Below 2⁶⁰ none but 0 is divisible by p. Otherwise
+// the sides are compared at one more point modulo 2¹²⁷ − 1, whose product with p divides none but 0 below
+// 2¹⁸⁷; beyond, the claim is undecided.
 //
 // Lengths, norm(a) = norm(b), are compared by their squares: neither is negative.
 //
 // What a lesson assumes beyond the kind (given.h) is put into the points before anything is evaluated: I2 =
-// I1 replaces the second moment by the first. The sides are then functions of what is left, of a degree that
-// grows by the factor 1 + Σ of the values' degrees, at most 6·kMaxSettingDegree: a point is a zero of such a
-// difference with a probability below 2e-12, and kSamples are with one below 3e-94. The coefficients' bound
-// grows by the bits of the values to the power of the degree.
+// I1 replaces the second moment by the first, and N changes as what it is set to does. The sides are then
+// functions of what is left. Settings build on each other, each multiplying degrees by up to
+// kMaxSettingDegree; so degree and coefficients are bounded once more, with each quantity of the degree of
+// what it is set to. From kMostProvableDegree = 2²⁸ on the claim is undecided; below, a point is a zero of
+// the difference with a probability below 2⁻³³, and kSamples are with one below 1e-79.
 #pragma once
 
 #include "lessons/claims/claim.h"
@@ -48,6 +50,8 @@ class Prover {
   /// A state where the equality fails; nothing if none of those tried is one.
   std::optional<Counterexample> refute(const Equality& equality, Assumption assumption,
                                        const Given& given = {}) const;
+  /// A line that states an inequality: proved (signs.h), refuted by a possible state, or neither.
+  Judgement settle_order(const ClaimLine& line, Assumption assumption, const Given& given = {}) const;
   /// A motion with any torque in which the premise holds and the conclusion fails.
   std::optional<Counterexample> refute_inference(const Equality& premise, const Equality& conclusion,
                                                  const Given& given = {}) const;

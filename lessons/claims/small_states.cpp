@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <random>
 #include <span>
 #include <utility>
 #include <vector>
@@ -40,6 +41,7 @@ constexpr std::array<Whole3, 11> kTorques{{{0, 0, 0},
                                            {1, 1, 1},
                                            {1, 2, 3},
                                            {-1, 2, 1}}};
+/// Of ω; those of N and of ω̇ are others of these, but none where there is none.
 constexpr std::array<Whole3, 5> kRates{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 2, 3}}};
 
 /// Attitudes, of any length: body to space.
@@ -53,16 +55,71 @@ struct Company {
   std::array<Whole, 6> J;
   Whole3 v, dv, A, dA, F;
   Whole m, h, k;
+  Whole3 ddv, ddA, dF;
 };
-constexpr std::array<Company, 5> kCompany{
-    {{{8, 1, 0, 9, 0, 10}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, 2, 2, 3},
-     {{8, 0, 1, 9, -1, 10}, {0, 1, 0}, {1, 0, 1}, {1, 0, 1}, {0, 0, 1}, {1, 1, 0}, 3, 3, 1},
-     {{10, 1, 1, 9, 1, 8}, {1, 2, 3}, {3, 1, -1}, {2, -1, 3}, {2, -1, 1}, {1, 2, -1}, 2, 1, 2},
-     {{8, 1, 0, 9, 0, 10}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {0, 0, 0}, 1, 1, 1},
-     {{8, 1, 0, 9, 0, 10}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {1, 0, 0}, 1, -1, 2}}};
+constexpr std::array<Company, 5> kCompany{{{{8, 1, 0, 9, 0, 10},
+                                            {1, 0, 0},
+                                            {0, 1, 0},
+                                            {1, 0, 0},
+                                            {0, 1, 0},
+                                            {0, 1, 0},
+                                            2,
+                                            2,
+                                            3,
+                                            {0, 0, 1},
+                                            {0, 0, 1},
+                                            {1, 0, 0}},
+                                           {{8, 0, 1, 9, -1, 10},
+                                            {0, 1, 0},
+                                            {1, 0, 1},
+                                            {1, 0, 1},
+                                            {0, 0, 1},
+                                            {1, 1, 0},
+                                            3,
+                                            3,
+                                            1,
+                                            {1, 0, 0},
+                                            {1, 1, 0},
+                                            {0, 0, 1}},
+                                           {{10, 1, 1, 9, 1, 8},
+                                            {1, 2, 3},
+                                            {3, 1, -1},
+                                            {2, -1, 3},
+                                            {2, -1, 1},
+                                            {1, 2, -1},
+                                            2,
+                                            1,
+                                            2,
+                                            {1, -1, 2},
+                                            {3, 1, 2},
+                                            {2, 1, 3}},
+                                           {{8, 1, 0, 9, 0, 10},
+                                            {1, 0, 0},
+                                            {0, 1, 0},
+                                            {1, 0, 0},
+                                            {0, 0, 0},
+                                            {0, 0, 0},
+                                            1,
+                                            1,
+                                            1,
+                                            {0, 0, 0},
+                                            {0, 0, 0},
+                                            {0, 0, 0}},
+                                           {{8, 1, 0, 9, 0, 10},
+                                            {0, 0, 0},
+                                            {0, 1, 0},
+                                            {1, 0, 0},
+                                            {0, 0, 0},
+                                            {1, 0, 0},
+                                            1,
+                                            -1,
+                                            2,
+                                            {0, 0, 0},
+                                            {0, 0, 0},
+                                            {0, 0, 0}}}};
 
 struct SmallNumbers {
-  Whole3 I, w, dw, N;
+  Whole3 I, w, dw, ddw, N, dN;
   Company company;
   std::array<Whole, 4> q;
   std::size_t first_constant = 0;  ///< its place in kConstants
@@ -77,13 +134,18 @@ StateNumbers<N> as(const SmallNumbers& small) {
   copy(small.I, numbers.I);
   copy(small.w, numbers.w);
   copy(small.dw, numbers.dw);
+  copy(small.ddw, numbers.ddw);
   copy(small.N, numbers.N_B);
+  copy(small.dN, numbers.dN_B);
   copy(small.company.J, numbers.J);
   copy(small.company.v, numbers.v_S);
   copy(small.company.dv, numbers.dv_S);
   copy(small.company.A, numbers.A_S);
   copy(small.company.dA, numbers.dA_S);
   copy(small.company.F, numbers.F_S);
+  copy(small.company.ddv, numbers.ddv_S);
+  copy(small.company.ddA, numbers.ddA_S);
+  copy(small.company.dF, numbers.dF_S);
   numbers.m = N(small.company.m);
   numbers.h = N(small.company.h);
   numbers.k = N(small.company.k);
@@ -95,8 +157,9 @@ StateNumbers<N> as(const SmallNumbers& small) {
 
 /// What the sides of an equality depend on, of what is free to choose.
 struct Dependence {
-  bool I = false, J = false, w = false, dw = false, N = false, v = false, dv = false, A = false, dA = false,
-       F = false, m = false, h = false, k = false, q = false;
+  bool I = false, J = false, w = false, dw = false, ddw = false, N = false, dN = false, v = false, dv = false,
+       ddv = false, A = false, dA = false, ddA = false, F = false, dF = false, m = false, h = false,
+       k = false, q = false;
   bool no_torque = false;               ///< on there being none
   std::vector<int> constants;           ///< of the lesson, by their numbers
   std::vector<std::string> names = {};  ///< of all of these
@@ -108,12 +171,13 @@ struct Dependence {
         constants.push_back(constant);
     if (names.empty()) names = other.names;
   }
-  static const std::array<bool Dependence::*, 14> kParts;
+  static const std::array<bool Dependence::*, 19> kParts;
 };
-const std::array<bool Dependence::*, 14> Dependence::kParts = {
-    &Dependence::I, &Dependence::J,  &Dependence::w, &Dependence::dw, &Dependence::N,
-    &Dependence::v, &Dependence::dv, &Dependence::A, &Dependence::dA, &Dependence::F,
-    &Dependence::m, &Dependence::h,  &Dependence::k, &Dependence::q};
+const std::array<bool Dependence::*, 19> Dependence::kParts = {
+    &Dependence::I, &Dependence::J,  &Dependence::w,   &Dependence::dw, &Dependence::ddw,
+    &Dependence::N, &Dependence::dN, &Dependence::v,   &Dependence::dv, &Dependence::ddv,
+    &Dependence::A, &Dependence::dA, &Dependence::ddA, &Dependence::F,  &Dependence::dF,
+    &Dependence::m, &Dependence::h,  &Dependence::k,   &Dependence::q};
 
 Dependence of_quantity(Quantity quantity) {
   using S = Quantity;
@@ -189,9 +253,14 @@ Dependence of_quantity(Quantity quantity) {
 
 /// A rate brings in the rates of what there is, and for a vector the turning of the axes.
 void differentiate(Dependence& d, bool vector) {
+  d.ddw = d.ddw || d.dw;
+  d.ddv = d.ddv || d.dv;
+  d.ddA = d.ddA || d.dA;
   d.dw = d.dw || d.w;
   d.dv = d.dv || d.v;
   d.dA = d.dA || d.A;
+  d.dN = d.dN || d.N;
+  d.dF = d.dF || d.F;
   d.w = d.w || vector;
 }
 
@@ -217,8 +286,11 @@ Dependence dependence_of(const Expression& expression) {
 void add_given(Dependence& d, const Given& given) {
   for (auto setting = given.settings.rbegin(); setting != given.settings.rend(); ++setting) {
     const Dependence set = of_quantity(setting->quantity);
-    if ((set.I && d.I) || (set.w && d.w) || (set.N && d.N) || (set.F && d.F))
-      d |= dependence_of(setting->value);
+    const bool sets_rate = (set.N && d.dN) || (set.F && d.dF);
+    if (!sets_rate && !(set.I && d.I) && !(set.w && d.w) && !(set.N && d.N) && !(set.F && d.F)) continue;
+    Dependence value = dependence_of(setting->value);
+    if (sets_rate) differentiate(value, setting->value.type() == ExpressionType::vector);
+    d |= value;
   }
 }
 
@@ -226,12 +298,16 @@ Dependence dependence_of(const Equality& equality, Assumption assumption, const 
   Dependence d = dependence_of(equality.left);
   d |= dependence_of(equality.right);
   if (assumption != Assumption::identity) {
+    if (d.ddw) d.dw = d.dN = true;
+    if (d.ddv) d.dF = d.m = true;
     if (d.dw) d.I = d.w = d.N = true;
     if (d.dv) d.F = d.m = true;
-    d.dw = d.dv = false;
-    if (assumption == Assumption::free) d.no_torque = d.N, d.N = false;
+    d.dw = d.ddw = d.dv = d.ddv = false;
+    if (assumption == Assumption::free) d.no_torque = d.N || d.dN, d.N = d.dN = false;
   }
   add_given(d, given);
+  if (given.sets(Quantity::N)) d.dN = false;
+  if (given.sets(Quantity::F)) d.dF = false;
   return d;
 }
 
@@ -242,7 +318,12 @@ std::string list_text(const Numbers& numbers) {
   return text + ")";
 }
 
-std::string words_of(const StateNumbers<SizedNumber>& s, const Dependence& d) {
+std::array<SizedNumber, 3> rates_of(const Triple<SizedNumber>& x) {
+  return {x[0].rate, x[1].rate, x[2].rate};
+}
+
+std::string words_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumber>& state,
+                     const Dependence& d) {
   std::string text;
   const auto add = [&text](bool wanted, const char* name, const auto& numbers) {
     if (wanted) text += (text.empty() ? "" : ", ") + std::string(name) + " = " + list_text(numbers);
@@ -250,13 +331,18 @@ std::string words_of(const StateNumbers<SizedNumber>& s, const Dependence& d) {
   add(d.I, "I", s.I);
   add(d.w, "ω", s.w);
   add(d.dw, "ω̇", s.dw);
+  add(d.ddw, "ω̈", s.ddw);
   add(d.N, "N", s.N_B);
+  add(d.dN, "dN/dt", rates_of(state.N_B));
   if (d.no_torque) text += ", N = 0";
   add(d.A, "A", s.A_S);
   add(d.dA, "dA/dt", s.dA_S);
+  add(d.ddA, "d²A/dt²", s.ddA_S);
   add(d.v, "v", s.v_S);
   add(d.dv, "dv/dt", s.dv_S);
+  add(d.ddv, "d²v/dt²", s.ddv_S);
   add(d.F, "F", s.F_S);
+  add(d.dF, "dF/dt", rates_of(state.F_S));
   const auto add_number = [&text](bool wanted, const std::string& name, const SizedNumber& number) {
     if (wanted) text += (text.empty() ? "" : ", ") + name + " = " + number_text(number.value);
   };
@@ -272,7 +358,7 @@ std::string words_of(const StateNumbers<SizedNumber>& s, const Dependence& d) {
   return text.empty() ? "any state" : text;
 }
 
-std::string value_text(const Triple<SizedNumber>& value, ExpressionType type) {
+std::string value_text(const Triple<SizedNumber, 0>& value, ExpressionType type) {
   if (type == ExpressionType::zero) return "0";
   if (type == ExpressionType::scalar) return number_text(value[0].value.value);
   return list_text(std::array{value[0].value.value, value[1].value.value, value[2].value.value});
@@ -282,24 +368,70 @@ std::string value_text(const Triple<SizedNumber>& value, ExpressionType type) {
 template <class Use>
 void for_each_state(const Dependence& d, const Use& use) {
   const auto firsts = [](const auto& all, bool vary) { return std::span(all).first(vary ? all.size() : 1); };
-  const bool company = d.J || d.v || d.dv || d.A || d.dA || d.F || d.m || d.h || d.k || !d.constants.empty();
+  const bool company = d.J || d.v || d.dv || d.ddv || d.A || d.dA || d.ddA || d.F || d.dF || d.m || d.h ||
+                       d.k || !d.constants.empty();
   for (const Whole3& I : firsts(kMoments, d.I))
     for (const Company& c : firsts(kCompany, company))
       for (const auto& q : firsts(kAttitudes, d.q))
         for (const Whole3& w : firsts(kSpins, d.w))
           for (const Whole3& N : firsts(kTorques, d.N))
-            for (const Whole3& dw : firsts(kRates, d.dw))
-              if (use(SmallNumbers{I, w, dw, N, c, q, static_cast<std::size_t>(&c - kCompany.data())}))
+            for (std::size_t i = 0; i < (d.dw || d.ddw || d.dN ? kRates.size() : 1); ++i) {
+              const Whole3 &ddw = kRates[3 * i % kRates.size()], &dN = kRates[2 * i % kRates.size()];
+              if (use(SmallNumbers{I, w, kRates[i], ddw, N, dN, c, q,
+                                   static_cast<std::size_t>(&c - kCompany.data())}))
                 return;
+            }
+}
+
+/// So many states are tried where sides are compared by their order: a sign may change anywhere.
+constexpr int kMixedStates = 500;
+
+/// Small whole numbers of either sign, all of them at once.
+SmallNumbers mixed_numbers(std::mt19937_64& random) {
+  const auto below = [&random](Whole count) {
+    return static_cast<Whole>(random() % static_cast<std::uint64_t>(count));
+  };
+  const auto three = [&below] { return Whole3{below(11) - 5, below(11) - 5, below(11) - 5}; };
+  SmallNumbers small{};
+  const Whole a = below(5), b = 1 + below(5), c = below(5);
+  small.I = {b + c, a + c + (a + c == 0 ? 1 : 0), a + b};  // possible but for this 1; that is looked at
+  for (Whole3* vector : {&small.w, &small.dw, &small.ddw, &small.N, &small.dN}) *vector = three();
+  const auto place = static_cast<std::size_t>(below(static_cast<Whole>(kCompany.size())));
+  small.company = kCompany[place];
+  for (Whole3 Company::*vector : {&Company::v, &Company::dv, &Company::ddv, &Company::A, &Company::dA,
+                                  &Company::ddA, &Company::F, &Company::dF})
+    small.company.*vector = three();
+  small.company.h = below(11) - 5;
+  small.company.k = below(11) - 5;
+  small.company.m = 1 + below(5);
+  small.q = {1 + below(3), below(7) - 3, below(7) - 3, below(7) - 3};
+  small.first_constant = static_cast<std::size_t>(below(static_cast<Whole>(kConstants.size())));
+  return small;
 }
 
 /// Whole numbers so small that what is zero is far below this, and what is not far above.
 constexpr double kZero = 1e-9;
 
-bool fails(const Equality& equality, const ClaimState<FieldElement>& exact,
+bool fails(const Equality& equality, Relation relation, const ClaimState<FieldElement>& exact,
            const ClaimState<SizedNumber>& real) {
   const std::optional<Sides> sides = sides_of(equality, real);
-  return sides && sides->residual > kZero && agree(equality, exact) == std::optional(false);
+  if (!sides) return false;
+  const bool are_apart = sides->residual > kZero && agree(equality, exact) == std::optional(false);
+  const bool is_less = sides->left[0].value.value < sides->right[0].value.value;
+  const bool are_equal = sides->residual < kZero && agree(equality, exact) == std::optional(true);
+  switch (relation) {
+    case Relation::equal:
+      return are_apart;
+    case Relation::less:
+      return are_equal || (are_apart && !is_less);
+    case Relation::less_or_equal:
+      return are_apart && !is_less;
+    case Relation::greater:
+      return are_equal || (are_apart && is_less);
+    case Relation::greater_or_equal:
+      return are_apart && is_less;
+  }
+  return false;
 }
 
 bool holds(const Equality& equality, const ClaimState<FieldElement>& exact,
@@ -339,7 +471,8 @@ bool is_possible(const Given& given) {
   for (const Whole3& I : kMoments)
     for (std::size_t i = 0; i < kCompany.size(); ++i)
       for (int doublings = -kMostDoublings; doublings <= kMostDoublings; ++doublings) {
-        auto numbers = as<SizedNumber>({I, turning, rate, torque, kCompany[i], kAttitudes.back(), i});
+        auto numbers =
+            as<SizedNumber>({I, turning, rate, rate, torque, rate, kCompany[i], kAttitudes.back(), i});
         for (SizedNumber& moment : numbers.I) moment = std::ldexp(moment.value, doublings);
         const auto replaced = with_given(numbers, given);
         if (replaced && is_possible_body(replaced->I) && is_finite(*replaced)) return true;
@@ -348,26 +481,34 @@ bool is_possible(const Given& given) {
 }
 
 std::optional<Counterexample> first_small_state(const Equality& equality, const Equality* premise,
-                                                Assumption assumption, const Given& given) {
+                                                Assumption assumption, const Given& given, Relation relation,
+                                                int* tried) {
   Dependence depends = dependence_of(equality, assumption, given);
   if (premise) depends |= dependence_of(*premise, assumption, given);
   std::optional<Counterexample> found;
   const std::size_t work = size_of(equality) + (premise ? size_of(*premise) : 0);
   std::size_t work_left = kMostWork;
-  for_each_state(depends, [&](const SmallNumbers& numbers) {
+  const auto look_at = [&](const SmallNumbers& numbers) {
     if (work_left < work) return true;
     work_left -= work;
     const auto exact_numbers = with_given(as<FieldElement>(numbers), given);
     const auto real_numbers = with_given(as<SizedNumber>(numbers), given);
     if (!exact_numbers || !real_numbers || !is_possible_body(real_numbers->I)) return false;
-    const auto exact = state_of(*exact_numbers, assumption);
-    const auto real = state_of(*real_numbers, assumption);
-    if (!fails(equality, exact, real) || (premise && !holds(*premise, exact, real))) return false;
-    const Sides sides = *sides_of(equality, real);
-    found = Counterexample{words_of(*real_numbers, depends), value_text(sides.left, equality.left.type()),
-                           value_text(sides.right, equality.right.type())};
+    const auto exact = state_of(*exact_numbers, assumption, given);
+    const auto real = state_of(*real_numbers, assumption, given);
+    if (!exact || !real || (premise && !holds(*premise, *exact, *real))) return false;
+    if (tried != nullptr && sides_of(equality, *real)) ++*tried;
+    if (!fails(equality, relation, *exact, *real)) return false;
+    const Sides sides = *sides_of(equality, *real);
+    found =
+        Counterexample{words_of(*real_numbers, *real, depends), value_text(sides.left, equality.left.type()),
+                       value_text(sides.right, equality.right.type())};
     return true;
-  });
+  };
+  for_each_state(depends, look_at);
+  if (relation == Relation::equal) return found;
+  std::mt19937_64 random(1);
+  for (int n = 0; n < kMixedStates && !found; ++n) look_at(mixed_numbers(random));
   return found;
 }
 

@@ -18,18 +18,27 @@ Diagnostic Report::make(Severity severity, SourcePlace place, std::string messag
   return {severity, file_, source_.clamp(place), std::move(message), std::move(hint)};
 }
 
+/// A text may be read more than once: scenes side by side are, wherever what they share changes.
+void Report::add(Diagnostic diagnostic, std::vector<Diagnostic>& all) {
+  const auto is_same = [&](const Diagnostic& other) {
+    return other.place.line == diagnostic.place.line && other.place.column == diagnostic.place.column &&
+           other.message == diagnostic.message;
+  };
+  if (std::none_of(all.begin(), all.end(), is_same)) all.push_back(std::move(diagnostic));
+}
+
 void Report::error(SourcePlace place, std::string message, std::string hint) {
   if (is_full()) return;
   if (errors_.size() == kMaxDiagnostics) {
     message = "too many errors, the rest is left out";
     hint = "";
   }
-  errors_.push_back(make(Severity::error, place, std::move(message), std::move(hint)));
+  add(make(Severity::error, place, std::move(message), std::move(hint)), errors_);
 }
 
 void Report::warning(SourcePlace place, std::string message, std::string hint) {
   if (warnings_.size() >= kMaxDiagnostics) return;
-  warnings_.push_back(make(Severity::warning, place, std::move(message), std::move(hint)));
+  add(make(Severity::warning, place, std::move(message), std::move(hint)), warnings_);
 }
 
 std::vector<Diagnostic> Report::take() {

@@ -14,7 +14,8 @@ namespace polhode {
 /// So many errors, and so many warnings, are kept; one more error says that the rest is left out.
 inline constexpr std::size_t kMaxDiagnostics = 100;
 
-/// Diagnostics of one text; every place is moved into the text. Holds a reference: the text must live longer.
+/// Diagnostics of one text; every place is moved into the text, and nothing is said twice at one place. Holds
+/// a reference: the text must live longer.
 class Report {
  public:
   Report(const SourceText& source, std::string_view file) : source_(source), file_(file) {}
@@ -30,6 +31,7 @@ class Report {
 
  private:
   Diagnostic make(Severity severity, SourcePlace place, std::string message, std::string hint) const;
+  static void add(Diagnostic diagnostic, std::vector<Diagnostic>& all);
 
   const SourceText& source_;
   std::string file_;

@@ -41,6 +41,7 @@ class AskReader {
     }
     if (ok_) check_together();
     if (ok_) answer(*table_.find("answer"));
+    if (ok_ && !ask_.given.empty()) say_what_is_given();
     return ok_ ? std::optional(std::move(ask_)) : std::nullopt;
   }
 
@@ -118,6 +119,23 @@ class AskReader {
     if (given != nullptr && ask_.modulo == "free" && ask_.given.sets_torque())
       fail(given->place, "this gives a torque, and modulo = \"free\" says that there is none");
     if (expression && modulo == nullptr) ask_.modulo = "identity";
+  }
+
+  /// Behind what is asked: "Given: $I_2 = I_1$."
+  void say_what_is_given() {
+    TextBlock block;
+    const auto add = [&](TextSpan::Kind kind, std::string text) {
+      TextSpan& span = block.spans.emplace_back();
+      span.kind = kind;
+      if (kind == TextSpan::Kind::math) span.math = parse_math(text).value();
+      span.text = std::move(text);
+    };
+    for (const Setting& setting : ask_.given.settings) {
+      add(TextSpan::Kind::text, block.spans.empty() ? "Given: " : ", ");
+      add(TextSpan::Kind::math, setting.tex);
+    }
+    add(TextSpan::Kind::text, ".");
+    ask_.prompt_text.push_back(std::move(block));
   }
 
   void answer(const TomlEntry& entry) {

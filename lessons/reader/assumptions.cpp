@@ -42,7 +42,7 @@ std::optional<Setting> read_setting(const std::string& text, SourcePlace place, 
     report.error(advanced(place, text, begin + is.fault->begin), is.fault->message);
     return std::nullopt;
   }
-  const auto shall_be = dimension_of(facts->quantity);
+  const auto shall_be = facts->dimension;
   if (is.dimension && shall_be && *is.dimension != *shall_be) {
     report.error(place, "units disagree: " + in_quotes(name) + " is in " + to_string(*shall_be) +
                             ", this is in " + to_string(*is.dimension));

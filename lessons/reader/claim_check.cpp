@@ -26,8 +26,12 @@ std::int64_t nodes_in(const ClaimLine& line) {
 void prove(Claim& claim, const Prover& prover, const Effort& effort) {
   for (ClaimLine& line : claim.lines) {
     spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
+    const bool writes_out =
+        line.relation != Relation::equal || (line.conclusion && claim.kind != ClaimKind::non_sequitur);
+    if (writes_out) spend(effort, kWrittenOutEvaluations);
     Judgement judgement = judge(line, claim.kind, prover, claim.given);
-    const bool searched = judgement.verdict == Verdict::fails || claim.kind == ClaimKind::is_false;
+    const bool searched = judgement.verdict == Verdict::fails || judgement.verdict == Verdict::not_refuted ||
+                          claim.kind == ClaimKind::is_false;
     if (searched && !judgement.counterexample) spend(effort, kVainSearchEvaluations);
     line.judgement = std::move(judgement);
   }
@@ -45,10 +49,12 @@ class ClaimCheck {
         equations_ = equations_of(stage);
         for (const Step& step : stage.steps) {
           model_.reset();
+          still_.reset();
           for (const Block& block : step.blocks) {
             if (report_.is_full()) return report_.take();
             check_block(block, step, place);
           }
+          check_captions(step);
         }
       }
     } catch (const BudgetSpent&) {
@@ -62,6 +68,7 @@ class ClaimCheck {
   void check_block(const Block& block, const Step& step, SourcePlace& place) {
     place = std::visit([](const auto& b) { return b.place; }, block);
     try {
+      check_numbers(numbers_in(block), step);
       std::visit([&](const auto& b) { check(b, step); }, block);
     } catch (const std::domain_error& error) {
       report_.error(place, std::string("this cannot be checked: ") + error.what());
@@ -77,28 +84,62 @@ class ClaimCheck {
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");
   }
 
-  void check(const Equation& equation, const Step& step) {
-    for (std::size_t i = 0; i < equation.live.size(); ++i) {
-      const SourcePlace place = source_.place_of(equation.offset + equation.math.live[i].offset);
-      if (!step.scene) {
-        report_.error(place, "a live number needs a scene");
-      } else if (const SceneModel* model = model_of(step)) {
-        const auto live = live_state(*model, still_time_s(*step.scene));
-        if (!live || !live_number(equation.live[i], *live))
-          report_.error(place, "this has no value on the scene's motion");
-      }
+  /// A caption that several scenes have in common is about the first.
+  void check_captions(const Step& step) {
+    if (!step.scene) return;
+    const std::vector<const Scene*> shown = shown_scenes(*step.scene);
+    const RichText* first = caption_of(step, step.scene->before);
+    if (first != nullptr) check_numbers(numbers_in(*first), step);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const RichText* caption = caption_of(step, i);
+      const std::vector<int> ids =
+          caption == nullptr || caption == first ? std::vector<int>() : numbers_in(*caption);
+      if (ids.empty()) continue;
+      const auto live =
+          live_state(make_model(*shown[i], Product::numbers, effort_), still_time_s(*step.scene));
+      for (const int id : ids)
+        check_number(lesson_.numbers[static_cast<std::size_t>(id)], live ? &*live : nullptr, step);
     }
+  }
+
+  /// Every number has a value on the still of its step, and what is typed is that.
+  void check_numbers(const std::vector<int>& ids, const Step& step) {
+    for (const int id : ids) {
+      if (report_.is_full()) return;
+      const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(id)];
+      if (!step.scene) {
+        report_.error(number.place, "a computed number needs a scene",
+                      "add a ```scene fence to this step or above it");
+        continue;
+      }
+      if (!model_of(step)) return;
+      check_number(number, still_of(step), step);
+    }
+  }
+
+  void check_number(const ComputedNumber& number, const LiveState* live, const Step& step) {
+    spend(effort_, kClaimNodeEvaluations * static_cast<std::int64_t>(number.expression.nodes.size()));
+    const auto value = live ? value_of(number, *live) : std::nullopt;
+    if (!value)
+      report_.error(number.place, "this has no value on the scene's motion");
+    else if (const auto right = number.is_typed() ? right_instead(number, *value) : std::nullopt)
+      report_.error(number.place,
+                    "this number is " + digits(*value, kDigitsOfHint) +
+                        " at t = " + digits(still_time_s(*step.scene), 3) + " s, and " +
+                        number.written.typed + " is typed",
+                    "write \\value{" + *right + "}");
   }
 
   /// A number of the scene's motion beside what holds for other motions would be false.
   void check_live_numbers(const Claim& claim, const Step& step) {
     const auto named = std::find_if(equations_.begin(), equations_.end(),
                                     [&](const Equation* e) { return e->id == claim.equation; });
-    if (claim.given.empty() || named == equations_.end() || (*named)->live.empty() || !step.scene) return;
+    if (claim.given.empty() || named == equations_.end() || (*named)->math.live.empty() || !step.scene)
+      return;
     const SceneModel* model = model_of(step);
-    const auto live = model == nullptr ? std::nullopt : live_state(*model, still_time_s(*step.scene));
+    const LiveState* live = model == nullptr ? nullptr : still_of(step);
     if (live && !holds_on(claim.given, *live))
-      report_.error(claim.place, "a live number is of a motion on which what is given does not hold",
+      report_.error(claim.place, "a computed number is of a motion on which what is given does not hold",
                     "show a body and a torque of which it does");
   }
 
@@ -109,7 +150,11 @@ class ClaimCheck {
       if (report_.is_full()) return;
       if (claim.kind == ClaimKind::measured)
         check_measured(claim, line, step);
-      else if (const auto& judgement = line.judgement; judgement && judgement->verdict != Verdict::holds)
+      else if (const auto& judgement = line.judgement;
+               judgement && judgement->verdict == Verdict::not_refuted)
+        report_.warning(line.place, "this is not proved: " + judgement->message,
+                        "write the difference of the sides as a sum of squares");
+      else if (judgement && judgement->verdict != Verdict::holds)
         report_.error(line.place,
                       "the claim (" + std::string(name_of(claim.kind)) + ") fails: " + judgement->message,
                       judgement->hint);
@@ -139,8 +184,9 @@ class ClaimCheck {
     for (const ClaimLine& line : claim.lines) {
       const std::size_t before = claimed.size();
       for (const EquationLink* link : links)
-        if (is_same(line.equality, link->equality) ||
-            (line.conclusion && is_same(*line.conclusion, link->equality)))
+        if (line.relation == link->relation &&
+            (is_same(line.equality, link->equality, line.relation == Relation::equal) ||
+             (line.conclusion && is_same(*line.conclusion, link->equality, true))))
           claimed.insert(link);
       if (claimed.size() == before && !claim.in_other_words)
         report_.warning(line.place, "the formula does not say this", as_printed);
@@ -154,8 +200,8 @@ class ClaimCheck {
                       as_printed);
   }
 
-  /// Whether two equalities have the same sides, in either order.
-  bool is_same(const Equality& a, const Equality& b) const {
+  /// Whether two equalities have the same sides, in either order if that is all the same.
+  bool is_same(const Equality& a, const Equality& b, bool in_any_order) const {
     spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * (nodes_in(a) + nodes_in(b)));
     const auto same = [&](const Expression& x, const Expression& y) {
       if (!fit(x.type(), y.type())) return false;
@@ -163,7 +209,7 @@ class ClaimCheck {
       return is_provable(sides) && prover_.settle(sides, Assumption::identity) == Verdict::holds;
     };
     return (same(a.left, b.left) && same(a.right, b.right)) ||
-           (same(a.left, b.right) && same(a.right, b.left));
+           (in_any_order && same(a.left, b.right) && same(a.right, b.left));
   }
 
   void compare_letters(const Claim& claim, const Math& formula) {
@@ -223,20 +269,34 @@ class ClaimCheck {
   /// Null if the scene cannot be: whoever checks the scenes says so.
   const SceneModel* model_of(const Step& step) {
     try {
-      if (!model_) model_.emplace(make_model(*step.scene, Product::figure, effort_));
+      if (!model_) {
+        Scene measured = *step.scene;
+        measured.beside.clear();  // claims are about the first
+        measured.before = 0;
+        model_.emplace(make_model(measured, Product::figure, effort_));
+      }
       return &*model_;
     } catch (const std::domain_error&) {
       return nullptr;
     }
   }
 
+  /// The scene's motion at its still; null where it cannot be computed. Precondition: there is a model of it.
+  const LiveState* still_of(const Step& step) {
+    if (!still_) still_.emplace(live_state(*model_, still_time_s(*step.scene)));
+    return *still_ ? &**still_ : nullptr;
+  }
+
+  static constexpr int kDigitsOfHint = 6;
+
   const Lesson& lesson_;
   SourceText source_;
   Report report_;
   const Effort& effort_;
   Prover prover_;
-  std::vector<const Equation*> equations_;  // of the stage
-  std::optional<SceneModel> model_;         // of the step
+  std::vector<const Equation*> equations_;         // of the stage
+  std::optional<SceneModel> model_;                // of the step
+  std::optional<std::optional<LiveState>> still_;  // its state at the still, once it was asked for
 };
 
 }  // namespace

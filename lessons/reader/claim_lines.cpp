@@ -28,12 +28,15 @@ class ClaimLineReader {
     const auto statement = take_within(text, result);
     if (!statement) return std::nullopt;
     const std::size_t implies = statement->find(kImplies);
-    if (kind_ == ClaimKind::non_sequitur) return read_non_sequitur(*statement, implies, result);
+    if (kind_ == ClaimKind::non_sequitur) return read_inference(*statement, implies, result);
     if (implies != std::string_view::npos) {
-      fail(statement->substr(implies), "=> is for claims of the kind non-sequitur");
+      if (kind_ != ClaimKind::is_false && kind_ != ClaimKind::measured)
+        return read_inference(*statement, implies, result);
+      fail(statement->substr(implies), "what follows is neither false nor measured",
+           "the kind non-sequitur says that it does not follow");
       return std::nullopt;
     }
-    return read_equality(*statement, result.equality) ? std::optional(result) : std::nullopt;
+    return read_sides(*statement, result.equality, &result.relation) ? std::optional(result) : std::nullopt;
   }
 
  private:
@@ -69,7 +72,7 @@ class ClaimLineReader {
     return begins && (rest.empty() || rest.front() == ' ' || rest.front() == '\t');
   }
 
-  std::optional<ClaimLine> read_non_sequitur(std::string_view text, std::size_t implies, ClaimLine result) {
+  std::optional<ClaimLine> read_inference(std::string_view text, std::size_t implies, ClaimLine result) {
     if (implies == std::string_view::npos) {
       fail(text, "a non-sequitur reads premise => conclusion");
       return std::nullopt;
@@ -81,20 +84,39 @@ class ClaimLineReader {
     return premise_ok && conclusion_ok ? std::optional(result) : std::nullopt;
   }
 
-  bool read_equality(std::string_view text, Equality& into) {
-    const std::size_t equals = text.find('=');
+  bool read_equality(std::string_view text, Equality& into) { return read_sides(text, into, nullptr); }
+
+  /// `relation`: what stands between the sides; null: = alone can stand there.
+  bool read_sides(std::string_view text, Equality& into, Relation* relation) {
+    const std::size_t equals = text.find_first_of(relation == nullptr ? "=" : "<=>");
     if (equals == std::string_view::npos) {
       fail(text, "a claim reads left = right, there is no = here");
       return false;
     }
+    std::size_t end = equals + 1;
+    if (relation != nullptr && text[equals] != '=') {
+      const bool or_equal = text.substr(end, 1) == "=";
+      if (or_equal) ++end;
+      if (kind_ == ClaimKind::measured) {
+        fail(text.substr(equals), "what is measured is an equality", "the kind identity, motion or free");
+        return false;
+      }
+      *relation = text[equals] == '<' ? or_equal ? Relation::less_or_equal : Relation::less
+                  : or_equal          ? Relation::greater_or_equal
+                                      : Relation::greater;
+    }
     const std::string_view left_text = trimmed(text.substr(0, equals));
-    const std::string_view right_text = trimmed(text.substr(equals + 1));
+    const std::string_view right_text = trimmed(text.substr(end));
     // Both are read, so that both are reported.
     auto left =
         read_expression(left_text, place_of(left_text.empty() ? text : left_text), report_, vocabulary_);
     auto right = read_expression(right_text, place_of(right_text), report_, vocabulary_);
     if (!left || !right) return false;
     into = {std::move(*left), std::move(*right)};
+    if (relation != nullptr && *relation != Relation::equal && into.is_vector()) {
+      fail(text.substr(equals), "of two vectors none is the greater", "compare norm(a) and norm(b)");
+      return false;
+    }
     if (fit(into.left.type(), into.right.type())) return check_lengths(text, into);
     fail(text.substr(equals), std::string(name_of(into.left.type())) + " and " +
                                   std::string(name_of(into.right.type())) + " cannot be equal");

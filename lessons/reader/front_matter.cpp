@@ -53,7 +53,7 @@ struct BodyKeys {
   std::optional<Vec3> size_m;
   std::optional<double> mass_kg;
   std::optional<Vec3> pivot_m;
-  bool draw_box = false;
+  std::optional<ShapeKind> draw;
 };
 
 std::optional<ShapeKind> read_shape(const TomlEntry& entry, Report& report) {
@@ -69,21 +69,13 @@ std::optional<ShapeKind> read_shape(const TomlEntry& entry, Report& report) {
 
 BodyKeys read_body_keys(const TomlTable& table, const std::string& where, Report& report) {
   BodyKeys keys;
-  const auto draw = [&](const TomlEntry& e) {
-    const auto name = read_text(e, report);
-    keys.draw_box = name && *name == "box";
-    if (name && !keys.draw_box) {
-      report.error(e.value.place, "cannot draw " + in_quotes(*name) + " from moments",
-                   suggestion(*name, {"box"}));
-    }
-  };
   read_keys(table, where,
             {{"moments", [&](const TomlEntry& e) { keys.moments = read_vector(e, report); }},
              {"shape", [&](const TomlEntry& e) { keys.shape = read_shape(e, report); }},
              {"size_m", [&](const TomlEntry& e) { keys.size_m = read_vector(e, report); }},
              {"mass_kg", [&](const TomlEntry& e) { keys.mass_kg = read_positive_number(e, report); }},
              {"pivot_m", [&](const TomlEntry& e) { keys.pivot_m = read_vector(e, report); }},
-             {"draw", draw}},
+             {"draw", [&](const TomlEntry& e) { keys.draw = read_shape(e, report); }}},
             report);
   return keys;
 }
@@ -92,10 +84,12 @@ BodyKeys read_body_keys(const TomlTable& table, const std::string& where, Report
 bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& report) {
   const bool by_moments = table.find("moments") != nullptr;
   bool consistent = true;
+  const bool is_drawn = table.find("draw") != nullptr;
   for (const char* key : {"shape", "size_m", "mass_kg"}) {
     const TomlEntry* given = table.find(key);
-    if (by_moments && given != nullptr && given->key != "mass_kg") {
-      report.error(given->place, "a body has moments or a shape, not both", "leave one out");
+    if (by_moments && given != nullptr && (given->key == "shape" || (given->key == "size_m" && !is_drawn))) {
+      report.error(given->place, "a body has moments or a shape, not both",
+                   "leave one out, or say how the body is drawn: draw = \"ellipsoid\" and size_m");
       return false;
     }
     if (!by_moments && given == nullptr) {
@@ -104,7 +98,7 @@ bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& rep
       consistent = false;
     }
   }
-  if (!by_moments && table.find("draw") != nullptr) {
+  if (!by_moments && is_drawn) {
     report.error(table.find("draw")->place, "\"draw\" is for bodies given by moments",
                  "a body with a shape is drawn as that shape");
     consistent = false;
@@ -116,7 +110,7 @@ bool check_body_keys(const TomlEntry& entry, const TomlTable& table, Report& rep
                  "write mass_kg = 1.0 in kg");
     consistent = false;
   }
-  if (by_moments && pivot != nullptr && table.find("draw") != nullptr) {
+  if (by_moments && pivot != nullptr && is_drawn) {
     report.error(table.find("draw")->place, "\"draw\" is for bodies without a pivot",
                  "one on a pivot is drawn as it hangs there");
     consistent = false;
@@ -142,7 +136,10 @@ std::optional<Body> make_body_from(const std::string& name, const BodyKeys& keys
   if (keys.moments) {
     const Vec3& I = *keys.moments;
     Body body{name, PrincipalMoments(I[0], I[1], I[2]), std::nullopt, keys.mass_kg.value_or(1.0)};
-    if (keys.draw_box) body.shape = equivalent_box(body.moments, body.mass_kg);
+    if (keys.draw && keys.size_m)
+      body.shape = make_body(name, *keys.draw, *keys.size_m, body.mass_kg).shape;
+    else if (keys.draw)
+      body.shape = equivalent_box(body.moments, body.mass_kg);
     return body;
   }
   if (keys.shape && keys.size_m && keys.mass_kg)
@@ -164,6 +161,11 @@ bool read_body(const TomlEntry& entry, LessonBodies& bodies, Report& report) {
   }
   const BodyKeys keys = read_body_keys(*table, "[body." + entry.key + "]", report);
   if (!check_body_keys(entry, *table, report)) return false;
+  if (keys.draw && *keys.draw != ShapeKind::box && table->find("size_m") == nullptr) {
+    report.error(table->find("draw")->value.place, "only a box follows from the moments",
+                 "write \"box\", or size_m = [x, y, z] as well, in m");
+    return false;
+  }
   try {
     const auto body = make_body_from(entry.key, keys);
     if (!body) return false;
@@ -171,11 +173,13 @@ bool read_body(const TomlEntry& entry, LessonBodies& bodies, Report& report) {
       if (!check_pivot(*body, *keys.pivot_m, table->find("pivot_m")->value.place, report)) return false;
       bodies.pivots_m.insert_or_assign(entry.key, *keys.pivot_m);
     }
-    if (table->find("draw") != nullptr) bodies.drawn_as_box.insert(entry.key);
+    if (keys.draw) bodies.drawn.insert(entry.key);
     bodies.named.insert_or_assign(entry.key, *body);
     return true;
   } catch (const std::domain_error& error) {
-    const TomlEntry* culprit = table->find(keys.moments ? "moments" : "size_m");
+    const bool by_size = keys.size_m && !(keys.moments && why_impossible(keys.moments->x(), keys.moments->y(),
+                                                                         keys.moments->z()));
+    const TomlEntry* culprit = table->find(by_size ? "size_m" : "moments");
     report.error(culprit->place, error.what());
     return false;
   }
@@ -298,7 +302,7 @@ void check_unit(const TomlEntry& entry, FrontMatter& front, Report& report) {
                    "a number with a unit is a constant: name = { value = …, unit = \"…\" }");
     known = reading.dimension;
   } else if (quantity != nullptr && table != nullptr && table->find("means") == nullptr) {
-    known = dimension_of(quantity->quantity);
+    known = quantity->dimension;
   }
   if (unit && known && *unit != *known)
     report.error(unit_entry->value.place, "units disagree: " + in_quotes(entry.key) + " is in " +
@@ -551,7 +555,7 @@ void read_base_scene(const TomlEntry& entry, FrontMatter& front, TextReader& tex
     report.error(entry.value.place, "\"scene\" takes a table, found " + std::string(entry.value.kind()));
     return;
   }
-  for (const PlacedText& name : read_scene_keys(*table, front.bodies, front.scene, texts)) {
+  for (const PlacedText& name : read_scene_keys(*table, front.bodies, front.words(), front.scene, texts)) {
     if (overlay_from(name.text)) continue;
     report.error(name.place,
                  "the front matter can highlight overlays only, " + in_quotes(name.text) + " is none",
@@ -631,6 +635,7 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
   for (const Reference& reference : front.about.references) texts.citable()[reference.key] = false;
   if (const TomlEntry* assume = table.find("assume"))
     front.assumptions = read_assumptions(*assume, front.notation.vocabulary, front.dimensions, texts);
+  texts.speak(front.notation.vocabulary, front.dimensions);
   if (scene != nullptr) read_base_scene(*scene, front, texts);
   for (const char* key : {"format", "id", "title"}) {
     if (table.find(key) == nullptr) {

@@ -50,4 +50,37 @@ std::string_view label_of(const Lesson& lesson, Callout::Kind kind) {
   return own != lesson.about.labels.end() ? std::string_view(own->second) : names_of(kind).label;
 }
 
+namespace {
+
+void add_ids(const Math& math, std::vector<int>& ids) {
+  for (const LiveNumber& number : math.live) ids.push_back(number.id);
+}
+
+void append_to(std::vector<int>& ids, const std::vector<int>& more) {
+  ids.insert(ids.end(), more.begin(), more.end());
+}
+
+}  // namespace
+
+std::vector<int> numbers_in(const RichText& text) {
+  std::vector<int> ids;
+  for_each_span(text, [&](const TextSpan& span) { add_ids(span.math, ids); });
+  return ids;
+}
+
+std::vector<int> numbers_in(const Block& block) {
+  std::vector<int> ids;
+  if (const auto* equation = std::get_if<Equation>(&block)) add_ids(equation->math, ids);
+  if (const auto* prose = std::get_if<Prose>(&block)) ids = numbers_in(prose->text);
+  if (const auto* callout = std::get_if<Callout>(&block)) ids = numbers_in(callout->text);
+  if (const auto* note = std::get_if<Footnote>(&block)) ids = numbers_in(note->text);
+  return ids;
+}
+
+std::vector<int> numbers_in(const Step& step) {
+  std::vector<int> ids;
+  for (const Block& block : step.blocks) append_to(ids, numbers_in(block));
+  return ids;
+}
+
 }  // namespace polhode

@@ -9,10 +9,12 @@
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
 #include "lessons/reader/assumptions.h"
+#include "lessons/reader/computed_number.h"
 #include "lessons/reader/tex_equation.h"
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <memory>
@@ -22,6 +24,8 @@
 #include <vector>
 
 namespace polhode {
+
+class VariedScene;  // varied_scene.h
 
 /// Prose between two fences: Markdown as written (inline $…$ included), without the block's own syntax.
 struct Prose {
@@ -38,7 +42,6 @@ struct Equation {
   Math math;
   std::size_t offset = 0;  ///< of the TeX in Lesson::source
   SourcePlace place;
-  std::vector<Expression> live{};  ///< of its \live numbers: scalars
 };
 
 /// A call-out: a block quote that opens with [!KIND].
@@ -83,7 +86,7 @@ struct Footnote {
 struct Ask : Question {
   std::string id;
   std::string prompt;
-  RichText prompt_text;
+  RichText prompt_text;  ///< with what is given behind it
   std::vector<RichText> choice_texts;
   std::vector<std::string> hints;
   std::vector<RichText> hint_texts;
@@ -97,9 +100,19 @@ struct Step {
   std::vector<Block> blocks;
   /// Null: text alone. Steps that go on with a scene share it.
   std::shared_ptr<const Scene> scene;
-  /// The scene's, null if it has none; steps that go on with a caption share it.
-  std::shared_ptr<const RichText> caption;
+  /// Of the scene and those beside it, in the order in which they stand; null where one has none. Steps that
+  /// go on with a caption share it.
+  std::vector<std::shared_ptr<const RichText>> captions{};
+  /// The scene with other numbers than it has, for the readers of its `vary`; null: there is none.
+  std::shared_ptr<const VariedScene> varied{};
+  SourcePlace place{};  ///< of the stage's heading, or of the rule that it begins with
 };
+
+/// The caption of one of the scenes that are shown at a step, in the order in which they stand, or of a scene
+/// that is shown without those beside it; null: it has none.
+inline const RichText* caption_of(const Step& step, std::size_t shown) {
+  return step.captions.empty() ? nullptr : step.captions[std::min(shown, step.captions.size() - 1)].get();
+}
 
 /// The blocks of one kind that a step adds, in their order.
 template <class Kind>
@@ -165,6 +178,7 @@ struct Lesson {
   About about{};
   std::vector<Reference> references{};            ///< by their keys
   std::vector<OutsideReference> other_lessons{};  ///< in their order
+  std::vector<ComputedNumber> numbers{};          ///< by LiveNumber::id
 
   const Stage* find_stage(std::string_view stage_id) const;
   /// The error names the one that may have been meant.
@@ -173,6 +187,12 @@ struct Lesson {
 
 /// All display mathematics of a stage.
 std::vector<const Equation*> equations_of(const Stage& stage);
+
+/// The ids of the numbers that the formulas of a text show, and those of what a step adds; those of its
+/// caption are not among the latter.
+std::vector<int> numbers_in(const RichText& text);
+std::vector<int> numbers_in(const Block& block);
+std::vector<int> numbers_in(const Step& step);
 
 /// A step of a lesson by its index among those of its stage, and that by its index.
 struct StepPlace {

@@ -20,9 +20,10 @@ inline constexpr std::int64_t kLintBudget = 100'000'000;
 inline constexpr std::int64_t kPageEvaluations = 5'000;  ///< a page laid out
 /// And each glyph of its text, at each size tried: 10 in plain text, 40 in a formula of 16,000.
 inline constexpr std::int64_t kGlyphEvaluations = 30;
-/// A line of a claim, each node of its expressions, and the search for a counterexample that there is not.
+/// A line of a claim, each node of its expressions, the search for a counterexample that there is not; and an
+/// inequality or a condition written out in symbols.
 inline constexpr std::int64_t kClaimLineEvaluations = 5'000, kClaimNodeEvaluations = 100,
-                              kVainSearchEvaluations = 1'000'000;
+                              kVainSearchEvaluations = 1'000'000, kWrittenOutEvaluations = 200'000;
 
 /// Of the first place that was no longer checked.
 inline Diagnostic too_long_to_check(std::string_view file, SourcePlace place) {

@@ -90,7 +90,8 @@ LessonReading read_lesson(std::string_view text, std::string_view file_name) {
                               std::string(text),
                               std::move(front.about.about),
                               std::move(front.about.references),
-                              std::move(others)};
+                              std::move(others),
+                              texts.take_numbers()};
     }
   }
   reading.diagnostics = report.take();

@@ -16,7 +16,9 @@ inline constexpr std::size_t kMaxLessonBytes = std::size_t{1} << 20;
 inline constexpr int kMaxStages = 200;
 inline constexpr int kMaxStepsPerStage = 100;
 inline constexpr int kMaxNesting = 16;
-inline constexpr int kMaxOverlays = 40;   ///< names in one list, repeated ones too; not fewer than there are
+inline constexpr int kMaxOverlays = 40;  ///< names in one list, repeated ones too; not fewer than there are
+/// Each has up to three complete scenes.
+inline constexpr int kMaxStepsWithSeveral = 1000;
 inline constexpr int kMaxParts = 50'000;  ///< headings, rules, blocks, claims and call-outs together
 
 struct LessonReading {

@@ -66,18 +66,24 @@ class References {
 
   void resolve(RichText& text, const Stage& stage) {
     for (TextBlock& block : text) {
-      std::vector<TextSpan> spans;
-      spans.reserve(block.spans.size());
-      for (std::size_t i = 0; i < block.spans.size();) {
-        const std::string link = block.spans[i].link;
-        const bool leads = !link.empty() && !link.starts_with(kCiteLink);
-        const auto end = leads ? leads_to(link, place_of(block.spans[i]), stage) : std::nullopt;
-        // A link with emphasis or formulas in it has several spans.
-        do add(std::move(block.spans[i++]), end, stage, spans);
-        while (leads && i < block.spans.size() && block.spans[i].link == link);
-      }
-      block.spans = std::move(spans);
+      resolve(block.spans, stage);
+      for (auto& row : block.table.rows)
+        for (TextTable::Cell& cell : row) resolve(cell, stage);
     }
+  }
+
+  void resolve(std::vector<TextSpan>& text, const Stage& stage) {
+    std::vector<TextSpan> spans;
+    spans.reserve(text.size());
+    for (std::size_t i = 0; i < text.size();) {
+      const std::string link = text[i].link;
+      const bool leads = !link.empty() && !link.starts_with(kCiteLink);
+      const auto end = leads ? leads_to(link, place_of(text[i]), stage) : std::nullopt;
+      // A link with emphasis or formulas in it has several spans.
+      do add(std::move(text[i++]), end, stage, spans);
+      while (leads && i < text.size() && text[i].link == link);
+    }
+    text = std::move(spans);
   }
 
   void resolve(Math& math, std::size_t offset, const Stage& stage) {

@@ -4,9 +4,11 @@
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
 #include "lessons/reader/scene_values.h"
 #include "lessons/reader/toml_text.h"
+#include "lessons/reader/varied_scene.h"
 #include "physics/body/pivot.h"
 #include "physics/body/torque_text.h"
 #include "physics/method.h"
@@ -17,6 +19,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 namespace polhode {
 namespace {
@@ -58,7 +61,7 @@ Result<Torque, SceneFault> torque_of(const LessonScene& scene, const LessonBodie
 Result<Body, SceneFault> body_of(const LessonScene& scene, const Torque& torque, const LessonBodies& bodies) {
   const Body& body = scene.scene.body;
   const Vec3* pivot_m = pivot_of(body, bodies);
-  if (bodies.drawn_as_box.contains(body.name)) return body;
+  if (bodies.drawn.contains(body.name)) return body;
   if (pivot_m != nullptr && has_heavy(torque)) {
     constexpr double kSame = 1e-6;  // of what is written with seven digits
     if (!((center_from_pivot_B(body.mass_kg, torque) + *pivot_m).norm() <= kSame * pivot_m->norm()))
@@ -103,10 +106,16 @@ Finished finish(const LessonScene& given, const LessonBodies& bodies) {
 // One table's keys into one scene.
 class SceneKeys {
  public:
-  SceneKeys(const LessonBodies& bodies, LessonScene& scene, TextReader& texts,
-            std::optional<SourcePlace> fence)
+  /// Where the table stands: what it may say.
+  enum class Of { front_matter, fence, scenes };
+
+  /// `begin` is where the table begins.
+  SceneKeys(const LessonBodies& bodies, const SceneWords& words, LessonScene& scene, TextReader& texts, Of of,
+            SourcePlace begin)
       : bodies_(bodies),
-        fence_(fence),
+        words_(words),
+        of_(of),
+        begin_(begin),
         lesson_scene_(scene),
         scene_(scene.scene),
         caption_(scene.caption),
@@ -122,10 +131,32 @@ class SceneKeys {
     void (SceneKeys::*read)(const TomlEntry&);
     /// The value; empty where the scene leaves it to what follows from the rest.
     std::string (*text)(const Scene&);
+    /// Said of all scenes side by side, or of none: not in their own tables.
+    bool is_common = false;
   };
   static std::span<const Row> rows();
 
  private:
+  /// A key that does not belong into this table is an error.
+  void read(const Row& row, const TomlEntry& entry) {
+    const std::string key = in_quotes(entry.key);
+    const bool shows_several = entry.key == "scenes" || entry.key == "vary";
+    if (of_ == Of::scenes && shows_several)
+      report_.error(entry.place, "a scene beside others has no " + key + " of its own");
+    else if (of_ == Of::scenes && row.is_common)
+      report_.error(entry.place, key + " is the same for all scenes side by side",
+                    "write it beside \"scenes\", not in it");
+    else if (of_ == Of::front_matter && shows_several)
+      report_.error(entry.place, key + " belongs to a step", "write it in a ```scene fence");
+    else
+      (this->*row.read)(entry);
+  }
+
+  /// But of numbers of a start, which a scene has not any more.
+  static std::string text_of_variations(const Scene& scene);
+  /// Of the scenes side by side: tables of what differs from the first, which is written by itself.
+  static std::string text_of_scenes(const Scene& scene);
+
   template <class T, class U>
   static void assign(T& target, const std::optional<U>& value) {
     if (value) target = *value;
@@ -225,15 +256,21 @@ class SceneKeys {
   /// Said where a table names what is at fault, or where it is shown first; not again on steps that go on
   /// with it.
   void say(const SceneFault& fault, const TomlEntry* named) {
-    if (named == nullptr && (lesson_scene_.fault_said || !fence_)) return;
-    report_.error(named != nullptr ? named->value.place : *fence_, fault.message, fault.hint);
+    if (named == nullptr && (lesson_scene_.fault_said || of_ == Of::front_matter)) return;
+    report_.error(named != nullptr ? named->value.place : begin_, fault.message, fault.hint);
     lesson_scene_.fault_said = true;
+  }
+
+  void check_scene(const TomlTable& table) {
+    if (!lesson_scene_.scenes) check_held(table);  // else each of them is held against it
+    check_pushed(table);
   }
 
   void check_held(const TomlTable& table) {
     const Finished finished = finish(lesson_scene_, bodies_);
     const bool is_of_top = lesson_scene_.weighs || lesson_scene_.start;
-    const bool may_follow = !fence_ && !(table.find("body") != nullptr && table.find("torque") != nullptr);
+    const bool may_follow =
+        of_ == Of::front_matter && !(table.find("body") != nullptr && table.find("torque") != nullptr);
     const bool is_known = bodies_.complete || !lesson_scene_.weighs;  // else the body's fault was said
     if (!finished.of_weight && !finished.of_start) {
       lesson_scene_.fault_said = false;
@@ -241,7 +278,9 @@ class SceneKeys {
       if (finished.of_weight) say(*finished.of_weight, first_of(table, {"torque", "body"}));
       if (finished.of_start) say(*finished.of_start, first_of(table, {"start", "torque", "body"}));
     }
+  }
 
+  void check_pushed(const TomlTable& table) {
     const bool is_free = !lesson_scene_.weighs && !has_heavy(scene_.torque);
     const bool is_pushed = !scene_.v0_S.isZero(0.0) || !scene_.F_S.isZero(0.0);
     const TomlEntry* named = first_of(table, {"force", "velocity", "torque"});
@@ -434,24 +473,79 @@ class SceneKeys {
     }
   }
 
-  void meters(const TomlEntry& entry) {
-    const auto names = read_texts(entry, static_cast<std::size_t>(kMeterCount), report_);
-    if (!names) return;
-    std::vector<Meter> meters;
-    for (const PlacedText& name : *names) {
-      const auto meter = meter_from(name.text);
-      if (!meter)
-        unknown("meter", name, meter_names());
-      else if (std::find(meters.begin(), meters.end(), *meter) != meters.end())
-        report_.warning(name.place, "the meter " + in_quotes(name.text) + " is there already");
-      else
-        meters.push_back(*meter);
+  void meters(const TomlEntry& entry) { assign(scene_.meters, read_plots(entry, words_, texts_)); }
+
+  void scenes(const TomlEntry& entry) {
+    static constexpr const char* kExample =
+        "write scenes = [{ omega = [0, 0.1, 3] }, { omega = [0, 3, 0.1] }]";
+    const auto* list = entry.value.as<TomlArray>();
+    if (list == nullptr) {
+      report_.error(entry.value.place,
+                    "\"scenes\" takes a list of tables, found " + std::string(entry.value.kind()), kExample);
+      return;
     }
-    scene_.meters = std::move(meters);
+    const auto no_table = std::find_if(
+        list->begin(), list->end(), [](const TomlValue& value) { return value.as<TomlTable>() == nullptr; });
+    if (no_table != list->end()) {
+      report_.error(no_table->place,
+                    "\"scenes\" takes a list of tables, found " + std::string(no_table->kind()) + " in it",
+                    kExample);
+    } else if (list->size() == 1 || list->size() > kMaxScenes) {
+      report_.error(entry.value.place,
+                    "two or three scenes can stand side by side, found " + std::to_string(list->size()),
+                    list->size() == 1 ? "write its keys beside the others, without \"scenes\"" : "");
+    } else {
+      lesson_scene_.scenes = list->empty() ? nullptr : std::make_shared<const TomlArray>(*list);
+    }
+  }
+
+  void vary(const TomlEntry& entry) {
+    scene_.vary.clear();
+    lesson_scene_.vary_places.clear();
+    const auto* table = entry.value.as<TomlTable>();
+    if (table == nullptr) {
+      report_.error(entry.value.place, "\"vary\" takes a table, found " + std::string(entry.value.kind()),
+                    "write vary = { omega3 = { from = 1, to = 9 } }");
+      return;
+    }
+    if (table->entries.size() > kMaxVariations)
+      report_.error(entry.value.place,
+                    "at most two numbers can be varied, found " + std::to_string(table->entries.size()));
+    std::vector<KeyHandler> numbers;
+    for (const VariedNumber& number : varied_numbers())
+      numbers.push_back({std::string(number.name), [this](const TomlEntry& e) { vary_number(e); }});
+    TomlTable in_order = *table;  // of the text: the first is that of the filmstrip
+    std::sort(in_order.entries.begin(), in_order.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+      return std::pair(a.place.line, a.place.column) < std::pair(b.place.line, b.place.column);
+    });
+    read_keys(in_order, "\"vary\"", numbers, report_);
+  }
+
+  void vary_number(const TomlEntry& entry) {
+    const auto* table = entry.value.as<TomlTable>();
+    std::optional<double> from, to;
+    if (table != nullptr)
+      read_keys(*table, in_quotes(entry.key),
+                {{"from", [&](const TomlEntry& e) { from = read_number(e, report_); }},
+                 {"to", [&](const TomlEntry& e) { to = read_number(e, report_); }}},
+                report_);
+    if (table == nullptr || table->find("from") == nullptr || table->find("to") == nullptr)
+      report_.error(entry.value.place, in_quotes(entry.key) + " is varied from a number to a larger one",
+                    "write " + entry.key + " = { from = 1, to = 9 }");
+    if (!from || !to) return;
+    if (*from < *to && scene_.vary.size() < kMaxVariations) {
+      scene_.vary.push_back({entry.key, *from, *to, 0});
+      lesson_scene_.vary_places.push_back(entry.place);
+    } else if (*from >= *to) {
+      report_.error(table->find("to")->value.place,
+                    "\"to\" must be larger than \"from\", which is " + toml(*from));
+    }
   }
 
   const LessonBodies& bodies_;
-  const std::optional<SourcePlace> fence_;
+  const SceneWords& words_;
+  const Of of_;
+  const SourcePlace begin_;
   LessonScene& lesson_scene_;
   Scene& scene_;
   std::shared_ptr<const RichText>& caption_;
@@ -521,20 +615,24 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        [](const Scene& scene) { return text_of(scene.camera); }},
       {{"at", "the t of a still, s", "0"},
        &SceneKeys::at,
-       [](const Scene& scene) { return toml(scene.at_s); }},
+       [](const Scene& scene) { return toml(scene.at_s); },
+       true},
       {{"still",
         "the t of a still, s, where lengths of arrows under torque and the methods' tables are to be those "
         "of `at`",
         "`at`"},
        &SceneKeys::still,
-       [](const Scene& scene) { return scene.still_s ? toml(*scene.still_s) : ""; }},
+       [](const Scene& scene) { return scene.still_s ? toml(*scene.still_s) : ""; },
+       true},
       {{"duration", "what curves over time cover, s", "one polhode period or turn"},
        &SceneKeys::duration,
-       [](const Scene& scene) { return scene.duration_s ? toml(*scene.duration_s) : ""; }},
+       [](const Scene& scene) { return scene.duration_s ? toml(*scene.duration_s) : ""; },
+       true},
       {{"rate", "simulated seconds per shown second",
         "one polhode period (or turn; under torque four turns) in 8 s"},
        &SceneKeys::rate,
-       [](const Scene& scene) { return scene.rate ? toml(*scene.rate) : ""; }},
+       [](const Scene& scene) { return scene.rate ? toml(*scene.rate) : ""; },
+       true},
       {{"highlight",
         R"(overlays, which are drawn bolder, or ids of `\term`s of the stage, which are marked on its pages; at most 4)",
         "none"},
@@ -544,30 +642,74 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
         R"(how finely pictures are drawn: `"draft"` (solid bodies with jagged edges), `"normal"` or `"fine"` (2 × 2 times the pixels); `export --quality` overrides it)",
         R"(`"normal"`)"},
        &SceneKeys::quality,
-       [](const Scene& scene) { return toml(name_of(scene.quality)); }},
+       [](const Scene& scene) { return toml(name_of(scene.quality)); },
+       true},
       {{"caption",
-        "one line in the picture, at most 120 characters; formulas between `$` without macros, else plain "
-        "text",
+        "one line in the picture, at most 120 characters; formulas between `$` without macros, computed "
+        "numbers too, else plain text",
         "none"},
        &SceneKeys::caption,
        [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; }},
       {{"meters",
-        R"(plots against time beside the figure of a page, over `duration`: a list of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start); `[]` for none)",
+        R"(plots beside the figure of a page: a list of up to 6 of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start), each against time over `duration`, and of plots of your own (Plots, below); `[]` for none)",
         R"(`["omega", "drift"]`, under torque `["omega", "energy", "momentum"]`)"},
        &SceneKeys::meters,
-       [](const Scene& scene) { return scene.meters ? text_of(*scene.meters) : ""; }},
+       [](const Scene& scene) { return scene.meters ? plots_text(*scene.meters) : ""; }},
+      {{"scenes", "two or three tables of these keys: scenes side by side (below); `[]` for none", "none"},
+       &SceneKeys::scenes,
+       text_of_scenes,
+       true},
+      {{"vary",
+        "one or two numbers of the scene, `{ omega3 = { from = 1, to = 9 } }`: a slider in the window, a "
+        "filmstrip on paper (below); `{}` for none",
+        "none"},
+       &SceneKeys::vary,
+       text_of_variations,
+       true},
   });
   return kRows;
+}
+
+/// The plots are those of the first, where nothing else is said.
+Scene without_plots(Scene scene) {
+  scene.meters.emplace();
+  return scene;
+}
+
+std::string SceneKeys::text_of_scenes(const Scene& scene) {
+  if (scene.beside.empty() || !scene.vary.empty()) return {};
+  const Scene like_first = without_plots(scene);
+  std::string text = "[\n  {},\n";
+  for (const Scene& other : scene.beside) {
+    const Scene complete = completed(other);
+    std::string keys;
+    for (const Row& row : rows()) {
+      if (row.is_common || row.text(other) == row.text(like_first)) continue;
+      const std::string value = row.text(other);
+      keys += (keys.empty() ? "" : ", ") + std::string(row.facts.name) + " = ";
+      keys += !value.empty() ? value : row.facts.name == "caption" ? toml("") : row.text(complete);
+    }
+    text += keys.empty() ? "  {},\n" : "  { " + keys + " },\n";
+  }
+  return text + ']';
+}
+
+std::string SceneKeys::text_of_variations(const Scene& scene) {
+  std::string text;
+  for (const Variation& number : scene.vary)
+    if (!is_of_start(number.number))
+      text += (text.empty() ? "{ " : ", ") + number.number + " = { from = " + toml(number.from) +
+              ", to = " + toml(number.to) + " }";
+  return text.empty() ? text : text + " }";
 }
 
 std::vector<PlacedText> SceneKeys::read(const TomlTable& table) {
   std::vector<KeyHandler> handlers;
   for (const Row& row : rows())
-    handlers.push_back(
-        {std::string(row.facts.name), [this, &row](const TomlEntry& e) { (this->*row.read)(e); }});
+    handlers.push_back({std::string(row.facts.name), [this, &row](const TomlEntry& e) { read(row, e); }});
   take_start_apart(table);
   read_keys(table, "the scene", handlers, report_);
-  check_held(table);
+  check_scene(table);
   return std::move(highlighted_);
 }
 
@@ -582,10 +724,42 @@ Quat attitude_from(const std::vector<double>& wxyz) {
 
 Scene finished(const LessonScene& scene, const LessonBodies& bodies) { return finish(scene, bodies).scene; }
 
+Result<Scene, SceneFault> finished_or_fault(const LessonScene& scene, const LessonBodies& bodies) {
+  Finished finished = finish(scene, bodies);
+  if (finished.of_weight) return Failure<SceneFault>{*finished.of_weight};
+  if (finished.of_start) return Failure<SceneFault>{*finished.of_start};
+  return std::move(finished.scene);
+}
+
+Scene finished(const std::vector<LessonScene>& scenes, const LessonBodies& bodies) {
+  Scene first = finished(scenes.front(), bodies);
+  for (std::size_t i = 1; i < scenes.size(); ++i) first.beside.push_back(finished(scenes[i], bodies));
+  return first;
+}
+
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts,
+                                        const SceneWords& words, LessonScene& scene, TextReader& texts,
                                         std::optional<SourcePlace> fence) {
-  return SceneKeys(bodies, scene, texts, fence).read(table);
+  using Of = SceneKeys::Of;
+  return SceneKeys(bodies, words, scene, texts, fence ? Of::fence : Of::front_matter,
+                   fence.value_or(SourcePlace{}))
+      .read(table);
+}
+
+std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodies& bodies,
+                                      const SceneWords& words, TextReader& texts,
+                                      std::vector<PlacedText>& highlighted) {
+  if (!scene.scenes) return {scene};
+  std::vector<LessonScene> scenes;
+  for (const TomlValue& entry : *scene.scenes) {
+    LessonScene& one = scenes.emplace_back(scene);
+    one.scenes = nullptr;
+    if (scenes.size() > 1) one.scene = without_plots(std::move(one.scene));
+    SceneKeys keys(bodies, words, one, texts, SceneKeys::Of::scenes, entry.place);
+    std::vector<PlacedText> names = keys.read(*entry.as<TomlTable>());
+    std::move(names.begin(), names.end(), std::back_inserter(highlighted));
+  }
+  return scenes;
 }
 
 std::vector<SceneKeyFacts> scene_key_facts() {

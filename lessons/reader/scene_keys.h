@@ -4,6 +4,7 @@
 
 #include "lessons/reader/keys.h"
 #include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/quantity_key.h"
 #include "lessons/reader/top_start.h"
 #include "render/scene/description/scene.h"
 
@@ -44,7 +45,7 @@ Quat attitude_from(const std::vector<double>& wxyz);
 /// The lesson's own bodies; other names are those of physics/body/bodies.h.
 struct LessonBodies {
   std::map<std::string, Body> named;
-  std::set<std::string> drawn_as_box;  ///< of these: known by their moments, though they have a shape
+  std::set<std::string> drawn;  ///< of these: known by their moments, though they have a shape to be drawn
   /// Of these: where it is held, m, from the centre of mass, about which its moments are then given.
   std::map<std::string, Vec3> pivots_m;
   bool complete = true;  ///< false after an error in one: an unknown name is then no second error
@@ -58,18 +59,34 @@ struct LessonScene {
   bool weighs = false;                      ///< torque = "weight", besides scene.torque
   std::optional<TopStart> start = {};       ///< in place of ω and attitude of the scene
   bool fault_said = false;                  ///< it cannot be, and was reported
+  /// Tables that change it to the scenes side by side, which are shown in its place; null: it is shown alone.
+  std::shared_ptr<const TomlArray> scenes = {};
+  std::vector<SourcePlace> vary_places =
+      {};  ///< of the numbers in Scene::vary, whose values are not known yet
 };
+
+/// What a scene shows: itself, or its scenes side by side, each complete; the first is the one whose motion
+/// the page speaks of. What is wrong with their tables is reported once, however often they are read anew.
+/// `highlighted` gets what they highlight.
+std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodies& bodies,
+                                      const SceneWords& words, TextReader& texts,
+                                      std::vector<PlacedText>& highlighted);
+
+/// The first of the scenes with the others beside it.
+Scene finished(const std::vector<LessonScene>& scenes, const LessonBodies& bodies);
 
 /// The scene as it is to be modelled: "weight" is a HeavyTop, the first of its torques; a body known by its
 /// shape or held at its `pivot_m` has its moments about the pivot (physics/body/pivot.h); a `start` is the ω
 /// and attitude it stands for. Where one of them cannot be had, the reading has said so.
 Scene finished(const LessonScene& scene, const LessonBodies& bodies);
+/// The same, or what stands in the way of it.
+Result<Scene, SceneFault> finished_or_fault(const LessonScene& scene, const LessonBodies& bodies);
 
 /// Changes `scene` by the keys of a table; a key replaces its whole value. `fence` is where a scene that is
 /// shown begins; without one it is the front matter's, whose body, torque or start the stages may give.
 /// @return what the table highlights, with places; the names are not checked here.
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts,
+                                        const SceneWords& words, LessonScene& scene, TextReader& texts,
                                         std::optional<SourcePlace> fence = {});
 
 }  // namespace polhode

@@ -8,11 +8,16 @@
 #include "lessons/reader/claim_lines.h"
 #include "lessons/reader/markdown/callouts.h"
 #include "lessons/reader/markdown/heading.h"
+#include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
+#include "lessons/reader/varied_scene.h"
 #include "render/scene/model/scene_needs.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
 
 namespace polhode {
@@ -50,7 +55,7 @@ bool check_given(const Claim& claim, Report& report) {
 /// How the lines are printed where they are not the formula itself.
 void print_lines(Claim& claim, const Vocabulary& vocabulary) {
   if (claim.origin == Claim::Origin::formula) return;
-  for (ClaimLine& line : claim.lines) line.tex = tex_of(line, &vocabulary);
+  for (ClaimLine& line : claim.lines) line.tex = tex_of(line, claim.kind, &vocabulary);
 }
 
 /// Whether a formula has no relation and no words: it is one side.
@@ -135,9 +140,11 @@ bool StageBuilder::start_stage(const MarkdownBlock& block) {
   stages_.push_back(std::move(stage));
   texts_.notes().start_stage();
   scene_ = front_.scene;
+  shown_ = {scene_};
+  varied_.reset();
   has_scene_ = step_has_scene_ = false;
   step_is_empty_ = true;
-  step_place_ = {block.first_line, 1};
+  step().place = stages_.back().place;
   return true;
 }
 
@@ -151,32 +158,52 @@ bool StageBuilder::start_step(const MarkdownBlock& rule) {
   stages_.back().steps.emplace_back();
   step_has_scene_ = false;
   step_is_empty_ = true;
-  step_place_ = {rule.first_line, 1};
+  step().place = {rule.first_line, 1};
   return true;
 }
 
 void StageBuilder::finish_step() {
   if (step_is_empty_) {
     const bool only_one = stages_.back().steps.size() == 1;
-    report_.error(step_place_, only_one ? "this stage is empty" : "this step is empty",
+    report_.error(step().place, only_one ? "this stage is empty" : "this step is empty",
                   only_one ? "write its text below the heading" : "leave out one ---");
   }
   add_footnotes();
   if (!has_scene_) return;
-  const std::vector<Step>& steps = stages_.back().steps;
-  const bool goes_on = !step_has_scene_ && steps.size() > 1 && steps[steps.size() - 2].scene;
-  step().scene = goes_on ? steps[steps.size() - 2].scene
-                         : std::make_shared<const Scene>(finished(scene_, front_.bodies));
-  step().caption = scene_.caption;
-  if (step_has_scene_) check_shown();
+  if (!step_has_scene_) {
+    const Step& before = *std::prev(stages_.back().steps.end(), 2);
+    step().scene = before.scene;
+    step().captions = before.captions;
+    step().varied = before.varied;
+    return;
+  }
+  if ((shown_.size() > 1 || varied_) && ++steps_with_several_ > kMaxStepsWithSeveral) {
+    if (steps_with_several_ == kMaxStepsWithSeveral + 1)
+      report_.error(step().place, "a lesson has at most " + std::to_string(kMaxStepsWithSeveral) +
+                                      " steps that begin \"scenes\" or \"vary\"");
+    shown_ = {scene_};
+    varied_.reset();
+  }
+  Scene scene = varied_ ? varied_->strip().value() : finished(shown_, front_.bodies);
+  if (!varied_) scene.vary.clear();  // what cannot be, and was reported
+  for (std::size_t i = 0; i <= scene.beside.size(); ++i)
+    step().captions.push_back(varied_ ? scene_.caption : shown_[i].caption);
+  for (const Scene* shown : shown_scenes(scene))
+    if (shown->meters) parts_ += parts_of(*shown->meters);
+  step().scene = std::make_shared<const Scene>(std::move(scene));
+  step().varied = varied_;
+  check_shown();
 }
 
 /// Of what a scene shows all is to be seen; where not, its author may not know.
 void StageBuilder::check_shown() {
-  for (const PlacedText& name : scene_.shown)
-    if (const std::string unseen = what_is_unseen(*overlay_from(name.text), *step().scene); !unseen.empty())
-      report_.warning(name.place, "in the scene of line " + std::to_string(scene_line_) + ' ' +
-                                      in_quotes(name.text) + ' ' + unseen);
+  for (std::size_t i = 0; i < shown_.size(); ++i) {
+    const Scene& scene = i == 0 ? *step().scene : step().scene->beside[i - 1];
+    for (const PlacedText& name : shown_[i].shown)
+      if (const std::string unseen = what_is_unseen(*overlay_from(name.text), scene); !unseen.empty())
+        report_.warning(name.place, "in the scene of line " + std::to_string(scene_line_) + ' ' +
+                                        in_quotes(name.text) + ' ' + unseen);
+  }
 }
 
 void StageBuilder::take_footnote(const PlacedText& id, LocatedText text) {
@@ -222,6 +249,7 @@ void StageBuilder::add_footnotes() {
 void StageBuilder::finish_stage() {
   if (stages_.empty()) return;
   finish_step();
+  stages_.back().steps.shrink_to_fit();  // complete scenes are large
   check_claims();
   check_highlights();
   equation_lines_.clear();
@@ -352,7 +380,6 @@ void StageBuilder::add_math(const Fence& fence) {
   }
   Equation equation{fence.words[1].text, std::string(tex), "", {}, source_.offset_of(tex), fence.place};
   if (auto math = texts_.formula(LocatedText(source_, tex))) equation.math = std::move(*math);
-  read_live_numbers(equation);
   equation.tag = equation.math.tag;
   take_tag(equation);
   terms_.insert(equation.math.terms.begin(), equation.math.terms.end());
@@ -433,16 +460,6 @@ std::optional<ClaimKind> StageBuilder::kind_from(const PlacedText& word) {
   return kind;
 }
 
-void StageBuilder::read_live_numbers(Equation& equation) {
-  for (const LiveNumber& number : equation.math.live) {
-    const SourcePlace place = source_.place_of(equation.offset + number.offset);
-    auto expression = read_expression(number.expression, place, report_, &front_.notation.vocabulary);
-    if (expression && expression->type() == ExpressionType::vector)
-      report_.error(place, "a live number is a scalar, this is a vector", "take a component: comp(a, 1)");
-    if (expression) equation.live.push_back(std::move(*expression));
-  }
-}
-
 /// Several tags of one equation are joined by commas.
 void StageBuilder::take_tag(const Equation& equation) {
   std::size_t begin = 0;
@@ -484,8 +501,67 @@ void StageBuilder::add_scene(const Fence& fence) {
   scene_line_ = fence.place.line;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
-  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_, fence.place);
+  std::vector<PlacedText> names =
+      read_scene_keys(*table, front_.bodies, front_.words(), scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
+  std::vector<LessonScene> shown = side_by_side(scene_, front_.bodies, front_.words(), texts_, highlighted_);
+  for (std::size_t i = 0; i < std::min(shown.size(), shown_.size()); ++i)  // steps share what stays
+    if (shown[i].scene.caption == shown_[i].scene.caption) shown[i].caption = shown_[i].caption;
+  shown_ = std::move(shown);
+  vary_scene();
+}
+
+/// What `vary` asks for, where the scene has such numbers and all can be as far as their ranges go.
+void StageBuilder::vary_scene() {
+  varied_.reset();
+  std::vector<Variation>& numbers = scene_.scene.vary;
+  if (numbers.empty() || scene_.fault_said) return;
+  const std::vector<SourcePlace>& places = scene_.vary_places;
+  if (scene_.scenes) {
+    report_.error(places.front(), "a scene is varied, or has others beside it, not both",
+                  "write scenes = [] or vary = {}");
+    return;
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    Variation& number = numbers[i];
+    const auto value = number_of(scene_, front_.bodies, number.number);
+    if (!value) {
+      report_.error(places[i], in_quotes(number.number) + " cannot be varied: " + value.error().message,
+                    value.error().hint);
+      return;
+    }
+    number.value = *value;
+    if (number.from <= number.value && number.value <= number.to) continue;
+    report_.error(places[i], fmt::format("{} is {:.7g} in this scene, beyond its range from {:.7g} to {:.7g}",
+                                         in_quotes(number.number), number.value, number.from, number.to));
+    return;
+  }
+  auto varied = std::make_shared<const VariedScene>(scene_, front_.bodies);
+  if (check_ends(*varied)) varied_ = std::move(varied);
+}
+
+/// False, and a report, if a scene cannot be at a corner of the ranges.
+bool StageBuilder::check_ends(const VariedScene& varied) {
+  const std::vector<Variation>& numbers = scene_.scene.vary;
+  for (unsigned corner = 0; corner < 1U << numbers.size(); ++corner) {
+    std::vector<double> values;
+    std::string named;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      values.push_back((corner >> i & 1U) != 0 ? numbers[i].to : numbers[i].from);
+      named += fmt::format("{}{} = {:.7g}", i > 0 ? ", " : "", numbers[i].number, values.back());
+    }
+    const auto scene = varied.at(values);
+    if (scene) continue;
+    report_.error(scene_.vary_places.front(),
+                  fmt::format("at {} there is no such scene: {}", named, scene.error()),
+                  "make the range smaller");
+    return false;
+  }
+  if (const auto strip = varied.strip(); !strip) {
+    report_.error(scene_.vary_places.front(), strip.error(), "make the range smaller");
+    return false;
+  }
+  return true;
 }
 
 void StageBuilder::add_ask(const Fence& fence) {

@@ -42,13 +42,14 @@ class StageBuilder {
   void add_quote(const MarkdownBlock& quote);
   void add_fence(const MarkdownBlock& block);
   void add_math(const Fence& fence);
-  void read_live_numbers(Equation& equation);
   void take_tag(const Equation& equation);
   std::optional<Claim> claim_printed_in(const Equation& equation, const Fence& fence);
   bool take_given(const Fence& fence, Claim& claim);
   std::optional<ClaimKind> kind_from(const PlacedText& word);
   void add_claim(const Fence& fence);
   void add_scene(const Fence& fence);
+  void vary_scene();
+  bool check_ends(const VariedScene& varied);
   void add_ask(const Fence& fence);
   bool take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what);
 
@@ -62,15 +63,17 @@ class StageBuilder {
   std::map<std::string, int> stage_lines_;  // ids in use and their lines
   std::map<std::string, int> tag_lines_;
   int parts_ = 0;
+  int steps_with_several_ = 0;
   bool said_text_before_stage_ = false;
 
   // Of the stage being read.
-  LessonScene scene_;
+  LessonScene scene_;                          ///< what its fences have come to
+  std::vector<LessonScene> shown_;             ///< the scenes that it puts side by side, or itself
+  std::shared_ptr<const VariedScene> varied_;  ///< where it varies numbers
   bool has_scene_ = false;
   bool step_has_scene_ = false;
   int scene_line_ = 1;         ///< of its fence
   bool step_is_empty_ = true;  ///< nothing stands in it, right or wrong
-  SourcePlace step_place_;
   struct Note {
     PlacedText id;
     LocatedText text;

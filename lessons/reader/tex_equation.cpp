@@ -76,11 +76,6 @@ class EquationReader {
     Items items = take_ends(items_);
     std::vector<Sentence> sentences = split(items);
     take_conditions(sentences);
-    for (std::size_t i = 1; i < sentences.size(); ++i)
-      if (sentences[i].joint == Joint::follows && !is_no_torque(sentences[i - 1].items))
-        throw TexFault(sentences[i].items.front().span,
-                       "whether this follows from what stands before it is not proved",
-                       "write two equations, or begin with \\vec N = 0");
     std::vector<std::array<std::pair<char32_t, int>, 3>> assignments = ranges_;
     if (assignments.empty()) assignments.emplace_back();
     const bool twice = anywhere(has_struck);
@@ -350,8 +345,6 @@ class EquationReader {
     }
     for (std::size_t i = begin; i <= items.size(); ++i) {
       if (i < items.size() && items[i].kind != ItemKind::relation) continue;
-      if (i < items.size() && items[i].character != U'=')
-        throw TexFault(items[i].span, "only = is proved", "keep a claim for what can be proved");
       if (i == begin)
         throw TexFault(i < items.size() ? items[i].span : items.back().span,
                        "a side is missing beside this =");
@@ -360,7 +353,7 @@ class EquationReader {
       terms_.may_be_live = false;
       if (left) {
         const std::size_t first = read.links.size();
-        link(read, *left, right);
+        link(read, *left, right, relation_of(items[begin - 1]));
         if (first > 0 && read.links.size() == first + 1) read.links.back().goes_on = true;
       }
       left = std::move(right);
@@ -368,14 +361,35 @@ class EquationReader {
     }
     if (read.links.empty()) throw TexFault(read.source, "there is no = here");
     const std::size_t printed = read.links.size();
-    for (const auto& [contents, label] : labels) link(read, contents, label);
+    for (const auto& [contents, label] : labels) link(read, contents, label, Relation::equal);
     for (std::size_t i = 0; i < read.links.size(); ++i)
       if (i >= printed || terms_.without_struck) read.links[i].is_side_by_side = false;
     result_.sentences.push_back(std::move(read));
   }
 
-  void link(EquationSentence& sentence, const TexValue& left, const TexValue& right) {
+  static Relation relation_of(const TexItem& item) {
+    switch (item.character) {
+      case U'=':
+        return Relation::equal;
+      case U'<':
+        return Relation::less;
+      case U'>':
+        return Relation::greater;
+      case U'≤':
+      case U'⩽':
+        return Relation::less_or_equal;
+      case U'≥':
+      case U'⩾':
+        return Relation::greater_or_equal;
+      default:
+        throw TexFault(item.span, "only = < > \\le \\ge are proved", "keep a claim for what can be proved");
+    }
+  }
+
+  void link(EquationSentence& sentence, const TexValue& left, const TexValue& right, Relation relation) {
     const SourceSpan span = joined_span(left.span, right.span);
+    if (relation != Relation::equal && (!left.is_scalar() || !right.is_scalar()))
+      throw TexFault(span, "only of numbers one is the greater", "compare lengths, |\\vec a|");
     if (left.is_tensor() || right.is_tensor()) {
       // Equal if they do the same to each unit vector.
       for (int axis = 1; axis <= 3; ++axis) {
@@ -391,6 +405,7 @@ class EquationReader {
       return;
     }
     push(sentence, left, right, span);
+    sentence.links.back().relation = relation;
   }
 
   void push(EquationSentence& sentence, const TexValue& left, const TexValue& right, SourceSpan span) {
@@ -524,6 +539,13 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
     return refuse(whole, "\"tempting:\" stands before what is false", "the kind is false");
   if (equation.without_torque && kind != ClaimKind::free && kind != ClaimKind::is_false)
     return refuse(whole, "the condition says that there is no torque", "the kind is free");
+  const bool orders =
+      std::any_of(equation.sentences.begin(), equation.sentences.end(), [](const EquationSentence& sentence) {
+        return std::any_of(sentence.links.begin(), sentence.links.end(),
+                           [](const EquationLink& link) { return link.relation != Relation::equal; });
+      });
+  if (orders && (kind == ClaimKind::measured || kind == ClaimKind::non_sequitur))
+    return refuse(whole, "an inequality is not of this kind", "the kind is identity, motion, free or false");
   std::vector<ClaimLine> lines;
   const bool infers =
       std::any_of(equation.sentences.begin(), equation.sentences.end(),
@@ -535,8 +557,22 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
   const auto provable = [kind](const Equality& equality) {
     return kind == ClaimKind::measured || is_provable(equality);
   };
-  for (const EquationSentence& sentence : equation.sentences) {
+  for (std::size_t i = 0; i < equation.sentences.size(); ++i) {
+    const EquationSentence& sentence = equation.sentences[i];
     if (sentence.is_no_torque) continue;
+    const EquationSentence* premise =
+        i > 0 && sentence.joint == EquationSentence::Joint::follows && !equation.sentences[i - 1].is_no_torque
+            ? &equation.sentences[i - 1]
+            : nullptr;
+    if (premise != nullptr && (kind == ClaimKind::is_false || kind == ClaimKind::measured))
+      return refuse(sentence.source, "what follows is neither false nor measured", "the kind motion or free");
+    // Of "A, B => C" and "A => B, C" the page leaves open what belongs together.
+    if (premise != nullptr && (equation.sentences.size() != 2 || premise->links.size() != 1 || orders))
+      return refuse(sentence.source, "what follows from what here?",
+                    "write A = B \\Rightarrow C = D, and nothing else, in a formula of its own");
+    if (i + 1 < equation.sentences.size() &&
+        equation.sentences[i + 1].joint == EquationSentence::Joint::follows)
+      continue;  // a premise
     for (const EquationLink& link : sentence.links) {
       if (!provable(link.equality))
         return has_angles(link.equality)
@@ -544,12 +580,17 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
                    : refuse(link.source,
                             "a length is a root, and a proof has none: it is a whole side, |a| = |b|",
                             "square both sides, or measure the claim");
-      lines.push_back({.equality = link.equality,
-                       .conclusion = {},
+      const bool follows = premise != nullptr;
+      if (follows && !provable(premise->links[0].equality))
+        return refuse(premise->source, "this condition has lengths or angles in it", "square both sides");
+      lines.push_back({.equality = follows ? premise->links[0].equality : link.equality,
+                       .conclusion = follows ? std::optional(link.equality) : std::nullopt,
                        .within = {},
                        .place = place_of(link.source),
-                       .goes_on = link.goes_on,
-                       .is_side_by_side = link.is_side_by_side});
+                       .goes_on = link.goes_on && !follows,
+                       .is_side_by_side = link.is_side_by_side && !follows,
+                       .judgement = {},
+                       .relation = link.relation});
     }
   }
   if (kind == ClaimKind::non_sequitur) {

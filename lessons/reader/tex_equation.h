@@ -7,8 +7,9 @@
 // is refused, with its place, a reason and, where there is one, a way to write it. Nothing is guessed.
 //
 //   formula    = ["tempting:"] sentence { separator sentence } [condition]
-//   separator  = ","  |  new line  |  "and"  |  "does not give"  |  \Rightarrow or ":" behind \vec N = 0
-//   sentence   = side { "=" side }       every link of the chain is an equality of its own
+//   separator  = ","  |  new line  |  "and"  |  "does not give"  |  \Rightarrow or ":" behind a condition
+//   sentence   = side { relation side }  every link of the chain is a statement of its own
+//   relation   = "="  |  \le  |  \ge  |  "<"  |  ">", but for "=" between numbers
 //   side       = [sign] term { sign term }  |  at the end of a chain \live{…} unit, for its expression
 //   term       = run { (\cdot | \times) run } [/ factor]
 //   run        = factor factor …         a product without a sign
@@ -28,7 +29,9 @@
 //   \frac{a}{b}, a^n                     n is a whole number
 //   \frac{d…}{dt}, \frac{d}{dt}…, d…/dt  rate as seen from space
 //   the same with d^*                    rate as seen from the body; of scalars there is but one
+//   \frac{d^2…}{dt^2}, \frac{d^2}{dt^2}…  second rate, as seen from space
 //   \dot                                 rate of scalars, and of \vec\omega, on which both frames agree
+//   \ddot                                second rate of scalars
 //   \sum_i …, \sum_{i=1}^{3} …           over the axes; i, j, k or l
 //   vmatrix of 2 or 3 rows               determinant; unit vectors may stand in the first row of three
 //   pmatrix, bmatrix of 3 rows           tensor, by its components on the body's axes
@@ -46,7 +49,7 @@
 // Refused, because the page leaves it open: a x b x c, a·b·c, I·a x b, two vectors without a sign, a/b c,
 // a/b/c, d/dt (a) b, d/dt a·b, \dot of other vectors, T(0) and \omega_1(t) (factor or argument?), 2\frac12,
 // digits in groups, an index that no \sum and no condition binds (no silent sums), two signs in a row, \pm,
-// what follows from what, relations other than "=", second derivatives, other functions and roots, primes and
+// other relations, third derivatives, other functions and roots, primes and
 // unknown names, letters of other alphabets, other words.
 //
 // Where parts are marked by \proved{…} these alone are read, each as a formula of its own.
@@ -91,12 +94,13 @@ struct EquationNotation {
   bool xyz_are_body_axes = false;
 };
 
-/// left = right.
+/// left = right, or an inequality.
 struct EquationLink {
   Equality equality;
   SourceSpan source;            ///< of both sides, in the TeX
   bool goes_on = false;         ///< with the link before, whose right side is its left side
   bool is_side_by_side = true;  ///< as of ClaimLine
+  Relation relation = Relation::equal;
 };
 
 /// A chain of links, and how it hangs together with the sentence before it.
@@ -147,8 +151,8 @@ using PlaceOfSpan = std::function<SourcePlace(SourceSpan)>;
 /// kind            lines
 /// non-sequitur    premise => conclusion, of a formula "… does not give …" with one equality on either side
 /// false           one: the formula states one equality, beside N = 0 perhaps
-/// others          every equality. Of "A ⇒ B" both are proved, which is more than that B follows; but N = 0
-///                 is left out: of the kind free it is assumed, of others the rest holds with any torque
+/// others          every equality. Of "A ⇒ B" that B follows from A, premise => conclusion; but behind N = 0,
+///                 which of the kind free is assumed, the rest is proved with any torque of other kinds
 ///
 /// "tempting:" goes with the kind false alone. Lengths have to be provable (is_provable), but for
 /// `measured`.

@@ -16,7 +16,7 @@ using Kind = MathNode::Kind;
 using ItemKind = TexItem::Kind;
 using Type = TexValue::Type;
 
-constexpr char32_t kArrow = 0x20D7, kHat = 0x0302, kDot = 0x0307;
+constexpr char32_t kArrow = 0x20D7, kHat = 0x0302, kDot = 0x0307, kTwoDots = 0x0308;
 constexpr std::u32string_view kIndexLetters = U"ijkl";
 
 SourceSpan span_of(std::span<const TexItem> items, SourceSpan otherwise) {
@@ -57,6 +57,15 @@ std::optional<bool> from_space(const TexItem& d) {
   const MathNode& mark = plain_node(*d.sup);
   if (is_symbol(&mark, U'∗') || is_symbol(&mark, U'⋆')) return false;
   return std::nullopt;
+}
+
+/// d^2 over dt^2.
+bool is_second_rate(const TexItem& d, const TexItems& below) {
+  const auto is_square = [](const TexItem& item) {
+    return item.sub == nullptr && item.sup != nullptr && is_symbol(&plain_node(*item.sup), U'2');
+  };
+  return is_square(d) && below.size() == 2 && is_letter_d(below[0]) && is_plain(below[0]) &&
+         is_symbol(below[1], U't') && is_square(below[1]);
 }
 
 /// The name of a vector's letter in the language of claims.
@@ -377,10 +386,13 @@ TexTerms::Factor TexTerms::factor(Items items, std::size_t& at) {
       const TexItems below = items_of(node->children[1], kMaxEquationNesting);
       const bool by_time = below.size() == 2 && is_letter_d(below[0]) && is_plain(below[0]) &&
                            is_symbol(below[1], U't') && is_plain(below[1]);
-      if (by_time && space) {
+      const bool is_second = is_second_rate(above.front(), below);
+      if (is_second || (by_time && space)) {
+        const bool seen_from_space = is_second || *space;
         if (above.size() == 1) {
           ++at;
-          made.value = rate_of_run(items, at, *space, item.span);
+          made.value = rate_of_run(items, at, seen_from_space, item.span);
+          if (is_second) made.value = rate(made.value, true, made.value.span);
           made.span = joined_span(item.span, items[at - 1].span);
           return made;
         }
@@ -393,11 +405,13 @@ TexTerms::Factor TexTerms::factor(Items items, std::size_t& at) {
         if (inner != inside.size())
           throw TexFault(span_of(inside, item.span), "the rate of what?",
                          "put a product behind d into brackets");
-        made.value = rate(of, *space, item.span);
+        made.value = rate(of, seen_from_space, item.span);
+        if (is_second) made.value = rate(made.value, true, item.span);
         return made;
       }
       if (by_time)
-        throw TexFault(above.front().span, "only d and d^* over dt are read", "second derivatives are not");
+        throw TexFault(above.front().span, "only d and d^* over dt, and d^2 over dt^2, are read",
+                       "write \\frac{d}{dt} before what is differentiated once more");
     }
     const auto only_digits = [](const MathNode& part) {
       const TexItems atoms = items_of(part, kMaxEquationNesting);
@@ -713,9 +727,10 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
       if (node.character == kArrow && base.kind == Kind::symbol)
         return arrow_or_bold(item, base.character, took_sub, took_sup);
       if (node.character == kHat) return hat(item, base, took_sub);
-      if (node.character == kDot) return dotted(item, base, took_sub);
+      if (node.character == kDot || node.character == kTwoDots)
+        return dotted(item, base, node.character == kTwoDots, took_sub);
       throw TexFault(item.span, "this mark above a letter is not read",
-                     "dots: one, on scalars and on \\vec\\omega");
+                     "dots: one or two on scalars, one on \\vec\\omega");
     }
     case Kind::fraction:
       return fraction(item);
@@ -842,7 +857,7 @@ TexValue TexTerms::hat(const TexItem& item, const MathNode& base, bool& took_sub
                  "\\hat e_1; \\hat i, \\hat j, \\hat k if they are the body's axes");
 }
 
-TexValue TexTerms::dotted(const TexItem& item, const MathNode& base, bool& took_sub) {
+TexValue TexTerms::dotted(const TexItem& item, const MathNode& base, bool twice, bool& took_sub) {
   if (is_conditioned()) throw TexFault(item.span, "rates are not read under a condition on ω");
   TexItem below = item;  // what stands below the dot, with the scripts behind it
   below.node = &base;
@@ -858,11 +873,10 @@ TexValue TexTerms::dotted(const TexItem& item, const MathNode& base, bool& took_
     if (!of.is_scalar() || !inner_sub)
       throw TexFault(item.span, "in which frame is this rate?", "write \\frac{d…}{dt} or \\frac{d^*…}{dt}");
     below.span = item.span;
-    return of.text.size() == 2 && of.text[0] == 'w' ? quantity("d" + of.text, item.span)
-                                                    : rate(of, true, item.span);
+    return rate_of_scalar(of, twice, item.span);
   }
-  if (base.kind == Kind::accent && base.character == kDot)
-    throw TexFault(item.span, "second derivatives are not read");
+  if (base.kind == Kind::accent && (base.character == kDot || base.character == kTwoDots))
+    throw TexFault(item.span, "dots above dots are not read", "write \\ddot");
   // A symbol of the lesson under a dot.
   const TexItems row{below};
   std::size_t at = 0;
@@ -873,14 +887,20 @@ TexValue TexTerms::dotted(const TexItem& item, const MathNode& base, bool& took_
     of = base_of(below, took_sub, took_sup);
   }
   if (of->is_vector()) {
-    if (of->text != "omega")
+    if (of->text != "omega" || twice)
       throw TexFault(item.span, "in which frame is this rate?", "write \\frac{d…}{dt} or \\frac{d^*…}{dt}");
     return rate(*of, false, item.span);
   }
   if (!of->is_scalar())
     throw TexFault(item.span, "in which frame is this rate?", "write \\frac{d…}{dt} or \\frac{d^*…}{dt}");
-  if (of->text.size() == 2 && of->text[0] == 'w') return quantity("d" + of->text, item.span);
-  return rate(*of, true, item.span);
+  return rate_of_scalar(*of, twice, item.span);
+}
+
+/// The first rate, or the second; that of a component of ω is a quantity of its own.
+TexValue TexTerms::rate_of_scalar(const TexValue& of, bool twice, SourceSpan span) {
+  const bool is_spin = of.text.size() == 2 && of.text[0] == 'w';
+  const TexValue first = is_spin ? quantity("d" + of.text, span) : rate(of, true, span);
+  return twice ? rate(first, true, span) : first;
 }
 
 TexValue TexTerms::fraction(const TexItem& item) {

@@ -77,7 +77,8 @@ class TexTerms {
   TexValue arrow_or_bold(const TexItem& item, char32_t letter, bool& took_sub, bool& took_sup);
   TexValue inertia(const TexItem& item, bool& took_sub, bool& took_sup);
   TexValue hat(const TexItem& item, const MathNode& base, bool& took_sub);
-  TexValue dotted(const TexItem& item, const MathNode& base, bool& took_sub);
+  TexValue dotted(const TexItem& item, const MathNode& base, bool twice, bool& took_sub);
+  TexValue rate_of_scalar(const TexValue& of, bool twice, SourceSpan span);
   TexValue fraction(const TexItem& item);
   TexValue determinant(const TexItem& item);
   TexValue matrix(const TexItem& item);

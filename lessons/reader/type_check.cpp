@@ -39,11 +39,12 @@ class TypeCheck {
 
   void check(const Step& step) {
     for (const Block& block : step.blocks) std::visit([this](const auto& b) { check(b); }, block);
-    if (!step.caption || step.caption == caption_) return;  // steps that go on with it share it
-    caption_ = step.caption;
+    if (step.captions == captions_) return;  // steps that go on with them share them
+    captions_ = step.captions;
     TextStyle sans = body_;
     sans.sans = true;
-    text(*caption_, sans);
+    for (const auto& caption : captions_)
+      if (caption) text(*caption, sans);
   }
 
   void check(const Prose& prose) { text(prose.text, body_); }
@@ -85,7 +86,7 @@ class TypeCheck {
     style.width = 640.0;
     return style;
   }();
-  std::shared_ptr<const RichText> caption_;  // the last one
+  std::vector<std::shared_ptr<const RichText>> captions_;  // the last ones
 };
 
 }  // namespace

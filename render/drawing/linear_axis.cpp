@@ -79,6 +79,22 @@ LinearAxis LinearAxis::covering(const std::vector<double>& values) {
   return between(low, low == high ? 1.0 : high);
 }
 
+LinearAxis LinearAxis::around(const std::vector<double>& values) {
+  constexpr double kSame = 1e-6, kBeside = 0.05;  // of the largest
+  double low = 0.0, high = 0.0, size = 0.0;
+  bool is_first = true;
+  for (double value : values) {
+    if (!std::isfinite(value)) continue;
+    low = is_first ? value : std::min(low, value);
+    high = is_first ? value : std::max(high, value);
+    size = std::max(size, std::abs(value));
+    is_first = false;
+  }
+  if (high - low > kSame * size) return between(low, high);
+  const double beside = size > 0.0 ? kBeside * size : 1.0;
+  return between(low - beside, high + beside);
+}
+
 bool LinearAxis::shows(double value) const { return std::isfinite(value); }
 
 double LinearAxis::px(double value) const {

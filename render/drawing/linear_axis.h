@@ -20,6 +20,10 @@ struct LinearAxis {
   /// Covers all finite values and 0, so that lengths on it compare as the values do.
   static LinearAxis covering(const std::vector<double>& values);
 
+  /// From the least to the largest finite value. Where they are the same but for what a computed motion's
+  /// errors leave, a part of that value to both sides: what does not change is drawn flat.
+  static LinearAxis around(const std::vector<double>& values);
+
   bool shows(double value) const;  ///< whether it has a place: finite
   double px(double value) const;   ///< of a value that it shows
 

@@ -29,6 +29,15 @@ constexpr double kLinkDrop = 0.13;    // of the line below a link
 constexpr double kLinkThickness = 0.045;
 constexpr double kShortFormula = 1.6;  // a name of something, which belongs to the word before it
 
+// Of tables.
+constexpr double kColumnGap = 1.5;   // between columns
+constexpr double kTablePad = 0.35;   // to the ends of the lines
+constexpr double kRowGap = 0.16;     // between rows, besides what lines have
+constexpr double kRulePad = 0.3;     // between a line and the rows beside it
+constexpr double kBelowTable = 0.3;  // below the last line
+constexpr double kHeavyRule = 0.075, kLightRule = 0.045;
+constexpr double kLeastTableSize = 0.6;  // of the text; narrower than that words are broken
+
 /// Of the size at which the x-heights are equal: the letters of a typewriter are so wide that they look
 /// larger.
 constexpr double kMonoSize = 0.92;
@@ -122,7 +131,11 @@ class TextSetter {
   DisplayList set(const RichText& text) {
     measure_indents(text);
     for (const TextBlock& block : text) {
-      set_block(block, &block != text.data() ? &block - 1 : nullptr);
+      const TextBlock* before = &block != text.data() ? &block - 1 : nullptr;
+      if (block.is_table())
+        set_table(block, before);
+      else
+        set_block(block, before);
       if (errors_.size() >= kMaxTypeErrors) break;
     }
     return std::move(list_);
@@ -561,6 +574,122 @@ class TextSetter {
                               {},
                               {source.begin, source.begin}});
     }
+  }
+
+  // ---- Tables
+
+  /// A table's cells at one size of type.
+  struct SetTable {
+    double size = 0;
+    std::vector<double> widths;  ///< of the columns
+    std::vector<std::vector<DisplayList>> rows;
+    double width() const {
+      double sum = 2.0 * kTablePad * size + kColumnGap * size * static_cast<double>(widths.size() - 1);
+      for (const double one : widths) sum += one;
+      return sum;
+    }
+  };
+
+  DisplayList cell_list(const TextTable::Cell& cell, const TextStyle& style) {
+    TextSetter setter(style, fonts_, lenient_);
+    DisplayList list = setter.set({TextBlock{.indent = 0, .marker = {}, .spans = cell}});
+    std::vector<TypeError> errors = setter.take_errors();
+    if (errors_.size() < kMaxTypeErrors) errors_.insert(errors_.end(), errors.begin(), errors.end());
+    return list;
+  }
+
+  /// Of the widest word or formula.
+  double least_width(const TextTable::Cell& cell, const TextStyle& style) {
+    TextSetter setter(style, fonts_, true);
+    double least = 0.0;
+    for (const LinePart& part :
+         setter.parts_of(TextBlock{.indent = 0, .marker = {}, .spans = cell}, 0.0).lines)
+      least = std::max(least, part.width);
+    return least;
+  }
+
+  /// Each column as wide as its widest cell; where that is too much, the wide ones give what they have above
+  /// their widest word, in proportion; where that is not enough, the type is made smaller.
+  SetTable laid_out(const TextTable& table, double width) {
+    TextStyle style = style_;
+    style.justified = false;
+    for (SetTable made; true; style.size *= 0.93) {
+      style.width = 0.0;
+      made = {style.size, std::vector<double>(table.columns.size()), {}};
+      std::vector<double> least(table.columns.size());
+      for (const auto& row : table.rows)
+        for (std::size_t c = 0; c < row.size(); ++c) {
+          made.widths[c] = std::max(made.widths[c], cell_list(row[c], style).width);
+          if (width > 0.0) least[c] = std::max(least[c], least_width(row[c], style));
+        }
+      if (!errors_.empty()) return made;
+      const double over = width > 0.0 ? made.width() - width : 0.0;
+      if (over > 0.0) {
+        double spare = 0.0;
+        for (std::size_t c = 0; c < least.size(); ++c) spare += made.widths[c] - least[c];
+        if (spare < over && style.size > kLeastTableSize * style_.size) continue;
+        const double part = spare > over ? over / spare : 1.0;
+        for (std::size_t c = 0; c < least.size(); ++c) made.widths[c] -= part * (made.widths[c] - least[c]);
+        if (const double much = made.width() - width; much > 0.5)  // words will be broken
+          for (double& one : made.widths) one = std::max(style.size, one * (1.0 - much / made.width()));
+      }
+      for (const auto& row : table.rows) {
+        made.rows.emplace_back();
+        for (std::size_t c = 0; c < row.size(); ++c) {
+          style.width = std::ceil(made.widths[c]) + 1.0;  // what is as wide as the column fits into it
+          made.rows.back().push_back(cell_list(row[c], style));
+        }
+      }
+      return made;
+    }
+  }
+
+  void set_table(const TextBlock& block, const TextBlock* before) {
+    const double x0 = indent_of(block.indent);
+    const double room = style_.width > 0.0 ? style_.width - x0 : 0.0;
+    const SetTable table = laid_out(block.table, room);
+    if (!errors_.empty()) return;
+    const double em = table.size, width = table.width();
+    const double left = x0 + (block.indent == 0 ? std::max(0.0, std::round(0.5 * (room - width))) : 0.0);
+    const double heavy = std::max(1.0, std::round(kHeavyRule * em)),
+                 light = std::max(1.0, std::round(kLightRule * em)), pad = kRulePad * em;
+    const auto rule = [&](double y, double thickness) {
+      list_.rules.push_back({left, y, left + width, y, thickness, style_.color, {}, {}});
+    };
+    block_gap_ = before == nullptr ? 0.0 : style_.between * style_.size;
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      const bool is_head = r == 0, is_last = r + 1 == table.rows.size();
+      Extent extent{metrics_.ascent * em, metrics_.depth * em};
+      for (const DisplayList& cell : table.rows[r]) {
+        extent.ascent = std::max(extent.ascent, cell.ascent);
+        extent.depth = std::max(extent.depth, cell.depth);
+      }
+      const double above = is_head ? std::ceil(extent.ascent + pad) : 0.0,
+                   below = std::ceil(extent.depth + pad);
+      Extent with_rules = extent;
+      if (is_head) with_rules.ascent = above + heavy;
+      if (is_head || is_last) with_rules.depth = below + (is_last ? heavy : light + pad);
+      if (!is_head && !is_last) with_rules.depth += kRowGap * em;
+      advance_to_line(with_rules);
+      if (is_head) rule(y_ - above - 0.5 * heavy, heavy);
+      if (is_last)
+        rule(y_ + below + 0.5 * heavy, heavy);
+      else if (is_head)
+        rule(y_ + below + 0.5 * light, light);
+      double x = left + kTablePad * em;
+      for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
+        const DisplayList& cell = table.rows[r][c];
+        const double free = table.widths[c] - cell.width;
+        const TextTable::Align align = block.table.columns[c];
+        const double shift = align == TextTable::Align::left    ? 0.0
+                             : align == TextTable::Align::right ? free
+                                                                : 0.5 * free;
+        append(list_, cell, x + shift, y_);
+        x += table.widths[c] + kColumnGap * em;
+      }
+    }
+    line_depth_ += kBelowTable * em;
+    list_.width = std::max(list_.width, left + width);
   }
 
   // ---- The line below a link

@@ -21,11 +21,22 @@ struct TextSpan {
   SourceSpan source;  ///< of a formula without its dollars
 };
 
-/// A paragraph, or an item of a list.
+/// Cells in rows and columns, set between lines as in books: above, below the head, and at the bottom.
+struct TextTable {
+  enum class Align { left, center, right };
+  using Cell = std::vector<TextSpan>;
+  std::vector<Align> columns;           ///< empty: no table
+  std::vector<std::vector<Cell>> rows;  ///< each with a cell for every column; the first is the head
+};
+
+/// A paragraph, an item of a list, or a table.
 struct TextBlock {
   int indent = 0;      ///< depth of the list it belongs to
   std::string marker;  ///< "•", "2."; empty: none
   std::vector<TextSpan> spans;
+  TextTable table{};  ///< instead of spans
+
+  bool is_table() const { return !table.columns.empty(); }
 };
 
 /// A link to the source of what is said: behind it stands the source's key in the lesson.
@@ -35,5 +46,16 @@ inline constexpr std::string_view kCiteLink = "cite:";
 inline bool is_link_name(std::string_view name) { return name.find_first_of("#:") != name.npos; }
 
 using RichText = std::vector<TextBlock>;
+
+/// All spans of a text, those of tables too, in their order.
+template <class Text, class Do>
+void for_each_span(Text& text, const Do& act) {
+  for (auto& block : text) {
+    for (auto& span : block.spans) act(span);
+    for (auto& row : block.table.rows)
+      for (auto& cell : row)
+        for (auto& span : cell) act(span);
+  }
+}
 
 }  // namespace polhode

@@ -77,6 +77,18 @@ std::string largest_scenes() {
   return text;
 }
 
+// As many steps as there can be, each with a fence of these keys.
+std::string scenes_of(const std::string& keys) {
+  std::string text = "+++\nformat=1\nid='a'\ntitle='A'\n";
+  for (int i = 0; text.size() < kMaxTomlBytes - 100; ++i)
+    text += "[body.b" + std::to_string(i) + "]\nmoments=[1,1,1]\n";
+  text += "+++\n";
+  for (int stage = 0; stage < kMaxStages && text.size() + 100 * (keys.size() + 30) < kMaxLessonBytes; ++stage)
+    text += "# A {a" + std::to_string(stage) + "}\n" +
+            repeated("```scene\n" + keys + "\n```\n---\n", kMaxStepsPerStage - 1) + "a\n";
+  return text + repeated("\na\n", static_cast<int>((kMaxLessonBytes - text.size()) / 3));
+}
+
 struct Input {
   const char* name;
   std::function<std::string()> text;
@@ -112,6 +124,9 @@ const std::vector<Input>& inputs() {
       {"front_matter", [] { return filled("+++\na=", "[", "\n+++\n"); }},
       {"headings", [] { return stage_of("#\n"); }},
       {"html", [] { return stage_of("<!-- "); }},
+      {"scenes_side_by_side", [] { return scenes_of("scenes=[{},{},{}]"); }},
+      {"scenes_varied",
+       [] { return scenes_of("body='b0'\nvary={I1={from=0.9,to=1.1},I2={from=0.9,to=1.1}}"); }},
       {"largest_scenes", largest_scenes},
       {"link_definitions", [] { return stage_of("[a]: <b> \"c\"\n\n[a]\n\n"); }},
       {"links", [] { return stage_of("![[a]("); }},

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -20,6 +21,13 @@ Verdict verdict_of(Decision decision) {
   return decision == Decision::same        ? Verdict::holds
          : decision == Decision::different ? Verdict::fails
                                            : Verdict::undecided;
+}
+
+/// Second rates of long terms fill pages of algebra; they have tests of their own below.
+bool is_long(const Equality& equality) {
+  constexpr std::size_t kLongest = 16;
+  return std::max(equality.left.order(), equality.right.order()) > 1 &&
+         equality.left.nodes.size() + equality.right.nodes.size() > kLongest;
 }
 
 class Agreement : public ::testing::Test {
@@ -68,7 +76,7 @@ TEST_F(Agreement, OnWhatIsTrueByConstructionAndOnItsMutants) {
       other = rewriter.rewritten(std::move(other), assumption);
     if (other == term || size_of(term) + size_of(other) > kLongest) continue;
     const auto equality = equality_from(text_of(term), text_of(other));
-    if (!equality) continue;
+    if (!equality || is_long(*equality)) continue;
     ++made;
     const Verdict verdict = compare(*equality, assumption);
     EXPECT_NE(verdict, Verdict::fails) << equality->left.text << " = " << equality->right.text;
@@ -76,7 +84,8 @@ TEST_F(Agreement, OnWhatIsTrueByConstructionAndOnItsMutants) {
     const auto mutants = mutants_of(equality->right);
     if (mutants.empty()) continue;
     const Expression& mutant = mutants[rewriter.below(mutants.size())];
-    if (fit(mutant.type(), equality->left.type())) compare({equality->left, mutant}, assumption);
+    if (fit(mutant.type(), equality->left.type()) && !is_long({equality->left, mutant}))
+      compare({equality->left, mutant}, assumption);
   }
   EXPECT_GE(equalities_, 500);
   EXPECT_GE(held, 9 * kTrue / 10) << "the others are divided by 0 everywhere";
@@ -122,6 +131,20 @@ TEST_F(Agreement, OnWhatIsGivenAndOnTheAxesOfSpace) {
       {{"I1 = I3", "I2 = (I1 + I3)/2"}, Assumption::motion, {{"ddt(omega)", "N/I3"}}},
       {{"N1 = -k*w1", "N2 = -k*w2", "N3 = -k*w3"}, Assumption::motion, {{"ddt(T)", "-k*norm2(omega)"}}},
       {{"w1 = 0", "w2 = 0"}, Assumption::identity, {{"L", "I3*omega"}, {"cross(omega, L)", "0"}}},
+      {{symmetric}, Assumption::free, {{"ddt(dw1)", "-((I1 - I3)/I1*w3)^2*w1"}, {"ddt(ddt(T))", "0"}}},
+      {{symmetric, heavy},
+       Assumption::motion,
+       {{"I1*ddt(ddt(dot(ez, e3)))",
+         "I3*w3*dot(ez, omega - w3*e3) - h*(1 - dot(ez, e3)^2) - I1*dot(ez, e3)*norm2(cross(omega, e3))"},
+        {"ddt(ddt(L))", "h*cross(ez, cross(omega, e3))"}}},
+      {{},
+       Assumption::motion,
+       {{"I1*ddt(dw1)", "(I2 - I3)*(dw2*w3 + w2*dw3) + ddt(N1)"}, {"m*ddt(ddt(v))", "ddt(F)"}}},
+      {{},
+       Assumption::identity,
+       {{"ddt(ddt(A))",
+         "star(star(A)) + 2*cross(omega, star(A)) + cross(star(omega), A) + cross(omega, cross(omega, A))"},
+        {"ddt(ddt(w1/w2))", "(ddt(dw1)*w2^2 - w1*w2*ddt(dw2) - 2*dw1*dw2*w2 + 2*w1*dw2^2)/w2^3"}}},
       {{"F = -h*ez"}, Assumption::motion, {{"dot(ddt(p), ez)", "-h"}, {"ddt(dot(p, ex))", "0"}}},
       {{}, Assumption::identity, {{"star(ez)", "cross(ez, omega)"}, {"ex", "cross(ey, ez)"}}},
   };
@@ -148,7 +171,7 @@ TEST_F(Agreement, OnWhatIsGivenAndOnTheAxesOfSpace) {
         }
     }
   }
-  EXPECT_GE(mutants, 300);
+  EXPECT_GE(mutants, 600);
   std::printf("%d mutants of what is given; %d of them say the same or something else that is true\n",
               mutants, held);
 }
@@ -159,7 +182,7 @@ TEST_F(Agreement, OnTwoExpressionsThatHaveNothingToDoWithEachOther) {
     const bool vector = equalities_ % 2 == 0;
     const Term left = vector ? rewriter.vector(2) : rewriter.scalar(2);
     const Term right = vector ? rewriter.vector(2) : rewriter.scalar(2);
-    if (const auto equality = equality_from(text_of(left), text_of(right)))
+    if (const auto equality = equality_from(text_of(left), text_of(right)); equality && !is_long(*equality))
       compare(*equality, Assumption::identity);
   }
   print();

@@ -67,12 +67,15 @@ Oracle::Oracle(Assumption assumption, const Given& given) : t_("t") {
   w_ = named("w");
   v_ = named("v");
   dv_ = named("dv");
+  ddv_ = named("ddv");
   A_ = named("A");
   dA_ = named("dA");
+  ddA_ = named("ddA");
   for (ex& component : J_) component = name("J");
   m_ = name("m");
   h_ = name("h");
   k_ = name("k");
+  for (ex& constant : constants_) constant = name("c");
   const ex a = name("a"), b = name("b"), c = name("c"), d = name("d");
   length2_ = a * a + b * b + c * c + d * d;
   space_[0] = scaled(1 / length2_, {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)});
@@ -81,32 +84,67 @@ Oracle::Oracle(Assumption assumption, const Given& given) : t_("t") {
   if (given.sets_torque()) N_ = named("N");
   if (given.sets(Quantity::F)) F_ = named("F");
   for (const Setting& setting : given.settings) set(setting);
-  const auto gyroscopic = [this] {  // ω×Iω on the principal axes
-    return cross(w_, {I_[0] * w_[0], I_[1] * w_[1], I_[2] * w_[2]});
-  };
+  dN_ = named("dN");  // as far as nothing else is said of them
+  dF_ = named("dF");
+  ddw_ = named("ddw");
   switch (assumption) {
     case Assumption::identity:
       dw_ = named("dw");
       if (!given.sets_torque()) N_ = named("N");
       if (!given.sets(Quantity::F)) F_ = named("F");
+      for (const Setting& setting : given.settings) set_rates(setting);
       break;
     case Assumption::motion:
       if (given.sets_torque()) {
         for (std::size_t i = 0; i < 3; ++i) dw_[i] = (N_[i] - gyroscopic()[i]) / I_[i];
+        for (const Setting& setting : given.settings) set_rates(setting);
+        for (std::size_t i = 0; i < 3; ++i) ddw_[i] = (dN_[i] - rate_of_gyroscopic()[i]) / I_[i];
       } else {
         dw_ = named("dw");
         N_ = sum({I_[0] * dw_[0], I_[1] * dw_[1], I_[2] * dw_[2]}, gyroscopic());
+        dN_ = sum({I_[0] * ddw_[0], I_[1] * ddw_[1], I_[2] * ddw_[2]}, rate_of_gyroscopic());
       }
-      if (given.sets(Quantity::F))
+      if (given.sets(Quantity::F)) {
         dv_ = scaled(1 / m_, F_);
-      else
+        for (const Setting& setting : given.settings) set_rates(setting);
+        ddv_ = scaled(1 / m_, dF_);
+      } else {
         F_ = scaled(m_, dv_);
+        dF_ = scaled(m_, ddv_);
+      }
       break;
     case Assumption::free:
       for (std::size_t i = 0; i < 3; ++i) dw_[i] = -gyroscopic()[i] / I_[i];
-      N_ = {0, 0, 0};
+      for (std::size_t i = 0; i < 3; ++i) ddw_[i] = -rate_of_gyroscopic()[i] / I_[i];
+      N_ = dN_ = {0, 0, 0};
       F_ = scaled(m_, dv_);
+      dF_ = scaled(m_, ddv_);
       break;
+  }
+}
+
+/// ω×Iω on the principal axes.
+Vector Oracle::gyroscopic() const { return cross(w_, {I_[0] * w_[0], I_[1] * w_[1], I_[2] * w_[2]}); }
+
+Vector Oracle::rate_of_gyroscopic() const {
+  return sum(cross(dw_, {I_[0] * w_[0], I_[1] * w_[1], I_[2] * w_[2]}),
+             cross(w_, {I_[0] * dw_[0], I_[1] * dw_[1], I_[2] * dw_[2]}));
+}
+
+/// N and F change as what they are set to.
+void Oracle::set_rates(const Setting& setting) {
+  using S = Quantity;
+  Side side;
+  const auto moved = [&] {
+    return value(setting.value, static_cast<int>(setting.value.nodes.size()) - 1, true, side);
+  };
+  if (setting.quantity == S::F) {
+    dF_ = rate(moved(), false);
+  } else if (setting.quantity == S::N) {  // its components on axes that turn
+    const Vector N = moved();
+    dN_ = rate({dot(axis(0, true), N), dot(axis(1, true), N), dot(axis(2, true), N)}, false);
+  } else if (setting.quantity == S::N1 || setting.quantity == S::N2 || setting.quantity == S::N3) {
+    dN_[nth(setting.quantity, S::N1)] = rate(moved(), false)[0];
   }
 }
 
@@ -138,16 +176,21 @@ void Oracle::set(const Setting& setting) {
   }
 }
 
-Vector Oracle::rate(const Vector& moving) const {
+/// At t = 0, or near it if it goes on.
+Vector Oracle::rate(const Vector& moving, bool goes_on) const {
   Vector rates;
-  for (std::size_t i = 0; i < 3; ++i) rates[i] = moving[i].diff(t_).subs(t_ == 0);
+  for (std::size_t i = 0; i < 3; ++i)
+    rates[i] = goes_on ? moving[i].diff(t_) : moving[i].diff(t_).subs(t_ == 0);
   return rates;
 }
 
 Vector Oracle::axis(std::size_t i, bool moving) const {
   Vector axis{0, 0, 0};
   axis[i] = 1;
-  return moving ? sum(axis, scaled(t_, cross(w_, axis))) : axis;
+  if (!moving) return axis;
+  if (!twice_) return sum(axis, scaled(t_, cross(w_, axis)));
+  const Vector second = sum(cross(dw_, axis), cross(w_, cross(w_, axis)));
+  return sum(axis, sum(scaled(t_, cross(w_, axis)), scaled(t_ * t_ / 2, second)));
 }
 
 Vector Oracle::in_space(const Vector& on_body_axes, bool moving) const {
@@ -158,10 +201,12 @@ Vector Oracle::in_space(const Vector& on_body_axes, bool moving) const {
 
 Vector Oracle::quantity(Quantity q, bool moving) const {
   using S = Quantity;
-  const auto at = [&](const Vector& value, const Vector& its_rate) {
-    return moving ? sum(value, scaled(t_, its_rate)) : value;
+  const auto at = [&](const Vector& value, const Vector& its_rate, const Vector& its_second = {0, 0, 0}) {
+    if (!moving) return value;
+    const Vector first = sum(value, scaled(t_, its_rate));
+    return twice_ ? sum(first, scaled(t_ * t_ / 2, its_second)) : first;
   };
-  const Vector w = at(w_, dw_);
+  const Vector w = at(w_, dw_, ddw_);
   const Vector L{I_[0] * w[0], I_[1] * w[1], I_[2] * w[2]};
   switch (q) {
     case S::T:
@@ -177,11 +222,11 @@ Vector Oracle::quantity(Quantity q, bool moving) const {
     case S::dw1:
     case S::dw2:
     case S::dw3:
-      return scalar(dw_[nth(q, S::dw1)]);
+      return scalar(at(dw_, ddw_)[nth(q, S::dw1)]);
     case S::N1:
     case S::N2:
     case S::N3:
-      return scalar(N_[nth(q, S::N1)]);
+      return scalar(at(N_, dN_)[nth(q, S::N1)]);
     case S::m:
       return scalar(m_);
     case S::h:
@@ -193,15 +238,15 @@ Vector Oracle::quantity(Quantity q, bool moving) const {
     case S::L:
       return in_space(L, moving);
     case S::N:
-      return in_space(N_, moving);
+      return in_space(at(N_, dN_), moving);
     case S::p:
-      return scaled(m_, at(v_, dv_));
+      return scaled(m_, at(v_, dv_, ddv_));
     case S::v:
-      return at(v_, dv_);
+      return at(v_, dv_, ddv_);
     case S::F:
-      return F_;
+      return at(F_, dF_);
     case S::A:
-      return at(A_, dA_);
+      return at(A_, dA_, ddA_);
     case S::e1:
     case S::e2:
     case S::e3:
@@ -286,16 +331,20 @@ Vector Oracle::value(const Expression& expression, int index, bool moving, Side&
     case O::trace:
       return scalar(J_[0] + J_[3] + J_[5]);
     case O::ddt:
-      return rate(value(expression, node.a, true, side));
+      return rate(value(expression, node.a, true, side), moving);
     case O::star: {  // Σ e_i d(e_i·a)/dt
       const Vector moved = value(expression, node.a, true, side);
-      return rate({dot(axis(0, true), moved), dot(axis(1, true), moved), dot(axis(2, true), moved)});
+      return in_space(
+          rate({dot(axis(0, true), moved), dot(axis(1, true), moved), dot(axis(2, true), moved)}, moving),
+          moving);
     }
     case O::constant:
+      return scalar(constants_[static_cast<std::size_t>(node.integer)]);
+    case O::cos:  // of acos
+      return value(expression, expression.nodes[static_cast<std::size_t>(node.a)].a, moving, side);
     case O::pi:
     case O::sqrt:
     case O::sin:
-    case O::cos:
     case O::acos:
     case O::atan2:
       break;  // nothing here has any
@@ -305,6 +354,7 @@ Vector Oracle::value(const Expression& expression, int index, bool moving, Side&
 
 Oracle::Side Oracle::side(const Expression& expression) const {
   Side side;
+  twice_ = expression.order() > 1;
   side.value = value(expression, static_cast<int>(expression.nodes.size()) - 1, false, side);
   return side;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Whether an equality holds, by symbolic algebra: derived anew, so that a slip in lessons/ is not made twice.
 //
-// Body and space axes coincide at the moment t = 0 at which all is decided, R(t) = 1 + t[ω]× to first order;
+// Body and space axes coincide at the moment t = 0 at which all is decided, and to second order
+// R(t) = 1 + t[ω]× + t²/2([ω̇]× + [ω]×²);
 // every operation of the language turns with its vectors, and v, A, F and their rates are free, so that what
 // holds in this attitude for all of them holds in every one; the axes of space are any such triad, which does
 // not turn. Rates are taken by differentiating what has been written out in symbols: no dual numbers. A
@@ -54,7 +55,7 @@ class Oracle {
   int by_points() const { return by_points_; }
 
  private:
-  Vector rate(const Vector& moving) const;
+  Vector rate(const Vector& moving, bool goes_on) const;
   Vector axis(std::size_t i, bool moving) const;
   Vector in_space(const Vector& on_body_axes, bool moving) const;
   bool is_zero(const GiNaC::ex& difference, bool has_divisors) const;
@@ -65,11 +66,17 @@ class Oracle {
 
   GiNaC::symbol t_;
   std::vector<GiNaC::symbol> free_;
-  Vector I_, w_, dw_, N_, v_, dv_, A_, dA_, F_;
+  Vector gyroscopic() const;
+  Vector rate_of_gyroscopic() const;
+  void set_rates(const Setting& setting);
+
+  Vector I_, w_, dw_, ddw_, N_, dN_, v_, dv_, ddv_, A_, dA_, ddA_, F_, dF_;
   std::array<Vector, 3> space_;  ///< the axes of space, by a quaternion: they stand still
   GiNaC::ex length2_;            ///< of that quaternion, squared
   std::array<GiNaC::ex, 6> J_;
   GiNaC::ex m_, h_, k_;
+  std::array<GiNaC::ex, kMaxConstants> constants_;
+  mutable bool twice_ = false;  ///< second rates are asked for: t² is kept
   mutable std::mt19937_64 random_{1};
   mutable int proofs_ = 0, by_points_ = 0;
 };

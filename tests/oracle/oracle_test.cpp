@@ -27,6 +27,11 @@ TEST(Oracle, KnowsWhatHoldsWhen) {
   EXPECT_EQ(decision(A::free, "ddt(norm2(L))", "0"), kSame);
   EXPECT_EQ(decision(A::free, "star(L)", "0"), kDifferent);
   EXPECT_EQ(decision(A::motion, "ddt(p)", "F"), kSame);
+  EXPECT_EQ(decision(A::motion, "ddt(ddt(L))", "ddt(N)"), kSame);
+  EXPECT_EQ(decision(A::free, "ddt(ddt(e3))", "cross(ddt(omega), e3) + cross(omega, cross(omega, e3))"),
+            kSame);
+  EXPECT_EQ(decision(A::identity, "ddt(ddt(A))", "star(star(A))"), kDifferent);
+  EXPECT_EQ(decision(A::identity, "star(ddt(A))", "ddt(ddt(A)) - cross(omega, ddt(A))"), kSame);
 }
 
 TEST(Oracle, DividesWhereItCan) {

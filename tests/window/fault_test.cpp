@@ -91,8 +91,13 @@ TEST_F(Fault, AnAuthorSeesWhatIsWrongBesideTheLastGoodLesson) {
 
   write_text(file, replaced(text, "# A figure", "# Another figure"));
   EXPECT_TRUE(eventually([&] { return lesson.place().stage_title == "Another figure"; }));
-  EXPECT_TRUE(lesson.comes_to(1, 2));
+  EXPECT_TRUE(lesson.comes_to(1, 1)) << "the step that was edited";
   EXPECT_TRUE(lesson.changes_from(broken));
+  const Image right = lesson.picture_at_rest();
+
+  write_text(file, replaced(text, "# A figure", "# Another figure") +
+                       "\n---\n\n```math untrue\nT = 1\n```\n\n```claim untrue identity\nT = 1\n```\n");
+  EXPECT_TRUE(lesson.changes_from(right)) << "the step that was added, and that its claim is not true";
 }
 
 }  // namespace

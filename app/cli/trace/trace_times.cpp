@@ -38,7 +38,7 @@ std::int64_t step_count(double from_s, double to_s, double every_s) {
 double TraceTimes::operator()(std::int64_t i) const {
   if (!listed_.empty()) return listed_[static_cast<std::size_t>(i)];
   if (every_s_ != 0) return from_s_ + static_cast<double>(i) * every_s_;
-  return i == 0 ? 0.0 : static_cast<double>(i) * whole_s_ / static_cast<double>(count_ - 1);  // never -0
+  return i == 0 ? from_s_ : from_s_ + static_cast<double>(i) * whole_s_ / static_cast<double>(count_ - 1);
 }
 
 double TraceTimes::furthest_s() const {
@@ -58,24 +58,37 @@ TraceTimes trace_times(const TypedTimes& typed, double period_s, double duration
     return times;
   }
   const bool listed = !typed.times.empty();
-  const bool stepped = chosen({{"--from", &typed.from}, {"--to", &typed.to}, {"--every", &typed.every}});
-  const bool sampled = chosen({{"--periods", &typed.periods}, {"--samples", &typed.samples}});
-  if (listed + stepped + sampled != 1)
-    throw usage("give the times in one way: --times, or --from --to --every, or --periods --samples");
+  const bool has_every = !typed.every.empty(), has_samples = !typed.samples.empty();
+  const bool from_to = chosen({{"--from", &typed.from}, {"--to", &typed.to}});
+  const bool of_periods = !typed.periods.empty();
+  const bool is_one_way = listed ? !from_to && !of_periods && !has_every && !has_samples
+                                 : from_to != of_periods && !(has_every && (has_samples || of_periods));
+  if (!is_one_way)
+    throw usage(
+        "give the times in one way: --times, or --from --to with --every or --samples, or --periods "
+        "--samples");
+  if (from_to && !has_every && !has_samples) throw usage("--every, or --samples, is missing");
+  if (of_periods && !has_samples) throw usage("--samples is missing");
 
   TraceTimes times;
   if (listed) {
     times.listed_ = finite_numbers("--times", typed.times);
     times.count_ = static_cast<std::int64_t>(times.listed_.size());
-  } else if (stepped) {
+    return times;
+  }
+  if (has_samples) times.count_ = whole_number("--samples", typed.samples, 2, kMaxTraceRows);
+  if (from_to) {
     times.from_s_ = finite_number("--from", typed.from);
-    times.every_s_ = finite_number("--every", typed.every);
-    times.count_ = step_count(times.from_s_, finite_number("--to", typed.to), times.every_s_);
+    const double to_s = finite_number("--to", typed.to);
+    times.whole_s_ = to_s - times.from_s_;
+    if (!std::isfinite(times.whole_s_)) throw usage("--from and --to are farther apart than a double holds");
+    if (has_every) {
+      times.every_s_ = finite_number("--every", typed.every);
+      times.count_ = step_count(times.from_s_, to_s, times.every_s_);
+    }
   } else {
     const double periods = finite_number("--periods", typed.periods);
-    times.count_ = whole_number("--samples", typed.samples, 2, kMaxTraceRows);
-    if (!(period_s > 0))
-      throw usage("--periods: a body at rest has no period; use --times or --from --to --every");
+    if (!(period_s > 0)) throw usage("--periods: a body at rest has no period; use --times or --from --to");
     times.whole_s_ = periods * period_s;
   }
   return times;

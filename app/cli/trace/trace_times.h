@@ -8,7 +8,8 @@
 
 namespace polhode {
 
-/// --times, or --from --to --every, or --periods --samples, as typed; empty where not given.
+/// --times, or --from --to with --every or --samples, or --periods --samples, as typed; empty where not
+/// given.
 struct TypedTimes {
   std::string times, from, to, every, periods, samples;
 };
@@ -28,7 +29,7 @@ class TraceTimes {
   std::vector<double> listed_;  // --times, in the order asked
   std::int64_t count_ = 0;
   double from_s_ = 0, every_s_ = 0;  // t = from + i·every
-  double whole_s_ = 0;               // t = i·whole/(count − 1)
+  double whole_s_ = 0;               // or, if every is 0, t = from + i·whole/(count − 1)
 };
 
 /// @param period_s what --periods counts, s; ≤ 0: there is none

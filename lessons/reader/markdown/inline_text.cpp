@@ -84,10 +84,12 @@ class TextReader::Builder {
     parser.text = [](MD_TEXTTYPE type, const MD_CHAR* text, MD_SIZE size, void* self) {
       return static_cast<Builder*>(self)->add_text(type, {text, size});
     };
+    if (form_ == Form::passage) find_marker_lines();
     const int stopped = md_parse(copy_.data(), static_cast<MD_SIZE>(copy_.size()), &parser, this);
     if (stopped != 0 && !saw_limit_) error(0, "there is not enough memory to read this text");
     if (stopped != 0) return {};
     report_lost_marks(text_.size());
+    report_marker_lines();
     if (saw_unread_block_ && !reader_.report_.has_errors())
       error(0, "a heading or fence inside a text is not read", "begin it at the margin");
     for (TextBlock& block : blocks_) block.spans.shrink_to_fit();
@@ -153,7 +155,13 @@ class TextReader::Builder {
         error(next_line_begin(), "a rule inside a text is not read", "begin it at the margin");
         break;
       case MD_BLOCK_TABLE:
-        error(next_line_begin(), "tables are not read", "write a list, or \\begin{array} in a ```math fence");
+        return begin_table(*static_cast<MD_BLOCK_TABLE_DETAIL*>(detail));
+      case MD_BLOCK_TR:
+        begin_row();
+        break;
+      case MD_BLOCK_TH:
+      case MD_BLOCK_TD:
+        begin_cell(static_cast<MD_BLOCK_TD_DETAIL*>(detail)->align);
         break;
       case MD_BLOCK_HTML:
         in_html_ = true;
@@ -173,6 +181,9 @@ class TextReader::Builder {
     if ((type == MD_BLOCK_UL || type == MD_BLOCK_OL) && !lists_.empty()) lists_.pop_back();
     block_is_open_ = false;
     if (type == MD_BLOCK_HTML) in_html_ = false;
+    if (type == MD_BLOCK_THEAD) cursor_ = std::max(cursor_, next_line(head_line_).end);
+    if (type == MD_BLOCK_TR) cursor_ = std::max(cursor_, std::min(row_line_.end, text_.size()));
+    if (type == MD_BLOCK_TH || type == MD_BLOCK_TD) in_cell_ = false;
     item_is_new_ = item_is_new_ && type != MD_BLOCK_LI;
     return 0;
   }
@@ -189,7 +200,122 @@ class TextReader::Builder {
     block_is_open_ = true;
   }
 
+  // ---- Tables
+
+  struct Line {
+    std::size_t begin = 0, end = 0;
+  };
+  /// The line of the text that this byte is on, without its end.
+  Line line_at(std::size_t at) const {
+    const std::size_t before = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    return {begin, std::min(text_.find('\n', at), text_.size())};
+  }
+  Line next_line(const Line& line) const { return line_at(std::min(line.end + 1, text_.size())); }
+
+  int begin_table(const MD_BLOCK_TABLE_DETAIL& table) {
+    const std::size_t at = next_line_begin();
+    const auto refuse = [&](std::string message, std::string hint) {
+      error(at, std::move(message), std::move(hint));
+      saw_limit_ = true;
+      return kStop;
+    };
+    if (!lists_.empty()) return refuse("a table inside a list is not read", "begin it at the margin");
+    if (form_ != Form::passage)
+      return refuse("a table stands in text and call-outs only", "write it as text below an empty line");
+    if (table.col_count > kMaxTableColumns || table.body_row_count > kMaxTableRows)
+      return refuse("a table has at most " + std::to_string(kMaxTableColumns) +
+                        " columns, and below its head " + std::to_string(kMaxTableRows) + " rows",
+                    "make several tables of it");
+    head_line_ = line_at(at);
+    marker_lines_.erase(next_line(head_line_).begin);
+    if (const std::size_t cells = cells_in(head_line_); cells != table.col_count)
+      return refuse("the head has " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
+                        ", the line below it " + std::to_string(table.col_count),
+                    "write as many | --- | below it");
+    open_block();
+    row_line_ = {};
+    columns_ = table.col_count;
+    return 0;
+  }
+
+  void begin_row() {
+    TextTable& table = blocks_.back().table;
+    const bool is_first_below = table.rows.size() == 1;
+    row_line_ =
+        table.rows.empty() ? head_line_ : next_line(is_first_below ? next_line(head_line_) : row_line_);
+    cursor_ = std::max(cursor_, row_line_.begin);
+    table.rows.emplace_back();
+    const std::size_t cells = cells_in(row_line_);
+    if (cells != columns_)
+      error(text_.find_first_not_of(" \t", row_line_.begin),
+            "this row has " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") + ", the head has " +
+                std::to_string(columns_),
+            cells < columns_ ? "an empty cell is written | |" : "write \\| for the sign |");
+  }
+
+  void begin_cell(MD_ALIGN align) {
+    using Align = TextTable::Align;
+    TextTable& table = blocks_.back().table;
+    if (table.rows.size() == 1)
+      table.columns.push_back(align == MD_ALIGN_RIGHT    ? Align::right
+                              : align == MD_ALIGN_CENTER ? Align::center
+                                                         : Align::left);
+    table.rows.back().emplace_back();
+    in_cell_ = true;
+  }
+
+  /// Of a row: what stands between its bars, which count neither behind a backslash nor in code.
+  std::size_t cells_in(const Line& line) const {
+    const std::string_view row =
+        trimmed(std::string_view(copy_).substr(opener_ + line.begin, line.end - line.begin));
+    std::size_t bars = 0;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (row[i] == '\\') {
+        ++i;
+      } else if (row[i] == '`') {
+        const std::size_t run = std::min(row.find_first_not_of('`', i), row.size()) - i;
+        const std::size_t closing = row.find(std::string(run, '`'), i + run);
+        i = closing == std::string_view::npos ? i + run - 1 : closing + run - 1;
+      } else if (row[i] == '|') {
+        ++bars;
+      }
+    }
+    const bool opens = row.starts_with('|'),
+               closes = row.size() > 1 && row.ends_with('|') && !row.ends_with("\\|");
+    return bars + 1 - (opens ? 1 : 0) - (closes ? 1 : 0);
+  }
+
+  /// Lines that stand below the head of a table: if no table comes of one, its author does not see why.
+  void find_marker_lines() {
+    for (Line line = line_at(0);; line = next_line(line)) {
+      const std::string_view words = trimmed(text_.substr(line.begin, line.end - line.begin));
+      const bool has_bar = words.find('|') != std::string_view::npos;
+      if (has_bar && words.find("--") != std::string_view::npos &&
+          words.find_first_not_of("|:- \t") == std::string_view::npos)
+        marker_lines_.insert(line.begin);
+      if (line.end >= text_.size()) return;
+    }
+  }
+
+  void report_marker_lines() {
+    for (const std::size_t begin : marker_lines_) {
+      const std::size_t at = text_.find_first_not_of(" \t", begin);
+      if (cells_in(line_at(begin)) > kMaxTableColumns)
+        error(at, "a table has at most " + std::to_string(kMaxTableColumns) + " columns",
+              "make several of it");
+      else
+        error(at, "no table comes of this line",
+              "above it stands the head alone, in one line with as many cells, below an empty line");
+    }
+  }
+
+  std::vector<TextSpan>& current() {
+    return in_cell_ ? blocks_.back().table.rows.back().back() : blocks_.back().spans;
+  }
+
   std::vector<TextSpan>& spans() {
+    if (in_cell_) return current();
     if (!block_is_open_) {
       if (!item_is_new_) open_block();
       block_is_open_ = true;
@@ -391,7 +517,8 @@ class TextReader::Builder {
   }
 
   void add_formula(SourceSpan formula) {
-    auto math = reader_.parse_inline(markdown_, formula.begin, formula.end, reader_.macros_);
+    auto math =
+        reader_.parse_inline(markdown_, formula.begin, formula.end, reader_.macros_, form_ != Form::line);
     if (!math) return;
     TextSpan span = new_span(markdown_.span_of(formula.begin, formula.end));
     span.kind = TextSpan::Kind::math;
@@ -414,7 +541,7 @@ class TextReader::Builder {
   void push(TextSpan span) {
     link_is_empty_ = false;
     saw_limit_ = !reader_.take_spans(1, span.source.begin);
-    if (!saw_limit_) blocks_.back().spans.push_back(std::move(span));
+    if (!saw_limit_) current().push_back(std::move(span));
   }
 
   TextReader& reader_;
@@ -429,10 +556,14 @@ class TextReader::Builder {
 
   RichText blocks_;
   std::vector<List> lists_;
-  std::string marker_;          // of the next block
-  bool block_is_open_ = false;  // text goes into the last block
-  bool item_is_new_ = false;    // the last block is an item's, still empty
-  bool in_html_ = false;        // a block of it, which was reported
+  std::string marker_;                  // of the next block
+  bool block_is_open_ = false;          // text goes into the last block
+  bool item_is_new_ = false;            // the last block is an item's, still empty
+  bool in_cell_ = false;                // text goes into the last cell of the last block
+  std::size_t columns_ = 0;             // of the table being read
+  Line head_line_, row_line_;           // and its lines
+  std::set<std::size_t> marker_lines_;  // where lines begin that stand below a head, those of tables left out
+  bool in_html_ = false;                // a block of it, which was reported
   bool saw_unread_block_ = false;
   bool saw_limit_ = false;
   int bold_ = 0, italic_ = 0, code_ = 0;
@@ -495,8 +626,8 @@ std::optional<Math> TextReader::formula(const LocatedText& tex) {
 }
 
 std::optional<Math> TextReader::parse_inline(const LocatedText& text, std::size_t begin, std::size_t end,
-                                             const MathMacros& macros) {
-  auto math = parse(text, begin, end, macros);
+                                             const MathMacros& macros, bool may_compute) {
+  auto math = parse(text, begin, end, macros, may_compute);
   if (!math) return std::nullopt;
   const auto refuse = [&](std::size_t at, const char* what) {
     report_.error(source().place_of(text.offset_of(begin + at)), what, "write it as a ```math fence");
@@ -505,16 +636,13 @@ std::optional<Math> TextReader::parse_inline(const LocatedText& text, std::size_
     refuse(math->tag_offsets.front(), "\\tag numbers a display, and this formula stands in a line of text");
   else if (math->root->kind == MathNode::Kind::grid)
     refuse(0, "& and \\\\ make rows of a display, and this formula stands in a line of text");
-  else if (!math->live.empty())
-    refuse(math->live.front().offset,
-           "\\live numbers stand in displays, and this formula stands in a line of text");
   else
     return math;
   return std::nullopt;
 }
 
 std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin, std::size_t end,
-                                      const MathMacros& macros) {
+                                      const MathMacros& macros, bool may_compute) {
   // Whether there is still room when so many are added; that there is not is said once.
   const auto has_room_for = [&](std::size_t bytes) {
     const bool was_full = math_bytes_ > kMaxLessonMathBytes;
@@ -528,10 +656,60 @@ std::optional<Math> TextReader::parse(const LocatedText& text, std::size_t begin
   if (!has_room_for(end - begin <= kMaxMathBytes ? end - begin : 0))
     return std::nullopt;  // refused for itself
   auto math = parse_math(std::string_view(text.text()).substr(begin, end - begin), macros);
-  if (math) return has_room_for(math->made) ? std::optional(std::move(*math)) : std::nullopt;
+  if (math) {
+    const bool has_room = has_room_for(math->made);
+    return has_room && take_numbers_of(*math, text, begin, may_compute) ? std::optional(std::move(*math))
+                                                                        : std::nullopt;
+  }
   for (const TypeError& error : math.error())
     report(error, source().place_of(text.offset_of(begin + error.offset)));
   return std::nullopt;
+}
+
+/// Reads what the numbers of a formula are; false if one is wrong, which is reported.
+bool TextReader::take_numbers_of(Math& math, const LocatedText& text, std::size_t begin, bool may_compute) {
+  bool all_right = true;
+  for (LiveNumber& number : math.live) {
+    const auto place_of = [&](std::size_t at) { return source().place_of(text.offset_of(begin + at)); };
+    const SourcePlace place = place_of(number.offset);
+    if (!may_compute || !language_) {
+      report_.error(place,
+                    "a computed number stands in text, call-outs, footnotes, captions and displays only");
+      return false;
+    }
+    if (numbers_.size() == kMaxNumbers) {
+      report_.error(place, "a lesson has at most " + std::to_string(kMaxNumbers) + " computed numbers");
+      return false;
+    }
+    auto expression = read_expression(number.expression, place, report_, &language_->vocabulary);
+    if (expression && expression->type() == ExpressionType::vector) {
+      report_.error(place, "a computed number is a scalar, this is a vector", "take a component: comp(a, 1)");
+      expression.reset();
+    }
+    all_right = all_right && expression;
+    if (!expression) continue;
+    number.id = static_cast<int>(numbers_.size());
+    ComputedNumber computed{std::move(*expression), 1, number, place};
+    all_right = (number.unit.empty() || take_unit(computed, place_of(number.unit_offset))) && all_right;
+    numbers_.push_back(std::move(computed));
+  }
+  return all_right;
+}
+
+/// The number is that of SI: it has to be told how much of that its unit is.
+bool TextReader::take_unit(ComputedNumber& number, SourcePlace place) {
+  const auto unit = scaled_unit(number.written.unit);
+  if (!unit) {
+    report_.error(place, "unknown unit " + in_quotes(number.written.unit),
+                  "the units of numbers are " + std::string(kUnitNames));
+    return false;
+  }
+  const DimensionReading reading = dimension_of(number.expression, language_->dimensions);
+  number.unit_si = unit->size;
+  if (!reading.dimension || *reading.dimension == unit->dimension) return true;
+  report_.error(place, "units disagree: the expression is " + to_string(*reading.dimension) + ", and " +
+                           in_quotes(number.written.unit) + " is " + to_string(unit->dimension));
+  return false;
 }
 
 /// A mistake in a macro is one, however often the macro is used.

@@ -2,7 +2,9 @@
 // Markdown inside blocks, and its formulas, made ready to be set. md4c says what the Markdown means.
 #pragma once
 
+#include "lessons/claims/dimension.h"
 #include "lessons/diagnostics/report.h"
+#include "lessons/reader/computed_number.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/markdown/located_text.h"
 #include "render/typeset/rich_text.h"
@@ -13,6 +15,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace polhode {
 
@@ -21,6 +24,10 @@ inline constexpr std::size_t kMaxPassageBytes = std::size_t{1} << 14;
 /// All formulas of a lesson, and all its stretches of text of one kind: they bound its memory.
 inline constexpr std::size_t kMaxLessonMathBytes = std::size_t{3} << 15;
 inline constexpr std::size_t kMaxLessonSpans = 100'000;
+/// Computed numbers of a lesson.
+inline constexpr std::size_t kMaxNumbers = 1000;
+/// Of a table; its head is no row.
+inline constexpr std::size_t kMaxTableColumns = 12, kMaxTableRows = 64;
 
 /// Reads the texts of one lesson. Everything it gives counts bytes of the lesson's file; what is wrong is
 /// reported where it stands, and the rest is read.
@@ -39,8 +46,16 @@ class TextReader {
   /// What can be cited: true once it is.
   std::map<std::string, bool>& citable() { return citable_; }
 
-  /// Paragraphs and lists: emphasis, code, links, hard breaks, entities, formulas, marks of footnotes,
-  /// citations. Images, tables, HTML, and quotes are reported. A link without text has one empty span:
+  /// From now on formulas may show computed numbers, whose expressions are in these words; `dimensions` are
+  /// those of constants, by their numbers. Before, and in lines, \live and \value are errors.
+  void speak(const Vocabulary& vocabulary, const std::map<int, Dimension>& dimensions) {
+    language_.emplace(Language{vocabulary, dimensions});
+  }
+  /// Those of all formulas read so far, by their ids.
+  std::vector<ComputedNumber> take_numbers() { return std::move(numbers_); }
+
+  /// Paragraphs, lists and tables: emphasis, code, links, hard breaks, entities, formulas, marks of
+  /// footnotes, citations. Images, HTML, and quotes are reported. A link without text has one empty span:
   /// what is shown is what it leads to (references.h).
   RichText passage(const LocatedText& markdown);
   /// A footnote's text: a passage without marks of footnotes.
@@ -57,9 +72,11 @@ class TextReader {
   enum class Form { passage, note, line };
   RichText read(const LocatedText& markdown, Form form);
   std::optional<Math> parse_inline(const LocatedText& text, std::size_t begin, std::size_t end,
-                                   const MathMacros& macros);
+                                   const MathMacros& macros, bool may_compute = true);
   std::optional<Math> parse(const LocatedText& text, std::size_t begin, std::size_t end,
-                            const MathMacros& macros);
+                            const MathMacros& macros, bool may_compute = true);
+  bool take_numbers_of(Math& math, const LocatedText& text, std::size_t begin, bool may_compute);
+  bool take_unit(ComputedNumber& number, SourcePlace place);
   void report(const TypeError& error, SourcePlace used_at);
   bool take_spans(std::size_t count, std::size_t offset);
 
@@ -69,6 +86,12 @@ class TextReader {
   std::set<std::tuple<std::string, std::size_t, std::string>> said_of_macros_;
   FootnoteMarks notes_;
   std::map<std::string, bool> citable_;
+  struct Language {
+    Vocabulary vocabulary;
+    std::map<int, Dimension> dimensions;
+  };
+  std::optional<Language> language_;
+  std::vector<ComputedNumber> numbers_;
   std::size_t math_bytes_ = 0;
   std::size_t spans_ = 0;
 };

@@ -4,7 +4,9 @@
 #include "physics/body/euler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace polhode {
@@ -158,6 +160,138 @@ TimePlot drift_plot(const SceneModel& model, const Samples& samples) {
   return thinned(plot, kDriftPoints);
 }
 
+// Plots of the lesson's own.
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// In the units of an axis.
+double value_of(const SceneQuantity& quantity, const PlotUnit& unit, const SceneModel& model, double t_s,
+                const RigidBodyState& state) {
+  const auto value = quantity.value(model, t_s, state);
+  return value ? value->x() * unit.per_si : kNone;
+}
+
+std::vector<double> values_of(const SceneQuantity& quantity, const PlotUnit& unit, const SceneModel& model,
+                              const Samples& samples) {
+  std::vector<double> values;
+  values.reserve(samples.t_s.size());
+  for (std::size_t i = 0; i < samples.t_s.size(); ++i)
+    values.push_back(value_of(quantity, unit, model, samples.t_s[i], samples.states[i]));
+  return values;
+}
+
+/// Those with a colour keep it; others have what is left, the ink of text first. Each has its own dashes
+/// besides, for print and for those who see no colours.
+void give_looks(std::vector<TimeSeries>& series, const std::vector<std::string>& roles) {
+  constexpr std::array kSpare = {"", "polhode", "N", "herpolhode", "L", "omega"};
+  constexpr std::array kDashOf = {kSolid, kDashes, kDots, 2.0 * kDashes, 4.0 * kDashes, 1.5 * kDots};
+  std::size_t next = 0;
+  const auto is_taken = [&](const char* role) {
+    return std::find(roles.begin(), roles.end(), role) != roles.end() && *role != '\0';
+  };
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    std::string role = roles[i];
+    if (role.empty()) {
+      while (next < kSpare.size() && is_taken(kSpare[next])) ++next;
+      role = next < kSpare.size() ? kSpare[next++] : "";
+    }
+    series[i].role = role_from(role).value_or(kTRole);
+    series[i].dash = kDashOf[i % kDashOf.size()];
+  }
+}
+
+/// Of the ith curve.
+std::string label_of(const OwnPlot& own, std::size_t i, const std::string& tex) {
+  return '$' + (i < own.tex.size() ? own.tex[i] : tex) + '$';
+}
+
+TimePlot plot_of_quantities(const OwnPlot& own, const SceneModel& model, const Samples& samples, double t_s) {
+  TimePlot plot{.title = own.title, .unit = own.y.unit, .t = samples.t_s, .now = t_s};
+  plot.is_tight = own.is_tight;
+  plot.range = own.range;
+  std::vector<std::string> roles;
+  for (std::size_t i = 0; i < own.curves.size(); ++i) {
+    plot.series.push_back(
+        {.label = label_of(own, i, own.curves[i].tex), .y = values_of(own.curves[i], own.y, model, samples)});
+    roles.push_back(own.curves[i].role);
+  }
+  give_looks(plot.series, roles);
+  if (!own.against) return plot;
+
+  const RigidBodyState now = model.motion->at(t_s);
+  plot.is_path = true;
+  plot.is_scaled_alike = own.is_scaled_alike;
+  plot.t = values_of(*own.against, own.x, model, samples);
+  plot.x_label = '$' + own.against->tex + '$';
+  plot.x_unit = own.x.unit;
+  plot.now = value_of(*own.against, own.x, model, t_s, now);
+  for (const SceneQuantity& curve : own.curves) plot.y_now.push_back(value_of(curve, own.y, model, t_s, now));
+  for (TimeSeries& series : plot.series)
+    if (own.curves.size() == 1) series.dash = kSolid;
+  if (plot.title.empty()) {
+    for (const TimeSeries& series : plot.series)
+      plot.title += (plot.title.empty() ? "" : ", ") + series.label;
+    plot.title += " against " + plot.x_label;
+  }
+  return plot;
+}
+
+constexpr int kFunctionPoints = 300;
+
+/// What is worth seeing of a function, which may have poles: the range around its level if it has one, else
+/// that of most of its values. Nothing where it has no values.
+std::optional<std::pair<double, double>> range_of(std::vector<double> y, double level) {
+  std::erase_if(y, [](double value) { return !std::isfinite(value); });
+  if (y.empty()) return std::nullopt;
+  std::sort(y.begin(), y.end());
+  const auto part = [&](double p) {
+    return y[static_cast<std::size_t>(p * static_cast<double>(y.size() - 1))];
+  };
+  const double middle = part(0.5);
+  if (std::isfinite(level) && level >= y.front()) {
+    // As much above the level as it is high above the bottom; where it lies at the bottom, some of the curve.
+    const double height = std::max(level - y.front(), 0.1 * (middle - y.front()));
+    return std::pair(y.front() - 0.2 * height,
+                     std::min(std::max(y.back(), level), level + height) + 0.1 * height);
+  }
+  const double low = std::max(y.front(), middle - 2.0 * (part(0.9) - middle)),
+               high = std::min(y.back(), middle + 2.0 * (middle - part(0.1)));
+  const double beside = 0.05 * (high - low);
+  return std::pair(std::isfinite(level) ? std::min(low, level) - beside : low - beside, high + beside);
+}
+
+/// The line at the level goes on through all x.
+TimePlot plot_of_function(const OwnPlot& own, const SceneModel& model, double t_s) {
+  const PlotFunction& f = *own.function;
+  const RigidBodyState start = model.motion->at(0.0), now = model.motion->at(t_s);
+  std::vector<double> x;
+  for (int i = 0; i <= kFunctionPoints; ++i)
+    x.push_back(std::lerp(f.from, f.to, static_cast<double>(i) / kFunctionPoints));
+  TimePlot plot{.title = own.title, .unit = own.y.unit};
+  std::vector<double> y = f.values(model, x);
+  for (double& value : y) value *= own.y.per_si;
+  for (double& value : x) value *= own.x.per_si;
+  double level = kNone;
+  plot.series.push_back({.label = label_of(own, 0, f.tex), .y = y});
+  if (f.level) {
+    level = value_of(*f.level, own.y, model, 0.0, start);
+    plot.series.push_back({.label = '$' + f.level->tex + '$',
+                           .y = std::vector<double>(x.size(), value_of(*f.level, own.y, model, t_s, now))});
+  }
+  give_looks(plot.series, {"", f.level ? f.level->role : ""});
+  plot.t = std::move(x);
+  plot.x_label = '$' + f.of.tex + '$';
+  plot.x_unit = own.x.unit;
+  plot.now = value_of(f.of, own.x, model, t_s, now);
+  plot.range = own.range ? own.range : own.is_tight ? std::nullopt : range_of(std::move(y), level);
+  plot.is_tight = true;
+  return plot;
+}
+
+TimePlot own_plot(const OwnPlot& own, const SceneModel& model, const Samples& samples, double t_s) {
+  return own.function ? plot_of_function(own, model, t_s) : plot_of_quantities(own, model, samples, t_s);
+}
+
 TimePlot plot_of(Meter meter, const SceneModel& model, const Samples& samples) {
   const PrincipalMoments& I = model.scene.body.moments;
   switch (meter) {
@@ -183,8 +317,12 @@ std::vector<TimePlot> meter_plots(const SceneModel& model, double t_s) {
   if (!model.needs.meters) return {};
   const Samples samples = samples_of(model, t_s);
   std::vector<TimePlot> plots;
-  for (Meter meter : shown_meters(model.scene)) {
-    plots.push_back(plot_of(meter, model, samples));
+  for (const PlotSpec& spec : shown_meters(model.scene)) {
+    if (const auto* own = std::get_if<OwnPlot>(&spec)) {
+      plots.push_back(own_plot(*own, model, samples, t_s));
+      continue;
+    }
+    plots.push_back(plot_of(std::get<Meter>(spec), model, samples));
     plots.back().now = t_s;
   }
   return plots;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polhode {
 namespace {
@@ -19,10 +20,11 @@ constexpr double kTitleGap = 0.6;                         // between title and u
 constexpr double kMarkGap = 0.45, kNameGap = 0.55, kTick = 0.22, kUnitGap = 0.35;
 constexpr double kLeastMarkRoom = 2.3;  // so that plots above each other mostly
 constexpr double kLeastNameRoom = 2.0;  // begin and end at the same places
+constexpr double kMostNameRoom = 0.34;  // of a plot's width
 constexpr double kCapHeight = 0.72;
 constexpr double kNameSpacing = 1.35;
 constexpr double kMarkSpacing = 1.9, kTimeMarkSpacing = 3.2;
-constexpr double kHairline = 0.06, kAxisLine = 0.075, kCurve = 0.12, kLeader = 0.07;
+constexpr double kHairline = 0.06, kAxisLine = 0.075, kCurve = 0.12, kPath = 0.09, kLeader = 0.07;
 constexpr double kDot = 0.24, kDotRim = 0.1;
 constexpr double kLeaderFrom = 0.3;  // of displacement of a name
 constexpr int kMostIntervals = 4;
@@ -41,15 +43,30 @@ struct Tick {
 /// Where a value lies from bottom to top, on either kind of axis, with its marks.
 class ValueAxis {
  public:
-  ValueAxis(const TimePlot& plot, double bottom, double top, int intervals) : floor_(plot.log_floor) {
+  /// Marks of a range that is not rounded stand `spacing` px apart.
+  ValueAxis(const TimePlot& plot, double bottom, double top, int intervals, double spacing)
+      : floor_(plot.log_floor) {
     std::vector<double> values;
     for (const TimeSeries& series : plot.series)
       values.insert(values.end(), series.y.begin(), series.y.end());
     if (floor_)
       make_log(values, bottom, top, intervals);
     else
-      make_linear(values, bottom, top, intervals);
+      make_linear(plot, values, intervals);
+    place(bottom, top, spacing);
   }
+
+  /// Between other ends.
+  void place(double bottom, double top, double spacing) {
+    if (floor_) return;
+    linear_.start_px = bottom;
+    linear_.end_px = top;
+    ticks_.clear();
+    for (LinearAxis::Mark& mark : linear_.marks(spacing)) ticks_.push_back({mark.px, std::move(mark.text)});
+  }
+
+  /// What a px is, of a linear axis between its ends.
+  double length() const { return (linear_.high - linear_.low) * std::pow(10.0, linear_.exponent); }
 
   bool shows(double value) const { return std::isfinite(value) && (!floor_ || value >= 0.0); }
   double px(double value) const { return floor_ ? log_.px(std::max(value, *floor_)) : linear_.px(value); }
@@ -75,12 +92,13 @@ class ValueAxis {
       ticks_.push_back({log_.px_of_log(low + i * step), power_of_ten(low + i * step)});
   }
 
-  void make_linear(const std::vector<double>& values, double bottom, double top, int intervals) {
-    linear_ = LinearAxis::covering(values);
+  void make_linear(const TimePlot& plot, const std::vector<double>& values, int intervals) {
+    if (plot.range) {
+      linear_ = LinearAxis::between(plot.range->first, plot.range->second);
+      return;
+    }
+    linear_ = plot.is_tight || plot.is_path ? LinearAxis::around(values) : LinearAxis::covering(values);
     linear_.round_out(intervals);
-    linear_.start_px = bottom;
-    linear_.end_px = top;
-    for (LinearAxis::Mark& mark : linear_.marks()) ticks_.push_back({mark.px, std::move(mark.text)});
   }
 
   std::optional<double> floor_;
@@ -107,7 +125,7 @@ class TimePlotLayout {
         box_(box),
         style_(fitting(style, box)),
         fonts_(fonts),
-        axis_(plot, box.y1 - px(kTimeRoom), box.y0 + px(kTitleRoom), intervals()) {
+        axis_(plot, box.y1 - px(kTimeRoom), box.y0 + px(kTitleRoom), intervals(), px(kMarkSpacing)) {
     place_axes();
   }
 
@@ -123,9 +141,9 @@ class TimePlotLayout {
 
  private:
   double px(double sizes) const { return sizes * style_.type_size; }
-  DisplayList line_of(const std::string& text, const Color& color) const {
+  DisplayList line_of(const std::string& text, const Color& color, double scale = 1.0) const {
     TextStyle style;
-    style.size = style_.type_size;
+    style.size = scale * style_.type_size;
     style.color = color;
     style.sans = true;
     return set_line(text, style, fonts_);
@@ -141,18 +159,47 @@ class TimePlotLayout {
   void place_axes() {
     double marks = px(kLeastMarkRoom), names = px(kLeastNameRoom);
     for (const Tick& tick : axis_.ticks()) marks = std::max(marks, width_of(tick.text));
-    for (const TimeSeries& series : plot_.series) names = std::max(names, width_of(name_of(series)));
-    const double begin = plot_.t.empty() ? 0.0 : plot_.t.front();
-    const double end = plot_.t.empty() ? 1.0 : plot_.t.back();
-    time_ = LinearAxis::between(begin, end);
+    if (has_names())
+      for (const TimeSeries& series : plot_.series) names = std::max(names, width_of(name_of(series)));
+    names = std::min(names, kMostNameRoom * box_.width());
+    time_ = x_axis();
     names = std::max(names, width_of(time_unit()) + px(0.5));
     frame_ = {box_.x0 + marks + px(kMarkGap), box_.y0 + px(kTitleRoom), box_.x1 - names - px(kNameGap),
               box_.y1 - px(kTimeRoom)};
+    if (plot_.is_path && plot_.is_scaled_alike) scale_alike();
     time_.start_px = frame_.x0;
     time_.end_px = frame_.x1;
   }
 
-  std::string time_unit() const { return time_.unit_of("s"); }
+  LinearAxis x_axis() const {
+    if (plot_.is_path) {
+      LinearAxis rounded = LinearAxis::around(plot_.t);
+      rounded.round_out(kMostIntervals);
+      const double unit = std::pow(10.0, rounded.exponent);
+      return LinearAxis::between(rounded.low * unit, rounded.high * unit);
+    }
+    return LinearAxis::between(plot_.t.empty() ? 0.0 : plot_.t.front(),
+                               plot_.t.empty() ? 1.0 : plot_.t.back());
+  }
+
+  /// The frame becomes smaller, and stays on the axis below.
+  void scale_alike() {
+    const double x_length = (time_.high - time_.low) * std::pow(10.0, time_.exponent);
+    const double px_per_unit = std::min(frame_.width() / x_length, frame_.height() / axis_.length());
+    const double x_gap = 0.5 * (frame_.width() - px_per_unit * x_length),
+                 y_gap = 0.5 * (frame_.height() - px_per_unit * axis_.length());
+    frame_ = {frame_.x0 + x_gap, frame_.y0 + 2.0 * y_gap, frame_.x1 - x_gap, frame_.y1};
+    axis_.place(frame_.y1, frame_.y0, px(kMarkSpacing));
+  }
+
+  /// A path alone has its name in the title.
+  bool has_names() const { return !plot_.is_path || plot_.series.size() > 1; }
+
+  /// "s", or what x is, with its unit.
+  std::string time_unit() const {
+    const std::string unit = time_.unit_of(plot_.x_unit);
+    return plot_.x_label + (plot_.x_label.empty() || unit.empty() ? "" : " ") + unit;
+  }
 
   /// A curve that lies on the floor of a logarithmic axis may be anything there: its name tells that it is 0
   /// ("T = 0" would speak of the quantity that drifts).
@@ -170,18 +217,21 @@ class TimePlotLayout {
     sheet_.shapes.push_back(Stroke{std::move(points), width, color, dash});
   }
 
-  void add_text(std::string text, const Vec2& at, double align, const Color& color) {
+  /// In smaller type, if it is wider than `most`.
+  void add_text(std::string text, const Vec2& at, double align, const Color& color,
+                double most = std::numeric_limits<double>::infinity()) {
     DisplayList line = line_of(text, color);
+    if (line.width > most) line = line_of(text, color, most / line.width);
     const double left = at.x() - align * line.width;
     sheet_.texts.push_back({.list = std::move(line), .at = {left, at.y()}, .text = std::move(text)});
   }
 
   void add_title() {
     const double baseline = std::round(box_.y0 + px(0.9));
-    add_text(plot_.title, {box_.x0, baseline}, 0.0, style_.ink);
+    if (!plot_.title.empty()) add_text(plot_.title, {box_.x0, baseline}, 0.0, style_.ink);
     const std::string unit = axis_.unit_of(plot_.unit);
-    if (!unit.empty())
-      add_text(unit, {box_.x0 + width_of(plot_.title) + px(kTitleGap), baseline}, 0.0, style_.muted);
+    const double gap = plot_.title.empty() ? 0.0 : width_of(plot_.title) + px(kTitleGap);
+    if (!unit.empty()) add_text(unit, {box_.x0 + gap, baseline}, 0.0, style_.muted);
   }
 
   /// To the middle of a pixel, so that even lines are crisp.
@@ -216,7 +266,7 @@ class TimePlotLayout {
 
   /// As close as the width of their texts allows.
   std::vector<LinearAxis::Mark> time_marks() const {
-    double spacing = px(kTimeMarkSpacing);
+    double spacing = px(plot_.is_path ? kMarkSpacing : kTimeMarkSpacing);
     for (;; spacing *= 1.5) {
       std::vector<LinearAxis::Mark> marks = time_.marks(spacing);
       double widest = 0.0;
@@ -229,14 +279,36 @@ class TimePlotLayout {
 
   std::vector<Stretch> stretches_of(const TimeSeries& series) const {
     std::vector<Stretch> stretches(1);
-    for (std::size_t i = 0; i < std::min(plot_.t.size(), series.y.size()); ++i) {
-      if (axis_.shows(series.y[i]))
-        stretches.back().push_back(at(plot_.t[i], series.y[i]));
-      else if (!stretches.back().empty())
-        stretches.emplace_back();
+    const auto cut = [&] {
+      if (!stretches.back().empty()) stretches.emplace_back();
+    };
+    const std::size_t count = std::min(plot_.t.size(), series.y.size());
+    const auto shown = [&](std::size_t i) { return axis_.shows(series.y[i]) && std::isfinite(plot_.t[i]); };
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!shown(i)) {
+        cut();
+        continue;
+      }
+      const bool is_inside = is_in_range(series.y[i]);
+      if (i > 0 && shown(i - 1) && is_inside != is_in_range(series.y[i - 1])) {
+        stretches.back().push_back(at_end_of_range(i, series));
+        if (!is_inside) cut();
+      }
+      if (is_inside) stretches.back().push_back(at(plot_.t[i], series.y[i]));
     }
     if (stretches.back().empty()) stretches.pop_back();
     return stretches;
+  }
+
+  bool is_in_range(double y) const {
+    return !plot_.range || (y >= plot_.range->first && y <= plot_.range->second);
+  }
+
+  /// Where the line to the ith point crosses the end of the range.
+  Vec2 at_end_of_range(std::size_t i, const TimeSeries& series) const {
+    const double a = series.y[i - 1], b = series.y[i];
+    const double end = std::max(a, b) > plot_.range->second ? plot_.range->second : plot_.range->first;
+    return at(std::lerp(plot_.t[i - 1], plot_.t[i], (end - a) / (b - a)), end);
   }
 
   void add_curve(const TimeSeries& series) {
@@ -244,7 +316,8 @@ class TimePlotLayout {
       if (stretch.size() == 1)
         add_disc(stretch.front(), px(0.5 * kCurve), line_color(series));
       else
-        add_line(simplified(stretch, kSimplification), px(kCurve), line_color(series), px(series.dash));
+        add_line(simplified(stretch, kSimplification), px(plot_.is_path ? kPath : kCurve), line_color(series),
+                 px(series.dash));
     }
   }
 
@@ -253,6 +326,7 @@ class TimePlotLayout {
   }
 
   void add_names() {
+    if (!has_names()) return;
     std::vector<const TimeSeries*> named;
     std::vector<Vec2> ends;
     std::vector<double> wanted;
@@ -260,30 +334,50 @@ class TimePlotLayout {
       const std::vector<Stretch> stretches = stretches_of(series);
       if (stretches.empty()) continue;
       named.push_back(&series);
-      ends.push_back(stretches.back().back());
+      ends.push_back(plot_.is_path ? rightmost_of(stretches) : stretches.back().back());
       wanted.push_back(ends.back().y());
     }
     const std::vector<double> placed =
         spread_apart(wanted, px(kNameSpacing), frame_.y0 - px(0.3), frame_.y1 - px(0.2));
     for (std::size_t i = 0; i < named.size(); ++i) {
-      const Vec2 name(frame_.x1 + px(kNameGap), placed[i]);
-      if (std::abs(placed[i] - wanted[i]) > px(kLeaderFrom) || ends[i].x() < frame_.x1 - px(0.5))
+      // Of a curve that leaves the range the name stands where it does.
+      const bool leaves = plot_.range && ends[i].x() < frame_.x1 - px(0.5);
+      const Vec2 name((leaves ? ends[i].x() : frame_.x1) + px(kNameGap), placed[i]);
+      if (!leaves && (std::abs(placed[i] - wanted[i]) > px(kLeaderFrom) || ends[i].x() < frame_.x1 - px(0.5)))
         add_line({ends[i], {name.x() - px(0.12), name.y()}}, px(kLeader), name_color(*named[i]));
       add_text(name_of(*named[i]), {name.x(), std::round(name.y() + px(0.5 * kCapHeight))}, 0.0,
-               name_color(*named[i]));
+               name_color(*named[i]), box_.x1 - name.x());
     }
   }
 
+  static Vec2 rightmost_of(const std::vector<Stretch>& stretches) {
+    Vec2 rightmost = stretches.front().front();
+    for (const Stretch& stretch : stretches)
+      for (const Vec2& point : stretch)
+        if (point.x() > rightmost.x()) rightmost = point;
+    return rightmost;
+  }
+
+  void add_point(const Vec2& at, const TimeSeries& series) {
+    add_disc(at, px(kDot + kDotRim), style_.paper);
+    add_disc(at, px(kDot), line_color(series));
+  }
+
   void add_now() {
+    if (plot_.is_path) return add_now_on_path();
     if (!plot_.now || !std::isfinite(*plot_.now) || plot_.t.empty()) return;
     if (*plot_.now < plot_.t.front() || *plot_.now > plot_.t.back()) return;
     const double x = crisp(time_.px(*plot_.now));
     add_line({{x, frame_.y0}, {x, frame_.y1}}, px(kAxisLine), mixed(style_.muted, style_.paper, 0.2F));
     for (const TimeSeries& series : plot_.series)
-      if (const std::optional<double> y = px_now(series)) {
-        add_disc({x, *y}, px(kDot + kDotRim), style_.paper);
-        add_disc({x, *y}, px(kDot), line_color(series));
-      }
+      if (const std::optional<double> y = px_now(series)) add_point({x, *y}, series);
+  }
+
+  void add_now_on_path() {
+    if (!plot_.now || !std::isfinite(*plot_.now)) return;
+    for (std::size_t i = 0; i < std::min(plot_.series.size(), plot_.y_now.size()); ++i)
+      if (axis_.shows(plot_.y_now[i]) && is_in_range(plot_.y_now[i]))
+        add_point(at(*plot_.now, plot_.y_now[i]), plot_.series[i]);
   }
 
   /// On the drawn line.
@@ -291,7 +385,8 @@ class TimePlotLayout {
     const auto after = std::lower_bound(plot_.t.begin(), plot_.t.end(), *plot_.now);
     const auto i = static_cast<std::size_t>(after - plot_.t.begin());
     const std::size_t before = *after == *plot_.now || i == 0 ? i : i - 1;
-    if (i >= series.y.size() || !axis_.shows(series.y[i]) || !axis_.shows(series.y[before]))
+    if (i >= series.y.size() || !axis_.shows(series.y[i]) || !axis_.shows(series.y[before]) ||
+        !is_in_range(series.y[i]) || !is_in_range(series.y[before]))
       return std::nullopt;
     const double part = before == i ? 0.0 : (*plot_.now - plot_.t[before]) / (plot_.t[i] - plot_.t[before]);
     return std::lerp(axis_.px(series.y[before]), axis_.px(series.y[i]), part);

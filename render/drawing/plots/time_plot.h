@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Small plots of quantities against time, named where their curves end. Layout only: the result is a sheet of
-// lines and text.
+// Small plots of quantities against time or another quantity, named where their curves end. Layout only: the
+// result is a sheet of lines and text.
 #pragma once
 
 #include "render/drawing/label_layout.h"
@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -22,13 +23,22 @@ struct TimeSeries {
 
 struct TimePlot {
   std::string title{};
-  std::string unit{};       ///< of y; of time it is s
-  std::vector<double> t{};  ///< s, in ascending order
+  std::string unit{};       ///< of y
+  std::vector<double> t{};  ///< s, in ascending order; or what x is instead
   std::vector<TimeSeries> series{};
   std::optional<double> now{};  ///< s: marked
   /// Of a plot of y ≥ 0 on a logarithmic axis: where it begins; what is less is drawn there, and the label of
   /// a curve of zeros alone says so. Absent: y is linear and its axis shows 0.
   std::optional<double> log_floor{};
+  bool is_tight = false;                             ///< the axis of y need not show 0
+  std::optional<std::pair<double, double>> range{};  ///< of that axis; what lies outside is not drawn
+  std::string x_label{};                             ///< what `t` is; empty: time
+  std::string x_unit = "s";
+  /// A path in a plane: `t` goes back and forth, `now` is where the motion is on it, with y_now of each
+  /// series. Neither axis need show 0.
+  bool is_path = false;
+  std::vector<double> y_now{};
+  bool is_scaled_alike = false;  ///< of a path: the same length on both axes is the same
 };
 
 /// Sizes in px.

@@ -56,6 +56,20 @@ enum class QualityLevel { draft, normal, fine };
 std::optional<QualityLevel> quality_level_from(std::string_view name);
 const char* name_of(QualityLevel level);
 
+/// A number of a scene that may be changed within a range (lessons/reader/varied_scene.h): a slider in the
+/// window, a filmstrip on paper.
+struct Variation {
+  std::string number;       ///< as lessons name it: "omega3"
+  double from = 0, to = 0;  ///< in the unit of that number; from < to
+  double value = 0;         ///< in the scene as it is
+  bool operator==(const Variation&) const = default;
+};
+
+/// So many scenes are shown side by side at most.
+inline constexpr std::size_t kMaxScenes = 3;
+inline constexpr std::size_t kMaxVariations = 2;
+
+/// Of a lesson's scene; with others beside it, it is the one whose motion the page speaks of.
 struct Scene {
   Body body{"textbook", PrincipalMoments(1.0, 1.75, 2.5), std::nullopt};
   Vec3 w0_B{0.2, 0.1, 3.0};              ///< rad/s at t = 0
@@ -75,10 +89,17 @@ struct Scene {
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
   std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
   QualityLevel quality = QualityLevel::normal;
-  std::string caption;                       ///< one line in the picture
-  std::optional<std::vector<Meter>> meters;  ///< of a page; absent: by whether there is torque
+  std::string caption;                          ///< one line in the picture
+  std::optional<std::vector<PlotSpec>> meters;  ///< of a page; absent: by whether there is torque
+  std::vector<Scene> beside{};    ///< shown beside it at the same t, at its rate; they have none beside them
+  std::size_t before = 0;         ///< so many of them stand before it: further left, or above
+  std::vector<Variation> vary{};  ///< then those beside it are itself at other values of the first of these
+  std::string label{};            ///< below it among those: the value, as a caption is written
   bool operator==(const Scene&) const = default;
 };
+
+/// The scene and those beside it, in the order in which they stand.
+std::vector<const Scene*> shown_scenes(const Scene& scene);
 
 /// The t of a still.
 inline double still_time_s(const Scene& scene) { return scene.still_s.value_or(scene.at_s); }

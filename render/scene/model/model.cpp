@@ -145,10 +145,23 @@ void check_scene(const Scene& scene, const Effort& effort) {
   const Problem problem = problem_of(scene);
   const Requirements needs = requirements(scene, Product::page);
   check_course(scene, problem, *choose_motion(scene, problem, needs, effort).motion, needs);
+  for (const Scene& other : scene.beside) check_scene(other, effort);
+}
+
+std::vector<const SceneModel*> shown_models(const SceneModel& model) {
+  std::vector<const SceneModel*> shown;
+  for (const SceneModel& other : model.beside) shown.push_back(&other);
+  const std::size_t before = std::min(model.scene.before, shown.size());
+  shown.insert(shown.begin() + static_cast<std::ptrdiff_t>(before), &model);
+  return shown;
 }
 
 bool is_computable(const SceneModel& model, double t_s) {
-  return is_computable(*model.motion, model.needs, t_s);
+  const auto serves = [&](const SceneModel* shown) {
+    return is_computable(*shown->motion, shown->needs, t_s);
+  };
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  return std::all_of(shown.begin(), shown.end(), serves);
 }
 
 SceneModel make_model(const Scene& scene, Product product, const Effort& effort, double chord_tolerance) {
@@ -173,6 +186,11 @@ SceneModel make_model(const Scene& scene, Product product, const Effort& effort,
   model.rate = shown_rate(scene);
   if (model.needs.ghost) model.exact = reference_motion(problem, effort);
   compute_parts(model, effort, chord_tolerance);
+  if (product == Product::numbers) return model;
+  for (const Scene& other : scene.beside) {
+    model.beside.push_back(make_model(other, product, effort, chord_tolerance));
+    model.reach_s = std::min(model.reach_s, model.beside.back().reach_s);
+  }
   return model;
 }
 

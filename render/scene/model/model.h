@@ -36,7 +36,7 @@ struct SceneModel {
   double L_reference = 0.0;   ///< |L| that is drawn at full length, kg m²/s: the larger of start and `at`
   double longest_term = 0.0;  ///< of equation (6), drawn at full length, N m
   double span_s = 0.0;        ///< what curves over time cover and one loop of a film shows
-  double reach_s = 0.0;       ///< the longest |t| that the motion is to be asked for
+  double reach_s = 0.0;       ///< the longest |t| that it, and what is beside it, is to be asked for
   double rate = 1.0;          ///< simulated seconds per shown second
   Curve polhode_B;
   std::vector<PolhodeOfFamily> family_B;
@@ -45,13 +45,17 @@ struct SceneModel {
   Shape solid;
   MethodTable methods;              ///< at the time of the still, with the scene's step or 64 to a turn
   std::vector<MethodTable> orders;  ///< kOrderSteps of them, each with half the step of the one before
+  std::vector<SceneModel> beside;   ///< of the scenes beside it; none if it was made for numbers
 };
+
+/// The model and those beside it, in the order in which they stand.
+std::vector<const SceneModel*> shown_models(const SceneModel& model);
 
 /// Chords of curves stay within this part of the energy ellipsoid's largest semi-axis: 0.1 px in a 1080p
 /// picture.
 inline constexpr double kChordTolerance = 2e-4;
 
-/// Whether what is needed of the motion can be computed at t.
+/// Whether what is needed of the motion, and of those beside it, can be computed at t.
 bool is_computable(const SceneModel& model, double t_s);
 
 /// The motion by the method that the scene names, or by the default one, and the parts asked for. Its cost is

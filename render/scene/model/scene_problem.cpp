@@ -78,9 +78,10 @@ Scene completed(Scene scene) {
   if (facts_of(*motion.method).control == StepControl::adaptive)
     motion.tolerance = motion.tolerance.value_or(kDefaultTolerance);
   scene.rate = shown_rate(scene);
-  scene.duration_s = span_s(scene);
+  if (scene.beside.empty()) scene.duration_s = span_s(scene);  // else each has its own
   scene.still_s = still_time_s(scene);
   scene.meters = shown_meters(scene);
+  for (Scene& other : scene.beside) other = completed(std::move(other));
   return scene;
 }
 

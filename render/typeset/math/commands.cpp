@@ -463,6 +463,7 @@ constexpr Amount kAmounts[] = {
     {"term", Action::term},
     {"proved", Action::proved},
     {"live", Action::live},
+    {"value", Action::value},
     {"tag", Action::tag},
     {"eqref", Action::reference},
     {"boxed", Action::box},

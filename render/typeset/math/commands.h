@@ -42,6 +42,7 @@ struct MathCommand {
     term,
     proved,
     live,
+    value,
     tag,
     reference,
     cancel,  ///< `character`

@@ -26,13 +26,26 @@ struct MathMacro {
 };
 using MathMacros = std::map<std::string, MathMacro, std::less<>>;
 
-/// \live{expression}: a number that whoever shows the formula puts in.
+/// \live[digits=3, unit={rad/s}]{expression}: a number that whoever shows the formula puts in; and
+/// \value[unit={s}]{0.75}{expression}: one that is shown as it is typed, and is to be that of the expression.
 struct LiveNumber {
   std::string expression;  ///< as it is written
   std::size_t offset = 0;  ///< byte where it begins
+  int digits = 0;          ///< significant ones, up to kMaxLiveDigits; 0: not said
+  std::string unit{};      ///< as it is written; set behind the number
+  std::size_t unit_offset = 0;
+  std::string typed{};  ///< of \value: "-0.75", "2.25e4"; empty: \live
+  std::size_t typed_offset = 0;
+  SourceSpan whole{};  ///< with its command
+  int id = -1;         ///< for whoever keeps the formula: which number it is of all that are kept
 };
-/// What holds its room when it is set; its glyphs have the name live_name(index in Math::live).
+inline constexpr int kMaxLiveDigits = 15;
+/// The unit behind a number, as TeX: upright after a thin space, its powers raised; a degree is ° and close
+/// to the number, "1" is nothing.
+std::string unit_tex(std::string unit);
+/// What stands in its place until a number is put in.
 inline constexpr std::string_view kLiveRoom = "−0.00";
+/// The name of a number's term in a formula: that of its index in Math::live.
 std::string live_name(std::size_t index);
 
 /// \eqref{id}: shows the number of another formula.
@@ -66,6 +79,15 @@ struct ShownReference {
 };
 /// The formula with "(number)" for each reference whose id is known; before that all show "(?)".
 Math with_references(const Math& math, const std::map<std::string, ShownReference>& shown);
+
+/// What is put in for a number.
+struct ShownNumber {
+  Math number;
+  std::string name{};  ///< of its glyphs (DisplayList::names); empty: none
+};
+/// The formula with these in the place of its \live numbers, one for each of Math::live; those of \value
+/// stay.
+Math with_numbers(const Math& math, const std::vector<ShownNumber>& shown);
 
 /// A symbol of a lesson: wherever its formula stands, it has its colour and its name.
 struct MathSymbol {

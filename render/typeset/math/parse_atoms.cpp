@@ -32,6 +32,10 @@ void MathParser::item(std::vector<MathNode>& into) {
       case Action::nothing:
         static_cast<void>(tokens_.next());
         return;
+      case Action::live:
+      case Action::value:
+        static_cast<void>(tokens_.next());
+        return computed_number(token, *command, into);
       case Action::line:
         return tokens_.error(tokens_.next(), "\\hline stands outside of an array", "at the start of a row");
       default:
@@ -140,7 +144,12 @@ MathNode MathParser::command(const Token& token) {
     case Action::proved:
       return proved_part(token);
     case Action::live:
-      return live_number(token);
+    case Action::value: {
+      MathNode made = node_of(Kind::row, token.span);
+      computed_number(token, *known, made.children);
+      finish(made);
+      return made;
+    }
     case Action::reference:
       return reference(token);
     case Action::arrow:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Commands that take arguments.
 #include "base/spelling.h"
+#include "base/utf8.h"
 #include "render/typeset/characters.h"
 #include "render/typeset/math/parser.h"
 
@@ -342,18 +343,178 @@ void MathParser::color_of_rest(std::vector<MathNode>& into) {
   into.push_back(std::move(made));
 }
 
-MathNode MathParser::live_number(const Token& token) {
-  std::size_t offset = token.span.begin;
-  auto expression = plain_argument(token, "\\live{…}", &offset);
-  if (!expression) return {};
-  MathNode room = node_of(Kind::text, token.span);
-  room.text = kLiveRoom;
-  room.sources.assign(5, token.span);  // one for each of its characters
+std::optional<std::vector<MathParser::Option>> MathParser::options(const Token& command,
+                                                                   const std::string& usage) {
+  std::vector<Option> all;
+  if (!tokens_.peek().is(U'[')) return all;
+  const Token opening = tokens_.next();
+  if (tokens_.peek().is(U']')) {
+    tokens_.next();
+    return all;
+  }
+  Option option;
+  bool in_value = false;
+  int depth = 0;
+  const auto end_option = [&] {
+    option.name = trimmed(std::move(option.name));
+    option.value = trimmed(std::move(option.value));
+    if (!in_value) option.value_at = option.at;
+    all.push_back(std::move(option));
+    option = {};
+    in_value = false;
+  };
+  for (Token t = tokens_.peek_raw(); depth > 0 || !t.is(U']'); t = tokens_.peek_raw()) {
+    const bool is_text = t.kind == Token::Kind::character || t.kind == Token::Kind::space;
+    if (t.kind == Token::Kind::open || (t.kind == Token::Kind::close && depth > 0)) {
+      depth += t.kind == Token::Kind::open ? 1 : -1;
+    } else if (!is_text) {
+      tokens_.error(opening, "the options of " + written(command) + " are text that ends with ]", usage);
+      return std::nullopt;
+    } else if (depth == 0 && t.is(U',')) {
+      end_option();
+    } else if (depth == 0 && t.is(U'=') && !in_value) {
+      in_value = true;
+    } else if (t.kind == Token::Kind::character || in_value || !option.name.empty()) {
+      std::string& into = in_value ? option.value : option.name;
+      if (into.empty()) (in_value ? option.value_at : option.at) = t;
+      if (t.kind == Token::Kind::character || !into.empty()) append_utf8(into, t.character);
+    }
+    static_cast<void>(tokens_.next_raw());
+    if (option.at.span.end == 0) option.at = t;
+    if (in_value && option.value_at.span.end == 0) option.value_at = t;
+  }
+  static_cast<void>(tokens_.next_raw());
+  end_option();
+  return all;
+}
+
+void MathParser::read_options(const std::vector<Option>& options, bool has_digits, LiveNumber& number) {
+  static const std::vector<std::string_view> kNames{"digits", "unit"};
+  std::vector<std::string_view> seen;
+  for (const Option& option : options) {
+    const bool is_digits = option.name == "digits" && has_digits, is_unit = option.name == "unit";
+    if (option.name == "digits" && !has_digits) {
+      tokens_.error(option.at, "a number that is typed has the digits that it has", "leave out \"digits\"");
+    } else if (!is_digits && !is_unit) {
+      const std::string near = closest_name(option.name, kNames);
+      tokens_.error(
+          option.at, "unknown option \"" + option.name + "\"",
+          near.empty() ? "the options are digits=3 and unit={rad/s}" : "did you mean " + near + "?");
+    } else if (std::find(seen.begin(), seen.end(), option.name) != seen.end()) {
+      tokens_.error(option.at, "the option " + option.name + " is there twice", "leave one out");
+    } else if (is_digits) {
+      const bool is_count = option.value.size() <= 2 && !option.value.empty() &&
+                            option.value.find_first_not_of("0123456789") == std::string::npos;
+      number.digits = is_count ? std::stoi(option.value) : 0;
+      if (number.digits < 1 || number.digits > kMaxLiveDigits)
+        tokens_.error(option.value_at, "digits is a whole number from 1 to " + std::to_string(kMaxLiveDigits),
+                      "\\live[digits=3]{…}");
+    } else if (option.value.empty()) {
+      tokens_.error(option.value_at, "this unit is empty", "unit={rad/s}, or leave it out");
+    } else {
+      number.unit = option.value;
+      number.unit_offset = option.value_at.span.begin;
+    }
+    seen.push_back(option.name);
+  }
+}
+
+namespace {
+
+/// "-0.75", "2.25e4" of what is typed as −0.75, or 2.25\cdot10^{4}; thin spaces may part its digits.
+std::optional<std::string> typed_number(const MathNode& node) {
+  const MathNode& inner = without_groups(node);
+  const std::vector<MathNode> one{inner};
+  std::string text;
+  bool has_point = false, has_digits = false, ended = false;
+  const std::vector<MathNode>& atoms = inner.kind == MathNode::Kind::row ? inner.children : one;
+  for (std::size_t i = 0; i < atoms.size(); ++i) {
+    const MathNode& atom = atoms[i];
+    const char32_t c = atom.kind == MathNode::Kind::symbol ? atom.character : 0;
+    if (atom.kind == MathNode::Kind::space) continue;
+    if (ended) return std::nullopt;
+    if (text.empty() && (c == U'−' || c == U'+')) {
+      text += c == U'−' ? '-' : '+';
+    } else if (U'0' <= c && c <= U'9') {
+      text += static_cast<char>(c);
+      has_digits = true;
+    } else if (c == U'.' && !has_point) {
+      text += '.';
+      has_point = true;
+    } else if ((c == U'⋅' || c == U'×') && has_digits && i + 3 == atoms.size() &&
+               atoms[i + 1].character == U'1' && atoms[i + 2].kind == MathNode::Kind::scripts &&
+               atoms[i + 2].children[0].character == U'0' && atoms[i + 2].children[1].absent()) {
+      const auto power = typed_number(atoms[i + 2].children[2]);
+      if (!power || power->size() > 4 || power->find_first_of(".e") != std::string::npos) return std::nullopt;
+      text += 'e' + *power;
+      i += 2;
+      ended = true;
+    } else {
+      return std::nullopt;
+    }
+  }
+  constexpr std::size_t kLongest = 40;
+  if (!has_digits || text.size() > kLongest) return std::nullopt;
+  return text;
+}
+
+/// A unit as it stands behind a number: upright, with its powers raised.
+std::string shown_unit(std::string unit) {
+  for (const auto& [written, raised] : {std::pair("^2", "²"), std::pair("^3", "³"), std::pair("^4", "⁴")})
+    for (std::size_t at = unit.find(written); at != std::string::npos; at = unit.find(written, at))
+      unit.replace(at, 2, raised);
+  return unit == "1" ? std::string() : unit == "deg" ? "°" : unit;
+}
+
+}  // namespace
+
+std::string unit_tex(std::string unit) {
+  const std::string shown = shown_unit(std::move(unit));
+  return shown.empty() ? shown : (shown == "°" ? "\\text{" : "\\,\\text{") + shown + '}';
+}
+
+void MathParser::computed_number(const Token& token, const MathCommand& command,
+                                 std::vector<MathNode>& into) {
+  const bool is_typed = command.action == Action::value;
+  const std::string usage = is_typed ? "\\value{0.75}{…}" : "\\live{…}";
+  LiveNumber number;
+  const auto given = options(token, usage);
+  if (!given) return;
+  read_options(*given, !is_typed, number);
   MathNode made = node_of(Kind::term, token.span);
   made.text = live_name(live_.size());
-  made.children.push_back(std::move(room));
-  live_.push_back({std::move(*expression), offset});
-  return made;
+  if (is_typed) {
+    const Token at = tokens_.peek();
+    MathNode typed = argument(token, usage);
+    if (tokens_.stopped()) return;
+    auto read = typed_number(typed);
+    if (!read)
+      tokens_.error(at, "\\value shows a number as it is typed, such as 0.75, −12 or 2.25\\cdot10^{4}",
+                    usage);
+    number.typed = std::move(read).value_or("0");
+    number.typed_offset = at.span.begin;
+    made.children.push_back(std::move(typed));
+  } else {
+    MathNode room = node_of(Kind::text, token.span);
+    room.text = kLiveRoom;
+    room.sources.assign(5, token.span);  // one for each of its characters
+    made.children.push_back(std::move(room));
+  }
+  auto expression = plain_argument(token, usage, &number.offset);
+  if (!expression) return;
+  number.expression = std::move(*expression);
+  number.whole = {token.span.begin, std::max(token.span.end, last_end_)};
+  made.span = number.whole;
+  const std::string unit = shown_unit(number.unit);
+  live_.push_back(std::move(number));
+  into.push_back(std::move(made));
+  if (unit.empty()) return;
+  constexpr double kThinSpace = 1.0 / 6.0;
+  if (unit != "°") into.push_back(space(token, kThinSpace));
+  MathNode behind = node_of(Kind::text, token.span);
+  behind.text = unit;
+  behind.sources.assign(static_cast<std::size_t>(count_characters(unit)), token.span);
+  into.push_back(std::move(behind));
 }
 
 MathNode MathParser::reference(const Token& token) {

@@ -128,7 +128,15 @@ class MathParser {
   void color_of_rest(std::vector<MathNode>& into);
   MathNode term(const Token& token);
   MathNode proved_part(const Token& token);
-  MathNode live_number(const Token& token);
+  /// name=value of […], where a value may stand in braces. Nothing, and an error, where they are not read.
+  struct Option {
+    std::string name, value;
+    Token at, value_at;
+  };
+  std::optional<std::vector<Option>> options(const Token& command, const std::string& usage);
+  void read_options(const std::vector<Option>& options, bool has_digits, LiveNumber& number);
+  /// \live and \value, with the unit behind the number.
+  void computed_number(const Token& token, const MathCommand& command, std::vector<MathNode>& into);
   MathNode reference(const Token& token);
   void tag();
   /// Accents, bars, braces, boxes and what else does something to one argument.

@@ -184,7 +184,7 @@ class FormulaSpeaker {
       case Kind::symbol:
         return symbol(n);
       case Kind::text:
-        return word(n.text == kLiveRoom ? "its value now" : n.text);
+        return word(n.text == kLiveRoom ? "its value now" : n.text == "°" ? "degrees" : n.text);
       case Kind::scripts:
         return scripts(n);
       case Kind::fraction:

@@ -25,7 +25,31 @@ void show_references(MathNode& node, const std::map<std::string, ShownReference>
   number.sources.assign(static_cast<std::size_t>(count_characters(number.text)), node.span);
 }
 
+void put_numbers(MathNode& node, const Math& math, const std::vector<ShownNumber>& shown) {
+  for (std::size_t i = 0; node.kind == Kind::term && i < math.live.size(); ++i) {
+    if (node.text != live_name(i)) continue;
+    if (math.live[i].typed.empty() && shown[i].number.root) {
+      MathNode number = *shown[i].number.root;
+      number.span = node.span;
+      node.children = {std::move(number)};
+    }
+    node.text = shown[i].name;
+    if (node.text.empty()) node.kind = Kind::row;
+    return;
+  }
+  for (MathNode& child : node.children) put_numbers(child, math, shown);
+}
+
 }  // namespace
+
+Math with_numbers(const Math& math, const std::vector<ShownNumber>& shown) {
+  if (!math.root || math.live.empty()) return math;
+  auto root = std::make_shared<MathNode>(*math.root);
+  put_numbers(*root, math, shown);
+  Math made = math;
+  made.root = std::move(root);
+  return made;
+}
 
 Math with_references(const Math& math, const std::map<std::string, ShownReference>& shown) {
   if (!math.root) return math;

@@ -73,5 +73,23 @@ TEST(AltText, NamesNothingThatIsNotDrawn) {  // 2026-11-21: it named the plane o
   EXPECT_EQ(alt_text(scene, "", Vec3(0, 0, 1), 0.0).find("plane"), std::string::npos);
 }
 
+TEST(AltText, ScenesSideBySideAreSaidInTurn) {
+  Scene first = rolling();
+  first.w0_B = {0, 0, 2};
+  Scene other = first;
+  other.w0_B = {3, 0, 0};
+  other.views = {View::body};
+  first.beside = {other};
+  const std::string text = alt_text(make_model(first), {"Left", "Right"}, 0.5);
+  EXPECT_THAT(text, testing::StartsWith("Scene 1 of 2, side by side. Seen from space: "));
+  EXPECT_THAT(text, HasSubstr("Left. "));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "the body turns at 2 rad/s, with ω along L. Scene 2 of 2, side by side. Seen from the body: "));
+  EXPECT_THAT(text, HasSubstr("Right. "));
+  EXPECT_THAT(text, testing::EndsWith("the body turns at 3 rad/s, with ω along L."));
+}
+
 }  // namespace
 }  // namespace polhode

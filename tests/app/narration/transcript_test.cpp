@@ -104,6 +104,54 @@ TEST(SpeechText, SaysAQuantityAndItsSymbolOnce) {
   EXPECT_EQ(spoken_prose("In $S$ $S$ is"), "In S S is");
 }
 
+constexpr const char* kNumbers = R"(+++
+format = 1
+id = "numbers"
+title = "Numbers"
+[body.spun]
+moments = [1.5, 1.5, 2]
+[scene]
+body = "spun"
+omega = [0, 0, 3]
+torque = "body:0,0,2"
+at = 1
++++
+# A stage {one}
+It spins at $\live[unit={rad/s}]{w3}$, once at $\value{3}{w3 - 1}$.
+
+| time | spin |
+|------|-----:|
+| now  | $\live{w3}$ |
+| | $-\omega_3$ |
+```scene
+caption = 'Spin $\live{w3}$'
+```
+
+---
+
+Later.
+```scene
+at = 2
+```
+)";
+
+// dω3/dt = 1 rad/s²: 4 rad/s at the still of the first step, 5 at that of the second.
+TEST(Transcript, HasTheNumbersOfTheStills) {
+  LessonReading reading = check_lesson(kNumbers, "numbers.md");
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+  const std::string text = transcript_of(*reading.lesson, {});
+  EXPECT_THAT(text, HasSubstr("\nIt spins at 4.00 rad/s, once at 3.\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "\nTable with the columns time, spin.\n  time: now; spin: 4.00.\n  spin: minus omega sub 3.\n"));
+  EXPECT_THAT(text, HasSubstr("Figure: Spin 4.00\n"));
+  const SpeechText speech(*reading.lesson);
+  EXPECT_EQ(speech.words_of_figure(reading.lesson->stages[0].steps[0]).at(0).caption, "Spin 4.00");
+  EXPECT_EQ(speech.words_of_figure(reading.lesson->stages[0].steps[1]).at(0).caption, "Spin 5.00")
+      << "the caption goes on, the scene too";
+}
+
 std::size_t widest(const std::string& text) {
   std::size_t most = 0, line = 0;
   for (char c : text) {
@@ -176,6 +224,31 @@ TEST(Transcript, HasFootnotesCallOutsAndWhatIsCited) {
   EXPECT_THAT(text, Not(HasSubstr("Goldstein"))) << "it is not cited";
   EXPECT_THAT(SpeechText(*reading.lesson).words_of_page(reading.lesson->stages[0], 1, 1),
               HasSubstr("¹ Not all."));
+}
+
+std::string told(const std::string& scene) {
+  const std::string text =
+      "+++\nformat = 1\nid = 'a'\ntitle = 'A'\n+++\n# S {s}\n\n```scene\n" + scene + "\n```\n";
+  LessonReading reading = check_lesson(text, "a.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return transcript_of(*reading.lesson, {});
+}
+
+TEST(Transcript, ScenesSideBySideHaveALineEachUnlessTheirCaptionIsOne) {
+  const std::string own = told("scenes = [{ caption = 'slow' }, {}, { caption = 'fast' }]");
+  EXPECT_THAT(own, HasSubstr("\nFigure 1 of 3: slow\n"));
+  EXPECT_THAT(own, HasSubstr("\nFigure 3 of 3: fast\n"));
+  EXPECT_THAT(own, Not(HasSubstr("2 of 3")));
+  const std::string common = told("caption = 'both'\nscenes = [{}, { omega = [0, 0, 1] }]");
+  EXPECT_THAT(common, HasSubstr("\nFigure: both\n"));
+  EXPECT_THAT(common, Not(HasSubstr("of 2")));
+}
+
+TEST(Transcript, TheRangeOfWhatIsVariedIsSaid) {
+  const std::string text =
+      told("caption = 'faster'\nomega = [0, 0.1, 3]\nvary = { omega3 = { from = 1, to = 9 } }");
+  EXPECT_THAT(text, HasSubstr("\nFigure: faster\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("\nVaried: .* from 1 to 9 rad/s\n"));
 }
 
 }  // namespace

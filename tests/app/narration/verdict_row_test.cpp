@@ -27,7 +27,7 @@ Claim claim_of(const std::string& text, ClaimKind kind) {
   EXPECT_FALSE(report.has_errors()) << text;
   for (ClaimLine& line : claim.lines) {
     line.judgement = judge(line, kind, Prover());
-    line.tex = tex_of(line);
+    line.tex = tex_of(line, kind);
   }
   return claim;
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace polhode {
 namespace {
@@ -78,6 +79,61 @@ TEST(FigurePlace, PaintsTheGroundThatItIsGiven) {
   const PlacedFigure figure = place_figure(model, 0.0, place, fonts());
   ASSERT_EQ(figure.sheet.shapes.size(), shapes + 1);
   EXPECT_EQ(std::get<Area>(figure.sheet.shapes[0]).color, *place.ground);
+}
+
+/// Two scenes beside the first.
+Scene three_scenes(const OverlaySet& show) {
+  Scene first = scene_of(show);
+  first.beside = {scene_of(show), scene_of(show)};
+  return first;
+}
+
+TEST(FigurePlace, ScenesSideBySideShareThePlace) {
+  for (const Size& size : kSizes) {
+    const PlacedFigure figure = placed(three_scenes({Overlay::omega}), size);
+    ASSERT_EQ(figure.insets.size(), 3u);
+    const PixelBox whole = box_of(place_of(size).rect);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const PixelBox space = box_of(figure.insets[i].place);
+      EXPECT_EQ(space.overlap(whole), space.width() * space.height());
+      EXPECT_NEAR(space.width() * space.height(), whole.width() * whole.height() / 3,
+                  0.1 * whole.width() * whole.height())
+          << "but for the caption";
+      for (std::size_t k = 0; k < i; ++k) EXPECT_EQ(space.overlap(box_of(figure.insets[k].place)), 0.0);
+      EXPECT_TRUE(figure.insets[i].figure.caption.empty()) << "all have it: it stands once below them";
+    }
+    EXPECT_EQ(texts_of(figure.sheet, "A caption").size(), 1u);
+    EXPECT_EQ(figure.insets[0].place.x == figure.insets[2].place.x, size.width < size.height)
+        << "beside each other where it is wide, below where it is high";
+  }
+}
+
+TEST(FigurePlace, EachSceneHasItsOwnCaptionViewsAndBoards) {
+  Scene first = three_scenes({Overlay::omega});
+  first.beside[0].caption = "Another";
+  first.beside[0].views = {View::space, View::body};
+  first.beside[1].show = {Overlay::energy_rows};
+  const PlacedFigure figure = placed(first, {900, 500});
+  ASSERT_EQ(figure.insets.size(), 2u);
+  EXPECT_EQ(figure.insets[0].figure.caption, "A caption");
+  EXPECT_EQ(figure.insets[1].figure.caption, "Another");
+  EXPECT_EQ(figure.insets[0].figure.panes.size(), 1u);
+  EXPECT_EQ(figure.insets[1].figure.panes.size(), 2u);
+  EXPECT_EQ(texts_of(figure.sheet, "A caption").size(), 1u) << "of the boards";
+}
+
+TEST(FigurePlace, TheFirstInsetIsTheModelsOwnWhereverItStands) {
+  Scene first = three_scenes({Overlay::omega});
+  first.before = 1;
+  const std::array labels = {"a", "b", "c"};
+  first.label = labels[1];
+  first.beside[0].label = labels[0];
+  first.beside[1].label = labels[2];
+  const PlacedFigure figure = placed(first, {900, 300});
+  ASSERT_EQ(figure.insets.size(), 3u);
+  EXPECT_EQ(figure.insets[0].figure.caption, "b");
+  EXPECT_LT(figure.insets[1].place.x, figure.insets[0].place.x);
+  EXPECT_GT(figure.insets[2].place.x, figure.insets[0].place.x);
 }
 
 }  // namespace

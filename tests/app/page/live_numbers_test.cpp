@@ -1,53 +1,116 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/live_numbers.h"
 
+#include "app/narration/still_numbers.h"
 #include "app/page/loaded_lesson.h"
-#include "app/page/still_numbers.h"
 #include "lessons/claims/live_claims.h"
 #include "render/typeset/paragraph.h"
 #include "tests/app/page/sheet_checks.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace polhode {
 namespace {
 
-TEST(LiveNumber, HasThreeDigits) {
-  EXPECT_EQ(live_number_text(0), "0");
-  EXPECT_EQ(live_number_text(2.4725), "2.47");
-  EXPECT_EQ(live_number_text(-5.194), "−5.19");
-  EXPECT_EQ(live_number_text(0.76), "0.760");
-  EXPECT_EQ(live_number_text(0.01234), "0.0123");
-  EXPECT_EQ(live_number_text(0.001234), "1.23${\\cdot}10^{-3}$");
-  EXPECT_EQ(live_number_text(181196.5), "1.81${\\cdot}10^{5}$");
-  EXPECT_EQ(live_number_text(-6.62607e-34), "−6.63${\\cdot}10^{-34}$");
+constexpr const char* kTop = R"(+++
+format = 1
+id = "top"
+title = "Top"
+[body.spun]
+moments = [1.5, 1.5, 2]
+[scene]
+body = "spun"
+omega = [0, 0, 3]
+torque = "body:0,0,2"
+duration = 40
++++
+# A {a}
+The spin is $\omega_3 = \live[unit={rad/s}]{w3}$, as it was.
+
+| a | b |
+|---|--:|
+| c | $\live{w3}$ |
+```scene
+show = ["omega"]
+caption = 'Spin $\live[digits=2, unit={rad/s}]{w3}$ now, \$'
+```
+)";
+
+Lesson lesson_of(const char* text) {
+  LessonReading reading = check_lesson(text, "numbers.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return std::move(*reading.lesson);
 }
 
-// What is counted in thousands is not cut to one digit.
-TEST(LiveNumber, ShowsWholeNumbersUpToFiveDigits) {
-  EXPECT_EQ(live_number_text(9999), "9999");
-  EXPECT_EQ(live_number_text(10000), "10000");
-  EXPECT_EQ(live_number_text(22500), "22500");
+const Lesson& top() {
+  static const Lesson kRead = lesson_of(kTop);
+  return kRead;
 }
 
-TEST(LiveNumber, RoundsIntoTheNextDecade) {
-  EXPECT_EQ(live_number_text(9.999), "10.0");
-  EXPECT_EQ(live_number_text(999.9), "1000");
-  EXPECT_EQ(live_number_text(0.009999), "0.0100");
-  EXPECT_EQ(live_number_text(999999), "1.00${\\cdot}10^{6}$");
+DisplayList set_alone(const std::string& tex, double size) {
+  MathStyle style;
+  style.size = size;
+  return set_math(parse_math(tex).value(), style, test_fonts()).value();
 }
 
-TEST(LiveNumber, StaysInItsRoom) {
-  const LiveRoom room{.index = 0, .at = {10, 20}, .size = 24, .color = {}};
+TEST(PageNumbers, ThatStandStillArePutIntoTheFormula) {
+  PageNumbers numbers(top(), test_fonts());
+  numbers.keep(0, 3.0);
+  numbers.keep(1, std::nullopt);
+  const auto& prose = std::get<Prose>(top().stages[0].steps[0].blocks[0]);
   TextStyle style;
-  style.size = room.size;
-  const double width = set_line(std::string(kLiveRoom), style, test_fonts()).width;
-  for (const double value : {2.5, -2.5, 0.0123, 22500.0, -22500.0, 181196.5, -6.6e-34}) {
-    const PlacedType number = live_number_in(room, value, test_fonts());
-    EXPECT_LE(number.list.width, width * (1 + 1e-3)) << value << ": glyphs are set on their own grid";
-    EXPECT_EQ(number.at, room.at);
+  DisplayList list = set_text(numbers.put_into(prose.text), style, test_fonts()).value();
+  EXPECT_TRUE(numbers.take_rooms(list).empty());
+  const Math& formula = prose.text.front().spans.at(1).math;
+  MathStyle math;
+  math.size = style.size;
+  EXPECT_EQ(letters_of(set_math(numbers.put_into(formula), math, test_fonts()).value()),
+            letters_of(set_alone("\\omega_3 = 3.00\\,\\text{rad/s}", style.size)));
+}
+
+// The room is that of the widest; the number stands at its right end, and nothing behind it moves.
+TEST(PageNumbers, ThatRunHaveTheRoomOfTheWidest) {
+  PageNumbers numbers(top(), test_fonts());
+  numbers.run(0, {3.0, 23.0, -43.0});
+  const Math& formula = std::get<Prose>(top().stages[0].steps[0].blocks[0]).text.front().spans.at(1).math;
+  MathStyle math;
+  math.size = 24;
+  DisplayList list = set_math(numbers.put_into(formula), math, test_fonts()).value();
+  const double whole = list.width;
+  const std::vector<LiveRoom> rooms = numbers.take_rooms(list);
+  ASSERT_EQ(rooms.size(), 1u);
+  EXPECT_EQ(rooms[0].id, 0);
+  EXPECT_NEAR(whole, set_alone("\\omega_3 = -43.0\\,\\text{rad/s}", 24).width, 1e-9);
+  const double kGrid = 1e-3 * math.size;  // glyphs are set on their own grid
+  EXPECT_NEAR(rooms[0].width, set_alone("-43.0", 24).width, kGrid);
+  for (const double value : {3.0, 23.0, -43.0, 1e6, -1e9}) {
+    const PlacedType number = live_number_in(rooms[0], top().numbers[0], value, test_fonts());
+    EXPECT_NEAR(number.at.x() + number.list.width, rooms[0].at.x() + rooms[0].width, kGrid) << value;
+    EXPECT_LE(number.list.width, rooms[0].width + kGrid) << value;
+    EXPECT_EQ(number.at.y(), rooms[0].at.y());
   }
-  EXPECT_GT(live_number_in(room, std::nullopt, test_fonts()).list.width, 0) << "dots";
+  EXPECT_GT(live_number_in(rooms[0], top().numbers[0], std::nullopt, test_fonts()).list.width, 0) << "dots";
+}
+
+TEST(PageNumbers, TakeTheirRoomFromTheScenesInterval) {
+  const SceneModel model = make_model(*top().stages[0].steps[0].scene, Product::page);
+  const auto values = values_over(model, top(), {0});
+  // dω3/dt = 1 rad/s² from 3 rad/s on, for 40 s.
+  EXPECT_NEAR(*std::min_element(values.at(0).begin(), values.at(0).end()), 3, 1e-6);
+  EXPECT_NEAR(*std::max_element(values.at(0).begin(), values.at(0).end()), 43, 1e-6);
+}
+
+TEST(Captions, HaveTheirNumbers) {
+  const Step& step = top().stages[0].steps[0];
+  const SceneModel model = make_model(*step.scene, Product::page);
+  EXPECT_EQ(captions_at(top(), step, model, 0).at(0), "Spin ${3.0}\\,\\text{rad/s}$ now, \\$");
+  EXPECT_EQ(captions_at(top(), step, model, 9.2).at(0), "Spin ${12}\\,\\text{rad/s}$ now, \\$");
+  const LongestNumbers longest = longest_in_captions(top(), step, model);
+  EXPECT_EQ(longest.at(2), "3.0");
+  EXPECT_EQ(captions_at(top(), step, model, 9.2, longest).at(0),
+            "Spin $\\hphantom{3}{12}\\,\\text{rad/s}$ now, \\$");
 }
 
 // Of the step's own scene as it is: the plane has L point down, against v.
@@ -70,12 +133,12 @@ show = ["plane", "omega"]
                                              "still.md");
   ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
   const Step& step = reading.lesson->stages[0].steps[0];
-  const Expression& number = blocks_of<Equation>(step).front()->live.front();
+  const ComputedNumber& number = reading.lesson->numbers.at(0);
   const auto page = live_state(make_model(*step.scene, Product::page), 0);
   ASSERT_TRUE(page);
   StillNumbers numbers;
-  EXPECT_EQ(numbers.of(step).at(&number), live_number(number, *page));
-  EXPECT_DOUBLE_EQ(numbers.of(step).at(&number), -5.0);
+  EXPECT_EQ(numbers.of(*reading.lesson, step).at(0), value_of(number, *page));
+  EXPECT_DOUBLE_EQ(numbers.of(*reading.lesson, step).at(0), -5.0);
 }
 
 }  // namespace

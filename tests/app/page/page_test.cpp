@@ -79,6 +79,15 @@ bool stands_in_a_gap_of(const PlacedType& formula, const PlacedType& number) {
   });
 }
 
+/// Those that the page's step adds.
+PageNumbers numbers_at(const PageRequest& request) {
+  PageNumbers numbers(request.lesson, test_fonts());
+  const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
+  for (const int id : numbers_in(request.stage.steps[static_cast<std::size_t>(request.step - 1)]))
+    if (live) numbers.keep(id, value_of(request.lesson.numbers[static_cast<std::size_t>(id)], *live));
+  return numbers;
+}
+
 /// A page beside what it was asked for, and what it should say.
 class Checked {
  public:
@@ -86,7 +95,8 @@ class Checked {
       : request_(request),
         page_(compose_page(request, test_fonts()).value()),
         symbols_(symbols_of(request.lesson, request.theme)),
-        column_(page_.column.width(), page_.scale * em(), request.theme, symbols_, test_fonts()) {
+        numbers_(numbers_at(request)),
+        column_(page_.column.width(), page_.scale * em(), request.theme, symbols_, numbers_, test_fonts()) {
     for (const PlacedType* text : column_of(page_)) said_.insert(polhode::letters_of(text->list));
   }
 
@@ -240,6 +250,7 @@ class Checked {
   PageRequest request_;
   Page page_;
   std::vector<MathSymbol> symbols_;
+  PageNumbers numbers_;
   TextColumn column_;
   std::set<Letters> said_;
 };
@@ -484,16 +495,20 @@ TEST(Page, NumbersOfEarlierFormulasStayLive) {
   const Lesson lesson = lesson_of(
       "# A stage {one}\n```math e\na = \\live{2*T}\n```\n\n```scene\nshow = [\"shape\"]\n```\n---\nThen.\n");
   const SceneModel model = make_model(*lesson.stages[0].steps[1].scene, Product::page);
-  const auto texts_at = [&](int step) {
-    const Page page =
-        compose_page(
-            {.lesson = lesson, .stage = lesson.stages[0], .step = step, .model = &model, .size = {1024, 768}},
-            test_fonts())
-            .value();
+  const auto texts_at = [&](int step, bool runs) {
+    const Page page = compose_page({.lesson = lesson,
+                                    .stage = lesson.stages[0],
+                                    .step = step,
+                                    .model = &model,
+                                    .size = {1024, 768},
+                                    .runs = runs},
+                                   test_fonts())
+                          .value();
     return column_of(page).size();
   };
-  EXPECT_EQ(texts_at(1), 4u) << "header, title, formula and its number";
-  EXPECT_EQ(texts_at(2), 5u) << "and the words of the second step";
+  EXPECT_EQ(texts_at(1, true), 4u) << "header, title, formula and its number";
+  EXPECT_EQ(texts_at(2, true), 5u) << "and the words of the second step";
+  EXPECT_EQ(texts_at(1, false), 3u) << "on a still the number is in the formula";
 }
 
 // "T = 2.47 J" does not become the energy of the motion that a later step follows.
@@ -512,10 +527,11 @@ TEST(Page, NumbersOfEarlierFormulasStayWhatTheyWereWhereTheMotionIsAnother) {
                                     .size = {1024, 768}},
                                    test_fonts())
                           .value();
-    return letters_of(column_of(page).back()->list);  // values come last
+    // Behind header and title.
+    return letters_of(column_of(page)[2]->list);
   };
   const std::string two_T = fmt::format("{:.2f}", 0.81 + 1.75 * 0.16 + 2.5);
-  const auto expected = letters_of(set_line(two_T, {}, test_fonts()));
+  const auto expected = letters_of(set_line("$a = " + two_T + "$", {}, test_fonts()));
   EXPECT_EQ(number_on_last_page("show = [\"omega\"]"), expected);
   EXPECT_EQ(number_on_last_page("motion = { method = \"explicit-euler\", step = 0.2 }"), expected);
   EXPECT_EQ(number_on_last_page("omega = [0, 0, 9]"), expected);

@@ -72,7 +72,7 @@ class Column : public testing::TestWithParam<Sizes> {
  protected:
   double width() const { return GetParam().width; }
   double em() const { return GetParam().em; }
-  TextColumn column() const { return {width(), em(), Theme::paper, symbols_, test_fonts()}; }
+  TextColumn column() const { return {width(), em(), Theme::paper, symbols_, numbers_, test_fonts()}; }
   const PageColors& colors() const { return colors_of(Theme::paper); }
 
   std::vector<ColumnPiece> all() const {
@@ -91,6 +91,7 @@ class Column : public testing::TestWithParam<Sizes> {
   }
 
   std::vector<MathSymbol> symbols_ = symbols_of(lesson(), Theme::paper);
+  PageNumbers numbers_{lesson(), test_fonts()};
 };
 
 TEST_P(Column, PiecesKeepToTheirHeightAndTheColumn) {
@@ -150,6 +151,23 @@ TEST_P(Column, ATagStandsAtTheRightEdgeOnTheBaselineOfItsEquation) {
   EXPECT_EQ(piece.sheet.texts[0].at.y(), piece.sheet.texts[1].at.y());
   EXPECT_NEAR(piece.sheet.texts[0].at.x() + piece.sheet.texts[0].list.width, width(), 0.5);  // whole pixels
   EXPECT_EQ(column().equation(equations[2], Focus::none, {}).value().sheet.texts.size(), 1u);
+}
+
+TEST_P(Column, AnEarlierEquationKeepsTheKindOfItsClaimHoweverWideItIs) {
+  for (const Equation& equation : blocks_of<Equation>()) {
+    const ColumnPiece plain = column().earlier_equation(equation).value(),
+                      marked = column().earlier_equation(equation, "MEASURED").value();
+    ASSERT_EQ(marked.sheet.texts.size(), plain.sheet.texts.size() + 1);
+    EXPECT_EQ(*marked.formula, *plain.formula + 1);
+    const PlacedType &word = marked.sheet.texts.front(), &formula = marked.sheet.texts[*marked.formula];
+    const bool is_above = marked.height > plain.height;
+    EXPECT_EQ(formula.at.y() - word.at.y() > 0, is_above);
+    EXPECT_EQ(formula.at.x(), plain.sheet.texts[*plain.formula].at.x());
+    if (is_above)
+      EXPECT_LE(word.at.y() + word.list.depth, formula.at.y() - formula.list.ascent);
+    else
+      EXPECT_LT(word.at.x() + word.list.width, formula.at.x());
+  }
 }
 
 TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {
@@ -238,7 +256,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Column, testing::ValuesIn(kSizes));
 
 TEST(TextColumn, ALongEquationIsBrokenBeforeItIsSetSmaller) {
   const std::vector<MathSymbol> none;
-  const TextColumn column(651, 23.25, Theme::paper, none, test_fonts());
+  const PageNumbers numbers(lesson(), test_fonts());
+  const TextColumn column(651, 23.25, Theme::paper, none, numbers, test_fonts());
   const auto equations = blocks_of<Equation>();
   const auto size_of = [&](const Equation& e) {
     return column.equation(e, Focus::none, {}).value().sheet.texts.back().list.glyphs[0].size;
@@ -253,7 +272,8 @@ TEST(TextColumn, WhatTheFontsLackIsRefused) {
       "+++\nformat = 1\nid = \"c\"\ntitle = \"C\"\n+++\n# A {a}\nA word \xE6\xBC\xA2.\n", "c.md");
   ASSERT_TRUE(reading.lesson);
   const std::vector<MathSymbol> none;
-  const TextColumn column(651, 23.25, Theme::paper, none, test_fonts());
+  const PageNumbers numbers(*reading.lesson, test_fonts());
+  const TextColumn column(651, 23.25, Theme::paper, none, numbers, test_fonts());
   const auto prose = column.prose(std::get<Prose>(reading.lesson->stages[0].steps[0].blocks[0]).text);
   ASSERT_FALSE(prose);
   EXPECT_THAT(prose.error(), testing::HasSubstr("this text cannot be set"));

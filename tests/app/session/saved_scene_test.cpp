@@ -27,6 +27,7 @@ Scene shown_in(const LessonSession& session) {
   Scene scene = session.model()->scene;
   const double t_s = session.t_s();
   scene.still_s = t_s == scene.at_s ? std::nullopt : std::optional(t_s);
+  for (Scene& other : scene.beside) other.still_s = scene.still_s;
   return scene;
 }
 
@@ -196,7 +197,7 @@ TEST(SavedScene, DirectionsComeBackToTheBit) {
     scene.duration_s = std::abs(hand.number());
     scene.rate = 1.0 / 3;
     scene.caption = "It's $\\vec L$ \\ \"so\"";
-    scene.meters = std::vector<Meter>{Meter::momentum, Meter::omega};
+    scene.meters = std::vector<PlotSpec>{Meter::momentum, Meter::omega};
     const LessonReading reading = read_lesson(front + scene_keys_text(scene, 0) + "```\n", "x.md");
     ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
     EXPECT_TRUE(*reading.lesson->stages[0].steps[0].scene == scene) << scene_keys_text(scene, 0);
@@ -324,6 +325,41 @@ TEST(SavedScene, ATopComesBackToTheBit) {
             body, theta_deg, more)));
         expect_saved(session);
       }
+}
+
+std::shared_ptr<const LoadedLesson> lesson_of_scene(const std::string& front, const std::string& keys) {
+  const std::string text =
+      "+++\nformat = 1\nid = 'a'\ntitle = 'A'\n" + front + "+++\n# S {s}\n\n```scene\n" + keys + "\n```\n";
+  LessonReading reading = check_lesson(text, "a.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return std::make_shared<const LoadedLesson>(LoadedLesson{std::move(*reading.lesson), "a.md", ""});
+}
+
+TEST(SavedScene, ScenesSideBySideAreSavedWithTheirBodies) {
+  LessonSession session(
+      lesson_of_scene("[body.coin]\nmoments = [1, 1, 1.9]\ndraw = 'box'\n",
+                      "show = 'omega'\nscenes = [{ body = 'coin' }, { body = 'book', caption = 'b' }, "
+                      "{ body = 'coin', omega = [0, 0, 1], meters = 'omega' }]"));
+  expect_saved(session);
+  session.set_camera({.azimuth_rad = 1, .elevation_rad = 0.5});
+  session.scrub_to(0.5);
+  expect_saved(session);
+}
+
+TEST(SavedScene, ABodyThatHangsInOneSceneAndFliesInAnotherIsSavedAsTwo) {
+  LessonSession session(
+      lesson_of_scene("[body.top]\nmoments = [1, 1, 0.5]\nmass_kg = 1\npivot_m = [0, 0, 1]\n",
+                      "body = 'top'\nomega = [0, 0.1, 20]\nscenes = [{ torque = 'weight' }, {}]"));
+  const Step saved = saved_step(session);
+  EXPECT_EQ(saved.scene->body.moments, PrincipalMoments(2, 2, 0.5));
+  EXPECT_EQ(saved.scene->beside.at(0).body.moments, PrincipalMoments(1, 1, 0.5));
+}
+
+TEST(SavedScene, WhatWasVariedIsSavedAsItIs) {
+  LessonSession session(lesson_of_scene("", "omega = [0, 0, 3]\nvary = { omega3 = { from = 1, to = 9 } }"));
+  ASSERT_TRUE(session.vary(0, 5));
+  EXPECT_EQ(saved_step(session).scene->w0_B, Vec3(0, 0, 5));
+  expect_saved(session);
 }
 
 }  // namespace

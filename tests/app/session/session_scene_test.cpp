@@ -222,5 +222,65 @@ TEST(SessionScene, FollowingBeginsAndEndsWithoutAJump) {
   EXPECT_FALSE(session.is_following());
 }
 
+std::shared_ptr<const LoadedLesson> lesson_of_scene(const std::string& keys) {
+  const std::string text =
+      "+++\nformat = 1\nid = 'a'\ntitle = 'A'\n+++\n# S {s}\n\n```scene\n" + keys + "\n```\n";
+  LessonReading reading = check_lesson(text, "a.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return std::make_shared<const LoadedLesson>(LoadedLesson{std::move(*reading.lesson), "a.md", ""});
+}
+
+TEST(SessionScene, TurningOneCameraTurnsAllSideBySide) {
+  LessonSession session(lesson_of_scene(
+      "scenes = [{}, { omega = [0, 0, 1], camera = { azimuth_deg = 90, elevation_deg = 10 } }]"));
+  const CameraSpec own = session.lesson_scene().beside.at(0).camera;
+  EXPECT_EQ(session.model()->beside.at(0).scene.camera, own);
+  const CameraSpec turned = writable({.azimuth_rad = 1, .elevation_rad = 0.5});
+  session.set_camera(turned);
+  EXPECT_EQ(session.model()->scene.camera, turned);
+  EXPECT_EQ(session.model()->beside[0].scene.camera, turned);
+  session.set_camera(session.lesson_scene().camera);
+  EXPECT_EQ(session.model()->beside[0].scene.camera, own) << "put back";
+}
+
+TEST(SessionScene, WhatChangesTheMotionChangesTheFirstAlone) {
+  LessonSession session(lesson_of_scene("scenes = [{}, { omega = [0, 0, 1] }]"));
+  ASSERT_TRUE(session.set_edits({.w0_B = Vec3(1, 2, 3), .on = {Overlay::omega}, .views = {{View::body}}}));
+  EXPECT_EQ(session.model()->scene.w0_B, Vec3(1, 2, 3));
+  const Scene& other = session.model()->beside.at(0).scene;
+  EXPECT_EQ(other.w0_B, Vec3(0, 0, 1));
+  EXPECT_TRUE(other.show.contains(Overlay::omega));
+  EXPECT_THAT(other.views, ElementsAre(View::body));
+}
+
+TEST(SessionScene, ANumberIsVariedWhileTimeGoesOn) {
+  LessonSession session(lesson_of_scene("omega = [0, 0, 3]\nvary = { omega3 = { from = 1, to = 9 } }"));
+  EXPECT_TRUE(session.model()->beside.empty()) << "the slider stands for the filmstrip";
+  ASSERT_EQ(session.variations().size(), 1U);
+  EXPECT_EQ(session.variations()[0].value, 3);
+  session.scrub_to(0.25);
+  session.set_playing(true);
+  ASSERT_TRUE(session.vary(0, 5));
+  EXPECT_EQ(session.model()->motion->w_B_at(0.25), Vec3(0, 0, 5));
+  EXPECT_EQ(session.t_s(), 0.25);
+  EXPECT_TRUE(session.is_playing());
+  ASSERT_TRUE(session.vary(0, 50));
+  EXPECT_EQ(session.variations()[0].value, 9) << "not beyond the range";
+  EXPECT_FALSE(session.vary(1, 2).ok());
+  EXPECT_FALSE(session.vary(0, NAN).ok());
+  ASSERT_TRUE(session.vary(0, 3));
+  EXPECT_TRUE(session.edits().empty()) << "that of the lesson";
+  ASSERT_TRUE(session.vary(0, 4));
+  session.reset_edits();
+  EXPECT_EQ(session.variations()[0].value, 3);
+}
+
+TEST(SessionScene, ANumberThatCannotBeIsRefused) {
+  LessonSession session(lesson_of_scene("body = 'textbook'\nvary = { I1 = { from = 0.8, to = 1.2 } }"));
+  ASSERT_TRUE(session.vary(0, 1.2)) << "1.2 + 1.75 > 2.5";
+  ASSERT_TRUE(session.vary(0, 0.8));
+  EXPECT_EQ(session.model()->scene.body.moments, PrincipalMoments(0.8, 1.75, 2.5));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -455,5 +455,36 @@ TEST_F(ScreenTest, LinksAreFollowedByAClickAndByKeys) {
   EXPECT_EQ(session.place(), (Place{1, 1}));
 }
 
+TEST_F(ScreenTest, ASliderVariesANumberAndADoubleClickGivesItBack) {
+  LessonReading reading = check_lesson(
+      "+++\nformat = 1\nid = 'a'\ntitle = 'A'\n+++\n# S {s}\n\nText.\n\n```scene\nomega = [0, 0.1, 3]\n"
+      "show = ['shape', 'omega', 'trail-omega']\nvary = { omega3 = { from = 1, to = 9 } }\n```\n",
+      "a.md");
+  ASSERT_TRUE(reading.lesson);
+  session.replace_lesson(
+      std::make_shared<const LoadedLesson>(LoadedLesson{std::move(*reading.lesson), "a.md", ""}));
+  frame(3);
+  const auto value = [&] { return session.variations().at(0).value; };
+  const PixelBox at = screen->page().page().figure;
+  const double right = at.x0 + 265, middle = at.y0 + 30;  // near the end of the bar
+  click(right, middle);
+  EXPECT_GT(value(), 8);
+  EXPECT_EQ(session.model()->scene.w0_B[2], value());
+  const CameraSpec camera = session.camera();
+  frame(30);  // no double click of what follows
+  drag(right, middle, right - 100, middle);
+  EXPECT_LT(value(), 8);
+  EXPECT_GT(value(), 3);
+  EXPECT_EQ(session.camera(), camera) << "the slider has the mouse, not the figure";
+  frame(30);
+  click(right, middle);
+  click(right, middle);
+  EXPECT_EQ(value(), 3);
+  EXPECT_TRUE(screen->press(session, "]"));
+  EXPECT_NEAR(value(), 3 + 8.0 / 50, 1e-12);
+  EXPECT_TRUE(screen->press(session, "["));
+  EXPECT_NEAR(value(), 3, 1e-12);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -20,7 +20,9 @@ inline StateNumbers<FieldElement> random_numbers(std::uint64_t seed) {
   fill(n.q);
   fill(n.I);
   fill(n.J);
-  for (auto* vector : {&n.w, &n.dw, &n.v_S, &n.dv_S, &n.A_S, &n.dA_S, &n.N_B, &n.F_S}) fill(*vector);
+  for (auto* vector : {&n.w, &n.dw, &n.v_S, &n.dv_S, &n.A_S, &n.dA_S, &n.N_B, &n.F_S, &n.ddw, &n.ddv_S,
+                       &n.ddA_S, &n.dN_B, &n.dF_S})
+    fill(*vector);
   for (FieldElement* one : {&n.m, &n.h, &n.k})
     *one = FieldElement(static_cast<std::int64_t>(1 + random() % (kPrime - 1)));
   return n;
@@ -68,6 +70,12 @@ inline const std::vector<std::string>& example_expressions() {
       "ddt(norm2(cross(A, omega)))",
       "ddt(comp(p, 3))",
       "inertia(star(apply(J, omega))) - apply(J, ddt(L))",
+      "ddt(dw1) + N2*w1",
+      "ddt(ddt(L)) + ddt(N)",
+      "ddt(ddt(T)) - ddt(N3)*w3",
+      "star(star(A)) + star(ddt(v))",
+      "ddt(star(p)) - ddt(F)",
+      "dot(ddt(ddt(e3)), A)",
   };
   return all;
 }

@@ -18,24 +18,26 @@ using Field = FieldElement;
 TEST(ClaimState, TheAttitudeIsARotationWhateverTheLengthOfTheQuaternion) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     StateNumbers<Field> numbers = random_numbers(seed);
-    const auto R = attitude_matrix(turning(numbers.q, numbers.w));
+    const auto R = attitude_matrix(turning(numbers.q, numbers.w, numbers.dw));
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        Dual<Field> product;
+        Jet<Field> product;
         for (std::size_t n = 0; n < 3; ++n) product = product + R[i][n] * R[k][n];
         EXPECT_EQ(product.value, Field(i == k ? 1 : 0));
         EXPECT_EQ(product.rate, Field(0)) << "it stays one";
+        EXPECT_EQ(product.second, Field(0));
       }
     const auto minor = [&](std::size_t a, std::size_t b) { return R[1][a] * R[2][b] - R[1][b] * R[2][a]; };
     const auto determinant = R[0][0] * minor(1, 2) + R[0][1] * minor(2, 0) + R[0][2] * minor(0, 1);
     EXPECT_EQ(determinant.value, Field(1)) << "no reflection";
 
     for (Field& component : numbers.q) component = component * Field(-7);
-    const auto same = attitude_matrix(turning(numbers.q, numbers.w));
+    const auto same = attitude_matrix(turning(numbers.q, numbers.w, numbers.dw));
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k) {
         EXPECT_EQ(R[i][k].value, same[i][k].value);
         EXPECT_EQ(R[i][k].rate, same[i][k].rate);
+        EXPECT_EQ(R[i][k].second, same[i][k].second);
       }
   }
 }
@@ -43,7 +45,7 @@ TEST(ClaimState, TheAttitudeIsARotationWhateverTheLengthOfTheQuaternion) {
 // Ṙ = R [ω]×, the components of ω on the body axes.
 TEST(ClaimState, TheAttitudeTurnsWithOmega) {
   const StateNumbers<Field> n = random_numbers(9);
-  const auto R = attitude_matrix(turning(n.q, n.w));
+  const auto R = attitude_matrix(turning(n.q, n.w, n.dw));
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
@@ -71,10 +73,52 @@ TEST(ClaimState, AnAssumptionOverrulesTheNumbers) {
     EXPECT_EQ(any.A_S[i].rate, n.dA_S[i]);
     EXPECT_EQ(motion.w_B[i].rate, balanced[i]);
     EXPECT_EQ(n.m * motion.v_S[i].rate, n.F_S[i]);
-    EXPECT_EQ(motion.N_B[i], n.N_B[i]);
+    EXPECT_EQ(motion.N_B[i].value, n.N_B[i]);
+    EXPECT_EQ(motion.N_B[i].rate, n.dN_B[i]) << "any torque may change anyhow";
+    EXPECT_EQ(any.w_B[i].second, n.ddw[i]);
+    EXPECT_EQ(any.v_S[i].second, n.ddv_S[i]);
+    EXPECT_EQ(n.m * motion.v_S[i].second, n.dF_S[i]);
+    EXPECT_EQ(motion.A_S[i].second, n.ddA_S[i]);
     EXPECT_EQ(motion.A_S[i].rate, n.dA_S[i]) << "A is any vector";
-    EXPECT_EQ(free.N_B[i], Field(0));
+    EXPECT_EQ(free.N_B[i].value, Field(0));
+    EXPECT_EQ(free.N_B[i].rate, Field(0));
     EXPECT_NE(free.w_B[i].rate, motion.w_B[i].rate);
+  }
+}
+
+// I ω̈ + ω̇×Iω + ω×Iω̇ = dN/dt, component by component on the body axes.
+TEST(ClaimState, EulersEquationsHoldAllTheTime) {
+  const StateNumbers<Field> n = random_numbers(4);
+  const auto state = state_of(n, Assumption::motion);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const auto L = [&](std::size_t at) { return n.I[at] * state.w_B[at].value; };
+    const auto dL = [&](std::size_t at) { return n.I[at] * state.w_B[at].rate; };
+    EXPECT_EQ(n.I[i] * state.w_B[i].second + state.w_B[j].rate * L(k) - state.w_B[k].rate * L(j) +
+                  state.w_B[j].value * dL(k) - state.w_B[k].value * dL(j),
+              n.dN_B[i]);
+  }
+}
+
+// A torque that is given changes as what it is given by does: N1 = -k ω1, F = h e_z, N = h e_z×e3.
+TEST(ClaimState, WhatIsGivenHoldsAllTheTime) {
+  const auto set = [](Quantity quantity, const char* value) {
+    return Setting{quantity, equality(value, "0").left, value, {}, {}};
+  };
+  const StateNumbers<Field> n = random_numbers(6);
+  Given damped, heavy;
+  damped.settings = {set(Quantity::N1, "-k*w1"), set(Quantity::F, "h*e3")};
+  heavy.settings = {set(Quantity::I2, "I1"), set(Quantity::N, "h*cross(ez, e3)")};
+  for (const Assumption assumption : {Assumption::identity, Assumption::motion}) {
+    const auto state = state_of(n, assumption, damped);
+    ASSERT_TRUE(state);
+    EXPECT_EQ(state->N_B[0].rate, -(n.k * state->w_B[0].rate));
+    EXPECT_EQ(state->N_B[1].rate, n.dN_B[1]) << "nothing is said of it";
+    for (const auto& [left, right] : {std::pair("ddt(F)", "h*ddt(e3)"), std::pair("ddt(N1)", "-k*dw1")})
+      EXPECT_EQ(agree(equality(left, right), *state), std::optional(true)) << left;
+    const auto top = state_of(n, assumption, heavy);
+    ASSERT_TRUE(top);
+    EXPECT_EQ(agree(equality("ddt(N)", "h*cross(ez, cross(omega, e3))"), *top), std::optional(true));
   }
 }
 
@@ -90,7 +134,7 @@ TEST(ClaimState, SidesAgreeDifferOrAreNotDefined) {
 
 TEST(ClaimState, AResidualIsRelativeToTheTermsOfTheLargerSide) {
   const auto vector = [](SizedNumber a, SizedNumber b) {
-    return Triple<SizedNumber>{{{a, 0}, {b, 0}, {SizedNumber(0), 0}}};
+    return Triple<SizedNumber, 0>{{{a, 0}, {b, 0}, {SizedNumber(0), 0}}};
   };
   EXPECT_EQ(relative_residual(vector(0, 0), vector(0, 0)), 0.0);
   EXPECT_EQ(relative_residual(vector(3, 0), vector(3, 0)), 0.0);

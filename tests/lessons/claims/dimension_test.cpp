@@ -6,6 +6,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
 namespace polhode {
 namespace {
 
@@ -73,6 +78,32 @@ TEST(Dimension, WhatIsAddedHasTheSame) {
   EXPECT_EQ(dimension("T + 5"), "4: units disagree: kg m²/s² and a number are added");
   EXPECT_THAT(dimension("sin(w1)"), HasSubstr("a function of numbers is taken of 1/s"));
   EXPECT_THAT(dimension("atan2(w1, I1)"), HasSubstr("make no angle"));
+}
+
+TEST(Dimensions, UnitsOfPlotsHaveSizes) {
+  const auto size = [](const char* unit) {
+    const auto read = scaled_unit(unit);
+    return read ? read->size : 0.0;
+  };
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+  for (const auto& [unit, si] :
+       std::vector<std::pair<const char*, double>>{{"J", 1},
+                                                   {"mJ", 1e-3},
+                                                   {"kN m", 1e3},
+                                                   {"g", 1e-3},
+                                                   {"mg m²/s", 1e-6},
+                                                   {"mm²", 1e-6},
+                                                   {"µs", 1e-6},
+                                                   {"μs", 1e-6},
+                                                   {"m/ms", 1e3},
+                                                   {"deg", std::numbers::pi / 180},
+                                                   {"deg/s", std::numbers::pi / 180}})
+    EXPECT_NEAR(size(unit), si, kRounding * si) << unit;
+  EXPECT_EQ(scaled_unit("mJ")->dimension, dimension_of_unit("J"));
+  EXPECT_EQ(scaled_unit("kg")->size, 1) << "the gram has the prefix";
+  for (const char* none : {"ells", "kkg", "mdeg", "xJ", "m/s/s", "k"})
+    EXPECT_FALSE(scaled_unit(none)) << none;
+  EXPECT_FALSE(dimension_of_unit("mJ")) << "units of symbols are those of SI";
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using testing::random_numbers;
 using Field = FieldElement;
 
 template <class N>
-Triple<N> value_in(const ClaimState<N>& state, const std::string& text) {
+Triple<N> jets_in(const ClaimState<N>& state, const std::string& text) {
   Evaluation<N> evaluate(state);
   Triple<N> value;
   EXPECT_TRUE(evaluate(equality(text, "0").left, value)) << text;
@@ -52,16 +52,17 @@ class EvaluationUnder : public ::testing::TestWithParam<Assumption> {};
 TEST_P(EvaluationUnder, ATurnOfEverythingTurnsVectorsAndNoScalar) {
   const StateNumbers<Field> numbers = random_numbers(11);
   const std::array<Field, 4> g = {Field(3), Field(-1), Field(4), Field(-2)};
-  const auto G = attitude_matrix(turning(g, {Field(0), Field(0), Field(0)}));
+  const auto G = attitude_matrix(turning(g, {Field(0), Field(0), Field(0)}, {Field(0), Field(0), Field(0)}));
   StateNumbers<Field> other = numbers;
   other.q = product(g, numbers.q);
-  for (auto* vector : {&other.v_S, &other.dv_S, &other.A_S, &other.dA_S, &other.F_S})
+  for (auto* vector : {&other.v_S, &other.dv_S, &other.ddv_S, &other.A_S, &other.dA_S, &other.ddA_S,
+                       &other.F_S, &other.dF_S})
     *vector = turned(G, *vector);
   const auto before = state_of(numbers, GetParam()), after = state_of(other, GetParam());
   auto texts = example_expressions();
   texts.insert(texts.end(), example_quotients().begin(), example_quotients().end());
   for (const std::string& text : texts) {
-    const auto a = value_in(before, text), b = value_in(after, text);
+    const auto a = jets_in(before, text), b = jets_in(after, text);
     std::array<Field, 3> want = {a[0].value, a[1].value, a[2].value};
     if (is_vector(text)) want = turned(G, want);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(b[i].value, want[i]) << text;
@@ -82,7 +83,9 @@ TEST_P(EvaluationUnder, TheFieldAndTheDoublesGiveTheSameWholeNumbers) {
       };
       for (std::size_t i = 0; i < 4; ++i) n.q[i] = N(q[i]);
       some(n.J);
-      for (auto* vector : {&n.w, &n.dw, &n.v_S, &n.dv_S, &n.A_S, &n.dA_S, &n.N_B, &n.F_S}) some(*vector);
+      for (auto* vector : {&n.w, &n.dw, &n.v_S, &n.dv_S, &n.A_S, &n.dA_S, &n.N_B, &n.F_S, &n.ddw, &n.ddv_S,
+                           &n.ddA_S, &n.dN_B, &n.dF_S})
+        some(*vector);
       n.I = {N(1), N(-1), N(1)};  // no body, but what divides by them stays whole
       n.m = N(-1);
     };
@@ -94,12 +97,13 @@ TEST_P(EvaluationUnder, TheFieldAndTheDoublesGiveTheSameWholeNumbers) {
     const auto real_state = state_of(real, GetParam());
     for (const std::string& text : example_expressions()) {
       const std::string whole = "4*(" + text + ")";
-      const auto a = value_in(exact_state, whole);
-      const auto b = value_in(real_state, whole);
+      const auto a = jets_in(exact_state, whole);
+      const auto b = jets_in(real_state, whole);
       for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(b[i].value.value, std::nearbyint(b[i].value.value)) << whole;
         EXPECT_EQ(a[i].value, Field(std::llround(b[i].value.value))) << whole;
         EXPECT_EQ(a[i].rate, Field(std::llround(b[i].rate.value))) << whole << ", rate";
+        EXPECT_EQ(a[i].second, Field(std::llround(b[i].second.value))) << whole << ", second rate";
       }
     }
   }
@@ -133,7 +137,16 @@ TEST_P(EvaluationUnder, OperationsAreLinearAndRatesKeepTheProductRules) {
            {"ddt(A)", "star(A) + cross(omega, A)"},
            {"star(inertia(A))", "inertia(star(A))"},
            {"star(apply(J, A))", "apply(J, star(A))"},
-           {"star(e1)", "0"}})
+           {"star(e1)", "0"},
+           {"ddt(ddt(A))",
+            "star(star(A)) + 2*cross(omega, star(A)) + cross(star(omega), A) + cross(omega, cross(omega, "
+            "A))"},
+           {"ddt(ddt(w1*w2))", "ddt(dw1)*w2 + 2*dw1*dw2 + w1*ddt(dw2)"},
+           {"ddt(ddt(w1))", "ddt(dw1)"},
+           {"ddt(ddt(1/T))", "2*ddt(T)^2/T^3 - ddt(ddt(T))/T^2"},
+           {"ddt(ddt(dot(A, v)))", "dot(ddt(ddt(A)), v) + 2*dot(ddt(A), ddt(v)) + dot(A, ddt(ddt(v)))"},
+           {"ddt(N)", "star(N) + cross(omega, N)"},
+           {"ddt(star(A))", "star(ddt(A)) + cross(omega, star(A)) - star(cross(omega, A))"}})
     EXPECT_EQ(agree(equality(left, right), state), std::optional(true)) << left << " = " << right;
 }
 
@@ -229,7 +242,7 @@ TEST(Evaluation, AtRestInSpaceItIsWhatOneWouldWrite) {
   n.A_S = {SizedNumber(1), SizedNumber(0), SizedNumber(-1)};
   const auto state = state_of(n, Assumption::free);
   const auto values = [&state](const char* text) {
-    const auto value = value_in(state, text);
+    const auto value = jets_in(state, text);
     return std::array{value[0].value.value, value[1].value.value, value[2].value.value};
   };
   EXPECT_EQ(values("L"), (std::array{2.0, 6.0, 12.0}));
@@ -245,8 +258,8 @@ TEST(Evaluation, AtRestInSpaceItIsWhatOneWouldWrite) {
 TEST(Evaluation, FunctionsOfNumbersHaveTheRatesOfTheirCurves) {
   ClaimState<SizedNumber> state{};
   for (std::size_t i = 0; i < 3; ++i) state.R[i][i] = {1.0, 0.0};
-  const double x = 0.3, dx = 0.7, y = -0.4, dy = 0.2;
-  state.w_B = {{{x, dx}, {y, dy}, {0.0, 0.0}}};
+  const double x = 0.3, dx = 0.7, ddx = -0.5, y = -0.4, dy = 0.2, ddy = 1.1;
+  state.w_B = {{{x, dx, ddx}, {y, dy, ddy}, {0.0, 0.0}}};
   struct Case {
     const char* text;
     double (*of)(double, double);
@@ -262,11 +275,19 @@ TEST(Evaluation, FunctionsOfNumbersHaveTheRatesOfTheirCurves) {
   };
   const double h = 1e-5;  // errors: h²/6 of third derivatives below 100, and rounding over h
   for (const Case& c : cases) {
-    const auto value = value_in(state, c.text)[0];
+    const auto value = jets_in(state, c.text)[0];
     EXPECT_NEAR(value.value.value, c.of(x, y), 4e-16 * 4) << c.text;
     const double rate = (c.of(x + h * dx, y + h * dy) - c.of(x - h * dx, y - h * dy)) / (2 * h);
     EXPECT_NEAR(value.rate.value, rate, 100 * h * h / 6 + 8 * 2.3e-16 / h) << c.text;
     EXPECT_GE(value.value.size, std::abs(value.value.value)) << c.text;
+    const double g = 1e-4;  // fourth derivatives below 5000
+    const auto at = [&](double t) {
+      return c.of(x + t * dx + t * t * ddx / 2, y + t * dy + t * t * ddy / 2);
+    };
+    EXPECT_NEAR(value.second.value, (at(g) - 2 * at(0) + at(-g)) / (g * g),
+                5000 * g * g / 12 + 16 * 2.3e-16 / (g * g))
+        << c.text;
+    EXPECT_GE(value.second.size, std::abs(value.second.value)) << c.text;
   }
 }
 

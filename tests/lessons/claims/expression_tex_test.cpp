@@ -45,9 +45,10 @@ TEST(TexOfALine, SaysWhatDoesNotFollow) {
   };
   ClaimLine line;
   line.equality = equality("T", "m");
-  EXPECT_EQ(tex_of(line), "T = m");
+  EXPECT_EQ(tex_of(line, ClaimKind::identity), "T = m");
   line.conclusion = equality("N", "0");
-  EXPECT_EQ(tex_of(line), R"(T = m\;\not\Rightarrow\;\vec N = 0)");
+  EXPECT_EQ(tex_of(line, ClaimKind::motion), R"(T = m\;\Rightarrow\;\vec N = 0)");
+  EXPECT_EQ(tex_of(line, ClaimKind::non_sequitur), R"(T = m\;\not\Rightarrow\;\vec N = 0)");
 }
 
 /// Read as a printed equation of a lesson, side by side with itself.

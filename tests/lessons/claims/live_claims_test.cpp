@@ -85,6 +85,41 @@ TEST(LiveClaims, UnderTorqueToo) {
     }
 }
 
+constexpr const char* kSecondLaws[] = {
+    "ddt(ddt(L)) = ddt(N)", "I1*ddt(dw1) = (I2 - I3)*(dw2*w3 + w2*dw3) + ddt(N1)",
+    "ddt(ddt(e2)) = cross(ddt(omega), e2) + cross(omega, cross(omega, e2))",
+    "ddt(ddt(dot(ez, e3))) = dot(ez, cross(ddt(omega), e3) + cross(omega, cross(omega, e3)))",
+    "ddt(ddt(A)) = star(star(A)) + 2*cross(omega, star(A)) + cross(star(omega), A) + cross(omega, "
+    "cross(omega, A))"};
+
+TEST(LiveClaims, SecondRatesAreThoseOfTheMotion) {
+  for (const char* law : kSecondLaws) {
+    for (const double t_s : {0.0, 1.7, -4.0}) {
+      const LiveValue value = value_of(law, tumbling(), t_s);
+      EXPECT_LE(value.residual, value.tolerance) << law << " at " << t_s;
+      EXPECT_LT(value.tolerance, 64 * 2.3e-16 / 1e-4 * (1 + 1.5 * std::abs(t_s)));
+    }
+    for (const MethodFacts& facts : all_methods()) {
+      if (facts.control != StepControl::fixed) continue;
+      for (const double step_s : {0.05, 0.02})
+        for (const double t_s : {1.73, 1.75, 1.751}) {  // within a step, and across its end
+          const LiveValue value = value_of(law, with_method(facts.method, step_s), t_s);
+          EXPECT_LE(value.residual, value.tolerance)
+              << law << ' ' << facts.name << ' ' << step_s << ' ' << t_s;
+        }
+    }
+    for (const char* torque : {"space:1.1,0,0", "body:0.2,1,0", "damping:0.3", "heavy:0.7,0,0,1"})
+      for (const Method method : {Method::dormand_prince_8, Method::dormand_prince_5, Method::rk4}) {
+        const auto step = method == Method::rk4 ? std::optional(0.01) : std::nullopt;
+        const LiveValue value = value_of(law, with_method(method, step, torque), 1.3);
+        EXPECT_LE(value.residual, value.tolerance) << law << ' ' << torque << ' ' << name_of(method);
+        EXPECT_LT(value.tolerance, 0.01) << "it decides";
+      }
+  }
+  for (const char* wrong : {"ddt(ddt(L)) = star(star(L))", "ddt(dw1) = dw1", "ddt(ddt(A)) = star(star(A))"})
+    EXPECT_GT(value_of(wrong, tumbling(), 1.7).residual, 1e-3) << wrong;
+}
+
 // A crude method shows: the law is compared with what was computed, not with itself.
 TEST(LiveClaims, ACrudeStepIsSeen) {
   const LiveValue crude = value_of(kLaws[1], with_method(Method::explicit_euler, 0.2), 1.73);

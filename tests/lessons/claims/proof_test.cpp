@@ -50,6 +50,65 @@ TEST(Proof, SettlesTheLectureUnderEachAssumption) {
   EXPECT_FALSE(holds("ddt(L) = 0 => dot(L, ddt(L)) = 0", K::non_sequitur)) << "it follows";
 }
 
+TEST(Proof, SettlesSecondDerivatives) {
+  using K = ClaimKind;
+  EXPECT_TRUE(holds("ddt(ddt(L)) = ddt(N)", K::motion));
+  EXPECT_FALSE(holds("ddt(ddt(L)) = 0", K::motion)) << "any torque may change";
+  EXPECT_TRUE(holds("ddt(ddt(L)) = 0", K::free));
+  EXPECT_TRUE(holds("I1*ddt(dw1) = (I2 - I3)*(dw2*w3 + w2*dw3)", K::free));
+  EXPECT_TRUE(holds("I1*ddt(dw1) = (I2 - I3)*(dw2*w3 + w2*dw3) + ddt(N1)", K::motion));
+  EXPECT_FALSE(holds("I1*ddt(dw1) = (I2 - I3)*(dw2*w3 + w2*dw3) + N1", K::motion));
+  EXPECT_TRUE(holds("ddt(ddt(e1)) = cross(ddt(omega), e1) + cross(omega, cross(omega, e1))", K::identity));
+  EXPECT_TRUE(holds("ddt(ddt(T)) = dot(ddt(N), omega) + dot(N, ddt(omega))", K::motion));
+  EXPECT_TRUE(holds("m*ddt(ddt(v)) = ddt(F)", K::law));
+  EXPECT_TRUE(holds("ddt(dw3) = 0", K::is_false));
+}
+
+TEST(Proof, SettlesSecondDerivativesOfTops) {
+  const auto under = [](std::vector<std::pair<Quantity, const char*>> settings, const char* text,
+                        ClaimKind kind) {
+    Given given;
+    for (const auto& [quantity, value] : settings)
+      given.settings.push_back({quantity, testing::equality(value, "0").left, value, {}, {}});
+    return judge(line_of(text, kind), kind, prover(), given).verdict;
+  };
+  const std::pair<Quantity, const char*> symmetric{Quantity::I2, "I1"}, heavy{Quantity::N, "h*cross(ez, e3)"};
+  const char* turning = "ddt(dw1) = -((I1 - I3)/I1*w3)^2*w1";
+  EXPECT_EQ(under({symmetric}, turning, ClaimKind::free), Verdict::holds);
+  EXPECT_EQ(under({}, turning, ClaimKind::free), Verdict::fails);
+  // I1 ü of the cosine u of the tilt: from e3×(d/dt of I1 e3×ė3 + I3 ω3 e3), times ez.
+  const char* tilt =
+      "I1*ddt(ddt(dot(ez, e3))) = I3*w3*dot(ez, omega - w3*e3) - h*(1 - dot(ez, e3)^2)"
+      " - I1*dot(ez, e3)*norm2(cross(omega, e3))";
+  EXPECT_EQ(under({symmetric, heavy}, tilt, ClaimKind::motion), Verdict::holds);
+  EXPECT_EQ(under({heavy}, tilt, ClaimKind::motion), Verdict::fails);
+  EXPECT_EQ(under({symmetric, heavy}, "ddt(ddt(L)) = h*cross(ez, cross(omega, e3))", ClaimKind::motion),
+            Verdict::holds);
+  EXPECT_EQ(under({symmetric, heavy}, "ddt(dw3) = 0", ClaimKind::motion), Verdict::holds);
+  EXPECT_EQ(under({symmetric, heavy}, "ddt(dw1) = 0", ClaimKind::motion), Verdict::fails);
+}
+
+TEST(Proof, SettlesWhatFollows) {
+  using K = ClaimKind;
+  EXPECT_TRUE(holds("ddt(L) = 0 => ddt(dot(L, L)) = 0", K::motion));
+  EXPECT_TRUE(holds("ddt(L) = 0 => ddt(T) = 0", K::motion));
+  EXPECT_TRUE(holds("I2 = I1 => dw3 = N3/I3", K::motion));
+  EXPECT_TRUE(holds("2*I3 = I1 + I2 => 2*T = I1*(w1^2 + w3^2/2) + I2*(w2^2 + w3^2/2)", K::identity));
+  EXPECT_TRUE(holds("dot(omega, e3) = 0 => L = I1*w1*e1 + I2*w2*e2", K::identity));
+  EXPECT_TRUE(holds("L = 0 => omega = 0", K::identity));
+  EXPECT_TRUE(holds("ddt(omega) = 0 => N = cross(omega, L)", K::motion));
+  const Judgement converse = judged("ddt(T) = ddt(T) + N1 => ddt(L) = 0", K::motion);
+  EXPECT_EQ(converse.verdict, Verdict::fails);
+  EXPECT_TRUE(converse.counterexample);
+  // Solved for w1 alone, the states with w2 = 0 would be lost, and with them what is false.
+  for (const char* lossy :
+       {"w1*w2 = 0 => w1 = 0", "ddt(T) = 0 => ddt(L) = 0", "T = 0 => omega = 0", "w1*(I2 - I3) = 0 => w1 = 0",
+        "dot(ez, e3) = 0 => T = 0", "w1^2 = w2^2 => w1 = w2", "h*w1 = 0 => w1 = 0",
+        "1/(w1 + w2) = 1 => w1 = 1 - w2", "cross(omega, L) = 0 => omega = 0", "w1 = w2 + N1*0 => dw1 = dw2",
+        "N1 = 0 => ddt(N1) = 0", "I1 = -I2 => T = 0"})
+    EXPECT_EQ(judged(lossy, K::motion).verdict, Verdict::undecided) << lossy;
+}
+
 TEST(Proof, TellsTheTransportTheoremFromItsSlips) {
   for (const char* slip : {"ddt(A) = star(A) - cross(omega, A)", "ddt(A) = star(A) + cross(A, omega)",
                            "ddt(A) = star(A)", "star(A) = ddt(A) + cross(omega, A)"})

@@ -38,7 +38,7 @@ TEST(Report, WarningsAloneAreNoErrors) {
 
 TEST(Report, KeepsAHundredErrorsAndSaysThatThereAreMore) {
   TextReport at("abc");
-  for (std::size_t i = 0; i < kMaxDiagnostics; ++i) at.report.error({1, 1}, "wrong");
+  for (std::size_t i = 0; i < kMaxDiagnostics; ++i) at.report.error({1, 1}, "wrong " + std::to_string(i));
   EXPECT_FALSE(at.report.is_full());
   at.report.error({1, 2}, "one more");
   at.report.error({1, 3}, "and another");

@@ -3,6 +3,7 @@
 
 #include "lessons/reader/claim_check.h"
 #include "tests/lessons/support.h"
+#include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -57,12 +58,34 @@ TEST(Assumptions, ServeFormulasClaimsAndQuestions) {
   const LessonReading reading = read_lesson(lesson(kTop, ask), "a.md");
   ASSERT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
   const Ask& question = *blocks_of<Ask>(reading.lesson->stages[0].steps[0]).front();
+  std::string told;
+  for (const TextSpan& span : question.prompt_text.back().spans) told += span.text;
+  EXPECT_EQ(told, "Given: I_2 = I_1.");
   const auto mark = [&](const std::string& answer) {
     return judge_answer(question, answer, Prover(), &reading.lesson->notation.vocabulary).mark;
   };
   EXPECT_EQ(mark("(I2 - I3)/I1*w2*w3"), AnswerJudgement::Mark::right) << "I2 is I1";
   EXPECT_EQ(mark("(I3 - I1)/I1*w2*w3"), AnswerJudgement::Mark::wrong);
   EXPECT_EQ(mark("(I1 - I3)/I1*w2*w3*E/(T + mgl*u)"), AnswerJudgement::Mark::right) << "the lesson's words";
+}
+
+// The examples of FORMAT.md between second rates and inequalities, in a lesson of their own.
+TEST(Assumptions, ServeTheReferencesSecondRatesAndInequalities) {
+  const std::string format = testing::read_file(test::source_dir() / "lessons/FORMAT.md");
+  const std::size_t begin = format.find("```math wobble");
+  ASSERT_NE(begin, format.npos);
+  const std::string examples = format.substr(begin, format.find("\n````\n", begin) + 1 - begin);
+  EXPECT_THAT(faults(lesson(kTop, examples)), IsEmpty());
+  EXPECT_NE(examples.find("\\ge"), examples.npos);
+  // What is neither proved nor refuted is warned of, and never called proved.
+  const std::string motzkin =
+      R"(\omega_1^4\omega_2^2 + \omega_1^2\omega_2^4 + \omega_3^6 \ge 3\omega_1^2\omega_2^2\omega_3^2)";
+  EXPECT_THAT(faults(lesson(kTop, math("a identity", motzkin))),
+              ElementsAre(AllOf(HasSubstr("warning: this is not proved"), HasSubstr(" states"))));
+  EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(T > 0)"))), ElementsAre(HasSubstr("fails")));
+  EXPECT_THAT(faults(lesson(kTop, math("a measured", R"(T > 0)"))), ElementsAre(HasSubstr("inequality")));
+  EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(\vec L > 0)"))),
+              ElementsAre(HasSubstr("only of numbers")));
 }
 
 TEST(Assumptions, FormulasShowTheWordsOfTheLesson) {
@@ -155,7 +178,7 @@ TEST(Assumptions, NothingFalseIsPrintedAsProved) {
        math("a false given a", R"(I_1 = I_2)"), "no possible body was found"},
       {"[assume]\na = 'I2 = I1'\n",
        math("a identity given a", R"(I_2 = I_1 = \live{I1})") + "```scene\nbody = 'book'\n```\n",
-       "a live number is of a motion on which what is given does not hold"},
+       "a computed number is of a motion on which what is given does not hold"},
   };
   for (const Wrong& c : cases) {
     const auto said = faults(lesson(c.tables, c.body.empty() ? "Text.\n" : c.body));

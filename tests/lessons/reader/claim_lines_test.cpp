@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{ClaimKind::law, "L =", "1:4: error: an expression is missing"},
         Wrong{ClaimKind::law, "= L", "1:1: error: an expression is missing"},
         Wrong{ClaimKind::law, "L = N = 0", "1:7: error: unknown character \"=\""},
-        Wrong{ClaimKind::law, "L => N", "1:3: error: => is for claims"},
+        Wrong{ClaimKind::is_false, "L = N => T = 0", "1:7: error: what follows is neither"},
         Wrong{ClaimKind::law, "L = N within 1", "1:7: error: \"within\" is for"},
         Wrong{ClaimKind::law, "T = norm(L)", "1:1: error: a length is a root"},
         Wrong{ClaimKind::law, "2*norm(L) = norm(N)", "1:1: error: a length is a root"},

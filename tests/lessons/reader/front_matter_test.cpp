@@ -38,6 +38,26 @@ TEST(FrontMatter, ReadsEverything) {
   EXPECT_EQ(front.scene.scene.at_s, 3);
 }
 
+TEST(FrontMatter, ABodyOfMomentsMayLookLikeAnyShape) {
+  TextReport at(
+      std::string(kHead) +
+      "[body.ball]\nmoments = [1, 1, 0.6]\ndraw = 'ellipsoid'\nsize_m = [0.2, 0.2, 0.3]\nmass_kg = 2\n"
+      "[body.bad]\nmoments = [1, 1, 3]\ndraw = 'box'\nsize_m = [1, 1, 1]\n"
+      "[body.flat]\nmoments = [1, 1, 1]\ndraw = 'box'\nsize_m = [1, 0, 1]\n"
+      "[body.bare]\nmoments = [1, 1, 1]\ndraw = 'cylinder'\n+++\n");
+  const FrontMatter front = read_front_matter(at.texts);
+  const Body& ball = front.bodies.named.at("ball");
+  EXPECT_EQ(ball.moments, PrincipalMoments(1, 1, 0.6));
+  EXPECT_EQ(ball.shape, (Shape{ShapeKind::ellipsoid, Vec3(0.2, 0.2, 0.3)}));
+  EXPECT_EQ(ball.mass_kg, 2);
+  EXPECT_THAT(
+      at.lines(),
+      ElementsAre("11:1: error: " + *why_impossible(1.0, 1.0, 3.0),
+                  "17:1: error: sizes must be finite and > 0",
+                  "20:8: error: only a box follows from the moments (write \"box\", or size_m = [x, y, z] "
+                  "as well, in m)"));
+}
+
 TEST(FrontMatter, ReportsImpossibleMomentsWithTheReasonOfPhysics) {
   TextReport at(std::string(kHead) + "[body.plate]\nmoments = [1.0, 2.0, 3.5]\n+++\n");
   const FrontMatter front = read_front_matter(at.texts);

@@ -37,7 +37,7 @@ TEST(ReadPositiveNumber, RefusesZeroAndLess) {
   TextReport at("k = 0");
   EXPECT_EQ(read_positive_number(toml("k = 1e-300").entries[0], at.report), 1e-300);
   EXPECT_EQ(read_positive_number(toml("k = 0").entries[0], at.report), std::nullopt);
-  EXPECT_EQ(read_positive_number(toml("k = -0.0").entries[0], at.report), std::nullopt);
+  EXPECT_EQ(read_positive_number(toml("key = -0.0").entries[0], at.report), std::nullopt);
   EXPECT_EQ(at.lines().size(), 2U);
 }
 

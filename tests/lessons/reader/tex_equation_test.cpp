@@ -54,6 +54,12 @@ struct Read {
 TEST(TexEquation, MeansWhatIsPrinted) {
   const Read cases[] = {
       {R"(\frac{d\vec L}{dt} = \vec N)", "ddt(L) = N"},
+      {R"(\frac{d^2\vec L}{dt^2} = \frac{d\vec N}{dt})", "ddt(ddt(L)) = ddt(N)"},
+      {R"(\frac{d^2}{dt^2}\left(\omega_1^2\right) = 0)", "ddt(ddt(w1^2)) = 0"},
+      {R"(\frac{d}{dt}\frac{d^*\vec A}{dt} = 0)", "ddt(star(A)) = 0"},
+      {R"(\ddot\omega_1 = -\ddot\omega_2)", "ddt(dw1) = -ddt(dw2)"},
+      {R"(\ddot T = 0)", "ddt(ddt(T)) = 0"},
+      {R"(\ddot{A_1} = 0)", "ddt(ddt(comp(A, 1))) = 0"},
       {R"(\frac{d^*\vec L}{dt} + \vec\omega\times\vec L = \vec N)", "star(L) + cross(omega, L) = N"},
       {R"(\frac{d^*}{dt}\left(\mathbf I\cdot\vec\omega\right) = 0)", "star(inertia(omega)) = 0"},
       {R"(d^*\vec L/dt = -\vec\omega\times\vec L)", "star(L) = -cross(omega, L)"},
@@ -121,8 +127,12 @@ TEST(TexEquation, RefusesWhatThePageLeavesOpen) {
       {R"(m/I_1\cdot\omega_1 = 0)", "how far does this fraction go"},
       {R"(\frac{d}{dt}\vec L\cdot\vec L = 0)", "derivative end"},
       {R"(\frac{d}{dt}(\vec L)\,m = 0)", "how far does this derivative go"},
-      {R"(\frac{d^2\vec L}{dt^2} = 0)", "does not know this symbol"},
-      {R"(\ddot\omega_1 = 0)", "mark above"},
+      {R"(\frac{d^2\vec L}{dt} = 0)", "only d and d^*"},
+      {R"(\frac{d^2\vec L}{d^2t} = 0)", "does not know this symbol"},
+      {R"(\ddot{\vec\omega} = 0)", "in which frame"},
+      {R"(\dot{\dot\omega}_1 = 0)", "dots above dots"},
+      {R"(\dddot\omega_1 = 0)", "mark above"},
+      {R"(\frac{d^3\vec L}{dt^3} = 0)", "does not know this symbol"},
       {R"(\dot{\vec L} = \vec N)", "in which frame"},
       {R"(T(0) = m)", "argument, or a factor"},
       {R"(\omega_1(m) = m)", "argument, or a factor"},
@@ -136,8 +146,8 @@ TEST(TexEquation, RefusesWhatThePageLeavesOpen) {
       {R"(\sum m = 0)", "a sum over what"},
       {R"(\sum_i\sum_i I_i = 0)", "stands for something already"},
       {R"(\vec A\times\sum_i\hat e_i\times\vec L = 0)", "how far does this sum go"},
-      {R"(T \le m)", "only = is proved"},
-      {R"(T = m > 0)", "only = is proved"},
+      {R"(T \ne m)", "only = < >"},
+      {R"(T \approx m)", "only = < >"},
       {R"(T = m \quad\text{for all } m)", "wide space"},
       {R"(T = m \quad I_1 = I_2)", "wide space"},
       {R"(T = \sqrt[3]{m})", "only square roots"},
@@ -164,7 +174,7 @@ TEST(TexEquation, RefusesWhatThePageLeavesOpen) {
       {R"((T] = m)", "closes nothing"},
       {R"(T)", "no = here"},
       {R"(= T)", "a side is missing"},
-      {R"(\frac{d\vec N}{dt} = 0)", "rate of change of this is not known"},
+      {R"(\frac{d^2\vec N}{dt^2} = 0)", "rate of change of this is not known"},
       {R"(I_{12} = I_1)", "principal moments"},
       {R"(\begin{aligned} T &= m \\ &- I_1 = 0 \end{aligned})", "go on with the one above"},
       {R"(\dot{\vec\omega} = 0 \qquad (\vec\omega = \omega_3\hat e_3))", "under a condition"},
@@ -270,13 +280,24 @@ TEST(TexEquation, LinesOfAClaimDependOnItsKind) {
   EXPECT_THAT(lines_of_kind(R"(|\vec L|\,m = T)", ClaimKind::identity), HasSubstr("root"));
   EXPECT_EQ(lines_of_kind(R"(|\vec L|\,m = T)", ClaimKind::measured), "norm(L)*m = T; ");
   EXPECT_THAT(lines_of_kind(R"(T = m \qquad (\vec N = 0))", ClaimKind::motion), HasSubstr("no torque"));
+  EXPECT_EQ(lines_of_kind(R"(\frac{d\vec L}{dt} = 0 \Rightarrow \dot T = 0)", ClaimKind::motion),
+            "ddt(L) = 0 => ddt(T) = 0; ");
+  EXPECT_EQ(lines_of_kind(R"(I_2 = I_1 \Rightarrow \dot\omega_3 = 0 = m)", ClaimKind::free),
+            "I2 = I1 => dw3 = 0; I2 = I1 => 0 = m; ");
+  for (const char* open :
+       {R"(I_2 = I_1 \Rightarrow \dot\omega_3 = 0, \quad T = m)",
+        R"(T = m, \quad I_2 = I_1 \Rightarrow \dot\omega_3 = 0)", R"(I_2 = I_1 = m \Rightarrow T = m)",
+        R"(T = m \Rightarrow I_1 = m \Rightarrow I_2 = m)"})
+    EXPECT_THAT(lines_of_kind(open, ClaimKind::motion), HasSubstr("follows from what")) << open;
+  EXPECT_THAT(lines_of_kind(R"(I_2 = I_1 \Rightarrow T = m)", ClaimKind::is_false), HasSubstr("neither"));
+  EXPECT_EQ(lines_of_kind(R"(T \ge 0, \quad m > 0)", ClaimKind::identity), "T = 0; m = 0; ");
+  EXPECT_THAT(lines_of_kind(R"(T \ge 0)", ClaimKind::measured), HasSubstr("not of this kind"));
 }
 
 // What looks otherwise than it is read, or was read in one of two senses. Found by an attacker, 2026-11-23.
 TEST(TexEquation, WhatLooksOtherwiseIsRefused) {
   for (const char* tex :
-       {R"(T = m \Rightarrow I_1 = m)", R"(\frac{dT}{dt} = 0 \Rightarrow \frac{d\vec L}{dt} = 0)",
-        R"(\mathbf I_S = \begin{pmatrix} I_1 & 0 & 0 \\ 0 & I_2 & 0 \\ 0 & 0 & I_3 \end{pmatrix})",
+       {R"(\mathbf I_S = \begin{pmatrix} I_1 & 0 & 0 \\ 0 & I_2 & 0 \\ 0 & 0 & I_3 \end{pmatrix})",
         R"(\mathbf I_S = \mathbf I)",
         R"(\frac{d}{dt}\begin{pmatrix} 1 & 0 & 0 \\ 0 & 2 & 0 \\ 0 & 0 & 3 \end{pmatrix}\vec\omega = 0)",
         R"(1\live{T} = T)", R"(\live{T} = T)", R"(T - \live{-1*T} = 2T)",

@@ -27,5 +27,15 @@ TEST(Difference, OfATurningArrowErrsByTheStatedOrder) {
   }
 }
 
+TEST(Difference, OfSecondOrderErrsByTheStatedOrder) {
+  const auto f = [](double t) -> Vec3 { return {std::cos(t), std::sin(t), 0.0}; };
+  for (double h : {0.4, 0.2, 0.1}) {
+    const auto [first, second] = derivatives_at(f, f(0.3), 0.3, h);
+    EXPECT_LT((first - derivative_at(f, 0.3, h)).norm(), 8 * kEpsilon / h);
+    const double error = (second + f(0.3)).norm();
+    EXPECT_NEAR(error / (std::pow(h, 6) / 560.0), 1.0, h * h) << h;
+  }
+}
+
 }  // namespace
 }  // namespace polhode

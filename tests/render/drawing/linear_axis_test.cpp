@@ -109,5 +109,22 @@ TEST(LinearAxis, WhereThereIsNothingBetweenTheEndsItReachesToBothSides) {
   }
 }
 
+TEST(LinearAxis, AroundValuesIsNoLongerThanTheyReach) {
+  const LinearAxis axis = LinearAxis::around({3.0, 5.0, std::numeric_limits<double>::quiet_NaN(), 4.0});
+  EXPECT_EQ(axis.low, 3.0);
+  EXPECT_EQ(axis.high, 5.0);
+}
+
+TEST(LinearAxis, AroundWhatDoesNotChangeRoundingIsNotSeen) {
+  const double value = 36.0, noise = 1e-9 * value;
+  const LinearAxis axis = LinearAxis::around({value, value + noise, value - noise});
+  EXPECT_NEAR(axis.high - axis.low, 0.1 * value, 4 * noise) << "5 % to both sides";
+  const LinearAxis at_zero = LinearAxis::around({0.0, 0.0});
+  EXPECT_LT(at_zero.low, 0.0);
+  EXPECT_GT(at_zero.high, 0.0);
+  const LinearAxis of_none = LinearAxis::around({});
+  EXPECT_LT(of_none.low, of_none.high);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -372,5 +372,79 @@ TEST_F(Paragraph, TenThousandWordsAreSetInTimeThatGrowsWithThem) {
   EXPECT_GT(baselines(set(one(many))).size(), 1000U);
 }
 
+RichText table_of(const std::vector<TextTable::Align>& columns,
+                  const std::vector<std::vector<std::string>>& rows) {
+  TextTable table{columns, {}};
+  for (const auto& row : rows) {
+    table.rows.emplace_back();
+    for (const std::string& words : row)
+      table.rows.back().push_back(words.empty() ? TextTable::Cell() : TextTable::Cell{text(words)});
+  }
+  return {TextBlock{.indent = 0, .marker = {}, .spans = {}, .table = std::move(table)}};
+}
+constexpr auto kLeft = TextTable::Align::left, kCenter = TextTable::Align::center,
+               kRight = TextTable::Align::right;
+
+TEST_F(Paragraph, TablesHaveThreeLinesAndTheirColumnsStraight) {
+  const DisplayList list = set(
+      table_of({kLeft, kCenter, kRight}, {{"aaaaaa", "aaaaaa", "aaaaaa"}, {"a", "a", "a"}, {"", "aa", ""}}));
+  ASSERT_THAT(list.rules, SizeIs(3));
+  for (const Rule& rule : list.rules) {
+    EXPECT_EQ(rule.y0, rule.y1);
+    EXPECT_EQ(rule.x0, list.rules[0].x0);
+    EXPECT_EQ(rule.x1, list.rules[0].x1);
+    EXPECT_NEAR(rule.x0, style_.width - rule.x1, 1.0) << "in the middle";
+  }
+  EXPECT_GT(list.rules[0].thickness, list.rules[1].thickness);
+  EXPECT_EQ(list.rules[0].thickness, list.rules[2].thickness);
+  ASSERT_THAT(list.glyphs, SizeIs(23));
+  const double a = fonts_->advance(Face::serif, list.glyphs[0].id) * style_.size;
+  const auto at = [&](std::size_t i) { return list.glyphs[i].x; };
+  constexpr double kGrid = 0.05;  // glyphs are set on their own grid
+  EXPECT_NEAR(at(18), at(0), kGrid) << "left";
+  EXPECT_NEAR(at(19) + 0.5 * a, at(6) + 3 * a, kGrid) << "in the middle";
+  EXPECT_NEAR(at(20), at(17), kGrid) << "right";
+  EXPECT_NEAR(at(21) + a, at(6) + 3 * a, kGrid);
+  // Line, head, line, two rows, line: each below the other.
+  EXPECT_LT(list.rules[0].y0, list.glyphs[0].y - 0.4 * style_.size);
+  EXPECT_GT(list.rules[1].y0, list.glyphs[0].y);
+  EXPECT_LT(list.rules[1].y0, list.glyphs[18].y - 0.4 * style_.size);
+  EXPECT_GT(list.glyphs[21].y, list.glyphs[18].y + style_.size);
+  EXPECT_GT(list.rules[2].y0, list.glyphs[21].y);
+  const TypeBox ink = ink_box(list, *fonts_);
+  EXPECT_GE(ink.y0, -list.ascent - 1e-9);
+  EXPECT_LE(ink.y1, list.depth + 1e-9);
+}
+
+TEST_F(Paragraph, TablesAreNoWiderThanTheColumn) {
+  const std::string words(kProse);
+  for (const double width : {60.0, 150.0, 400.0, 640.0}) {
+    style_.width = width;
+    for (const RichText& one :
+         {table_of({kLeft, kRight}, {{"a", "b"}, {words, words}}),
+          table_of({kLeft, kCenter, kLeft}, {{words, "b", "c"}, {"a", "b", std::string(60, 'm')}})}) {
+      const DisplayList list = set(one);
+      for (const Rule& rule : list.rules) EXPECT_LE(rule.x1, width + 1.0) << width;
+      for (const Glyph& g : list.glyphs)
+        EXPECT_LE(g.x + fonts_->advance(g.face, g.id) * g.size, width + 2.0) << width;
+    }
+  }
+}
+
+TEST_F(Paragraph, TextGoesOnBelowATable) {
+  RichText text = one(std::string("Above."));
+  const RichText table = table_of({kLeft}, {{"a"}, {"b"}}), below = one(std::string("Below."));
+  text.insert(text.end(), table.begin(), table.end());
+  text.insert(text.end(), below.begin(), below.end());
+  const DisplayList list = set(text);
+  ASSERT_THAT(list.rules, SizeIs(3));
+  EXPECT_GT(list.rules[0].y0, list.glyphs.front().y);
+  EXPECT_LT(list.rules[2].y0, list.glyphs.back().y - 0.7 * style_.size);
+}
+
+TEST_F(Paragraph, WhatTheFontsLackInATableIsSaidOnce) {
+  EXPECT_THAT(errors(table_of({kLeft, kLeft}, {{"a", "b"}, {"水", "c"}})), SizeIs(1));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -56,6 +56,20 @@ TEST(TraceTimes, SamplesIncludeBothEnds) {
   EXPECT_EQ(times(4), 6);
 }
 
+TEST(TraceTimes, SamplesMayBeBetweenTwoTimes) {
+  const TraceTimes times = trace_times({"", "1", "-2", "", "", "4"}, 0);
+  ASSERT_EQ(times.count(), 4);
+  EXPECT_EQ(times(0), 1);
+  EXPECT_EQ(times(1), 0);
+  EXPECT_EQ(times(3), -2);
+  EXPECT_EQ(times.furthest_s(), 2);
+  EXPECT_EQ(code_of({"", "0", "3", "1", "", "4"}), ExitCode::usage) << "--every and --samples";
+  EXPECT_EQ(code_of({"", "", "", "1", "2", "4"}), ExitCode::usage) << "--every of periods";
+  EXPECT_EQ(code_of({"", "0", "3", "", "", ""}), ExitCode::usage);
+  EXPECT_EQ(code_of({"", "0", "", "", "", "4"}), ExitCode::usage);
+  EXPECT_EQ(code_of({"", "-1.7e308", "1.7e308", "", "", "4"}), ExitCode::usage);
+}
+
 TEST(TraceTimes, RefusesWhatMakesNoRow) {
   EXPECT_EQ(code_of({}), ExitCode::usage);
   EXPECT_EQ(code_of(every("0", "1", "0")), ExitCode::usage);

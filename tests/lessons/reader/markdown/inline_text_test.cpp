@@ -155,6 +155,49 @@ TEST(InlineText, LinesOpenNoBlocks) {
   EXPECT_EQ(shown(read("*a*", true).text), "[i:a]");
 }
 
+/// "l", "c", "r" for each column, then the rows by "/", their cells by "|".
+std::string shown(const TextTable& table) {
+  std::string all;
+  for (const TextTable::Align align : table.columns)
+    all += align == TextTable::Align::left ? 'l' : align == TextTable::Align::center ? 'c' : 'r';
+  for (const auto& row : table.rows) {
+    all += '/';
+    for (const TextTable::Cell& cell : row) {
+      if (&cell != row.data()) all += '|';
+      for (const TextSpan& span : cell) all += (span.kind == TextSpan::Kind::math ? "m:" : "") + span.text;
+    }
+  }
+  return all;
+}
+
+TEST(InlineText, HasTables) {
+  const Read result = read(
+      "Before.\n\n| body | $T/|L|$ | `a|b` |\n|:-----|:-:|--:|\n| *coin* | 1 \\| 2 | |\n  x | [y](http://z) "
+      "| 3\n\nBehind.");
+  EXPECT_THAT(result.complaints, IsEmpty());
+  ASSERT_THAT(result.text, SizeIs(3));
+  EXPECT_EQ(shown(result.text[1].table), "lcr/body|m:T/|L||a|b/coin|1 | 2|/x|y|3");
+  EXPECT_EQ(result.text[1].table.rows[2][1].at(0).link, "http://z");
+  EXPECT_TRUE(result.text[1].table.rows[1][0].at(0).italic);
+  EXPECT_FALSE(result.text[0].is_table() || result.text[2].is_table());
+}
+
+// Two tables in one text; a table of a head alone.
+TEST(InlineText, TablesEndWithTheirLines) {
+  const Read result = read("| a |\n|---|\n\n| b | c |\n|---|---|\n| | d |\n");
+  EXPECT_THAT(result.complaints, IsEmpty());
+  ASSERT_THAT(result.text, SizeIs(2));
+  EXPECT_EQ(shown(result.text[0].table), "l/a");
+  EXPECT_EQ(shown(result.text[1].table), "ll/b|c/|d");
+}
+
+TEST(InlineText, TablesHaveALimitOfRows) {
+  std::string table = "| a |\n|---|\n";
+  for (std::size_t i = 0; i < kMaxTableRows; ++i) table += "| b |\n";
+  EXPECT_THAT(read(table).complaints, IsEmpty());
+  EXPECT_THAT(read(table + "| c |\n").complaints, SizeIs(1));
+}
+
 struct Refused {
   const char* markdown;
   const char* complaint;
@@ -167,20 +210,28 @@ TEST_P(InlineTextRefuses, WithItsPlace) {
 }
 INSTANTIATE_TEST_SUITE_P(
     All, InlineTextRefuses,
-    ::testing::Values(Refused{"a ![b](c)", "1:3: error: images are not read"},
-                      Refused{"a\n\n| b | c |\n|---|---|\n| d | e |", "3:1: error: tables are not read"},
-                      Refused{"ω <b>c", "1:3: error: HTML is not read"},
-                      Refused{"a\n\n<div>\nb", "3:1: error: HTML is not read"},
-                      Refused{"- a\n\n  > b", "3:3: error: a quote inside a text is not read"},
-                      Refused{"- a\n\n  ***\n", "3:3: error: a rule inside a text is not read"},
-                      Refused{"a &omegga; b", "1:3: error: unknown character &omegga;"},
-                      Refused{"a &#0; b", "1:3: error: unknown character &#0;"},
-                      Refused{"a &#155; b", "1:3: error: unknown character &#155;"},
-                      Refused{"ωω $\\vec{a$", "1:9: error: { is never closed"},
-                      Refused{"a [b](c$d$)", "1:8: error: a formula cannot stand here"},
-                      Refused{"a $b \\tag{1}$", "1:11: error: \\tag numbers a display"},
-                      Refused{"a $b & c$", "1:4: error: & and \\\\ make rows of a display"},
-                      Refused{"a $$x$$", "1:3: error: display mathematics stands in a fence"}));
+    ::testing::Values(
+        Refused{"a ![b](c)", "1:3: error: images are not read"},
+        Refused{"- a\n\n  | b | c |\n  |---|---|\n", "3:3: error: a table inside a list is not read"},
+        Refused{"| a | b |\n|---|---|\n| c | d | e |", "3:1: error: this row has 3 cells, the head has 2"},
+        Refused{"| a | b |\n|---|---|\n| c |", "3:1: error: this row has 1 cell, the head has 2"},
+        Refused{"| a | b |\n|---|---|---|\n| c | d |",
+                "1:1: error: the head has 2 cells, the line below it 3"},
+        Refused{"words\n| a | b |\n|---|---|", "3:1: error: no table comes of this line"},
+        Refused{"|1|2|3|4|5|6|7|8|9|10|11|12|13|\n|-|-|-|-|-|-|-|-|-|-|-|-|--|",
+                "2:1: error: a table has at most 12 columns"},
+        Refused{"ω <b>c", "1:3: error: HTML is not read"},
+        Refused{"a\n\n<div>\nb", "3:1: error: HTML is not read"},
+        Refused{"- a\n\n  > b", "3:3: error: a quote inside a text is not read"},
+        Refused{"- a\n\n  ***\n", "3:3: error: a rule inside a text is not read"},
+        Refused{"a &omegga; b", "1:3: error: unknown character &omegga;"},
+        Refused{"a &#0; b", "1:3: error: unknown character &#0;"},
+        Refused{"a &#155; b", "1:3: error: unknown character &#155;"},
+        Refused{"ωω $\\vec{a$", "1:9: error: { is never closed"},
+        Refused{"a [b](c$d$)", "1:8: error: a formula cannot stand here"},
+        Refused{"a $b \\tag{1}$", "1:11: error: \\tag numbers a display"},
+        Refused{"a $b & c$", "1:4: error: & and \\\\ make rows of a display"},
+        Refused{"a $$x$$", "1:3: error: display mathematics stands in a fence"}));
 
 TEST(InlineText, KeepsWhatIsLeftAfterAnError) {
   EXPECT_EQ(shown(read("a $\\nosuch$ **b**").text), "[a ][ ][b:b]");

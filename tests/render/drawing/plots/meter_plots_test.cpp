@@ -7,14 +7,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
 
 namespace polhode {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-const std::vector<Meter> kAll = {Meter::omega, Meter::energy, Meter::momentum, Meter::drift};
+const std::vector<PlotSpec> kAll = {Meter::omega, Meter::energy, Meter::momentum, Meter::drift};
 
-SceneModel page_of(Scene scene, std::vector<Meter> meters = kAll) {
+SceneModel page_of(Scene scene, std::vector<PlotSpec> meters = kAll) {
   scene.meters = std::move(meters);
   return make_model(scene, Product::page);
 }
@@ -129,6 +133,104 @@ TEST(MeterPlots, AFigureHasNone) {
   scene.meters = kAll;
   EXPECT_TRUE(meter_plots(make_model(scene), 0).empty());
   EXPECT_TRUE(meter_plots(page_of(scene, {}), 0).empty());
+}
+
+/// A quantity that a lesson might have.
+SceneQuantity quantity(const std::string& name, std::function<double(double t_s, const Vec3& w_B)> value,
+                       const std::string& role = "") {
+  return {
+      .text = name,
+      .tex = name,
+      .meaning = name,
+      .unit = "rad/s",
+      .role = role,
+      .value = [value](const SceneModel&, double t_s, const RigidBodyState& state) -> std::optional<Vec3> {
+        const double now = value(t_s, state.w_B);
+        return std::isfinite(now) ? std::optional(Vec3(now, 0, 0)) : std::nullopt;
+      }};
+}
+
+SceneQuantity component(int i) {
+  return quantity(
+      "w" + std::to_string(i + 1), [i](double, const Vec3& w_B) { return w_B[i]; }, "omega");
+}
+
+TEST(MeterPlots, OwnQuantitiesAreInTheUnitOfTheirPlot) {
+  OwnPlot own{.curves = {component(1)}, .title = "A title", .tex = {"w"}, .y = {"mrad/s", 1000}};
+  own.range = std::pair(-1.0, 2.0);
+  const SceneModel model = page_of({}, {own, Meter::omega});
+  ASSERT_EQ(meter_count(model), 2u);
+  const auto plots = meter_plots(model, 0.2);
+  EXPECT_EQ(plots[0].title, "A title");
+  EXPECT_EQ(plots[0].unit, "mrad/s");
+  EXPECT_EQ(plots[0].series[0].label, "$w$");
+  EXPECT_EQ(plots[0].range, own.range);
+  EXPECT_EQ(plots[0].now, 0.2);
+  for (std::size_t k = 0; k < plots[0].t.size(); k += 30)
+    EXPECT_EQ(plots[0].series[0].y[k], plots[1].series[1].y[k] * 1000);
+}
+
+TEST(MeterPlots, OwnCurvesAreToldApart) {
+  OwnPlot own;
+  for (int i = 0; i < static_cast<int>(kMaxCurves); ++i)
+    own.curves.push_back(quantity(
+        "q" + std::to_string(i), [](double, const Vec3& w_B) { return w_B[0]; }, i == 2 ? "polhode" : ""));
+  const auto series = meter_plots(page_of({}, {own}), 0).front().series;
+  EXPECT_EQ(series[2].role.ink, kPolhodeRole.ink) << "a symbol keeps its colour";
+  for (std::size_t i = 0; i < series.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      EXPECT_NE(series[i].dash, series[k].dash) << "in print";
+      EXPECT_FALSE(series[i].role.ink == series[k].role.ink) << i << ' ' << k;
+    }
+}
+
+TEST(MeterPlots, WhatIsNotDefinedLeavesGaps) {
+  const SceneModel model = page_of({}, {OwnPlot{.curves = {quantity("gap", [](double t_s, const Vec3&) {
+                                                  return t_s > 0.5 ? std::nan("") : 1.0;
+                                                })}}});
+  const TimePlot plot = meter_plots(model, 0).front();
+  EXPECT_EQ(plot.series[0].y.front(), 1.0);
+  EXPECT_TRUE(std::isnan(plot.series[0].y.back()));
+}
+
+TEST(MeterPlots, APathIsMarkedWhereTheMotionIs) {
+  OwnPlot own{.curves = {component(1)}, .against = component(0)};
+  own.is_scaled_alike = true;
+  const SceneModel model = page_of({}, {own});
+  const TimePlot plot = meter_plots(model, 0.7).front();
+  const Vec3 now = model.motion->at(0.7).w_B;
+  EXPECT_TRUE(plot.is_path && plot.is_scaled_alike);
+  EXPECT_EQ(plot.now, now[0]);
+  EXPECT_EQ(plot.y_now, std::vector<double>{now[1]});
+  EXPECT_EQ(plot.title, "$w2$ against $w1$");
+  EXPECT_EQ(plot.t.front(), model.scene.w0_B[0]);
+}
+
+TEST(MeterPlots, AFunctionIsDrawnAroundItsLevel) {
+  PlotFunction well{.text = "1/(1 - x^2)",
+                    .tex = "U",
+                    .variable = "x",
+                    .meaning = "U",
+                    .of = component(0),
+                    .from = -1,
+                    .to = 1,
+                    .level = quantity("E", [](double, const Vec3&) { return 1.25; }),
+                    .values = {}};
+  well.values = [](const SceneModel&, const std::vector<double>& x) {
+    std::vector<double> y;
+    for (double at : x) y.push_back(1 / (1 - at * at));
+    return y;
+  };
+  const SceneModel model = page_of({}, {OwnPlot{.function = well}});
+  const TimePlot plot = meter_plots(model, 0.7).front();
+  ASSERT_EQ(plot.series.size(), 2u);
+  EXPECT_EQ(plot.now, model.motion->at(0.7).w_B[0]);
+  EXPECT_EQ(plot.series[1].y.front(), 1.25);
+  ASSERT_TRUE(plot.range);
+  // The bottom is 1, the level 1.25; the poles at ±1 are not what is to be seen.
+  EXPECT_LT(plot.range->first, 1.0);
+  EXPECT_GT(plot.range->second, 1.25);
+  EXPECT_LT(plot.range->second, 2.0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace polhode {
 namespace {
@@ -160,6 +161,73 @@ TEST(TimePlot, KeepsTidyWhenSmallAndWhenLarge) {
     const PixelBox box{10, 20, 10 + width, 20 + height};
     expect_tidy(sheet_of(plot, box), box);
   }
+}
+
+TEST(TimePlot, ATightAxisNeedNotShowZero) {
+  TimePlot plot = plot_of({ramp(100, 101)});
+  const auto zeros = [](const Sheet& sheet) {
+    return std::count_if(sheet.texts.begin(), sheet.texts.end(),
+                         [](const PlacedType& type) { return type.text == "0"; });
+  };
+  EXPECT_EQ(zeros(sheet_of(plot)), 2) << "of the values and of time";
+  plot.is_tight = true;
+  EXPECT_LE(zeros(sheet_of(plot)), 1);
+  expect_tidy(sheet_of(plot));
+}
+
+TEST(TimePlot, WhatLiesOutsideOfARangeIsNotDrawn) {
+  TimePlot plot = plot_of({ramp(-10, 10), {5, -50, 5}});
+  plot.range = std::pair(-1.0, 6.0);
+  plot.now = 0.5;  // outside of both
+  const Sheet sheet = sheet_of(plot);
+  expect_tidy(sheet);
+  // The ramp reaches −1 and 6 between two of its points: its ends are the lower and the upper edge.
+  const auto ramp_line = strokes_of(sheet, kOmegaRole.paint);
+  ASSERT_EQ(ramp_line.size(), 1u);
+  const auto ys = [](const Stroke& stroke) {
+    return std::pair(stroke.points.front().y(), stroke.points.back().y());
+  };
+  const auto [low, high] = ys(ramp_line.front());
+  // Two stretches of the other, which end at the lower edge.
+  const auto dip = strokes_of(sheet, kLRole.paint);
+  ASSERT_EQ(dip.size(), 2u);
+  EXPECT_NEAR(dip[0].points.back().y(), low, 1e-9);
+  EXPECT_NEAR(dip[1].points.front().y(), low, 1e-9);
+  EXPECT_LT(high, dip[0].points.front().y());
+}
+
+TEST(TimePlot, APathOfOneUnitIsDrawnToScale) {
+  TimePlot plot{.title = "a circle", .unit = "rad/s"};
+  plot.is_path = plot.is_scaled_alike = true;
+  plot.x_label = "$\\omega_1$";
+  plot.x_unit = "rad/s";
+  TimeSeries circle{.label = "$\\omega_2$", .role = kOmegaRole};
+  for (int i = 0; i <= 100; ++i) {
+    plot.t.push_back(3 * std::cos(0.0628 * i));
+    circle.y.push_back(3 * std::sin(0.0628 * i));
+  }
+  plot.series.push_back(circle);
+  plot.now = 3;
+  plot.y_now = {0};
+  for (const PixelBox& box : {kBox, PixelBox{0, 0, 200, 300}}) {
+    const Sheet sheet = lay_out(plot, box, kStyle, fonts());
+    expect_tidy(sheet, box);
+    PixelBox seen{1e9, 1e9, -1e9, -1e9};
+    for (const Stroke& stroke : strokes_of(sheet, kOmegaRole.paint))
+      for (const Vec2& p : stroke.points)
+        if (stroke.points.size() > 2)
+          seen = {std::min(seen.x0, p.x()), std::min(seen.y0, p.y()), std::max(seen.x1, p.x()),
+                  std::max(seen.y1, p.y())};
+    // Points of a polygon of 100 corners lie within 1 − cos(π/100) of a circle; a tenth of a px is
+    // simplified.
+    EXPECT_NEAR(seen.width(), seen.height(), 0.001 * seen.width() + 0.2);
+  }
+}
+
+TEST(TimePlot, ALongNameBecomesSmaller) {
+  TimePlot plot = plot_of({ramp(0, 1)});
+  plot.series.front().label = "$\\frac{(p_\\varphi - p_\\psi u)^2}{2 I_1 (1 - u^2)} + m g \\ell u$";
+  expect_tidy(sheet_of(plot));
 }
 
 }  // namespace

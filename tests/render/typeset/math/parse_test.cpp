@@ -289,6 +289,38 @@ TEST(MathReferences, ShowTheNumberOfWhatTheyNameOnceItIsKnown) {
   EXPECT_THAT(complaints("\\eqref"), SizeIs(1));
 }
 
+TEST(ParseMath, ReadsComputedNumbers) {
+  const auto math = parse_math(
+      "a = \\live[ unit = {rad/s}, digits=4 ]{w1 + w2} + \\value[unit=m]{-2.5\\,0\\cdot10^{-3}}{h}");
+  ASSERT_TRUE(math.ok());
+  ASSERT_THAT(math->live, SizeIs(2));
+  const LiveNumber &live = math->live[0], &typed = math->live[1];
+  EXPECT_EQ(live.expression, "w1 + w2");
+  EXPECT_EQ(live.digits, 4);
+  EXPECT_EQ(live.unit, "rad/s");
+  EXPECT_EQ(live.unit_offset, 19U);
+  EXPECT_EQ(live.typed, "");
+  EXPECT_EQ(live.whole, (SourceSpan{4, 46}));
+  EXPECT_EQ(typed.typed, "-2.50e-3");
+  EXPECT_EQ(typed.unit, "m");
+  EXPECT_EQ(typed.expression, "h");
+  const auto say = [](std::string_view) { return std::string(); };
+  EXPECT_EQ(spoken(*math, {}, say),
+            "a equals its value now rad/s plus minus 2.50 dot 10 to the power minus 3 m");
+  const Math shown = with_numbers(*math, {{parse_math("7").value(), "x"}, {}});
+  EXPECT_EQ(spoken(shown, {}, say), "a equals 7 rad/s plus minus 2.50 dot 10 to the power minus 3 m");
+  EXPECT_EQ(unit_tex("kg m^2/s"), "\\,\\text{kg m²/s}");
+  EXPECT_EQ(unit_tex("deg"), "\\text{°}");
+  EXPECT_EQ(unit_tex("1"), "");
+}
+
+TEST(ParseMath, TellsWhatIsWrongWithOptions) {
+  for (const char* wrong :
+       {"\\live[", "\\live[digits=3", "\\live[digits=3{T}", "\\live[,]{T}", "\\live[\\x]{T}",
+        "\\live[digits=999999999999]{T}", "\\value[unit=m]", "\\value{1}", "\\value"})
+    EXPECT_FALSE(complaints(wrong).empty()) << wrong;
+}
+
 TEST(MathCommands, HaveEachNameOnce) {
   std::set<std::string_view> names;
   for (const MathCommand& c : math_commands()) EXPECT_TRUE(names.insert(c.name).second) << c.name;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/computed_number.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+
+std::optional<double> value_of(const ComputedNumber& number, const LiveState& live) {
+  const auto value = live_number(number.expression, live);
+  if (!value) return std::nullopt;
+  return *value / number.unit_si;
+}
+
+std::optional<std::string> right_instead(const ComputedNumber& number, double value) {
+  const std::string& typed = number.written.typed;
+  const std::size_t e = std::min(typed.find('e'), typed.size()), point = std::min(typed.find('.'), e);
+  const int decimals = point == e ? 0 : static_cast<int>(e - point) - 1;
+  const int power = e == typed.size() ? 0 : std::stoi(typed.substr(e + 1));
+  const double last_digit = std::pow(10.0, power - decimals), shown = std::stod(typed);
+  // A number that lies in the middle between two may be rounded either way, whatever is lost in the last
+  // bits.
+  constexpr double kBits = 64;
+  const double lost = kBits * std::numeric_limits<double>::epsilon() * (std::abs(value) + std::abs(shown));
+  if (std::abs(value - shown) <= 0.5 * last_digit + lost) return std::nullopt;
+  std::string right = fmt::format("{:.{}f}", value / std::pow(10.0, power), decimals);
+  if (right.find_first_not_of("-0.") == right.npos && right.front() == '-') right.erase(0, 1);
+  return power == 0 ? right : fmt::format("{}\\cdot10^{{{}}}", right, power);
+}
+
+}  // namespace polhode
