@@ -183,6 +183,7 @@ class TextReader::Builder {
     if (type == MD_BLOCK_HTML) in_html_ = false;
     if (type == MD_BLOCK_TR) cursor_ = std::max(cursor_, std::min(row_line_.end, text_.size()));
     if (type == MD_BLOCK_TH || type == MD_BLOCK_TD) in_cell_ = false;
+    if (type == MD_BLOCK_TABLE) cursor_ = std::max(cursor_, next_line(head_line_).end);
     item_is_new_ = item_is_new_ && type != MD_BLOCK_LI;
     return 0;
   }
@@ -241,12 +242,14 @@ class TextReader::Builder {
         table.rows.empty() ? head_line_ : next_line(is_first_below ? next_line(head_line_) : row_line_);
     cursor_ = std::max(cursor_, row_line_.begin);
     table.rows.emplace_back();
-    const std::size_t cells = cells_in(row_line_);
-    if (cells != columns_)
-      error(text_.find_first_not_of(" \t", row_line_.begin),
-            "this row has " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") + ", the head has " +
-                std::to_string(columns_),
-            cells < columns_ ? "an empty cell is written | |" : "write \\| for the sign |");
+    const std::size_t cells = cells_in(row_line_), at = text_.find_first_not_of(" \t", row_line_.begin);
+    if (cells == columns_) return;
+    const std::string has = std::to_string(cells) + (cells == 1 ? " cell" : " cells");
+    if (table.rows.size() == 1)
+      return error(at, "the head has " + has + ", and the line below it " + std::to_string(columns_),
+                   "write --- below each cell of the head");
+    error(at, "this row has " + has + ", the head has " + std::to_string(columns_),
+          cells < columns_ ? "an empty cell is written | |" : "write \\| for the sign |");
   }
 
   void begin_cell(MD_ALIGN align) {
@@ -286,7 +289,7 @@ class TextReader::Builder {
     for (Line line = line_at(0);; line = next_line(line)) {
       const std::string_view words = trimmed(text_.substr(line.begin, line.end - line.begin));
       const bool has_bar = words.find('|') != std::string_view::npos;
-      if (has_bar && words.find("--") != std::string_view::npos &&
+      if (has_bar && words.find('-') != std::string_view::npos &&
           words.find_first_not_of("|:- \t") == std::string_view::npos)
         marker_lines_.insert(line.begin);
       if (line.end >= text_.size()) return;
@@ -296,7 +299,7 @@ class TextReader::Builder {
   void report_marker_lines() {
     for (const std::size_t begin : marker_lines_)
       error(text_.find_first_not_of(" \t", begin), "no table comes of this line",
-            "above it stands the head alone, in one line with as many cells, below an empty line");
+            "write --- for each cell of the head, which stands alone above it, below an empty line");
   }
 
   std::vector<TextSpan>& current() {

@@ -144,7 +144,7 @@ TEST(Transcript, HasTheNumbersOfTheStills) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          "\nTable with the columns time, spin.\n  time: now; spin: 4.00.\n  spin: minus omega sub 3.\n"));
+          "\nTable with the columns time, spin.\n  time: now; spin: 4.00.\n  spin: Minus omega sub 3.\n"));
   EXPECT_THAT(text, HasSubstr("Figure: Spin 4.00\n"));
   const SpeechText speech(*reading.lesson);
   EXPECT_EQ(speech.words_of_caption(reading.lesson->stages[0], 1), "Spin 4.00");

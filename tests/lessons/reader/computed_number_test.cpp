@@ -96,7 +96,7 @@ TEST(ComputedNumbers, WhatIsTypedIsChecked) {
   EXPECT_THAT(
       faults_of(R"(\value{1.048}{third})"),
       ElementsAre(
-          "13:17: error: this number is 1.0472 at t = 1 s, and 1.048 is typed (write \\value{1.047})"));
+          "13:18: error: this number is 1.0472 at t = 1 s, and 1.048 is typed (write \\value{1.047})"));
   EXPECT_THAT(faults_of(R"(\value{8}{T})"), ElementsAre(HasSubstr("(write \\value{9})")));
   EXPECT_THAT(faults_of(R"(\value{-9}{T})"), ElementsAre(HasSubstr("(write \\value{9})")));
   EXPECT_THAT(faults_of(R"(\value{9.1\cdot10^{3}}{1000*T})"),
