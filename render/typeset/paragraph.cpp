@@ -36,7 +36,8 @@ constexpr double kRowGap = 0.16;     // between rows, besides what lines have
 constexpr double kRulePad = 0.3;     // between a line and the rows beside it
 constexpr double kBelowTable = 0.3;  // below the last line
 constexpr double kHeavyRule = 0.075, kLightRule = 0.045;
-constexpr double kLeastTableSize = 0.6;  // of the text; narrower than that words are broken
+constexpr double kLeastTableSize = 0.6;   // of the text; rather than smaller, words are broken
+constexpr double kLeastBrokenSize = 0.1;  // where there is not even room for letters
 
 /// Of the size at which the x-heights are equal: the letters of a typewriter are so wide that they look
 /// larger.
@@ -608,19 +609,35 @@ class TextSetter {
     return least;
   }
 
+  /// How wide a column may be at most, so that all together lose so much.
+  static double widest_column(std::vector<double> widths, double loss) {
+    std::sort(widths.begin(), widths.end());
+    double room = -loss;
+    for (const double one : widths) room += one;
+    std::size_t left = widths.size();
+    for (const double one : widths) {
+      if (one * static_cast<double>(left) > room) break;
+      room -= one;
+      --left;
+    }
+    return left == 0 ? widths.back() : std::max(0.0, room / static_cast<double>(left));
+  }
+
   /// Each column as wide as its widest cell; where that is too much, the wide ones give what they have above
   /// their widest word, in proportion; where that is not enough, the type is made smaller.
   SetTable laid_out(const TextTable& table, double width) {
     TextStyle style = style_;
     style.justified = false;
+    // What is as wide as its column fits into it: glyphs are set on a grid of their own.
+    const auto with_room = [](double one) { return std::ceil(one) + 1.0; };
     for (SetTable made; true; style.size *= 0.93) {
       style.width = 0.0;
       made = {style.size, std::vector<double>(table.columns.size()), {}};
       std::vector<double> least(table.columns.size());
       for (const auto& row : table.rows)
         for (std::size_t c = 0; c < row.size(); ++c) {
-          made.widths[c] = std::max(made.widths[c], cell_list(row[c], style).width);
-          if (width > 0.0) least[c] = std::max(least[c], least_width(row[c], style));
+          made.widths[c] = std::max(made.widths[c], with_room(cell_list(row[c], style).width));
+          if (width > 0.0) least[c] = std::max(least[c], with_room(least_width(row[c], style)));
         }
       if (!errors_.empty()) return made;
       const double over = width > 0.0 ? made.width() - width : 0.0;
@@ -630,13 +647,16 @@ class TextSetter {
         if (spare < over && style.size > kLeastTableSize * style_.size) continue;
         const double part = spare > over ? over / spare : 1.0;
         for (std::size_t c = 0; c < least.size(); ++c) made.widths[c] -= part * (made.widths[c] - least[c]);
-        if (const double much = made.width() - width; much > 0.5)  // words will be broken
-          for (double& one : made.widths) one = std::max(style.size, one * (1.0 - much / made.width()));
+        if (spare < over) {  // words will be broken
+          const double widest = widest_column(made.widths, made.width() - width);
+          if (widest < style.size && style.size > kLeastBrokenSize * style_.size) continue;
+          for (double& one : made.widths) one = std::min(one, widest);
+        }
       }
       for (const auto& row : table.rows) {
         made.rows.emplace_back();
         for (std::size_t c = 0; c < row.size(); ++c) {
-          style.width = std::ceil(made.widths[c]) + 1.0;  // what is as wide as the column fits into it
+          style.width = made.widths[c];
           made.rows.back().push_back(cell_list(row[c], style));
         }
       }

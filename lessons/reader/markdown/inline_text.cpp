@@ -181,9 +181,9 @@ class TextReader::Builder {
     if ((type == MD_BLOCK_UL || type == MD_BLOCK_OL) && !lists_.empty()) lists_.pop_back();
     block_is_open_ = false;
     if (type == MD_BLOCK_HTML) in_html_ = false;
-    if (type == MD_BLOCK_THEAD) cursor_ = std::max(cursor_, next_line(head_line_).end);
     if (type == MD_BLOCK_TR) cursor_ = std::max(cursor_, std::min(row_line_.end, text_.size()));
     if (type == MD_BLOCK_TH || type == MD_BLOCK_TD) in_cell_ = false;
+    if (type == MD_BLOCK_TABLE) cursor_ = std::max(cursor_, next_line(head_line_).end);
     item_is_new_ = item_is_new_ && type != MD_BLOCK_LI;
     return 0;
   }
@@ -227,14 +227,10 @@ class TextReader::Builder {
       return refuse("a table has at most " + std::to_string(kMaxTableColumns) +
                         " columns, and below its head " + std::to_string(kMaxTableRows) + " rows",
                     "make several tables of it");
-    head_line_ = line_at(at);
-    marker_lines_.erase(next_line(head_line_).begin);
-    if (const std::size_t cells = cells_in(head_line_); cells != table.col_count)
-      return refuse("the head has " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") +
-                        ", the line below it " + std::to_string(table.col_count),
-                    "write as many | --- | below it");
     open_block();
     row_line_ = {};
+    head_line_ = line_at(at);
+    marker_lines_.erase(next_line(head_line_).begin);
     columns_ = table.col_count;
     return 0;
   }
@@ -246,12 +242,14 @@ class TextReader::Builder {
         table.rows.empty() ? head_line_ : next_line(is_first_below ? next_line(head_line_) : row_line_);
     cursor_ = std::max(cursor_, row_line_.begin);
     table.rows.emplace_back();
-    const std::size_t cells = cells_in(row_line_);
-    if (cells != columns_)
-      error(text_.find_first_not_of(" \t", row_line_.begin),
-            "this row has " + std::to_string(cells) + (cells == 1 ? " cell" : " cells") + ", the head has " +
-                std::to_string(columns_),
-            cells < columns_ ? "an empty cell is written | |" : "write \\| for the sign |");
+    const std::size_t cells = cells_in(row_line_), at = text_.find_first_not_of(" \t", row_line_.begin);
+    if (cells == columns_) return;
+    const std::string has = std::to_string(cells) + (cells == 1 ? " cell" : " cells");
+    if (table.rows.size() == 1)
+      return error(at, "the head has " + has + ", and the line below it " + std::to_string(columns_),
+                   "write --- below each cell of the head");
+    error(at, "this row has " + has + ", the head has " + std::to_string(columns_),
+          cells < columns_ ? "an empty cell is written | |" : "write \\| for the sign |");
   }
 
   void begin_cell(MD_ALIGN align) {
@@ -291,7 +289,7 @@ class TextReader::Builder {
     for (Line line = line_at(0);; line = next_line(line)) {
       const std::string_view words = trimmed(text_.substr(line.begin, line.end - line.begin));
       const bool has_bar = words.find('|') != std::string_view::npos;
-      if (has_bar && words.find("--") != std::string_view::npos &&
+      if (has_bar && words.find('-') != std::string_view::npos &&
           words.find_first_not_of("|:- \t") == std::string_view::npos)
         marker_lines_.insert(line.begin);
       if (line.end >= text_.size()) return;
@@ -299,15 +297,9 @@ class TextReader::Builder {
   }
 
   void report_marker_lines() {
-    for (const std::size_t begin : marker_lines_) {
-      const std::size_t at = text_.find_first_not_of(" \t", begin);
-      if (cells_in(line_at(begin)) > kMaxTableColumns)
-        error(at, "a table has at most " + std::to_string(kMaxTableColumns) + " columns",
-              "make several of it");
-      else
-        error(at, "no table comes of this line",
-              "above it stands the head alone, in one line with as many cells, below an empty line");
-    }
+    for (const std::size_t begin : marker_lines_)
+      error(text_.find_first_not_of(" \t", begin), "no table comes of this line",
+            "write --- for each cell of the head, which stands alone above it, below an empty line");
   }
 
   std::vector<TextSpan>& current() {

@@ -144,7 +144,7 @@ TEST(Transcript, HasTheNumbersOfTheStills) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          "\nTable with the columns time, spin.\n  time: now; spin: 4.00.\n  spin: minus omega sub 3.\n"));
+          "\nTable with the columns time, spin.\n  time: now; spin: 4.00.\n  spin: Minus omega sub 3.\n"));
   EXPECT_THAT(text, HasSubstr("Figure: Spin 4.00\n"));
   const SpeechText speech(*reading.lesson);
   EXPECT_EQ(speech.words_of_figure(reading.lesson->stages[0].steps[0]).at(0).caption, "Spin 4.00");

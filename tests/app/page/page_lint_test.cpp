@@ -64,7 +64,7 @@ std::int64_t evaluations_with(const std::string& number) {
 }
 
 TEST(PageLint, TheNumbersOfEarlierStepsCostOneMotionForEachStep) {
-  const std::int64_t more = evaluations_with("\\live{T}") - evaluations_with("{}");
+  const std::int64_t more = evaluations_with("\\live{T}") - evaluations_with("7.80{\\cdot}10^{-3}");
   EXPECT_GE(more, 4 * 2000) << "of four steps numbers stay; what they cost is not told";
   // Rates are taken from seven states about the still, each reached again from a checkpoint.
   EXPECT_LE(more, 4 * 3000) << "computed for each later page and each of its sizes";
