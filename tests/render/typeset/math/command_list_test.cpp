@@ -87,7 +87,8 @@ const std::vector<Group>& groups() {
        }},
       {"of lessons",
        [](const C& c) {
-         return is_one_of(c, {Action::term, Action::proved, Action::live, Action::tag, Action::reference});
+         return is_one_of(
+             c, {Action::term, Action::proved, Action::live, Action::value, Action::tag, Action::reference});
        }},
       {"short forms", [](const C& c) { return c.action == Action::macro; }},
       {"without effect", [](const C& c) { return c.action == Action::nothing; }}};
