@@ -56,7 +56,7 @@ std::array<SizedNumber, 3> sized(const Vec3& x) {
 }
 
 Mat3 on_turned_axes(const PrincipalMoments& I) {
-  const Mat3 Q = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
+  static const Mat3 Q = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
   return Q.transpose() * I.vector().asDiagonal() * Q;
 }
 
@@ -77,12 +77,7 @@ double rounding_at(double t_s, double rate) {
   return kRoundings * kEpsilon * (1.0 + rate * std::abs(t_s)) / kDifferenceAngle;
 }
 
-bool has_rates(const Equality& equality) {
-  const auto has = [](const Expression& side) {
-    return std::any_of(side.nodes.begin(), side.nodes.end(), is_rate);
-  };
-  return has(equality.left) || has(equality.right);
-}
+bool has_rates(const Equality& equality) { return has_rates(equality.left) || has_rates(equality.right); }
 
 /// What does not speak of rates has no part in the error of a step.
 double tolerance_of(const Equality& equality, std::optional<double> within, const LiveState& live) {
@@ -124,17 +119,11 @@ Triple<SizedNumber> in_body(const Triple<SizedNumber>& x_S, const ClaimState<Siz
   return Evaluation<SizedNumber>(state).to_body(x_S);
 }
 
-}  // namespace
-
-std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
-  const RigidBodyState state = model.motion->at(t_s);
+/// Rates of the size `rate`, or none.
+std::optional<LiveState> live_state(const SceneModel& model, double t_s, const RigidBodyState& state,
+                                    const Moving& rates, double rate) {
   if (!state.w_B.allFinite() || !state.q_SB.coeffs().allFinite()) return std::nullopt;
-  const double rate = rate_scale(model, state);
   const Moving now = moving(model, t_s, state);
-  const Moving rates = derivative_at([&](double at_s) { return moving(model, at_s, model.motion->at(at_s)); },
-                                     t_s, kDifferenceAngle / rate);
-  if (!rates.allFinite()) return std::nullopt;
-
   LiveState live;
   ClaimState<SizedNumber>& s = live.state;
   for (int row = 0; row < 3; ++row)
@@ -159,6 +148,30 @@ std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
   live.rounding = rounding_at(t_s, rate);
   live.method_error = error_of_method(model, rate);
   return live;
+}
+
+}  // namespace
+
+bool has_rates(const Expression& expression) {
+  return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_rate);
+}
+
+bool slips(const Scene& scene) {
+  return std::any_of(scene.torque.begin(), scene.torque.end(),
+                     [](const TorqueTerm& term) { return std::holds_alternative<EnergySink>(term); });
+}
+
+std::optional<LiveState> live_state(const SceneModel& model, double t_s) {
+  const RigidBodyState state = model.motion->at(t_s);
+  const double rate = rate_scale(model, state);
+  const Moving rates = derivative_at([&](double at_s) { return moving(model, at_s, model.motion->at(at_s)); },
+                                     t_s, kDifferenceAngle / rate);
+  if (!rates.allFinite()) return std::nullopt;
+  return live_state(model, t_s, state, rates, rate);
+}
+
+std::optional<LiveState> still_state(const SceneModel& model, double t_s, const RigidBodyState& state) {
+  return live_state(model, t_s, state, Moving::Zero(), 0);
 }
 
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view) {
@@ -215,9 +228,7 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
   if (!claim.given.empty() && !holds_at_start(claim.given, scene)) return false;
   if (claim.kind == ClaimKind::measured) return true;
   using Q = Quantity;
-  const bool slips = std::any_of(scene.torque.begin(), scene.torque.end(), [](const TorqueTerm& term) {
-    return std::holds_alternative<EnergySink>(term);
-  });
+  const bool has_no_rates = slips(scene);
   return std::all_of(claim.lines.begin(), claim.lines.end(), [&](const ClaimLine& line) {
     const auto uses = [&](auto what) {
       return line.equality.left.uses(what) || line.equality.right.uses(what);
@@ -233,7 +244,7 @@ bool can_be_shown(const Claim& claim, const Scene& scene) {
                                             Q::dw3, Q::N1, Q::N2, Q::N3) ||
                                    uses(Operation::inertia);
     if (of_tensor && (claim.kind != ClaimKind::is_false || on_principal_axes)) return false;
-    return !(slips && has_rates(line.equality));
+    return !(has_no_rates && has_rates(line.equality));
   });
 }
 

@@ -30,6 +30,13 @@ inline constexpr double kTurnOfAxes = 0.5;
 /// Nothing where the motion cannot be computed. Seven states of the motion, some 10 µs for a closed form.
 std::optional<LiveState> live_state(const SceneModel& model, double t_s);
 
+/// The same with all rates 0, for what has none: nothing more is asked of the motion than its state at t.
+std::optional<LiveState> still_state(const SceneModel& model, double t_s, const RigidBodyState& state);
+/// Whether an expression speaks of rates.
+bool has_rates(const Expression& expression);
+/// Whether an energy sink lets the body slip, so that rates are not those of what is drawn.
+bool slips(const Scene& scene);
+
 /// Both sides of a claim on a motion: of that line whose residual is the largest beside its tolerance.
 struct LiveValue {
   bool is_vector = false;

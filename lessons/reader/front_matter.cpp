@@ -551,7 +551,7 @@ void read_base_scene(const TomlEntry& entry, FrontMatter& front, TextReader& tex
     report.error(entry.value.place, "\"scene\" takes a table, found " + std::string(entry.value.kind()));
     return;
   }
-  for (const PlacedText& name : read_scene_keys(*table, front.bodies, front.scene, texts)) {
+  for (const PlacedText& name : read_scene_keys(*table, front.bodies, front.words(), front.scene, texts)) {
     if (overlay_from(name.text)) continue;
     report.error(name.place,
                  "the front matter can highlight overlays only, " + in_quotes(name.text) + " is none",

@@ -26,6 +26,8 @@ struct FrontMatter {
   std::map<int, Dimension> dimensions;  ///< of its constants, as far as they have a unit
   Assumptions assumptions;              ///< what its claims and questions can be given
   AboutKeys about;
+  /// What its scenes can speak of.
+  SceneWords words() const { return {&notation.vocabulary, &dimensions, &symbols}; }
   int next_line = 1;  ///< first line after the closing +++
 };
 

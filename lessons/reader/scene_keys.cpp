@@ -4,6 +4,7 @@
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
 #include "lessons/reader/scene_values.h"
 #include "lessons/reader/toml_text.h"
@@ -103,9 +104,10 @@ Finished finish(const LessonScene& given, const LessonBodies& bodies) {
 // One table's keys into one scene.
 class SceneKeys {
  public:
-  SceneKeys(const LessonBodies& bodies, LessonScene& scene, TextReader& texts,
+  SceneKeys(const LessonBodies& bodies, const SceneWords& words, LessonScene& scene, TextReader& texts,
             std::optional<SourcePlace> fence)
       : bodies_(bodies),
+        words_(words),
         fence_(fence),
         lesson_scene_(scene),
         scene_(scene.scene),
@@ -434,23 +436,10 @@ class SceneKeys {
     }
   }
 
-  void meters(const TomlEntry& entry) {
-    const auto names = read_texts(entry, static_cast<std::size_t>(kMeterCount), report_);
-    if (!names) return;
-    std::vector<Meter> meters;
-    for (const PlacedText& name : *names) {
-      const auto meter = meter_from(name.text);
-      if (!meter)
-        unknown("meter", name, meter_names());
-      else if (std::find(meters.begin(), meters.end(), *meter) != meters.end())
-        report_.warning(name.place, "the meter " + in_quotes(name.text) + " is there already");
-      else
-        meters.push_back(*meter);
-    }
-    scene_.meters = std::move(meters);
-  }
+  void meters(const TomlEntry& entry) { assign(scene_.meters, read_plots(entry, words_, texts_)); }
 
   const LessonBodies& bodies_;
+  const SceneWords& words_;
   const std::optional<SourcePlace> fence_;
   LessonScene& lesson_scene_;
   Scene& scene_;
@@ -555,7 +544,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
         R"(plots against time beside the figure of a page, over `duration`: a list of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start); `[]` for none)",
         R"(`["omega", "drift"]`, under torque `["omega", "energy", "momentum"]`)"},
        &SceneKeys::meters,
-       [](const Scene& scene) { return scene.meters ? text_of(*scene.meters) : ""; }},
+       [](const Scene& scene) { return scene.meters ? plots_text(*scene.meters) : ""; }},
   });
   return kRows;
 }
@@ -583,9 +572,9 @@ Quat attitude_from(const std::vector<double>& wxyz) {
 Scene finished(const LessonScene& scene, const LessonBodies& bodies) { return finish(scene, bodies).scene; }
 
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts,
+                                        const SceneWords& words, LessonScene& scene, TextReader& texts,
                                         std::optional<SourcePlace> fence) {
-  return SceneKeys(bodies, scene, texts, fence).read(table);
+  return SceneKeys(bodies, words, scene, texts, fence).read(table);
 }
 
 std::vector<SceneKeyFacts> scene_key_facts() {

@@ -4,6 +4,7 @@
 
 #include "lessons/reader/keys.h"
 #include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/quantity_key.h"
 #include "lessons/reader/top_start.h"
 #include "render/scene/description/scene.h"
 
@@ -69,7 +70,7 @@ Scene finished(const LessonScene& scene, const LessonBodies& bodies);
 /// shown begins; without one it is the front matter's, whose body, torque or start the stages may give.
 /// @return what the table highlights, with places; the names are not checked here.
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,
-                                        LessonScene& scene, TextReader& texts,
+                                        const SceneWords& words, LessonScene& scene, TextReader& texts,
                                         std::optional<SourcePlace> fence = {});
 
 }  // namespace polhode

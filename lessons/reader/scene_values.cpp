@@ -133,10 +133,4 @@ std::string text_of(const CameraSpec& camera) {
                      toml(camera.zoom));
 }
 
-std::string text_of(const std::vector<Meter>& meters) {
-  std::vector<std::string> names;
-  for (Meter meter : meters) names.emplace_back(name_of(meter));
-  return toml_list(names);
-}
-
 }  // namespace polhode

@@ -484,7 +484,8 @@ void StageBuilder::add_scene(const Fence& fence) {
   scene_line_ = fence.place.line;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
-  std::vector<PlacedText> names = read_scene_keys(*table, front_.bodies, scene_, texts_, fence.place);
+  std::vector<PlacedText> names =
+      read_scene_keys(*table, front_.bodies, front_.words(), scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace polhode {
@@ -158,6 +159,19 @@ TimePlot drift_plot(const SceneModel& model, const Samples& samples) {
   return thinned(plot, kDriftPoints);
 }
 
+TimePlot own_plot(const OwnPlot& own, const SceneModel& model, const Samples& samples) {
+  TimePlot plot{.title = "", .unit = own.curves.front().unit, .t = samples.t_s};
+  for (const SceneQuantity& quantity : own.curves) {
+    TimeSeries series{'$' + quantity.tex + '$', role_from(quantity.role).value_or(kTRole)};
+    for (std::size_t i = 0; i < samples.t_s.size(); ++i) {
+      const auto value = quantity.value(model, samples.t_s[i], samples.states[i]);
+      series.y.push_back(value ? value->x() : std::numeric_limits<double>::quiet_NaN());
+    }
+    plot.series.push_back(std::move(series));
+  }
+  return plot;
+}
+
 TimePlot plot_of(Meter meter, const SceneModel& model, const Samples& samples) {
   const PrincipalMoments& I = model.scene.body.moments;
   switch (meter) {
@@ -183,8 +197,9 @@ std::vector<TimePlot> meter_plots(const SceneModel& model, double t_s) {
   if (!model.needs.meters) return {};
   const Samples samples = samples_of(model, t_s);
   std::vector<TimePlot> plots;
-  for (Meter meter : shown_meters(model.scene)) {
-    plots.push_back(plot_of(meter, model, samples));
+  for (const PlotSpec& spec : shown_meters(model.scene)) {
+    const auto* own = std::get_if<OwnPlot>(&spec);
+    plots.push_back(own ? own_plot(*own, model, samples) : plot_of(std::get<Meter>(spec), model, samples));
     plots.back().now = t_s;
   }
   return plots;

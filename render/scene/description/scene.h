@@ -75,8 +75,8 @@ struct Scene {
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
   std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
   QualityLevel quality = QualityLevel::normal;
-  std::string caption;                       ///< one line in the picture
-  std::optional<std::vector<Meter>> meters;  ///< of a page; absent: by whether there is torque
+  std::string caption;                          ///< one line in the picture
+  std::optional<std::vector<PlotSpec>> meters;  ///< of a page; absent: by whether there is torque
   bool operator==(const Scene&) const = default;
 };
 

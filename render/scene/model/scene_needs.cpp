@@ -71,7 +71,7 @@ std::string what_is_unseen(Overlay overlay, const Scene& scene) {
   return half_of_cones ? "shows the body cone alone: the space cone is seen from space only" : "";
 }
 
-std::vector<Meter> shown_meters(const Scene& scene) {
+std::vector<PlotSpec> shown_meters(const Scene& scene) {
   if (scene.meters) return *scene.meters;
   if (scene.torque.empty()) return {Meter::omega, Meter::drift};
   return {Meter::omega, Meter::energy, Meter::momentum};
@@ -79,8 +79,10 @@ std::vector<Meter> shown_meters(const Scene& scene) {
 
 namespace {
 
-bool needs_attitude(Meter meter, const Scene& scene) {
-  return meter == Meter::drift || (meter == Meter::momentum && !scene.torque.empty());
+/// A quantity of the lesson's own may speak of all there is of a motion.
+bool needs_attitude(const PlotSpec& plot, const Scene& scene) {
+  const auto* meter = std::get_if<Meter>(&plot);
+  return meter == nullptr || *meter == Meter::drift || (*meter == Meter::momentum && !scene.torque.empty());
 }
 
 /// A ghost of the exact motion would hide in the same motion.
@@ -120,9 +122,9 @@ Requirements requirements(const Scene& scene, Product product) {
   if (product == Product::numbers) return {.omega = true, .attitude = true};
   Requirements needs = requirements_of_figure(scene);
   if (product == Product::figure) return needs;
-  for (Meter meter : shown_meters(scene)) {
+  for (const PlotSpec& plot : shown_meters(scene)) {
     needs.meters = needs.omega = true;
-    needs.attitude = needs.attitude || needs_attitude(meter, scene);
+    needs.attitude = needs.attitude || needs_attitude(plot, scene);
   }
   return needs;
 }

@@ -196,7 +196,7 @@ TEST(SavedScene, DirectionsComeBackToTheBit) {
     scene.duration_s = std::abs(hand.number());
     scene.rate = 1.0 / 3;
     scene.caption = "It's $\\vec L$ \\ \"so\"";
-    scene.meters = std::vector<Meter>{Meter::momentum, Meter::omega};
+    scene.meters = std::vector<PlotSpec>{Meter::momentum, Meter::omega};
     const LessonReading reading = read_lesson(front + scene_keys_text(scene, 0) + "```\n", "x.md");
     ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
     EXPECT_TRUE(*reading.lesson->stages[0].steps[0].scene == scene) << scene_keys_text(scene, 0);

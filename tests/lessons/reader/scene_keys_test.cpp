@@ -23,7 +23,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 Scene scene_from(const std::string& text, Scene scene = {}, const LessonBodies& bodies = {}) {
   TextReport at(text);
   LessonScene changed{std::move(scene), {}};
-  read_scene_keys(testing::toml(text), bodies, changed, at.texts);
+  read_scene_keys(testing::toml(text), bodies, {}, changed, at.texts);
   EXPECT_THAT(at.lines(), IsEmpty()) << text;
   return changed.scene;
 }
@@ -31,7 +31,7 @@ Scene scene_from(const std::string& text, Scene scene = {}, const LessonBodies& 
 bool is_refused(const std::string& text) {
   TextReport at(text);
   LessonScene scene;
-  read_scene_keys(testing::toml(text), {}, scene, at.texts);
+  read_scene_keys(testing::toml(text), {}, {}, scene, at.texts);
   return at.report.has_errors();
 }
 
@@ -67,13 +67,13 @@ TEST(SceneKeys, ReadEveryKey) {
   EXPECT_EQ(scene.rate, 0.5);
   EXPECT_THAT(scene.highlight, ElementsAre("turn", "omega"));
   EXPECT_EQ(scene.caption, "A caption");
-  EXPECT_THAT(*scene.meters, ElementsAre(Meter::drift, Meter::omega));
+  EXPECT_THAT(*scene.meters, ElementsAre(PlotSpec(Meter::drift), PlotSpec(Meter::omega)));
 }
 
 TEST(SceneKeys, MetersMayBeNoneOrKept) {
   EXPECT_FALSE(scene_from("at = 1").meters);
   EXPECT_THAT(*scene_from("meters = []").meters, IsEmpty());
-  EXPECT_THAT(*scene_from("meters = 'energy'").meters, ElementsAre(Meter::energy));
+  EXPECT_THAT(*scene_from("meters = 'energy'").meters, ElementsAre(PlotSpec(Meter::energy)));
   EXPECT_TRUE(is_refused("meters = ['speed']"));
   EXPECT_TRUE(is_refused("meters = 3"));
   EXPECT_TRUE(is_refused("meters = ['omega', 'omega', 'omega', 'omega', 'omega']"));
@@ -144,7 +144,7 @@ TEST(SceneKeys, TurnAzimuthsByWholeTurns) {
 TEST(SceneKeys, ReturnWhatIsHighlightedWithPlaces) {
   TextReport at("highlight = ['turn', 'L']");
   LessonScene scene;
-  const auto names = read_scene_keys(testing::toml(at.text), {}, scene, at.texts);
+  const auto names = read_scene_keys(testing::toml(at.text), {}, {}, scene, at.texts);
   ASSERT_EQ(names.size(), 2U);
   EXPECT_EQ(names[0].text, "turn");
   EXPECT_EQ(names[0].place, (SourcePlace{1, 14}));

@@ -12,9 +12,9 @@ namespace polhode {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-const std::vector<Meter> kAll = {Meter::omega, Meter::energy, Meter::momentum, Meter::drift};
+const std::vector<PlotSpec> kAll = {Meter::omega, Meter::energy, Meter::momentum, Meter::drift};
 
-SceneModel page_of(Scene scene, std::vector<Meter> meters = kAll) {
+SceneModel page_of(Scene scene, std::vector<PlotSpec> meters = kAll) {
   scene.meters = std::move(meters);
   return make_model(scene, Product::page);
 }

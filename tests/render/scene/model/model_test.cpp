@@ -63,25 +63,25 @@ TEST(Requirements, WhatPlotsNeedIsOfPagesAlone) {
   const Requirements figure = requirements(scene);
   EXPECT_FALSE(figure.meters);
   EXPECT_FALSE(figure.attitude);
-  scene.meters = std::vector<Meter>{Meter::omega, Meter::energy, Meter::momentum};
+  scene.meters = std::vector<PlotSpec>{Meter::omega, Meter::energy, Meter::momentum};
   EXPECT_TRUE(requirements(scene, Product::page).meters);
   EXPECT_FALSE(requirements(scene, Product::page).attitude) << "|L| is that of the body's frame";
   scene.meters->push_back(Meter::drift);
   EXPECT_TRUE(requirements(scene, Product::page).attitude);
   EXPECT_EQ(requirements(scene), figure);
-  scene.meters = std::vector<Meter>{Meter::momentum};
+  scene.meters = std::vector<PlotSpec>{Meter::momentum};
   scene.torque = {BodyTorque{Vec3(1, 0, 0)}};
   EXPECT_TRUE(requirements(scene, Product::page).attitude) << "under torque L has components in space";
-  scene.meters = std::vector<Meter>{};
+  scene.meters = std::vector<PlotSpec>{};
   EXPECT_EQ(requirements(scene, Product::page), requirements(scene));
 }
 
 TEST(Requirements, MetersHaveADefault) {
   Scene scene;
-  EXPECT_EQ(shown_meters(scene), (std::vector<Meter>{Meter::omega, Meter::drift}));
+  EXPECT_EQ(shown_meters(scene), (std::vector<PlotSpec>{Meter::omega, Meter::drift}));
   scene.torque = {BodyTorque{Vec3(1, 0, 0)}};
-  EXPECT_EQ(shown_meters(scene), (std::vector<Meter>{Meter::omega, Meter::energy, Meter::momentum}));
-  scene.meters = std::vector<Meter>{Meter::drift};
+  EXPECT_EQ(shown_meters(scene), (std::vector<PlotSpec>{Meter::omega, Meter::energy, Meter::momentum}));
+  scene.meters = std::vector<PlotSpec>{Meter::drift};
   EXPECT_EQ(shown_meters(scene), *scene.meters);
 }
 
