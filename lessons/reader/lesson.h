@@ -99,6 +99,8 @@ struct Step {
   std::shared_ptr<const Scene> scene;
   /// The scene's, null if it has none; steps that go on with a caption share it.
   std::shared_ptr<const RichText> caption;
+  /// What marks write in the figure, shared likewise.
+  std::vector<std::shared_ptr<const RichText>> labels;
 };
 
 /// The blocks of one kind that a step adds, in their order.

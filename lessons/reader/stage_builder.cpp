@@ -168,6 +168,7 @@ void StageBuilder::finish_step() {
   step().scene = goes_on ? steps[steps.size() - 2].scene
                          : std::make_shared<const Scene>(finished(scene_, front_.bodies));
   step().caption = scene_.caption;
+  for (const auto& [key, text] : scene_.labels) step().labels.push_back(text);
   if (step_has_scene_) check_shown();
 }
 

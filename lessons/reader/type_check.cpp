@@ -5,6 +5,8 @@
 #include "render/typeset/paragraph.h"
 
 #include <algorithm>
+#include <memory>
+#include <set>
 
 namespace polhode {
 namespace {
@@ -39,11 +41,16 @@ class TypeCheck {
 
   void check(const Step& step) {
     for (const Block& block : step.blocks) std::visit([this](const auto& b) { check(b); }, block);
-    if (!step.caption || step.caption == caption_) return;  // steps that go on with it share it
-    caption_ = step.caption;
+    if (step.caption) in_figure(step.caption);
+    for (const auto& label : step.labels) in_figure(label);
+  }
+
+  /// Once: steps that go on with it share it.
+  void in_figure(const std::shared_ptr<const RichText>& written) {
+    if (!set_.insert(written).second) return;
     TextStyle sans = body_;
     sans.sans = true;
-    text(*caption_, sans);
+    text(*written, sans);
   }
 
   void check(const Prose& prose) { text(prose.text, body_); }
@@ -85,7 +92,7 @@ class TypeCheck {
     style.width = 640.0;
     return style;
   }();
-  std::shared_ptr<const RichText> caption_;  // the last one
+  std::set<std::shared_ptr<const RichText>> set_;
 };
 
 }  // namespace
