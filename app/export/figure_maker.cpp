@@ -27,9 +27,10 @@ class FigureMaker : public PictureMaker {
     const auto shown = shown_in(picture);
     if (!shown) return passed_on(shown);
     const auto& [model, t_s] = *shown;
-    const std::string alt = speech_.words_of_title(*picture.stage) + ' ' +
-                            alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
-                                     model->motion->w_B_at(t_s), t_s);
+    const std::string alt =
+        speech_.words_of_title(*picture.stage) + ' ' +
+        alt_text(*picture.scene, speech_.words_of_marks(*picture.scene),
+                 speech_.words_of_caption(*picture.stage, picture.step), model->motion->w_B_at(t_s), t_s);
     return {{alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model->motion->method()),
              context_.options.size}};
   }

@@ -33,9 +33,9 @@ class PageMaker : public PictureMaker {
     if (!shown.model) return description;
     description.t_s = shown.t_s;
     description.method = shown.model->motion->method();
-    description.alt +=
-        " Figure: " + alt_text(*picture.scene, speech_.words_of_caption(*picture.stage, picture.step),
-                               shown.model->motion->w_B_at(shown.t_s), shown.t_s);
+    description.alt += " Figure: " + alt_text(*picture.scene, speech_.words_of_marks(*picture.scene),
+                                              speech_.words_of_caption(*picture.stage, picture.step),
+                                              shown.model->motion->w_B_at(shown.t_s), shown.t_s);
     return description;
   }
 

@@ -3,6 +3,7 @@
 
 #include "physics/body/euler.h"
 #include "render/drawing/diagrams/diagrams.h"
+#include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>
@@ -26,13 +27,14 @@ std::string diagram_words(const OverlaySet& show) {
   return count > 1 ? "Boards" : "A board";
 }
 
-std::string shown_words(const OverlaySet& show) {
+std::string shown_words(const OverlaySet& show, const std::vector<std::string>& marks) {
   std::vector<std::string> words;
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
     const std::string_view of_overlay = facts_of(overlay).words;
     if (show.contains(overlay) && !of_overlay.empty()) words.emplace_back(of_overlay);
   }
+  words.insert(words.end(), marks.begin(), marks.end());
   if (words.empty()) return "nothing";
   const std::string last = words.back();
   words.pop_back();
@@ -52,10 +54,12 @@ std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s)
 
 }  // namespace
 
-std::string alt_text(const Scene& scene, const std::string& caption, const Vec3& w_B, double t_s) {
+std::string alt_text(const Scene& scene, const std::vector<std::string>& marks, const std::string& caption,
+                     const Vec3& w_B, double t_s) {
   const OverlaySet drawn = drawn_overlays(scene);
   std::string text = fmt::format(
-      "{}: {}. ", shows_space(drawn) ? view_words(scene.views) : diagram_words(drawn), shown_words(drawn));
+      "{}: {}. ", shows_space(drawn, draws_marks(scene)) ? view_words(scene.views) : diagram_words(drawn),
+      shown_words(drawn, marks));
   if (!caption.empty()) text += caption + (caption.ends_with('.') ? " " : ". ");
   const Vec3& I = scene.body.moments.vector();
   text += fmt::format("The body is \"{}\" with principal moments {:.4g}, {:.4g}, {:.4g} kg m². ",

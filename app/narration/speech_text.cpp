@@ -3,6 +3,7 @@
 
 #include "app/narration/verdict_row.h"
 #include "lessons/reader/markdown/footnotes.h"
+#include "render/scene/model/drawn_marks.h"
 
 #include <fmt/format.h>
 
@@ -177,6 +178,39 @@ std::string SpeechText::words_of_title(const Stage& stage) const { return senten
 std::string SpeechText::words_of_caption(const Stage& stage, int step) const {
   const auto& caption = stage.steps[static_cast<std::size_t>(step - 1)].caption;
   return caption ? words(*caption) : std::string();
+}
+
+std::string SpeechText::words_of_tex(const std::string& tex) const {
+  const auto math = parse_math(tex);
+  return math ? words(*math) : tex;
+}
+
+std::vector<std::string> SpeechText::words_of_marks(const Scene& scene) const {
+  std::vector<std::string> all;
+  if (!draws_marks(scene)) return all;
+  const auto name = [this](const MarkVector& vector) { return words_of_tex(vector.quantity.tex); };
+  const auto at_tip = [&](const std::optional<MarkVector>& vector, const char* where) {
+    return vector ? fmt::format(" {} the tip of {}", where, name(*vector)) : std::string();
+  };
+  for (const TrailMark& trail : scene.marks.trails)
+    all.push_back(trail.on_sphere
+                      ? fmt::format("the trail of the direction of {} on the unit sphere", name(trail.of))
+                      : fmt::format("the trail of the tip of {}", name(trail.of)));
+  for (const ArrowMark& arrow : scene.marks.arrows) {
+    const bool is_named = arrow.tex && !arrow.tex->empty();
+    all.push_back(fmt::format("the arrow of {}{}", is_named ? words_of_tex(*arrow.tex) : name(arrow.of),
+                              at_tip(arrow.at, "at")));
+  }
+  for (const AngleMark& angle : scene.marks.angles)
+    all.push_back(fmt::format("the angle {}from {} to {}",
+                              angle.tex.empty() ? "" : words_of_tex(angle.tex) + ' ', name(angle.from),
+                              name(angle.to)));
+  for (const PlaneMark& plane : scene.marks.planes)
+    all.push_back(
+        fmt::format("the plane normal to {}{}", name(plane.normal), at_tip(plane.through, "through")));
+  for (const NoteMark& note : scene.marks.notes)
+    all.push_back(fmt::format("the note \"{}\"{}", words_of_line(note.text), at_tip(note.at, "at")));
+  return all;
 }
 
 std::string SpeechText::words_of_page(const Stage& stage, int first, int last) const {

@@ -32,10 +32,14 @@ class SpeechText {
   std::string words_of_title(const Stage& stage) const;
   /// Of the step's figure (steps from 1); empty: none.
   std::string words_of_caption(const Stage& stage, int step) const;
+  /// What the marks of a scene (mark.h) are, one after the other: "the arc of θ from e_z to e_3". Empty where
+  /// they are not drawn.
+  std::vector<std::string> words_of_marks(const Scene& scene) const;
   /// Title, and what the steps from `first` to `last` add.
   std::string words_of_page(const Stage& stage, int first, int last) const;
 
  private:
+  std::string words_of_tex(const std::string& tex) const;
   std::string words_of_line(const std::string& line) const;
 
   const Lesson& lesson_;

@@ -6,6 +6,7 @@
 #include "lessons/reader/markdown/footnotes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -30,6 +31,11 @@ class Transcript {
       if (step.caption && step.scene->caption != caption_) {
         caption_ = step.scene->caption;
         add_paragraph(speech_.words(*step.caption), "Figure: ");
+      }
+      if (step.scene && step.scene->marks != marks_) {
+        marks_ = step.scene->marks;
+        const std::vector<std::string> words = speech_.words_of_marks(*step.scene);
+        if (!words.empty()) add_paragraph(fmt::format("{}.", fmt::join(words, "; ")), "Drawn: ");
       }
     }
   }
@@ -76,6 +82,7 @@ class Transcript {
   SpeechText speech_;
   std::string text_;
   std::string caption_;  ///< the last one: steps inherit it
+  Marks marks_;          ///< likewise
 };
 
 }  // namespace

@@ -60,6 +60,10 @@ class PageLint {
 
   void check(const Stage& stage, int number, int step_number, const Step& step) {
     const SceneModel model = step.scene ? make_model(*step.scene, Product::page, effort_) : SceneModel();
+    if (step.scene && step.scene != scene_)
+      for (const std::string& unseen : unseen_marks(model))
+        warn(fmt::format("in step {} of stage \"{}\" {}", step_number, stage.id, unseen), "");
+    scene_ = step.scene;
     for (const Size& size : sizes_) {
       spend(effort_, kPageEvaluations);
       if (!check({.lesson = lesson_,
@@ -109,7 +113,8 @@ class PageLint {
   std::span<const Size> sizes_;
   const Effort& effort_;
   StillNumbers still_numbers_;
-  SourcePlace place_;  ///< of the step that is checked
+  std::shared_ptr<const Scene> scene_;  ///< of the step before: steps that go on with one share it
+  SourcePlace place_;                   ///< of the step that is checked
   std::vector<Diagnostic> found_;
 };
 
