@@ -6,6 +6,7 @@
 
 #include "base/color.h"
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -24,6 +25,11 @@ inline constexpr Role kHerpolhodeRole{color_from_hex(0x6B5B00), color_from_hex(0
 inline constexpr Role kTRole{color_from_hex(0x23262B),
                              color_from_hex(0x4A4F57)};  ///< scalars: the ink of text
 inline constexpr Role kAxesRole{color_from_hex(0x4A4F57), color_from_hex(0x8A9099)};
+/// Of what a lesson draws besides, in this order; told apart by dashes where there is more.
+inline constexpr std::array<Role, 4> kMarkRoles{Role{color_from_hex(0x5B3FA0), color_from_hex(0x7B5FC7)},
+                                                Role{color_from_hex(0x6E3B10), color_from_hex(0x9A5B22)},
+                                                Role{color_from_hex(0x8E1B3A), color_from_hex(0xB3244C)},
+                                                kTRole};
 /// omega | L | N | polhode | herpolhode | axes, as lessons name them; nothing otherwise.
 std::optional<Role> role_from(std::string_view name);
 

@@ -28,9 +28,8 @@ class FigureMaker : public PictureMaker {
     const auto shown = shown_in(picture);
     if (!shown) return passed_on(shown);
     const auto& [model, t_s] = *shown;
-    const std::string alt =
-        speech_.words_of_title(*picture.stage) + ' ' +
-        alt_text(*model, speech_.words_of_captions(step_of(picture), *picture.scene), t_s);
+    const std::string alt = speech_.words_of_title(*picture.stage) + ' ' +
+                            alt_text(*model, speech_.words_of_scenes(step_of(picture), *picture.scene), t_s);
     return {{alt, tex_shown(*picture.stage, picture.step), t_s, std::string(model->motion->method()),
              context_.options.size}};
   }

@@ -35,7 +35,7 @@ class PageMaker : public PictureMaker {
     description.method = shown.model->motion->method();
     description.alt +=
         " Figure: " +
-        alt_text(*shown.model, speech_.words_of_captions(step_of(picture), *picture.scene), shown.t_s);
+        alt_text(*shown.model, speech_.words_of_scenes(step_of(picture), *picture.scene), shown.t_s);
     if (const std::string plots = speech_.words_of_plots(*picture.scene); !plots.empty())
       description.alt += " Plotted: " + plots;
     return description;

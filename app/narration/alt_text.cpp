@@ -3,6 +3,7 @@
 
 #include "physics/body/euler.h"
 #include "render/drawing/diagrams/diagrams.h"
+#include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>
@@ -26,13 +27,14 @@ std::string diagram_words(const OverlaySet& show) {
   return count > 1 ? "Boards" : "A board";
 }
 
-std::string shown_words(const OverlaySet& show) {
+std::string shown_words(const OverlaySet& show, const std::vector<std::string>& marks) {
   std::vector<std::string> words;
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
     const std::string_view of_overlay = facts_of(overlay).words;
     if (show.contains(overlay) && !of_overlay.empty()) words.emplace_back(of_overlay);
   }
+  words.insert(words.end(), marks.begin(), marks.end());
   if (words.empty()) return "nothing";
   const std::string last = words.back();
   words.pop_back();
@@ -52,24 +54,26 @@ std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s)
 
 }  // namespace
 
-std::string alt_text(const Scene& scene, const std::string& caption, const Vec3& w_B, double t_s) {
+std::string alt_text(const Scene& scene, const SceneInWords& words, const Vec3& w_B, double t_s) {
   const OverlaySet drawn = drawn_overlays(scene);
   std::string text = fmt::format(
-      "{}: {}. ", shows_space(drawn) ? view_words(scene.views) : diagram_words(drawn), shown_words(drawn));
-  if (!caption.empty()) text += caption + (caption.ends_with('.') ? " " : ". ");
+      "{}: {}. ", shows_space(drawn, draws_marks(scene)) ? view_words(scene.views) : diagram_words(drawn),
+      shown_words(drawn, words.marks));
+  if (const std::string& caption = words.caption; !caption.empty())
+    text += caption + (caption.ends_with('.') ? " " : ". ");
   const Vec3& I = scene.body.moments.vector();
   text += fmt::format("The body is \"{}\" with principal moments {:.4g}, {:.4g}, {:.4g} kg m². ",
                       scene.body.name, I[0], I[1], I[2]);
   return text + moment_words(scene.body.moments, w_B, t_s);
 }
 
-std::string alt_text(const SceneModel& model, const std::vector<std::string>& captions, double t_s) {
+std::string alt_text(const SceneModel& model, const std::vector<SceneInWords>& words, double t_s) {
   const std::vector<const SceneModel*> shown = shown_models(model);
   std::string text;
   for (std::size_t i = 0; i < shown.size(); ++i) {
     if (shown.size() > 1)
       text += fmt::format("{}Scene {} of {}, side by side. ", i > 0 ? " " : "", i + 1, shown.size());
-    text += alt_text(shown[i]->scene, captions[i], shown[i]->motion->w_B_at(t_s), t_s);
+    text += alt_text(shown[i]->scene, words[i], shown[i]->motion->w_B_at(t_s), t_s);
   }
   return text;
 }

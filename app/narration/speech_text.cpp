@@ -5,6 +5,7 @@
 #include "app/narration/verdict_row.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/varied_scene.h"
+#include "render/scene/model/drawn_marks.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -246,7 +247,7 @@ std::string SpeechText::words_of_caption(const Step& step, std::size_t shown) co
   return text;
 }
 
-std::vector<std::string> SpeechText::words_of_captions(const Step& step, const Scene& shown) const {
+std::vector<std::string> SpeechText::captions_in_words(const Step& step, const Scene& shown) const {
   const std::vector<const Scene*> scenes = shown_scenes(shown);
   const bool have_one = std::all_of(scenes.begin(), scenes.end(), [&](const Scene* scene) {
     return scene->caption == scenes.front()->caption;
@@ -258,6 +259,15 @@ std::vector<std::string> SpeechText::words_of_captions(const Step& step, const S
     captions.push_back(label + (label.empty() || caption.empty() ? "" : ". ") + caption);
   }
   return captions;
+}
+
+std::vector<SceneInWords> SpeechText::words_of_scenes(const Step& step, const Scene& shown) const {
+  const std::vector<const Scene*> scenes = shown_scenes(shown);
+  std::vector<std::string> captions = captions_in_words(step, shown);
+  std::vector<SceneInWords> all;
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    all.push_back({std::move(captions[i]), marks_in_words(*scenes[i])});
+  return all;
 }
 
 std::vector<FigureWords> SpeechText::words_of_figure(const Step& step) const {
@@ -273,7 +283,7 @@ std::vector<FigureWords> SpeechText::words_of_figure(const Step& step) const {
     }
     return lines;
   }
-  const std::vector<std::string> captions = words_of_captions(step, *step.scene);
+  const std::vector<std::string> captions = captions_in_words(step, *step.scene);
   const auto is_first = [&](const std::string& caption) { return caption == captions.front(); };
   const bool is_shared = std::all_of(captions.begin(), captions.end(), is_first);
   std::vector<FigureWords> lines;
@@ -309,6 +319,47 @@ std::string SpeechText::words_of_plots(const Scene& scene) const {
     plots.push_back(std::move(words));
   }
   return plots.empty() ? "" : sentence(fmt::format("{}", fmt::join(plots, "; ")));
+}
+
+std::string SpeechText::words_of_tex(const std::string& tex) const {
+  const auto math = parse_math(tex);
+  return math ? words(*math) : tex;
+}
+
+std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
+  std::vector<std::string> all;
+  if (!draws_marks(scene)) return all;
+  const auto name = [this](const MarkVector& vector) { return words_of_tex(vector.quantity.tex); };
+  const auto at_tip = [&](const std::optional<MarkVector>& vector, const char* where) {
+    return vector ? fmt::format(" {} the tip of {}", where, name(*vector)) : std::string();
+  };
+  for (const TrailMark& trail : scene.marks.trails)
+    all.push_back(trail.on_sphere
+                      ? fmt::format("the trail of the direction of {} on the unit sphere", name(trail.of))
+                      : fmt::format("the trail of the tip of {}", name(trail.of)));
+  for (const ArrowMark& arrow : scene.marks.arrows) {
+    const bool is_named = arrow.tex && !arrow.tex->empty();
+    all.push_back(fmt::format("the arrow of {}{}", is_named ? words_of_tex(*arrow.tex) : name(arrow.of),
+                              at_tip(arrow.at, "at")));
+  }
+  for (const AngleMark& angle : scene.marks.angles)
+    all.push_back(fmt::format("the angle {}from {} to {}",
+                              angle.tex.empty() ? "" : words_of_tex(angle.tex) + ' ', name(angle.from),
+                              name(angle.to)));
+  for (const PlaneMark& plane : scene.marks.planes)
+    all.push_back(
+        fmt::format("the plane normal to {}{}", name(plane.normal), at_tip(plane.through, "through")));
+  for (const NoteMark& note : scene.marks.notes)
+    all.push_back(fmt::format("the note \"{}\"{}", words_of_line(note.text), at_tip(note.at, "at")));
+  return all;
+}
+
+std::string SpeechText::words_of_marks(const Scene& scene) const {
+  std::vector<std::string> all;
+  for (const Scene* shown : shown_scenes(scene))
+    for (std::string& mark : marks_in_words(*shown))
+      if (std::find(all.begin(), all.end(), mark) == all.end()) all.push_back(std::move(mark));
+  return all.empty() ? "" : sentence(fmt::format("{}", fmt::join(all, "; ")));
 }
 
 std::string SpeechText::words_of_page(const Stage& stage, int first, int last) const {

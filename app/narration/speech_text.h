@@ -3,6 +3,7 @@
 // as the lesson's `say` has them, and computed numbers those of the stills of their steps.
 #pragma once
 
+#include "app/narration/alt_text.h"
 #include "app/narration/step_note.h"
 #include "app/narration/still_numbers.h"
 #include "lessons/reader/lesson.h"
@@ -40,19 +41,26 @@ class SpeechText {
   std::string words(const Ask& ask) const;
   /// "Euler's equation in vector form."
   std::string words_of_title(const Stage& stage) const;
-  /// The labels and captions of the scenes that are shown at the step, in their order; empty where one has
-  /// none. `shown` is the step's scene, or what a reader has made of it: in the window no filmstrip is shown.
-  std::vector<std::string> words_of_captions(const Step& step, const Scene& shown) const;
+  /// Of each scene that is shown at the step, in their order: its label and caption, and what its marks are.
+  /// `shown` is the step's scene, or what a reader has made of it: in the window no filmstrip is shown.
+  std::vector<SceneInWords> words_of_scenes(const Step& step, const Scene& shown) const;
   /// What is said of the step's figure: its caption, which scenes side by side may have in common, or a line
   /// for each of them.
   std::vector<FigureWords> words_of_figure(const Step& step) const;
   /// What the lesson's own plots of a scene show: "T and E against time; U against u, with the level E.";
   /// empty: there are none.
   std::string words_of_plots(const Scene& scene) const;
+  /// What the marks of a scene (mark.h), and of those beside it, are: "The angle theta from e z to e 3; the
+  /// trail of the tip of L."; empty: none is drawn.
+  std::string words_of_marks(const Scene& scene) const;
   /// Title, and what the steps from `first` to `last` add.
   std::string words_of_page(const Stage& stage, int first, int last) const;
 
  private:
+  /// One after the other, of this scene alone.
+  std::vector<std::string> marks_in_words(const Scene& scene) const;
+  std::vector<std::string> captions_in_words(const Step& step, const Scene& shown) const;
+  std::string words_of_tex(const std::string& tex) const;
   std::string words_of_line(const std::string& line) const;
   std::string words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links,
                     bool is_sentence = true) const;

@@ -6,6 +6,7 @@
 #include "lessons/reader/markdown/footnotes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -35,6 +36,9 @@ class Transcript {
       const std::string plots = step.scene ? speech_.words_of_plots(*step.scene) : "";
       if (!plots.empty() && plots != plots_) add_paragraph(plots, "Plotted: ");
       plots_ = plots;
+      const std::string marks = step.scene ? speech_.words_of_marks(*step.scene) : "";
+      if (!marks.empty() && marks != marks_) add_paragraph(marks, "Drawn: ");
+      marks_ = marks;
     }
   }
 
@@ -94,7 +98,7 @@ class Transcript {
   SpeechText speech_;
   std::string text_;
   std::vector<FigureWords> figure_;  ///< of the last one: steps inherit captions
-  std::string plots_;                ///< likewise
+  std::string plots_, marks_;        ///< likewise
 };
 
 }  // namespace

@@ -155,7 +155,7 @@ PlacedFigure place_scene(const SceneModel& model, const std::string& caption, do
     add_caption(caption, place, style.ink, placed.sheet, fonts);
     box.y1 -= std::round(kCaptionRoom * place.caption_px);
   }
-  if (shows_space(model.drawn)) {
+  if (shows_space(model.drawn, model.needs.marks)) {
     const auto [space, rest] = share(diagrams, model.scene.views.size(), box, pad);
     placed.insets.push_back(space_of(model, t_s, rect_of(space), place));
     placed.insets.back().figure.caption.clear();

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <stdexcept>
 
@@ -66,9 +67,10 @@ class PageLint {
 
   void check(const Stage& stage, int number, int step_number, const Step& step) {
     const SceneModel model = step.scene ? make_model(*step.scene, Product::page, effort_) : SceneModel();
-    if (step.scene) check_plots(stage, step_number, model);
+    if (step.scene != scene_) check_shown(stage, step_number, model);
+    scene_ = step.scene;
     for (const Size& size : sizes_) {
-      spend(effort_, kPageEvaluations + (step.scene ? plot_evaluations_ : 0));
+      spend(effort_, kPageEvaluations + plot_evaluations_);
       if (!check({.lesson = lesson_,
                   .stage = stage,
                   .number = number,
@@ -83,28 +85,39 @@ class PageLint {
     }
   }
 
-  /// Of a quantity that the motion does not have there is nothing to see, and nothing else says why. A scene
-  /// that steps go on with is said once.
-  void check_plots(const Stage& stage, int step_number, const SceneModel& model) {
-    const auto has_own = [](const PlotSpec& plot) { return std::holds_alternative<OwnPlot>(plot); };
-    const std::vector<PlotSpec> specs = shown_meters(model.scene);
-    if (specs == checked_plots_) return;
-    checked_plots_ = specs;
+  /// Of a quantity that the motion does not have there is nothing to see, and nothing else says why.
+  void check_shown(const Stage& stage, int step_number, const SceneModel& model) {
     plot_evaluations_ = 0;
-    if (std::none_of(specs.begin(), specs.end(), has_own)) return;
+    if (!model.motion) return;
+    std::set<std::string> said;  // scenes side by side may have it in common
+    const auto warn_once = [&](const std::string& what, const char* hint) {
+      if (said.insert(what).second)
+        warn(fmt::format("step {} of stage \"{}\": {}", step_number, stage.id, what), hint);
+    };
+    for (const SceneModel* shown : shown_models(model)) {
+      for (const std::string& unseen : unseen_plots(*shown))
+        warn_once("there is nothing to plot of " + unseen + ", which is not defined on this motion",
+                  "leave it out, or plot it where it is");
+      for (const std::string& unseen : unseen_marks(*shown)) warn_once(unseen, "");
+    }
+  }
+
+  /// The labels of the quantities of the lesson's own plots that have no value anywhere.
+  std::vector<std::string> unseen_plots(const SceneModel& model) {
+    const auto is_own = [](const PlotSpec& plot) { return std::holds_alternative<OwnPlot>(plot); };
+    const std::vector<PlotSpec> specs = shown_meters(model.scene);
+    std::vector<std::string> unseen;
+    if (std::none_of(specs.begin(), specs.end(), is_own)) return unseen;
     const std::vector<TimePlot> plots = meter_plots(model, still_time_s(model.scene));
-    for (std::size_t i = 0; i < plots.size(); ++i)
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+      if (!is_own(specs[i])) continue;
       for (const TimeSeries& series : plots[i].series) {
-        if (has_own(specs[i]))
-          plot_evaluations_ += kEvaluationsOfValue * static_cast<std::int64_t>(series.y.size());
-        const auto is_seen = [](double y) { return std::isfinite(y); };
-        if (!has_own(specs[i]) || std::any_of(series.y.begin(), series.y.end(), is_seen)) continue;
-        warn(fmt::format(
-                 "step {} of stage \"{}\": there is nothing to plot of {}, which is not defined on this "
-                 "motion",
-                 step_number, stage.id, series.label),
-             "leave it out, or plot it where it is");
+        plot_evaluations_ += kEvaluationsOfValue * static_cast<std::int64_t>(series.y.size());
+        if (std::none_of(series.y.begin(), series.y.end(), [](double y) { return std::isfinite(y); }))
+          unseen.push_back(series.label);
       }
+    }
+    return unseen;
   }
 
   /// Whether the page is as it should be.
@@ -140,9 +153,9 @@ class PageLint {
   std::span<const Size> sizes_;
   const Effort& effort_;
   StillNumbers still_numbers_;
-  SourcePlace place_;  ///< of the step that is checked
-  std::vector<PlotSpec> checked_plots_;
-  std::int64_t plot_evaluations_ = 0;  ///< that they count as, on each page
+  SourcePlace place_;                   ///< of the step that is checked
+  std::shared_ptr<const Scene> scene_;  ///< of the step before: steps that go on with one share it
+  std::int64_t plot_evaluations_ = 0;   ///< that its plots count as, on each page
   std::vector<Diagnostic> found_;
 };
 

@@ -19,6 +19,7 @@ namespace {
 bool same_course(Scene a, const Scene& b) {
   a.views = b.views;
   a.show = b.show;
+  a.marks = b.marks;
   a.camera = b.camera;
   a.highlight = b.highlight;
   a.quality = b.quality;

@@ -103,6 +103,8 @@ struct Step {
   /// Of the scene and those beside it, in the order in which they stand; null where one has none. Steps that
   /// go on with a caption share it.
   std::vector<std::shared_ptr<const RichText>> captions{};
+  /// What their marks write in the figure, shared likewise.
+  std::vector<std::shared_ptr<const RichText>> labels{};
   /// The scene with other numbers than it has, for the readers of its `vary`; null: there is none.
   std::shared_ptr<const VariedScene> varied{};
   SourcePlace place{};  ///< of the stage's heading, or of the rule that it begins with

@@ -4,6 +4,7 @@
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/mark_keys.h"
 #include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
 #include "lessons/reader/scene_values.h"
@@ -394,6 +395,18 @@ class SceneKeys {
     scene_.show = shown;
   }
 
+  /// By the reader of its key.
+  template <class Read>
+  void marks(const TomlEntry& entry, const Read& read) {
+    lesson_scene_.labels[entry.key] =
+        std::make_shared<const RichText>(read(entry, words_, scene_.marks, texts_));
+  }
+  void trails(const TomlEntry& entry) { marks(entry, read_trails); }
+  void arrows(const TomlEntry& entry) { marks(entry, read_arrows); }
+  void angles(const TomlEntry& entry) { marks(entry, read_angles); }
+  void planes(const TomlEntry& entry) { marks(entry, read_planes); }
+  void notes(const TomlEntry& entry) { marks(entry, read_notes); }
+
   void elevation(const TomlEntry& entry, CameraSpec& camera) {
     const auto degrees = read_number(entry, report_);
     if (!degrees) return;
@@ -608,6 +621,21 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
       {{"show", "list of overlays, at most 40", "none"},
        &SceneKeys::show,
        [](const Scene& scene) { return text_of(scene.show); }},
+      {{"trails", R"(paths of tips: `[{ of = "e3", on = "sphere" }]` (Marks, below))", "none"},
+       &SceneKeys::trails,
+       [](const Scene& scene) { return text_of(scene.marks.trails); }},
+      {{"arrows", R"~(vectors: `[{ of = "ddt(e3)", at = "e3", tex, length, like }]` (Marks))~", "none"},
+       &SceneKeys::arrows,
+       [](const Scene& scene) { return text_of(scene.marks.arrows); }},
+      {{"angles", R"(arcs: `[{ from = "ez", to = "e3", tex = '\theta' }]` (Marks))", "none"},
+       &SceneKeys::angles,
+       [](const Scene& scene) { return text_of(scene.marks.angles); }},
+      {{"planes", R"(discs: `[{ normal = "L", through = "omega" }]` (Marks))", "none"},
+       &SceneKeys::planes,
+       [](const Scene& scene) { return text_of(scene.marks.planes); }},
+      {{"notes", R"(lines of text: `[{ text = "nose", at = "e3" }]` (Marks))", "none"},
+       &SceneKeys::notes,
+       [](const Scene& scene) { return text_of(scene.marks.notes); }},
       {{"camera",
         "`{ azimuth_deg, elevation_deg, distance, zoom }`; elevation −90 to 90, distance and zoom 0.1 to 100",
         "34°, 20°, 4.2, 1"},

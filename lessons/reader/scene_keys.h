@@ -55,10 +55,12 @@ struct LessonBodies {
 struct LessonScene {
   Scene scene;  ///< its body with moments about the centre of mass, if it has others
   std::shared_ptr<const RichText> caption;  ///< Scene::caption, ready to be set; null: none
-  std::vector<PlacedText> shown{};          ///< the overlays of Scene::show, as they are written
-  bool weighs = false;                      ///< torque = "weight", besides scene.torque
-  std::optional<TopStart> start = {};       ///< in place of ω and attitude of the scene
-  bool fault_said = false;                  ///< it cannot be, and was reported
+  /// What the marks of each key write in the figure, ready to be set.
+  std::map<std::string, std::shared_ptr<const RichText>> labels{};
+  std::vector<PlacedText> shown{};     ///< the overlays of Scene::show, as they are written
+  bool weighs = false;                 ///< torque = "weight", besides scene.torque
+  std::optional<TopStart> start = {};  ///< in place of ω and attitude of the scene
+  bool fault_said = false;             ///< it cannot be, and was reported
   /// Tables that change it to the scenes side by side, which are shown in its place; null: it is shown alone.
   std::shared_ptr<const TomlArray> scenes = {};
   std::vector<SourcePlace> vary_places =

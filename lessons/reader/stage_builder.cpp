@@ -174,6 +174,7 @@ void StageBuilder::finish_step() {
     const Step& before = *std::prev(stages_.back().steps.end(), 2);
     step().scene = before.scene;
     step().captions = before.captions;
+    step().labels = before.labels;
     step().varied = before.varied;
     return;
   }
@@ -188,6 +189,8 @@ void StageBuilder::finish_step() {
   if (!varied_) scene.vary.clear();  // what cannot be, and was reported
   for (std::size_t i = 0; i <= scene.beside.size(); ++i)
     step().captions.push_back(varied_ ? scene_.caption : shown_[i].caption);
+  for (const LessonScene& shown : varied_ ? std::vector<LessonScene>{scene_} : shown_)
+    for (const auto& [key, text] : shown.labels) step().labels.push_back(text);
   for (const Scene* shown : shown_scenes(scene))
     if (shown->meters) parts_ += parts_of(*shown->meters);
   step().scene = std::make_shared<const Scene>(std::move(scene));

@@ -5,6 +5,8 @@
 #include "render/typeset/paragraph.h"
 
 #include <algorithm>
+#include <memory>
+#include <set>
 
 namespace polhode {
 namespace {
@@ -39,12 +41,17 @@ class TypeCheck {
 
   void check(const Step& step) {
     for (const Block& block : step.blocks) std::visit([this](const auto& b) { check(b); }, block);
-    if (step.captions == captions_) return;  // steps that go on with them share them
-    captions_ = step.captions;
+    for (const auto& caption : step.captions)
+      if (caption) in_figure(caption);
+    for (const auto& label : step.labels) in_figure(label);
+  }
+
+  /// Once: steps that go on with it share it.
+  void in_figure(const std::shared_ptr<const RichText>& written) {
+    if (!set_.insert(written).second) return;
     TextStyle sans = body_;
     sans.sans = true;
-    for (const auto& caption : captions_)
-      if (caption) text(*caption, sans);
+    text(*written, sans);
   }
 
   void check(const Prose& prose) { text(prose.text, body_); }
@@ -86,7 +93,7 @@ class TypeCheck {
     style.width = 640.0;
     return style;
   }();
-  std::vector<std::shared_ptr<const RichText>> captions_;  // the last ones
+  std::set<std::shared_ptr<const RichText>> set_;
 };
 
 }  // namespace

@@ -114,7 +114,7 @@ double reach_of(const builders::Snapshot& m) {
   constexpr double kTriangle = 0.5;  // of what stands on the tip of an arrow
   if (m.shows(Overlay::transport)) reach = std::max(reach, 1.0 + kTriangle);
   if (m.shows(Overlay::terms)) reach = std::max(reach, (m.shows(Overlay::L) ? m.L_length : 0.5) + kTriangle);
-  return reach;
+  return std::max(reach, builders::reach_of_marks(m));
 }
 
 constexpr double kFilled = 1.16;  // radius that fills the height of a picture at the default distance
@@ -150,9 +150,11 @@ Camera camera_holding(const std::vector<Held>& places, const CameraSpec& spec, d
 /// and the way of the puck. Space axes.
 std::vector<Held> places_of_translation(const builders::Snapshot& m, double reach) {
   constexpr double kLabel = 0.14, kRoundPuck = 0.42;
+  const double round_body = std::max(0.95, builders::reach_of_marks(m));
   const bool puck = m.shows(Overlay::puck);
   std::vector<Held> places;
-  for (const Vec3& at_V : builders::path_of_center_V(m)) places.push_back({at_V, puck ? kRoundPuck : 0.95});
+  for (const Vec3& at_V : builders::path_of_center_V(m))
+    places.push_back({at_V, puck ? kRoundPuck : round_body});
   for (const Vec3& at_V : builders::tips_of_center_V(m)) places.push_back({at_V, kLabel});
   if (puck && !builders::puck_alone(m)) places.push_back({Vec3::Zero(), reach});
   if (!puck && m.shows(Overlay::axes_space))
@@ -270,7 +272,7 @@ TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
   if (attitude) trial_.scene.attitude = attitude;
   trial_.drawn = drawn_overlays(trial_.scene);
   trial_.needs = requirements(trial_.scene);
-  is_remade_ = drifts(trial_.scene) || trial_.drawn.contains(Overlay::puck);
+  is_remade_ = drifts(trial_.scene) || trial_.needs.marks || trial_.drawn.contains(Overlay::puck);
 }
 
 std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {

@@ -21,7 +21,8 @@ struct DrawnOmega {
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect);
 
 /// Tries ω after ω without making models: what drawn_omega gives for the scene's model at t = 0 with this ω
-/// and, if it is given, this attitude. About 1 µs; some 20 µs where the centre of mass drifts.
+/// and, if it is given, this attitude. About 1 µs; some 20 µs where the centre of mass drifts, a millisecond
+/// with marks.
 class TrialOmega {
  public:
   TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
@@ -32,7 +33,7 @@ class TrialOmega {
   SceneModel trial_;  ///< no motion, no curves
   std::size_t pane_;
   double aspect_;
-  bool is_remade_ = false;  ///< a model is needed: its camera holds a way
+  bool is_remade_ = false;  ///< a model is needed: its camera holds a way, or marks
 };
 
 }  // namespace polhode

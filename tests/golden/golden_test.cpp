@@ -102,6 +102,28 @@ INSTANTIATE_TEST_SUITE_P(All, GoldenImage, testing::ValuesIn(all()), [](const au
   return name;
 });
 
+TEST(GoldenMarks, RefuseThatAnyOfThemIsMissing) {
+  const std::vector<Golden> goldens = all();
+  const auto golden =
+      std::find_if(goldens.begin(), goldens.end(), [](const Golden& g) { return !g.scene.marks.empty(); });
+  ASSERT_NE(golden, goldens.end());
+  const Image approved = picture(*golden);
+  const auto refused = [&](const char* what, auto change) {
+    Golden changed = *golden;
+    change(changed.scene.marks);
+    EXPECT_FALSE(compare_images(approved, picture(changed)).equal()) << what;
+  };
+  refused("no trail", [](Marks& marks) { marks.trails.clear(); });
+  refused("a trail without its sphere", [](Marks& marks) { marks.trails.front().on_sphere = false; });
+  refused("one arrow less", [](Marks& marks) { marks.arrows.pop_back(); });
+  refused("an arrow a tenth longer", [](Marks& marks) { marks.arrows.back().length = 1.1 * kArrowLength; });
+  refused("no angle", [](Marks& marks) { marks.angles.clear(); });
+  refused("another letter", [](Marks& marks) { marks.angles.front().tex = "\\phi"; });
+  refused("no plane", [](Marks& marks) { marks.planes.clear(); });
+  refused("a plane about the centre", [](Marks& marks) { marks.planes.front().through.reset(); });
+  refused("no note", [](Marks& marks) { marks.notes.clear(); });
+}
+
 TEST(Goldens, EveryMutationIsRefusedByTenOrMore) {
   std::map<Mutation, int> refused;
   for (const Golden& golden : all())

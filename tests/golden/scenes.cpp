@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/golden/scenes.h"
 
+#include "tests/support/mark_vectors.h"
+
 #include <numbers>
 
 namespace polhode::golden {
@@ -74,6 +76,20 @@ Scene gyroscope_on_its_stand() {
   scene.body = {"gyroscope", PrincipalMoments(0.0125333, 0.0125333, 0.005), std::nullopt};
   scene.duration_s = 0.7;
   return with_camera(given_attitude(scene, Quat(0.8, 0.6, 0.0, 0.0)), 24, 18, 3.6);
+}
+
+/// The gyroscope let go: its axis nutates, with cusps. One mark of each kind.
+Scene marked_gyroscope() {
+  Scene scene = gyroscope_on_its_stand();
+  scene.w0_B = Vec3(0.0, 0.0, 60.0);
+  scene.show = {O::shape, O::pivot};
+  scene.duration_s = scene.at_s = 0.9;
+  scene.marks = {.trails = {{.of = test::body_axis(2), .on_sphere = true}},
+                 .arrows = {{.of = test::body_axis(2)}, {.of = test::rate_of_e3(), .at = test::body_axis(2)}},
+                 .angles = {{.from = test::space_axis(2), .to = test::body_axis(2), .tex = "\\theta"}},
+                 .planes = {{.normal = test::space_axis(2), .through = test::body_axis(2)}},
+                 .notes = {{.text = "tip of $\\hat e_3$", .at = test::body_axis(2)}}};
+  return scene;
 }
 
 const Vec3 kGeneric(0.2, 1.1, 1.6);
@@ -172,6 +188,7 @@ std::vector<Golden> all() {
        O::trail_L,
        {}},
       {"gyroscope-on-its-stand", gyroscope_on_its_stand(), "studio", O::pivot, {}},
+      {"marks-of-a-gyroscope", marked_gyroscope(), "studio", O::pivot, {}},
       {"momentum-space",
        with_views(base(kGeneric, 1.0,
                        {O::momentum_sphere, O::momentum_ellipsoid, O::L, O::polhode, O::labels, O::values}),

@@ -585,18 +585,13 @@ RichText TextReader::caption(const LocatedText& text) {
   std::size_t at = 0;
   const auto add = [&](std::size_t begin, std::size_t end, bool math) {
     if (begin >= end) return;
+    if (math) {
+      if (auto formula = formula_in_figure(text, begin, end)) block.spans.push_back(std::move(*formula));
+      return;
+    }
     TextSpan span;
     span.text = text.text().substr(begin, end - begin);
     span.source = text.span_of(begin, end);
-    if (math) {
-      auto parsed = parse_inline(text, begin, end, {});
-      if (!parsed) return;
-      if (!parsed->references.empty())
-        report_.error(source().place_of(text.offset_of(begin + parsed->references.front().offset)),
-                      "\\eqref stands in texts and displays only");
-      span.kind = TextSpan::Kind::math;
-      span.math = std::move(*parsed);
-    }
     block.spans.push_back(std::move(span));
   };
   const auto add_words = [&](std::size_t begin, std::size_t end) {
@@ -611,6 +606,28 @@ RichText TextReader::caption(const LocatedText& text) {
   }
   add_words(at, text.text().size());
   return {std::move(block)};
+}
+
+RichText TextReader::label(const LocatedText& tex) {
+  TextBlock block;
+  if (auto formula = formula_in_figure(tex, 0, tex.text().size())) block.spans.push_back(std::move(*formula));
+  return {std::move(block)};
+}
+
+/// Figures are set without the lesson's macros and numbers.
+std::optional<TextSpan> TextReader::formula_in_figure(const LocatedText& text, std::size_t begin,
+                                                      std::size_t end) {
+  auto parsed = parse_inline(text, begin, end, {});
+  if (!parsed) return std::nullopt;
+  if (!parsed->references.empty())
+    report_.error(source().place_of(text.offset_of(begin + parsed->references.front().offset)),
+                  "\\eqref stands in texts and displays only");
+  TextSpan span;
+  span.text = text.text().substr(begin, end - begin);
+  span.source = text.span_of(begin, end);
+  span.kind = TextSpan::Kind::math;
+  span.math = std::move(*parsed);
+  return span;
 }
 
 std::optional<Math> TextReader::formula(const LocatedText& tex) {

@@ -64,6 +64,8 @@ class TextReader {
   RichText line(const LocatedText& markdown);
   /// One line of plain text with formulas, as set_line has it, without macros: captions.
   RichText caption(const LocatedText& text);
+  /// A formula that stands in a figure, without macros. Empty if it does not parse.
+  RichText label(const LocatedText& tex);
   /// Nothing if it does not parse.
   std::optional<Math> formula(const LocatedText& tex);
 
@@ -71,6 +73,7 @@ class TextReader {
   class Builder;
   enum class Form { passage, note, line };
   RichText read(const LocatedText& markdown, Form form);
+  std::optional<TextSpan> formula_in_figure(const LocatedText& text, std::size_t begin, std::size_t end);
   std::optional<Math> parse_inline(const LocatedText& text, std::size_t begin, std::size_t end,
                                    const MathMacros& macros, bool may_compute = true);
   std::optional<Math> parse(const LocatedText& text, std::size_t begin, std::size_t end,

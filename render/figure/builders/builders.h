@@ -18,6 +18,10 @@ inline constexpr double kTriadLength = 1.28;  ///< of the axes of both frames, s
 // Radii of curves at the standard thickness, scene units.
 inline constexpr double kPolhodeRadius = 0.0135;
 inline constexpr double kHerpolhodeRadius = 0.0085;
+inline constexpr double kTrailRadius = 0.011;
+inline constexpr double kArrowRadius = 0.021;
+inline constexpr double kTorqueLength = 0.62;  ///< of the arrow of N, scene units
+inline constexpr double kArrowDash = 0.045;    ///< of the arrow of N, and of others that are told apart by it
 
 /// A scene at one time in one view. "V" is the view's frame: S for the space view, B for the body view.
 struct Snapshot {
@@ -68,14 +72,23 @@ Builder add_terms;        ///< of equation (6)
 Builder add_pivot;        ///< stand, axle and weight
 Builder add_ghost;        ///< the exact body, ω and L beside the computed ones
 Builder add_labels;
+Builder add_marks;  ///< of the lesson's own, with their names
 /// In the order in which a pane is drawn.
 inline constexpr std::array kBuilders = {
-    add_surfaces,    add_solid, add_curves,    add_trails, add_cones, add_axes,  add_vectors,
-    add_translation, add_turn,  add_transport, add_terms,  add_pivot, add_ghost, add_labels};
+    add_surfaces, add_solid,     add_curves, add_trails, add_cones, add_axes,   add_vectors, add_translation,
+    add_turn,     add_transport, add_terms,  add_pivot,  add_ghost, add_labels, add_marks};
 
 /// Once in a figure, in the corner of its first pane.
 void add_values(const Snapshot& m, DrawList& list);
 void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list);
+
+/// How far from the centre the marks of the scene reach at any time, with their names; 0 without marks.
+double reach_of_marks(const Snapshot& m);
+
+/// From when on a trail shows the past. Torque-free motion has no beginning; a driven one starts at t = 0.
+double trail_start_s(const Snapshot& m);
+/// The arrow's tip ends the trail, whose blunt end would stick out: its axis ends one radius behind.
+void end_behind_tip(Tube& trail);
 
 /// Scene units per metre: of the body that is drawn, and of the path of its centre.
 double scene_units_per_m(const Snapshot& m);

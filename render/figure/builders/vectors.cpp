@@ -10,11 +10,8 @@
 namespace polhode::builders {
 namespace {
 
-constexpr double kArrowRadius = 0.021;
-constexpr double kTorqueLength = 0.62;
 constexpr double kTriadRadius = 0.008;
 constexpr int kTrailPoints = 240;
-constexpr double kTrailRadius = 0.011;
 constexpr double kOverCurve = 1.15;  ///< of a trail that lies on a curve
 
 void add_triad(const Quat& q_VF, const Vec3& origin_V, double emphasis, double dash, DrawList& list) {
@@ -28,12 +25,6 @@ void add_triad(const Quat& q_VF, const Vec3& origin_V, double emphasis, double d
   }
 }
 
-/// Times of the past that a trail shows. Torque-free motion has no beginning; a driven one starts at t = 0.
-double trail_start_s(const Snapshot& m) {
-  const double start = m.t_s - m.model.span_s;
-  return m.model.scene.torque.empty() ? start : std::max(0.0, start);
-}
-
 /// Over the curve that it lies on, or both would show in specks.
 double trail_radius(const Snapshot& m, Overlay trail) {
   const double radius = kTrailRadius * m.emphasis(trail);
@@ -45,15 +36,6 @@ double trail_radius(const Snapshot& m, Overlay trail) {
   if (on_herpolhode)
     return std::max(radius, kOverCurve * kHerpolhodeRadius * m.emphasis(Overlay::herpolhode));
   return radius;
-}
-
-/// The arrow's tip ends the trail, whose blunt end would stick out: its axis ends one radius behind.
-void end_behind_tip(Tube& trail) {
-  std::vector<Vec3>& points = trail.points;
-  const Vec3 tip = points.back();
-  while (points.size() > 2 && (points.back() - tip).norm() < trail.radius) points.pop_back();
-  const Vec3 way = tip - points.back();
-  if (way.norm() > trail.radius) points.push_back(tip - trail.radius * way.normalized());
 }
 
 template <class TipAt>
@@ -78,6 +60,19 @@ void add_trail(const Snapshot& m, Overlay overlay, const Role& role, TipAt tip_a
 }
 
 }  // namespace
+
+double trail_start_s(const Snapshot& m) {
+  const double start = m.t_s - m.model.span_s;
+  return m.model.scene.torque.empty() ? start : std::max(0.0, start);
+}
+
+void end_behind_tip(Tube& trail) {
+  std::vector<Vec3>& points = trail.points;
+  const Vec3 tip = points.back();
+  while (points.size() > 2 && (points.back() - tip).norm() < trail.radius) points.pop_back();
+  const Vec3 way = tip - points.back();
+  if (way.norm() > trail.radius) points.push_back(tip - trail.radius * way.normalized());
+}
 
 void add_trails(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const auto to_view = [&](const RigidBodyState& then, const Vec3& v_B) -> Vec3 {
@@ -142,7 +137,7 @@ void add_vectors(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
                            .tip = ends.tip,
                            .radius = radius * m.emphasis(Overlay::N),
                            .color = kNRole.paint,
-                           .dash = 0.045});
+                           .dash = kArrowDash});
   }
   if ((m.shows(Overlay::L) || m.shows(Overlay::omega)) && turning)
     list.balls.push_back({Vec3::Zero(), 1.7 * radius, color_from_hex(0xE9ECF0)});

@@ -42,11 +42,11 @@ const std::vector<std::string>& overlay_names() {
 
 std::vector<Overlay> diagrams_in(const OverlaySet& drawn) { return those(drawn, is_diagram); }
 
-bool shows_space(const OverlaySet& drawn) {
+bool shows_space(const OverlaySet& drawn, bool has_marks) {
   const auto in_space = [](Overlay o) {
     return !is_diagram(o) && o != Overlay::labels && o != Overlay::values;
   };
-  return diagrams_in(drawn).empty() || !those(drawn, in_space).empty();
+  return has_marks || diagrams_in(drawn).empty() || !those(drawn, in_space).empty();
 }
 
 }  // namespace polhode

@@ -289,8 +289,8 @@ class OverlaySet {
 
 /// The diagrams of an overlay set, in the order of the enumeration.
 std::vector<Overlay> diagrams_in(const OverlaySet& drawn);
-/// Whether there is a figure in space: without diagrams always, beside them of anything else but names and
-/// values.
-bool shows_space(const OverlaySet& drawn);
+/// Whether there is a figure in space: without diagrams always, beside them of marks (mark.h) and anything
+/// else but names and values.
+bool shows_space(const OverlaySet& drawn, bool has_marks);
 
 }  // namespace polhode

@@ -8,7 +8,7 @@ namespace {
 
 using R = Requirements;
 
-constexpr std::array<RequirementFacts, 15> kFacts = {{
+constexpr std::array<RequirementFacts, 16> kFacts = {{
     {&R::omega, "omega", "ω(t)"},
     {&R::attitude, "attitude", "attitude"},
     {&R::polhode, "polhode", "polhode"},
@@ -24,6 +24,7 @@ constexpr std::array<RequirementFacts, 15> kFacts = {{
     {&R::ghost, "ghost", "exact motion beside it"},
     {&R::methods, "methods", "table of methods"},
     {&R::orders, "orders", "orders of the methods"},
+    {&R::marks, "marks", "vectors of the lesson's own"},
 }};
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "physics/body/bodies.h"
 #include "physics/body/torque.h"
 #include "physics/method_facts.h"
+#include "render/scene/description/mark.h"
 #include "render/scene/description/meter.h"
 #include "render/scene/description/overlay.h"
 
@@ -81,6 +82,7 @@ struct Scene {
   MotionSpec motion;
   std::vector<View> views{View::space};  ///< one, or two side by side
   OverlaySet show;
+  Marks marks;  ///< in space, besides the overlays
   CameraSpec camera;
   double at_s = 0.0;  ///< the t of a still, and what lengths and tables that hang on a time are made for
   std::optional<double> still_s;       ///< the t of a still, where that is another

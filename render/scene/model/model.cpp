@@ -131,6 +131,7 @@ void compute_parts(SceneModel& model, const Effort& effort, double chord_toleran
     model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
   spend_on(model.herpolhode_S, effort);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I, scene.body.mass_kg));
+  if (model.needs.marks) model.courses = vector_courses(model, effort);
   if (model.needs.terms) model.longest_term = longest_term(model);
   for (int k = 0; model.needs.orders && k < kOrderSteps; ++k)
     model.orders.push_back(

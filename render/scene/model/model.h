@@ -8,6 +8,7 @@
 #include "physics/motion.h"
 #include "render/scene/description/requirements.h"
 #include "render/scene/description/scene.h"
+#include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/method_table.h"
 #include "render/scene/model/scene_needs.h"
 #include "render/scene/model/scene_problem.h"
@@ -35,6 +36,7 @@ struct SceneModel {
   Quat q0_SB = Quat::Identity();         ///< attitude at t = 0
   double L_reference = 0.0;   ///< |L| that is drawn at full length, kg m²/s: the larger of start and `at`
   double longest_term = 0.0;  ///< of equation (6), drawn at full length, N m
+  VectorCourses courses;      ///< of the marks, over span_s
   double span_s = 0.0;        ///< what curves over time cover and one loop of a film shows
   double reach_s = 0.0;       ///< the longest |t| that it, and what is beside it, is to be asked for
   double rate = 1.0;          ///< simulated seconds per shown second

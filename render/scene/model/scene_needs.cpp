@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/scene_needs.h"
 
+#include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/rotor.h"
 #include "render/scene/model/translation.h"
 
@@ -107,9 +108,10 @@ Requirements requirements_of_figure(const Scene& scene) {
                      (facts.attitude == AttitudeIn::space && in_space && !turns) ||
                      (facts.attitude == AttitudeIn::body && in_body);
   }
+  needs.marks = draws_marks(scene);
   needs.herpolhode = needs.herpolhode && in_space;
-  needs.attitude =
-      needs.attitude || needs.herpolhode || (in_body && drifts(scene)) || depends_on_attitude(scene.torque);
+  needs.attitude = needs.attitude || needs.herpolhode || needs.marks || (in_body && drifts(scene)) ||
+                   depends_on_attitude(scene.torque);
   needs.omega = needs.omega || needs.attitude || needs.polhode;
   needs.ghost =
       asks_for_ghost(scene) && (needs.solid || shown(Overlay::omega) || shown(Overlay::L)) && !turns;

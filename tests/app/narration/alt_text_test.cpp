@@ -17,7 +17,7 @@ Scene rolling() {
 }
 
 TEST(AltText, SaysWhatIsShownAndNothingElse) {
-  const std::string text = alt_text(rolling(), "", Vec3(0, 0, 2), 1.25);
+  const std::string text = alt_text(rolling(), {}, Vec3(0, 0, 2), 1.25);
   EXPECT_THAT(text, testing::StartsWith(
                         "Seen from space: the energy ellipsoid, the angular velocity ω and the polhode."));
   EXPECT_THAT(text, Not(HasSubstr("plane")));
@@ -26,31 +26,34 @@ TEST(AltText, SaysWhatIsShownAndNothingElse) {
 
 // I = (1, 1.75, 2.5), ω = (1, 0, 1): L = (1, 0, 2.5), the angle is atan(2.5) − 45° = 23.2°.
 TEST(AltText, NumbersAreComputedForTheMoment) {
-  EXPECT_THAT(alt_text(rolling(), "", Vec3(1, 0, 1), 0.0), HasSubstr("1.41 rad/s, with ω 23° away from L"));
+  EXPECT_THAT(alt_text(rolling(), {}, Vec3(1, 0, 1), 0.0), HasSubstr("1.41 rad/s, with ω 23° away from L"));
 }
 
 TEST(AltText, ABodyAtRestHasNoAngle) {
-  EXPECT_THAT(alt_text(rolling(), "", Vec3::Zero(), 0.0), Not(HasSubstr("with ω")));
+  EXPECT_THAT(alt_text(rolling(), {}, Vec3::Zero(), 0.0), Not(HasSubstr("with ω")));
 }
 
 TEST(AltText, NamesTheViewsAndTheCaption) {
   Scene scene = rolling();
   scene.views = {View::space, View::body};
-  const std::string text = alt_text(scene, "No torque acts", Vec3(0, 0, 1), 0.0);
+  const std::string text = alt_text(scene, {.caption = "No torque acts", .marks = {}}, Vec3(0, 0, 1), 0.0);
   EXPECT_THAT(text, HasSubstr("side by side"));
   EXPECT_THAT(text, HasSubstr("No torque acts."));
+  EXPECT_THAT(
+      alt_text(scene, {.caption = "", .marks = {"the arrow of a", "the arrow of b"}}, Vec3(0, 0, 1), 0.0),
+      HasSubstr(", the arrow of a and the arrow of b. "));
   scene.views = {View::body};
-  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), HasSubstr("Seen from the body:"));
+  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), HasSubstr("Seen from the body:"));
 }
 
 TEST(AltText, DiagramsAloneAreSeenFromNowhere) {
   Scene scene;
   scene.show = {Overlay::cards};
-  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("A board: cards"));
+  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), testing::StartsWith("A board: cards"));
   scene.show.insert(Overlay::cofactors);
-  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("Boards: "));
+  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), testing::StartsWith("Boards: "));
   scene.show.insert(Overlay::omega);
-  EXPECT_THAT(alt_text(scene, "", Vec3(0, 0, 1), 0.0), testing::StartsWith("Seen from space: "));
+  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), testing::StartsWith("Seen from space: "));
 }
 
 TEST(AltText, EveryOverlayButLabelsHasWords) {
@@ -61,7 +64,7 @@ TEST(AltText, EveryOverlayButLabelsHasWords) {
     if (overlay == Overlay::N) scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
     if (overlay == Overlay::pivot) scene.torque = {HeavyTop{0.1}};
     scene.v0_S = scene.F_S = Vec3(0, 0, 1);  // for p, v and F
-    const std::string text = alt_text(scene, "", Vec3(0, 0, 1), 0.0);
+    const std::string text = alt_text(scene, {}, Vec3(0, 0, 1), 0.0);
     EXPECT_EQ(text.find(": nothing.") != std::string::npos, overlay == Overlay::labels) << name_of(overlay);
   }
 }
@@ -70,7 +73,7 @@ TEST(AltText, NamesNothingThatIsNotDrawn) {  // 2026-11-21: it named the plane o
   Scene scene;
   scene.show = {Overlay::plane, Overlay::omega};
   scene.torque = {BodyTorque{Vec3(0.1, 0, 0)}};
-  EXPECT_EQ(alt_text(scene, "", Vec3(0, 0, 1), 0.0).find("plane"), std::string::npos);
+  EXPECT_EQ(alt_text(scene, {}, Vec3(0, 0, 1), 0.0).find("plane"), std::string::npos);
 }
 
 TEST(AltText, ScenesSideBySideAreSaidInTurn) {
@@ -80,14 +83,14 @@ TEST(AltText, ScenesSideBySideAreSaidInTurn) {
   other.w0_B = {3, 0, 0};
   other.views = {View::body};
   first.beside = {other};
-  const std::string text = alt_text(make_model(first), {"Left", "Right"}, 0.5);
+  const std::string text = alt_text(make_model(first), {{"Left", {}}, {"Right", {"the arrow of a"}}}, 0.5);
   EXPECT_THAT(text, testing::StartsWith("Scene 1 of 2, side by side. Seen from space: "));
   EXPECT_THAT(text, HasSubstr("Left. "));
   EXPECT_THAT(
       text,
       HasSubstr(
           "the body turns at 2 rad/s, with ω along L. Scene 2 of 2, side by side. Seen from the body: "));
-  EXPECT_THAT(text, HasSubstr("Right. "));
+  EXPECT_THAT(text, HasSubstr("and the arrow of a. Right. "));
   EXPECT_THAT(text, testing::EndsWith("the body turns at 3 rad/s, with ω along L."));
 }
 

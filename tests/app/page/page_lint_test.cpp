@@ -44,6 +44,21 @@ TEST(PageLint, AStepThatNoPageHoldsIsAnError) {
   EXPECT_EQ(found[0].place.line, 11);
 }
 
+TEST(PageLint, WarnsOnceOfMarksThatShowNothing) {
+  const LessonReading reading = read_lesson(
+      "+++\nformat = 1\nid = \"marks\"\ntitle = \"Marks\"\n+++\n# A stage {one}\nWords.\n\n```scene\n"
+      "arrows = [{ of = \"N\" }, { of = \"L\" }]\nangles = [{ from = \"e3\", to = \"2*e3\" "
+      "}]\n```\n\n---\n\nMore.\n",
+      "marks.md");
+  ASSERT_TRUE(reading.lesson);
+  const auto found = page_diagnostics(*reading.lesson, Fonts::open().value(), "marks.md");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  EXPECT_EQ(found[0].message,
+            "step 1 of stage \"one\": the arrow of \"N\" shows nothing: \"N\" is 0 throughout");
+  EXPECT_THAT(found[1].message, HasSubstr("they are parallel throughout"));
+}
+
 /// What checking costs of a lesson of five steps, each with a motion of its own, 2000 steps of explicit Euler
 /// long, and an equation that ends in `number`.
 std::int64_t evaluations_with(const std::string& number) {

@@ -22,11 +22,12 @@ TEST(Overlay, UnknownNamesAreNone) {
 
 TEST(Overlay, DiagramsShareAFigureWithWhatIsInSpace) {
   using O = Overlay;
-  EXPECT_TRUE(shows_space({}));
-  EXPECT_TRUE(shows_space({O::labels}));
-  EXPECT_FALSE(shows_space({O::cards}));
-  EXPECT_FALSE(shows_space({O::cards, O::labels, O::values}));
-  EXPECT_TRUE(shows_space({O::cards, O::omega}));
+  EXPECT_TRUE(shows_space({}, false));
+  EXPECT_TRUE(shows_space({O::labels}, false));
+  EXPECT_FALSE(shows_space({O::cards}, false));
+  EXPECT_FALSE(shows_space({O::cards, O::labels, O::values}, false));
+  EXPECT_TRUE(shows_space({O::cards, O::omega}, false));
+  EXPECT_TRUE(shows_space({O::cards}, true)) << "marks are in space";
   EXPECT_EQ(diagrams_in({O::omega, O::cards, O::cofactors}), (std::vector{O::cofactors, O::cards}));
 }
 

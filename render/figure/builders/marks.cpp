@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+// What a lesson draws of vectors of its own: trails, arrows, angles, planes, notes.
+#include "physics/body/euler.h"
+#include "physics/geometry/curve_sampling.h"
+#include "render/figure/builders/builders.h"
+#include "render/palette.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode::builders {
+namespace {
+
+constexpr double kLabel = 0.1;    // room for a name
+constexpr double kBeyond = 0.06;  // of a name behind the tip of its arrow
+constexpr double kSymbolSize = 1.2, kTextSize = 0.8;
+constexpr double kTooShort = 0.02;  // for an arrow: there is nothing, or noise
+
+bool is_same(const MarkVector& a, const MarkVector& b) { return a.quantity.meaning == b.quantity.meaning; }
+
+Vec3 scaled(const Vec3& v, double factor) { return std::isfinite(factor) ? Vec3(factor * v) : Vec3::Zero(); }
+
+/// The vectors of a scene's marks as they are drawn, in the axes of the view.
+class DrawnVectors {
+ public:
+  explicit DrawnVectors(const Snapshot& m) : m_(m), arrows_(m.model.scene.marks.arrows) {}
+
+  /// Its value; nothing where it has none.
+  std::optional<Vec3> value_V(const MarkVector& vector, double t_s, const RigidBodyState& then) const {
+    const auto value_S = vector.quantity.value(m_.model, t_s, then);
+    return value_S ? std::optional(to_view(*value_S, then)) : std::nullopt;
+  }
+
+  /// From the tail of its arrow to the tip. Of an arrow, or of a vector that only lends its tip or scale.
+  std::optional<Vec3> along_V(const MarkVector& vector, const ArrowMark* arrow, double t_s,
+                              const RigidBodyState& then) const {
+    const auto value = value_V(vector, t_s, then);
+    return value ? std::optional(drawn(vector, arrow, *value)) : std::nullopt;
+  }
+
+  /// Where the arrow begins; nothing where that has no place.
+  std::optional<Vec3> tail_V(std::size_t arrow, double t_s, const RigidBodyState& then) const {
+    const auto& at = arrows_[arrow].at;
+    return at ? tip_V(*at, t_s, then, arrow) : Vec3(Vec3::Zero());
+  }
+
+  /// Where the tip of a vector is: of its arrow, if it is among the first `count`; else of the arrow of the
+  /// overlay, or of an arrow from the centre.
+  std::optional<Vec3> tip_V(const MarkVector& vector, double t_s, const RigidBodyState& then,
+                            std::size_t count) const {
+    const std::size_t index = find_arrow(vector, count);
+    const ArrowMark* arrow = index < count ? &arrows_[index] : nullptr;
+    const auto along = along_V(vector, arrow, t_s, then);
+    const auto tail = arrow != nullptr ? tail_V(index, t_s, then) : overlay_tail_V(vector, then);
+    return along && tail ? std::optional(Vec3(*tail + *along)) : std::nullopt;
+  }
+  std::optional<Vec3> tip_V(const MarkVector& vector, double t_s, const RigidBodyState& then) const {
+    return tip_V(vector, t_s, then, arrows_.size());
+  }
+  std::optional<Vec3> tip_V(const MarkVector& vector) const { return tip_V(vector, m_.t_s, m_.state); }
+
+  /// How far from the centre the tip gets over the span.
+  double reach(const MarkVector& vector, std::size_t count) const {
+    double reach = 0.0;
+    for (std::size_t n = 0; n <= kCourseSteps; ++n) {
+      const double far = place_S(vector, count, n).norm();
+      if (std::isfinite(far)) reach = std::max(reach, far);
+    }
+    const bool on_L = find_arrow(vector, count) == count && stands_on_L(vector);
+    return reach + (on_L ? m_.L_length : 0.0);
+  }
+  double reach(const MarkVector& vector) const { return reach(vector, arrows_.size()); }
+
+  bool has_arrow(const MarkVector& vector) const {
+    return find_arrow(vector, arrows_.size()) < arrows_.size() ||
+           (vector.overlay && m_.shows(*vector.overlay));
+  }
+
+ private:
+  Vec3 to_view(const Vec3& v_S, const RigidBodyState& then) const {
+    return m_.view == View::space ? v_S : Vec3(then.q_SB.conjugate() * v_S);
+  }
+
+  std::size_t find_arrow(const MarkVector& vector, std::size_t count) const {
+    const auto end = arrows_.begin() + static_cast<std::ptrdiff_t>(count);
+    return static_cast<std::size_t>(
+        std::find_if(arrows_.begin(), end, [&](const ArrowMark& a) { return is_same(a.of, vector); }) -
+        arrows_.begin());
+  }
+
+  /// N has one length as an overlay, too: how large it is tells nothing beside L.
+  static bool has_torque_length(const MarkVector& vector, const ArrowMark* arrow) {
+    return vector.overlay == Overlay::N && (arrow == nullptr || (!arrow->length && !arrow->like));
+  }
+
+  /// The tip of a vector at a time of its course.
+  Vec3 place_S(const MarkVector& vector, std::size_t count, std::size_t step) const {
+    const std::size_t index = find_arrow(vector, count);
+    const ArrowMark* arrow = index < count ? &arrows_[index] : nullptr;
+    const Vec3& value_S = course_of(vector).values_S[step];
+    const Vec3 tail_S = arrow != nullptr && arrow->at ? place_S(*arrow->at, index, step) : Vec3(Vec3::Zero());
+    return tail_S + drawn(vector, arrow, value_S);
+  }
+
+  Vec3 drawn(const MarkVector& vector, const ArrowMark* arrow, const Vec3& value) const {
+    if (!has_torque_length(vector, arrow)) return scaled(value, scale(vector, arrow));
+    return value.isZero(0.0) ? Vec3(Vec3::Zero()) : Vec3(kTorqueLength * value.stableNormalized());
+  }
+
+  const VectorCourse& course_of(const MarkVector& vector) const {
+    return m_.model.courses.at(vector.quantity.meaning);
+  }
+
+  /// The arrow of N stands on the tip of L, whose velocity it is.
+  bool stands_on_L(const MarkVector& vector) const {
+    return vector.overlay == Overlay::N && m_.shows(Overlay::N) && m_.shows(Overlay::L);
+  }
+  Vec3 overlay_tail_V(const MarkVector& vector, const RigidBodyState& then) const {
+    if (!stands_on_L(vector)) return Vec3::Zero();
+    return to_view(then.q_SB * m_.L_drawn_B(angular_momentum_B(m_.I(), then.w_B)), then);
+  }
+
+  /// Scene units per unit of SI.
+  double scale(const MarkVector& vector, const ArrowMark* arrow) const {
+    if (arrow != nullptr && arrow->like) {
+      const auto own = std::find_if(arrows_.begin(), arrows_.end(), [&](const ArrowMark& a) {
+        return is_same(a.of, *arrow->like) && !a.like;
+      });
+      return scale(*arrow->like, own == arrows_.end() ? nullptr : &*own);
+    }
+    const double longest = course_of(vector).longest;
+    if (longest == 0.0) return 0.0;
+    if (arrow != nullptr && arrow->length) return *arrow->length / longest;
+    if (vector.overlay == Overlay::omega) return m_.omega_scale;
+    if (vector.overlay == Overlay::L)
+      return m_.model.L_reference > 0.0 ? m_.L_length / m_.model.L_reference : 0.0;
+    if (vector.overlay == Overlay::N) return kTorqueLength / longest;
+    constexpr double kMostAsItIs = 2;
+    return vector.is_number && longest <= kMostAsItIs ? 1.0 : kArrowLength / longest;
+  }
+
+  const Snapshot& m_;
+  const std::vector<ArrowMark>& arrows_;
+};
+
+/// How a vector is told from others: by its role, or by its place among those that have none.
+struct Look {
+  Role role;
+  bool is_dashed = false;
+};
+
+class Looks {
+ public:
+  explicit Looks(const Marks& marks) {
+    for (const TrailMark& trail : marks.trails) add(trail.of);
+    for (const ArrowMark& arrow : marks.arrows) add(arrow.of);
+  }
+
+  Look of(const MarkVector& vector) const {
+    if (const auto role = role_from(vector.quantity.role)) return {*role};
+    const auto found = std::find(own_.begin(), own_.end(), vector.quantity.meaning);
+    if (found == own_.end()) return {kMarkRoles.front()};
+    const auto place = static_cast<std::size_t>(found - own_.begin());
+    return {kMarkRoles[place % kMarkRoles.size()], place / kMarkRoles.size() % 2 == 1};
+  }
+
+ private:
+  void add(const MarkVector& vector) {
+    const bool is_there = std::find(own_.begin(), own_.end(), vector.quantity.meaning) != own_.end();
+    if (!role_from(vector.quantity.role) && !is_there) own_.push_back(vector.quantity.meaning);
+  }
+
+  std::vector<std::string> own_;
+};
+
+Color translucent(const Color& c, float alpha) { return {c.r, c.g, c.b, alpha}; }
+
+/// Triangles from a centre to a rim, seen from both sides.
+Mesh fan(const Vec3& center, const std::vector<Vec3>& rim, const Vec3& normal, const Color& color) {
+  Mesh mesh;
+  mesh.color = color;
+  mesh.positions.push_back(center);
+  mesh.positions.insert(mesh.positions.end(), rim.begin(), rim.end());
+  mesh.normals.assign(mesh.positions.size(), normal);
+  for (unsigned k = 1; k + 1 < mesh.positions.size(); ++k)
+    for (const unsigned corner : {0U, k, k + 1}) mesh.triangles.push_back(corner);
+  return mesh;
+}
+
+constexpr float kPlaneAlpha = 0.16F, kSectorAlpha = 0.20F;
+
+/// Angles stand about the centre, each outside the one before; outside a body that lies there.
+double radius_of_angle(const Snapshot& m, std::size_t index) {
+  constexpr double kFirst = 0.42, kApart = 0.12, kOutside = 0.99, kCloser = 0.07;
+  const bool is_in_body = m.model.needs.solid && !m.shows(Overlay::pivot);
+  const auto before = static_cast<double>(index);
+  return is_in_body ? kOutside + kCloser * before : kFirst + kApart * before;
+}
+
+/// The same at all times.
+double radius_of_plane(const DrawnVectors& vectors, const PlaneMark& plane) {
+  constexpr double kLeast = 1.1;
+  return std::max(kLeast, plane.through ? vectors.reach(*plane.through) + kLabel : 0.0);
+}
+
+void add_name(const std::string& tex, const Vec3& anchor, const Color& ink, DrawList& list) {
+  if (tex.empty()) return;
+  list.labels.push_back(
+      {.text = '$' + tex + '$', .anchor = anchor, .color = ink, .size = kSymbolSize, .leader = false});
+}
+
+class MarkBuilder {
+ public:
+  MarkBuilder(const Snapshot& m, DrawList& list)
+      : m_(m), marks_(m.model.scene.marks), vectors_(m), looks_(marks_), list_(list) {}
+
+  void add_all() {
+    if (std::any_of(marks_.trails.begin(), marks_.trails.end(),
+                    [](const TrailMark& trail) { return trail.on_sphere; }))
+      list_.ellipsoids.push_back({.rotation = m_.q_VS, .tint = kUnitSphereTint});
+    for (const PlaneMark& plane : marks_.planes) add(plane);
+    for (const TrailMark& trail : marks_.trails) add(trail);
+    for (std::size_t i = 0; i < marks_.arrows.size(); ++i) add_arrow(i);
+    for (std::size_t i = 0; i < marks_.angles.size(); ++i) add_angle(i);
+    for (const NoteMark& note : marks_.notes) add(note);
+  }
+
+ private:
+  void add(const TrailMark& trail) {
+    constexpr double kLeastPieces = 64, kMostPieces = 512, kTurn_rad = 0.5;
+    constexpr std::size_t kMostPoints = 2048;
+    constexpr double kOldest = 0.3;  // of its colour: loops of long ago are to be seen
+    const auto tip_at = [&](double t_s) -> Vec3 {
+      const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+      const RigidBodyState then = m_.model.motion->at(t_s);
+      if (!trail.on_sphere) return vectors_.tip_V(trail.of, t_s, then).value_or(none);
+      const auto value = vectors_.value_V(trail.of, t_s, then);
+      return value && !value->isZero(0.0) ? Vec3(value->stableNormalized()) : none;
+    };
+    const double start_s = trail_start_s(m_);
+    const double turns = std::abs(m_.t_s - start_s) * m_.model.scene.w0_B.stableNorm() / kTurn_rad;
+    const Look look = looks_.of(trail.of);
+    Tube tube{.points = sample_curve(
+                  tip_at, start_s, m_.t_s,
+                  {.chord_tolerance = kChordTolerance,
+                   .first_pieces = static_cast<int>(std::clamp(turns, kLeastPieces, kMostPieces)),
+                   .max_points = kMostPoints}),
+              .radius = kTrailRadius * m_.thickness,
+              .color = look.role.paint,
+              .fade_start = kOldest,
+              .dash = look.is_dashed ? kArrowDash : 0.0};
+    if (tube.points.size() < 2) return;
+    const Vec3 now = tube.points.back();
+    if (vectors_.has_arrow(trail.of))
+      end_behind_tip(tube);
+    else
+      list_.balls.push_back({now, kPoint * tube.radius, tube.color});
+    list_.tubes.push_back(std::move(tube));
+  }
+
+  void add_arrow(std::size_t index) {
+    const ArrowMark& mark = marks_.arrows[index];
+    const auto along = vectors_.along_V(mark.of, &mark, m_.t_s, m_.state);
+    const auto tail = vectors_.tail_V(index, m_.t_s, m_.state);
+    if (!along || !tail || !(along->norm() > kTooShort)) return;
+    const Look look = looks_.of(mark.of);
+    const bool is_torque = mark.of.overlay == Overlay::N;
+    const Vec3 tip = *tail + *along;
+    list_.arrows.push_back(
+        {.head = mark.of.overlay == Overlay::L ? Arrow::Head::double_cone : Arrow::Head::cone,
+         .tail = *tail,
+         .tip = tip,
+         .radius = kArrowRadius * m_.thickness,
+         .color = look.role.paint,
+         .dash = is_torque || look.is_dashed ? kArrowDash : 0.0});
+    add_name(mark.tex.value_or(mark.of.quantity.tex), tip + kBeyond * along->normalized(), look.role.ink,
+             list_);
+  }
+
+  void add_angle(std::size_t index) {
+    constexpr int kPoints = 64;
+    constexpr double kArcRadius = 0.009, kGuideRadius = 0.006, kGuide = 0.05, kNameBeyond = 0.085;
+    const AngleMark& mark = marks_.angles[index];
+    const auto from = vectors_.value_V(mark.from, m_.t_s, m_.state),
+               to = vectors_.value_V(mark.to, m_.t_s, m_.state);
+    const auto angle_rad = from && to ? angle_between(*from, *to) : std::nullopt;
+    if (!angle_rad) return;
+    const Vec3 u = from->stableNormalized(), v = to->stableNormalized(), axis = u.cross(v).normalized();
+    const double radius = radius_of_angle(m_, index);
+    const auto at = [&](double part) -> Vec3 { return Eigen::AngleAxisd(part * *angle_rad, axis) * u; };
+    Tube arc{.points = {}, .radius = kArcRadius * m_.thickness, .color = kTRole.paint};
+    for (int n = 0; n <= kPoints; ++n) arc.points.push_back(radius * at(static_cast<double>(n) / kPoints));
+    list_.meshes.push_back(fan(Vec3::Zero(), arc.points, axis, translucent(kTRole.paint, kSectorAlpha)));
+    list_.tubes.push_back(std::move(arc));
+    for (const Vec3& leg : {u, v})
+      list_.tubes.push_back({.points = {Vec3::Zero(), (radius + kGuide) * leg},
+                             .radius = kGuideRadius * m_.thickness,
+                             .color = kTRole.paint});
+    add_name(mark.tex, (radius + kNameBeyond) * at(0.5), kTRole.ink, list_);
+  }
+
+  void add(const PlaneMark& plane) {
+    constexpr int kPoints = 96;
+    constexpr double kRimRadius = 0.005;
+    const auto normal = vectors_.value_V(plane.normal, m_.t_s, m_.state);
+    const auto through = plane.through ? vectors_.tip_V(*plane.through) : Vec3(Vec3::Zero());
+    if (!normal || normal->isZero(0.0) || !through) return;
+    const Vec3 n = normal->stableNormalized(), center = through->dot(n) * n;
+    const Vec3 u = n.unitOrthogonal(), v = n.cross(u);
+    const double radius = radius_of_plane(vectors_, plane);
+    const Role role = role_from(plane.normal.quantity.role).value_or(kAxesRole);
+    Tube rim{.points = {}, .closed = true, .radius = kRimRadius * m_.thickness, .color = role.paint};
+    for (int k = 0; k < kPoints; ++k) {
+      const double turn_rad = 2.0 * std::numbers::pi * k / kPoints;
+      rim.points.push_back(center + radius * (std::cos(turn_rad) * u + std::sin(turn_rad) * v));
+    }
+    std::vector<Vec3> closed = rim.points;
+    closed.push_back(closed.front());
+    list_.meshes.push_back(fan(center, closed, n, translucent(role.paint, kPlaneAlpha)));
+    list_.tubes.push_back(std::move(rim));
+  }
+
+  void add(const NoteMark& note) {
+    const auto tip = vectors_.tip_V(note.at);
+    if (!tip) return;
+    list_.labels.push_back({.text = note.text, .anchor = *tip, .color = kInk, .size = kTextSize});
+  }
+
+  static constexpr double kPoint = 2.2;  // radii of a trail: the point that ends it
+  static constexpr Color kUnitSphereTint = color_from_hex(0xC3CCD6);
+
+  const Snapshot& m_;
+  const Marks& marks_;
+  DrawnVectors vectors_;
+  Looks looks_;
+  DrawList& list_;
+};
+
+}  // namespace
+
+void add_marks(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
+  if (m.model.needs.marks) MarkBuilder(m, list).add_all();
+}
+
+double reach_of_marks(const Snapshot& m) {
+  if (!m.model.needs.marks) return 0.0;
+  const Marks& marks = m.model.scene.marks;
+  const DrawnVectors vectors(m);
+  double reach = 0.0;
+  const auto holds = [&](double far) { reach = std::max(reach, far); };
+  for (const TrailMark& trail : marks.trails) holds(trail.on_sphere ? 1.0 : vectors.reach(trail.of));
+  for (std::size_t i = 0; i < marks.arrows.size(); ++i)
+    holds(vectors.reach(marks.arrows[i].of, i + 1) + kLabel);
+  for (std::size_t i = 0; i < marks.angles.size(); ++i) holds(radius_of_angle(m, i) + 2.0 * kLabel);
+  for (const PlaneMark& plane : marks.planes) holds(radius_of_plane(vectors, plane));
+  for (const NoteMark& note : marks.notes) holds(vectors.reach(note.at) + kLabel);
+  return reach;
+}
+
+}  // namespace polhode::builders

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Marks: trails, arrows, angles, planes and notes that a lesson draws in space of vectors of its own.
+#pragma once
+
+#include "render/scene/description/overlay.h"
+#include "render/scene/description/scene_quantity.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Of each kind.
+inline constexpr std::size_t kMaxMarks = 6;
+
+/// A vector that a mark is made of.
+struct MarkVector {
+  SceneQuantity quantity;
+  bool is_number = false;               ///< without a unit, as e3
+  std::optional<Overlay> overlay = {};  ///< omega, L or N, if it is that: it looks as that does
+  bool operator==(const MarkVector&) const = default;
+};
+
+/// The path of the tip, over the scene's duration and up to now.
+struct TrailMark {
+  MarkVector of;
+  bool on_sphere = false;  ///< its direction on the unit sphere, which is drawn
+  bool operator==(const TrailMark&) const = default;
+};
+
+/// What is longest over the duration has `length`. Absent: vectors that overlays show have the length there,
+/// numbers are drawn as they are, and others have kArrowLength.
+struct ArrowMark {
+  MarkVector of;
+  std::optional<MarkVector> at = {};    ///< its tail is the tip of that; absent: the centre
+  std::optional<std::string> tex = {};  ///< its name; absent: that of the quantity, empty: none
+  std::optional<double> length = {};    ///< scene units
+  std::optional<MarkVector> like = {};  ///< drawn to the scale of that, so that both can be added
+  bool operator==(const ArrowMark&) const = default;
+};
+inline constexpr double kArrowLength = 0.6;
+inline constexpr double kLeastArrowLength = 0.1, kMostArrowLength = 3;
+
+/// The arc from one vector to another about the centre.
+struct AngleMark {
+  MarkVector from, to;
+  std::string tex = {};  ///< its name; empty: none
+  bool operator==(const AngleMark&) const = default;
+};
+
+/// A disc with a normal, about the centre or through the tip of a vector.
+struct PlaneMark {
+  MarkVector normal;
+  std::optional<MarkVector> through = {};
+  bool operator==(const PlaneMark&) const = default;
+};
+
+/// A line of text at the tip of a vector.
+struct NoteMark {
+  std::string text;
+  MarkVector at;
+  bool operator==(const NoteMark&) const = default;
+};
+
+struct Marks {
+  std::vector<TrailMark> trails = {};
+  std::vector<ArrowMark> arrows = {};
+  std::vector<AngleMark> angles = {};
+  std::vector<PlaneMark> planes = {};
+  std::vector<NoteMark> notes = {};
+
+  bool empty() const {
+    return trails.empty() && arrows.empty() && angles.empty() && planes.empty() && notes.empty();
+  }
+  bool operator==(const Marks&) const = default;
+};
+
+}  // namespace polhode
