@@ -187,7 +187,7 @@ const std::vector<CameraPreset>& camera_presets() {
 
 std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const std::vector<Inset>& insets) {
   std::vector<TipOnScreen> tips;
-  if (insets.empty() || !shows_space(model.drawn)) return tips;
+  if (insets.empty() || !shows_space(model.drawn, model.needs.marks)) return tips;
   const PixelRect& place = insets.front().place;
   const std::vector<Pane>& panes = insets.front().figure.panes;
   if (panes.size() != model.scene.views.size()) return tips;
