@@ -79,32 +79,32 @@ TEST(Transcript, HasTheStagesAskedFor) {
 
 TEST(Transcript, SaysOnceWhatIsDrawn) {
   std::string with_marks = kLesson;
-  with_marks += R"(
+  with_marks += R"lesson(
 # Drawn {drawn}
 ```scene
 trails = [{ of = "omega", on = "sphere" }]
-arrows = [{ of = "ddt(omega)",
-      at = "omega", tex = 'a'
-}, { of = "omega", tex = "" }]
+arrows = [{ of = "ddt(omega)", at = "omega", tex = 'a' }, { of = "omega", tex = "" }]
 angles = [{ from = "ez", to = "omega", tex = 'b' }]
 planes = [{ normal = "omega" }]
 notes  = [{ text = "the tip of $c$", at = "omega" }]
 ```
 ---
 More of it.
-)";
+)lesson";
   const LessonReading reading = check_lesson(with_marks, "spoken.md");
-ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
-std::string text = transcript_of(*reading.lesson, {"drawn"});
-std::replace(text.begin(), text.end(), '\n', ' ');
-for (std::size_t at; (at = text.find("  ")) != text.npos;) text.erase(at, 1);
-EXPECT_THAT(
-    text, HasSubstr("Drawn: the trail of the direction of angular velocity on the unit sphere; the arrow of "
-                    "a at the tip of angular velocity; the arrow of angular velocity; the angle b from "));
-EXPECT_THAT(
-    text, HasSubstr("to angular velocity; the plane normal to angular velocity; the note \"the tip of c\" at "
-                    "the tip of angular velocity."));
-EXPECT_EQ(text.find("Drawn: "), text.rfind("Drawn: ")) << "a step goes on with it";
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+  std::string text = transcript_of(*reading.lesson, {"drawn"});
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  for (std::size_t at; (at = text.find("  ")) != text.npos;) text.erase(at, 1);
+  EXPECT_THAT(
+      text,
+      HasSubstr("Drawn: the trail of the direction of angular velocity on the unit sphere; the arrow of "
+                "a at the tip of angular velocity; the arrow of angular velocity; the angle b from "));
+  EXPECT_THAT(
+      text,
+      HasSubstr("to angular velocity; the plane normal to angular velocity; the note \"the tip of c\" at "
+                "the tip of angular velocity."));
+  EXPECT_EQ(text.find("Drawn: "), text.rfind("Drawn: ")) << "a step goes on with it";
 }
 
 TEST(SpeechText, SaysAPage) {
