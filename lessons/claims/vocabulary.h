@@ -28,7 +28,8 @@ class Vocabulary {
   };
 
   /// A number that does not change. What is proved of it holds whatever it is; its value is for what is
-  /// measured and shown. Precondition: fewer than kMaxConstants constants, a name that is not taken.
+  /// measured and shown. Precondition: a name that is not taken; where something is to be proved, fewer
+  /// than kMaxConstants constants.
   void add_constant(const std::string& name, double value, std::string tex);
   /// What the name stands for, wherever it is read from now on. Precondition: a name that is not taken.
   void define(const std::string& name, Expression means, std::string tex);

@@ -48,8 +48,8 @@ class ClaimCheck {
       for (const Stage& stage : lesson_.stages) {
         equations_ = equations_of(stage);
         for (const Step& step : stage.steps) {
-          model_.reset();
           still_.reset();
+          model_.reset();
           for (const Block& block : step.blocks) {
             if (report_.is_full()) return report_.take();
             check_block(block, step, place);
@@ -95,18 +95,19 @@ class ClaimCheck {
       const std::vector<int> ids =
           caption == nullptr || caption == first ? std::vector<int>() : numbers_in(*caption);
       if (ids.empty()) continue;
-      const auto live =
-          live_state(make_model(*shown[i], Product::numbers, effort_), still_time_s(*step.scene));
-      for (const int id : ids)
-        check_number(lesson_.numbers[static_cast<std::size_t>(id)], live ? &*live : nullptr, step);
+      const SceneModel model = make_model(*shown[i], Product::numbers, effort_);
+      MotionNumbers motion(model, still_time_s(*step.scene), effort_);
+      for (const int id : ids) check_number(lesson_.numbers[static_cast<std::size_t>(id)], motion, step);
     }
   }
 
   /// Every number has a value on the still of its step, and what is typed is that.
   void check_numbers(const std::vector<int>& ids, const Step& step) {
+    check_tables(ids);
     for (const int id : ids) {
       if (report_.is_full()) return;
       const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(id)];
+      if (number.row) continue;
       if (!step.scene) {
         report_.error(number.place, "a computed number needs a scene",
                       "add a ```scene fence to this step or above it");
@@ -117,9 +118,30 @@ class ClaimCheck {
     }
   }
 
-  void check_number(const ComputedNumber& number, const LiveState* live, const Step& step) {
+  /// What a row's motion does not have is a dash there, and its author may not know.
+  void check_tables(const std::vector<int>& ids) {
+    for (const int id : ids)
+      if (lesson_.numbers[static_cast<std::size_t>(id)].row)
+        spend_on(lesson_.numbers[static_cast<std::size_t>(id)]);
+    const std::map<int, double> values = values_in_tables(lesson_.numbers, ids, effort_);
+    for (const int id : ids) {
+      const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(id)];
+      if (!number.row || values.contains(id)) continue;
+      report_.warning(number.row->place,
+                      in_quotes(number.written.expression) +
+                          " is not defined on the motion of this row at t = " +
+                          digits(number.row->scene.at_s, 3) + " s, and the table has a dash there",
+                      "leave the row out, or give the column another \"of\"");
+    }
+  }
+
+  void spend_on(const ComputedNumber& number) const {
     spend(effort_, kClaimNodeEvaluations * static_cast<std::int64_t>(number.expression.nodes.size()));
-    const auto value = live ? value_of(number, *live) : std::nullopt;
+  }
+
+  void check_number(const ComputedNumber& number, MotionNumbers& motion, const Step& step) {
+    spend_on(number);
+    const auto value = value_of(number, motion);
     if (!value)
       report_.error(number.place, "this has no value on the scene's motion");
     else if (const auto right = number.is_typed() ? right_instead(number, *value) : std::nullopt)
@@ -137,7 +159,7 @@ class ClaimCheck {
     if (claim.given.empty() || named == equations_.end() || (*named)->math.live.empty() || !step.scene)
       return;
     const SceneModel* model = model_of(step);
-    const LiveState* live = model == nullptr ? nullptr : still_of(step);
+    const auto live = model == nullptr ? std::nullopt : live_state(*model, still_time_s(*step.scene));
     if (live && !holds_on(claim.given, *live))
       report_.error(claim.place, "a computed number is of a motion on which what is given does not hold",
                     "show a body and a torque of which it does");
@@ -281,10 +303,10 @@ class ClaimCheck {
     }
   }
 
-  /// The scene's motion at its still; null where it cannot be computed. Precondition: there is a model of it.
-  const LiveState* still_of(const Step& step) {
-    if (!still_) still_.emplace(live_state(*model_, still_time_s(*step.scene)));
-    return *still_ ? &**still_ : nullptr;
+  /// The numbers of the scene's motion at its still. Precondition: there is a model of it.
+  MotionNumbers& still_of(const Step& step) {
+    if (!still_) still_.emplace(*model_, still_time_s(*step.scene), effort_);
+    return *still_;
   }
 
   static constexpr int kDigitsOfHint = 6;
@@ -294,9 +316,9 @@ class ClaimCheck {
   Report report_;
   const Effort& effort_;
   Prover prover_;
-  std::vector<const Equation*> equations_;         // of the stage
-  std::optional<SceneModel> model_;                // of the step
-  std::optional<std::optional<LiveState>> still_;  // its state at the still, once it was asked for
+  std::vector<const Equation*> equations_;  // of the stage
+  std::optional<SceneModel> model_;         // of the step
+  std::optional<MotionNumbers> still_;      // at its still, once they were asked for
 };
 
 }  // namespace

@@ -15,6 +15,28 @@ std::optional<double> value_of(const ComputedNumber& number, const LiveState& li
   return *value / number.unit_si;
 }
 
+std::optional<double> value_of(const ComputedNumber& number, MotionNumbers& motion) {
+  const auto value = motion.value_of(number.expression);
+  if (!value) return std::nullopt;
+  return *value / number.unit_si;
+}
+
+std::map<int, double> values_in_tables(const std::vector<ComputedNumber>& numbers,
+                                       const std::vector<int>& ids, const Effort& effort) {
+  std::map<const TableRow*, std::vector<int>> by_row;
+  for (const int id : ids)
+    if (const auto& row = numbers[static_cast<std::size_t>(id)].row) by_row[row.get()].push_back(id);
+  std::map<int, double> values;
+  for (const auto& [row, of_row] : by_row) {
+    const SceneModel model = make_model(row->scene, Product::numbers, effort);
+    MotionNumbers motion(model, row->scene.at_s, effort);
+    for (const int id : of_row)
+      if (const auto value = value_of(numbers[static_cast<std::size_t>(id)], motion))
+        values.emplace(id, *value);
+  }
+  return values;
+}
+
 std::optional<std::string> right_instead(const ComputedNumber& number, double value) {
   const std::string& typed = number.written.typed;
   const std::size_t e = std::min(typed.find('e'), typed.size()), point = std::min(typed.find('.'), e);

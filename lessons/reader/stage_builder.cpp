@@ -8,6 +8,7 @@
 #include "lessons/reader/claim_lines.h"
 #include "lessons/reader/markdown/callouts.h"
 #include "lessons/reader/markdown/heading.h"
+#include "lessons/reader/motion_table.h"
 #include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
 #include "lessons/reader/varied_scene.h"
@@ -33,7 +34,7 @@ std::string usage_of(std::string_view kind) {
   if (kind == "claim") return "```claim EQUATION KIND [given ASSUMPTION…] [in-other-words]";
   if (kind == "math")
     return "```math ID, or ```math ID KIND [given ASSUMPTION…] where the formula is to be proved";
-  return kind == "scene" ? "```scene" : "```" + std::string(kind) + " ID";
+  return kind == "scene" || kind == "table" ? "```" + std::string(kind) : "```" + std::string(kind) + " ID";
 }
 
 /// What holds of ω at an instant says nothing of rates. False, and a report, if a claim speaks of them.
@@ -168,6 +169,7 @@ void StageBuilder::finish_step() {
     report_.error(step().place, only_one ? "this stage is empty" : "this step is empty",
                   only_one ? "write its text below the heading" : "leave out one ---");
   }
+  read_tables();
   add_footnotes();
   if (!has_scene_) return;
   if (!step_has_scene_) {
@@ -191,8 +193,7 @@ void StageBuilder::finish_step() {
     step().captions.push_back(varied_ ? scene_.caption : shown_[i].caption);
   for (const LessonScene& shown : varied_ ? std::vector<LessonScene>{scene_} : shown_)
     for (const auto& [key, text] : shown.labels) step().labels.push_back(text);
-  for (const Scene* shown : shown_scenes(scene))
-    if (shown->meters) parts_ += parts_of(*shown->meters);
+  for (const Scene* shown : shown_scenes(scene)) parts_ += parts_of(shown->meters);
   step().scene = std::make_shared<const Scene>(std::move(scene));
   step().varied = varied_;
   check_shown();
@@ -331,7 +332,7 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
   const std::string_view opening = source_.line(block.first_line);
   fence.words = read_words(opening, opening.find_first_not_of(" `~"), block.first_line);
   const std::string kind = fence.words.empty() ? "" : fence.words[0].text;
-  const std::vector<std::string> kinds = {"math", "claim", "scene", "ask"};
+  const std::vector<std::string> kinds = {"math", "claim", "scene", "table", "ask"};
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
     report_.error(fence.place,
                   kind.empty() ? "this fence does not say what it holds" : "unknown fence " + in_quotes(kind),
@@ -344,7 +345,10 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
     fence.given.assign(fence.words.begin() + 4, end);
     fence.words.erase(fence.words.begin() + 3, end);
   }
-  const std::size_t most = kind == "claim" ? 4 : kind == "math" ? 3 : kind == "scene" ? 1 : 2;
+  const std::size_t most = kind == "claim"                      ? 4
+                           : kind == "math"                     ? 3
+                           : kind == "scene" || kind == "table" ? 1
+                                                                : 2;
   const std::size_t least = kind == "claim" || kind == "math" ? most - 1 : most;
   const bool has_other_words = kind == "claim" && fence.words.size() == most;
   if (fence.words.size() < least || fence.words.size() > most ||
@@ -358,6 +362,7 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
   if (kind == "math") add_math(fence);
   if (kind == "claim") add_claim(fence);
   if (kind == "scene") add_scene(fence);
+  if (kind == "table") add_table(fence);
   if (kind == "ask") add_ask(fence);
 }
 
@@ -565,6 +570,30 @@ bool StageBuilder::check_ends(const VariedScene& varied) {
     return false;
   }
   return true;
+}
+
+void StageBuilder::add_table(const Fence& fence) {
+  const std::string_view text = source_.lines(fence.first_line, fence.last_line);
+  auto keys = parse_toml(text, fence.first_line, report_);
+  if (!keys) return;
+  tables_.push_back({std::move(*keys), step().blocks.size()});
+  step().blocks.push_back(Prose{std::string(text), {}, fence.place});
+}
+
+void StageBuilder::read_tables() {
+  for (const WaitingTable& waiting : tables_) {
+    auto& table = std::get<Prose>(step().blocks[waiting.block]);
+    if (!has_scene_) {
+      report_.error(table.place, "the numbers of a table need a scene, which its rows change",
+                    "add a ```scene fence to this step or above it");
+      continue;
+    }
+    table.text =
+        read_motion_table(waiting.keys, table.place, shown_.front(), front_.bodies, front_.words(), texts_);
+    for (const TextBlock& block : table.text)
+      parts_ += static_cast<int>(block.table.rows.size() * block.table.columns.size());
+  }
+  tables_.clear();
 }
 
 void StageBuilder::add_ask(const Fence& fence) {

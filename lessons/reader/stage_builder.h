@@ -50,6 +50,8 @@ class StageBuilder {
   void add_scene(const Fence& fence);
   void vary_scene();
   bool check_ends(const VariedScene& varied);
+  void add_table(const Fence& fence);
+  void read_tables();
   void add_ask(const Fence& fence);
   bool take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what);
 
@@ -79,6 +81,12 @@ class StageBuilder {
     LocatedText text;
   };
   std::vector<Note> notes_;  ///< footnotes of the step being read
+  /// A table of the step being read, whose rows change its scene, which may stand below.
+  struct WaitingTable {
+    TomlTable keys;
+    std::size_t block = 0;  ///< its place in the step
+  };
+  std::vector<WaitingTable> tables_;
   std::map<std::string, int> equation_lines_;
   /// What a formula that begins with "=" goes on with: the one above, if that is proved as printed and of the
   /// same kind, or is one side alone, which states nothing.

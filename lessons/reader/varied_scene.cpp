@@ -192,7 +192,7 @@ Result<Scene> VariedScene::strip() const {
     Result<Scene> other = at(values);
     if (!other)
       return failure(fmt::format("\"{}\" cannot be {:.7g}: {}", first.number, value, other.error()));
-    other->meters.emplace();
+    other->meters.clear();
     other->label = label_of(number, value);
     strip.beside.push_back(std::move(other).value());
   }

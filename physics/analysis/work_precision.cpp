@@ -56,15 +56,6 @@ Result<Reference> checked_reference(const Problem& problem, double end_s, std::i
   return reference;
 }
 
-/// Times in (0, end_s), in order, that fall in step neither with the period nor with a fixed step.
-std::vector<double> sample_times_s(double end_s) {
-  constexpr double kGolden = 0.6180339887498949;  // fractional parts of its multiples are spread evenly
-  std::vector<double> times;
-  for (int i = 1; i <= kDriftSamples; ++i) times.push_back(end_s * (i * kGolden - std::floor(i * kGolden)));
-  std::sort(times.begin(), times.end());
-  return times;
-}
-
 /// Settings of one method, from the fastest to the most accurate.
 class Settings {
  public:
@@ -126,7 +117,7 @@ class Measurement {
       : problem_(problem),
         plan_(plan),
         end_s_(plan.period_s * plan.periods),
-        times_s_(sample_times_s(end_s_)),
+        times_s_(drift_times_s(end_s_)),
         reference_(std::move(reference)) {}
 
   double reference_error() const { return std::max(reference_.own.omega, reference_.own.attitude_rad); }
@@ -222,6 +213,14 @@ std::vector<bool> front_among(std::span<const WorkPrecisionRow> rows, IsAsked is
 }
 
 }  // namespace
+
+std::vector<double> drift_times_s(double end_s) {
+  constexpr double kGolden = 0.6180339887498949;  // fractional parts of its multiples are spread evenly
+  std::vector<double> times;
+  for (int i = 1; i <= kDriftSamples; ++i) times.push_back(end_s * (i * kGolden - std::floor(i * kGolden)));
+  std::sort(times.begin(), times.end());
+  return times;
+}
 
 double WorkPrecisionRow::error() const {
   return std::isnan(error_omega) ? kNaN : error_attitude_rad < error_omega ? error_omega : error_attitude_rad;

@@ -25,6 +25,8 @@ namespace polhode {
 
 inline constexpr double kReferenceTolerance = 1e-14;
 inline constexpr int kDriftSamples = 512;
+/// So many times in (0, end_s), in order, that fall in step neither with a period nor with a fixed step.
+std::vector<double> drift_times_s(double end_s);
 
 /// A number is NaN where it could not be computed (an implicit method that found no solution, an overflow) or
 /// where there is nothing to be kept (motion_errors.h).

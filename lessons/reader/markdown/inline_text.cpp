@@ -686,23 +686,54 @@ bool TextReader::take_numbers_of(Math& math, const LocatedText& text, std::size_
                     "a computed number stands in text, call-outs, footnotes, captions and displays only");
       return false;
     }
-    if (numbers_.size() == kMaxNumbers) {
-      report_.error(place, "a lesson has at most " + std::to_string(kMaxNumbers) + " computed numbers");
-      return false;
+    if (!has_room_for_number(place)) return false;
+    auto computed = computed_number(number, place, place_of(number.unit_offset));
+    if (computed && number.typed.empty() && has_motion_words(computed->expression)) {
+      report_.error(place, "this is a number of the motion as a whole, and \\live shows what it is now",
+                    "write it with \\value, or as a column of a ```table");
+      computed.reset();
     }
-    auto expression = read_expression(number.expression, place, report_, &language_->vocabulary);
-    if (expression && expression->type() == ExpressionType::vector) {
-      report_.error(place, "a computed number is a scalar, this is a vector", "take a component: comp(a, 1)");
-      expression.reset();
-    }
-    all_right = all_right && expression;
-    if (!expression) continue;
-    number.id = static_cast<int>(numbers_.size());
-    ComputedNumber computed{std::move(*expression), 1, number, place};
-    all_right = (number.unit.empty() || take_unit(computed, place_of(number.unit_offset))) && all_right;
-    numbers_.push_back(std::move(computed));
+    all_right = all_right && computed;
+    if (!computed) continue;
+    number.id = computed->written.id = static_cast<int>(numbers_.size());
+    numbers_.push_back(std::move(*computed));
   }
   return all_right;
+}
+
+bool TextReader::has_room_for_number(SourcePlace place) {
+  if (numbers_.size() < kMaxNumbers) return true;
+  report_.error(place, "a lesson has at most " + std::to_string(kMaxNumbers) + " computed numbers");
+  return false;
+}
+
+std::optional<ComputedNumber> TextReader::computed_number(const LiveNumber& written, SourcePlace place,
+                                                          SourcePlace unit_place) {
+  if (!language_) return std::nullopt;
+  auto expression = read_expression(written.expression, place, report_, &language_->vocabulary);
+  if (!expression) return std::nullopt;
+  if (expression->type() == ExpressionType::vector) {
+    report_.error(place, "a computed number is a scalar, this is a vector", "take a component: comp(a, 1)");
+    return std::nullopt;
+  }
+  if (const auto fault = dimension_of(*expression, language_->dimensions).fault) {
+    report_.error(advanced(place, written.expression, fault->begin), fault->message);
+    return std::nullopt;
+  }
+  ComputedNumber computed{std::move(*expression), 1, written, place};
+  if (!written.unit.empty() && !take_unit(computed, unit_place)) return std::nullopt;
+  return computed;
+}
+
+std::optional<Math> TextReader::formula_of(ComputedNumber number) {
+  if (!has_room_for_number(number.place)) return std::nullopt;
+  auto math = parse_math("\\live{0}").value();
+  LiveNumber& shown = math.live.front();
+  number.written.whole = shown.whole;
+  number.written.id = static_cast<int>(numbers_.size());
+  shown = number.written;
+  numbers_.push_back(std::move(number));
+  return math;
 }
 
 /// The number is that of SI: it has to be told how much of that its unit is.

@@ -50,7 +50,16 @@ class TextReader {
   /// those of constants, by their numbers. Before, and in lines, \live and \value are errors.
   void speak(const Vocabulary& vocabulary, const std::map<int, Dimension>& dimensions) {
     language_.emplace(Language{vocabulary, dimensions});
+    add_motion_words(language_->vocabulary, language_->dimensions);
   }
+  /// A number as it is written, with the places of its expression and its unit. Nothing, and a report, where
+  /// one of them is wrong, or where there is no language yet.
+  std::optional<ComputedNumber> computed_number(const LiveNumber& written, SourcePlace place,
+                                                SourcePlace unit_place);
+  /// A formula that shows this number alone. Nothing, and a report, where the lesson has too many.
+  std::optional<Math> formula_of(ComputedNumber number);
+  /// The words of computed numbers. Precondition: speak was called.
+  const Vocabulary& vocabulary() const { return language_->vocabulary; }
   /// Those of all formulas read so far, by their ids.
   std::vector<ComputedNumber> take_numbers() { return std::move(numbers_); }
 
@@ -78,6 +87,7 @@ class TextReader {
                                    const MathMacros& macros, bool may_compute = true);
   std::optional<Math> parse(const LocatedText& text, std::size_t begin, std::size_t end,
                             const MathMacros& macros, bool may_compute = true);
+  bool has_room_for_number(SourcePlace place);
   bool take_numbers_of(Math& math, const LocatedText& text, std::size_t begin, bool may_compute);
   bool take_unit(ComputedNumber& number, SourcePlace place);
   void report(const TypeError& error, SourcePlace used_at);

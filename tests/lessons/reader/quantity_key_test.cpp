@@ -43,8 +43,7 @@ Scene scene_of(const std::string& text) {
 
 std::vector<SceneQuantity> curves_of(const Scene& scene) {
   std::vector<SceneQuantity> curves;
-  for (const PlotSpec& plot : scene.meters.value_or(std::vector<PlotSpec>()))
-    curves.push_back(std::get<OwnPlot>(plot).curves.front());
+  for (const PlotSpec& plot : scene.meters) curves.push_back(std::get<OwnPlot>(plot).curves.front());
   return curves;
 }
 

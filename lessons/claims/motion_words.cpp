@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/claims/motion_words.h"
+
+#include "physics/analysis/work_precision.h"
+#include "physics/method.h"
+#include "render/scene/model/method_table.h"
+#include "render/scene/model/scene_problem.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+/// Of what the motion may not have.
+template <class Facts, class T>
+std::optional<double> part(const std::optional<Facts>& facts, T Facts::*member) {
+  return facts ? std::optional<double>((*facts).*member) : std::nullopt;
+}
+
+using M = MotionNumbers;
+constexpr std::array kWords = std::to_array<MotionWord>({
+    {"period", "s", R"(\text{period})", "period of the polhode", [](M& m) { return m.facts().period_s; }},
+    {"precession", "rad/s", R"(\text{precession})",
+     R"(free symmetric body: rate at which its axis turns about L; \|L\|/I1 with the axis 3)",
+     [](M& m) { return part(m.facts().free, &FreePrecession::in_space); }},
+    {"body_precession", "rad/s", R"(\text{precession in the body})",
+     "rate at which ω turns about this axis, seen from the body; (I3 − I1) ω3/I1 with the axis 3",
+     [](M& m) { return part(m.facts().free, &FreePrecession::in_body); }},
+    {"slow_precession", "rad/s", R"(\text{slow precession})",
+     "symmetric top under its weight alone: the slow rate of steady precession at its tilt and ω3 of t = 0",
+     [](M& m) { return part(m.facts().steady, &SteadyPrecession::slow); }},
+    {"fast_precession", "rad/s", R"(\text{fast precession})", "the fast one",
+     [](M& m) { return m.facts().steady ? m.facts().steady->fast : std::nullopt; }},
+    {"nutation", "rad/s", R"(\text{nutation})", "2π by the period of its nutation",
+     [](M& m) { return part(m.facts().nutation, &Nutation::rate); }},
+    {"least_tilt", "rad", R"(\text{least tilt})", "the least angle between its axis and the vertical",
+     [](M& m) { return part(m.facts().nutation, &Nutation::theta_least_rad); }},
+    {"most_tilt", "rad", R"(\text{largest tilt})", "the largest one",
+     [](M& m) { return part(m.facts().nutation, &Nutation::theta_most_rad); }},
+    {"error_omega", "1", R"(\text{error of }\vec\omega)",
+     R"(computed motion: its relative error in ω at t, \|ω − ω′\|/\|ω′\|; ω′ is that of the closed form, )"
+     "under a torque that of Dormand–Prince 8 with the tolerance 1e-13",
+     [](M& m) { return part(m.error(), &StateError::omega); }},
+    {"error_attitude", "rad", R"(\text{error of the attitude})", "the angle between both attitudes at t",
+     [](M& m) { return part(m.error(), &StateError::attitude_rad); }},
+    {"drift_T", "1", R"(\text{drift of }T)", "the largest relative change of T from 0 to t",
+     [](M& m) { return std::optional(m.drift().T); }},
+    {"drift_L", "1", R"(\text{drift of }|\vec L|)", R"(that of \|L\|)",
+     [](M& m) { return std::optional(m.drift().L); }},
+    {"drift_direction", "rad", R"(\text{drift of the direction of }\vec L)",
+     "the largest angle between L and L at t = 0, in space",
+     [](M& m) { return std::optional(m.drift().L_direction_rad); }},
+    {"evaluations", "1", R"(\text{evaluations})",
+     "computed motion: so many evaluations of the equations of motion from 0 to t",
+     [](M& m) { return m.evaluations(); }},
+});
+
+bool is_motion_word(const ExpressionNode& node) {
+  return node.operation == Operation::constant && std::isnan(node.number.value);
+}
+
+}  // namespace
+
+std::span<const MotionWord> motion_words() { return kWords; }
+
+void add_motion_words(Vocabulary& vocabulary, std::map<int, Dimension>& dimensions) {
+  for (const MotionWord& word : kWords) {
+    if (vocabulary.find(word.name) != nullptr) continue;
+    const int number = vocabulary.constants() ? static_cast<int>(vocabulary.constants()->size()) : 0;
+    vocabulary.add_constant(std::string(word.name), std::numeric_limits<double>::quiet_NaN(),
+                            std::string(word.tex));
+    dimensions[number] = dimension_of_unit(word.unit).value();
+  }
+}
+
+bool has_motion_words(const Expression& expression) {
+  return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_motion_word);
+}
+
+MotionNumbers::MotionNumbers(const SceneModel& model, double t_s, Effort effort)
+    : model_(model),
+      t_s_(t_s),
+      effort_(std::move(effort)),
+      problem_(problem_of(model.scene)),
+      live_(live_state(model, t_s)) {}
+
+std::optional<double> MotionNumbers::value_of(const Expression& scalar) {
+  if (!live_) return std::nullopt;
+  if (!has_motion_words(scalar)) return live_number(scalar, *live_);
+  Expression known = scalar;
+  for (ExpressionNode& node : known.nodes) {
+    if (!is_motion_word(node)) continue;
+    const std::string& name = (*scalar.constants)[static_cast<std::size_t>(node.integer)];
+    const auto word =
+        std::find_if(kWords.begin(), kWords.end(), [&](const auto& w) { return w.name == name; });
+    const auto value = word->value(*this);
+    if (!value || !std::isfinite(*value)) return std::nullopt;
+    node.number.value = *value;
+  }
+  return live_number(known, *live_);
+}
+
+const MotionFacts& MotionNumbers::facts() {
+  if (!facts_) facts_ = motion_facts(problem_);
+  return *facts_;
+}
+
+bool MotionNumbers::is_computed() const {
+  const Method method = model_.scene.motion.method.value_or(default_method(problem_));
+  return facts_of(method).control != StepControl::none;
+}
+
+std::optional<StateError> MotionNumbers::error() {
+  if (!is_computed()) return std::nullopt;
+  if (!error_) error_ = error_of(model_.motion->at(t_s_), reference_motion(problem_, effort_)->at(t_s_));
+  return error_;
+}
+
+const InvariantDrift& MotionNumbers::drift() {
+  if (drift_) return *drift_;
+  const std::vector<double> times_s = drift_times_s(t_s_);
+  std::vector<RigidBodyState> states(times_s.size());
+  const RigidBodyState end = model_.motion->at(t_s_);  // first: the way is known then
+  model_.motion->at(times_s, states);
+  states.push_back(end);
+  drift_ = drift_along(problem_, states);
+  return *drift_;
+}
+
+std::optional<double> MotionNumbers::evaluations() const {
+  if (!is_computed()) return std::nullopt;
+  return static_cast<double>(model_.motion->evaluations_to(t_s_));
+}
+
+}  // namespace polhode
