@@ -14,4 +14,10 @@ constexpr Color color_from_hex(unsigned rgb, float alpha = 1.0F) {
           static_cast<float>(rgb & 0xFF) / 255.0F, alpha};
 }
 
+/// `part` of the way from one colour to another.
+constexpr Color between(const Color& from, const Color& to, float part) {
+  const auto mixed = [part](float a, float b) { return a + part * (b - a); };
+  return {mixed(from.r, to.r), mixed(from.g, to.g), mixed(from.b, to.b), mixed(from.a, to.a)};
+}
+
 }  // namespace polhode

@@ -277,7 +277,10 @@ Command export_command() {
        {"-o,--output", &typed->folder, "folder for the files; made if missing", "DIR"},
        {"--stage", &typed->stages, "only this stage; repeat for more (default: all)", "ID"},
        {"--what", &typed->what, "page, equation, figure or transcript (default: page)", "KIND"},
-       {"--each", &typed->each, "a picture for each stage, step or frame (default: stage)", "KIND"},
+       {"--profile", &typed->profile, "of pages: slides to project, or page to read (default: slides)",
+        "KIND"},
+       {"--each", &typed->each, "for each stage, step or frame a picture (default: stage; slides: step)",
+        "KIND"},
        {"--size", &typed->size, "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)", "WxH"},
        {"--theme", &typed->theme, "of pages and equations: paper or dark (default: paper)", "NAME"},
        {"--background", &typed->background, "studio (default of figures), paper, white, transparent, #rrggbb",
@@ -299,7 +302,8 @@ Command export_command() {
        {"--shard", &typed->shard, "only every N-th picture, from the I-th, of 1 to N", "I/N|slurm"},
        {"--jobs", &typed->jobs, "draw in N processes, the same in all shards (default: 1)", "N"},
        {"--skip-existing", &typed->skip_existing, "keep what is there and whole; goes on after a stop"}},
-      "A page has text, equations, figure and plots. It shows a stage at its last step, or step by step.\n"
+      "A slide has the text of one step in large type, its figure and plots, and what it goes on from in a\n"
+      "line at the foot. A page has as much of the steps before as there is room for, in smaller type.\n"
       "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
       "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
       "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"

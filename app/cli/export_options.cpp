@@ -61,6 +61,7 @@ void check_combination(const TypedExport& typed, What what, Each each) {
                   {"--at", typed.at},
                   {"--background", typed.background},
                   {"--theme", typed.theme},
+                  {"--profile", typed.profile},
                   {"--quality", typed.quality},
                   {"--text-size", typed.text_size},
                   {"--dpi", typed.dpi},
@@ -78,6 +79,7 @@ void check_combination(const TypedExport& typed, What what, Each each) {
   }
   if (what == What::equation)
     refuse_given({{"--text-size", typed.text_size}}, "goes with pages; --dpi sets the size of equations");
+  if (what != What::page) refuse_given({{"--profile", typed.profile}}, "goes with pages");
   if (what == What::figure)
     refuse_given({{"--text-size", typed.text_size}},
                  "goes with pages; the type of a figure goes with its size");
@@ -160,9 +162,13 @@ ExportOptions export_options(const TypedExport& typed) {
   ExportOptions options;
   options.what = static_cast<What>(choice("--what", typed.what, kWhats));
   options.stages = typed.stages;
-  constexpr std::size_t kStages = 0, kFrames = 2;
-  options.each = static_cast<Each>(
-      choice("--each", typed.each, {"stage", "step", "frame"}, typed.film.empty() ? kStages : kFrames));
+  options.profile = static_cast<Profile>(choice("--profile", typed.profile, {"page", "slides"}, 1));
+  constexpr std::size_t kStages = 0, kSteps = 1, kFrames = 2;
+  const bool is_of_slides = options.what == What::page && options.profile == Profile::slides;
+  options.each = static_cast<Each>(choice("--each", typed.each, {"stage", "step", "frame"},
+                                          !typed.film.empty() ? kFrames
+                                          : is_of_slides      ? kSteps
+                                                              : kStages));
   check_combination(typed, options.what, options.each);
   if (!typed.size.empty()) options.size = size_of(typed.size, options.what);
   if (!typed.fps.empty())

@@ -14,8 +14,8 @@ namespace polhode {
 struct TypedExport {
   std::string lesson, folder;
   std::vector<std::string> stages;
-  std::string each, what, size, fps, seconds, at, frames, background, theme, quality, text_size, dpi, png,
-      sync, context;
+  std::string each, what, size, fps, seconds, at, frames, background, theme, profile, quality, text_size, dpi,
+      png, sync, context;
   std::string film, deck, shard, jobs;
   bool skip_existing = false;
   std::vector<std::string> words;  ///< the command line, program and options, without --skip-existing

@@ -30,6 +30,7 @@ struct ExportOptions {
   std::string background = "paper";     ///< of pages that of the theme
   Theme theme = Theme::paper;           ///< of pages and equations
   std::optional<QualityLevel> quality;  ///< of pages and figures; absent: the scene's
+  Profile profile = Profile::slides;    ///< of pages
   double text_scale = 1;                ///< of pages
   int dpi = 0;                          ///< noted in the files, 0: none; of equations also their size
   PngPacking png = PngPacking::fast;

@@ -42,10 +42,10 @@ class FigureMaker : public PictureMaker {
     const Background background = background_of(context_.options);
     const Quality quality = quality_of(context_.options.quality.value_or(picture.scene->quality));
     const std::vector<std::string> captions = captions_in(picture, *shown);
-    if (!diagrams_in(model->drawn).empty() || !model->beside.empty())
+    const bool has_parts = !diagrams_in(model->drawn).empty() || !model->beside.empty();
+    if (has_parts || !captions.front().empty())
       return outcome_of(draw_in_parts(*model, t_s, captions, background, quality));
-    Figure figure = make_figure(*model, t_s, static_cast<double>(size.width) / size.height);
-    figure.caption = captions.front();
+    const Figure figure = make_figure(*model, t_s, static_cast<double>(size.width) / size.height);
     return outcome_of(context_.renderer.draw(figure, size, background, quality));
   }
 
@@ -71,8 +71,7 @@ class FigureMaker : public PictureMaker {
     return captions_at(context_.lesson, step, *model, t_s, longest);
   }
 
-  /// Diagrams, and a caption that scenes have in common, stand on a plain ground: paper instead of the
-  /// studio.
+  /// Diagrams and captions stand on a plain ground: paper instead of the studio.
   Result<Image> draw_in_parts(const SceneModel& model, double t_s, const std::vector<std::string>& captions,
                               const Background& background, const Quality& quality) {
     using Kind = Background::Kind;

@@ -118,7 +118,25 @@ class PageMaker : public PictureMaker {
     return FadingIn{*opacity};
   }
 
+  /// Of the picture's stage, found once for all its slides; null if it is not asked for, or cannot be set.
+  const SlideType* slide_type_in(const PlannedPicture& picture, const PageRequest& request) {
+    if (request.profile != Profile::slides) return nullptr;
+    if (stage_of_type_ != picture.stage) {
+      const Result<SlideType> found = slide_type_of(request, fonts());
+      if (!found) return nullptr;  // the text of the slide that has it says why
+      type_ = *found;
+      stage_of_type_ = picture.stage;
+    }
+    return &type_;
+  }
+
   PageRequest request_of(const PlannedPicture& picture, const Shown& shown) {
+    PageRequest request = plain_request_of(picture, shown);
+    request.slide_type = slide_type_in(picture, request);
+    return request;
+  }
+
+  PageRequest plain_request_of(const PlannedPicture& picture, const Shown& shown) {
     return {.lesson = context_.lesson,
             .stage = *picture.stage,
             .number = picture.number,
@@ -127,6 +145,7 @@ class PageMaker : public PictureMaker {
             .t_s = shown.t_s,
             .size = context_.options.size,
             .theme = context_.options.theme,
+            .profile = context_.options.profile,
             .quality = context_.options.quality,
             .text_scale = context_.options.text_scale,
             .entrance = entrance_of(opacity_in(picture)),
@@ -142,6 +161,8 @@ class PageMaker : public PictureMaker {
   ModelOfScene models_{Product::page, context_.effort};
   StillNumbers still_numbers_{context_.effort};
   StepText text_;  ///< of the picture seen last
+  const Stage* stage_of_type_ = nullptr;
+  SlideType type_;  ///< of that stage
 };
 
 }  // namespace

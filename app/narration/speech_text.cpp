@@ -106,9 +106,11 @@ Math SpeechText::with_spoken_numbers(const Math& math, const StillNumbers::Value
     if (!number.typed.empty() || (of == nullptr && step == nullptr)) continue;
     const StillNumbers::Values& values = of ? *of : stills_.of(lesson_, *step);
     const auto value = values.find(number.id);
-    if (value == values.end()) continue;
-    if (auto said = parse_math("\\text{" + number_words(value->second, number.digits) + '}'))
-      shown.back().number = std::move(*said);
+    const bool in_table = lesson_.numbers[static_cast<std::size_t>(number.id)].row != nullptr;
+    if (value == values.end() && !in_table) continue;
+    const std::string words =
+        value != values.end() ? number_words(value->second, number.digits) : "not defined";
+    if (auto said = parse_math("\\text{" + words + '}')) shown.back().number = std::move(*said);
   }
   return with_numbers(math, shown);
 }
@@ -201,10 +203,10 @@ std::string SpeechText::words_of_line(const std::string& line) const {
 
 std::string SpeechText::words(const Claim& claim) const {
   const VerdictRow row = verdict_row(claim, nullptr, nullptr);
-  std::string word(name_of(claim.kind));
+  std::string word = row.word;
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
   const std::string note = words_of_line(row.note);
-  std::string text = note.empty() ? word + '.' : word + ": " + note + '.';
+  std::string text = note.empty() ? word + '.' : word + ", " + note + '.';
   std::string claimed;
   for (const std::string& tex : row.claimed)
     if (const auto math = parse_math(tex)) claimed += (claimed.empty() ? "" : "; ") + words(*math);
@@ -298,7 +300,7 @@ std::vector<FigureWords> SpeechText::words_of_figure(const Step& step) const {
 
 std::string SpeechText::words_of_plots(const Scene& scene) const {
   std::vector<std::string> plots;
-  for (const PlotSpec& spec : scene.meters.value_or(std::vector<PlotSpec>())) {
+  for (const PlotSpec& spec : scene.meters) {
     const auto* own = std::get_if<OwnPlot>(&spec);
     if (own == nullptr) continue;
     const auto spoken = [&](const std::string& tex) { return words_of_line('$' + tex + '$'); };

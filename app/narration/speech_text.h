@@ -34,7 +34,7 @@ class SpeechText {
   std::vector<std::string> words_of_rows(const TextTable& table) const;
   /// "Equation (5): d L over d t equals N."
   std::string words(const Equation& equation) const;
-  /// "Motion: proved for any torque."
+  /// "True in every motion."
   std::string words(const Claim& claim) const;
   std::string words(const Callout& callout, std::vector<NoteLink>* links = nullptr) const;
   /// With its choices, without hints and answer.

@@ -20,11 +20,12 @@ StillNumbers::Values StillNumbers::computed(const Lesson& lesson, const Step& st
   if (shown == step.scene->before) ids = numbers_in(step);
   if (const RichText* caption = caption_of(step, shown))
     for (const int id : numbers_in(*caption)) ids.push_back(id);
-  if (ids.empty()) return {};
+  Values values = values_in_tables(lesson.numbers, ids, effort_);
+  std::erase_if(ids, [&](int id) { return lesson.numbers[static_cast<std::size_t>(id)].row != nullptr; });
+  if (ids.empty()) return values;
   const Scene& scene = *shown_scenes(*step.scene)[shown];
   const std::optional<LiveState> live =
       live_state(make_model(scene, Product::numbers, effort_), still_time_s(*step.scene));
-  Values values;
   for (const int id : ids)
     if (const auto value =
             live ? value_of(lesson.numbers[static_cast<std::size_t>(id)], *live) : std::nullopt)

@@ -15,11 +15,33 @@ bool refutes(ClaimKind kind) { return kind == ClaimKind::is_false || kind == Cla
 
 namespace {
 
-std::string upper(std::string_view word) {
-  std::string text(word);
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  return text;
+std::string_view word_of(ClaimKind kind) {
+  switch (kind) {
+    case ClaimKind::identity:
+      return "always true";
+    case ClaimKind::definition:
+      return "definition";
+    case ClaimKind::law:
+      return "law";
+    case ClaimKind::motion:
+      return "true in every motion";
+    case ClaimKind::free:
+      return "true when no torque acts";
+    case ClaimKind::is_false:
+      return "false";
+    case ClaimKind::measured:
+      return "measured";
+    case ClaimKind::non_sequitur:
+      return "does not follow";
+  }
+  return "";
+}
+
+Certainty certainty_of(ClaimKind kind) {
+  if (refutes(kind)) return Certainty::refuted;
+  const bool is_stated =
+      kind == ClaimKind::definition || kind == ClaimKind::law || kind == ClaimKind::measured;
+  return is_stated ? Certainty::stated : Certainty::proved;
 }
 
 std::string how_it_is_computed(const Scene* scene) {
@@ -32,40 +54,23 @@ std::string how_it_is_computed(const Scene* scene) {
   return fmt::format("with {}, tolerance {:g}", facts.name, motion.tolerance.value_or(kDefaultTolerance));
 }
 
-/// "for $I_2 = I_1$": what is given, as part of a sentence that `what` begins.
-std::string with_given(std::string what, const Given& given) {
+/// "given $I_2 = I_1$"
+std::string words_of(const Given& given) {
   std::string settings;
   for (const Setting& setting : given.settings)
-    settings += (settings.empty() ? "" : ", ") + ('$' + setting.tex + '$');
-  if (settings.empty()) return what;
-  return what + (what.empty() ? "for " : what == "proved" ? " for " : ", for ") + settings;
+    settings += (settings.empty() ? "given $" : ", $") + setting.tex + '$';
+  return settings;
 }
 
-std::string note_of(ClaimKind kind, const Given& given, const std::optional<Counterexample>& counter,
-                    const Scene* scene) {
-  switch (kind) {
-    case ClaimKind::identity:
-      return with_given(given.empty() ? "proved for every state" : "proved", given);
-    case ClaimKind::definition:
-      return with_given("nothing to prove", given);
-    case ClaimKind::law:
-      return with_given("assumed", given);
-    case ClaimKind::motion:
-      return with_given(given.sets_torque() ? "proved" : "proved for any torque", given);
-    case ClaimKind::free:
-      return with_given("proved without torque", given);
-    case ClaimKind::measured:
-      return how_it_is_computed(scene);
-    case ClaimKind::is_false:
-      return with_given(
-          counter ? fmt::format("at {}: {} ≠ {}", counter->state, counter->left, counter->right) : "", given);
-    case ClaimKind::non_sequitur:
-      return with_given(counter ? fmt::format("at {} the premise holds, yet {} ≠ {}", counter->state,
-                                              counter->left, counter->right)
-                                : "",
-                        given);
-  }
-  return "";
+/// Of what is false, or does not follow.
+std::string words_of(const Counterexample& counter, ClaimKind kind) {
+  return fmt::format("for example at {}{}: {} ≠ {}", counter.state,
+                     kind == ClaimKind::non_sequitur ? ", where the premise holds" : "", counter.left,
+                     counter.right);
+}
+
+std::string joined(std::string words, const std::string& more) {
+  return words.empty() ? more : more.empty() ? words : words + ", " + more;
 }
 
 /// Numbers of a row: two or three digits of the largest component, a factor of ten set apart where it is not
@@ -181,25 +186,37 @@ std::optional<std::string> why_not_measured(const Claim& claim, const SceneModel
 
 VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel* model) {
   VerdictRow row{.claim = &claim,
-                 .word = upper(name_of(claim.kind)),
-                 .note = {},
-                 .claimed = {},
-                 .refutes = refutes(claim.kind),
-                 .proved = true};
+                 .certainty = certainty_of(claim.kind),
+                 .word = std::string(word_of(claim.kind)),
+                 .note = words_of(claim.given),
+                 .claimed = {}};
+  const auto is_instead = [&row](Certainty certainty, std::string word, std::string note) {
+    row.certainty = certainty;
+    row.word = std::move(word);
+    row.note = std::move(note);
+  };
   std::optional<Counterexample> counter;
+  bool holds = true;
   int states = 0;  // in which what is not refuted held, the fewest of a line; 0: there is no such line
   for (const ClaimLine& line : claim.lines) {
     if (line.judgement && line.judgement->verdict == Verdict::not_refuted)
       states = states == 0 ? line.judgement->states : std::min(states, line.judgement->states);
-    row.proved = row.proved && line.judgement && line.judgement->verdict == Verdict::holds;
+    holds = holds && line.judgement && line.judgement->verdict == Verdict::holds;
     if (!counter && line.judgement) counter = line.judgement->counterexample;
     if (claim.origin != Claim::Origin::formula) row.claimed.push_back(line.tex);
   }
-  row.note = note_of(claim.kind, claim.given, counter, scene);
-  if (!row.proved) row.note = counter ? "does not hold: " + to_string(*counter) : "not proved";
-  if (states > 0 && !counter) row.note = fmt::format("not proved, not refuted at {} states", states);
-  if (claim.kind != ClaimKind::measured || !model) return row;
-  if (const auto why = why_not_measured(claim, *model)) row.note = *why, row.proved = false;
+  if (!holds && counter)
+    is_instead(Certainty::refuted, "does not hold", to_string(*counter));
+  else if (states > 0)
+    is_instead(Certainty::open, "not proved", fmt::format("not refuted at {} states", states));
+  else if (!holds)
+    is_instead(Certainty::open, "not proved", "");
+  else if (refutes(claim.kind) && counter)
+    row.note = joined(row.note, words_of(*counter, claim.kind));
+  if (claim.kind != ClaimKind::measured || !holds) return row;
+  row.note = joined(how_it_is_computed(scene), row.note);
+  if (const auto why = model ? why_not_measured(claim, *model) : std::nullopt)
+    is_instead(Certainty::open, "not confirmed", *why);
   return row;
 }
 

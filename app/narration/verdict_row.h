@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The row under an equation that says what kind of statement it is, whether it is proved, and what both its
-// sides come to on the running motion.
+// What stands under an equation: what kind of statement it is, in plain words, whether it is proved, and what
+// both its sides come to on the running motion.
 #pragma once
 
 #include "lessons/claims/live_claims.h"
@@ -13,15 +13,19 @@ namespace polhode {
 /// Of the kinds false and non-sequitur.
 bool refutes(ClaimKind kind);
 
+/// What a verdict comes to: proved by exact arithmetic; stated, as laws, definitions and measurements are;
+/// the equation, or what is inferred from it, is wrong; or nobody knows.
+enum class Certainty { proved, stated, refuted, open };
+
 /// What does not depend on time.
 struct VerdictRow {
   const Claim* claim = nullptr;
-  std::string word;  ///< "MOTION"
-  std::string note;  ///< "proved for any torque"; of what is false a counterexample
+  Certainty certainty = Certainty::open;
+  std::string word;  ///< "true in every motion", "law", "false"
+  std::string
+      note;  ///< what is given, how it was measured, a counterexample; goes on behind the word and ", "
   /// Where the equation itself is not what is claimed: each line of the claim, as TeX.
   std::vector<std::string> claimed;
-  bool refutes = false;  ///< the equation, or what is inferred from it
-  bool proved = true;    ///< the claim is what its kind says
 };
 /// `scene` is that of the claim's own step and says how its motion is computed; null where there is none.
 /// With a model of it, measured claims are measured. A claim that nobody has proved is "not proved".

@@ -17,9 +17,10 @@ namespace {
 
 // In em of the caption.
 constexpr double kLargestDiagramType = 1.5;
-constexpr double kPad = 1.2;          // around diagrams
-constexpr double kCaptionRoom = 2.4;  // at the bottom
-constexpr double kCaptionBaseline = 1.3;
+constexpr double kPad = 1.2;         // around diagrams, beside captions
+constexpr double kCaptionGap = 0.6;  // above and below captions
+constexpr double kCaptionTop = 0.74;
+constexpr double kCaptionLeading = 1.3;
 
 constexpr std::array kSpaceParts = {0.5, 0.42};  // of the place, where diagrams share it
 
@@ -123,42 +124,45 @@ void add_ground(const PixelBox& box, const Color& color, Sheet& sheet) {
       Area{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}, color});
 }
 
-void add_caption(const std::string& caption, const FigurePlace& place, const Color& ink, Sheet& sheet,
+/// Below what stands in the box, in as many lines as it takes; the box is cut by them.
+void cut_caption(const std::string& caption, const FigurePlace& place, PixelBox& box, Sheet& sheet,
                  const Fonts& fonts) {
+  if (caption.empty()) return;
+  const double em = place.caption_px, pad = kPad * em;
   TextStyle style;
-  style.size = place.caption_px;
-  style.color = ink;
+  style.size = em;
+  style.color = diagram_style(place).ink;
   style.sans = true;
-  const double room = place.rect.width - 2.0 * place.caption_px;
-  style.size *= std::min(1.0, room / set_line(caption, style, fonts).width);
-  DisplayList line = set_line(caption, style, fonts);
-  const PixelBox box = box_of(place.rect);
-  const Vec2 at(0.5 * (box.x0 + box.x1 - line.width), box.y1 - kCaptionBaseline * place.caption_px);
-  sheet.texts.push_back({.list = std::move(line), .at = at, .text = caption});
+  style.leading = kCaptionLeading;
+  style.width = std::max(em, box.width() - 2.0 * pad);
+  DisplayList lines = set_lines(caption, style, fonts);
+  style.size *= std::min(1.0, style.width / lines.width);  // a long word in a narrow place
+  lines = set_lines(caption, style, fonts);
+  const double above = std::round(kCaptionGap * em + std::max(lines.ascent, kCaptionTop * em));
+  const double y1 = box.y1 - above - std::round(lines.depth + kCaptionGap * em);
+  if (place.ground) add_ground({box.x0, y1, box.x1, box.y1}, *place.ground, sheet);
+  sheet.texts.push_back(
+      {.list = std::move(lines), .at = {std::round(box.x0 + pad), y1 + above}, .text = caption});
+  box.y1 = y1;
 }
 
 /// One scene, whatever stands beside it, with a caption of its own or none.
 PlacedFigure place_scene(const SceneModel& model, const std::string& caption, double t_s,
                          const FigurePlace& place, const Fonts& fonts) {
   PlacedFigure placed;
+  PixelBox box = box_of(place.rect);
+  cut_caption(caption, place, box, placed.sheet, fonts);
   const std::vector<Overlay> diagrams = diagrams_in(model.drawn);
   if (diagrams.empty()) {
-    placed.insets.push_back(space_of(model, t_s, place.rect, place));
-    placed.insets.back().figure.caption = caption;
+    placed.insets.push_back(space_of(model, t_s, rect_of(box), place));
     return placed;
   }
   const DiagramStyle style = diagram_style(place);
   const double pad = kPad * place.caption_px;
-  PixelBox box = box_of(place.rect);
   if (place.ground) add_ground(box, *place.ground, placed.sheet);
-  if (!caption.empty()) {
-    add_caption(caption, place, style.ink, placed.sheet, fonts);
-    box.y1 -= std::round(kCaptionRoom * place.caption_px);
-  }
   if (shows_space(model.drawn, model.needs.marks)) {
     const auto [space, rest] = share(diagrams, model.scene.views.size(), box, pad);
     placed.insets.push_back(space_of(model, t_s, rect_of(space), place));
-    placed.insets.back().figure.caption.clear();
     box = rest;
   }
   const std::vector<PixelBox> cells = best_cells(diagrams, box, pad);
@@ -185,12 +189,7 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
   const bool is_common = have_one_caption(shown);
-  if (is_common && !model.scene.caption.empty()) {
-    const double y1 = box.y1 - std::round(kCaptionRoom * place.caption_px);
-    if (place.ground) add_ground({box.x0, y1, box.x1, box.y1}, *place.ground, placed.sheet);
-    add_caption(caption_of(model.scene.before), place, diagram_style(place).ink, placed.sheet, fonts);
-    box.y1 = y1;
-  }
+  if (is_common) cut_caption(caption_of(model.scene.before), place, box, placed.sheet, fonts);
   const std::vector<PixelBox> cells = places_of_scenes(model, box);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     FigurePlace cell = place;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What stands in the place of a scene's figure: its space, its diagrams, or both side by side and never over
-// each other, with the caption below; of scenes side by side, all of them. The same for a figure by itself
-// and for a figure on a page.
+// each other, with the caption below the picture; of scenes side by side, all of them. The same for a figure
+// by itself and for a figure on a page.
 #pragma once
 
 #include "app/page/page_theme.h"

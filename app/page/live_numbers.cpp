@@ -3,6 +3,8 @@
 
 #include "app/narration/number_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -12,13 +14,20 @@ namespace polhode {
 namespace {
 
 constexpr const char* kDots = "\\ldots";
+constexpr const char* kDash = "\\text{–}";
 /// So many times of the scene's interval say how wide a number becomes.
 constexpr int kWidthTimes = 25;
 
 Math read_math(const std::string& tex) { return parse_math(tex).value(); }
 
 std::string tex_of(const ComputedNumber& number, std::optional<double> value) {
-  return value ? number_tex(*value, number.written.digits) : kDots;
+  return value ? number_tex(*value, number.written.digits) : number.row ? kDash : kDots;
+}
+
+/// What stands behind the place of the decimal point: "2.25" has ".25", "3{\cdot}10^{8}" all behind the 3.
+std::string behind_point(const std::string& tex) {
+  if (tex == kDash) return "";
+  return tex.substr(std::min(tex.find_first_not_of("-0123456789"), tex.size()));
 }
 
 bool is_plain(const std::string& tex) { return tex.find('\\') == tex.npos; }
@@ -33,8 +42,7 @@ double PageNumbers::width_em(const std::string& tex) const {
 }
 
 void PageNumbers::keep(int id, std::optional<double> value) {
-  shown_.insert_or_assign(id,
-                          Shown{read_math(tex_of(lesson_->numbers[static_cast<std::size_t>(id)], value))});
+  shown_.insert_or_assign(id, Shown{tex_of(lesson_->numbers[static_cast<std::size_t>(id)], value)});
 }
 
 void PageNumbers::run(int id, const std::vector<double>& values) {
@@ -43,7 +51,7 @@ void PageNumbers::run(int id, const std::vector<double>& values) {
   for (const double value : values) texts.insert(tex_of(number, value));
   Shown widest;
   for (const std::string& tex : texts)
-    if (const double width = width_em(tex); width > widest.width_em) widest = {read_math(tex), true, width};
+    if (const double width = width_em(tex); width > widest.width_em) widest = {tex, true, width};
   shown_.insert_or_assign(id, std::move(widest));
 }
 
@@ -57,13 +65,47 @@ Math PageNumbers::put_into(const Math& math) const {
     else if (found == shown_.end())
       shown.push_back({read_math(kDots)});
     else
-      shown.push_back(
-          {found->second.number, found->second.runs ? live_name(static_cast<std::size_t>(number.id)) : ""});
+      shown.push_back({read_math(found->second.tex),
+                       found->second.runs ? live_name(static_cast<std::size_t>(number.id)) : ""});
   }
   return with_numbers(math, shown);
 }
 
+/// What each number of a column lacks of the widest that stands behind a point there, em.
+std::map<int, double> PageNumbers::rooms_behind(const TextTable& table) const {
+  std::map<int, double> rooms;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    std::map<int, double> widths;
+    double widest = 0;
+    for (const auto& row : table.rows)
+      for (const TextSpan& span : row[c])
+        for (const LiveNumber& number : span.math.live) {
+          const auto shown = shown_.find(number.id);
+          if (shown == shown_.end() || !lesson_->numbers[static_cast<std::size_t>(number.id)].row) continue;
+          const std::string behind = behind_point(shown->second.tex);
+          const double width = behind.empty() ? 0.0 : width_em(behind);
+          widths.emplace(number.id, width);
+          widest = std::max(widest, width);
+        }
+    for (const auto& [id, width] : widths) rooms.emplace(id, widest - width);
+  }
+  return rooms;
+}
+
 RichText PageNumbers::put_into(RichText text) const {
+  for (TextBlock& block : text) {
+    const std::map<int, double> rooms =
+        block.is_table() ? rooms_behind(block.table) : std::map<int, double>();
+    for (auto& row : block.table.rows)
+      for (TextTable::Cell& cell : row)
+        for (TextSpan& span : cell) {
+          if (span.math.live.size() != 1) continue;
+          const auto room = rooms.find(span.math.live.front().id);
+          if (room == rooms.end()) continue;
+          const std::string space = fmt::format("\\hspace{{{:.4f}em}}", room->second);
+          span.math = with_numbers(span.math, {{read_math(shown_.at(room->first).tex + space)}});
+        }
+  }
   for_each_span(text, [this](TextSpan& span) { span.math = put_into(span.math); });
   return text;
 }

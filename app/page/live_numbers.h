@@ -33,24 +33,26 @@ class PageNumbers {
 
   const Lesson& lesson() const { return *lesson_; }
 
-  /// It stands still; dots where there is no value.
+  /// It stands still; dots where there is no value, in a ```table a dash.
   void keep(int id, std::optional<double> value);
   /// It runs, and comes to these values. Precondition: there is one.
   void run(int id, const std::vector<double>& values);
 
   /// With what stands for the numbers; those that are not known have dots.
   Math put_into(const Math& math) const;
+  /// In the columns of a ```table the decimal points stand below each other.
   RichText put_into(RichText text) const;
   /// Takes what holds the rooms of running numbers out of the list.
   std::vector<LiveRoom> take_rooms(DisplayList& list) const;
 
  private:
   struct Shown {
-    Math number;  ///< of one that runs the widest
+    std::string tex;  ///< of one that runs the widest
     bool runs = false;
     double width_em = 0;  ///< of the room of one that runs
   };
   double width_em(const std::string& tex) const;
+  std::map<int, double> rooms_behind(const TextTable& table) const;
 
   const Lesson* lesson_;
   const Fonts* fonts_;

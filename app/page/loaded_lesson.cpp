@@ -42,10 +42,41 @@ std::vector<Diagnostic> model_diagnostics(const Lesson& lesson, std::string_view
 
 }  // namespace
 
+namespace {
+
+/// The model's objections to each row of a table, at its place.
+std::vector<Diagnostic> row_diagnostics(const Lesson& lesson, std::string_view file_name,
+                                        const Effort& effort) {
+  std::vector<Diagnostic> found;
+  const TableRow* before = nullptr;
+  for (const ComputedNumber& number : lesson.numbers) {
+    if (!number.row || number.row.get() == before) continue;
+    before = number.row.get();
+    try {
+      const SceneModel model = make_model(before->scene, Product::numbers, effort);
+      if (!is_computable(model, before->scene.at_s))
+        found.push_back(
+            {Severity::error, std::string(file_name), before->place,
+             fmt::format("the motion of this row cannot be followed to t = {:.7g} s", before->scene.at_s),
+             "choose an earlier time, or a larger tolerance"});
+    } catch (const BudgetSpent&) {
+      found.push_back(too_long_to_check(file_name, before->place));
+      return found;
+    } catch (const std::domain_error& error) {
+      found.push_back({Severity::error, std::string(file_name), before->place,
+                       fmt::format("the motion of this row cannot be: {}", error.what()), ""});
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
 LessonReading check_lesson(std::string_view text, std::string_view file_name, const Effort& effort) {
   LessonReading reading = read_lesson(text, file_name);
   if (!reading.lesson) return reading;
   std::vector<Diagnostic> found = model_diagnostics(*reading.lesson, file_name, effort);
+  if (found.empty()) found = row_diagnostics(*reading.lesson, file_name, effort);
   if (found.empty())
     if (const auto unproved = prove_claims(*reading.lesson, effort))
       found.push_back(too_long_to_check(file_name, *unproved));

@@ -29,6 +29,19 @@ constexpr double kCaptionSize = 0.68;
 
 constexpr double kWidestText = 0.62;  ///< of a wide page, with its margins
 
+// Of slides. The x-height of the text type is 0.469 em: 1.9 % of the height, as large as that of Beamer's
+// slides; that of the smallest labels, 0.62 em of the sans, is 1.3 %.
+constexpr double kSlideEm = 0.0405;                              ///< of the height
+constexpr double kFewestEms = 22.0;                              ///< in the width of a tall slide
+constexpr double kSlideMargin = 1.6;                             ///< em
+constexpr double kSlideGutter = 1.2;                             ///< em
+constexpr double kSlideTop = 1.5;                                ///< em
+constexpr double kSlideBottom = 1.2;                             ///< em
+constexpr double kSlideMeasureAlone = 26.0;                      ///< em: of text without a figure
+constexpr std::array kSlideTextParts = {0.38, 0.44, 0.5, 0.56};  ///< of a wide slide, with its margins
+constexpr double kWishedFormulaScale = 0.8;  ///< a wider column is better than smaller formulas
+constexpr std::array kSlideScales = {1.0, 0.93, kLeastScale, 0.8, 0.7, 0.6};
+
 /// Where the parts of a page lie.
 struct Grid {
   double em;        ///< of prose
@@ -101,6 +114,49 @@ Grid text_alone(const Room& room) {
           {}};
 }
 
+double slide_em(const Room& room) {
+  return kSlideEm * std::min(room.h, room.w / (kFewestEms * kSlideEm)) * room.text_scale;
+}
+
+bool is_wide(const Room& room) { return room.w > 1.05 * room.h; }
+
+/// The widths that the text of a slide with a figure can have, px, the smallest first.
+std::vector<double> slide_columns(const Room& room) {
+  const double em = slide_em(room);
+  if (!is_wide(room)) return {room.w - 2.0 * kSlideMargin * em};
+  std::vector<double> columns;
+  for (const double part : kSlideTextParts)
+    columns.push_back(std::round(part * room.w - (kSlideMargin + kSlideGutter) * em));
+  return columns;
+}
+
+/// Text on the left or below, and as much as there is for the figure.
+Grid slide(const Room& room, bool has_figure, double column) {
+  const auto [w, h, meter_rows, text_scale] = room;
+  const double em = slide_em(room), small_em = em / text_scale * half_as_much(text_scale);
+  const double left = kSlideMargin * em, top = kSlideTop * em, bottom = h - kSlideBottom * em;
+  if (!has_figure) {
+    const double measure = std::min(kSlideMeasureAlone * em, w - 2.0 * left);
+    return {em, small_em, {left, top, left + measure, bottom}, {}, {}};
+  }
+  const double rows = std::min(2.0, static_cast<double>(meter_rows));
+  if (is_wide(room)) {
+    const double split = std::round(left + column + kSlideGutter * em);
+    const double below = rows > 1.0 ? 0.56 * h : rows > 0.0 ? 0.36 * h : 0.0;
+    return {em,
+            small_em,
+            {left, top, left + column, bottom},
+            rounded(split, 0, w, h - below),
+            {split, h - below, w, h}};
+  }
+  const double figure = (rows > 0.0 ? 0.36 : 0.5) * h, below = figure + 0.16 * rows * h;
+  return {em,
+          small_em,
+          {left, below + em, left + column, bottom},
+          rounded(0, 0, w, figure),
+          {0, figure, w, below}};
+}
+
 /// How plots stand in their place.
 struct Rows {
   std::size_t rows, columns;
@@ -119,11 +175,16 @@ std::size_t meter_rows(const SceneModel& model) {
   return most;
 }
 
-Grid grid_of(const PageRequest& request) {
-  const Room room{static_cast<double>(request.size.width), static_cast<double>(request.size.height),
-                  request.model ? meter_rows(*request.model) : 0, request.text_scale};
+Room room_of(const PageRequest& request) {
+  return {static_cast<double>(request.size.width), static_cast<double>(request.size.height),
+          request.model ? meter_rows(*request.model) : 0, request.text_scale};
+}
+
+Grid grid_of(const PageRequest& request, const SlideType& type) {
+  const Room room = room_of(request);
+  if (request.profile == Profile::slides) return slide(room, request.model != nullptr, type.column);
   if (!request.model) return text_alone(room);
-  return room.w > 1.05 * room.h ? side_by_side(room) : one_above_the_other(room);
+  return is_wide(room) ? side_by_side(room) : one_above_the_other(room);
 }
 
 TimePlotStyle plot_style(Theme theme, double type_size) {
@@ -240,9 +301,47 @@ void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet
 
 }  // namespace
 
+Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts) {
+  const Room room = room_of(request);
+  const std::vector<double> columns = slide_columns(room);
+  for (const double scale : kSlideScales)
+    for (const double column : columns) {
+      const bool is_last = scale == kSlideScales.back() && column == columns.back();
+      const SlideType type{column, scale};
+      bool holds = true;
+      for (std::size_t i = 0; holds && !is_last && i < request.stage.steps.size(); ++i) {
+        const bool has_figure = request.stage.steps[i].scene != nullptr;
+        const Grid grid = slide(room, has_figure, column);
+        PageRequest of_step = request;
+        of_step.step = static_cast<int>(i) + 1;
+        of_step.model = nullptr;
+        of_step.slide_type = &type;
+        const auto fits =
+            fits_slide(of_step, grid.text.width(), grid.text.height(), grid.em,
+                       column == columns.back() ? kLeastFormulaScale : kWishedFormulaScale, fonts);
+        if (!fits) return failure(fits.error());
+        holds = *fits;
+      }
+      if (holds) return type;
+    }
+  return SlideType{columns.back(), kSlideScales.back()};
+}
+
 Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) {
-  const Grid grid = grid_of(request);
-  Result<FittedText> text = fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
+  SlideType type;
+  if (request.profile == Profile::slides && request.slide_type == nullptr) {
+    const Result<SlideType> found = slide_type_of(request, fonts);
+    if (!found) return failure(found.error());
+    type = *found;
+  } else if (request.slide_type != nullptr) {
+    type = *request.slide_type;
+  }
+  const Grid grid = grid_of(request, type);
+  Result<FittedText> text =
+      request.profile == Profile::slides
+          ? fit_slide(request, type.scale, grid.text.width(), grid.text.height(), grid.em, fonts)
+          : fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
+  if (text) text->type = type;
   if (text) text->corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
   if (text && request.runs && request.model)
     text->in_captions = longest_in_captions(
@@ -257,7 +356,7 @@ Result<Page> compose_page(const PageRequest& request, const Fonts& fonts) {
 }
 
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts) {
-  const Grid grid = grid_of(request);
+  const Grid grid = grid_of(request, text.type);
   Page page;
   page.scale = text.scale;
   page.formula_scale = text.formula_scale;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A page of a lesson: text column, figure and meters, laid out for its size. What a step adds stands whole on
-// its page; of the steps before it, as much as there is room for: everything, or their equations alone.
+// its page; of the steps before it, as much as there is room for: everything, or their equations alone. On a
+// slide the step stands alone, with the equation that was come to before it in a line at the foot.
 #pragma once
 
 #include "app/page/page_theme.h"
@@ -37,6 +38,12 @@ struct TurningInto {
 
 using PageEntrance = std::variant<Standing, FadingIn, TurningInto>;
 
+/// What the slides of a stage have in common.
+struct SlideType {
+  double column = 0;  ///< width of the text beside a figure, px
+  double scale = 1;   ///< of the type's normal size; below 1 a step has more than a slide holds
+};
+
 struct PageRequest {
   const Lesson& lesson;
   const Stage& stage;
@@ -46,6 +53,9 @@ struct PageRequest {
   double t_s = 0;
   Size size;
   Theme theme = Theme::paper;
+  Profile profile = Profile::page;
+  /// Of this stage, size and text_scale (slide_type_of); null: found for this slide.
+  const SlideType* slide_type = nullptr;
   std::optional<QualityLevel> quality{};  ///< of the figure; absent: the scene's
   /// How much larger than normal the reader wants the text, kLeastTextScale … kMostTextScale. The text column
   /// widens and narrows with it, up to 0.62 of a wide page; labels, captions and plots follow half as much.
@@ -82,6 +92,12 @@ struct Page {
 inline constexpr double kLeastScale = 0.86;
 /// A display set smaller than this part of its size is hard to read.
 inline constexpr double kLeastFormulaScale = 0.6;
+
+/// Beside the figure the text has as little room as all steps of the request's stage need: where they are
+/// short the figure has more than 60 % of the slide. Type is smaller than normal only where the widest column
+/// does not hold a step.
+/// Errors as of text_of_page.
+Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts);
 
 /// The text column (page_text.h), which is the same at all times, if it runs or has no computed numbers, and
 /// throughout an entrance; most of what a page costs.

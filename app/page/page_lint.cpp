@@ -105,7 +105,7 @@ class PageLint {
   /// The labels of the quantities of the lesson's own plots that have no value anywhere.
   std::vector<std::string> unseen_plots(const SceneModel& model) {
     const auto is_own = [](const PlotSpec& plot) { return std::holds_alternative<OwnPlot>(plot); };
-    const std::vector<PlotSpec> specs = shown_meters(model.scene);
+    const std::vector<PlotSpec>& specs = model.scene.meters;
     std::vector<std::string> unseen;
     if (std::none_of(specs.begin(), specs.end(), is_own)) return unseen;
     const std::vector<TimePlot> plots = meter_plots(model, still_time_s(model.scene));

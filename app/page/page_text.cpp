@@ -110,16 +110,25 @@ PageNumbers numbers_of(const PageRequest& request, const Fonts& fonts) {
   std::vector<int> now;  // those of the page's motion
   for (int i = 0; i < request.step; ++i) {
     const Step& step = steps[static_cast<std::size_t>(i)];
-    const std::vector<int> ids = numbers_in(step);
+    std::vector<int> ids = numbers_in(step);
+    // Those of tables are of motions of their own.
+    const auto in_table = std::partition(ids.begin(), ids.end(), [&](int id) {
+      return lesson.numbers[static_cast<std::size_t>(id)].row == nullptr;
+    });
+    const auto keep = [&](auto first, auto last) {
+      if (first == last) return;
+      const StillNumbers::Values& values = stills.of(lesson, step);
+      for (; first != last; ++first) {
+        const auto value = values.find(*first);
+        shown.keep(*first, value != values.end() ? std::optional(value->second) : std::nullopt);
+      }
+    };
+    keep(in_table, ids.end());
+    ids.erase(in_table, ids.end());
     const bool is_of_page =
         i + 1 == request.step || !step.scene || !present.scene || same_motion(*step.scene, *present.scene);
     if (is_of_page) now.insert(now.end(), ids.begin(), ids.end());
-    if (is_of_page || ids.empty()) continue;
-    const StillNumbers::Values& values = stills.of(lesson, step);
-    for (const int id : ids) {
-      const auto value = values.find(id);
-      shown.keep(id, value != values.end() ? std::optional(value->second) : std::nullopt);
-    }
+    if (!is_of_page) keep(ids.begin(), ids.end());
   }
   if (now.empty() || !request.model) return shown;
   if (request.runs)
@@ -148,7 +157,7 @@ class ScaledText {
         width_(width),
         em_(em),
         scale_(scale),
-        column_(width, scale * em, request.theme, symbols, numbers, fonts),
+        column_(width, scale * em, request.theme, request.profile, symbols, numbers, fonts),
         last_(static_cast<std::size_t>(request.step - 1)),
         begun_{header(false), title()},
         continued_{header(true), begun_[1]},
@@ -159,6 +168,25 @@ class ScaledText {
   }
 
   double scale() const { return scale_; }
+
+  /// A slide: the step's own text, and in a line at the foot of the column what it goes on from. Nothing if
+  /// that is higher than `height`. Fails if a text cannot be set.
+  Result<std::optional<FittedText>> slide(double height) {
+    const Selection own{last_, last_};
+    const ColumnPiece foot = from_before();
+    const PieceRefs refs = pieces(own);
+    if (!status_) return failure(status_.error());
+    const double room = foot.height > 0.0 ? std::floor(height - foot.height - foot.gap) : height;
+    if (height_of(refs) > room) return std::optional<FittedText>();
+    FittedText text{stack(refs), scale_, formula_scale(own), equations_in(own), request_.step, {0, 0}};
+    if (foot.height > 0.0) {
+      ColumnPiece placed = foot;
+      placed.sheet = {};
+      append(placed.sheet, foot.sheet, {0, std::floor(height - foot.height)});
+      text.stack.pieces.push_back(std::move(placed));
+    }
+    return std::optional(std::move(text));
+  }
 
   /// The most that fits; nothing if the step alone does not. Fails if a text that was tried cannot be set.
   Result<std::optional<Selection>> most(double height) {
@@ -210,7 +238,7 @@ class ScaledText {
   }
 
   PieceRefs pieces(const Selection& shown) {
-    PieceRefs all = heading(shown.whole_from > 0);
+    PieceRefs all = heading(!is_slide() && shown.whole_from > 0);
     for (std::size_t i = shown.equations_from; i < shown.whole_from; ++i) add(all, equations(i));
     for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i).text);
     // All footnotes stand at the foot.
@@ -224,6 +252,20 @@ class ScaledText {
     PieceRefs refs;
     add(refs, continued ? continued_ : begun_);
     return refs;
+  }
+
+  bool is_slide() const { return request_.profile == Profile::slides; }
+
+  /// The last equation that an earlier step has come to, if a line holds it.
+  ColumnPiece from_before() {
+    for (std::size_t i = last_; i-- > 0;) {
+      const Equation* equation = focus_of(request_.stage, request_.stage.steps[i]);
+      if (equation == nullptr) continue;
+      ColumnPiece piece = noted(column_.from_before(*equation));
+      piece.of = equation;
+      return piece.width <= width_ ? piece : ColumnPiece();
+    }
+    return {};
   }
 
   /// Nothing stands in the place of a text that cannot be set.
@@ -248,7 +290,7 @@ class ScaledText {
     quiet.color = colors_of(request_.theme).quiet;
     quiet.sans = true;
     std::string place = fmt::format("stage {} of {}", request_.number, request_.lesson.stages.size());
-    if (request_.stage.steps.size() > 1)
+    if (!is_slide() && request_.stage.steps.size() > 1)
       place += fmt::format("  ·  step {} of {}", request_.step, request_.stage.steps.size());
     if (continued) place += "  ·  continued";
     DisplayList line = set_line(request_.lesson.title + "  ·  " + place, quiet, fonts_);
@@ -321,8 +363,12 @@ class ScaledText {
   }
 
   ColumnPiece verdict(const Claim& claim, bool is_present) const {
-    return column_.verdict(verdicts_.at(&claim),
-                           is_present && request_.model && can_be_shown(claim, request_.model->scene));
+    return column_.verdict(verdicts_.at(&claim), is_present && scene() && can_be_shown(claim, *scene()));
+  }
+
+  /// That of the page; of a slide that is only tried, the step's own.
+  const Scene* scene() const {
+    return request_.model ? &request_.model->scene : request_.stage.steps[last_].scene.get();
   }
 
   void tell_cost_of(const ColumnPiece& piece) const {
@@ -360,6 +406,11 @@ class ScaledText {
   std::vector<std::optional<Whole>> whole_;
   std::vector<std::optional<Pieces>> equations_;
 };
+
+Failure<std::string> too_much(const PageRequest& request) {
+  return failure(
+      fmt::format("stage \"{}\": step {} has more text than a page holds", request.stage.id, request.step));
+}
 
 }  // namespace
 
@@ -399,8 +450,32 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
     if (!shown) return failure(shown.error());
     if (*shown) return fitted(text, **shown);
   }
-  return failure(
-      fmt::format("stage \"{}\": step {} has more text than a page holds", request.stage.id, request.step));
+  return too_much(request);
+}
+
+Result<bool> fits_slide(const PageRequest& request, double width, double height, double em,
+                        double least_formula, const Fonts& fonts) {
+  const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
+  const Verdicts verdicts = verdicts_of(request);
+  const PageNumbers numbers = numbers_of(request, fonts);
+  ScaledText text(request, symbols, verdicts, numbers, width, em, request.slide_type->scale, fonts);
+  const auto made = text.slide(height);
+  if (!made) return failure(made.error());
+  return made->has_value() && (*made)->formula_scale >= least_formula;
+}
+
+Result<FittedText> fit_slide(const PageRequest& request, double scale, double width, double height, double em,
+                             const Fonts& fonts) {
+  const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
+  const Verdicts verdicts = verdicts_of(request);
+  const PageNumbers numbers = numbers_of(request, fonts);
+  for (; scale > kLeastOfAll; scale *= kSmaller) {
+    ScaledText text(request, symbols, verdicts, numbers, width, em, scale, fonts);
+    auto made = text.slide(height);
+    if (!made) return failure(made.error());
+    if (*made) return **std::move(made);
+  }
+  return too_much(request);
 }
 
 }  // namespace polhode

@@ -16,6 +16,7 @@ struct FittedText {
   int whole_from = 1;                      ///< the first step that is there whole
   Vec2 corner{0, 0};                       ///< of the column, px of the page
   LongestNumbers in_captions{};            ///< of a page that runs
+  SlideType type{};                        ///< of a slide
 };
 
 /// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a
@@ -24,5 +25,14 @@ struct FittedText {
 /// The error says which text cannot be set, or that the step has more than a page holds.
 Result<FittedText> fit_text(const PageRequest& request, double width, double height, double em,
                             const Fonts& fonts);
+
+/// The step alone, its type `scale` times its normal size, or smaller if it has to be; at the foot the
+/// equation that was come to before it. Errors as of fit_text.
+Result<FittedText> fit_slide(const PageRequest& request, double scale, double width, double height, double em,
+                             const Fonts& fonts);
+/// Whether it fits at the scale of the request's slide_type, no display smaller than `least_formula` of its
+/// size.
+Result<bool> fits_slide(const PageRequest& request, double width, double height, double em,
+                        double least_formula, const Fonts& fonts);
 
 }  // namespace polhode

@@ -15,6 +15,13 @@ namespace polhode {
 
 enum class Theme { paper, dark };
 
+/// What pages are made for.
+enum class Profile {
+  page,   ///< to be read at arm's length: the steps up to the present one, as much of them as there is room
+          ///< for
+  slides  ///< to be projected: the step alone, in large type of one size throughout its stage
+};
+
 /// How large a reader may wish to have the text, relative to its normal size.
 inline constexpr double kLeastTextScale = 0.7, kMostTextScale = 2.0;
 

@@ -14,6 +14,7 @@ namespace {
 
 // Relative to the em of prose.
 constexpr double kTitleSize = 1.62;
+constexpr double kSlideTitleSize = 1.3;
 constexpr double kDisplaySize = 1.34;
 constexpr double kEarlierSize = 1.0;
 constexpr double kCalloutSize = 0.94;
@@ -21,8 +22,10 @@ constexpr double kLabelSize = 0.62;
 constexpr double kFootnoteSize = 0.74;
 constexpr double kFootnoteRule = 4.1;  ///< length of the line above footnotes
 constexpr double kTagSize = 1.0;
-constexpr double kVerdictSize = 0.6;
+constexpr double kVerdictSize = 0.66;
 constexpr double kVerdictLine = 1.35;  ///< of its size
+constexpr double kChipHeight = 1.55;   ///< likewise
+constexpr float kChipTint = 0.12F;     ///< of the ink, on the paper
 constexpr double kClaimedSize = 0.7;   ///< of what is claimed beside the formula
 constexpr double kClaimedGap = 0.3;    ///< above each of its rows, of its size
 constexpr double kVerdictGap = 0.3;
@@ -33,6 +36,8 @@ constexpr double kDisplayGap = 0.78;
 constexpr double kLineTop = 0.74;     ///< of a line without tall letters, above its baseline
 constexpr double kLineBottom = 0.24;  ///< and below it
 constexpr double kLabelIndent = 4.1;
+constexpr double kBarIndent = 0.6;
+constexpr double kBeforeSize = 0.86;
 constexpr double kPanelPad = 0.5;
 
 std::vector<Vec2> rectangle(double x0, double y0, double x1, double y1) {
@@ -117,7 +122,7 @@ Result<ColumnPiece> TextColumn::piece_of(Result<DisplayList> list, double em, do
 }
 
 Result<ColumnPiece> TextColumn::title(const RichText& title) const {
-  const double em = kTitleSize * size_;
+  const double em = (profile_ == Profile::slides ? kSlideTitleSize : kTitleSize) * size_;
   TextStyle bold = style(em, colors().ink, width_);
   bold.bold = true;
   bold.leading = 1.2;
@@ -179,51 +184,96 @@ Result<ColumnPiece> TextColumn::numbered(const Equation& equation, double size,
   return piece;
 }
 
-ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
-  const double em = kVerdictSize * size_, gap = 0.6 * em;
-  TextStyle quiet = style(em, colors().quiet, width_);
-  quiet.sans = true;
-  quiet.symbols = nullptr;  // the slots outlive them
-  TextStyle bold = quiet;
-  bold.bold = true;
-  bold.color = row.refutes || !row.proved ? colors().accent : colors().ink;
-  const double line = std::round(kVerdictLine * em), first = std::round(0.9 * em);
-  ColumnPiece piece{.sheet = {}, .height = line, .gap = kVerdictGap * size_};
-  DisplayList word = set_line(row.word, bold, fonts_);
-  double x = word.width + gap;
-  piece.sheet.texts.push_back({.list = std::move(word), .at = {0, first}});
-  DisplayList note = set_line(row.note, quiet, fonts_);
-  if (x + note.width > width_) {  // a long counterexample: as small as it has to be
-    TextStyle smaller = quiet;
-    smaller.size *= (width_ - x) / note.width;
-    note = set_line(row.note, smaller, fonts_);
+Color TextColumn::color_of(Certainty certainty) const {
+  switch (certainty) {
+    case Certainty::proved:
+      return colors().meant;
+    case Certainty::stated:
+      return colors().quiet;
+    case Certainty::refuted:
+    case Certainty::open:
+      return colors().accent;
   }
-  const double note_end = x + note.width;
-  piece.sheet.texts.push_back({.list = std::move(note), .at = {x, first}});
+  return colors().quiet;
+}
+
+/// A word on a rounded ground, behind a tick if it is proved, a cross if it is wrong.
+ColumnPiece TextColumn::chip(const std::string& word, Certainty certainty) const {
+  const double em = kVerdictSize * size_;
+  const Color ink = color_of(certainty);
+  TextStyle bold = style(em, ink, 0);
+  bold.sans = bold.bold = true;
+  DisplayList list = set_line(word, bold, fonts_);
+  const double height = std::round(kChipHeight * em), pad = std::round(0.7 * em), y = 0.5 * height;
+  const bool has_mark = certainty == Certainty::proved || certainty == Certainty::refuted;
+  const double mark_width = has_mark ? std::round(1.0 * em) : 0.0;
+  const double width = std::round(list.width + mark_width + 2.0 * pad);
+  ColumnPiece piece{.sheet = {}, .height = height, .gap = kVerdictGap * size_};
+  piece.sheet.shapes.push_back(Stroke{
+      .points = {{y, y}, {width - y, y}}, .width = height, .color = between(colors().paper, ink, kChipTint)});
+  const auto drawn = [&](std::vector<Vec2> points) {
+    for (Vec2& point : points) point = Vec2(pad, y) + em * point;
+    piece.sheet.shapes.push_back(Stroke{.points = std::move(points), .width = 0.14 * em, .color = ink});
+  };
+  if (certainty == Certainty::proved) drawn({{0.0, 0.02}, {0.22, 0.26}, {0.64, -0.3}});
+  if (certainty == Certainty::refuted) {
+    drawn({{0.05, -0.26}, {0.57, 0.26}});
+    drawn({{0.05, 0.26}, {0.57, -0.26}});
+  }
+  piece.sheet.texts.push_back({.list = std::move(list), .at = {pad + mark_width, std::round(y + 0.36 * em)}});
+  piece.width = width;
+  return piece;
+}
+
+ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
+  const double em = kVerdictSize * size_, gap = std::round(0.6 * em);
+  TextStyle quiet =
+      style(em,
+            row.certainty == Certainty::proved || row.certainty == Certainty::stated ? colors().quiet
+                                                                                     : colors().ink,
+            width_);
+  quiet.sans = true;
+  quiet.leading = 1.3;
+  quiet.symbols = nullptr;  // the slots outlive them
+  ColumnPiece piece = chip(row.word, row.certainty);
+  const double line = std::round(kVerdictLine * em);
+  double baseline = piece.sheet.texts.front().at.y(), end = piece.width;
+  if (!row.note.empty()) {
+    DisplayList note = set_line(row.note, quiet, fonts_);
+    Vec2 at(end + gap, baseline);
+    if (at.x() + note.width > width_) {  // below, in as many lines as it takes
+      note = set_lines(row.note, quiet, fonts_);
+      at = {0, piece.height + std::round(0.3 * em + std::max(note.ascent, kLineTop * em))};
+      piece.height = at.y() + std::round(std::max(note.depth, kLineBottom * em));
+      end = width_;
+    } else {
+      end = at.x() + note.width;
+    }
+    piece.sheet.texts.push_back({.list = std::move(note), .at = at});
+  }
   TextStyle claimed = quiet;
   claimed.size = kClaimedSize * size_;
-  double baseline = first + add_claimed(row.claimed, claimed, piece);
+  add_claimed(row.claimed, claimed, piece);
   const std::vector<std::string> rows = is_live ? widest_live_rows(*row.claim) : std::vector<std::string>();
   if (rows.empty()) return piece;
 
   double room = 0;
   for (const std::string& text : rows) room = std::max(room, set_line(text, quiet, fonts_).width);
-  double more = line * static_cast<double>(rows.size());
-  if (row.claimed.empty() && note_end + gap + room <= width_)
-    more -= line;
-  else
-    baseline += line;
-  piece.height += more;
+  const bool is_beside = row.claimed.empty() && end + gap + room <= width_;
+  if (!is_beside) {
+    baseline = piece.height + std::round(0.9 * em);
+    piece.height += line;
+  }
+  piece.height += line * static_cast<double>(rows.size() - 1);
   if (room > width_) quiet.size *= width_ / room;
   piece.live.push_back({row.claim, {width_, baseline}, std::min(room, width_), line, quiet});
   return piece;
 }
 
-/// "Claimed: …": one formula beside the other, as many in a row as there is room for. Returns what it adds to
-/// the height.
-double TextColumn::add_claimed(const std::vector<std::string>& claimed, const TextStyle& style,
-                               ColumnPiece& piece) const {
-  const double before = piece.height, gap = std::round(kClaimedGap * style.size);
+/// "Claimed: …": one formula beside the other, as many in a row as there is room for.
+void TextColumn::add_claimed(const std::vector<std::string>& claimed, const TextStyle& style,
+                             ColumnPiece& piece) const {
+  const double gap = std::round(kClaimedGap * style.size);
   std::string row = "Claimed: ";
   const auto end_row = [&] {
     TextStyle fitting = style;
@@ -243,7 +293,6 @@ double TextColumn::add_claimed(const std::vector<std::string>& claimed, const Te
     row += formula;
   }
   if (!claimed.empty()) end_row();
-  return piece.height - before;
 }
 
 Result<ColumnPiece> TextColumn::equation(const Equation& equation, Focus focus,
@@ -299,10 +348,45 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
   return piece;
 }
 
-/// `plain` with its name on the left, and a bar between the two.
+Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {
+  TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
+  quiet.sans = true;
+  DisplayList words = set_line("from before:", quiet, fonts_);
+  const MathStyle math{
+      .size = kBeforeSize * size_, .color = colors().quiet, .strike = colors().quiet, .symbols = &symbols_};
+  Result<DisplayList> list = or_why_not(set_math(numbers_.put_into(equation.math), math, fonts_));
+  if (!list) return failure(list.error());
+  const double top = std::round(std::max(list->ascent, kLineTop * size_)),
+               x = std::round(words.width + 0.6 * size_);
+  ColumnPiece piece{.sheet = {},
+                    .height = top + std::round(std::max(list->depth, kLineBottom * size_)),
+                    .width = x + list->width,
+                    .gap = kParagraphGap * size_};
+  take_rooms(*list, {x, top}, piece);
+  piece.sheet.texts.push_back({.list = std::move(words), .at = {0, top}});
+  piece.sheet.texts.push_back({.list = std::move(list).value(), .at = {x, top}});
+  return piece;
+}
+
+double TextColumn::label_indent() const {
+  return std::round((profile_ == Profile::slides ? kBarIndent : kLabelIndent) * size_);
+}
+
+/// `plain` behind a bar, with its name on the left of it; on a slide the name stands above.
 Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& color,
                                          Result<ColumnPiece> plain) const {
   if (!plain) return plain;
+  if (profile_ == Profile::slides) {
+    TextStyle small = style(kLabelSize * size_, color, 0);
+    small.sans = small.bold = true;
+    const double top = std::round(small.size), line = std::round(1.3 * small.size);
+    ColumnPiece piece{.sheet = {}, .height = line + plain->height, .gap = plain->gap};
+    piece.sheet.shapes.push_back(Stroke{
+        .points = {{2, 2}, {2, piece.height - 2}}, .width = std::max(1.5, 0.09 * size_), .color = color});
+    piece.sheet.texts.push_back({.list = set_line(label, small, fonts_), .at = {label_indent(), top}});
+    add(piece, std::move(plain).value(), {label_indent(), line});
+    return piece;
+  }
   const double indent = std::round(kLabelIndent * size_), bar = indent - std::round(0.55 * size_);
   TextStyle small = style(kLabelSize * size_, color, 0);
   small.sans = small.bold = true;
@@ -332,7 +416,7 @@ Result<ColumnPiece> TextColumn::callout(const Callout& callout, const std::strin
                        : callout.kind == Kind::meant                             ? colors().meant
                                                                                  : colors().quiet;
   const double em = kCalloutSize * size_;
-  const double width = width_ - std::round(kLabelIndent * size_);
+  const double width = width_ - label_indent();
   const RichText& shown = callout.kind == Kind::derivation ? callout.title : callout.text;
   return labelled(label, color,
                   piece_of(set(shown, style(em, colors().ink, width)), em, kParagraphGap * size_));
@@ -361,7 +445,7 @@ ColumnPiece TextColumn::footnote_rule() const {
 
 Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   const double em = kCalloutSize * size_;
-  const double width = width_ - std::round(kLabelIndent * size_);
+  const double width = width_ - label_indent();
   RichText text = ask.prompt_text;
   for (std::size_t i = 0; i < ask.choice_texts.size(); ++i) {
     RichText choice = ask.choice_texts[i];

@@ -33,6 +33,7 @@ struct LiveNumberSlot {
 struct ColumnPiece {
   Sheet sheet;
   double height = 0;         ///< whole px
+  double width = 0;          ///< of what another one can stand beside
   double gap = 0;            ///< least distance to what is above and below
   double formula_scale = 1;  ///< of a display: its size beside the normal one; below 1 where it was too wide
   std::vector<LiveSlot> live{};
@@ -50,9 +51,15 @@ enum class Focus { none, now, before };
 class TextColumn {
  public:
   /// `size` is the em of prose. Symbols, numbers and fonts are kept by reference.
-  TextColumn(double width, double size, Theme theme, const std::vector<MathSymbol>& symbols,
+  TextColumn(double width, double size, Theme theme, Profile profile, const std::vector<MathSymbol>& symbols,
              const PageNumbers& numbers, const Fonts& fonts)
-      : width_(width), size_(size), theme_(theme), symbols_(symbols), numbers_(numbers), fonts_(fonts) {}
+      : width_(width),
+        size_(size),
+        theme_(theme),
+        profile_(profile),
+        symbols_(symbols),
+        numbers_(numbers),
+        fonts_(fonts) {}
 
   // The error of each says why the text cannot be set: the fonts lack a character of it.
 
@@ -60,12 +67,14 @@ class TextColumn {
   /// With the verdicts on what it claims below it. Terms of these names are marked.
   Result<ColumnPiece> equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
                                const std::vector<ColumnPiece>& verdicts = {}) const;
-  /// Kind and note in one row, what is claimed below where the equation is not that itself; with rows for
-  /// live values, or without.
+  /// A chip with the verdict's word, its note beside or below it, what is claimed below where the equation is
+  /// not that itself; with rows for live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
   /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, or
   /// above it where it is too wide.
   Result<ColumnPiece> earlier_equation(const Equation& equation, const std::string& kind = {}) const;
+  /// A line: "from before", and the equation.
+  Result<ColumnPiece> from_before(const Equation& equation) const;
   Result<ColumnPiece> prose(const RichText& text) const;
   /// Of a derivation the title alone.
   Result<ColumnPiece> callout(const Callout& callout, const std::string& label) const;
@@ -90,11 +99,14 @@ class TextColumn {
   Result<ColumnPiece> numbered(const Equation& equation, double size,
                                const std::vector<std::string>& marked) const;
   Result<ColumnPiece> labelled(const std::string& label, const Color& color, Result<ColumnPiece> plain) const;
-  double add_claimed(const std::vector<std::string>& claimed, const TextStyle& style,
-                     ColumnPiece& piece) const;
+  double label_indent() const;
+  Color color_of(Certainty certainty) const;
+  ColumnPiece chip(const std::string& word, Certainty certainty) const;
+  void add_claimed(const std::vector<std::string>& claimed, const TextStyle& style, ColumnPiece& piece) const;
 
   double width_, size_;
   Theme theme_;
+  Profile profile_;
   const std::vector<MathSymbol>& symbols_;
   const PageNumbers& numbers_;
   const Fonts& fonts_;

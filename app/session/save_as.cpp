@@ -55,6 +55,7 @@ ExportOptions export_options_of(const LessonSession& session, SaveAs what, const
   options.size = chosen.size;
   options.at_s = session.t_s();
   options.theme = session.preferences.theme;
+  options.profile = Profile::page;
   options.text_scale = session.preferences.text_scale;
   if (what == SaveAs::equation) options.dpi = kDefaultEquationDpi;
   options.background = chosen.transparent ? "transparent" : what == SaveAs::figure ? "studio" : "paper";

@@ -108,7 +108,7 @@ Finished finish(const LessonScene& given, const LessonBodies& bodies) {
 class SceneKeys {
  public:
   /// Where the table stands: what it may say.
-  enum class Of { front_matter, fence, scenes };
+  enum class Of { front_matter, fence, scenes, row };
 
   /// `begin` is where the table begins.
   SceneKeys(const LessonBodies& bodies, const SceneWords& words, LessonScene& scene, TextReader& texts, Of of,
@@ -132,8 +132,9 @@ class SceneKeys {
     void (SceneKeys::*read)(const TomlEntry&);
     /// The value; empty where the scene leaves it to what follows from the rest.
     std::string (*text)(const Scene&);
-    /// Said of all scenes side by side, or of none: not in their own tables.
-    bool is_common = false;
+    /// Of the motion, which rows of tables can change too; of the picture; or of all scenes side by side or
+    /// none, which is not said in their own tables.
+    enum class Speaks { of_motion, of_picture, of_all } speaks;
   };
   static std::span<const Row> rows();
 
@@ -142,9 +143,12 @@ class SceneKeys {
   void read(const Row& row, const TomlEntry& entry) {
     const std::string key = in_quotes(entry.key);
     const bool shows_several = entry.key == "scenes" || entry.key == "vary";
-    if (of_ == Of::scenes && shows_several)
+    if (of_ == Of::row && row.speaks != Row::Speaks::of_motion)
+      report_.error(entry.place, key + " is of a picture, and the rows of a table are motions",
+                    "a row has " + motion_keys());
+    else if (of_ == Of::scenes && shows_several)
       report_.error(entry.place, "a scene beside others has no " + key + " of its own");
-    else if (of_ == Of::scenes && row.is_common)
+    else if (of_ == Of::scenes && row.speaks == Row::Speaks::of_all)
       report_.error(entry.place, key + " is the same for all scenes side by side",
                     "write it beside \"scenes\", not in it");
     else if (of_ == Of::front_matter && shows_several)
@@ -153,6 +157,8 @@ class SceneKeys {
       (this->*row.read)(entry);
   }
 
+  /// "body, omega, …": the keys of the motion.
+  static std::string motion_keys();
   /// But of numbers of a start, which a scene has not any more.
   static std::string text_of_variations(const Scene& scene);
   /// Of the scenes side by side: tables of what differs from the first, which is written by itself.
@@ -577,130 +583,158 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
   static const std::array kRows = std::to_array<Row>({
       {{"body", "name of a body", R"(`"textbook"`)"},
        &SceneKeys::body,
-       [](const Scene& scene) { return toml(scene.body.name.c_str()); }},
+       [](const Scene& scene) { return toml(scene.body.name.c_str()); },
+       Row::Speaks::of_motion},
       {{"omega", "`[ω1, ω2, ω3]`, rad/s, body axes, at t = 0", "`[0.2, 0.1, 3.0]`"},
        &SceneKeys::omega,
-       [](const Scene& scene) { return toml(scene.w0_B); }},
+       [](const Scene& scene) { return toml(scene.w0_B); },
+       Row::Speaks::of_motion},
       {{"attitude", R"(`"L-down"`, `"L-up"`, or the quaternion `[w, x, y, z]` body → space)",
         "L down with `plane`, else up"},
        &SceneKeys::attitude,
-       [](const Scene& scene) { return scene.attitude ? text_of(*scene.attitude) : ""; }},
+       [](const Scene& scene) { return scene.attitude ? text_of(*scene.attitude) : ""; },
+       Row::Speaks::of_motion},
       {{"start",
         "`{ theta_deg, phi_deg, psi_deg, spin, precession }`: how a top is set going, in place of `omega` "
         "and "
         "`attitude` (Tops, below)",
         "none"},
        &SceneKeys::start,
-       [](const Scene&) { return std::string(); }},  // a scene has the ω and attitude that it stands for
+       [](const Scene&) { return std::string(); },  // a scene has the ω and attitude that it stands for
+       Row::Speaks::of_motion},
       {{"torque",
         R"(a string or up to 4: `"weight"` (Tops, below) `"space:x,y,z"` `"body:x,y,z"` `"heavy:MGR,ax,ay,az"` `"damping:C"` `"sink:C"`)",
         "none"},
        &SceneKeys::torque,
-       [](const Scene& scene) { return text_of(scene.torque); }},
+       [](const Scene& scene) { return text_of(scene.torque); },
+       Row::Speaks::of_motion},
       {{"velocity",
         "`[x, y, z]`, m/s, space axes: velocity of the centre of mass at t = 0; the mass is the body's "
         "`mass_kg`, else 1 kg",
         "`[0, 0, 0]`"},
        &SceneKeys::velocity,
-       [](const Scene& scene) { return toml(scene.v0_S); }},
+       [](const Scene& scene) { return toml(scene.v0_S); },
+       Row::Speaks::of_motion},
       {{"force", "`[x, y, z]`, N, space axes: a constant force on the centre of mass", "`[0, 0, 0]`"},
        &SceneKeys::force,
-       [](const Scene& scene) { return toml(scene.F_S); }},
+       [](const Scene& scene) { return toml(scene.F_S); },
+       Row::Speaks::of_motion},
       {{"arrow", R"(what holds the arrow A of `transport`: `"space"`, `"body"`, or nothing: `"free"`)",
         R"(`"space"`)"},
        &SceneKeys::arrow,
-       [](const Scene& scene) { return text_of(scene.arrow); }},
+       [](const Scene& scene) { return text_of(scene.arrow); },
+       Row::Speaks::of_motion},
       {{"motion",
         R"(a method (below), or `{ method = "rk4", step = 0.02 }`, `{ method = "dormand-prince-8", tolerance = 1e-10 }`; step in s; `ghost = true` draws the exact body, translucent, beside the computed one)",
         R"(without torque `"exact"`, with it `"dormand-prince-8"`)"},
        &SceneKeys::motion,
-       [](const Scene& scene) { return text_of(scene.motion); }},
+       [](const Scene& scene) { return text_of(scene.motion); },
+       Row::Speaks::of_motion},
       {{"views", R"(`"space"`, `"body"`, or both in a list)", R"(`"space"`)"},
        &SceneKeys::views,
-       [](const Scene& scene) { return text_of(scene.views); }},
+       [](const Scene& scene) { return text_of(scene.views); },
+       Row::Speaks::of_picture},
       {{"show", "list of overlays, at most 40", "none"},
        &SceneKeys::show,
-       [](const Scene& scene) { return text_of(scene.show); }},
+       [](const Scene& scene) { return text_of(scene.show); },
+       Row::Speaks::of_picture},
       {{"trails", R"(paths of tips: `[{ of = "e3", on = "sphere" }]` (Marks, below))", "none"},
        &SceneKeys::trails,
-       [](const Scene& scene) { return text_of(scene.marks.trails); }},
+       [](const Scene& scene) { return text_of(scene.marks.trails); },
+       Row::Speaks::of_picture},
       {{"arrows", R"~(vectors: `[{ of = "ddt(e3)", at = "e3", tex, length, like }]` (Marks))~", "none"},
        &SceneKeys::arrows,
-       [](const Scene& scene) { return text_of(scene.marks.arrows); }},
+       [](const Scene& scene) { return text_of(scene.marks.arrows); },
+       Row::Speaks::of_picture},
       {{"angles", R"(arcs: `[{ from = "ez", to = "e3", tex = '\theta' }]` (Marks))", "none"},
        &SceneKeys::angles,
-       [](const Scene& scene) { return text_of(scene.marks.angles); }},
+       [](const Scene& scene) { return text_of(scene.marks.angles); },
+       Row::Speaks::of_picture},
       {{"planes", R"(discs: `[{ normal = "L", through = "omega" }]` (Marks))", "none"},
        &SceneKeys::planes,
-       [](const Scene& scene) { return text_of(scene.marks.planes); }},
+       [](const Scene& scene) { return text_of(scene.marks.planes); },
+       Row::Speaks::of_picture},
       {{"notes", R"(lines of text: `[{ text = "nose", at = "e3" }]` (Marks))", "none"},
        &SceneKeys::notes,
-       [](const Scene& scene) { return text_of(scene.marks.notes); }},
+       [](const Scene& scene) { return text_of(scene.marks.notes); },
+       Row::Speaks::of_picture},
       {{"camera",
         "`{ azimuth_deg, elevation_deg, distance, zoom }`; elevation −90 to 90, distance and zoom 0.1 to 100",
         "34°, 20°, 4.2, 1"},
        &SceneKeys::camera,
-       [](const Scene& scene) { return text_of(scene.camera); }},
+       [](const Scene& scene) { return text_of(scene.camera); },
+       Row::Speaks::of_picture},
       {{"at", "the t of a still, s", "0"},
        &SceneKeys::at,
        [](const Scene& scene) { return toml(scene.at_s); },
-       true},
+       Row::Speaks::of_all},
       {{"still",
         "the t of a still, s, where lengths of arrows under torque and the methods' tables are to be those "
         "of `at`",
         "`at`"},
        &SceneKeys::still,
        [](const Scene& scene) { return scene.still_s ? toml(*scene.still_s) : ""; },
-       true},
+       Row::Speaks::of_all},
       {{"duration", "what curves over time cover, s", "one polhode period or turn"},
        &SceneKeys::duration,
        [](const Scene& scene) { return scene.duration_s ? toml(*scene.duration_s) : ""; },
-       true},
+       Row::Speaks::of_all},
       {{"rate", "simulated seconds per shown second",
         "one polhode period (or turn; under torque four turns) in 8 s"},
        &SceneKeys::rate,
        [](const Scene& scene) { return scene.rate ? toml(*scene.rate) : ""; },
-       true},
+       Row::Speaks::of_all},
       {{"highlight",
         R"(overlays, which are drawn bolder, or ids of `\term`s of the stage, which are marked on its pages; at most 4)",
         "none"},
        &SceneKeys::highlight,
-       [](const Scene& scene) { return toml_list(scene.highlight); }},
+       [](const Scene& scene) { return toml_list(scene.highlight); },
+       Row::Speaks::of_picture},
       {{"quality",
         R"(how finely pictures are drawn: `"draft"` (solid bodies with jagged edges), `"normal"` or `"fine"` (2 × 2 times the pixels); `export --quality` overrides it)",
         R"(`"normal"`)"},
        &SceneKeys::quality,
        [](const Scene& scene) { return toml(name_of(scene.quality)); },
-       true},
+       Row::Speaks::of_all},
       {{"caption",
         "one line in the picture, at most 120 characters; formulas between `$` without macros, computed "
         "numbers too, else plain text",
         "none"},
        &SceneKeys::caption,
-       [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; }},
+       [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; },
+       Row::Speaks::of_picture},
       {{"meters",
-        R"(plots beside the figure of a page: a list of up to 6 of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start), each against time over `duration`, and of plots of your own (Plots, below); `[]` for none)",
-        R"(`["omega", "drift"]`, under torque `["omega", "energy", "momentum"]`)"},
+        R"(plots beside the figure of a page: a list of up to 6 of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start), each against time over `duration`, and of plots of your own (Plots, below))",
+        "none"},
        &SceneKeys::meters,
-       [](const Scene& scene) { return scene.meters ? plots_text(*scene.meters) : ""; }},
+       [](const Scene& scene) { return plots_text(scene.meters); },
+       Row::Speaks::of_picture},
       {{"scenes", "two or three tables of these keys: scenes side by side (below); `[]` for none", "none"},
        &SceneKeys::scenes,
        text_of_scenes,
-       true},
+       Row::Speaks::of_all},
       {{"vary",
         "one or two numbers of the scene, `{ omega3 = { from = 1, to = 9 } }`: a slider in the window, a "
         "filmstrip on paper (below); `{}` for none",
         "none"},
        &SceneKeys::vary,
        text_of_variations,
-       true},
+       Row::Speaks::of_all},
   });
   return kRows;
 }
 
+std::string SceneKeys::motion_keys() {
+  std::string names;
+  for (const Row& row : rows())
+    if (row.speaks == Row::Speaks::of_motion)
+      names += (names.empty() ? "" : ", ") + std::string(row.facts.name);
+  return names;
+}
+
 /// The plots are those of the first, where nothing else is said.
 Scene without_plots(Scene scene) {
-  scene.meters.emplace();
+  scene.meters.clear();
   return scene;
 }
 
@@ -712,7 +746,7 @@ std::string SceneKeys::text_of_scenes(const Scene& scene) {
     const Scene complete = completed(other);
     std::string keys;
     for (const Row& row : rows()) {
-      if (row.is_common || row.text(other) == row.text(like_first)) continue;
+      if (row.speaks == Row::Speaks::of_all || row.text(other) == row.text(like_first)) continue;
       const std::string value = row.text(other);
       keys += (keys.empty() ? "" : ", ") + std::string(row.facts.name) + " = ";
       keys += !value.empty() ? value : row.facts.name == "caption" ? toml("") : row.text(complete);
@@ -733,10 +767,18 @@ std::string SceneKeys::text_of_variations(const Scene& scene) {
 
 std::vector<PlacedText> SceneKeys::read(const TomlTable& table) {
   std::vector<KeyHandler> handlers;
-  for (const Row& row : rows())
-    handlers.push_back({std::string(row.facts.name), [this, &row](const TomlEntry& e) { read(row, e); }});
+  for (const Row& row : rows()) {
+    const bool is_known = of_ != Of::row || row.speaks == Row::Speaks::of_motion;
+    if (is_known || table.find(row.facts.name) != nullptr)
+      handlers.push_back({std::string(row.facts.name), [this, &row](const TomlEntry& e) { read(row, e); }});
+  }
+  if (of_ == Of::row)
+    for (const char* key : {"head", "at"}) {
+      std::erase_if(handlers, [&](const KeyHandler& handler) { return handler.name == key; });
+      handlers.push_back({key, [](const TomlEntry&) {}});  // its table reads them
+    }
   take_start_apart(table);
-  read_keys(table, "the scene", handlers, report_);
+  read_keys(table, of_ == Of::row ? "a row" : "the scene", handlers, report_);
   check_scene(table);
   return std::move(highlighted_);
 }
@@ -788,6 +830,12 @@ std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodi
     std::move(names.begin(), names.end(), std::back_inserter(highlighted));
   }
   return scenes;
+}
+
+LessonScene changed_motion(LessonScene scene, const TomlTable& table, SourcePlace begin,
+                           const LessonBodies& bodies, const SceneWords& words, TextReader& texts) {
+  SceneKeys(bodies, words, scene, texts, SceneKeys::Of::row, begin).read(table);
+  return scene;
 }
 
 std::vector<SceneKeyFacts> scene_key_facts() {

@@ -74,6 +74,11 @@ std::vector<LessonScene> side_by_side(const LessonScene& scene, const LessonBodi
                                       const SceneWords& words, TextReader& texts,
                                       std::vector<PlacedText>& highlighted);
 
+/// The scene with another motion: by those keys of a table that begins at `begin` which speak of the body and
+/// how it moves. Others are errors, but `head` and `at`, which rows of tables have besides.
+LessonScene changed_motion(LessonScene scene, const TomlTable& table, SourcePlace begin,
+                           const LessonBodies& bodies, const SceneWords& words, TextReader& texts);
+
 /// The first of the scenes with the others beside it.
 Scene finished(const std::vector<LessonScene>& scenes, const LessonBodies& bodies);
 

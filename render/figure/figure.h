@@ -20,8 +20,9 @@ struct Pane {
 
 struct Figure {
   std::vector<Pane> panes;
-  std::string caption;
-  double caption_px = 0;  ///< em of the caption; all other type goes with it. 0: from the size of the picture
+  /// Em of a caption that stands below it; all type in the figure goes with it. 0: from the size of the
+  /// picture.
+  double caption_px = 0;
 };
 
 }  // namespace polhode

@@ -247,7 +247,6 @@ std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, doubl
 
 Figure make_figure(const SceneModel& model, double t_s, double aspect) {
   Figure figure;
-  figure.caption = model.scene.caption;
   figure.panes = model.drawn.contains(Overlay::turn_orders) ? make_panes_of_orders(model, t_s, aspect)
                                                             : make_panes_of_views(model, t_s, aspect);
   if (!figure.panes.empty() && model.drawn.contains(Overlay::values))

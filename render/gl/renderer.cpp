@@ -227,7 +227,7 @@ Status GlRenderer::paint(const Sheet& sheet, std::span<const Inset> insets, cons
                          const Framebuffer& page) {
   const Size size = page.size();
   start();
-  const Figure nothing{{Pane{}}, "", 0};  // the background alone
+  const Figure nothing{{Pane{}}, 0};  // the background alone
   passes_.figure->draw(nothing, background, 1, page, nullptr);
   passes_.sheet->draw(sheet.shapes, size);
   for (const Inset& inset : insets)

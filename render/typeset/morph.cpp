@@ -67,17 +67,12 @@ Pairs matched(const std::vector<Part>& a, const DisplayList& from, const std::ve
   return pairs;
 }
 
-Color between(const Color& a, const Color& b, double u) {
-  const auto f = static_cast<float>(u);
-  return {std::lerp(a.r, b.r, f), std::lerp(a.g, b.g, f), std::lerp(a.b, b.b, f), std::lerp(a.a, b.a, f)};
-}
-
 Glyph between(const Glyph& a, const Glyph& b, double u) {
   Glyph g = b;
   g.x = std::lerp(a.x, b.x, u);
   g.y = std::lerp(a.y, b.y, u);
   g.size = std::lerp(a.size, b.size, u);
-  g.color = between(a.color, b.color, u);
+  g.color = between(a.color, b.color, static_cast<float>(u));
   return g;
 }
 
@@ -98,7 +93,7 @@ Rule between(const Rule& first, const Rule& last, double u) {
   r.x1 = std::lerp(a.x1, b.x1, u);
   r.y1 = std::lerp(a.y1, b.y1, u);
   r.thickness = std::lerp(a.thickness, b.thickness, u);
-  r.color = between(a.color, b.color, u);
+  r.color = between(a.color, b.color, static_cast<float>(u));
   return r;
 }
 

@@ -792,7 +792,7 @@ Result<DisplayList, std::vector<TypeError>> set_text(const RichText& text, const
   return list;
 }
 
-DisplayList set_line(std::string_view text, const TextStyle& style, const Fonts& fonts) {
+DisplayList set_lines(std::string_view text, const TextStyle& style, const Fonts& fonts) {
   TextBlock block;
   std::size_t at = 0;
   for (const SourceSpan& formula : formulas_of_line(text)) {
@@ -801,9 +801,13 @@ DisplayList set_line(std::string_view text, const TextStyle& style, const Fonts&
     at = formula.end + 1;
   }
   if (at < text.size()) block.spans.push_back(plain_span(text, at, text.size()));
+  return TextSetter(style, fonts, true).set({block});
+}
+
+DisplayList set_line(std::string_view text, const TextStyle& style, const Fonts& fonts) {
   TextStyle one_line = style;
   one_line.width = 0.0;
-  return TextSetter(one_line, fonts, true).set({block});
+  return set_lines(text, one_line, fonts);
 }
 
 }  // namespace polhode

@@ -30,5 +30,7 @@ Result<DisplayList, std::vector<TypeError>> set_text(const RichText& text, const
 /// One line of plain text with formulas between single `$`, as labels and captions have it; no Markdown. What
 /// cannot be set is shown as it stands, a missing glyph as the font's own box.
 DisplayList set_line(std::string_view text, const TextStyle& style, const Fonts& fonts);
+/// The same in as many lines as the style's width asks for.
+DisplayList set_lines(std::string_view text, const TextStyle& style, const Fonts& fonts);
 
 }  // namespace polhode

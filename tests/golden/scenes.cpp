@@ -46,11 +46,6 @@ Scene given_attitude(Scene scene, const Quat& q_SB) {
   return scene;
 }
 
-Scene captioned(Scene scene, const char* caption) {
-  scene.caption = caption;
-  return scene;
-}
-
 Scene translating(Scene scene, const Vec3& v0_S, const Vec3& F_S, double duration_s) {
   scene.v0_S = v0_S;
   scene.F_S = F_S;
@@ -203,10 +198,9 @@ std::vector<Golden> all() {
        O::energy_ellipsoid,
        {{Mutation::color, "the arrow of ω is shorter than the ball at its tail"}}},
       {"poinsot",
-       captioned(base(kGeneric, 1.1,
-                      {O::energy_ellipsoid, O::omega, O::L, O::polhode, O::polhode_family, O::separatrix,
-                       O::herpolhode, O::plane, O::axes_body, O::labels, O::values}),
-                 "The ellipsoid rolls on the invariable plane"),
+       base(kGeneric, 1.1,
+            {O::energy_ellipsoid, O::omega, O::L, O::polhode, O::polhode_family, O::separatrix, O::herpolhode,
+             O::plane, O::axes_body, O::labels, O::values}),
        "studio",
        O::polhode_family,
        {}},

@@ -34,9 +34,15 @@ Image exported(const std::string& lesson, const PngFile& like, const std::string
   const ScratchFolder folder;
   const std::string size =
       std::to_string(like.image.size.width) + 'x' + std::to_string(like.image.size.height);
-  const ProgramRun run =
-      polhode({"export", lesson, "-o", (folder / "out").string(), "--stage", text_in(like, "polhode:stage"),
-               "--each", "step", "--what", what, "--size", size, "--at", text_in(like, "polhode:t")});
+  std::vector<std::string> words = {"export",  lesson,
+                                    "-o",      (folder / "out").string(),
+                                    "--stage", text_in(like, "polhode:stage"),
+                                    "--each",  "step",
+                                    "--what",  what,
+                                    "--size",  size,
+                                    "--at",    text_in(like, "polhode:t")};
+  if (what == "page") words.insert(words.end(), {"--profile", "page"});
+  const ProgramRun run = polhode(words);
   EXPECT_EQ(run.code, 0) << run.err;
   Result<PngFile> file = read_png(folder / "out" / name);
   EXPECT_TRUE(file);

@@ -227,7 +227,7 @@ class Check {
   static bool may_be_offered(const std::vector<std::string>& words) {
     static const std::set<std::string> kOptions = {
         "--output", "--stage",      "--what", "--each", "--size",    "--fps",       "--seconds", "--at",
-        "--theme",  "--background", "--dpi",  "--png",  "--quality", "--text-size", "--frames"};
+        "--theme",  "--background", "--dpi",  "--png",  "--quality", "--text-size", "--frames",  "--profile"};
     if (!shows_as_it_is(words) || !is_argument(words[2])) return false;
     for (std::size_t i = 3; i + 1 < words.size(); i += 2)
       if (!kOptions.contains(words[i]) || words[i + 1].starts_with("--")) return false;

@@ -116,6 +116,7 @@ std::string options_json(const ExportOptions& options) {
   json["theme"] = themed ? Json(options.theme == Theme::dark ? "dark" : "paper") : Json(nullptr);
   json["quality"] = options.quality ? Json(name_of(*options.quality)) : Json(nullptr);
   // So that what was exported before there was a choice is still the same export.
+  if (options.what == What::page && options.profile == Profile::slides) json["profile"] = "slides";
   if (options.text_scale != 1.0) json["text_size"] = options.text_scale;
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
   json["png"] = picture ? Json(options.png == PngPacking::small ? "small" : "fast") : Json(nullptr);

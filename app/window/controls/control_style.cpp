@@ -13,10 +13,6 @@ namespace {
 
 ImVec4 shade(const Color& color, float alpha = 1.0F) { return {color.r, color.g, color.b, alpha}; }
 
-ImVec4 between(const Color& a, const Color& b, float u) {
-  return {a.r + u * (b.r - a.r), a.g + u * (b.g - a.g), a.b + u * (b.b - a.b), 1.0F};
-}
-
 void set_distances(ImGuiStyle& style, const ControlSizes& sizes) {
   const float em = sizes.em;
   style.WindowPadding = {sizes.padding * 1.4F, sizes.padding * 1.2F};
@@ -100,11 +96,11 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   set_distances(style, sizes);
   const PageColors& page = colors_of(theme);
   const bool dark = theme == Theme::dark;
-  const ImVec4 ground = between(page.paper, page.ink, dark ? 0.05F : 0.045F);
-  const ImVec4 raised = dark ? between(page.paper, page.ink, 0.13F) : ImVec4{1, 1, 1, 1};
-  const ImVec4 hovered = between(page.paper, page.ink, dark ? 0.2F : 0.09F);
-  const ImVec4 pressed = between(page.paper, page.ink, dark ? 0.28F : 0.16F);
-  const ImVec4 line = between(page.paper, page.ink, 0.24F);
+  const ImVec4 ground = shade(between(page.paper, page.ink, dark ? 0.05F : 0.045F));
+  const ImVec4 raised = dark ? shade(between(page.paper, page.ink, 0.13F)) : ImVec4{1, 1, 1, 1};
+  const ImVec4 hovered = shade(between(page.paper, page.ink, dark ? 0.2F : 0.09F));
+  const ImVec4 pressed = shade(between(page.paper, page.ink, dark ? 0.28F : 0.16F));
+  const ImVec4 line = shade(between(page.paper, page.ink, 0.24F));
   const ImVec4 focus = shade(page.question);
   ImVec4* const c = style.Colors;
   c[ImGuiCol_Text] = shade(page.ink);
@@ -121,7 +117,7 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   // The number of a slider stands on its grab.
   c[ImGuiCol_SliderGrab] = shade(page.question, 0.38F);
   c[ImGuiCol_SliderGrabActive] = shade(page.accent, 0.5F);
-  c[ImGuiCol_Header] = between(page.paper, page.question, 0.18F);
+  c[ImGuiCol_Header] = shade(between(page.paper, page.question, 0.18F));
   c[ImGuiCol_HeaderHovered] = hovered;
   c[ImGuiCol_HeaderActive] = pressed;
   c[ImGuiCol_Separator] = c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = line;
@@ -130,7 +126,7 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = shade(page.quiet);
   c[ImGuiCol_PlotHistogram] = focus;
   c[ImGuiCol_PlotLines] = shade(page.meant);  // of what is right
-  c[ImGuiCol_TextSelectedBg] = between(page.paper, page.question, 0.35F);
+  c[ImGuiCol_TextSelectedBg] = shade(between(page.paper, page.question, 0.35F));
   c[ImGuiCol_NavHighlight] = shade(page.accent);
 }
 

@@ -310,14 +310,14 @@ TimePlot plot_of(Meter meter, const SceneModel& model, const Samples& samples) {
 }  // namespace
 
 std::size_t meter_count(const SceneModel& model) {
-  return model.needs.meters ? shown_meters(model.scene).size() : 0;
+  return model.needs.meters ? model.scene.meters.size() : 0;
 }
 
 std::vector<TimePlot> meter_plots(const SceneModel& model, double t_s) {
   if (!model.needs.meters) return {};
   const Samples samples = samples_of(model, t_s);
   std::vector<TimePlot> plots;
-  for (const PlotSpec& spec : shown_meters(model.scene)) {
+  for (const PlotSpec& spec : model.scene.meters) {
     if (const auto* own = std::get_if<OwnPlot>(&spec)) {
       plots.push_back(own_plot(*own, model, samples, t_s));
       continue;

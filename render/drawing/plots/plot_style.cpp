@@ -53,10 +53,6 @@ const LookStyle& style_of(PlotLook look) {
   return kGrey;
 }
 
-Color between(const Color& a, const Color& b, float f) {
-  return {std::lerp(a.r, b.r, f), std::lerp(a.g, b.g, f), std::lerp(a.b, b.b, f), 1.0F};
-}
-
 /// Corners on a circle, the first at `turn` from the right, counted downwards; of a star every other one lies
 /// further in.
 std::vector<Vec2> ring(const Vec2& at, double radius, int corners, double turn, double inner = 1.0) {

@@ -31,10 +31,6 @@ constexpr int kMostIntervals = 4;
 constexpr int kLeastDecades = 2;
 constexpr double kSimplification = 0.1;  // px
 
-Color mixed(const Color& a, const Color& b, float f) {
-  return {std::lerp(a.r, b.r, f), std::lerp(a.g, b.g, f), std::lerp(a.b, b.b, f), 1.0F};
-}
-
 struct Tick {
   double px;
   std::string text;
@@ -242,7 +238,7 @@ class TimePlotLayout {
       const double y = crisp(tick.px);
       const bool base = std::abs(tick.px - axis_.base_px()) < 0.5;
       add_line({{frame_.x0, y}, {frame_.x1, y}}, px(base ? kAxisLine : kHairline),
-               base ? mixed(style_.muted, style_.paper, 0.35F) : style_.grid);
+               base ? between(style_.muted, style_.paper, 0.35F) : style_.grid);
       add_text(tick.text, {frame_.x0 - px(kMarkGap), std::round(y + px(0.5 * kCapHeight))}, 1.0,
                style_.muted);
     }
@@ -368,7 +364,7 @@ class TimePlotLayout {
     if (!plot_.now || !std::isfinite(*plot_.now) || plot_.t.empty()) return;
     if (*plot_.now < plot_.t.front() || *plot_.now > plot_.t.back()) return;
     const double x = crisp(time_.px(*plot_.now));
-    add_line({{x, frame_.y0}, {x, frame_.y1}}, px(kAxisLine), mixed(style_.muted, style_.paper, 0.2F));
+    add_line({{x, frame_.y0}, {x, frame_.y1}}, px(kAxisLine), between(style_.muted, style_.paper, 0.2F));
     for (const TimeSeries& series : plot_.series)
       if (const std::optional<double> y = px_now(series)) add_point({x, *y}, series);
   }

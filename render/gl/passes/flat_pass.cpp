@@ -238,15 +238,7 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
 
 void FlatPass::add_frame_titles(const Figure& figure, Size size, Parts& parts) {
   const double em = parts.type_px, margin = kMargin * em;
-  double bottom = size.height - margin;
-  if (!figure.caption.empty()) {
-    const double wanted = kCaptionSize * em;
-    const double fitting =
-        std::min(1.0, (size.width - 2.0 * margin) / line_of(figure.caption, wanted, kInk).width);
-    add_line(figure.caption, fitting * wanted, 0.5 * size.width, bottom - 0.3 * wanted, 0.5,
-             readable(kInk, parts.halo), parts.halo, parts);
-    bottom -= 2.0 * wanted;
-  }
+  const double bottom = size.height - margin;
   for (const Pane& pane : figure.panes) {
     const PixelBox frame = pixels_of(pane, size);
     if (!pane.title.empty())

@@ -91,8 +91,8 @@ struct Scene {
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
   std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
   QualityLevel quality = QualityLevel::normal;
-  std::string caption;                          ///< one line in the picture
-  std::optional<std::vector<PlotSpec>> meters;  ///< of a page; absent: by whether there is torque
+  std::string caption;            ///< one line in the picture
+  std::vector<PlotSpec> meters;   ///< plots of a page
   std::vector<Scene> beside{};    ///< shown beside it at the same t, at its rate; they have none beside them
   std::size_t before = 0;         ///< so many of them stand before it: further left, or above
   std::vector<Variation> vary{};  ///< then those beside it are itself at other values of the first of these

@@ -75,7 +75,7 @@ void check_size(const Scene& scene, const Requirements& needs) {
     throw std::domain_error("the angular velocity is too large or too small to be drawn");
   if (!std::isfinite(norm_of(angular_momentum_B(I, w_B))))
     throw std::domain_error("the angular momentum exceeds the largest number there is, 1.8e308 kg m²/s");
-  const std::vector<PlotSpec> meters = needs.meters ? shown_meters(scene) : std::vector<PlotSpec>{};
+  const std::vector<PlotSpec> meters = needs.meters ? scene.meters : std::vector<PlotSpec>{};
   const bool tells_energy = scene.show.contains(Overlay::values) ||
                             std::find(meters.begin(), meters.end(), PlotSpec(Meter::energy)) != meters.end();
   if (tells_energy && !std::isfinite(2.0 * kinetic_energy(I, w_B)))

@@ -72,12 +72,6 @@ std::string what_is_unseen(Overlay overlay, const Scene& scene) {
   return half_of_cones ? "shows the body cone alone: the space cone is seen from space only" : "";
 }
 
-std::vector<PlotSpec> shown_meters(const Scene& scene) {
-  if (scene.meters) return *scene.meters;
-  if (scene.torque.empty()) return {Meter::omega, Meter::drift};
-  return {Meter::omega, Meter::energy, Meter::momentum};
-}
-
 namespace {
 
 /// A quantity of the lesson's own may speak of all there is of a motion.
@@ -124,7 +118,7 @@ Requirements requirements(const Scene& scene, Product product) {
   if (product == Product::numbers) return {.omega = true, .attitude = true};
   Requirements needs = requirements_of_figure(scene);
   if (product == Product::figure) return needs;
-  for (const PlotSpec& plot : shown_meters(scene)) {
+  for (const PlotSpec& plot : scene.meters) {
     needs.meters = needs.omega = true;
     needs.attitude = needs.attitude || needs_attitude(plot, scene);
   }

@@ -21,10 +21,6 @@ OverlaySet drawn_overlays(const Scene& scene);
 /// is.
 std::string what_is_unseen(Overlay overlay, const Scene& scene);
 
-/// The plots of a page about the scene: those it names, or else ω and drift without a torque, and ω, energy
-/// and momentum under one.
-std::vector<PlotSpec> shown_meters(const Scene& scene);
-
 /// What a scene is modelled for. A page has plots besides its figure; numbers need the motion, and nothing of
 /// what is drawn.
 enum class Product { numbers, figure, page };

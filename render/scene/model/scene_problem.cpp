@@ -33,14 +33,6 @@ Vec3 along_L_B(const Scene& scene) {
   return times_two_to(-exponent_of(I), I).cwiseProduct(times_two_to(-exponent_of(w_B), w_B));
 }
 
-/// Where nothing is said, the plane decides. Without a torque that only turns the whole picture: the motion
-/// in the body is the same, and the plane, to which L is normal, has to lie below. A torque that knows of
-/// space does tell up from down; there an author states the attitude, and the default is kept all the same,
-/// so that one rule (FORMAT.md) holds of every scene.
-AttitudeSpec attitude_spec(const Scene& scene) {
-  return scene.attitude.value_or(scene.show.contains(Overlay::plane) ? LPoints::down : LPoints::up);
-}
-
 Quat initial_attitude(const Scene& scene) {
   const AttitudeSpec spec = attitude_spec(scene);
   if (const Quat* given = std::get_if<Quat>(&spec)) return given->normalized();
@@ -49,6 +41,10 @@ Quat initial_attitude(const Scene& scene) {
 }
 
 }  // namespace
+
+AttitudeSpec attitude_spec(const Scene& scene) {
+  return scene.attitude.value_or(scene.show.contains(Overlay::plane) ? LPoints::down : LPoints::up);
+}
 
 Problem problem_of(const Scene& scene) {
   return {scene.body.moments, {initial_attitude(scene), scene.w0_B}, scene.torque};
@@ -80,7 +76,6 @@ Scene completed(Scene scene) {
   scene.rate = shown_rate(scene);
   if (scene.beside.empty()) scene.duration_s = span_s(scene);  // else each has its own
   scene.still_s = still_time_s(scene);
-  scene.meters = shown_meters(scene);
   for (Scene& other : scene.beside) other = completed(std::move(other));
   return scene;
 }

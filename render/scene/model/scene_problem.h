@@ -10,6 +10,12 @@ namespace polhode {
 /// Body, state at t = 0 and torque of a scene.
 Problem problem_of(const Scene& scene);
 
+/// Where nothing is said, the plane decides. Without a torque that only turns the whole picture: the motion
+/// in the body is the same, and the plane, to which L is normal, has to lie below. A torque that knows of
+/// space does tell up from down; there an author states the attitude, and the default is kept all the same,
+/// so that one rule (FORMAT.md) holds of every scene.
+AttitudeSpec attitude_spec(const Scene& scene);
+
 /// One polhode period; where there is none, a turn of ω, and under torque some of them.
 double natural_span_s(const Scene& scene);
 /// What curves over time cover and one loop of a film shows: `duration`, or the natural span.

@@ -471,7 +471,7 @@ TEST(Lint, ExplainsTheSceneOfAStep) {
   EXPECT_THAT(run.out, HasSubstr("\nat = 0.0  # default\n"));
   EXPECT_THAT(run.out,
               HasSubstr("\nmotion = { method = \"dormand-prince-8\", tolerance = 1e-10 }  # default\n"));
-  EXPECT_THAT(run.out, HasSubstr("\nmeters = [\"omega\", \"energy\", \"momentum\"]  # default\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nmeters = []  # default\n"));
 
   // In the same lesson it is the same motion, and says all of it.
   const std::string lesson = text_of(test_lesson("tops.md"));

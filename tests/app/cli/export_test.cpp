@@ -310,10 +310,32 @@ ProgramRun export_what(const char* what, const fs::path& folder, Words more = {}
   return polhode(words, options);
 }
 
-TEST(ExportPages, AreTheDefaultAndEveryStageHasOne) {
+TEST(ExportPages, SlidesAreTheDefaultAndEveryStepHasOne) {
   const ScratchFolder scratch;
   const ProgramRun run =
       polhode({"export", test_lesson("tiny.md"), "-o", scratch.path(), "--size", "640x400"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(names_in(scratch.path()),
+              ElementsAre("01-steady-step1.png", "01-steady-step2.png", "02-words-step1.png",
+                          "03-rolling-step1.png", "manifest.json"));
+  const Json manifest = manifest_in(scratch.path());
+  EXPECT_EQ(manifest["options"]["profile"], "slides");
+  const std::string second = manifest["files"][1]["alt"];
+  EXPECT_THAT(second, HasSubstr("The same, from the body."));
+  EXPECT_THAT(second, testing::Not(HasSubstr("About axis 3"))) << "of the step before";
+}
+
+TEST(ExportPages, ProfilesAreOfPages) {
+  const ScratchFolder scratch;
+  const ProgramRun run = export_what("figure", scratch.path(), {"--profile", "slides"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--profile goes with pages"));
+}
+
+TEST(ExportPages, EveryStageHasOneWithItsStepsBefore) {
+  const ScratchFolder scratch;
+  const ProgramRun run = polhode(
+      {"export", test_lesson("tiny.md"), "-o", scratch.path(), "--size", "640x400", "--profile", "page"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(names_in(scratch.path()),
               ElementsAre("01-steady.png", "02-words.png", "03-rolling.png", "manifest.json"));
@@ -334,7 +356,7 @@ TEST(ExportPages, AreTheDefaultAndEveryStageHasOne) {
 
 TEST(ExportPages, HaveAThemeAndRepeatToTheByte) {
   const ScratchFolder scratch;
-  const Words small = {"--size", "480x320", "--stage", "rolling", "--theme", "dark"};
+  const Words small = {"--size", "480x320", "--stage", "rolling", "--theme", "dark", "--profile", "page"};
   ASSERT_EQ(export_what("page", scratch / "a", small).code, 0);
   ASSERT_EQ(export_what("page", scratch / "b", small).code, 0);
   EXPECT_EQ(contents(scratch / "a"), contents(scratch / "b"));
@@ -356,8 +378,8 @@ TEST(ExportPages, FramesDoNotDependOnTheRangeTheyAreMadeIn) {
 
 TEST(ExportPages, FrameByFrameTheStepsOfAStageComeOneAfterTheOther) {
   const ScratchFolder scratch;
-  const Words film = {"--size", "320x240", "--stage", "steady",    "--each",
-                      "frame",  "--fps",   "10",      "--seconds", "1.6"};
+  const Words film = {"--size", "320x240", "--stage",   "steady", "--each",    "frame",
+                      "--fps",  "10",      "--seconds", "1.6",    "--profile", "page"};
   ASSERT_EQ(export_what("page", scratch.path(), film).code, 0);
   const Json files = manifest_in(scratch.path())["files"];
   const auto text_column = [&](std::size_t frame) {  // the left half

@@ -147,7 +147,7 @@ torque = "body:0,0,2"
 at = 1
 +++
 # A stage {one}
-It spins at $\live[unit={rad/s}]{w3}$, once at $\value{3}{w3 - 1}$.
+It spins at $\live[unit={rad/s}]{w3}$, once at $\value{3}{3*w3/4}$.
 
 | time | spin |
 |------|-----:|
@@ -180,6 +180,36 @@ TEST(Transcript, HasTheNumbersOfTheStills) {
   EXPECT_EQ(speech.words_of_figure(reading.lesson->stages[0].steps[0]).at(0).caption, "Spin 4.00");
   EXPECT_EQ(speech.words_of_figure(reading.lesson->stages[0].steps[1]).at(0).caption, "Spin 5.00")
       << "the caption goes on, the scene too";
+}
+
+constexpr const char* kTable = R"(+++
+format = 1
+id = "table"
+title = "Table"
+[body.spun]
+moments = [1.5, 1.5, 2]
+[scene]
+body = "spun"
+omega = [0, 0, 3]
++++
+# A {a}
+```table
+columns = [{ head = "body" }, { head = "spin", of = "w3", unit = "rad/s" }, { of = "body_precession" }]
+rows = [{ head = "spun" }, { head = "pushed", omega = [0, 0, 6], torque = "body:0,0,1" }]
+```
+```scene
+show = ["omega"]
+```
+)";
+
+TEST(Transcript, SaysComputedTablesRowByRow) {
+  LessonReading reading = check_lesson(kTable, "table.md");
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+  EXPECT_THAT(
+      transcript_of(*reading.lesson, {}),
+      HasSubstr("\nTable with the columns body, spin (rad/s), precession in the body.\n  body: spun; spin "
+                "(rad/s): 3.00; precession in the body: 1.00.\n  body: pushed; spin (rad/s): 6.00; "
+                "precession in the body: Not defined.\n"));
 }
 
 std::size_t widest(const std::string& text) {

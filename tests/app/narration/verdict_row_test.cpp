@@ -51,20 +51,24 @@ Scene spinning() {
 }
 
 TEST(VerdictRow, SaysTheKindInAWordAndWhatIsKnown) {
-  EXPECT_EQ(row_of("ddt(L) = N", ClaimKind::motion).word, "MOTION");
-  EXPECT_THAT(row_of("ddt(L) = N", ClaimKind::motion).note, HasSubstr("proved"));
-  EXPECT_THAT(row_of("ddt(L) = N", ClaimKind::law).note, Not(HasSubstr("proved"))) << "nature decides";
-  EXPECT_EQ(row_of("star(L) = 0", ClaimKind::is_false).note,
-            "at I = (2, 3, 4), ω = (1, 1, 0), N = 0: (0, 0, −1) ≠ 0");
-  EXPECT_TRUE(row_of("star(L) = 0", ClaimKind::is_false).refutes);
+  const VerdictRow motion = row_of("ddt(L) = N", ClaimKind::motion);
+  EXPECT_EQ(motion.word, "true in every motion");
+  EXPECT_EQ(motion.note, "");
+  EXPECT_EQ(motion.certainty, Certainty::proved);
+  EXPECT_EQ(row_of("ddt(L) = N", ClaimKind::law).certainty, Certainty::stated) << "nature decides";
+  const VerdictRow wrong = row_of("star(L) = 0", ClaimKind::is_false);
+  EXPECT_EQ(wrong.word, "false");
+  EXPECT_EQ(wrong.note, "for example at I = (2, 3, 4), ω = (1, 1, 0), N = 0: (0, 0, −1) ≠ 0");
+  EXPECT_EQ(wrong.certainty, Certainty::refuted);
   EXPECT_THAT(row_of("ddt(T) = 0 => N = 0", ClaimKind::non_sequitur).note,
-              HasSubstr("the premise holds, yet"));
+              HasSubstr("where the premise holds: "));
 }
 
 TEST(VerdictRow, WhatIsNotProvedIsNotCalledSo) {
   const VerdictRow row = row_of("ddt(L) = N\nddt(L) = -N", ClaimKind::motion);
-  EXPECT_FALSE(row.proved);
-  EXPECT_THAT(row.note, HasSubstr("does not hold: at I = (2, 3, 4)"));
+  EXPECT_EQ(row.certainty, Certainty::refuted);
+  EXPECT_EQ(row.word, "does not hold");
+  EXPECT_THAT(row.note, HasSubstr("at I = (2, 3, 4)"));
 }
 
 TEST(VerdictRow, NamesTheMethodOfAMeasurement) {
@@ -91,7 +95,8 @@ TEST(VerdictRow, WhatCancelsTooFarIsNotCalledMeasured) {
   scene.torque = {SpaceTorque{Vec3(0, 0, 1e-3)}};
   const SceneModel model = make_model(scene);
   const VerdictRow row = row_of("ddt(T) = 0", ClaimKind::measured, &model);
-  EXPECT_FALSE(row.proved);
+  EXPECT_EQ(row.certainty, Certainty::open);
+  EXPECT_EQ(row.word, "not confirmed");
   EXPECT_EQ(row.note, "the terms cancel too far to tell");
 }
 

@@ -141,5 +141,80 @@ show = ["plane", "omega"]
   EXPECT_DOUBLE_EQ(numbers.of(*reading.lesson, step).at(0), -5.0);
 }
 
+constexpr const char* kTable = R"(+++
+format = 1
+id = "table"
+title = "Table"
+[body.spun]
+moments = [1.5, 1.5, 2]
+[scene]
+body = "spun"
+omega = [0, 0, 3]
++++
+# A {a}
+```table
+columns = [{ head = "a" }, { of = "w3", digits = 4 }, { of = "body_precession" }]
+rows = [
+  { head = "x" },
+  { head = "y", omega = [0, 0, 1200] },
+  { head = "z", omega = [0, 0, -1.25e7] },
+  { head = "w", omega = [1, 1, 2.25], torque = "body:0,0,1" },
+]
+```
+```scene
+show = ["omega"]
+```
+)";
+
+std::map<int, std::optional<double>> numbers_of_table(const Lesson& lesson) {
+  StillNumbers stills;
+  const StillNumbers::Values& values = stills.of(lesson, lesson.stages[0].steps[0]);
+  std::map<int, std::optional<double>> all;
+  for (int id = 0; id < static_cast<int>(lesson.numbers.size()); ++id) {
+    const auto value = values.find(id);
+    all[id] = value != values.end() ? std::optional(value->second) : std::nullopt;
+  }
+  return all;
+}
+
+// 3.000, 1200, −1.250·10⁷ and 2.250: what stands before the point ends at the same place.
+TEST(PageNumbers, OfATableStandWithTheirPointsBelowEachOther) {
+  const Lesson lesson = lesson_of(kTable);
+  PageNumbers numbers(lesson, test_fonts());
+  for (const auto& [id, value] : numbers_of_table(lesson)) numbers.keep(id, value);
+  const auto& prose = std::get<Prose>(lesson.stages[0].steps[0].blocks[0]);
+  const TextTable table = numbers.put_into(prose.text).front().table;
+  const auto width = [](const Math& math) {
+    MathStyle style;
+    style.size = 100;
+    return set_math(math, style, test_fonts()).value().width;
+  };
+  const auto width_of = [&](const char* tex) { return width(parse_math(tex).value()); };
+  const auto behind = [&](std::size_t row, const char* before) {
+    return width(table.rows[row][1].front().math) - width_of(before);
+  };
+  const double kOnTheGrid = 0.02;  // px: room is written with four digits of an em of 100 px
+  const double widest = width_of(".250{\\cdot}10^{7}");
+  EXPECT_NEAR(behind(1, "3"), widest, kOnTheGrid);
+  EXPECT_NEAR(behind(2, "1200"), widest, kOnTheGrid);
+  EXPECT_NEAR(behind(3, "-1"), widest, kOnTheGrid);
+  EXPECT_NEAR(behind(4, "2"), widest, kOnTheGrid);
+}
+
+// Of a symmetric body under a torque there is no free precession.
+TEST(PageNumbers, OfATableThatAreNotDefinedAreDashes) {
+  const Lesson lesson = lesson_of(kTable);
+  const auto values = numbers_of_table(lesson);
+  EXPECT_TRUE(values.at(1));
+  ASSERT_FALSE(values.at(7));
+  PageNumbers numbers(lesson, test_fonts());
+  for (const auto& [id, value] : values) numbers.keep(id, value);
+  const auto& prose = std::get<Prose>(lesson.stages[0].steps[0].blocks[0]);
+  const TextTable table = numbers.put_into(prose.text).front().table;
+  MathStyle style;
+  const auto set = [&](const Math& math) { return letters_of(set_math(math, style, test_fonts()).value()); };
+  EXPECT_EQ(set(table.rows[4][2].front().math), set(parse_math("\\text{–}").value()));
+}
+
 }  // namespace
 }  // namespace polhode

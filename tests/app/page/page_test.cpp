@@ -96,7 +96,8 @@ class Checked {
         page_(compose_page(request, test_fonts()).value()),
         symbols_(symbols_of(request.lesson, request.theme)),
         numbers_(numbers_at(request)),
-        column_(page_.column.width(), page_.scale * em(), request.theme, symbols_, numbers_, test_fonts()) {
+        column_(page_.column.width(), page_.scale * em(), request.theme, request.profile, symbols_, numbers_,
+                test_fonts()) {
     for (const PlacedType* text : column_of(page_)) said_.insert(polhode::letters_of(text->list));
   }
 
@@ -378,7 +379,7 @@ TEST(Page, AStepThatNoPageHoldsIsRefusedWithItsStage) {
 TEST(Page, DependsOnItsRequestAlone) {
   const Stage* stage = nullptr;
   for (const Stage& s : lecture().stages)
-    if (!stage && s.steps.back().scene && !shown_meters(*s.steps.back().scene).empty()) stage = &s;
+    if (!stage && s.steps.back().scene && !s.steps.back().scene->meters.empty()) stage = &s;
   ASSERT_NE(stage, nullptr);
   const Scene& scene = *stage->steps.back().scene;
   const SceneModel model = make_model(scene, Product::page);

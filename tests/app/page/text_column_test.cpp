@@ -72,7 +72,9 @@ class Column : public testing::TestWithParam<Sizes> {
  protected:
   double width() const { return GetParam().width; }
   double em() const { return GetParam().em; }
-  TextColumn column() const { return {width(), em(), Theme::paper, symbols_, numbers_, test_fonts()}; }
+  TextColumn column() const {
+    return {width(), em(), Theme::paper, Profile::page, symbols_, numbers_, test_fonts()};
+  }
   const PageColors& colors() const { return colors_of(Theme::paper); }
 
   std::vector<ColumnPiece> all() const {
@@ -257,7 +259,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Column, testing::ValuesIn(kSizes));
 TEST(TextColumn, ALongEquationIsBrokenBeforeItIsSetSmaller) {
   const std::vector<MathSymbol> none;
   const PageNumbers numbers(lesson(), test_fonts());
-  const TextColumn column(651, 23.25, Theme::paper, none, numbers, test_fonts());
+  const TextColumn column(651, 23.25, Theme::paper, Profile::page, none, numbers, test_fonts());
   const auto equations = blocks_of<Equation>();
   const auto size_of = [&](const Equation& e) {
     return column.equation(e, Focus::none, {}).value().sheet.texts.back().list.glyphs[0].size;
@@ -273,7 +275,7 @@ TEST(TextColumn, WhatTheFontsLackIsRefused) {
   ASSERT_TRUE(reading.lesson);
   const std::vector<MathSymbol> none;
   const PageNumbers numbers(*reading.lesson, test_fonts());
-  const TextColumn column(651, 23.25, Theme::paper, none, numbers, test_fonts());
+  const TextColumn column(651, 23.25, Theme::paper, Profile::page, none, numbers, test_fonts());
   const auto prose = column.prose(std::get<Prose>(reading.lesson->stages[0].steps[0].blocks[0]).text);
   ASSERT_FALSE(prose);
   EXPECT_THAT(prose.error(), testing::HasSubstr("this text cannot be set"));

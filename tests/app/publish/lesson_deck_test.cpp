@@ -157,7 +157,8 @@ TEST(ExportDeck, IsTheSameWithAndWithoutAFolderForThePictures) {
     EXPECT_TRUE(text_of(folder / a) == text_of(folder / b)) << ending;
   }
   EXPECT_THAT(names_in(folder / "kept"),
-              ElementsAre("01-steady.png", "02-words.png", "03-rolling.png", "manifest.json"));
+              ElementsAre("01-steady-step1.png", "01-steady-step2.png", "02-words-step1.png",
+                          "03-rolling-step1.png", "manifest.json"));
 }
 
 // Whoever may write beside the deck can guess the name of the folder that its pictures pass through.

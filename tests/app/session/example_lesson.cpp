@@ -32,6 +32,7 @@ title = "Example"
 [scene]
 body = "textbook"
 omega = [0.1, 2.0, 0.1]
+meters = ["omega"]
 +++
 
 # Free {free}

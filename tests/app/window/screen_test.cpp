@@ -89,6 +89,7 @@ TEST_F(ScreenTest, ThePageIsTheOneThatExportMakes) {
   const Image shown = screen->page().picture().read();
   ExportOptions options;
   options.size = shown.size;
+  options.profile = Profile::page;
   options.at_s = session.t_s();
   const PlannedPicture picture{.stage = &session.stage(),
                                .number = 6,

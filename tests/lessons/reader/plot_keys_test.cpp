@@ -35,7 +35,7 @@ std::vector<PlotSpec> plots_of(const std::string& meters) {
   LessonReading reading = read_lesson(lesson_with_meters(meters), "plots.md");
   EXPECT_THAT(testing::lines_of(reading.diagnostics), IsEmpty()) << meters;
   if (!reading.lesson) return {};
-  return reading.lesson->stages.front().steps.front().scene->meters.value_or(std::vector<PlotSpec>());
+  return reading.lesson->stages.front().steps.front().scene->meters;
 }
 
 OwnPlot own_plot(const std::string& table) {
@@ -199,7 +199,7 @@ const Lesson& example() {
 TEST(PlotsOfTheFormat, TheTopTurnsBackWhereItsPotentialMeetsItsLevel) {
   const Scene& scene = *example().stages.front().steps.front().scene;
   const SceneModel model = make_model(scene, Product::page);
-  const PlotFunction& f = *std::get<OwnPlot>(scene.meters->at(1)).function;
+  const PlotFunction& f = *std::get<OwnPlot>(scene.meters.at(1)).function;
   const auto level_at = [&](double t_s) { return f.level->value(model, t_s, model.motion->at(t_s))->x(); };
   const auto u_at = [&](double t_s) { return f.of.value(model, t_s, model.motion->at(t_s))->x(); };
   // E' − U(u) = ½ I1 θ̇², with θ̇ the rate of Euler's angle: a difference of the motion's angles.

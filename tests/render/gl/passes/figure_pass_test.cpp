@@ -67,7 +67,7 @@ TEST(FigurePass, CrossingLinesLeaveNoCracks) {
 TEST(FigurePass, PiecesOfACurveMeetWithoutACrack) {
   Drawn drawn;
   const Scene scene = poinsot_scene();
-  Figure figure{{Pane{}}, "", 0};
+  Figure figure{{Pane{}}, 0};
   Pane& pane = figure.panes[0];
   pane.camera = orbit(scene.camera, Vec3::Zero(), 1);
   // Ever finer from one end to the other: no two pieces have the same bow.

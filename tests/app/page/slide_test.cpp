@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Pages of the profile slides: the step alone, large, of one size throughout its stage.
+#include "app/page/page.h"
+#include "app/page/page_text.h"
+#include "lessons/reader/reader.h"
+#include "tests/app/page/sheet_checks.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace polhode {
+namespace {
+
+constexpr const char* kHead =
+    "+++\nformat = 1\nid = \"x\"\ntitle = \"A lesson\"\n[scene]\nbody = \"textbook\"\nshow = "
+    "[\"omega\"]\n+++\n";
+
+Lesson lesson_of(const std::string& stages) {
+  LessonReading reading = read_lesson(kHead + stages, "x.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  return std::move(*reading.lesson);
+}
+
+constexpr Size kSlides[] = {{1600, 900}, {1024, 768}, {1080, 1920}, {3840, 2160}};
+
+/// The x-height of Pagella and Heros, em.
+constexpr double kSerifXHeight = 0.469, kSansXHeight = 0.523;
+constexpr double kSmallest = 0.62;  ///< em: ticks of plots, labels of call-outs, headers
+
+class Slides {
+ public:
+  explicit Slides(const std::string& stages, Size size = kSlides[0])
+      : lesson_(lesson_of(stages)), size_(size) {}
+
+  const Stage& stage() const { return lesson_.stages[0]; }
+  PageRequest request(int step, const SceneModel* model) const {
+    return {.lesson = lesson_,
+            .stage = stage(),
+            .step = step,
+            .model = model,
+            .size = size_,
+            .profile = Profile::slides};
+  }
+  Page page(int step) const {
+    const auto& scene = stage().steps[static_cast<std::size_t>(step - 1)].scene;
+    if (!scene) return compose_page(request(step, nullptr), test_fonts()).value();
+    const SceneModel model = make_model(*scene, Product::page);
+    return compose_page(request(step, &model), test_fonts()).value();
+  }
+
+ private:
+  Lesson lesson_;
+  Size size_;
+};
+
+/// Em of the largest letters among those of the column whose text has no other mark than being there.
+double prose_em(const Page& page) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlacedType& text : page.sheet.texts)
+    if (text.at.x() >= page.column.x0 && text.list.glyphs.size() > 20 && text.at.y() > page.column.y0)
+      least = std::min(least, text.list.glyphs.front().size);
+  return least;
+}
+
+constexpr const char* kTwoSteps =
+    "# A stage {s}\n\nThe first step has these words, and a line more of them.\n\n```math first\nT = "
+    "1\n```\n\n"
+    "```scene\n```\n\n---\n\nThe second step has these other words, and a line more of them.\n\n```math "
+    "second\nT = "
+    "2\n```\n";
+
+TEST(Slide, HasTheStepAloneAndWhatItGoesOnFrom) {
+  const Slides slides(kTwoSteps);
+  const Page first = slides.page(1), second = slides.page(2);
+  ASSERT_EQ(second.equations.size(), 1u);
+  EXPECT_EQ(second.equations[0]->id, "second");
+  EXPECT_EQ(second.whole_from, 2);
+  const auto foot = [](const Page& page) {
+    std::size_t below = 0;
+    for (const PlacedType& text : page.sheet.texts)
+      below += text.at.x() < page.column.x1 && text.at.y() > page.column.y1 - 0.08 * 900 ? 1u : 0u;
+    return below;
+  };
+  EXPECT_EQ(foot(first), 0u) << "nothing came before";
+  EXPECT_EQ(foot(second), 2u) << "words and the equation";
+}
+
+TEST(Slide, TypeIsLargeEnoughToProject) {
+  for (const Size& size : kSlides) {
+    const Page page = Slides(kTwoSteps, size).page(2);
+    EXPECT_EQ(page.scale, 1.0);
+    const double em = prose_em(page), side = std::min(size.width, size.height);
+    EXPECT_GE(em * kSerifXHeight, 0.018 * side) << size.width;
+    EXPECT_GE(kSmallest * em * kSansXHeight, 0.013 * side) << size.width;
+  }
+}
+
+TEST(Slide, AFigureHasMostOfItWhereTextIsShort) {
+  const Page page = Slides(kTwoSteps).page(1);
+  EXPECT_GE(page.figure.width() * page.figure.height(), 0.6 * 1600 * 900);
+}
+
+TEST(Slide, AllStepsOfAStageHaveOneSizeAndOneColumn) {
+  std::string words;
+  for (int i = 0; i < 90; ++i) words += fmt::format("word{} ", i);
+  const std::string stages = "# A stage {s}\n\nA few words.\n\n```scene\n```\n\n---\n\n" + words + "\n";
+  const Slides slides(stages);
+  const Page first = slides.page(1), second = slides.page(2);
+  EXPECT_EQ(first.scale, second.scale);
+  EXPECT_EQ(first.column.x1, second.column.x1);
+  EXPECT_GT(first.column.x1, Slides(kTwoSteps).page(1).column.x1) << "wider for the sake of the second";
+}
+
+TEST(Slide, WhatIsTooMuchIsSmallerAndNeverCut) {
+  std::string words;
+  for (int i = 0; i < 400; ++i) words += "many words ";
+  const Page page = Slides("# A stage {s}\n\n" + words + "\n\n```scene\n```\n").page(1);
+  EXPECT_LT(page.scale, 0.8);
+  for (const PlacedType& text : page.sheet.texts) EXPECT_LE(text.at.y() + text.list.depth, 900.0);
+}
+
+TEST(Slide, IsTheSameWithATypeThatWasFoundBefore) {
+  const Slides slides(kTwoSteps);
+  const SceneModel model = make_model(*slides.stage().steps[0].scene, Product::page);
+  PageRequest request = slides.request(1, &model);
+  const SlideType type = slide_type_of(request, test_fonts()).value();
+  const Page found = compose_page(request, test_fonts()).value();
+  request.slide_type = &type;
+  const Page given = compose_page(request, test_fonts()).value();
+  EXPECT_EQ(found.column.x1, given.column.x1);
+  EXPECT_EQ(found.sheet.texts.size(), given.sheet.texts.size());
+}
+
+}  // namespace
+}  // namespace polhode
