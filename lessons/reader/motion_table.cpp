@@ -238,7 +238,7 @@ class MotionTableReader {
     scene.attitude = attitude_spec(scene);
     scene.show = {};
     scene.marks = {};
-    scene.meters.emplace();
+    scene.meters.clear();
     scene.highlight.clear();
     scene.caption.clear();
     scene.vary.clear();
