@@ -366,8 +366,10 @@ std::string SpeechText::words_of_marks(const Scene& scene) const {
 
 std::string SpeechText::words_of_page(const Stage& stage, int first, int last) const {
   std::string text = words_of_title(stage);
-  for (int step = first; step <= last; ++step)
-    for (const Block& block : stage.steps[static_cast<std::size_t>(step - 1)].blocks) {
+  for (int i = first; i <= last; ++i) {
+    const Step& step = stage.steps[static_cast<std::size_t>(i - 1)];
+    if (!step.title.empty()) add(text, sentence(words(step.title)));
+    for (const Block& block : step.blocks) {
       if (const auto* prose = std::get_if<Prose>(&block)) add(text, words(prose->text));
       if (const auto* equation = std::get_if<Equation>(&block)) add(text, words(*equation));
       if (const auto* claim = std::get_if<Claim>(&block)) add(text, words(*claim));
@@ -376,6 +378,7 @@ std::string SpeechText::words_of_page(const Stage& stage, int first, int last) c
       if (const auto* note = std::get_if<Footnote>(&block))
         add(text, raised_number(note->number) + ' ' + sentence(words(note->text)));
     }
+  }
   return text;
 }
 

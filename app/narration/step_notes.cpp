@@ -46,6 +46,7 @@ class Notes {
       add(Kind::item, fmt::format("{}. {}", letter_of_choice(i), speech_.words(ask.choice_texts[i])));
   }
   void add(const FigureWords& figure) { add(Kind::figure, figure.opening + figure.caption); }
+  void add_title(std::string words) { add(Kind::text, std::move(words)); }
   void add_plots(const std::string& words) { add(Kind::figure, "Plotted: " + words); }
 
   std::vector<StepNote> take() { return std::move(notes_); }
@@ -74,6 +75,7 @@ std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int
   const auto begin = static_cast<std::size_t>(first - 1), end = static_cast<std::size_t>(last);
   for (std::size_t i = begin; i < end; ++i) {
     const Step& step = stage.steps[i];
+    notes.add_title(speech.words(step.title));
     for (const Block& block : step.blocks) std::visit([&](const auto& b) { notes.add(b); }, block);
     if (i == 0 || step.captions != stage.steps[i - 1].captions)
       for (const FigureWords& figure : speech.words_of_figure(step)) notes.add(figure);

@@ -27,6 +27,7 @@ class Transcript {
   void add(const Stage& stage, std::size_t number) {
     text_ += '\n' + underlined(fmt::format("{}. {}", number, speech_.words(stage.title_text)), '-');
     for (const Step& step : stage.steps) {
+      if (!step.title.empty()) text_ += '\n' + underlined(speech_.words(step.title), '~');
       for (const Block& block : step.blocks) std::visit([this](const auto& b) { add(b); }, block);
       const std::vector<FigureWords> figure = speech_.words_of_figure(step);
       if (!figure.empty() && figure != figure_) {

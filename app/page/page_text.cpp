@@ -73,6 +73,15 @@ Verdicts verdicts_of(const PageRequest& request) {
   return verdicts;
 }
 
+/// A title without emphasis, its formulas between dollars, as set_line has it.
+std::string in_a_line(const RichText& title) {
+  std::string line;
+  for_each_span(title, [&](const TextSpan& span) {
+    line += span.kind == TextSpan::Kind::math ? '$' + span.text + '$' : span.text;
+  });
+  return line;
+}
+
 /// What the scenes of a step highlight.
 std::vector<std::string> marked_by(const Step& step) {
   std::vector<std::string> marked;
@@ -275,13 +284,19 @@ class ScaledText {
     return {};
   }
 
+  const Step& present() const { return request_.stage.steps[last_]; }
+  /// Whether the present step's title stands as that of a slide, in the place of the stage's.
+  bool has_own_title() const { return is_slide() && !present().title.empty(); }
+
   ColumnPiece title() {
-    ColumnPiece piece = noted(column_.title(request_.stage.title_text));
-    piece.of = &request_.stage;
+    const bool is_own = has_own_title();
+    ColumnPiece piece = noted(column_.title(is_own ? present().title : request_.stage.title_text));
+    piece.of = is_own ? static_cast<const void*>(&present().title) : &request_.stage;
     return piece;
   }
 
-  /// Lesson, stage, step: small, above the title; without the lesson's title where that is too long.
+  /// Lesson, stage, step: small, above the title; without the lesson's title where that is too long. Above
+  /// the title of a step the stage has its own.
   ColumnPiece header(bool continued) const {
     // It keeps its size where other type is set smaller, but not the size of a reader's larger type.
     const double em = em_ * std::max(scale_, 1.0 / std::max(1.0, request_.text_scale));
@@ -293,7 +308,8 @@ class ScaledText {
     if (!is_slide() && request_.stage.steps.size() > 1)
       place += fmt::format("  ·  step {} of {}", request_.step, request_.stage.steps.size());
     if (continued) place += "  ·  continued";
-    DisplayList line = set_line(request_.lesson.title + "  ·  " + place, quiet, fonts_);
+    const std::string whose = has_own_title() ? in_a_line(request_.stage.title_text) : request_.lesson.title;
+    DisplayList line = set_line(whose + "  ·  " + place, quiet, fonts_);
     if (line.width > width_) line = set_line(place, quiet, fonts_);
     ColumnPiece piece;
     piece.of = &request_.lesson;
@@ -330,6 +346,12 @@ class ScaledText {
       piece.is_new = is_present;
       (std::holds_alternative<Footnote>(block) ? made.notes : made.text).push_back(std::move(piece));
     };
+    if (!step.title.empty() && !is_slide()) {
+      made.text.push_back(noted(column_.step_title(step.title)));
+      made.text.back().of = &step.title;
+      made.text.back().is_new = is_present;
+      tell_cost_of(made.text.back());
+    }
     for (const Block& block : step.blocks) {
       if (const auto* equation = std::get_if<Equation>(&block))
         take(column_.equation(*equation, focus_on(*equation), marked,

@@ -64,6 +64,8 @@ class TextColumn {
   // The error of each says why the text cannot be set: the fonts lack a character of it.
 
   Result<ColumnPiece> title(const RichText& title) const;
+  /// Of a step, above its text on a page.
+  Result<ColumnPiece> step_title(const RichText& title) const;
   /// With the verdicts on what it claims below it. Terms of these names are marked.
   Result<ColumnPiece> equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
                                const std::vector<ColumnPiece>& verdicts = {}) const;

@@ -22,7 +22,7 @@ struct DeckSlide {
   std::filesystem::path png;    ///< its name without folder and ending identifies the slide; no two are alike
   int stage = 1;                ///< from 1; slides of a stage follow each other
   std::string title;            ///< of the stage
-  std::string part;             ///< "step 2 of 3"; empty: the slide is all of its stage
+  std::string part;             ///< "step 2 of 3", or its title; empty: the slide is all of its stage
   std::string alt;              ///< what is seen
   std::vector<StepNote> notes;  ///< their links lead to "#slide", or to an address of the web
 };

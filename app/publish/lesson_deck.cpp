@@ -21,9 +21,13 @@ Result<std::string> description_in(const std::filesystem::path& file) {
   return std::string();
 }
 
-std::string part_of(const PlannedPicture& picture, const ExportOptions& options) {
-  if (options.each == Each::step && picture.stage->steps.size() > 1)
-    return fmt::format("step {} of {}", picture.step, picture.stage->steps.size());
+/// Its title, or its number, where a slide is a step of several.
+std::string part_of(const SpeechText& speech, const PlannedPicture& picture, const ExportOptions& options) {
+  if (options.each == Each::step && picture.stage->steps.size() > 1) {
+    const Step& step = picture.stage->steps[static_cast<std::size_t>(picture.step - 1)];
+    return step.title.empty() ? fmt::format("step {} of {}", picture.step, picture.stage->steps.size())
+                              : speech.words(step.title);
+  }
   if (!picture.equation || options.each == Each::step) return {};
   return fmt::format("equation {}", picture.equation->tag.empty() ? picture.equation->id
                                                                   : "(" + picture.equation->tag + ")");
@@ -90,7 +94,7 @@ Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const E
     slide.png = folder / picture.file;
     slide.stage = picture.number;
     slide.title = speech.words(picture.stage->title_text);
-    slide.part = part_of(picture, options);
+    slide.part = part_of(speech, picture, options);
     Result<std::string> alt = description_in(slide.png);
     if (!alt) return failure(alt.error());
     slide.alt = std::move(*alt);

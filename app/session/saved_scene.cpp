@@ -132,16 +132,12 @@ std::vector<MarkdownBlock> blocks_of(const Stage& stage, std::size_t step, const
   TextReader texts(report);
   const int first_line = read_front_matter(texts).next_line;
   std::vector<MarkdownBlock> blocks;
-  bool inside = false;
-  std::size_t rules = 0;
+  const bool is_last = step + 1 == stage.steps.size();
   for (const MarkdownBlock& block : read_markdown(source, first_line, report).blocks) {
-    if (block.kind == MarkdownBlock::Kind::heading) {
-      if (inside) break;
-      inside = block.first_line == stage.place.line;
-    } else if (inside) {
-      if (block.kind == MarkdownBlock::Kind::rule && rules++ == step) break;
-      blocks.push_back(block);
-    }
+    if (block.first_line <= stage.place.line) continue;
+    const bool is_stage = block.kind == MarkdownBlock::Kind::heading && block.level == 1;
+    if (is_last ? is_stage : block.first_line >= stage.steps[step + 1].place.line) break;
+    blocks.push_back(block);
   }
   return blocks;
 }

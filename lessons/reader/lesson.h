@@ -97,6 +97,7 @@ using Block = std::variant<Prose, Equation, Claim, Callout, Ask, Footnote>;
 
 /// A step adds blocks to what the stage already shows; its scene is complete (inherited keys filled in).
 struct Step {
+  RichText title{};  ///< what the step comes to, in a sentence; empty: it has none
   std::vector<Block> blocks;
   /// Null: text alone. Steps that go on with a scene share it.
   std::shared_ptr<const Scene> scene;
@@ -107,7 +108,7 @@ struct Step {
   std::vector<std::shared_ptr<const RichText>> labels{};
   /// The scene with other numbers than it has, for the readers of its `vary`; null: there is none.
   std::shared_ptr<const VariedScene> varied{};
-  SourcePlace place{};  ///< of the stage's heading, or of the rule that it begins with
+  SourcePlace place{};  ///< of the stage's heading, or of the rule or title that it begins with
 };
 
 /// The caption of one of the scenes that are shown at a step, in the order in which they stand, or of a scene

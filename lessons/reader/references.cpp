@@ -41,7 +41,10 @@ class References {
   std::vector<OutsideReference> run() {
     // First the titles, which links elsewhere show.
     is_title_ = true;
-    for (Stage& stage : stages_) resolve(stage.title_text, stage);
+    for (Stage& stage : stages_) {
+      resolve(stage.title_text, stage);
+      for (Step& step : stage.steps) resolve(step.title, stage);
+    }
     is_title_ = false;
     for (Stage& stage : stages_)
       for (Step& step : stage.steps)

@@ -87,6 +87,9 @@ struct StageBuilder::Fence {
 
 bool StageBuilder::add(const MarkdownBlock& block) {
   ++parts_;
+  const bool names_step =
+      block.kind == MarkdownBlock::Kind::heading && block.level == 2 && !block.underlined && !stages_.empty();
+  if (names_step) return add_title(block);
   if (block.kind == MarkdownBlock::Kind::heading) return start_stage(block);
   if (stages_.empty()) {
     if (!said_text_before_stage_) {
@@ -95,7 +98,7 @@ bool StageBuilder::add(const MarkdownBlock& block) {
     said_text_before_stage_ = true;
     return true;
   }
-  if (block.kind == MarkdownBlock::Kind::rule) return start_step(block);
+  if (block.kind == MarkdownBlock::Kind::rule) return start_step(block.first_line);
   step_is_empty_ = false;
   if (block.kind == MarkdownBlock::Kind::fence) add_fence(block);
   if (block.kind == MarkdownBlock::Kind::quote) add_quote(block);
@@ -112,11 +115,12 @@ std::vector<Stage> StageBuilder::take() {
 
 bool StageBuilder::start_stage(const MarkdownBlock& block) {
   if (block.underlined || block.level != 1) {
-    report_.error(
-        {block.first_line, 1},
-        block.underlined ? "text above a line of - or = is a heading in Markdown"
-                         : "headings of level " + std::to_string(block.level) + " are not read",
-        block.underlined ? "put an empty line above ---" : "a stage starts with # Title {stage-id}");
+    report_.error({block.first_line, 1},
+                  block.underlined ? "text above a line of - or = is a heading in Markdown"
+                                   : "headings of level " + std::to_string(block.level) + " are not read",
+                  block.underlined
+                      ? "put an empty line above ---"
+                      : "a stage starts with # Title {stage-id}, a step may start with ## Title");
     return true;
   }
   finish_stage();
@@ -149,17 +153,24 @@ bool StageBuilder::start_stage(const MarkdownBlock& block) {
   return true;
 }
 
-bool StageBuilder::start_step(const MarkdownBlock& rule) {
+bool StageBuilder::start_step(int line) {
   finish_step();
   if (static_cast<int>(stages_.back().steps.size()) == kMaxStepsPerStage) {
-    report_.error({rule.first_line, 1},
-                  "a stage has at most " + std::to_string(kMaxStepsPerStage) + " steps");
+    report_.error({line, 1}, "a stage has at most " + std::to_string(kMaxStepsPerStage) + " steps");
     return false;
   }
   stages_.back().steps.emplace_back();
   step_has_scene_ = false;
   step_is_empty_ = true;
-  step().place = {rule.first_line, 1};
+  step().place = {line, 1};
+  return true;
+}
+
+/// Directly below the stage's heading or a rule it names the step that they begin; elsewhere it begins one.
+bool StageBuilder::add_title(const MarkdownBlock& heading) {
+  const bool begins = !step_is_empty_ || !step().title.empty();
+  if (begins && !start_step(heading.first_line)) return false;
+  step().title = read_step_title(heading.first_line, texts_);
   return true;
 }
 

@@ -29,7 +29,9 @@ class StageBuilder {
   struct Fence;
 
   bool start_stage(const MarkdownBlock& heading);
-  bool start_step(const MarkdownBlock& rule);
+  /// From the line of a rule, or of a step's title, on.
+  bool start_step(int line);
+  bool add_title(const MarkdownBlock& heading);
   void finish_step();
   void finish_stage();
   void check_claims();

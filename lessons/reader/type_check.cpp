@@ -20,15 +20,19 @@ class TypeCheck {
     title();
     for (const auto& [name, symbol] : lesson_.symbols) formula(symbol.math, symbol.offset);
     for (const Stage& stage : lesson_.stages) {
-      TextStyle heading = body_;
-      heading.bold = true;
-      text(stage.title_text, heading);
+      text(stage.title_text, heading());
       for (const Step& step : stage.steps) check(step);
     }
     return report_.take();
   }
 
  private:
+  TextStyle heading() const {
+    TextStyle style = body_;
+    style.bold = true;
+    return style;
+  }
+
   void title() {
     TextSpan span;
     span.text = lesson_.title;
@@ -40,6 +44,7 @@ class TypeCheck {
   }
 
   void check(const Step& step) {
+    text(step.title, heading());
     for (const Block& block : step.blocks) std::visit([this](const auto& b) { check(b); }, block);
     for (const auto& caption : step.captions)
       if (caption) in_figure(caption);

@@ -25,6 +25,12 @@ std::string slug(std::string_view title) {
   return id.empty() ? "stage-id" : id;
 }
 
+/// Without the marks of a heading before it, and the blanks around it.
+std::string_view text_of_heading(std::string_view line) {
+  const std::string_view text = trimmed(line);
+  return trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())));
+}
+
 }  // namespace
 
 Heading read_heading(int number, TextReader& texts) {
@@ -34,8 +40,7 @@ Heading read_heading(int number, TextReader& texts) {
   const auto place_of = [&](std::string_view part) {
     return advanced(start, line, static_cast<std::size_t>(part.data() - line.data()));
   };
-  std::string_view text = trimmed(line);
-  text = trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())));
+  const std::string_view text = text_of_heading(line);
   Heading heading;
   const std::size_t brace = text.rfind('{');
   if (text.empty() || text.back() != '}' || brace == std::string_view::npos) {
@@ -55,6 +60,15 @@ Heading read_heading(int number, TextReader& texts) {
   else
     report.error(heading.id_place, "bad stage id " + in_quotes(id), std::string(kIdRule));
   return heading;
+}
+
+RichText read_step_title(int number, TextReader& texts) {
+  const std::string_view title = text_of_heading(texts.source().line(number));
+  if (title.empty()) texts.report().error({number, 1}, "this step has no title", "## Title, or --- alone");
+  if (title.ends_with('}'))
+    texts.report().error(texts.source().place_of(title.substr(std::min(title.rfind('{'), title.size()))),
+                         "a step has no id", "leave out the braces; links lead to stages and equations");
+  return texts.line(LocatedText(texts.source(), title));
 }
 
 std::vector<PlacedText> read_words(std::string_view line, std::size_t begin, int number) {

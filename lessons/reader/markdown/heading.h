@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line that starts a stage, and words of a line with their places.
+// The lines that start a stage and name a step, and words of a line with their places.
 #pragma once
 
 #include "lessons/diagnostics/report.h"
@@ -21,6 +21,9 @@ struct Heading {
 
 /// Reads `# Title {stage-id}`, line `number` of the source.
 Heading read_heading(int number, TextReader& texts);
+
+/// Reads `## Title`, line `number` of the source.
+RichText read_step_title(int number, TextReader& texts);
 
 /// The words of a line from byte `begin` on (past its end: none), at most four of them.
 std::vector<PlacedText> read_words(std::string_view line, std::size_t begin, int number);

@@ -67,6 +67,16 @@ TEST(Transcript, HasWhatIsReadInItsOrder) {
   }
 }
 
+TEST(Transcript, HasTheTitlesOfSteps) {
+  const LessonReading reading = check_lesson(
+      "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# A {a}\n## It holds\nOne.\n\n## It ends\nTwo.\n",
+      "x.md");
+  EXPECT_THAT(transcript_of(*reading.lesson, {}),
+              HasSubstr("\nIt holds\n~~~~~~~~\n\nOne.\n\nIt ends\n~~~~~~~\n\nTwo.\n"));
+  EXPECT_THAT(SpeechText(*reading.lesson).words_of_page(reading.lesson->stages[0], 1, 2),
+              "A. It holds. One. It ends. Two.");
+}
+
 TEST(Transcript, TellsNeitherHintsNorAnswers) {
   EXPECT_THAT(transcript_of(lesson(), {}), Not(HasSubstr("secret")));
 }

@@ -91,6 +91,23 @@ TEST(Slide, HasTheStepAloneAndWhatItGoesOnFrom) {
   EXPECT_EQ(foot(second), 2u) << "words and the equation";
 }
 
+TEST(Slide, ATitleOfItsStepIsItsHeadline) {
+  const std::string untitled = "# Of the stage {s}\n\nA few words.\n\n```scene\n```\n";
+  const std::string titled = "# Of the stage {s}\n\n## Of the step\n\nA few words.\n\n```scene\n```\n";
+  const Page plain = Slides(untitled).page(1), named = Slides(titled).page(1);
+  // Header, headline and words each.
+  ASSERT_EQ(named.sheet.texts.size(), plain.sheet.texts.size());
+  std::size_t headlines = 0;
+  for (std::size_t i = 0; i < named.sheet.texts.size(); ++i) {
+    const DisplayList &a = plain.sheet.texts[i].list, &b = named.sheet.texts[i].list;
+    if (a.glyphs.empty() || b.glyphs.empty() || a.glyphs.size() == b.glyphs.size()) continue;
+    EXPECT_EQ(a.glyphs.front().size, b.glyphs.front().size);
+    ++headlines;
+  }
+  EXPECT_EQ(headlines, 2u)
+      << "the headline, and the stage's title in the header in the place of the lesson's";
+}
+
 TEST(Slide, TypeIsLargeEnoughToProject) {
   for (const Size& size : kSlides) {
     const Page page = Slides(kTwoSteps, size).page(2);

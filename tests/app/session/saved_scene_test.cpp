@@ -19,6 +19,7 @@ namespace polhode {
 namespace {
 
 using test::example;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -79,6 +80,7 @@ TEST(SavedScene, TextEquationsClaimsAndQuestionsComeBack) {
       const Step saved = saved_step(session);
       const Step& step = session.step();
       ASSERT_EQ(saved.blocks.size(), step.blocks.size()) << session.stage().id;
+      EXPECT_EQ(saved.title.empty(), step.title.empty()) << session.stage().id;
       for (std::size_t i = 0; i < step.blocks.size(); ++i) {
         ASSERT_EQ(saved.blocks[i].index(), step.blocks[i].index());
         if (const auto* equation = std::get_if<Equation>(&step.blocks[i])) {
@@ -90,6 +92,18 @@ TEST(SavedScene, TextEquationsClaimsAndQuestionsComeBack) {
       }
     }
   }
+}
+
+TEST(SavedScene, StepsThatBeginWithTheirTitleEndBeforeTheNextOne) {
+  LessonSession session(
+      test::loaded_text("+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# A {a}\n\n## One\n\nfirst\n\n## "
+                        "Two\n\nsecond\n\n---\n\nthird\n\n# B {b}\n\nx\n"));
+  const auto saved = [&] { return lesson_of(session); };
+  EXPECT_THAT(saved(), AllOf(HasSubstr("## One"), HasSubstr("first"), Not(HasSubstr("Two"))));
+  session.next_step();
+  EXPECT_THAT(saved(), AllOf(HasSubstr("## Two"), HasSubstr("second"), Not(HasSubstr("third"))));
+  session.next_step();
+  EXPECT_THAT(saved(), AllOf(HasSubstr("third"), Not(HasSubstr("# B"))));
 }
 
 /// What a hand may do, at random.

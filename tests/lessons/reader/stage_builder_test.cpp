@@ -43,6 +43,35 @@ TEST(Stages, HaveStepsAndBlocksInTheirOrder) {
   EXPECT_EQ(std::get<Callout>(stage.steps[1].blocks[1]).markdown, "b");
 }
 
+std::string words_of(const RichText& title) {
+  std::string words;
+  for_each_span(title, [&](const TextSpan& span) { words += span.text; });
+  return words;
+}
+
+TEST(Steps, AreNamedByATitle) {
+  const Stage stage =
+      stage_of("## One holds $L$\na\n\n---\n## Two follows\nb\n\n## Three stands alone\nc\n\n---\nd\n");
+  ASSERT_THAT(stage.steps, SizeIs(4));
+  EXPECT_EQ(words_of(stage.steps[0].title), "One holds L");
+  EXPECT_EQ(words_of(stage.steps[1].title), "Two follows");
+  EXPECT_EQ(words_of(stage.steps[2].title), "Three stands alone");
+  EXPECT_TRUE(stage.steps[3].title.empty());
+  EXPECT_EQ(stage.steps[0].place, stage.place);
+  EXPECT_EQ(stage.steps[2].place, (SourcePlace{18, 1})) << "of the title that it begins with";
+  for (const Step& step : stage.steps) EXPECT_THAT(step.blocks, SizeIs(1));
+}
+
+TEST(Steps, TitlesThatNameNothingAreErrors) {
+  const auto said = [](const std::string& body) {
+    return testing::lines_of(read_lesson(lesson_with(body), "sample.md").diagnostics);
+  };
+  EXPECT_THAT(said("##\ntext\n"), ElementsAre(HasSubstr("this step has no title")));
+  EXPECT_THAT(said("## A {id}\ntext\n"), ElementsAre(HasSubstr(":6: error: a step has no id")));
+  EXPECT_THAT(said("text\n\n## A\n\n## B\nmore\n"), ElementsAre(HasSubstr("this step is empty")));
+  EXPECT_THAT(said("## [](#sample)\ntext\n"), ElementsAre(HasSubstr("a link in a title needs a text")));
+}
+
 TEST(Scenes, AreAbsentUntilTheFirstAndThenPersist) {
   const Stage stage = stage_of("a\n\n---\n```scene\nat = 1\n```\n---\nb\n\n---\n```scene\nshow = 'L'\n```\n");
   ASSERT_THAT(stage.steps, SizeIs(4));
