@@ -3,7 +3,7 @@
 
 #include "app/narration/still_numbers.h"
 #include "lessons/reader/lint_budget.h"
-#include "physics/method.h"
+#include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
 
@@ -89,21 +89,6 @@ std::vector<std::string> marked_by(const Step& step) {
   for (const Scene* scene : shown_scenes(*step.scene))
     marked.insert(marked.end(), scene->highlight.begin(), scene->highlight.end());
   return marked;
-}
-
-/// Whether two scenes show one motion: all that live numbers come from (LiveState) is the same, however it is
-/// drawn, and for how long. Scenes are not compared as they are written: one that names its method or
-/// attitude shows the motion of one that has the same by default.
-bool same_motion(const Scene& a, const Scene& b) {
-  const Problem of_a = problem_of(a), of_b = problem_of(b);
-  const auto method = [](const Scene& scene, const Problem& problem) {
-    return scene.motion.method.value_or(default_method(problem));
-  };
-  return of_a.I.vector() == of_b.I.vector() && of_a.start.w_B == of_b.start.w_B &&
-         of_a.start.q_SB.coeffs() == of_b.start.q_SB.coeffs() && of_a.torque == of_b.torque &&
-         method(a, of_a) == method(b, of_b) && a.motion.step_s == b.motion.step_s &&
-         a.motion.tolerance == b.motion.tolerance && a.body.mass_kg == b.body.mass_kg && a.v0_S == b.v0_S &&
-         a.F_S == b.F_S && a.arrow == b.arrow;
 }
 
 /// The numbers of all steps up to the page's. Those of earlier steps whose motion the page's step has

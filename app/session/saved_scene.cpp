@@ -7,6 +7,7 @@
 #include "lessons/reader/toml_text.h"
 #include "physics/analysis/motion_errors.h"
 #include "physics/body/pivot.h"
+#include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
 
@@ -119,11 +120,21 @@ Scene saved(const LessonSession& session) {
   return scene;
 }
 
-bool is_scene(const SourceText& source, const MarkdownBlock& block) {
-  if (block.kind != MarkdownBlock::Kind::fence) return false;
+/// The first word of a fence; empty of all else.
+std::string_view kind_of(const SourceText& source, const MarkdownBlock& block) {
+  if (block.kind != MarkdownBlock::Kind::fence) return {};
   std::string_view opening = source.line(block.first_line);
   opening.remove_prefix(std::min(opening.find_first_not_of("`~"), opening.size()));
-  return trimmed(opening) == "scene";
+  opening = trimmed(opening);
+  return opening.substr(0, opening.find(' '));
+}
+
+/// Whether the step that a line belongs to shows this motion.
+bool shows_motion(const Stage& stage, int line, const Scene& scene) {
+  const auto next = std::find_if(stage.steps.begin(), stage.steps.end(),
+                                 [&](const Step& step) { return step.place.line > line; });
+  const Step& step = *std::prev(next);
+  return step.scene && same_motion(*step.scene, scene);
 }
 
 /// Blocks of the stage up to the end of the step, without the heading.
@@ -142,15 +153,22 @@ std::vector<MarkdownBlock> blocks_of(const Stage& stage, std::size_t step, const
   return blocks;
 }
 
-/// The scene stands where the stage's first one stood; later ones change nothing.
+constexpr std::string_view kLeftOut = "*(A table of other motions is left out here.)*";
+
+/// The scene stands where the stage's first one stood; later ones change nothing. A table is left out where
+/// its motions were made of another one: of this one some may not even be possible.
 std::string steps_of(const LessonSession& session, std::string scene_keys) {
   const SourceText source(session.lesson().source);
   std::string text;
   for (const MarkdownBlock& block : blocks_of(session.stage(), session.place().step, source)) {
-    if (is_scene(source, block))
+    const std::string_view kind = kind_of(source, block);
+    const bool stays =
+        kind != "table" ||
+        (session.has_scene() && shows_motion(session.stage(), block.first_line, session.model()->scene));
+    if (kind == "scene")
       text += fmt::format("\n```scene\n{}```\n", std::exchange(scene_keys, {}));
     else
-      text += fmt::format("\n{}\n", source.lines(block.first_line, block.last_line));
+      text += fmt::format("\n{}\n", stays ? source.lines(block.first_line, block.last_line) : kLeftOut);
   }
   return text;
 }

@@ -50,6 +50,18 @@ Problem problem_of(const Scene& scene) {
   return {scene.body.moments, {initial_attitude(scene), scene.w0_B}, scene.torque};
 }
 
+bool same_motion(const Scene& a, const Scene& b) {
+  const Problem of_a = problem_of(a), of_b = problem_of(b);
+  const auto method = [](const Scene& scene, const Problem& problem) {
+    return scene.motion.method.value_or(default_method(problem));
+  };
+  return of_a.I.vector() == of_b.I.vector() && of_a.start.w_B == of_b.start.w_B &&
+         of_a.start.q_SB.coeffs() == of_b.start.q_SB.coeffs() && of_a.torque == of_b.torque &&
+         method(a, of_a) == method(b, of_b) && a.motion.step_s == b.motion.step_s &&
+         a.motion.tolerance == b.motion.tolerance && a.body.mass_kg == b.body.mass_kg && a.v0_S == b.v0_S &&
+         a.F_S == b.F_S && a.arrow == b.arrow;
+}
+
 double natural_span_s(const Scene& scene) {
   const double turn_s = turn_time(scene.w0_B).value_or(1.0);
   if (!scene.torque.empty()) return kTurnsWithoutPeriod * turn_s;

@@ -10,6 +10,11 @@ namespace polhode {
 /// Body, state at t = 0 and torque of a scene.
 Problem problem_of(const Scene& scene);
 
+/// Whether two scenes show one motion: all that numbers and claims are evaluated on is the same, however it is
+/// drawn, and for how long. Scenes are not compared as they are written: one that names its method or
+/// attitude shows the motion of one that has the same by default.
+bool same_motion(const Scene& a, const Scene& b);
+
 /// Where nothing is said, the plane decides. Without a torque that only turns the whole picture: the motion
 /// in the body is the same, and the plane, to which L is normal, has to lie below. A torque that knows of
 /// space does tell up from down; there an author states the attitude, and the default is kept all the same,

@@ -3,6 +3,7 @@
 
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
+#include "app/narration/still_numbers.h"
 #include "app/page/loaded_lesson.h"
 #include "app/page/page_text.h"
 #include "app/page/text_column.h"
@@ -83,8 +84,16 @@ bool stands_in_a_gap_of(const PlacedType& formula, const PlacedType& number) {
 PageNumbers numbers_at(const PageRequest& request) {
   PageNumbers numbers(request.lesson, test_fonts());
   const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
-  for (const int id : numbers_in(request.stage.steps[static_cast<std::size_t>(request.step - 1)]))
-    if (live) numbers.keep(id, value_of(request.lesson.numbers[static_cast<std::size_t>(id)], *live));
+  const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
+  StillNumbers stills;
+  for (const int id : numbers_in(step)) {
+    const ComputedNumber& number = request.lesson.numbers[static_cast<std::size_t>(id)];
+    // Those of tables are of motions of their own.
+    if (number.row)
+      numbers.keep(id, stills.of(request.lesson, step).at(id));
+    else if (live)
+      numbers.keep(id, value_of(number, *live));
+  }
   return numbers;
 }
 

@@ -106,6 +106,20 @@ TEST(SavedScene, StepsThatBeginWithTheirTitleEndBeforeTheNextOne) {
   EXPECT_THAT(saved(), AllOf(HasSubstr("third"), Not(HasSubstr("# B"))));
 }
 
+TEST(SavedScene, ATableOfAnotherMotionIsLeftOutWithAWord) {
+  const std::string table =
+      "\n```table\ncolumns = [{ head = \"T\", of = \"T\" }]\nrows = [{ motion = { method = "
+      "\"implicit-midpoint\", step = 0.1 } }, {}]\n```\n";
+  LessonSession session(test::loaded_text(
+      "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# A {a}\n\n```scene\nbody = \"book\"\nomega = [1, 2, "
+      "3]\n```\n" +
+      table + "\n---\n\nmore\n\n```scene\ntorque = \"body:1,0,0\"\n```\n"));
+  EXPECT_THAT(lesson_of(session), HasSubstr("```table"));
+  session.next_step();
+  EXPECT_THAT(lesson_of(session), AllOf(Not(HasSubstr("```table")), HasSubstr("left out here")));
+  saved_step(session);
+}
+
 /// What a hand may do, at random.
 class Hand {
  public:

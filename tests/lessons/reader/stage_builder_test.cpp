@@ -58,7 +58,7 @@ TEST(Steps, AreNamedByATitle) {
   EXPECT_EQ(words_of(stage.steps[2].title), "Three stands alone");
   EXPECT_TRUE(stage.steps[3].title.empty());
   EXPECT_EQ(stage.steps[0].place, stage.place);
-  EXPECT_EQ(stage.steps[2].place, (SourcePlace{18, 1})) << "of the title that it begins with";
+  EXPECT_EQ(stage.steps[2].place, (SourcePlace{16, 1})) << "of the title that it begins with";
   for (const Step& step : stage.steps) EXPECT_THAT(step.blocks, SizeIs(1));
 }
 
