@@ -477,6 +477,19 @@ class SceneKeys {
     }
   }
 
+  void same(const TomlEntry& entry) {
+    const auto why = read_text(entry, report_);
+    if (!why) return;
+    if (of_ == Of::front_matter)
+      report_.error(entry.place, "a picture stays from one step to the next",
+                    "write it in a step's ```scene");
+    else if (is_blank(*why))
+      report_.error(entry.value.place, "it does not say why the picture stays",
+                    "same = \"a question about it\"");
+    else
+      lesson_scene_.same = *why;
+  }
+
   void caption(const TomlEntry& entry) {
     auto text = read_text(entry, report_);
     if (!text) return;
@@ -719,6 +732,12 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
         "none"},
        &SceneKeys::vary,
        text_of_variations,
+       Row::Speaks::of_all},
+      {{"same",
+        R"(why the picture is that of the step before: `"a question about it"`; of this step alone, which `lint` then does not warn of)",
+        "the picture changes"},
+       &SceneKeys::same,
+       [](const Scene&) { return std::string(); },
        Row::Speaks::of_all},
   });
   return kRows;

@@ -207,6 +207,7 @@ void StageBuilder::finish_step() {
   for (const Scene* shown : shown_scenes(scene)) parts_ += parts_of(shown->meters);
   step().scene = std::make_shared<const Scene>(std::move(scene));
   step().varied = varied_;
+  step().same = scene_.same;
   check_shown();
 }
 
@@ -520,6 +521,7 @@ void StageBuilder::add_scene(const Fence& fence) {
   scene_line_ = fence.place.line;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
+  scene_.same.clear();
   std::vector<PlacedText> names =
       read_scene_keys(*table, front_.bodies, front_.words(), scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));
