@@ -55,7 +55,7 @@ TEST(PageLint, FormulasCountAsWordsAndThreeDisplaysAreTooMany) {
 
 TEST(PageLint, AStepThatMakesTheTypeOfItsStageSmallerIsNamed) {
   std::string rows = "```math tall\n\\begin{aligned}\n";
-  for (int i = 0; i < 10; ++i) rows += "a &= b \\\\\n";
+  for (int i = 0; i < 9; ++i) rows += "a &= b \\\\\n";
   const auto found = found_in("Words.\n\n---\n\n" + rows + "c &= d\n\\end{aligned}\n```\n");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("step 2 of stage \"one\" is long for a slide: all slides"));
