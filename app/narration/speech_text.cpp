@@ -330,6 +330,9 @@ std::string SpeechText::words_of_tex(const std::string& tex) const {
 
 std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
   std::vector<std::string> all;
+  if (draws_poses(scene))
+    all.push_back(fmt::format("the body as it was at {} earlier {}", scene.poses.count,
+                              scene.poses.count == 1 ? "instant" : "instants"));
   if (!draws_marks(scene)) return all;
   const auto name = [this](const MarkVector& vector) { return words_of_tex(vector.quantity.tex); };
   const auto at_tip = [&](const std::optional<MarkVector>& vector, const char* where) {

@@ -15,6 +15,8 @@
 #include "physics/method.h"
 #include "render/scene/model/scene_problem.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -412,6 +414,29 @@ class SceneKeys {
   void angles(const TomlEntry& entry) { marks(entry, read_angles); }
   void planes(const TomlEntry& entry) { marks(entry, read_planes); }
   void notes(const TomlEntry& entry) { marks(entry, read_notes); }
+  void poses(const TomlEntry& entry) {
+    const auto* table = entry.value.as<TomlTable>();
+    if (table == nullptr) {
+      report_.error(entry.value.place, "\"poses\" takes a table, found " + std::string(entry.value.kind()),
+                    "write poses = { count = 5, over = 0.8 }");
+      return;
+    }
+    std::optional<double> count, over_s;
+    read_keys(*table, "poses",
+              {{"count", [&](const TomlEntry& e) { count = read_positive_number(e, report_); }},
+               {"over", [&](const TomlEntry& e) { over_s = read_positive_number(e, report_); }}},
+              report_);
+    for (const char* key : {"count", "over"})
+      if (table->find(key) == nullptr)
+        report_.error(entry.value.place, "poses need " + in_quotes(key),
+                      "write poses = { count = 5, over = 0.8 }");
+    if (!count || !over_s) return;
+    if (*count != std::floor(*count) || *count > kMostPoses)
+      report_.error(table->find("count")->value.place,
+                    fmt::format("\"count\" is a whole number from 1 to {}", kMostPoses));
+    else
+      scene_.poses = {static_cast<int>(*count), *over_s};
+  }
 
   void elevation(const TomlEntry& entry, CameraSpec& camera) {
     const auto degrees = read_number(entry, report_);
@@ -670,6 +695,18 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
       {{"notes", R"(lines of text: `[{ text = "nose", at = "e3" }]` (Marks))", "none"},
        &SceneKeys::notes,
        [](const Scene& scene) { return text_of(scene.marks.notes); },
+       Row::Speaks::of_picture},
+      {{"poses",
+        "the body of a scene with `velocity` or `force` as it was before, pale: `{ count = 5, over = 0.8 }`, "
+        "1 to 12 "
+        "times, evenly over the last 0.8 s, none before t = 0",
+        "none"},
+       &SceneKeys::poses,
+       [](const Scene& scene) {
+         return scene.poses.count == 0
+                    ? ""
+                    : fmt::format("{{ count = {}, over = {} }}", scene.poses.count, toml(scene.poses.over_s));
+       },
        Row::Speaks::of_picture},
       {{"camera",
         "`{ azimuth_deg, elevation_deg, distance, zoom }`; elevation −90 to 90, distance and zoom 0.1 to 100",

@@ -54,9 +54,14 @@ TEST(PageLint, FormulasCountAsWordsAndThreeDisplaysAreTooMany) {
 }
 
 TEST(PageLint, AStepThatMakesTheTypeOfItsStageSmallerIsNamed) {
-  std::string rows = "```math tall\n\\begin{aligned}\n";
-  for (int i = 0; i < 9; ++i) rows += "a &= b \\\\\n";
-  const auto found = found_in("Words.\n\n---\n\n" + rows + "c &= d\n\\end{aligned}\n```\n");
+  const auto math = [](const std::string& id, int rows) {
+    std::string lines;
+    for (int i = 1; i < rows; ++i) lines += "a &= b \\\\\n";
+    return "```math " + id + "\n\\begin{aligned}\n" + lines + "a &= b\n\\end{aligned}\n```\n";
+  };
+  const auto found =
+      found_in("Words.\n\n---\n\nTwo lines of words, so that there is something to be read above it.\n" +
+               math("a", 4) + "and\n" + math("b", 3));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("step 2 of stage \"one\" is long for a slide: all slides"));
 }
