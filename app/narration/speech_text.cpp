@@ -251,9 +251,7 @@ std::string SpeechText::words_of_caption(const Step& step, std::size_t shown) co
 
 std::vector<std::string> SpeechText::captions_in_words(const Step& step, const Scene& shown) const {
   const std::vector<const Scene*> scenes = shown_scenes(shown);
-  const bool have_one = std::all_of(scenes.begin(), scenes.end(), [&](const Scene* scene) {
-    return scene->caption == scenes.front()->caption;
-  });
+  const bool have_one = have_one_caption(scenes);
   std::vector<std::string> captions;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const std::string caption = words_of_caption(step, have_one && step.scene ? step.scene->before : i);
