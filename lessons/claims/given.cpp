@@ -2,6 +2,7 @@
 #include "lessons/claims/given.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/expression_names.h"
 #include "lessons/claims/expression_variants.h"
 
 #include <algorithm>
@@ -75,6 +76,12 @@ bool SmallQuantities::has(Quantity quantity) const {
 
 bool SmallQuantities::has_torque() const {
   return std::any_of(quantities.begin(), quantities.end(), is_torque);
+}
+
+std::vector<std::string_view> SmallQuantities::names() const {
+  std::vector<std::string_view> names;
+  for (const Quantity quantity : quantities) names.push_back(facts_of(quantity).name);
+  return names;
 }
 
 std::string_view name_of_order(int order) {

@@ -45,6 +45,7 @@ struct SmallQuantities {
   bool empty() const { return quantities.empty(); }
   bool has(Quantity quantity) const;  ///< components of N, where N is
   bool has_torque() const;
+  std::vector<std::string_view> names() const;  ///< "w1", as they are written
 };
 inline constexpr int kMaxSmallOrder = 4;
 /// "first" to "fourth".

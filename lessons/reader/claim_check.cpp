@@ -27,7 +27,7 @@ void prove(Claim& claim, const Prover& prover, const Effort& effort) {
   for (ClaimLine& line : claim.lines) {
     spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
     const bool writes_out =
-        line.relation != Relation::equal || (line.conclusion && claim.kind != ClaimKind::non_sequitur);
+        line.relation != Relation::equal || (line.conclusion && claim.kind != ClaimKind::non_sequitur);  // or expands
     if (writes_out) spend(effort, kWrittenOutEvaluations);
     Judgement judgement = judge(line, claim.kind, prover, claim.given);
     const bool searched = judgement.verdict == Verdict::fails || judgement.verdict == Verdict::not_refuted ||
@@ -207,7 +207,7 @@ class ClaimCheck {
       const std::size_t before = claimed.size();
       for (const EquationLink* link : links)
         if (line.relation == link->relation &&
-            (is_same(line.equality, link->equality, line.relation == Relation::equal) ||
+            (is_same(line.equality, link->equality, !is_order(line.relation)) ||
              (line.conclusion && is_same(*line.conclusion, link->equality, true))))
           claimed.insert(link);
       if (claimed.size() == before && !claim.in_other_words)

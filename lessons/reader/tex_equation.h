@@ -9,7 +9,7 @@
 //   formula    = ["tempting:"] sentence { separator sentence } [condition]
 //   separator  = ","  |  new line  |  "and"  |  "does not give"  |  \Rightarrow or ":" behind a condition
 //   sentence   = side { relation side }  every link of the chain is a statement of its own
-//   relation   = "="  |  \le  |  \ge  |  "<"  |  ">", but for "=" between numbers
+//   relation   = "="  |  \approx  |  \le  |  \ge  |  "<"  |  ">", the last four between numbers
 //   side       = [sign] term { sign term }  |  at the end of a chain \live{…} unit, for its expression
 //   term       = run { (\cdot | \times) run } [/ factor]
 //   run        = factor factor …         a product without a sign
@@ -94,7 +94,7 @@ struct EquationNotation {
   bool xyz_are_body_axes = false;
 };
 
-/// left = right, or an inequality.
+/// left = right, left ≈ right, or an inequality.
 struct EquationLink {
   Equality equality;
   SourceSpan source;            ///< of both sides, in the TeX
