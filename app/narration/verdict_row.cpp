@@ -65,10 +65,9 @@ std::string words_of(const Given& given, ClaimKind kind) {
     for (const std::string& tex : formulas) words += (&tex == &formulas.front() ? " $" : ", $") + tex + '$';
     return formulas.empty() ? std::string() : words;
   };
-  const std::string order =
-      given.small.empty() || kind == ClaimKind::measured
-          ? "for small"
-          : fmt::format("to {} order in", name_of_order(given.small.order));
+  const std::string order = given.small.empty() || kind == ClaimKind::measured
+                                ? "for small"
+                                : fmt::format("to {} order in", name_of_order(given.small.order));
   return joined(listed(printed_conditions(given), "given"), listed(printed_small(given), order));
 }
 

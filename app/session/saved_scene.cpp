@@ -73,8 +73,8 @@ std::string symbols_of(const Lesson& lesson) {
     for (const Bound& bound : given.bounds) add(bound.text);
     for (const std::string_view small : given.small.names()) add(std::string(small));
     assumptions += given.small.empty() ? fmt::format("{} = [{}]\n", key_of(name), texts)
-                                       : fmt::format("{} = {{ small = [{}], order = {} }}\n", key_of(name), texts,
-                                                     given.small.order);
+                                       : fmt::format("{} = {{ small = [{}], order = {} }}\n", key_of(name),
+                                                     texts, given.small.order);
   }
   const auto table = [](const char* name, const std::string& lines) {
     return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);

@@ -157,12 +157,13 @@ bool holds_in(const Given& given, const ClaimState<SizedNumber>& state, double t
   return std::all_of(given.bounds.begin(), given.bounds.end(),
                      [&](const Bound& bound) { return holds_in(bound, state, tolerance, false); }) &&
          std::all_of(given.settings.begin(), given.settings.end(), [&](const Setting& setting) {
-    ExpressionNode quantity;
-    quantity.operation = Operation::quantity;
-    quantity.quantity = setting.quantity;
-    const auto is = value_in(state, Expression{"", {quantity}}), shall_be = value_in(state, setting.value);
-    return is && shall_be && relative_residual(*is, *shall_be) <= tolerance;
-  });
+           ExpressionNode quantity;
+           quantity.operation = Operation::quantity;
+           quantity.quantity = setting.quantity;
+           const auto is = value_in(state, Expression{"", {quantity}}),
+                      shall_be = value_in(state, setting.value);
+           return is && shall_be && relative_residual(*is, *shall_be) <= tolerance;
+         });
 }
 
 namespace {

@@ -62,9 +62,9 @@ OrderComparison compare_to_order(const ExpandedSides<N>& sides, int order) {
   return comparison;
 }
 
-#define POLHODE_EXPANSIONS_OF(N)                                                                      \
-  template std::optional<ExpandedSides<N>> expanded_sides(const Equality&, const StateNumbers<N>&,    \
-                                                          Assumption, const Given&);                  \
+#define POLHODE_EXPANSIONS_OF(N)                                                                   \
+  template std::optional<ExpandedSides<N>> expanded_sides(const Equality&, const StateNumbers<N>&, \
+                                                          Assumption, const Given&);               \
   template OrderComparison compare_to_order(const ExpandedSides<N>&, int);
 POLHODE_EXPANSIONS_OF(FieldElement)
 POLHODE_EXPANSIONS_OF(WideFieldElement)

@@ -2,9 +2,9 @@
 // What a lesson assumes beyond the kind of a claim: "for a symmetric body", "under its weight".
 //
 // An assumption sets quantities to expressions, I2 = I1 or N = mgl*cross(ez, e3), so that exact arithmetic
-// stays exact: a state in which it holds is any state with those quantities replaced. It may also say which of
-// two numbers is the greater, I3 > I1, which leaves all that can be equal as it is; and that quantities are
-// small, so that what is claimed has to hold to some order in them and no further.
+// stays exact: a state in which it holds is any state with those quantities replaced. It may also say which
+// of two numbers is the greater, I3 > I1, which leaves all that can be equal as it is; and that quantities
+// are small, so that what is claimed has to hold to some order in them and no further.
 #pragma once
 
 #include "lessons/claims/expression.h"

@@ -115,7 +115,8 @@ bool are_small_in(const SmallQuantities& small, const ClaimState<SizedNumber>& s
       kTorque{Quantity::N1, Quantity::N2, Quantity::N3};
   for (std::size_t i = 0; i < 3; ++i) {
     if (small.has(kSpin[i]) && !(std::abs(w[i].value.value) <= kSmallOnMotion * spin)) return false;
-    if (small.has(kTorque[i]) && !(std::abs(state.N_B[i].value.value) <= kSmallOnMotion * twice_T)) return false;
+    if (small.has(kTorque[i]) && !(std::abs(state.N_B[i].value.value) <= kSmallOnMotion * twice_T))
+      return false;
   }
   return !small.has(Quantity::h) && !small.has(Quantity::k);
 }

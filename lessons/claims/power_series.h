@@ -5,7 +5,8 @@
 // what is divided by something small is a series too. All operations are those of formal Laurent series over
 // a field N and keep what can be known of the result and nothing else (Knuth, The Art of Computer
 // Programming 2, 3rd ed., §4.7: product (3), reciprocal by (2)):
-//   (a + b)_k = a_k + b_k,  (a b)_k = Σ a_i b_(k−i),  (1/a)_0 = 1/a_0,  (1/a)_k = −1/a_0 Σ_(i ≥ 1) a_i (1/a)_(k−i).
+//   (a + b)_k = a_k + b_k,  (a b)_k = Σ a_i b_(k−i),  (1/a)_0 = 1/a_0,  (1/a)_k = −1/a_0 Σ_(i ≥ 1) a_i
+//   (1/a)_(k−i).
 // Over residues modulo a prime or ratios, coefficients are exact.
 //
 // At most kTerms coefficients are kept, from the first one that is not 0 on, as digits of a floating-point
@@ -30,7 +31,7 @@ class PowerSeries {
   /// Known to all orders: of the exact 0.
   static constexpr int kExact = 1 << 20;
 
-  PowerSeries() = default;  ///< exactly 0
+  PowerSeries() = default;                                    ///< exactly 0
   PowerSeries(std::int64_t whole) : PowerSeries(N(whole)) {}  // a number is one: implicit
   /// number·ε^exponent
   explicit PowerSeries(const N& number, int exponent = 0) {

@@ -172,10 +172,13 @@ Judgement judge_false(const ClaimLine& line, const Prover& prover, const Given& 
 }
 
 /// "to first order"
-std::string to_order(const Given& given) { return "to " + std::string(name_of_order(given.small.order)) + " order"; }
+std::string to_order(const Given& given) {
+  return "to " + std::string(name_of_order(given.small.order)) + " order";
+}
 
 /// What agrees to some order in what is small, or does not.
-Judgement judge_approximation(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+Judgement judge_approximation(const ClaimLine& line, ClaimKind kind, const Prover& prover,
+                              const Given& given) {
   const Assumption assumption = assumption_of(kind, given);
   Judgement judgement = prover.settle_to_order(line.equality, assumption, given);
   if (judgement.verdict == Verdict::undecided) return judgement;
@@ -303,11 +306,11 @@ Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, 
   for (int n = 0; n < kMostSamples + kOwnSamples; ++n) {
     const bool is_own = n >= kMostSamples;
     if (!is_own && defined == kSamples) continue;
-    const auto sides = expanded_sides(
-        equality,
-        is_own ? random_numbers(random)
-               : numbers_[static_cast<std::size_t>(assumption)][static_cast<std::size_t>(n)],
-        assumption, given);
+    const auto sides =
+        expanded_sides(equality,
+                       is_own ? random_numbers(random)
+                              : numbers_[static_cast<std::size_t>(assumption)][static_cast<std::size_t>(n)],
+                       assumption, given);
     if (!sides) continue;
     const OrderComparison comparison = compare_to_order(*sides, order);
     if (comparison.differ_at) return Verdict::fails;
@@ -341,9 +344,11 @@ Judgement Prover::settle_to_order(const Equality& equality, Assumption assumptio
   if (verdict == Verdict::undecided) {
     if (why.empty()) return undecided();
     const bool says_nothing = why.find("nothing") != why.npos;
-    return {verdict, std::move(why),
-            says_nothing ? "write 0 for one side, or claim a higher order" : "shorten it, or claim a lower order",
-            {}};
+    return {
+        verdict,
+        std::move(why),
+        says_nothing ? "write 0 for one side, or claim a higher order" : "shorten it, or claim a lower order",
+        {}};
   }
   int differ_at = given.small.order;
   auto counter = first_small_expansion(equality, assumption, given, differ_at);

@@ -138,8 +138,8 @@ struct PossibleMoments {
   std::array<bool, 3> not_zero{};
 };
 
-/// With f·(I1, I2, I3) > 0, or ≥ 0. Where one of a, b, c alone has a positive factor it is replaced by what it
-/// exceeds the others by: these are then all moments of which that is so, and no others.
+/// With f·(I1, I2, I3) > 0, or ≥ 0. Where one of a, b, c alone has a positive factor it is replaced by what
+/// it exceeds the others by: these are then all moments of which that is so, and no others.
 void restrict_by(const std::array<Ratio, 3>& f, bool strict, PossibleMoments& moments) {
   std::array<Ratio, 3> e;
   for (std::size_t k = 0; k < 3; ++k)

@@ -342,8 +342,10 @@ std::array<SizedNumber, 3> rates_of(const Triple<SizedNumber>& x) {
 std::string words_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumber>& state,
                      const Dependence& d, const SmallQuantities& small) {
   std::string text;
-  const auto add = [&text](bool wanted, const char* name, const auto& numbers, const AreSmall& are_small = {}) {
-    if (wanted) text += (text.empty() ? "" : ", ") + std::string(name) + " = " + list_text(numbers, are_small);
+  const auto add = [&text](bool wanted, const char* name, const auto& numbers,
+                           const AreSmall& are_small = {}) {
+    if (wanted)
+      text += (text.empty() ? "" : ", ") + std::string(name) + " = " + list_text(numbers, are_small);
   };
   const auto small_ones = [&small](Quantity first, Quantity second, Quantity third) {
     return AreSmall{small.has(first), small.has(second), small.has(third)};
@@ -542,13 +544,14 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
     if (!exact_numbers || !real_numbers || !is_possible_body(real_numbers->I)) return false;
     const auto exact = state_of(*exact_numbers, assumption, given);
     const auto real = state_of(*real_numbers, assumption, given);
-    if (!exact || !real || !are_within(given, *real) || (premise && !holds(*premise, *exact, *real))) return false;
+    if (!exact || !real || !are_within(given, *real) || (premise && !holds(*premise, *exact, *real)))
+      return false;
     if (tried != nullptr && sides_of(equality, *real)) ++*tried;
     if (!fails(equality, relation, *exact, *real)) return false;
     const Sides sides = *sides_of(equality, *real);
-    found =
-        Counterexample{words_of(*real_numbers, *real, depends, {}), value_text(sides.left, equality.left.type()),
-                       value_text(sides.right, equality.right.type())};
+    found = Counterexample{words_of(*real_numbers, *real, depends, {}),
+                           value_text(sides.left, equality.left.type()),
+                           value_text(sides.right, equality.right.type())};
     return true;
   };
   for_each_state(depends, look_at);
@@ -556,8 +559,7 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
   if (!is_order(relation) && given.bounds.empty()) return found;
   std::mt19937_64 random(1);
   for (int n = 0; n < kMixedStates && !found; ++n) look_at(mixed_numbers(random));
-  for (int n = 0; n < kMixedStates && !found && !given.bounds.empty(); ++n)
-    look_at(uneven_numbers(random));
+  for (int n = 0; n < kMixedStates && !found && !given.bounds.empty(); ++n) look_at(uneven_numbers(random));
   return found;
 }
 

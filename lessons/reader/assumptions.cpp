@@ -25,8 +25,8 @@ bool have_same_units(const Expression& left, const Expression& right, SourcePlac
     }
   const bool any = left.type() == ExpressionType::zero || right.type() == ExpressionType::zero;
   if (any || !a.dimension || !b.dimension || *a.dimension == *b.dimension) return true;
-  report.error(place, "units disagree: the left side is in " + to_string(*a.dimension) + ", the right side in " +
-                          to_string(*b.dimension));
+  report.error(place, "units disagree: the left side is in " + to_string(*a.dimension) +
+                          ", the right side in " + to_string(*b.dimension));
   return false;
 }
 
@@ -104,13 +104,15 @@ const std::vector<std::string> kSmallNames{"w1", "w2", "w3", "N", "N1", "N2", "N
 void read_small_quantities(const TomlEntry& entry, SmallQuantities& small, Report& report) {
   const auto names = read_texts(entry, kSmallNames.size(), report);
   if (!names) return;
-  if (names->empty()) report.error(entry.value.place, "nothing is small here", "for example [\"w1\", \"w3\"]");
+  if (names->empty())
+    report.error(entry.value.place, "nothing is small here", "for example [\"w1\", \"w3\"]");
   for (const PlacedText& name : *names) {
     const QuantityFacts* facts = find_quantity(name.text);
     if (facts == nullptr || !can_be_small(facts->quantity)) {
-      report.error(name.place, "what can be small is w1 w2 w3, N, N1 N2 N3, h or k: " + in_quotes(name.text) +
-                                   " is none of them",
-                   suggestion(name.text, kSmallNames));
+      report.error(
+          name.place,
+          "what can be small is w1 w2 w3, N, N1 N2 N3, h or k: " + in_quotes(name.text) + " is none of them",
+          suggestion(name.text, kSmallNames));
       continue;
     }
     const auto overlaps = [&](Quantity other) {

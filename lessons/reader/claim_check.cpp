@@ -26,8 +26,8 @@ std::int64_t nodes_in(const ClaimLine& line) {
 void prove(Claim& claim, const Prover& prover, const Effort& effort) {
   for (ClaimLine& line : claim.lines) {
     spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
-    const bool writes_out =
-        line.relation != Relation::equal || (line.conclusion && claim.kind != ClaimKind::non_sequitur);  // or expands
+    const bool writes_out = line.relation != Relation::equal ||
+                            (line.conclusion && claim.kind != ClaimKind::non_sequitur);  // or expands
     if (writes_out) spend(effort, kWrittenOutEvaluations);
     Judgement judgement = judge(line, claim.kind, prover, claim.given);
     const bool searched = judgement.verdict == Verdict::fails || judgement.verdict == Verdict::not_refuted ||

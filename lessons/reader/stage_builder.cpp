@@ -69,8 +69,9 @@ bool check_order(const Claim& claim, Report& report) {
       return refuse("an approximation is measured within a tolerance that is said",
                     "write a claim: left ~= right within 0.01");
     if (!has_small && is_approximate && claim.kind != ClaimKind::measured)
-      return refuse("an approximation is proved to an order in what is small, and nothing is small here",
-                    "write near = { small = [\"w1\"], order = 1 } into [assume], and given near behind the kind");
+      return refuse(
+          "an approximation is proved to an order in what is small, and nothing is small here",
+          "write near = { small = [\"w1\"], order = 1 } into [assume], and given near behind the kind");
     if (!has_small) continue;
     if (line.conclusion)
       return refuse("what follows from what is not proved to an order", "claim what holds near there itself");

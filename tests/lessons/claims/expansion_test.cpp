@@ -66,7 +66,11 @@ TEST(Expansion, ProvesToTheOrderToWhichItHoldsAndNoFurther) {
       {"h/(h + h^2)", "1 - h + h^2", K::identity, {"h"}, 2},
       {"(2*T - I2*w2^2)/w1", "I1*w1 + I3*w3^2/w1", K::identity, {"w1", "w3"}, 4},
       {"norm2(L)/(2*T)", "I2", K::identity, {"w1", "w3"}, 1},
-      {"norm2(L)/(2*T)", "I2 + (I1*(I1 - I2)*w1^2 + I3*(I3 - I2)*w3^2)/(I2*w2^2)", K::identity, {"w1", "w3"}, 3},
+      {"norm2(L)/(2*T)",
+       "I2 + (I1*(I1 - I2)*w1^2 + I3*(I3 - I2)*w3^2)/(I2*w2^2)",
+       K::identity,
+       {"w1", "w3"},
+       3},
   };
   for (const Case& c : cases)
     for (int order = 1; order <= kMaxSmallOrder; ++order) {
@@ -86,7 +90,8 @@ TEST(Expansion, IsRefutedByAStateAndTheFirstTermsThatDiffer) {
   EXPECT_EQ(wrong.counterexample->state, "I = (2, 3, 4), ω = (ε, 1, 0), N = 0");
   EXPECT_EQ(wrong.counterexample->left, "0.125ε");
   EXPECT_EQ(wrong.counterexample->right, "−0.125ε");
-  EXPECT_THAT(wrong.message, HasSubstr("this does not hold to first order: the sides differ in the terms of ε^1"));
+  EXPECT_THAT(wrong.message,
+              HasSubstr("this does not hold to first order: the sides differ in the terms of ε^1"));
   const Judgement later = judged("1/(1 + h)", "1 - h + 2*h^2", ClaimKind::identity, small({"h"}, 3));
   EXPECT_THAT(later.message, HasSubstr("ε^2"));
   EXPECT_THAT(later.counterexample->right, HasSubstr("ε²"));
@@ -110,8 +115,7 @@ TEST(Expansion, OfNothingSaysNothing) {
       << "that says that it is zero to that order";
   EXPECT_EQ(judged("1/(w1 - w1)", "1", ClaimKind::identity, small({"w1"}, 1)).verdict, Verdict::undecided);
   // 1/h^12 − 1/(h^12 + h^13) is h^-11 …: of ε^1 nothing is left that is known.
-  const Judgement lost =
-      judged("1/h^12 - 1/(h^12 + h^13)", "1/h^11", ClaimKind::identity, small({"h"}, 4));
+  const Judgement lost = judged("1/h^12 - 1/(h^12 + h^13)", "1/h^11", ClaimKind::identity, small({"h"}, 4));
   EXPECT_NE(lost.verdict, Verdict::holds);
 }
 
@@ -119,7 +123,8 @@ TEST(Expansion, OfNothingSaysNothing) {
 TEST(Expansion, LargeCoefficientsAreSeen) {
   const std::string prime = "(2305843009*1e9 + 213693951)";  // 2^61 − 1
   EXPECT_NE(judged("1 + " + prime + "*h", "1", ClaimKind::identity, small({"h"}, 1)).verdict, Verdict::holds);
-  EXPECT_NE(judged("h/(" + prime + " + h)", "1", ClaimKind::identity, small({"h"}, 1)).verdict, Verdict::holds);
+  EXPECT_NE(judged("h/(" + prime + " + h)", "1", ClaimKind::identity, small({"h"}, 1)).verdict,
+            Verdict::holds);
 }
 
 TEST(Expansion, GoesWithWhatIsSet) {

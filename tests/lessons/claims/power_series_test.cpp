@@ -120,7 +120,8 @@ TEST_F(PowerSeriesOf, WhatCancelsIsNotMadeUp) {
 
 TEST_F(PowerSeriesOf, ZeroIsKnownToAllOrders) {
   const Series zero, x(FieldElement(5), 2);
-  for (const Series& one : {zero, zero + zero, zero * x, -zero, zero - zero, Series(0), Series(FieldElement(0), 4)}) {
+  for (const Series& one :
+       {zero, zero + zero, zero * x, -zero, zero - zero, Series(0), Series(FieldElement(0), 4)}) {
     EXPECT_TRUE(one.is_zero());
     EXPECT_EQ(one.end(), Series::kExact);
   }

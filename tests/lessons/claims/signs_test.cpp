@@ -232,8 +232,10 @@ TEST(Signs, OfNothingFalseAreProvedWithinInequalities) {
   const std::vector<std::string> atoms{"I1", "I2", "I3", "(I2 - I1)", "(I3 - I2)", "w1", "w3", "h", "2", "1"};
   const auto product = [&] { return pick(atoms) + "*" + pick(atoms) + "*" + pick(atoms); };
   const auto draw = [&random] { return static_cast<double>(random() >> 11) / 9007199254740992.0; };
-  const std::vector<std::vector<std::string>> all_bounds{
-      {"I1 < I2", "I2 < I3"}, {"I3 >= I1", "h > 0"}, {"2*I1 <= I2 + I3", "w3 < 0"}, {"I3 > 1.5*I2", "I1 > I2"}};
+  const std::vector<std::vector<std::string>> all_bounds{{"I1 < I2", "I2 < I3"},
+                                                         {"I3 >= I1", "h > 0"},
+                                                         {"2*I1 <= I2 + I3", "w3 < 0"},
+                                                         {"I3 > 1.5*I2", "I1 > I2"}};
   int proved = 0;
   for (int n = 0; n < 1600; ++n) {
     const Given given = bounded_by(all_bounds[static_cast<std::size_t>(n) % all_bounds.size()]);
