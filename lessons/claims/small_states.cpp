@@ -565,15 +565,12 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
 
 namespace {
 
-/// "ε²"; nothing for the power 0.
+/// "ε²"; nothing for the power 0. Fonts of pages have no other raised digits.
 std::string power_of_epsilon(int exponent) {
-  constexpr std::array kDigits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   if (exponent == 0) return "";
   if (exponent == 1) return "ε";
-  std::string digits;
-  for (const char digit : std::to_string(std::abs(exponent)))
-    digits += kDigits[static_cast<std::size_t>(digit - '0')];
-  return std::string("ε") + (exponent < 0 ? "⁻" : "") + digits;
+  if (exponent == 2 || exponent == 3) return exponent == 2 ? "ε²" : "ε³";
+  return "ε^" + std::to_string(exponent);
 }
 
 double value_of(const Ratio& ratio) {

@@ -77,7 +77,9 @@ TEST(Expansion, ProvesToTheOrderToWhichItHoldsAndNoFurther) {
       const Judgement judgement = judged(c.left, c.right, c.kind, small(c.small, order));
       EXPECT_EQ(judgement.verdict == Verdict::holds, order <= c.holds_to)
           << c.left << " ≈ " << c.right << " to order " << order << ": " << judgement.message;
-      if (order > c.holds_to) EXPECT_EQ(judgement.verdict, Verdict::fails) << judgement.message;
+      if (order > c.holds_to) {
+        EXPECT_EQ(judgement.verdict, Verdict::fails) << judgement.message;
+      }
     }
 }
 

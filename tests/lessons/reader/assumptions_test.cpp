@@ -42,6 +42,10 @@ std::string math(const std::string& opening, const std::string& tex) {
   return "```math " + opening + "\n" + tex + "\n```\n";
 }
 
+struct Wrong {
+  std::string tables, body, says;
+};
+
 TEST(Assumptions, ServeFormulasClaimsAndQuestions) {
   EXPECT_THAT(faults(lesson(kTop, math("a motion given heavy", R"(\frac{dE}{dt} = 0)"))), IsEmpty());
   EXPECT_THAT(faults(lesson(kTop, math("a motion given symmetric heavy", R"(\dot\omega_3 = 0)"))), IsEmpty());
@@ -190,10 +194,6 @@ TEST(Assumptions, FormulasShowTheWordsOfTheLesson) {
               ElementsAre(HasSubstr("fails")));
   EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(u = \hat e_z\cdot\hat e_3)"))), IsEmpty());
 }
-
-struct Wrong {
-  std::string tables, body, says;
-};
 
 TEST(Assumptions, WhatIsWrongIsSaidWhereItStands) {
   const std::string assume = "[assume]\n";
