@@ -137,8 +137,9 @@ void read_order(const TomlEntry& entry, SmallQuantities& small, Report& report) 
   }
   report.error(entry.value.place,
                "\"order\" is a whole number from 1 to " + std::to_string(kMaxSmallOrder) +
-                   (order == nullptr ? ", found " + std::string(entry.value.kind())
-                                     : ", found " + std::to_string(*order)),
+                   (entry.value.as<double>() != nullptr ? ", found one with a point"
+                    : order == nullptr                  ? ", found " + std::string(entry.value.kind())
+                                                        : ", found " + std::to_string(*order)),
                "1: products of two small quantities are left out");
 }
 

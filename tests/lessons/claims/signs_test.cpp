@@ -237,7 +237,7 @@ TEST(Signs, OfNothingFalseAreProvedWithinInequalities) {
                                                          {"2*I1 <= I2 + I3", "w3 < 0"},
                                                          {"I3 > 1.5*I2", "I1 > I2"}};
   int proved = 0;
-  for (int n = 0; n < 1600; ++n) {
+  for (int n = 0; n < 2400; ++n) {
     const Given given = bounded_by(all_bounds[static_cast<std::size_t>(n) % all_bounds.size()]);
     const std::string left = product() + pick({"+", "-"}) + product(), right = n % 3 == 0 ? product() : "0*T";
     const Equality sides = equality(left, right);
