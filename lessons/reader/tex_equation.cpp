@@ -64,7 +64,8 @@ class EquationReader {
         vocabulary_(notation.vocabulary),
         terms_(math, notation),
         items_(formula_items(*math.root, kMaxEquationNesting)) {
-    if (above != nullptr && above->root && !items_.empty() && items_.front().is(ItemKind::relation, U'=')) {
+    if (above != nullptr && above->root && !items_.empty() &&
+        (items_.front().is(ItemKind::relation, U'=') || items_.front().is(ItemKind::relation, U'≈'))) {
       go_on_with(formula_items(*above->root, kMaxEquationNesting), !above->live.empty());
       above_root_ = above->root.get();
     }
