@@ -212,7 +212,8 @@ Judgement judge_implication(const ClaimLine& line, ClaimKind kind, const Prover&
     return refuse(settings.error(), "assume it in [assume], or claim only that it does not follow");
   Given all = given;
   all.settings.insert(all.settings.end(), settings->begin(), settings->end());
-  if (!is_possible(all)) return refuse("this condition holds for no possible body");
+  if (!is_possible(all) || !bounds_are_possible(all))
+    return refuse("this condition holds for no possible body");
   const Equality& conclusion = *line.conclusion;
   const int order = std::max(conclusion.left.order(), conclusion.right.order());
   if (order > 1 || (order > 0 && all.sets_spin()))

@@ -639,7 +639,18 @@ bool bounds_are_possible(const Given& given) {
   std::mt19937_64 random(1);
   constexpr int kTried = 4000;
   for (int n = 0; n < kTried; ++n) {
-    const auto numbers = as<SizedNumber>(n % 2 == 0 ? mixed_numbers(random) : uneven_numbers(random));
+    auto numbers = as<SizedNumber>(n % 2 == 0 ? mixed_numbers(random) : uneven_numbers(random));
+    if (n % 4 > 1) {  // as small and as large as numbers in SI units may be
+      const auto scaled = [&random](auto&... all) {
+        const int doublings = static_cast<int>(random() % 121) - 60;
+        const auto scale = [doublings](SizedNumber& x) { x = std::ldexp(x.value, doublings); };
+        (std::for_each(all.begin(), all.end(), scale), ...);
+      };
+      scaled(numbers.I);
+      scaled(numbers.w);
+      scaled(numbers.N_B);
+      scaled(numbers.constants);
+    }
     const auto replaced = with_given(numbers, given);
     if (!replaced || !is_possible_body(replaced->I) || !is_finite(*replaced)) continue;
     const auto state = state_of(numbers, Assumption::identity, given);

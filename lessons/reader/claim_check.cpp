@@ -26,8 +26,9 @@ std::int64_t nodes_in(const ClaimLine& line) {
 void prove(Claim& claim, const Prover& prover, const Effort& effort) {
   for (ClaimLine& line : claim.lines) {
     spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
-    const bool writes_out = line.relation != Relation::equal ||
-                            (line.conclusion && claim.kind != ClaimKind::non_sequitur);  // or expands
+    // Inequalities and conditions are written out in symbols; what holds to an order is expanded.
+    const bool writes_out =
+        line.relation != Relation::equal || (line.conclusion && claim.kind != ClaimKind::non_sequitur);
     if (writes_out) spend(effort, kWrittenOutEvaluations);
     Judgement judgement = judge(line, claim.kind, prover, claim.given);
     const bool searched = judgement.verdict == Verdict::fails || judgement.verdict == Verdict::not_refuted ||

@@ -193,6 +193,7 @@ TEST(Signs, ContradictionsLeaveNoRoom) {
   EXPECT_TRUE(is_possible_with({"I3 < 0.001*I1"}));
   EXPECT_TRUE(is_possible_with({"I3 > 1.9*I1"}, given_by({{Quantity::I2, "I1"}})));
   EXPECT_TRUE(is_possible_with({"h > 0", "w3 < 0"}));
+  EXPECT_TRUE(is_possible_with({"I1 < 1e-5", "w3 > 1000"})) << "a small gyroscope";
 }
 
 // What is called proved holds at random possible bodies and states, whatever was thrown together.
