@@ -503,6 +503,13 @@ std::size_t size_of(const Equality& equality) {
   return equality.left.nodes.size() + equality.right.nodes.size();
 }
 
+/// Of the inequalities that are given, which are looked at in each state.
+std::size_t size_of(const std::vector<Bound>& bounds) {
+  std::size_t nodes = 0;
+  for (const Bound& bound : bounds) nodes += size_of(bound.sides);
+  return nodes;
+}
+
 }  // namespace
 
 std::string number_text(double value) {
@@ -534,7 +541,7 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
   Dependence depends = dependence_of(equality, assumption, given);
   if (premise) depends |= dependence_of(*premise, assumption, given);
   std::optional<Counterexample> found;
-  const std::size_t work = size_of(equality) + (premise ? size_of(*premise) : 0);
+  const std::size_t work = size_of(equality) + (premise ? size_of(*premise) : 0) + size_of(given.bounds);
   std::size_t work_left = kMostWork;
   const auto look_at = [&](const SmallNumbers& numbers) {
     if (work_left < work) return true;
@@ -606,9 +613,10 @@ std::optional<Counterexample> first_small_expansion(const Equality& equality, As
   // An expansion costs as much as some thirty states.
   constexpr std::size_t kCost = 30;
   std::size_t work_left = kMostWork / kCost;
+  const std::size_t work = size_of(equality) + size_of(given.bounds) / kCost;
   const auto look_at = [&](const SmallNumbers& numbers) {
-    if (work_left < size_of(equality)) return true;
-    work_left -= size_of(equality);
+    if (work_left < work) return true;
+    work_left -= work;
     const auto real_numbers = with_given(as<SizedNumber>(numbers), given);
     if (!real_numbers || !is_possible_body(real_numbers->I)) return false;
     const auto real = state_of(*real_numbers, assumption, given);
@@ -638,7 +646,10 @@ bool bounds_are_possible(const Given& given) {
   if (given.bounds.empty()) return true;
   std::mt19937_64 random(1);
   constexpr int kTried = 4000;
-  for (int n = 0; n < kTried; ++n) {
+  std::size_t work = size_of(given.bounds), work_left = kMostWork / 2;
+  for (const Setting& setting : given.settings) work += 2 * setting.value.nodes.size();
+  for (int n = 0; n < kTried && work_left >= work; ++n) {
+    work_left -= work;
     auto numbers = as<SizedNumber>(n % 2 == 0 ? mixed_numbers(random) : uneven_numbers(random));
     if (n % 4 > 1) {  // as small and as large as numbers in SI units may be
       const auto scaled = [&random](auto&... all) {

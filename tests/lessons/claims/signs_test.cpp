@@ -196,6 +196,17 @@ TEST(Signs, ContradictionsLeaveNoRoom) {
   EXPECT_TRUE(is_possible_with({"I1 < 1e-5", "w3 > 1000"})) << "a small gyroscope";
 }
 
+TEST(Signs, RoomIsLookedForNoLongerThanAMoment) {
+  std::string sum = "w1";
+  for (int i = 0; i < 1000; ++i) sum += "+w" + std::to_string(i % 3 + 1);
+  Given given;
+  for (int i = 0; i < 8; ++i)
+    given.bounds.push_back({equality(sum, "1e9*norm2(omega) + 1e9"), Relation::greater, "", {}, {}});
+  const std::clock_t begin = std::clock();
+  EXPECT_FALSE(bounds_are_possible(given));
+  EXPECT_LT(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 100);
+}
+
 // What is called proved holds at random possible bodies and states, whatever was thrown together.
 TEST(Signs, OfNothingFalseAreProved) {
   std::mt19937_64 random(5);
