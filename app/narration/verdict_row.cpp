@@ -177,15 +177,28 @@ Row row_of(const ChainLines& chain, bool refutes, const LiveState& live, View vi
     const ClaimLine& line = *chain[i];
     const bool is_equal = line.relation == Relation::equal;
     const bool apart = value.residual > value.tolerance;
-    // What is equal is printed equal, whichever way the last digit was rounded.
-    std::string right =
-        apart || !is_equal || value.right == std::array<double, 3>{} ? side(value.right) : left;
+    // What is equal is printed equal, whichever way the last digit was rounded; what is so within a tolerance
+    // of the author's own has the two numbers it has.
+    std::string right = apart || !is_equal || line.within || value.right == std::array<double, 3>{}
+                            ? side(value.right)
+                            : left;
+    const bool is_rough = is_equal && !apart && right != left;
     if (refutes && !apart) return {};  // of inequalities too: whether one fails here is not said
     const bool is_far = line.relation == Relation::approximate && !are_near(value) && left != right;
-    text += (apart || is_far ? " ≠ " : ' ' + std::string(sign_of(line.relation)) + ' ') + right;
+    text += (apart || is_far ? " ≠ "
+             : is_rough      ? " ≈ "
+                             : ' ' + std::string(sign_of(line.relation)) + ' ') +
+            right;
     left = right;
   }
   return {text, side.is_nothing()};
+}
+
+/// "to within 0.9 %": the roughest of the tolerances that the author gave; empty where there is none.
+std::string within_of(const Claim& claim) {
+  double within = 0;
+  for (const ClaimLine& line : claim.lines) within = std::max(within, line.within.value_or(0.0));
+  return within == 0 ? "" : fmt::format("to within {:.2g} %", 100.0 * within);
 }
 
 /// Why a measured claim fails on its motion; nothing if it holds.
@@ -232,7 +245,7 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
   else if (refutes(claim.kind) && counter)
     row.note = joined(row.note, words_of(*counter, claim.kind));
   if (claim.kind != ClaimKind::measured || !holds) return row;
-  row.note = joined(how_it_is_computed(scene), row.note);
+  row.note = joined(joined(how_it_is_computed(scene), within_of(claim)), row.note);
   if (const auto why = model ? why_not_measured(claim, *model) : std::nullopt)
     is_instead(Certainty::open, "not confirmed", *why);
   return row;

@@ -282,7 +282,9 @@ class ClaimCheck {
       report_.error(line.place,
                     "this measures nothing: the terms cancel down to " + digits(measured->side, 3) +
                         " of their size, and " + digits(measured->allowed, 3) + " of it is allowed",
-                    "prove the claim, or measure it on a motion where its sides are larger");
+                    line.within ? "a hundredth of the sides decides: write within " +
+                                      digits(0.9 * kDecisive * measured->side, 1)
+                                : "prove the claim, or measure it on a motion where its sides are larger");
     else if (!measured->holds())
       report_.error(line.place, "the claim (measured) fails: at t = " + digits(measured->t_s, 3) +
                                     " s both sides differ by " + digits(measured->residual, 3) +

@@ -709,7 +709,9 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        },
        Row::Speaks::of_picture},
       {{"camera",
-        "`{ azimuth_deg, elevation_deg, distance, zoom }`; elevation −90 to 90, distance and zoom 0.1 to 100",
+        "`{ azimuth_deg, elevation_deg, distance, zoom }`: it stands at this angle from x towards y (1 "
+        "towards 2 where the body is at rest) and so far above; elevation −90 to 90, distance and zoom 0.1 "
+        "to 100",
         "34°, 20°, 4.2, 1"},
        &SceneKeys::camera,
        [](const Scene& scene) { return text_of(scene.camera); },

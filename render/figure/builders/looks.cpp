@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace polhode::builders {
 namespace {
@@ -194,10 +195,12 @@ std::vector<Part> racket() {
 }  // namespace
 
 std::vector<Part> look_of(const Body& body) {
-  const bool is_box = body.shape && body.shape->kind == ShapeKind::box;
-  if (body.name == "book" && is_box) return book(body.shape->size_m);
-  if (body.name == "phone" && is_box) return phone(body.shape->size_m);
-  if (body.name == "racket" && !body.shape) return racket();
+  const auto is_a = [&](std::string_view thing) { return body.name.ends_with(thing); };
+  if (is_a("racket") && !body.shape) return racket();
+  const Shape shape = body.shape.value_or(equivalent_box(body.moments, body.mass_kg));
+  if (shape.kind != ShapeKind::box) return {};
+  if (is_a("book")) return book(shape.size_m);
+  if (is_a("phone")) return phone(shape.size_m);
   return {};
 }
 
