@@ -99,7 +99,7 @@ void add_ghost(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (m.model.needs.attitude) exact = m.model.exact->at(m.t_s);
   const Quat q_VB = m.view == View::space ? exact.q_SB : Quat::Identity();
 
-  const std::size_t ghost = list.meshes.size();  // the computed body's meshes are the first of the list
+  const std::size_t computed = list.meshes.size();  // those before the ghost's are the computed body's
   add_ghost_of_solid(m, exact.q_SB, list);
   const bool turning = !exact.w_B.isZero(0.0);
   if (m.shows(Overlay::L) && turning)
@@ -108,11 +108,10 @@ void add_ghost(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (m.shows(Overlay::omega) && turning)
     add_arrow(m, q_VB * (exact.w_B * m.omega_scale), m.omega_tip_V(), Arrow::Head::cone,
               "$\\vec\\omega$ exact", kOmegaRole, list);
-  const std::size_t parts = list.meshes.size() - ghost;
-  if (!m.shows(Overlay::labels) || parts == 0 || ghost < parts) return;
+  if (!m.shows(Overlay::labels) || computed == 0 || list.meshes.size() == computed) return;
   const std::span<const Mesh> meshes = list.meshes;
-  const std::vector<Vec3> computed_body = as_seen(meshes.first(parts), camera),
-                          ghost_body = as_seen(meshes.last(parts), camera);
+  const std::vector<Vec3> computed_body = as_seen(meshes.first(computed), camera),
+                          ghost_body = as_seen(meshes.subspan(computed), camera);
   name_body(facts_of(*m.model.scene.motion.method).term,
             standing_out(computed_body, ghost_body, camera, -1.0), camera, list);
   name_body("exact motion", standing_out(ghost_body, computed_body, camera, 1.0), camera, list);

@@ -194,14 +194,14 @@ std::vector<Part> racket() {
 
 }  // namespace
 
-std::vector<Part> look_of(const Body& body) {
+std::vector<Part> look_of(const Body& body, Look look) {
   const auto is_a = [&](std::string_view thing) { return body.name.ends_with(thing); };
   if (is_a("racket") && !body.shape) return racket();
   const Shape shape = body.shape.value_or(equivalent_box(body.moments, body.mass_kg));
   if (shape.kind != ShapeKind::box) return {};
-  if (is_a("book")) return book(shape.size_m);
-  if (is_a("phone")) return phone(shape.size_m);
-  return {};
+  if (!is_a("book") && !is_a("phone")) return {};
+  if (look == Look::glass) return {box_part(0.5 * shape.size_m)};
+  return is_a("book") ? book(shape.size_m) : phone(shape.size_m);
 }
 
 }  // namespace polhode::builders

@@ -26,8 +26,10 @@ Part box_part(const Vec3& half);
 Part cylinder_part(const Vec3& half);
 void turn_and_move(Part& part, const Quat& q, const Vec3& by);
 
+/// As one holds it; or as a ghost of glass, whose inner parts would show through one another.
+enum class Look { solid, glass };
 /// The parts of a body that has a look of its own: a box whose name ends in "book" or "phone", and a body
 /// without a shape whose name ends in "racket". Empty for all others.
-std::vector<Part> look_of(const Body& body);
+std::vector<Part> look_of(const Body& body, Look look);
 
 }  // namespace polhode::builders

@@ -216,9 +216,9 @@ Vec3 room_for(const Snapshot& m, const Vec3& w_B) {
 }
 
 /// In m, about the pivot where the scene shows one.
-std::vector<Part> parts_of(const Scene& scene, bool on_pivot) {
+std::vector<Part> parts_of(const Scene& scene, bool on_pivot, Look look = Look::solid) {
   if (!on_pivot)
-    if (std::vector<Part> look = look_of(scene.body); !look.empty()) return look;
+    if (std::vector<Part> parts = look_of(scene.body, look); !parts.empty()) return parts;
   if (!on_pivot)
     return parts_of(scene.body.shape.value_or(equivalent_box(scene.body.moments, scene.body.mass_kg)));
   const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
@@ -255,7 +255,7 @@ void add_solid(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
   const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
   add_parts(std::move(parts), m.q_VB, scale, std::nullopt, 1.0F, list);
-  if (m.turn && m.model.solid.kind == ShapeKind::box && look_of(m.model.scene.body).empty())
+  if (m.turn && m.model.solid.kind == ShapeKind::box && look_of(m.model.scene.body, Look::solid).empty())
     add_cover(m.q_VB, 0.5 * scale * m.model.solid.size_m, list);
 }
 
@@ -288,7 +288,7 @@ void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list) {
   constexpr float kAlpha = 0.38F, kEdges = 0.6F;
   constexpr double kLarger =
       1.004;  // where both coincide, their faces would show through each other in specks
-  std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
+  std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot), Look::glass);
   const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
   add_parts(std::move(parts), q_SB, kLarger * scale, Color{kGlassTint.r, kGlassTint.g, kGlassTint.b, kAlpha},
             kEdges, list);

@@ -117,6 +117,17 @@ TEST(LiveRows, WhatDiffersIsNotCalledEqual) {
   EXPECT_THAT(rows_of("T = 0", ClaimKind::is_false, spinning(), 0.0), ElementsAre("5.18 ≠ 0"));
 }
 
+TEST(LiveRows, WhatIsSoWithinAToleranceHasItsTwoNumbers) {
+  Claim claim = claim_of("T = 1.005*T", ClaimKind::measured);
+  claim.lines[0].within = 0.009;
+  EXPECT_THAT(rows_of(claim, spinning(), 0.0), ElementsAre("5.18 ≈ 5.21"));
+  claim.lines[0].judgement.emplace().verdict = Verdict::holds;
+  const Scene scene = spinning();
+  EXPECT_THAT(verdict_row(claim, &scene, nullptr).note, HasSubstr("to within 0.9 %"));
+  claim.lines[0].within.reset();
+  EXPECT_THAT(verdict_row(claim, &scene, nullptr).note, Not(HasSubstr("within")));
+}
+
 TEST(LiveRows, SetAFactorOfTenApart) {
   Scene scene = spinning();
   scene.w0_B *= 1e3;

@@ -336,6 +336,7 @@ TEST(Pivot, NeedsAHeavyTop) {
 
 Scene computed_badly() {
   Scene scene = turning({O::shape, O::omega, O::L, O::labels});
+  scene.body.name = "plain";  // not a book of several parts
   scene.motion = {.method = Method::explicit_midpoint, .step_s = 0.3, .ghost = true};
   return scene;
 }
