@@ -25,6 +25,11 @@ inline constexpr Role kHerpolhodeRole{color_from_hex(0x6B5B00), color_from_hex(0
 inline constexpr Role kTRole{color_from_hex(0x23262B),
                              color_from_hex(0x4A4F57)};  ///< scalars: the ink of text
 inline constexpr Role kAxesRole{color_from_hex(0x4A4F57), color_from_hex(0x8A9099)};
+/// Of the body axes 1, 2, 3: the hues of the polhodes round them (family_color), where the moments are in
+/// order.
+inline constexpr std::array<Role, 3> kBodyAxisRoles{Role{color_from_hex(0x4C3A9E), color_from_hex(0x7166C0)},
+                                                    Role{color_from_hex(0x4A4F57), color_from_hex(0x737B86)},
+                                                    Role{color_from_hex(0x0A6473), color_from_hex(0x1F8C9C)}};
 /// Of what a lesson draws besides, in this order; told apart by dashes where there is more.
 inline constexpr std::array<Role, 4> kMarkRoles{Role{color_from_hex(0x5B3FA0), color_from_hex(0x7B5FC7)},
                                                 Role{color_from_hex(0x6E3B10), color_from_hex(0x9A5B22)},

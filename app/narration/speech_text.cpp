@@ -251,9 +251,7 @@ std::string SpeechText::words_of_caption(const Step& step, std::size_t shown) co
 
 std::vector<std::string> SpeechText::captions_in_words(const Step& step, const Scene& shown) const {
   const std::vector<const Scene*> scenes = shown_scenes(shown);
-  const bool have_one = std::all_of(scenes.begin(), scenes.end(), [&](const Scene* scene) {
-    return scene->caption == scenes.front()->caption;
-  });
+  const bool have_one = have_one_caption(scenes);
   std::vector<std::string> captions;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const std::string caption = words_of_caption(step, have_one && step.scene ? step.scene->before : i);
@@ -330,6 +328,9 @@ std::string SpeechText::words_of_tex(const std::string& tex) const {
 
 std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
   std::vector<std::string> all;
+  if (draws_poses(scene))
+    all.push_back(fmt::format("the body as it was at {} earlier {}", scene.poses.count,
+                              scene.poses.count == 1 ? "instant" : "instants"));
   if (!draws_marks(scene)) return all;
   const auto name = [this](const MarkVector& vector) { return words_of_tex(vector.quantity.tex); };
   const auto at_tip = [&](const std::optional<MarkVector>& vector, const char* where) {

@@ -1,7 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/still_numbers.h"
 
+#include <algorithm>
+
 namespace polhode {
+
+bool have_one_caption(const std::vector<const Scene*>& shown) {
+  const Scene& first = *shown.front();
+  const bool has_number =
+      first.caption.find("\\live") != std::string::npos || first.caption.find("\\value") != std::string::npos;
+  return (!first.label.empty() || !has_number) &&
+         std::all_of(shown.begin(), shown.end(),
+                     [&](const Scene* scene) { return scene->caption == first.caption; });
+}
 
 const StillNumbers::Values& StillNumbers::of(const Lesson& lesson, const Step& step) {
   return of_caption(lesson, step, step.scene ? step.scene->before : 0);

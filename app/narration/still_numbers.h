@@ -10,6 +10,11 @@
 
 namespace polhode {
 
+/// Whether scenes that are shown side by side have one caption between them: the same words, without a
+/// number, which each would have of its own motion. The pictures of a filmstrip, which have labels, share
+/// theirs anyway.
+bool have_one_caption(const std::vector<const Scene*>& shown);
+
 /// Each step's motion is computed once, when its numbers are first asked for. The lesson must outlive it.
 class StillNumbers {
  public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/verdict_row.h"
 
+#include "lessons/claims/expression_tex.h"
 #include "physics/method.h"
 
 #include <fmt/format.h>
@@ -54,12 +55,20 @@ std::string how_it_is_computed(const Scene* scene) {
   return fmt::format("with {}, tolerance {:g}", facts.name, motion.tolerance.value_or(kDefaultTolerance));
 }
 
-/// "given $I_2 = I_1$"
-std::string words_of(const Given& given) {
-  std::string settings;
-  for (const Setting& setting : given.settings)
-    settings += (settings.empty() ? "given $" : ", $") + setting.tex + '$';
-  return settings;
+std::string joined(std::string words, const std::string& more) {
+  return words.empty() ? more : more.empty() ? words : words + ", " + more;
+}
+
+/// "given $I_2 = I_1$, to first order in $\\omega_1$"; what is measured is not of an order: "for small …".
+std::string words_of(const Given& given, ClaimKind kind) {
+  const auto listed = [](const std::vector<std::string>& formulas, std::string words) {
+    for (const std::string& tex : formulas) words += (&tex == &formulas.front() ? " $" : ", $") + tex + '$';
+    return formulas.empty() ? std::string() : words;
+  };
+  const std::string order = given.small.empty() || kind == ClaimKind::measured
+                                ? "for small"
+                                : fmt::format("to {} order in", name_of_order(given.small.order));
+  return joined(listed(printed_conditions(given), "given"), listed(printed_small(given), order));
 }
 
 /// Of what is false, or does not follow.
@@ -67,10 +76,6 @@ std::string words_of(const Counterexample& counter, ClaimKind kind) {
   return fmt::format("for example at {}{}: {} ≠ {}", counter.state,
                      kind == ClaimKind::non_sequitur ? ", where the premise holds" : "", counter.left,
                      counter.right);
-}
-
-std::string joined(std::string words, const std::string& more) {
-  return words.empty() ? more : more.empty() ? words : words + ", " + more;
 }
 
 /// Numbers of a row: two or three digits of the largest component, a factor of ten set apart where it is not
@@ -140,6 +145,18 @@ std::string frame_of(bool is_vector, View view) {
   return !is_vector ? "" : view == View::space ? "in $S$ " : "in $S^*$ ";
 }
 
+/// What is called approximately equal differs by no more than a tenth of the larger side.
+bool are_near(const LiveValue& value) {
+  constexpr double kNear = 0.1;
+  double apart = 0, left = 0, right = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    apart = std::hypot(apart, value.left[i] - value.right[i]);
+    left = std::hypot(left, value.left[i]);
+    right = std::hypot(right, value.right[i]);
+  }
+  return apart <= kNear * std::max(left, right);
+}
+
 struct Row {
   std::string text;  ///< "5.18 = 5.18 = 5.18"; empty if a side has no value, or the step is too long to tell
   bool is_nothing = true;  ///< "0 = 0", or no text
@@ -158,16 +175,30 @@ Row row_of(const ChainLines& chain, bool refutes, const LiveState& live, View vi
   for (std::size_t i = 0; i < values.size(); ++i) {
     const LiveValue& value = values[i];
     const ClaimLine& line = *chain[i];
-    const bool is_order = line.relation != Relation::equal;
+    const bool is_equal = line.relation == Relation::equal;
     const bool apart = value.residual > value.tolerance;
-    // What is equal is printed equal, whichever way the last digit was rounded.
-    const std::string right =
-        apart || is_order || value.right == std::array<double, 3>{} ? side(value.right) : left;
+    // What is equal is printed equal, whichever way the last digit was rounded; what is so within a tolerance
+    // of the author's own has the two numbers it has.
+    std::string right = apart || !is_equal || line.within || value.right == std::array<double, 3>{}
+                            ? side(value.right)
+                            : left;
+    const bool is_rough = is_equal && !apart && right != left;
     if (refutes && !apart) return {};  // of inequalities too: whether one fails here is not said
-    text += (apart ? " ≠ " : ' ' + std::string(sign_of(line.relation)) + ' ') + right;
+    const bool is_far = line.relation == Relation::approximate && !are_near(value) && left != right;
+    text += (apart || is_far ? " ≠ "
+             : is_rough      ? " ≈ "
+                             : ' ' + std::string(sign_of(line.relation)) + ' ') +
+            right;
     left = right;
   }
   return {text, side.is_nothing()};
+}
+
+/// "to within 0.9 %": the roughest of the tolerances that the author gave; empty where there is none.
+std::string within_of(const Claim& claim) {
+  double within = 0;
+  for (const ClaimLine& line : claim.lines) within = std::max(within, line.within.value_or(0.0));
+  return within == 0 ? "" : fmt::format("to within {:.2g} %", 100.0 * within);
 }
 
 /// Why a measured claim fails on its motion; nothing if it holds.
@@ -188,7 +219,7 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
   VerdictRow row{.claim = &claim,
                  .certainty = certainty_of(claim.kind),
                  .word = std::string(word_of(claim.kind)),
-                 .note = words_of(claim.given),
+                 .note = words_of(claim.given, claim.kind),
                  .claimed = {}};
   const auto is_instead = [&row](Certainty certainty, std::string word, std::string note) {
     row.certainty = certainty;
@@ -214,7 +245,7 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
   else if (refutes(claim.kind) && counter)
     row.note = joined(row.note, words_of(*counter, claim.kind));
   if (claim.kind != ClaimKind::measured || !holds) return row;
-  row.note = joined(how_it_is_computed(scene), row.note);
+  row.note = joined(joined(how_it_is_computed(scene), within_of(claim)), row.note);
   if (const auto why = model ? why_not_measured(claim, *model) : std::nullopt)
     is_instead(Certainty::open, "not confirmed", *why);
   return row;

@@ -22,8 +22,9 @@ struct VerdictRow {
   const Claim* claim = nullptr;
   Certainty certainty = Certainty::open;
   std::string word;  ///< "true in every motion", "law", "false"
-  std::string
-      note;  ///< what is given, how it was measured, a counterexample; goes on behind the word and ", "
+  /// What is given, to which order it holds, how it was measured, a counterexample; goes on behind the word
+  /// and ", ".
+  std::string note;
   /// Where the equation itself is not what is claimed: each line of the claim, as TeX.
   std::vector<std::string> claimed;
 };
@@ -39,8 +40,9 @@ inline constexpr std::size_t kMostLiveRows = 3;
 /// nothing.
 std::vector<std::string> widest_live_rows(const Claim& claim);
 /// "(0.31, −0.20, 1.13) = (0.31, −0.20, 1.13)", as set_line sets it: what the sides of each row come to, at
-/// most two digits behind the point. A step that is too long to tell has no numbers, and says so. Empty where
-/// there are no values.
+/// most two digits behind the point. What holds to an order has "≈" between them, and its numbers are not
+/// made equal; where they are further apart than a tenth, "≠". A step that is too long to tell has no
+/// numbers, and says so. Empty where there are no values.
 std::vector<std::string> live_rows(const Claim& claim, const LiveState& live, View view);
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/figure_place.h"
 
+#include "app/narration/still_numbers.h"
 #include "render/drawing/plots/meter_plots.h"
 #include "render/figure/make_figure.h"
 #include "render/typeset/paragraph.h"
@@ -172,12 +173,6 @@ PlacedFigure place_scene(const SceneModel& model, const std::string& caption, do
   return placed;
 }
 
-bool have_one_caption(const std::vector<const SceneModel*>& shown) {
-  const std::string& caption = shown.front()->scene.caption;
-  return std::all_of(shown.begin(), shown.end(),
-                     [&](const SceneModel* model) { return model->scene.caption == caption; });
-}
-
 }  // namespace
 
 PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace& place, const Fonts& fonts) {
@@ -188,7 +183,7 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
   if (shown.size() == 1) return place_scene(model, caption_of(0), t_s, place, fonts);
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
-  const bool is_common = have_one_caption(shown);
+  const bool is_common = have_one_caption(shown_scenes(model.scene));
   if (is_common) cut_caption(caption_of(model.scene.before), place, box, placed.sheet, fonts);
   const std::vector<PixelBox> cells = places_of_scenes(model, box);
   for (std::size_t i = 0; i < shown.size(); ++i) {

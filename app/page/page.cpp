@@ -301,26 +301,46 @@ void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet
 
 }  // namespace
 
+namespace {
+
+/// Whether a step of the request's stage, from 1, fits its slide in such type.
+Result<bool> fits(const PageRequest& request, int step, const SlideType& type, double least_formula,
+                  const Fonts& fonts) {
+  const bool has_figure = request.stage.steps[static_cast<std::size_t>(step - 1)].scene != nullptr;
+  const Grid grid = slide(room_of(request), has_figure, type.column);
+  PageRequest of_step = request;
+  of_step.profile = Profile::slides;
+  of_step.step = step;
+  of_step.model = nullptr;
+  of_step.slide_type = &type;
+  return fits_slide(of_step, grid.text.width(), grid.text.height(), grid.em, least_formula, fonts);
+}
+
+}  // namespace
+
+Result<double> slide_scale_of(const PageRequest& request, const Fonts& fonts) {
+  const double widest = slide_columns(room_of(request)).back();
+  for (const double scale : kSlideScales) {
+    const auto holds = fits(request, request.step, {widest, scale}, kLeastFormulaScale, fonts);
+    if (!holds) return failure(holds.error());
+    if (*holds) return scale;
+  }
+  return kSlideScales.back();
+}
+
 Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts) {
-  const Room room = room_of(request);
-  const std::vector<double> columns = slide_columns(room);
+  const std::vector<double> columns = slide_columns(room_of(request));
   for (const double scale : kSlideScales)
     for (const double column : columns) {
       const bool is_last = scale == kSlideScales.back() && column == columns.back();
       const SlideType type{column, scale};
       bool holds = true;
       for (std::size_t i = 0; holds && !is_last && i < request.stage.steps.size(); ++i) {
-        const bool has_figure = request.stage.steps[i].scene != nullptr;
-        const Grid grid = slide(room, has_figure, column);
-        PageRequest of_step = request;
-        of_step.step = static_cast<int>(i) + 1;
-        of_step.model = nullptr;
-        of_step.slide_type = &type;
-        const auto fits =
-            fits_slide(of_step, grid.text.width(), grid.text.height(), grid.em,
-                       column == columns.back() ? kLeastFormulaScale : kWishedFormulaScale, fonts);
-        if (!fits) return failure(fits.error());
-        holds = *fits;
+        const auto fits_here =
+            fits(request, static_cast<int>(i) + 1, type,
+                 column == columns.back() ? kLeastFormulaScale : kWishedFormulaScale, fonts);
+        if (!fits_here) return failure(fits_here.error());
+        holds = *fits_here;
       }
       if (holds) return type;
     }

@@ -99,6 +99,10 @@ inline constexpr double kLeastFormulaScale = 0.6;
 /// Errors as of text_of_page.
 Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts);
 
+/// The largest type in which the request's step fits a slide, in the widest column, beside the normal size:
+/// no slide of its stage has larger type. Errors as of text_of_page.
+Result<double> slide_scale_of(const PageRequest& request, const Fonts& fonts);
+
 /// The text column (page_text.h), which is the same at all times, if it runs or has no computed numbers, and
 /// throughout an entrance; most of what a page costs.
 /// The error says which text cannot be set, or that the step has more than a page holds (lint says where).

@@ -24,6 +24,56 @@ constexpr std::int64_t kEvaluationsOfValue = 20;
 
 constexpr Size kPages[] = {{1920, 1080}, {1024, 768}, {1080, 1920}};
 
+/// What can be read while somebody speaks.
+constexpr int kWordsOnSlide = 45, kFormulasOnSlide = 2;
+
+/// A formula counts as one.
+int words_in(const RichText& text) {
+  int words = 0;
+  bool inside = false;
+  for (const TextBlock& block : text) {
+    inside = false;
+    for (const TextSpan& span : block.spans) {
+      if (span.kind == TextSpan::Kind::math) {
+        words += inside ? 0 : 1;
+        inside = true;
+        continue;
+      }
+      for (const char c : span.text) {
+        const bool is_blank = c == ' ' || c == '\n';
+        words += !is_blank && !inside ? 1 : 0;
+        inside = !is_blank;
+      }
+    }
+  }
+  return words;
+}
+
+/// Of prose and call-outs, as far as they stand on a page.
+int words_in(const Step& step) {
+  int words = 0;
+  for (const Block& block : step.blocks) {
+    if (const auto* prose = std::get_if<Prose>(&block)) words += words_in(prose->text);
+    if (const auto* callout = std::get_if<Callout>(&block))
+      words += words_in(callout->kind == Callout::Kind::derivation ? callout->title : callout->text);
+  }
+  return words;
+}
+
+/// Whether two steps have the same picture: the body, its motion, the instant, and all that is drawn and
+/// plotted.
+bool same_picture(const std::shared_ptr<const Scene>& a, const std::shared_ptr<const Scene>& b) {
+  if (a == b) return true;
+  if (!a || !b) return false;
+  const auto picture_of = [](Scene scene) {
+    scene.caption.clear();
+    scene.duration_s.reset();
+    scene.rate.reset();
+    return scene;
+  };
+  return picture_of(*a) == picture_of(*b);
+}
+
 SourcePlace place_of(const Stage& stage, const Step& step) {
   if (step.blocks.empty()) return stage.place;
   return std::visit([](const auto& block) { return block.place; }, step.blocks.front());
@@ -56,7 +106,10 @@ class PageLint {
       const Step& step = stage.steps[i];
       place_ = place_of(stage, step);
       try {
+        const std::size_t before = found_.size();
         check(stage, number, static_cast<int>(i + 1), step);
+        // What no page holds well is too much for a slide, and the same advice helps.
+        if (found_.size() == before && sizes_.size() > 1) check_slide(stage, number, static_cast<int>(i + 1));
       } catch (const std::domain_error& error) {
         found_.push_back(
             {Severity::error, file_, place_,
@@ -83,6 +136,40 @@ class PageLint {
                   .effort = effort_}))
         break;
     }
+  }
+
+  /// Whether a step says little enough for a slide, and shows something new.
+  void check_slide(const Stage& stage, int number, int step_number) {
+    const auto index = static_cast<std::size_t>(step_number - 1);
+    const Step& step = stage.steps[index];
+    const std::string which = fmt::format("step {} of stage \"{}\"", step_number, stage.id);
+    if (const int words = words_in(step); words > kWordsOnSlide)
+      warn(fmt::format("{} has {} words, which nobody reads while somebody speaks", which, words),
+           fmt::format("at most {} a step: cut, or split it with ---", kWordsOnSlide));
+    if (const std::size_t formulas = blocks_of<Equation>(step).size(); formulas > kFormulasOnSlide)
+      warn(fmt::format("{} has {} displayed formulas", which, formulas),
+           fmt::format("at most {} a step: split it with ---", kFormulasOnSlide));
+    spend(effort_, kPageEvaluations);
+    const PageRequest request{.lesson = lesson_,
+                              .stage = stage,
+                              .number = number,
+                              .step = step_number,
+                              .size = kPages[0],
+                              .still_numbers = &still_numbers_,
+                              .effort = effort_};
+    if (const Result<double> scale = slide_scale_of(request, fonts_); scale && *scale < 1.0)
+      warn(fmt::format(
+               "{} is long for a slide: all slides of its stage have type of {:.0f} % of the normal size",
+               which, 100.0 * *scale),
+           kSplit);
+    if (index == 0 || !step.scene) return;
+    const bool stays = same_picture(stage.steps[index - 1].scene, step.scene);
+    if (stays && step.same.empty())
+      warn(which + " has the picture of the step before",
+           "show what it speaks of, or say in its ```scene why "
+           "it stays: same = \"a question about it\"");
+    if (!stays && !step.same.empty())
+      warn(which + " says why its picture stays, and changes it", "leave out \"same\"");
   }
 
   /// Of a quantity that the motion does not have there is nothing to see, and nothing else says why.

@@ -21,6 +21,7 @@ constexpr double kHeaderSize = 0.62;  // em of prose
 constexpr double kHeaderToTitle = 0.9;
 constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads; of what is normal for the page
 constexpr double kSmaller = 0.94;
+constexpr double kTallestBefore = 2.6;  // em: of what a slide recalls
 
 /// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
 bool is_refuted(const Stage& stage, const Equation& equation) {
@@ -250,14 +251,16 @@ class ScaledText {
 
   bool is_slide() const { return request_.profile == Profile::slides; }
 
-  /// The last equation that an earlier step has come to, if a line holds it.
+  /// The last equation that an earlier step has come to, if a line holds it: not one of several lines, which
+  /// would take the room of the step's own.
   ColumnPiece from_before() {
     for (std::size_t i = last_; i-- > 0;) {
       const Equation* equation = focus_of(request_.stage, request_.stage.steps[i]);
       if (equation == nullptr) continue;
       ColumnPiece piece = noted(column_.from_before(*equation));
       piece.of = equation;
-      return piece.width <= width_ ? piece : ColumnPiece();
+      const bool is_a_line = piece.width <= width_ && piece.height <= kTallestBefore * scale_ * em_;
+      return is_a_line ? piece : ColumnPiece();
     }
     return {};
   }

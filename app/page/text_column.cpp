@@ -30,7 +30,8 @@ constexpr double kClaimedSize = 0.7;   ///< of what is claimed beside the formul
 constexpr double kClaimedGap = 0.3;    ///< above each of its rows, of its size
 constexpr double kVerdictGap = 0.3;
 constexpr double kWidestTag = 0.4;  ///< of the column
-constexpr double kStepTitleGap = 0.9;
+constexpr double kStepTitleGap = 1.15;
+constexpr double kStepTitleCloser = 0.34;  ///< to its own text than that to what is above
 constexpr double kParagraphGap =
     0.87;  // to the eye as wide as `between` below: those are lines without tails
 constexpr double kDisplayGap = 0.78;
@@ -134,7 +135,9 @@ Result<ColumnPiece> TextColumn::step_title(const RichText& title) const {
   TextStyle bold = style(size_, colors().ink, width_);
   bold.bold = true;
   bold.leading = 1.2;
-  return piece_of(set(title, bold), size_, kStepTitleGap * size_);
+  Result<ColumnPiece> piece = piece_of(set(title, bold), size_, kStepTitleGap * size_);
+  if (piece) piece->height -= std::round(kStepTitleCloser * size_);
+  return piece;
 }
 
 Result<ColumnPiece> TextColumn::prose(const RichText& text) const {

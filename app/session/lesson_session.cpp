@@ -20,6 +20,7 @@ bool same_course(Scene a, const Scene& b) {
   a.views = b.views;
   a.show = b.show;
   a.marks = b.marks;
+  a.poses = b.poses;
   a.camera = b.camera;
   a.highlight = b.highlight;
   a.quality = b.quality;

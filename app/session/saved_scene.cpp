@@ -68,10 +68,14 @@ std::string symbols_of(const Lesson& lesson) {
     symbols += fmt::format("{} = {{ {}{} }}\n", key_of(name), looks_of(symbol), means);
   }
   for (const auto& [name, given] : lesson.assumptions) {
-    std::string settings;
-    for (const Setting& setting : given.settings)
-      settings += (settings.empty() ? "" : ", ") + toml(setting.text);
-    assumptions += fmt::format("{} = [{}]\n", key_of(name), settings);
+    std::string texts;
+    const auto add = [&texts](const std::string& text) { texts += (texts.empty() ? "" : ", ") + toml(text); };
+    for (const Setting& setting : given.settings) add(setting.text);
+    for (const Bound& bound : given.bounds) add(bound.text);
+    for (const std::string_view small : given.small.names()) add(std::string(small));
+    assumptions += given.small.empty() ? fmt::format("{} = [{}]\n", key_of(name), texts)
+                                       : fmt::format("{} = {{ small = [{}], order = {} }}\n", key_of(name),
+                                                     texts, given.small.order);
   }
   const auto table = [](const char* name, const std::string& lines) {
     return lines.empty() ? "" : fmt::format("\n[{}]\n{}", name, lines);

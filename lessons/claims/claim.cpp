@@ -27,8 +27,12 @@ namespace {
 struct RelationTexts {
   std::string_view text, sign, tex;
 };
-constexpr std::array<RelationTexts, 5> kRelationTexts = {
-    {{"=", "=", "="}, {"<", "<", "<"}, {"<=", "≤", "\\le"}, {">", ">", ">"}, {">=", "≥", "\\ge"}}};
+constexpr std::array<RelationTexts, 6> kRelationTexts = {{{"=", "=", "="},
+                                                          {"<", "<", "<"},
+                                                          {"<=", "≤", "\\le"},
+                                                          {">", ">", ">"},
+                                                          {">=", "≥", "\\ge"},
+                                                          {"~=", "≈", "\\approx"}}};
 
 const RelationTexts& texts_of(Relation relation) {
   return kRelationTexts[static_cast<std::size_t>(relation)];

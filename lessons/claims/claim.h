@@ -4,6 +4,7 @@
 
 #include "lessons/claims/expression.h"
 #include "lessons/claims/given.h"
+#include "lessons/claims/relation.h"
 #include "lessons/diagnostics/diagnostic.h"
 
 #include <optional>
@@ -18,14 +19,6 @@ std::string_view name_of(ClaimKind kind);
 /// Nothing if no kind has the name.
 std::optional<ClaimKind> claim_kind_from(std::string_view name);
 std::vector<std::string> claim_kind_names();
-
-/// How the sides of a line are related.
-enum class Relation { equal, less, less_or_equal, greater, greater_or_equal };
-/// "=", "<", "<=", ">", ">=", as claims are written; and as it is read: "≤".
-std::string_view text_of(Relation relation);
-std::string_view sign_of(Relation relation);
-/// TeX: "\\le".
-std::string_view tex_of(Relation relation);
 
 /// not_refuted: an inequality without a proof, which held in every state that was tried. undecided: too
 /// seldom defined, or its numbers too large.

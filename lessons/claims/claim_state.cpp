@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/claim_state.h"
 
+#include "lessons/claims/power_series.h"
 #include "lessons/claims/rational_function.h"
 
 #include <algorithm>
@@ -128,6 +129,9 @@ POLHODE_STATES_OF(FieldElement)
 POLHODE_STATES_OF(WideFieldElement)
 POLHODE_STATES_OF(SizedNumber)
 POLHODE_STATES_OF(RationalFunction)
+POLHODE_STATES_OF(PowerSeries<FieldElement>)
+POLHODE_STATES_OF(PowerSeries<WideFieldElement>)
+POLHODE_STATES_OF(PowerSeries<Ratio>)
 #undef POLHODE_STATES_OF
 
 bool is_possible_body(const std::array<SizedNumber, 3>& I) {
@@ -138,14 +142,28 @@ bool is_possible_body(const std::array<SizedNumber, 3>& I) {
   return true;
 }
 
+bool holds_in(const Bound& bound, const ClaimState<SizedNumber>& state, double tolerance, bool strictly) {
+  const auto left = value_in(state, bound.sides.left), right = value_in(state, bound.sides.right);
+  if (!left || !right) return false;
+  const SizedNumber l = (*left)[0].value, r = (*right)[0].value;
+  const bool is_upward = bound.relation == Relation::greater || bound.relation == Relation::greater_or_equal;
+  const bool is_strict = bound.relation == Relation::greater || bound.relation == Relation::less;
+  const double excess = is_upward ? l.value - r.value : r.value - l.value;
+  const double rounding = tolerance * std::fmax(l.size, r.size);
+  return strictly || is_strict ? excess > rounding : excess >= -rounding;
+}
+
 bool holds_in(const Given& given, const ClaimState<SizedNumber>& state, double tolerance) {
-  return std::all_of(given.settings.begin(), given.settings.end(), [&](const Setting& setting) {
-    ExpressionNode quantity;
-    quantity.operation = Operation::quantity;
-    quantity.quantity = setting.quantity;
-    const auto is = value_in(state, Expression{"", {quantity}}), shall_be = value_in(state, setting.value);
-    return is && shall_be && relative_residual(*is, *shall_be) <= tolerance;
-  });
+  return std::all_of(given.bounds.begin(), given.bounds.end(),
+                     [&](const Bound& bound) { return holds_in(bound, state, tolerance, false); }) &&
+         std::all_of(given.settings.begin(), given.settings.end(), [&](const Setting& setting) {
+           ExpressionNode quantity;
+           quantity.operation = Operation::quantity;
+           quantity.quantity = setting.quantity;
+           const auto is = value_in(state, Expression{"", {quantity}}),
+                      shall_be = value_in(state, setting.value);
+           return is && shall_be && relative_residual(*is, *shall_be) <= tolerance;
+         });
 }
 
 namespace {
@@ -190,12 +208,16 @@ std::optional<bool> agree(const Equality& equality, const ClaimState<N>& state) 
          left[2].value == right[2].value;
 }
 
-template std::optional<Triple<FieldElement, 0>> value_in(const ClaimState<FieldElement>&, const Expression&);
-template std::optional<Triple<WideFieldElement, 0>> value_in(const ClaimState<WideFieldElement>&,
-                                                             const Expression&);
-template std::optional<Triple<SizedNumber, 0>> value_in(const ClaimState<SizedNumber>&, const Expression&);
-template std::optional<Triple<RationalFunction, 0>> value_in(const ClaimState<RationalFunction>&,
-                                                             const Expression&);
+#define POLHODE_VALUES_OF(N) \
+  template std::optional<Triple<N, 0>> value_in(const ClaimState<N>&, const Expression&);
+POLHODE_VALUES_OF(FieldElement)
+POLHODE_VALUES_OF(WideFieldElement)
+POLHODE_VALUES_OF(SizedNumber)
+POLHODE_VALUES_OF(RationalFunction)
+POLHODE_VALUES_OF(PowerSeries<FieldElement>)
+POLHODE_VALUES_OF(PowerSeries<WideFieldElement>)
+POLHODE_VALUES_OF(PowerSeries<Ratio>)
+#undef POLHODE_VALUES_OF
 template std::optional<bool> agree(const Equality&, const ClaimState<FieldElement>&);
 template std::optional<bool> agree(const Equality&, const ClaimState<WideFieldElement>&);
 

@@ -87,7 +87,12 @@ std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given)
 /// Whether a body can have these moments: each is positive, and at most the sum of the other two.
 bool is_possible_body(const std::array<SizedNumber, 3>& I);
 
-/// Whether the two sides of each setting agree in a state, as far as `tolerance` of their terms.
+/// Whether an inequality holds in a state, as far as `tolerance` of its terms; `strictly`: also where it may
+/// be an equality. What is strict holds only where the sides are further apart.
+bool holds_in(const Bound& bound, const ClaimState<SizedNumber>& state, double tolerance, bool strictly);
+
+/// Whether the two sides of each setting agree in a state, as far as `tolerance` of their terms, and all
+/// inequalities hold. Of what is small nothing is said.
 bool holds_in(const Given& given, const ClaimState<SizedNumber>& state, double tolerance);
 
 /// The value in a state, by jets of the expression's order; nothing where it is not defined.

@@ -279,4 +279,21 @@ std::string tex_of(const Setting& setting, const Vocabulary* vocabulary) {
   return tex_of(setting.quantity) + " = " + tex_of(setting.value, vocabulary);
 }
 
+std::string tex_of(const Bound& bound, const Vocabulary* vocabulary) {
+  return tex_of(bound.sides, bound.relation, vocabulary);
+}
+
+std::vector<std::string> printed_conditions(const Given& given) {
+  std::vector<std::string> printed;
+  for (const Setting& setting : given.settings) printed.push_back(setting.tex);
+  for (const Bound& bound : given.bounds) printed.push_back(bound.tex);
+  return printed;
+}
+
+std::vector<std::string> printed_small(const Given& given) {
+  std::vector<std::string> printed;
+  for (const Quantity quantity : given.small.quantities) printed.push_back(tex_of(quantity));
+  return printed;
+}
+
 }  // namespace polhode

@@ -6,6 +6,7 @@
 #include "lessons/claims/vocabulary.h"
 
 #include <string>
+#include <vector>
 
 namespace polhode {
 
@@ -21,5 +22,12 @@ std::string tex_of(const ClaimLine& line, ClaimKind kind, const Vocabulary* voca
 
 /// "I_2 = I_1".
 std::string tex_of(const Setting& setting, const Vocabulary* vocabulary = nullptr);
+/// "I_3 > I_1".
+std::string tex_of(const Bound& bound, const Vocabulary* vocabulary = nullptr);
+
+/// What is set and which is the greater, each as it is printed.
+std::vector<std::string> printed_conditions(const Given& given);
+/// "\omega_1" of each quantity that is small.
+std::vector<std::string> printed_small(const Given& given);
 
 }  // namespace polhode

@@ -2,9 +2,11 @@
 #include "lessons/claims/given.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/expression_names.h"
 #include "lessons/claims/expression_variants.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace polhode {
@@ -64,6 +66,51 @@ bool Given::sets_torque() const {
 bool Given::sets_spin() const {
   return std::any_of(settings.begin(), settings.end(),
                      [](const Setting& setting) { return is_spin(setting.quantity); });
+}
+
+bool SmallQuantities::has(Quantity quantity) const {
+  return std::any_of(quantities.begin(), quantities.end(), [quantity](Quantity small) {
+    return small == quantity || (small == Quantity::N && is_torque(quantity));
+  });
+}
+
+bool SmallQuantities::has_torque() const {
+  return std::any_of(quantities.begin(), quantities.end(), is_torque);
+}
+
+std::vector<std::string_view> SmallQuantities::names() const {
+  std::vector<std::string_view> names;
+  for (const Quantity quantity : quantities) names.push_back(facts_of(quantity).name);
+  return names;
+}
+
+std::string_view name_of_order(int order) {
+  constexpr std::array<std::string_view, kMaxSmallOrder> kNames{"first", "second", "third", "fourth"};
+  return kNames[static_cast<std::size_t>(order - 1)];
+}
+
+bool can_be_small(Quantity quantity) {
+  return is_spin(quantity) || is_torque(quantity) || quantity == Quantity::h || quantity == Quantity::k;
+}
+
+std::optional<SettingFault> why_not_bound(const Bound& bound) {
+  for (const Expression* side : {&bound.sides.left, &bound.sides.right}) {
+    if (side->type() == ExpressionType::vector)
+      return SettingFault{"of two vectors none is the greater", "compare norm2(a) and norm2(b)"};
+    if (std::any_of(side->nodes.begin(), side->nodes.end(), is_rate))
+      return SettingFault{"an assumption holds at an instant: it has no rates", ""};
+    if (!is_rational(*side))
+      return SettingFault{"a proof has no roots and no angles: what is assumed has none", ""};
+  }
+  return std::nullopt;
+}
+
+std::optional<SettingFault> why_not_together(const Given& given) {
+  for (const Setting& setting : given.settings)
+    for (const Quantity small : given.small.quantities)
+      if (overlap(setting.quantity, small))
+        return SettingFault{"what is small is set already, by " + in_quotes(setting.text), "leave one out"};
+  return std::nullopt;
 }
 
 std::optional<SettingFault> why_not_set(const Setting& setting, const std::vector<Setting>& before) {

@@ -12,6 +12,7 @@
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -103,6 +104,23 @@ std::optional<double> without_noise(const SizedNumber& number, double size) {
   return std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
 }
 
+bool are_small_in(const SmallQuantities& small, const ClaimState<SizedNumber>& state) {
+  const auto& w = state.w_B;
+  double spin = 0, twice_T = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    spin = std::hypot(spin, w[i].value.value);
+    twice_T += state.I[i].value * w[i].value.value * w[i].value.value;
+  }
+  constexpr std::array kSpin{Quantity::w1, Quantity::w2, Quantity::w3},
+      kTorque{Quantity::N1, Quantity::N2, Quantity::N3};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (small.has(kSpin[i]) && !(std::abs(w[i].value.value) <= kSmallOnMotion * spin)) return false;
+    if (small.has(kTorque[i]) && !(std::abs(state.N_B[i].value.value) <= kSmallOnMotion * twice_T))
+      return false;
+  }
+  return !small.has(Quantity::h) && !small.has(Quantity::k);
+}
+
 /// The motion as it begins, without its rates.
 bool holds_at_start(const Given& given, const Scene& scene) {
   const RigidBodyState start = problem_of(scene).start;
@@ -117,7 +135,7 @@ bool holds_at_start(const Given& given, const Scene& scene) {
   s.N_B = at_rest(torque_B(scene.torque, start));
   s.F_S = at_rest(translation.F_S);
   s.m = translation.mass_kg;
-  return holds_in(given, s, rounding_at(0, 1));
+  return holds_in(given, s, rounding_at(0, 1)) && are_small_in(given.small, s);
 }
 
 Triple<SizedNumber, 0> in_body(const Triple<SizedNumber, 0>& x_S, const ClaimState<SizedNumber>& state) {
@@ -204,7 +222,8 @@ std::optional<LiveValue> live_value(const ClaimLine& line, const LiveState& live
   if (!sides || line.conclusion) return std::nullopt;
   LiveValue value;
   value.is_vector = line.equality.is_vector();
-  value.residual = line.relation == Relation::equal ? sides->residual : 0;
+  const bool is_measured = line.relation == Relation::equal || line.within;
+  value.residual = is_measured ? sides->residual : 0;
   value.tolerance = tolerance_of(line.equality, line.within, live);
   value.size = std::max(size_of(sides->left), size_of(sides->right));
   const bool turned = view == View::body && value.is_vector;
@@ -234,7 +253,7 @@ std::optional<LiveQuantity> live_quantity(const Expression& expression, const Li
 }
 
 bool holds_on(const Given& given, const LiveState& live) {
-  return holds_in(given, live.state, live.rounding);
+  return holds_in(given, live.state, live.rounding) && are_small_in(given.small, live.state);
 }
 
 bool can_be_shown(const Claim& claim, const Scene& scene) {

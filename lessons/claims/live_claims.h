@@ -45,7 +45,7 @@ struct LiveValue {
   bool is_vector = false;
   std::array<double, 3> left{}, right{};  ///< components in the frame of the view; of a scalar the first
   double size = 0;                        ///< of what the sides come from: `residual` is relative to it
-  double residual = 0, tolerance = 0;     ///< of an inequality the residual is 0
+  double residual = 0, tolerance = 0;     ///< of inequalities, and of what is proved to an order, 0
 };
 /// Whether the scene has numbers for what the claim speaks of. p, v, F and m have some only where the centre
 /// of mass moves, A only where that arrow is shown. J, a scalar no scene has, counts where the numbers refute
@@ -53,7 +53,10 @@ struct LiveValue {
 /// another motion than the scene's and is never shown; a measured claim always is. What is given has to hold
 /// as the motion begins: of a body of three different moments nothing is shown that assumes I2 = I1.
 bool can_be_shown(const Claim& claim, const Scene& scene);
-/// Whether what is given holds on a motion at this moment, up to rounding.
+/// What is called small is on a motion at most so much: a component of ω beside |ω|, one of N beside 2T. Of h
+/// and k no motion has values.
+inline constexpr double kSmallOnMotion = 0.1;
+/// Whether what is given holds on a motion at this moment, up to rounding; and what is small is.
 bool holds_on(const Given& given, const LiveState& live);
 /// Nothing where a side is not defined, and of a non-sequitur. Some µs a line.
 std::optional<LiveValue> live_value(const Claim& claim, const LiveState& live, View view);

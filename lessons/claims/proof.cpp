@@ -3,6 +3,7 @@
 
 #include "lessons/claims/condition.h"
 #include "lessons/claims/degree.h"
+#include "lessons/claims/expansion.h"
 #include "lessons/claims/signs.h"
 #include "lessons/claims/small_states.h"
 
@@ -170,6 +171,36 @@ Judgement judge_false(const ClaimLine& line, const Prover& prover, const Given& 
   return judgement;
 }
 
+/// "to first order"
+std::string to_order(const Given& given) {
+  return "to " + std::string(name_of_order(given.small.order)) + " order";
+}
+
+/// What agrees to some order in what is small, or does not.
+Judgement judge_approximation(const ClaimLine& line, ClaimKind kind, const Prover& prover,
+                              const Given& given) {
+  const Assumption assumption = assumption_of(kind, given);
+  Judgement judgement = prover.settle_to_order(line.equality, assumption, given);
+  if (judgement.verdict == Verdict::undecided) return judgement;
+  const bool holds = judgement.verdict == Verdict::holds;
+  if (kind == ClaimKind::is_false) {
+    if (holds) return not_what_it_says("this is called false, but it holds " + to_order(given), "");
+    if (!judgement.counterexample)
+      return not_what_it_says("no possible body was found, as is given, for which this fails", "");
+    return {Verdict::holds, "", "", judgement.counterexample};
+  }
+  if (holds) return {};
+  const auto holds_under = [&](Assumption other) {
+    return prover.settle_to_order(line.equality, other, given).verdict == Verdict::holds;
+  };
+  if (assumption == Assumption::identity && holds_under(Assumption::motion))
+    judgement.hint = "it follows from the equations of motion: its kind is motion";
+  else if (assumption != Assumption::free && !given.sets_torque() && !given.small.has_torque() &&
+           holds_under(Assumption::free))
+    judgement.hint = "it holds without torque: its kind is free";
+  return judgement;
+}
+
 /// What follows where the premise holds, which is put into the states as what is given is.
 Judgement judge_implication(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
   const Assumption assumption = assumption_of(kind, given);
@@ -181,7 +212,8 @@ Judgement judge_implication(const ClaimLine& line, ClaimKind kind, const Prover&
     return refuse(settings.error(), "assume it in [assume], or claim only that it does not follow");
   Given all = given;
   all.settings.insert(all.settings.end(), settings->begin(), settings->end());
-  if (!is_possible(all)) return refuse("this condition holds for no possible body");
+  if (!is_possible(all) || !bounds_are_possible(all))
+    return refuse("this condition holds for no possible body");
   const Equality& conclusion = *line.conclusion;
   const int order = std::max(conclusion.left.order(), conclusion.right.order());
   if (order > 1 || (order > 0 && all.sets_spin()))
@@ -226,7 +258,7 @@ Verdict Prover::settle(const Equality& stated, Assumption assumption, const Give
   int defined = 0;
   for (std::size_t n = 0; n < samples(assumption).size(); ++n) {
     std::optional<bool> agrees;
-    if (given.empty()) {
+    if (given.settings.empty()) {
       agrees = agree(equality, samples(assumption)[n]);
     } else if (const auto state =
                    state_of(numbers_[static_cast<std::size_t>(assumption)][n], assumption, given)) {
@@ -253,6 +285,77 @@ bool Prover::agrees_at_its_own_points(const Equality& equality, Assumption assum
     if (state && agree(equality, *state) == std::optional(false)) return false;
   }
   return true;
+}
+
+Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, const Given& given,
+                               std::string& why) const {
+  const int order = given.small.order;
+  if (equality.left.nodes.size() + equality.right.nodes.size() > kMostExpandedNodes) {
+    why = "its sides are too long to be expanded: they have more than " + std::to_string(kMostExpandedNodes) +
+          " parts";
+    return Verdict::undecided;
+  }
+  constexpr int kOwnSamples = 2;
+  std::uint64_t seed = hash_of(equality.left.text, hash_of(equality.right.text, kSeed));
+  for (const Setting& setting : given.settings) seed = hash_of(setting.text, seed);
+  std::mt19937_64 random(seed);
+  const bool says_zero =
+      equality.left.type() == ExpressionType::zero || equality.right.type() == ExpressionType::zero;
+  int defined = 0;
+  bool are_zero = true;
+  // As for what is exact: points of a fixed seed, and some that depend on the claim's own text.
+  for (int n = 0; n < kMostSamples + kOwnSamples; ++n) {
+    const bool is_own = n >= kMostSamples;
+    if (!is_own && defined == kSamples) continue;
+    const auto sides =
+        expanded_sides(equality,
+                       is_own ? random_numbers(random)
+                              : numbers_[static_cast<std::size_t>(assumption)][static_cast<std::size_t>(n)],
+                       assumption, given);
+    if (!sides) continue;
+    const OrderComparison comparison = compare_to_order(*sides, order);
+    if (comparison.differ_at) return Verdict::fails;
+    if (!comparison.is_known) {
+      why = "so many terms cancel that it cannot be said what is left " + to_order(given);
+      return Verdict::undecided;
+    }
+    are_zero = are_zero && comparison.are_zero;
+    if (!is_own) ++defined;
+  }
+  if (defined < kSamples) return Verdict::undecided;
+  if (are_zero && !says_zero) {
+    why = "both sides are zero to that order: it says nothing";
+    return Verdict::undecided;
+  }
+  const Degree degree = degree_of_difference(equality, given);
+  if (std::max(degree.numerator, degree.denominator) >= kMostProvableDegree) return Verdict::undecided;
+  const double bits = std::max(degree.numerator_bits, degree.denominator_bits);
+  if (bits < kBitsOfOnePrime) return Verdict::holds;
+  const auto wide = expanded_sides(equality, wide_, assumption, given);
+  if (!wide) return Verdict::undecided;
+  const OrderComparison comparison = compare_to_order(*wide, order);
+  if (comparison.differ_at) return Verdict::fails;
+  return comparison.is_known && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
+}
+
+Judgement Prover::settle_to_order(const Equality& equality, Assumption assumption, const Given& given) const {
+  std::string why;
+  const Verdict verdict = agree_to_order(equality, assumption, given, why);
+  if (verdict == Verdict::holds) return {};
+  if (verdict == Verdict::undecided) {
+    if (why.empty()) return undecided();
+    const bool says_nothing = why.find("nothing") != why.npos;
+    return {
+        verdict,
+        std::move(why),
+        says_nothing ? "write 0 for one side, or claim a higher order" : "shorten it, or claim a lower order",
+        {}};
+  }
+  int differ_at = given.small.order;
+  auto counter = first_small_expansion(equality, assumption, given, differ_at);
+  std::string message = "this does not hold " + to_order(given);
+  if (counter) message += ": the sides differ in the terms of ε^" + std::to_string(differ_at);
+  return not_what_it_says(std::move(message), "", std::move(counter));
 }
 
 Verdict Prover::confirmed(const Equality& equality, Assumption assumption, const Given& given) const {
@@ -314,8 +417,10 @@ Assumption assumption_of(ClaimKind kind, const Given& given) {
 
 Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
   if (kind == ClaimKind::measured) return {};
+  if (line.relation == Relation::approximate && !given.small.empty())
+    return judge_approximation(line, kind, prover, given);
   if (line.conclusion && kind != ClaimKind::non_sequitur) return judge_implication(line, kind, prover, given);
-  if (line.relation != Relation::equal) return judge_order(line, kind, prover, given);
+  if (is_order(line.relation)) return judge_order(line, kind, prover, given);
   if (kind == ClaimKind::is_false) return judge_false(line, prover, given);
   if (kind == ClaimKind::non_sequitur) return judge_inference(line, prover, given);
   return judge_equality(line, kind, prover, given);

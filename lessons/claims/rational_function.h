@@ -51,11 +51,14 @@ class Ratio {
   Whole above() const { return above_; }
   Whole below() const { return below_; }  ///< positive
   int sign() const { return above_ > 0 ? 1 : above_ < 0 ? -1 : 0; }
+  bool is_zero() const { return above_ == 0; }
   friend Ratio operator+(const Ratio& a, const Ratio& b);
   friend Ratio operator-(const Ratio& a);
+  friend Ratio operator-(const Ratio& a, const Ratio& b) { return a + -b; }
   friend Ratio operator*(const Ratio& a, const Ratio& b);
   friend bool operator==(const Ratio& a, const Ratio& b) = default;
   Ratio reciprocal() const;  ///< precondition: it is not 0
+  friend Ratio inverse(const Ratio& a) { return a.reciprocal(); }
 
  private:
   Ratio(Whole above, Whole below);

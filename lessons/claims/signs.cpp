@@ -24,15 +24,20 @@ bool is_positive(Symbol symbol) {
   return symbol == symbols::kMass || is_in(kMomentsOfI) || is_in(kMomentsOfJ);
 }
 
-bool is_never_negative(const Monomial& monomial) {
+/// What is known of the sign of each symbol: never negative, and never 0 either.
+struct KnownSigns {
+  std::array<bool, kSymbols> not_negative{}, not_zero{};
+};
+
+bool is_never_negative(const Monomial& monomial, const KnownSigns& signs) {
   for (Symbol symbol = 0; symbol < kSymbols; ++symbol)
-    if (monomial[symbol] % 2 != 0 && !is_positive(symbol)) return false;
+    if (monomial[symbol] % 2 != 0 && !signs.not_negative[symbol]) return false;
   return true;
 }
 
-bool is_always_positive(const Monomial& monomial) {
+bool is_never_zero(const Monomial& monomial, const KnownSigns& signs) {
   for (Symbol symbol = 0; symbol < kSymbols; ++symbol)
-    if (monomial[symbol] != 0 && !is_positive(symbol)) return false;
+    if (monomial[symbol] != 0 && !signs.not_zero[symbol]) return false;
   return true;
 }
 
@@ -72,15 +77,15 @@ bool make_up_for(const Monomial& gamma, Ratio c, Terms& good) {
   return c.sign() == 0;
 }
 
-bool is_sum_of_what_is_not_negative(const Terms& terms, bool strict, bool moments_may_vanish) {
+bool is_sum_of_what_is_not_negative(const Terms& terms, bool strict, const KnownSigns& signs) {
   Terms good, others;
   for (const auto& [monomial, coefficient] : terms)
-    (coefficient.sign() > 0 && is_never_negative(monomial) ? good : others).emplace(monomial, coefficient);
+    (coefficient.sign() > 0 && is_never_negative(monomial, signs) ? good : others)
+        .emplace(monomial, coefficient);
   for (const auto& [monomial, coefficient] : others)
     if (!make_up_for(monomial, coefficient, good)) return false;
   return !strict || std::any_of(good.begin(), good.end(), [&](const auto& term) {
-    return term.second.sign() > 0 &&
-           (moments_may_vanish ? term.first == Monomial{} : is_always_positive(term.first));
+    return term.second.sign() > 0 && is_never_zero(term.first, signs);
   });
 }
 
@@ -127,7 +132,37 @@ std::optional<std::array<Ratio, 3>> linear(const RationalFunction& moment) {
   return form;
 }
 
-/// The moments by a, b, c ≥ 0 so that what is given of them holds; nothing where that is not so simple.
+/// The moments by a, b, c ≥ 0, and which of these are never 0.
+struct PossibleMoments {
+  Forms forms = kPossible;
+  std::array<bool, 3> not_zero{};
+};
+
+/// With f·(I1, I2, I3) > 0, or ≥ 0. Where one of a, b, c alone has a positive factor it is replaced by what
+/// it exceeds the others by: these are then all moments of which that is so, and no others.
+void restrict_by(const std::array<Ratio, 3>& f, bool strict, PossibleMoments& moments) {
+  std::array<Ratio, 3> e;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t x = 0; x < 3; ++x) e[x] = e[x] + f[k] * moments.forms[k][x];
+  std::optional<std::size_t> positive;
+  for (std::size_t x = 0; x < 3; ++x) {
+    if (e[x].sign() <= 0) continue;
+    if (positive) return;
+    positive = x;
+  }
+  if (!positive) return;
+  const std::size_t d = *positive;
+  const Ratio reciprocal = e[d].reciprocal();  // a = (d + Σ (−e) x)/e
+  for (auto& moment : moments.forms) {
+    const Ratio share = moment[d] * reciprocal;
+    for (std::size_t x = 0; x < 3; ++x)
+      if (x != d) moment[x] = moment[x] + -(share * e[x]);
+    moment[d] = share;
+  }
+  moments.not_zero[d] = strict;
+}
+
+/// The moments so that what they are set to holds; nothing where that is not so simple.
 std::optional<Forms> possible_moments(const std::array<RationalFunction, 3>& I) {
   Forms moments = kPossible;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -159,6 +194,46 @@ std::optional<Forms> possible_moments(const std::array<RationalFunction, 3>& I) 
   return moments;
 }
 
+KnownSigns signs_of_every_body() {
+  KnownSigns signs;
+  for (Symbol symbol = 0; symbol < kSymbols; ++symbol)
+    signs.not_negative[symbol] = signs.not_zero[symbol] = is_positive(symbol);
+  return signs;
+}
+
+/// Puts an inequality that is given to use, where it is one of those that can be.
+void use(const Bound& bound, const ClaimState<RationalFunction>& state, KnownSigns& signs,
+         std::array<bool, kSymbols>& is_turned_round, PossibleMoments& moments) {
+  const bool is_upward = bound.relation == Relation::greater || bound.relation == Relation::greater_or_equal;
+  const bool strict = bound.relation == Relation::greater || bound.relation == Relation::less;
+  const auto left = value_in(state, bound.sides.left), right = value_in(state, bound.sides.right);
+  if (!left || !right) return;
+  const RationalFunction excess =
+      is_upward ? (*left)[0].value - (*right)[0].value : (*right)[0].value - (*left)[0].value;
+  if (excess.is_zero()) return;
+  if (const auto form = linear(excess)) return restrict_by(*form, strict, moments);
+  if (!excess.is_polynomial() || excess.above().size() != 1) return;
+  const auto& [monomial, coefficient] = *excess.above().begin();
+  std::optional<Symbol> only;
+  for (Symbol symbol = 0; symbol < kSymbols; ++symbol) {
+    if (monomial[symbol] == 0) continue;
+    if (only || monomial[symbol] != 1) return;
+    only = symbol;
+  }
+  if (!only) return;
+  is_turned_round[*only] = coefficient.sign() < 0;
+  signs.not_negative[*only] = true;
+  signs.not_zero[*only] = signs.not_zero[*only] || strict;
+}
+
+/// Of −x in place of each x that is turned round.
+Terms turned_round(Terms terms, const std::array<bool, kSymbols>& is_turned_round) {
+  for (auto& [monomial, coefficient] : terms)
+    for (Symbol symbol = 0; symbol < kSymbols; ++symbol)
+      if (is_turned_round[symbol] && monomial[symbol] % 2 != 0) coefficient = -coefficient;
+  return terms;
+}
+
 bool uses_axes_of_space(const Expression& expression) {
   return expression.uses(Quantity::ex) || expression.uses(Quantity::ey) || expression.uses(Quantity::ez);
 }
@@ -176,14 +251,24 @@ bool is_never_less(const Equality& stated, bool strict, Assumption assumption, c
     const auto left = state ? value_in(*state, sides.left) : std::nullopt;
     const auto right = state ? value_in(*state, sides.right) : std::nullopt;
     if (!left || !right) return false;
+    KnownSigns signs = signs_of_every_body();
+    PossibleMoments moments;
+    const auto forms = possible_moments(state->I);
+    if (forms) moments.forms = *forms;
+    std::array<bool, kSymbols> is_turned_round{};  // negative ones, replaced by what they are less than 0
+    for (const Bound& bound : given.bounds) use(bound, *state, signs, is_turned_round, moments);
     const RationalFunction difference = (*left)[0].value - (*right)[0].value;
-    const Terms terms =
-        difference.is_polynomial() ? difference.above() : multiplied(difference.above(), difference.below());
-    if (is_sum_of_what_is_not_negative(terms, strict, false)) return true;
-    const auto moments = possible_moments(state->I);
+    const Terms terms = turned_round(
+        difference.is_polynomial() ? difference.above() : multiplied(difference.above(), difference.below()),
+        is_turned_round);
+    if (is_sum_of_what_is_not_negative(terms, strict, signs)) return true;
     Terms by_bodies = rewritten(terms, kMomentsOfJ, kPossible);
-    if (moments) by_bodies = rewritten(by_bodies, kMomentsOfI, *moments);
-    return is_sum_of_what_is_not_negative(by_bodies, strict, true);
+    for (const Symbol moment : kMomentsOfJ) signs.not_zero[moment] = false;
+    if (forms) {
+      by_bodies = rewritten(by_bodies, kMomentsOfI, moments.forms);
+      for (std::size_t i = 0; i < 3; ++i) signs.not_zero[kMomentsOfI[i]] = moments.not_zero[i];
+    }
+    return is_sum_of_what_is_not_negative(by_bodies, strict, signs);
   } catch (const BeyondAlgebra&) {
     return false;
   }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/small_states.h"
 
+#include "lessons/claims/expansion.h"
+#include "lessons/claims/rational_function.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -305,16 +308,30 @@ Dependence dependence_of(const Equality& equality, Assumption assumption, const 
     d.dw = d.ddw = d.dv = d.ddv = false;
     if (assumption == Assumption::free) d.no_torque = d.N || d.dN, d.N = d.dN = false;
   }
+  for (const Bound& bound : given.bounds) {
+    d |= dependence_of(bound.sides.left);
+    d |= dependence_of(bound.sides.right);
+  }
   add_given(d, given);
   if (given.sets(Quantity::N)) d.dN = false;
   if (given.sets(Quantity::F)) d.dF = false;
   return d;
 }
 
+/// "2ε", of what is small; else "2".
+std::string text_of(const SizedNumber& number, bool is_small) {
+  const double value = number.value;
+  if (!is_small || value == 0) return number_text(value);
+  return (value == 1 ? "" : value == -1 ? "−" : number_text(value)) + "ε";
+}
+
+using AreSmall = std::array<bool, 3>;
 template <class Numbers>
-std::string list_text(const Numbers& numbers) {
+std::string list_text(const Numbers& numbers, const AreSmall& are_small = {}) {
   std::string text;
-  for (const SizedNumber number : numbers) text += (text.empty() ? "(" : ", ") + number_text(number.value);
+  std::size_t i = 0;
+  for (const SizedNumber number : numbers)
+    text += (text.empty() ? "(" : ", ") + text_of(number, i < are_small.size() && are_small[i]), ++i;
   return text + ")";
 }
 
@@ -323,16 +340,21 @@ std::array<SizedNumber, 3> rates_of(const Triple<SizedNumber>& x) {
 }
 
 std::string words_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumber>& state,
-                     const Dependence& d) {
+                     const Dependence& d, const SmallQuantities& small) {
   std::string text;
-  const auto add = [&text](bool wanted, const char* name, const auto& numbers) {
-    if (wanted) text += (text.empty() ? "" : ", ") + std::string(name) + " = " + list_text(numbers);
+  const auto add = [&text](bool wanted, const char* name, const auto& numbers,
+                           const AreSmall& are_small = {}) {
+    if (wanted)
+      text += (text.empty() ? "" : ", ") + std::string(name) + " = " + list_text(numbers, are_small);
+  };
+  const auto small_ones = [&small](Quantity first, Quantity second, Quantity third) {
+    return AreSmall{small.has(first), small.has(second), small.has(third)};
   };
   add(d.I, "I", s.I);
-  add(d.w, "ω", s.w);
+  add(d.w, "ω", s.w, small_ones(Quantity::w1, Quantity::w2, Quantity::w3));
   add(d.dw, "ω̇", s.dw);
   add(d.ddw, "ω̈", s.ddw);
-  add(d.N, "N", s.N_B);
+  add(d.N, "N", s.N_B, small_ones(Quantity::N1, Quantity::N2, Quantity::N3));
   add(d.dN, "dN/dt", rates_of(state.N_B));
   if (d.no_torque) text += ", N = 0";
   add(d.A, "A", s.A_S);
@@ -343,12 +365,13 @@ std::string words_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedN
   add(d.ddv, "d²v/dt²", s.ddv_S);
   add(d.F, "F", s.F_S);
   add(d.dF, "dF/dt", rates_of(state.F_S));
-  const auto add_number = [&text](bool wanted, const std::string& name, const SizedNumber& number) {
-    if (wanted) text += (text.empty() ? "" : ", ") + name + " = " + number_text(number.value);
+  const auto add_number = [&text](bool wanted, const std::string& name, const SizedNumber& number,
+                                  bool is_small = false) {
+    if (wanted) text += (text.empty() ? "" : ", ") + name + " = " + text_of(number, is_small);
   };
   add_number(d.m, "m", s.m);
-  add_number(d.h, "h", s.h);
-  add_number(d.k, "k", s.k);
+  add_number(d.h, "h", s.h, small.has(Quantity::h));
+  add_number(d.k, "k", s.k, small.has(Quantity::k));
   for (const int constant : d.constants) {
     const auto index = static_cast<std::size_t>(constant);
     add_number(index < d.names.size(), d.names[index], s.constants[index]);
@@ -409,6 +432,24 @@ SmallNumbers mixed_numbers(std::mt19937_64& random) {
   return small;
 }
 
+/// The same with numbers of very different sizes: for bodies as flat and as long as inequalities ask for.
+SmallNumbers uneven_numbers(std::mt19937_64& random) {
+  SmallNumbers small = mixed_numbers(random);
+  const auto power = [&random](Whole number) {
+    Whole scale = 1;
+    for (auto n = random() % 5; n > 0; --n) scale *= 10;
+    return number * scale;
+  };
+  const auto side = [&] { return power(static_cast<Whole>(random() % 4)); };
+  const Whole a = side(), b = side() + 1, c = side();
+  small.I = {b + c, a + c + (a + c == 0 ? 1 : 0), a + b};
+  for (Whole3* vector : {&small.w, &small.N})
+    for (Whole& component : *vector) component = power(component);
+  small.company.h = power(small.company.h);
+  small.company.k = power(small.company.k);
+  return small;
+}
+
 /// Whole numbers so small that what is zero is far below this, and what is not far above.
 constexpr double kZero = 1e-9;
 
@@ -421,6 +462,7 @@ bool fails(const Equality& equality, Relation relation, const ClaimState<FieldEl
   const bool are_equal = sides->residual < kZero && agree(equality, exact) == std::optional(true);
   switch (relation) {
     case Relation::equal:
+    case Relation::approximate:
       return are_apart;
     case Relation::less:
       return are_equal || (are_apart && !is_less);
@@ -440,6 +482,12 @@ bool holds(const Equality& equality, const ClaimState<FieldElement>& exact,
   return sides && sides->residual < kZero && agree(equality, exact) == std::optional(true);
 }
 
+/// Whether all inequalities hold.
+bool are_within(const Given& given, const ClaimState<SizedNumber>& state) {
+  return std::all_of(given.bounds.begin(), given.bounds.end(),
+                     [&](const Bound& bound) { return holds_in(bound, state, kZero, false); });
+}
+
 bool is_finite(const StateNumbers<SizedNumber>& numbers) {
   const auto all_finite = [](const std::array<SizedNumber, 3>& three) {
     return std::all_of(three.begin(), three.end(),
@@ -453,6 +501,13 @@ constexpr std::size_t kMostWork = 1'000'000;
 
 std::size_t size_of(const Equality& equality) {
   return equality.left.nodes.size() + equality.right.nodes.size();
+}
+
+/// Of the inequalities that are given, which are looked at in each state.
+std::size_t size_of(const std::vector<Bound>& bounds) {
+  std::size_t nodes = 0;
+  for (const Bound& bound : bounds) nodes += size_of(bound.sides);
+  return nodes;
 }
 
 }  // namespace
@@ -486,7 +541,7 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
   Dependence depends = dependence_of(equality, assumption, given);
   if (premise) depends |= dependence_of(*premise, assumption, given);
   std::optional<Counterexample> found;
-  const std::size_t work = size_of(equality) + (premise ? size_of(*premise) : 0);
+  const std::size_t work = size_of(equality) + (premise ? size_of(*premise) : 0) + size_of(given.bounds);
   std::size_t work_left = kMostWork;
   const auto look_at = [&](const SmallNumbers& numbers) {
     if (work_left < work) return true;
@@ -496,20 +551,125 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
     if (!exact_numbers || !real_numbers || !is_possible_body(real_numbers->I)) return false;
     const auto exact = state_of(*exact_numbers, assumption, given);
     const auto real = state_of(*real_numbers, assumption, given);
-    if (!exact || !real || (premise && !holds(*premise, *exact, *real))) return false;
+    if (!exact || !real || !are_within(given, *real) || (premise && !holds(*premise, *exact, *real)))
+      return false;
     if (tried != nullptr && sides_of(equality, *real)) ++*tried;
     if (!fails(equality, relation, *exact, *real)) return false;
     const Sides sides = *sides_of(equality, *real);
-    found =
-        Counterexample{words_of(*real_numbers, *real, depends), value_text(sides.left, equality.left.type()),
-                       value_text(sides.right, equality.right.type())};
+    found = Counterexample{words_of(*real_numbers, *real, depends, {}),
+                           value_text(sides.left, equality.left.type()),
+                           value_text(sides.right, equality.right.type())};
     return true;
   };
   for_each_state(depends, look_at);
-  if (relation == Relation::equal) return found;
+  // Where inequalities are given, the states above may all be beyond them.
+  if (!is_order(relation) && given.bounds.empty()) return found;
+  std::mt19937_64 random(1);
+  for (int n = 0; n < kMixedStates && !found; ++n) look_at(mixed_numbers(random));
+  for (int n = 0; n < kMixedStates && !found && !given.bounds.empty(); ++n) look_at(uneven_numbers(random));
+  return found;
+}
+
+namespace {
+
+/// "ε²"; nothing for the power 0. Fonts of pages have no other raised digits.
+std::string power_of_epsilon(int exponent) {
+  if (exponent == 0) return "";
+  if (exponent == 1) return "ε";
+  if (exponent == 2 || exponent == 3) return exponent == 2 ? "ε²" : "ε³";
+  return "ε^" + std::to_string(exponent);
+}
+
+double value_of(const Ratio& ratio) {
+  return static_cast<double>(ratio.above()) / static_cast<double>(ratio.below());
+}
+
+/// The terms up to ε^last: "2 − 0.5ε".
+std::string text_of(const PowerSeries<Ratio>& series, int last) {
+  std::string text;
+  for (int exponent = series.first(); exponent <= last && exponent < series.end(); ++exponent) {
+    const Ratio c = series.coefficient(exponent);
+    if (c.is_zero()) continue;
+    const std::string power = power_of_epsilon(exponent);
+    const double size = std::abs(value_of(c));
+    const std::string term = size == 1 && !power.empty() ? power : number_text(size) + power;
+    text += text.empty() ? (c.sign() < 0 ? "−" : "") + term : (c.sign() < 0 ? " − " : " + ") + term;
+  }
+  return text.empty() ? "0" : text;
+}
+
+std::string text_of(const Expansion<Ratio>& side, ExpressionType type, int last) {
+  if (type == ExpressionType::zero) return "0";
+  if (type == ExpressionType::scalar) return text_of(side[0], last);
+  return '(' + text_of(side[0], last) + ", " + text_of(side[1], last) + ", " + text_of(side[2], last) + ')';
+}
+
+}  // namespace
+
+std::optional<Counterexample> first_small_expansion(const Equality& equality, Assumption assumption,
+                                                    const Given& given, int& differ_at) {
+  const Dependence depends = dependence_of(equality, assumption, given);
+  std::optional<Counterexample> found;
+  // An expansion costs as much as some thirty states.
+  constexpr std::size_t kCost = 30;
+  std::size_t work_left = kMostWork / kCost;
+  const std::size_t work = size_of(equality) + size_of(given.bounds) / kCost;
+  const auto look_at = [&](const SmallNumbers& numbers) {
+    if (work_left < work) return true;
+    work_left -= work;
+    const auto real_numbers = with_given(as<SizedNumber>(numbers), given);
+    if (!real_numbers || !is_possible_body(real_numbers->I)) return false;
+    const auto real = state_of(*real_numbers, assumption, given);
+    if (!real || !are_within(given, *real)) return false;
+    const auto sides = expanded_sides(equality, as<FieldElement>(numbers), assumption, given);
+    if (!sides || !compare_to_order(*sides, given.small.order).differ_at) return false;
+    try {
+      const auto exact = expanded_sides(equality, as<Ratio>(numbers), assumption, given);
+      const auto at = exact ? compare_to_order(*exact, given.small.order).differ_at : std::nullopt;
+      if (!at) return false;
+      differ_at = *at;
+      found = Counterexample{words_of(*real_numbers, *real, depends, given.small),
+                             text_of(exact->left, equality.left.type(), *at),
+                             text_of(exact->right, equality.right.type(), *at)};
+    } catch (const BeyondAlgebra&) {  // a number too large to be written
+      return false;
+    }
+    return true;
+  };
+  for_each_state(depends, look_at);
   std::mt19937_64 random(1);
   for (int n = 0; n < kMixedStates && !found; ++n) look_at(mixed_numbers(random));
   return found;
+}
+
+bool bounds_are_possible(const Given& given) {
+  if (given.bounds.empty()) return true;
+  std::mt19937_64 random(1);
+  constexpr int kTried = 4000;
+  std::size_t work = size_of(given.bounds), work_left = kMostWork / 2;
+  for (const Setting& setting : given.settings) work += 2 * setting.value.nodes.size();
+  for (int n = 0; n < kTried && work_left >= work; ++n) {
+    work_left -= work;
+    auto numbers = as<SizedNumber>(n % 2 == 0 ? mixed_numbers(random) : uneven_numbers(random));
+    if (n % 4 > 1) {  // as small and as large as numbers in SI units may be
+      const auto scaled = [&random](auto&... all) {
+        const int doublings = static_cast<int>(random() % 121) - 60;
+        const auto scale = [doublings](SizedNumber& x) { x = std::ldexp(x.value, doublings); };
+        (std::for_each(all.begin(), all.end(), scale), ...);
+      };
+      scaled(numbers.I);
+      scaled(numbers.w);
+      scaled(numbers.N_B);
+      scaled(numbers.constants);
+    }
+    const auto replaced = with_given(numbers, given);
+    if (!replaced || !is_possible_body(replaced->I) || !is_finite(*replaced)) continue;
+    const auto state = state_of(numbers, Assumption::identity, given);
+    if (state && std::all_of(given.bounds.begin(), given.bounds.end(),
+                             [&](const Bound& bound) { return holds_in(bound, *state, kZero, true); }))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace polhode

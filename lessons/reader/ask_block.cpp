@@ -2,6 +2,7 @@
 #include "lessons/reader/ask_block.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/expression_tex.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/reader/keys.h"
 
@@ -116,6 +117,8 @@ class AskReader {
     if (!expression && modulo != nullptr) fail(modulo->place, "\"modulo\" is of questions for an expression");
     const TomlEntry* given = table_.find("given");
     if (!expression && given != nullptr) fail(given->place, "\"given\" is of questions for an expression");
+    if (given != nullptr && !ask_.given.small.empty())
+      fail(given->place, "an answer is right or wrong to all orders: it is given nothing that is small");
     if (given != nullptr && ask_.modulo == "free" && ask_.given.sets_torque())
       fail(given->place, "this gives a torque, and modulo = \"free\" says that there is none");
     if (expression && modulo == nullptr) ask_.modulo = "identity";
@@ -130,9 +133,9 @@ class AskReader {
       if (kind == TextSpan::Kind::math) span.math = parse_math(text).value();
       span.text = std::move(text);
     };
-    for (const Setting& setting : ask_.given.settings) {
+    for (const std::string& condition : printed_conditions(ask_.given)) {
       add(TextSpan::Kind::text, block.spans.empty() ? "Given: " : ", ");
-      add(TextSpan::Kind::math, setting.tex);
+      add(TextSpan::Kind::math, condition);
     }
     add(TextSpan::Kind::text, ".");
     ask_.prompt_text.push_back(std::move(block));

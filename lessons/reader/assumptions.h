@@ -22,8 +22,9 @@ using Assumptions = std::map<std::string, Given>;
 /// Assumptions of a lesson, settings of one, and assumptions that a claim puts together.
 inline constexpr std::size_t kMaxAssumptions = 32, kMaxSettings = 8, kMaxGiven = 4;
 
-/// [assume] NAME = "I2 = I1", or a list of such. Reports what cannot be set (why_not_set), units that
-/// disagree, and what no body can be. `dimensions` are those of constants, by their numbers.
+/// [assume] NAME = "I2 = I1" or "I3 > I1", or a list of such; or { small = ["w1", "w3"], order = 1 }. Reports
+/// what cannot be set (why_not_set), be compared (why_not_bound) or be small, units that disagree, and what
+/// no body can be. `dimensions` are those of constants, by their numbers.
 Assumptions read_assumptions(const TomlEntry& entry, const Vocabulary& vocabulary,
                              const std::map<int, Dimension>& dimensions, TextReader& texts);
 

@@ -26,6 +26,7 @@ std::int64_t nodes_in(const ClaimLine& line) {
 void prove(Claim& claim, const Prover& prover, const Effort& effort) {
   for (ClaimLine& line : claim.lines) {
     spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
+    // Inequalities and conditions are written out in symbols; what holds to an order is expanded.
     const bool writes_out =
         line.relation != Relation::equal || (line.conclusion && claim.kind != ClaimKind::non_sequitur);
     if (writes_out) spend(effort, kWrittenOutEvaluations);
@@ -207,7 +208,7 @@ class ClaimCheck {
       const std::size_t before = claimed.size();
       for (const EquationLink* link : links)
         if (line.relation == link->relation &&
-            (is_same(line.equality, link->equality, line.relation == Relation::equal) ||
+            (is_same(line.equality, link->equality, !is_order(line.relation)) ||
              (line.conclusion && is_same(*line.conclusion, link->equality, true))))
           claimed.insert(link);
       if (claimed.size() == before && !claim.in_other_words)
@@ -281,7 +282,9 @@ class ClaimCheck {
       report_.error(line.place,
                     "this measures nothing: the terms cancel down to " + digits(measured->side, 3) +
                         " of their size, and " + digits(measured->allowed, 3) + " of it is allowed",
-                    "prove the claim, or measure it on a motion where its sides are larger");
+                    line.within ? "a hundredth of the sides decides: write within " +
+                                      digits(0.9 * kDecisive * measured->side, 1)
+                                : "prove the claim, or measure it on a motion where its sides are larger");
     else if (!measured->holds())
       report_.error(line.place, "the claim (measured) fails: at t = " + digits(measured->t_s, 3) +
                                     " s both sides differ by " + digits(measured->residual, 3) +

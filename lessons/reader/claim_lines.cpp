@@ -88,13 +88,20 @@ class ClaimLineReader {
 
   /// `relation`: what stands between the sides; null: = alone can stand there.
   bool read_sides(std::string_view text, Equality& into, Relation* relation) {
-    const std::size_t equals = text.find_first_of(relation == nullptr ? "=" : "<=>");
+    const std::size_t equals = text.find_first_of(relation == nullptr ? "=" : "<=>~");
     if (equals == std::string_view::npos) {
       fail(text, "a claim reads left = right, there is no = here");
       return false;
     }
     std::size_t end = equals + 1;
-    if (relation != nullptr && text[equals] != '=') {
+    if (text[equals] == '~') {
+      if (text.substr(end, 1) != "=") {
+        fail(text.substr(equals), "this relation is not read", "write ~= for what is approximately equal");
+        return false;
+      }
+      ++end;
+      *relation = Relation::approximate;
+    } else if (relation != nullptr && text[equals] != '=') {
       const bool or_equal = text.substr(end, 1) == "=";
       if (or_equal) ++end;
       if (kind_ == ClaimKind::measured) {
@@ -113,7 +120,7 @@ class ClaimLineReader {
     auto right = read_expression(right_text, place_of(right_text), report_, vocabulary_);
     if (!left || !right) return false;
     into = {std::move(*left), std::move(*right)};
-    if (relation != nullptr && *relation != Relation::equal && into.is_vector()) {
+    if (relation != nullptr && is_order(*relation) && into.is_vector()) {
       fail(text.substr(equals), "of two vectors none is the greater", "compare norm(a) and norm(b)");
       return false;
     }

@@ -108,6 +108,7 @@ struct Step {
   std::vector<std::shared_ptr<const RichText>> labels{};
   /// The scene with other numbers than it has, for the readers of its `vary`; null: there is none.
   std::shared_ptr<const VariedScene> varied{};
+  std::string same{};   ///< why its picture is that of the step before; empty: it should be another
   SourcePlace place{};  ///< of the stage's heading, or of the rule or title that it begins with
 };
 

@@ -15,6 +15,8 @@
 #include "physics/method.h"
 #include "render/scene/model/scene_problem.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -412,6 +414,29 @@ class SceneKeys {
   void angles(const TomlEntry& entry) { marks(entry, read_angles); }
   void planes(const TomlEntry& entry) { marks(entry, read_planes); }
   void notes(const TomlEntry& entry) { marks(entry, read_notes); }
+  void poses(const TomlEntry& entry) {
+    const auto* table = entry.value.as<TomlTable>();
+    if (table == nullptr) {
+      report_.error(entry.value.place, "\"poses\" takes a table, found " + std::string(entry.value.kind()),
+                    "write poses = { count = 5, over = 0.8 }");
+      return;
+    }
+    std::optional<double> count, over_s;
+    read_keys(*table, "poses",
+              {{"count", [&](const TomlEntry& e) { count = read_positive_number(e, report_); }},
+               {"over", [&](const TomlEntry& e) { over_s = read_positive_number(e, report_); }}},
+              report_);
+    for (const char* key : {"count", "over"})
+      if (table->find(key) == nullptr)
+        report_.error(entry.value.place, "poses need " + in_quotes(key),
+                      "write poses = { count = 5, over = 0.8 }");
+    if (!count || !over_s) return;
+    if (*count != std::floor(*count) || *count > kMostPoses)
+      report_.error(table->find("count")->value.place,
+                    fmt::format("\"count\" is a whole number from 1 to {}", kMostPoses));
+    else
+      scene_.poses = {static_cast<int>(*count), *over_s};
+  }
 
   void elevation(const TomlEntry& entry, CameraSpec& camera) {
     const auto degrees = read_number(entry, report_);
@@ -475,6 +500,19 @@ class SceneKeys {
     } else {
       unknown("quality", {*name, entry.value.place}, {"draft", "normal", "fine"});
     }
+  }
+
+  void same(const TomlEntry& entry) {
+    const auto why = read_text(entry, report_);
+    if (!why) return;
+    if (of_ == Of::front_matter)
+      report_.error(entry.place, "a picture stays from one step to the next",
+                    "write it in a step's ```scene");
+    else if (is_blank(*why))
+      report_.error(entry.value.place, "it does not say why the picture stays",
+                    "same = \"a question about it\"");
+    else
+      lesson_scene_.same = *why;
   }
 
   void caption(const TomlEntry& entry) {
@@ -658,8 +696,22 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::notes,
        [](const Scene& scene) { return text_of(scene.marks.notes); },
        Row::Speaks::of_picture},
+      {{"poses",
+        "the body of a scene with `velocity` or `force` as it was before, pale: `{ count = 5, over = 0.8 }`, "
+        "1 to 12 "
+        "times, evenly over the last 0.8 s, none before t = 0",
+        "none"},
+       &SceneKeys::poses,
+       [](const Scene& scene) {
+         return scene.poses.count == 0
+                    ? ""
+                    : fmt::format("{{ count = {}, over = {} }}", scene.poses.count, toml(scene.poses.over_s));
+       },
+       Row::Speaks::of_picture},
       {{"camera",
-        "`{ azimuth_deg, elevation_deg, distance, zoom }`; elevation −90 to 90, distance and zoom 0.1 to 100",
+        "`{ azimuth_deg, elevation_deg, distance, zoom }`: it stands at this angle from x towards y (1 "
+        "towards 2 where the body is at rest) and so far above; elevation −90 to 90, distance and zoom 0.1 "
+        "to 100",
         "34°, 20°, 4.2, 1"},
        &SceneKeys::camera,
        [](const Scene& scene) { return text_of(scene.camera); },
@@ -719,6 +771,12 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
         "none"},
        &SceneKeys::vary,
        text_of_variations,
+       Row::Speaks::of_all},
+      {{"same",
+        R"(why the picture is that of the step before: `"a question about it"`; of this step alone, which `lint` then does not warn of)",
+        "the picture changes"},
+       &SceneKeys::same,
+       [](const Scene&) { return std::string(); },
        Row::Speaks::of_all},
   });
   return kRows;

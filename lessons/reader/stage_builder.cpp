@@ -53,6 +53,41 @@ bool check_given(const Claim& claim, Report& report) {
   return true;
 }
 
+/// What is claimed where something is small holds to an order and is printed so; what is not, is not. False,
+/// and a report, where a line says otherwise.
+bool check_order(const Claim& claim, Report& report) {
+  const bool has_small = !claim.given.small.empty();
+  const bool is_printed = claim.origin != Claim::Origin::beside;
+  const std::string sign = is_printed ? "\\approx" : "~=";
+  for (const ClaimLine& line : claim.lines) {
+    const auto refuse = [&](std::string message, std::string hint) {
+      report.error(line.place, std::move(message), std::move(hint));
+      return false;
+    };
+    const bool is_approximate = line.relation == Relation::approximate;
+    if (is_approximate && claim.kind == ClaimKind::measured && !line.within)
+      return refuse("an approximation is measured within a tolerance that is said",
+                    "write a claim: left ~= right within 0.01");
+    if (!has_small && is_approximate && claim.kind != ClaimKind::measured)
+      return refuse(
+          "an approximation is proved to an order in what is small, and nothing is small here",
+          "write near = { small = [\"w1\"], order = 1 } into [assume], and given near behind the kind");
+    if (!has_small) continue;
+    if (line.conclusion)
+      return refuse("what follows from what is not proved to an order", "claim what holds near there itself");
+    if (is_order(line.relation))
+      return refuse("an inequality is not proved to an order", "leave out what is small");
+    if (!is_approximate)
+      return refuse("write " + sign + ": with what is given it holds to " +
+                        std::string(name_of_order(claim.given.small.order)) + " order only",
+                    "what holds exactly is a claim of its own, without what is small");
+    if (claim.kind != ClaimKind::measured &&
+        (line.equality.left.uses(Operation::norm) || line.equality.right.uses(Operation::norm)))
+      return refuse("a length is a root, and has no series where it may be 0", "square both sides");
+  }
+  return true;
+}
+
 /// How the lines are printed where they are not the formula itself.
 void print_lines(Claim& claim, const Vocabulary& vocabulary) {
   if (claim.origin == Claim::Origin::formula) return;
@@ -207,6 +242,7 @@ void StageBuilder::finish_step() {
   for (const Scene* shown : shown_scenes(scene)) parts_ += parts_of(shown->meters);
   step().scene = std::make_shared<const Scene>(std::move(scene));
   step().varied = varied_;
+  step().same = scene_.same;
   check_shown();
 }
 
@@ -450,7 +486,7 @@ std::optional<Claim> StageBuilder::claim_printed_in(const Equation& equation, co
   if (!lines) return refuse(lines.error());
   claim.lines = std::move(*lines);
   claim.origin = read->is_part ? Claim::Origin::part : Claim::Origin::formula;
-  if (!check_given(claim, report_)) return std::nullopt;
+  if (!check_given(claim, report_) || !check_order(claim, report_)) return std::nullopt;
   print_lines(claim, front_.notation.vocabulary);
   return claim;
 }
@@ -465,10 +501,12 @@ bool StageBuilder::take_given(const Fence& fence, Claim& claim) {
   auto given = given_by(fence.given, front_.assumptions, report_);
   if (!given) return false;
   claim.given = std::move(*given);
-  if (claim.kind != ClaimKind::free || !claim.given.sets_torque()) return true;
-  report_.error(fence.given.front().place, "this gives a torque, and the kind free says that there is none",
-                "the kind is motion");
-  return false;
+  if (claim.kind == ClaimKind::free && (claim.given.sets_torque() || claim.given.small.has_torque())) {
+    report_.error(fence.given.front().place, "this gives a torque, and the kind free says that there is none",
+                  "the kind is motion");
+    return false;
+  }
+  return true;
 }
 
 std::optional<ClaimKind> StageBuilder::kind_from(const PlacedText& word) {
@@ -506,7 +544,7 @@ void StageBuilder::add_claim(const Fence& fence) {
   const Vocabulary& vocabulary = front_.notation.vocabulary;
   claim.lines = read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_, &vocabulary);
   parts_ += static_cast<int>(claim.lines.size());
-  if (!take_given(fence, claim) || !check_given(claim, report_)) return;
+  if (!take_given(fence, claim) || !check_given(claim, report_) || !check_order(claim, report_)) return;
   print_lines(claim, vocabulary);
   step().blocks.push_back(std::move(claim));
 }
@@ -520,6 +558,7 @@ void StageBuilder::add_scene(const Fence& fence) {
   scene_line_ = fence.place.line;
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
+  scene_.same.clear();
   std::vector<PlacedText> names =
       read_scene_keys(*table, front_.bodies, front_.words(), scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));

@@ -64,7 +64,8 @@ class EquationReader {
         vocabulary_(notation.vocabulary),
         terms_(math, notation),
         items_(formula_items(*math.root, kMaxEquationNesting)) {
-    if (above != nullptr && above->root && !items_.empty() && items_.front().is(ItemKind::relation, U'=')) {
+    if (above != nullptr && above->root && !items_.empty() &&
+        (items_.front().is(ItemKind::relation, U'=') || items_.front().is(ItemKind::relation, U'≈'))) {
       go_on_with(formula_items(*above->root, kMaxEquationNesting), !above->live.empty());
       above_root_ = above->root.get();
     }
@@ -381,14 +382,17 @@ class EquationReader {
       case U'≥':
       case U'⩾':
         return Relation::greater_or_equal;
+      case U'≈':
+        return Relation::approximate;
       default:
-        throw TexFault(item.span, "only = < > \\le \\ge are proved", "keep a claim for what can be proved");
+        throw TexFault(item.span, "only = < > \\le \\ge \\approx are proved",
+                       "keep a claim for what can be proved");
     }
   }
 
   void link(EquationSentence& sentence, const TexValue& left, const TexValue& right, Relation relation) {
     const SourceSpan span = joined_span(left.span, right.span);
-    if (relation != Relation::equal && (!left.is_scalar() || !right.is_scalar()))
+    if (is_order(relation) && (!left.is_scalar() || !right.is_scalar()))
       throw TexFault(span, "only of numbers one is the greater", "compare lengths, |\\vec a|");
     if (left.is_tensor() || right.is_tensor()) {
       // Equal if they do the same to each unit vector.
@@ -401,6 +405,7 @@ class EquationReader {
         };
         push(sentence, column(left), column(right), span);
         sentence.links.back().is_side_by_side = false;
+        sentence.links.back().relation = relation;
       }
       return;
     }
@@ -542,7 +547,7 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
   const bool orders =
       std::any_of(equation.sentences.begin(), equation.sentences.end(), [](const EquationSentence& sentence) {
         return std::any_of(sentence.links.begin(), sentence.links.end(),
-                           [](const EquationLink& link) { return link.relation != Relation::equal; });
+                           [](const EquationLink& link) { return is_order(link.relation); });
       });
   if (orders && (kind == ClaimKind::measured || kind == ClaimKind::non_sequitur))
     return refuse(whole, "an inequality is not of this kind", "the kind is identity, motion, free or false");

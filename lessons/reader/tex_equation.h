@@ -9,7 +9,7 @@
 //   formula    = ["tempting:"] sentence { separator sentence } [condition]
 //   separator  = ","  |  new line  |  "and"  |  "does not give"  |  \Rightarrow or ":" behind a condition
 //   sentence   = side { relation side }  every link of the chain is a statement of its own
-//   relation   = "="  |  \le  |  \ge  |  "<"  |  ">", but for "=" between numbers
+//   relation   = "="  |  \approx  |  \le  |  \ge  |  "<"  |  ">", the last four between numbers
 //   side       = [sign] term { sign term }  |  at the end of a chain \live{…} unit, for its expression
 //   term       = run { (\cdot | \times) run } [/ factor]
 //   run        = factor factor …         a product without a sign
@@ -59,8 +59,8 @@
 // unless it is text, is one more equality: contents = label. What is struck out by \cancel states two
 // equalities: the one with it, and the one without it, where a struck term is 0 and a struck factor 1.
 //
-// Aligned lines: one that begins with "=" goes on with the chain, one that begins with + or − with the side
-// above if only one of the two lines has a "="; others are sentences of their own.
+// Aligned lines: one that begins with a relation goes on with the chain, one that begins with + or − with the
+// side above if only one of the two lines has a "="; others are sentences of their own.
 //
 // "d|a|/dt = 0" is read as d(a·a)/dt = 0, the same wherever |a| has a rate: proofs have no roots. The rate of
 // a tensor is that of its columns: (dI/dt) e = d(I·e)/dt − I·de/dt.
@@ -94,7 +94,7 @@ struct EquationNotation {
   bool xyz_are_body_axes = false;
 };
 
-/// left = right, or an inequality.
+/// left = right, left ≈ right, or an inequality.
 struct EquationLink {
   Equality equality;
   SourceSpan source;            ///< of both sides, in the TeX
@@ -131,8 +131,8 @@ inline constexpr int kMaxEquationNesting = 48;
 inline constexpr int kMaxEquationFactors = 4000;
 inline constexpr std::size_t kMaxEquationLinks = 64;
 
-/// A formula that begins with "=" goes on with the last side of the one `above` it; null if there is none.
-/// Linear in the formula, times 3 for each sum in a sum, up to the limits; 15 µs for one of the
+/// A formula that begins with "=" or \approx goes on with the last side of the one `above` it; null if there
+/// is none. Linear in the formula, times 3 for each sum in a sum, up to the limits; 15 µs for one of the
 /// lecture, of the largest 40, at most 10 ms.
 Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const EquationNotation& notation,
                                                        const Math* above = nullptr);

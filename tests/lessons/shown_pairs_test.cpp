@@ -243,6 +243,9 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
        const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
        return Sides2(s.second_w1(), ((I2 - I1) * (I3 - I2) / (I1 * I3) * s.w()[1] * s.w()[1] -
                                      (I3 - I2) * (I3 - I1) / (I1 * I2) * s.w()[2] * s.w()[2]) * s.w()[0]); }},
+    {"intermediate-axis/growth-near", [](const Now& s) {
+       const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
+       return Sides2(s.second_w1(), (I2 - I1) * (I3 - I2) / (I1 * I3) * s.w()[1] * s.w()[1] * s.w()[0]); }},
     {"intermediate-axis/signs-proof", [](const Now& s) { return Sides2(L2_minus_2TI(s, 0), part(s, 1, 0) + part(s, 2, 0)); }},
     {"intermediate-axis/signs-proof-three", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
     {"intermediate-axis/signs-saddle", [](const Now& s) { return Sides2(L2_minus_2TI(s, 1), part(s, 2, 1) + part(s, 0, 1)); }},

@@ -2,6 +2,7 @@
 #include "tests/oracle/oracle.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace polhode::oracle {
@@ -58,7 +59,8 @@ ex exact(const DecimalNumber& number) {
 
 }  // namespace
 
-Oracle::Oracle(Assumption assumption, const Given& given) : t_("t") {
+Oracle::Oracle(Assumption assumption, const Given& given)
+    : t_("t"), small_("epsilon"), order_(given.small.order) {
   const auto name = [this](const std::string& word) { return free_.emplace_back(word); };
   const auto named = [&](const std::string& word) {
     return Vector{name(word + "1"), name(word + "2"), name(word + "3")};
@@ -81,6 +83,11 @@ Oracle::Oracle(Assumption assumption, const Given& given) : t_("t") {
   space_[0] = scaled(1 / length2_, {a * a + b * b - c * c - d * d, 2 * (b * c - a * d), 2 * (b * d + a * c)});
   space_[1] = scaled(1 / length2_, {2 * (b * c + a * d), a * a - b * b + c * c - d * d, 2 * (c * d - a * b)});
   space_[2] = scaled(1 / length2_, {2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d});
+  for (const Quantity quantity : given.small.quantities) {
+    if (quantity == Quantity::h) h_ *= small_;
+    if (quantity == Quantity::k) k_ *= small_;
+    if (nth(quantity, Quantity::w1) < 3) w_[nth(quantity, Quantity::w1)] *= small_;
+  }
   if (given.sets_torque()) N_ = named("N");
   if (given.sets(Quantity::F)) F_ = named("F");
   for (const Setting& setting : given.settings) set(setting);
@@ -396,6 +403,45 @@ Decision Oracle::compare(const Side& left, const Side& right) const {
   const bool zero = std::all_of(difference.begin(), difference.end(),
                                 [&](const ex& e) { return is_zero(e, has_divisors); });
   return zero ? Decision::same : Decision::different;
+}
+
+namespace {
+
+/// The least power of ε in a rational function of it; nothing of 0.
+std::optional<int> least_power(const ex& function, const GiNaC::symbol& epsilon) {
+  const ex fraction = function.numer_denom();
+  const ex above = fraction.op(0).expand(), below = fraction.op(1).expand();
+  if (above.is_zero()) return std::nullopt;
+  return above.ldegree(epsilon) - below.ldegree(epsilon);
+}
+
+}  // namespace
+
+Decision Oracle::compare_to_order(const Equality& equality, bool& are_zero) const {
+  const Side left = side(equality.left), right = side(equality.right);
+  if (!left.defined || !right.defined) return Decision::undefined;
+  std::vector<ex> divisors = left.divisors;
+  divisors.insert(divisors.end(), right.divisors.begin(), right.divisors.end());
+  are_zero = true;
+  int defined = 0;
+  for (int n = 0; n < kPoints; ++n) {
+    const GiNaC::exmap point = random_point();
+    const auto there = [&](const ex& e) { return e.subs(point, GiNaC::subs_options::no_pattern); };
+    if (std::any_of(divisors.begin(), divisors.end(),
+                    [&](const ex& e) { return !least_power(there(e), small_); }))
+      continue;
+    ++defined;
+    const auto has_terms = [&](const ex& e) {
+      const auto power = least_power(e, small_);
+      return power && *power <= order_;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ex l = there(left.value[i]), r = there(right.value[i]);
+      if (has_terms(l - r)) return Decision::different;
+      are_zero = are_zero && !has_terms(l) && !has_terms(r);
+    }
+  }
+  return defined == 0 ? Decision::undefined : Decision::same;
 }
 
 }  // namespace polhode::oracle

@@ -49,6 +49,12 @@ class Oracle {
     return compare(side(equality.left), side(equality.right));
   }
 
+  /// Whether sides agree through ε^order, as is given: by rational functions of ε alone. At random rational
+  /// points each component of left − right is brought to one fraction P/Q of polynomials in ε, and the least
+  /// powers of ε in P and Q are counted: no series are expanded. `are_zero`: neither side has a term through
+  /// ε^order.
+  Decision compare_to_order(const Equality& equality, bool& are_zero) const;
+
   static constexpr int kPoints = 4;
   static constexpr std::size_t kLargest = 20000;
   int proofs() const { return proofs_; }
@@ -64,7 +70,8 @@ class Oracle {
   Vector quantity(Quantity quantity, bool moving) const;
   void set(const Setting& setting);
 
-  GiNaC::symbol t_;
+  GiNaC::symbol t_, small_;
+  int order_ = 0;  ///< of what is small
   std::vector<GiNaC::symbol> free_;
   Vector gyroscopic() const;
   Vector rate_of_gyroscopic() const;

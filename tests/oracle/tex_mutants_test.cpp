@@ -98,6 +98,11 @@ std::vector<std::string> mutants_of_tex(const std::string& tex) {
   return mutants;
 }
 
+/// A lesson that declares nothing but the vectors' names.
+std::string test_lesson() {
+  return "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n+++\n# Sample {sample}\nText.\n";
+}
+
 class TexMutants : public ::testing::Test {
  protected:
   void check(const std::string& tex, const Claim& claim, const Lesson& lesson) {
@@ -179,6 +184,98 @@ TEST_F(TexMutants, OfTheLessonsAreRefusedOrReadAsWhatGinacDecidesAlike) {
       mutants_, refused_, lines_[0], lines_[1], lines_[2]);
   EXPECT_GE(mutants_, 2000);
   EXPECT_GE(lines_[1], 500);
+}
+
+/// A formula, what is small in it, and of what kind it is.
+struct NearFormula {
+  const char* tex;
+  std::vector<Quantity> small;
+  Assumption assumption;
+};
+
+// What is linearised in lectures, to all orders, with its slips: GiNaC says the same of each.
+TEST_F(TexMutants, OfWhatHoldsToAnOrderAreDecidedAlike) {
+  using Q = Quantity;
+  const std::vector<NearFormula> formulas{
+      {R"(\ddot\omega_1 \approx \frac{(I_2 - I_3)(I_1 - I_2)}{I_1 I_3}\omega_2^2\omega_1)",
+       {Q::w1, Q::w3},
+       Assumption::free},
+      {R"(\ddot\omega_2 \approx -\frac{(I_2 - I_1)(I_3 - I_1)}{I_2 I_3}\omega_1^2\omega_2)",
+       {Q::w2, Q::w3},
+       Assumption::free},
+      {R"(I_1\dot\omega_1 \approx (I_2 - I_3)\omega_2\omega_3)", {Q::w1, Q::w3}, Assumption::free},
+      {R"(I_1\dot\omega_1 \approx (I_2 - I_3)\omega_2\omega_3 + N_1)", {Q::w1, Q::w3}, Assumption::motion},
+      {R"(\dot\omega_2 \approx 0)", {Q::w1, Q::w3}, Assumption::free},
+      {R"(2T \approx I_2\omega_2^2)", {Q::w1, Q::w3}, Assumption::identity},
+      {R"(\mathbf I\cdot\vec\omega \approx I_2\omega_2\hat e_2 + I_1\omega_1\hat e_1 + I_3\omega_3\hat e_3)",
+       {Q::w1, Q::w3},
+       Assumption::identity},
+      {R"(\frac{|\vec L|^2}{2T} \approx I_2 + \frac{I_1(I_1 - I_2)\omega_1^2 + I_3(I_3 - I_2)\omega_3^2}{I_2\omega_2^2})",
+       {Q::w1, Q::w3},
+       Assumption::identity},
+      {R"(\frac{2T - I_2\omega_2^2}{\omega_1} \approx I_1\omega_1 + \frac{I_3\omega_3^2}{\omega_1})",
+       {Q::w1, Q::w3},
+       Assumption::identity},
+      {R"(\vec L \approx I_2\omega_2\hat e_2)", {Q::w1, Q::w3}, Assumption::identity},
+      {R"(\frac{d}{dt}(\omega_1\omega_3) \approx \frac{I_2 - I_3}{I_1}\omega_2\omega_3^2 + \frac{I_1 - I_2}{I_3}\omega_2\omega_1^2)",
+       {Q::w1, Q::w3},
+       Assumption::free},
+  };
+  const auto macros = read_lesson(test_lesson(), "a.md").lesson->macros;
+  const auto notation = read_lesson(test_lesson(), "a.md").lesson->notation;
+  int mutants = 0, refused = 0, vacuous = 0;
+  std::array<int, 3> decided{};
+  for (const NearFormula& formula : formulas) {
+    std::vector<std::string> all = mutants_of_tex(formula.tex);
+    all.emplace_back(formula.tex);
+    for (int order = 1; order <= kMaxSmallOrder; ++order) {
+      Given given;
+      given.small = {formula.small, order};
+      const Oracle theirs_of(formula.assumption, given);
+      for (const std::string& tex : all) {
+        ++mutants;
+        const auto math = parse_math(tex, macros);
+        const auto read = math ? std::optional(read_equation(*math, notation)) : std::nullopt;
+        const auto lines = read && *read && !(**read).has_condition
+                               ? std::optional(claim_lines_of(**read, ClaimKind::identity,
+                                                              [](SourceSpan) {
+                                                                return SourcePlace{1, 1};
+                                                              }))
+                               : std::nullopt;
+        if (!lines || !*lines) {
+          ++refused;
+          continue;
+        }
+        for (const ClaimLine& line : **lines) {
+          const Equality& sides = line.equality;
+          if (line.conclusion || line.relation != Relation::approximate || sides.left.uses(Operation::norm) ||
+              sides.right.uses(Operation::norm))
+            continue;
+          bool are_zero = false;
+          const Decision theirs = theirs_of.compare_to_order(sides, are_zero);
+          const bool says_nothing = are_zero && theirs == Decision::same &&
+                                    sides.left.type() != ExpressionType::zero &&
+                                    sides.right.type() != ExpressionType::zero;
+          vacuous += says_nothing ? 1 : 0;
+          ++decided[static_cast<std::size_t>(theirs)];
+          const Verdict wanted = says_nothing                    ? Verdict::undecided
+                                 : theirs == Decision::same      ? Verdict::holds
+                                 : theirs == Decision::different ? Verdict::fails
+                                                                 : Verdict::undecided;
+          const Judgement ours = prover_.settle_to_order(sides, formula.assumption, given);
+          EXPECT_EQ(ours.verdict, wanted) << tex << " to order " << order << " is read as " << sides.left.text
+                                          << " = " << sides.right.text << ": " << ours.message;
+        }
+      }
+    }
+  }
+  std::printf(
+      "%d mutants of what holds to an order: %d refused; of the lines read %d hold (%d of them say "
+      "nothing), %d differ, %d are nowhere defined\n",
+      mutants, refused, decided[0], vacuous, decided[1], decided[2]);
+  EXPECT_GE(mutants, 1000);
+  EXPECT_GE(decided[0], 30);
+  EXPECT_GE(decided[1], 1000);
 }
 
 }  // namespace

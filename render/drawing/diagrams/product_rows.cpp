@@ -64,7 +64,10 @@ void add_block(const Block& block, const Scale& scale, double top, DiagramPaper&
   paper.line({kLabel, last - 0.5 * kRow}, {kNumberEnd, last - 0.5 * kRow}, 0.07, paper.style().ink);
   paper.math(block.sum, {kLabel + 1.1, last + kBaseline + 0.15}, {.size = 1.05});
   paper.disc({x_of(sums[3]), last}, 0.3, paper.style().ink);
-  paper.text(form.residual(sums[3]), {kNumberEnd, last + kBaseline + 0.15}, {.align = 1, .bold = true});
+  // Each value is a product of a few factors: what is left of their sum below this is their rounding.
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * block.values.cwiseAbs().maxCoeff();
+  const double sum = std::abs(sums[3]) <= rounding ? 0.0 : sums[3];
+  paper.text(form.residual(sum), {kNumberEnd, last + kBaseline + 0.15}, {.align = 1, .bold = true});
 }
 
 std::string product(int i, const std::string& factor) {

@@ -61,6 +61,7 @@ using Builder = void(const Snapshot& m, const Camera& camera, DrawList& list);
 
 Builder add_surfaces;  ///< ellipsoids, momentum sphere, invariable plane
 Builder add_solid;
+Builder add_poses;   ///< of a body that flies, at earlier times
 Builder add_curves;  ///< polhodes, separatrices, herpolhode
 Builder add_trails, add_cones;
 Builder add_axes;         ///< triads
@@ -75,8 +76,8 @@ Builder add_labels;
 Builder add_marks;  ///< of the lesson's own, with their names
 /// In the order in which a pane is drawn.
 inline constexpr std::array kBuilders = {
-    add_surfaces, add_solid,     add_curves, add_trails, add_cones, add_axes,   add_vectors, add_translation,
-    add_turn,     add_transport, add_terms,  add_pivot,  add_ghost, add_labels, add_marks};
+    add_surfaces,    add_solid, add_poses,     add_curves, add_trails, add_cones, add_axes,   add_vectors,
+    add_translation, add_turn,  add_transport, add_terms,  add_pivot,  add_ghost, add_labels, add_marks};
 
 /// Once in a figure, in the corner of its first pane.
 void add_values(const Snapshot& m, DrawList& list);

@@ -48,7 +48,7 @@ void label_triads(const Snapshot& m, DrawList& list) {
     if (m.shows(Overlay::axes_body))
       list.labels.push_back({.text = kBody[k],
                              .anchor = m.q_VB * (kBeyond * Vec3::Unit(i)),
-                             .color = kAxesRole.ink,
+                             .color = kBodyAxisRoles[k].ink,
                              .size = 0.9,
                              .leader = false});
   }

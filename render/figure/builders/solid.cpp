@@ -2,6 +2,7 @@
 // The body itself as lit meshes: box, ellipsoid, cylinder, T-handle.
 #include "physics/body/euler.h"
 #include "render/figure/builders/builders.h"
+#include "render/figure/builders/parts.h"
 #include "render/palette.h"
 #include "render/scene/model/rotor.h"
 
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace polhode::builders {
 namespace {
@@ -16,13 +18,9 @@ namespace {
 constexpr int kSegments = 64;
 constexpr double kAloneRadius = 0.95;  // of the sphere round a body that stands alone
 constexpr double kInsideGlass = 0.84;  // of the energy ellipsoid, for a body drawn in it
-constexpr Color kEdge = color_from_hex(0x6A6152);
+constexpr Color kSteel = color_from_hex(0xB7B4AD), kSteelEdge = color_from_hex(0x7E7A72);
 
-/// A part of a body in its own axes, to be placed in the view.
-struct Part {
-  Mesh mesh;
-  std::vector<Tube> edges;
-};
+}  // namespace
 
 void add_quad(Mesh& mesh, const std::array<Vec3, 4>& corners, const Vec3& normal) {
   const auto first = static_cast<unsigned>(mesh.positions.size());
@@ -33,8 +31,9 @@ void add_quad(Mesh& mesh, const std::array<Vec3, 4>& corners, const Vec3& normal
   for (unsigned k : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.triangles.push_back(first + k);
 }
 
-Part box(const Vec3& half) {
+Part box_part(const Vec3& half) {
   Part part;
+  part.mesh.color = kSolid;
   for (int axis = 0; axis < 3; ++axis)
     for (int side : {-1, 1}) {
       const Vec3 n = side * Vec3::Unit(axis);
@@ -44,20 +43,24 @@ Part box(const Vec3& half) {
       add_quad(part.mesh, {c - u - v, c + u - v, c + u + v, c - u + v}, n);
       part.edges.push_back({.points = {c - u - v, c + u - v, c + u + v, c - u + v},
                             .closed = true,
-                            .radius = 0.006,
-                            .color = kEdge});
+                            .radius = kEdgeRadius,
+                            .color = kBodyEdge});
     }
   return part;
 }
+
+namespace {
 
 Vec3 on_circle(double turn, double rx, double ry, double z) {
   const double a = 2.0 * std::numbers::pi * turn;
   return {rx * std::cos(a), ry * std::sin(a), z};
 }
 
-/// Elliptic cylinder about its axis 3.
-Part cylinder(const Vec3& half) {
+}  // namespace
+
+Part cylinder_part(const Vec3& half) {
   Part part;
+  part.mesh.color = kSolid;
   std::array<Tube, 2> rims;
   for (int i = 0; i < kSegments; ++i) {
     const double t0 = static_cast<double>(i) / kSegments, t1 = static_cast<double>(i + 1) / kSegments;
@@ -79,15 +82,18 @@ Part cylinder(const Vec3& half) {
   }
   for (Tube& rim : rims) {
     rim.closed = true;
-    rim.radius = 0.006;
-    rim.color = kEdge;
+    rim.radius = kEdgeRadius;
+    rim.color = kBodyEdge;
     part.edges.push_back(rim);
   }
   return part;
 }
 
+namespace {
+
 Part ellipsoid(const Vec3& half) {
   Part part;
+  part.mesh.color = kSolid;
   const int rows = kSegments / 2;
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= kSegments; ++i) {
@@ -104,7 +110,7 @@ Part ellipsoid(const Vec3& half) {
                          (j + 1) * row + i + 1, j * row + i + 1})
         part.mesh.triangles.push_back(k);
   for (int axis = 0; axis < 3; ++axis) {  // three great ellipses make the turning visible
-    Tube ring{.points = {}, .closed = true, .radius = 0.006, .color = kEdge};
+    Tube ring{.points = {}, .closed = true, .radius = kEdgeRadius, .color = kBodyEdge};
     for (int i = 0; i < kSegments; ++i) {
       const Vec3 c = on_circle(static_cast<double>(i) / kSegments, 1.0, 1.0, 0.0);
       const Vec3 turned(c[axis % 3], c[(axis + 1) % 3], c[(axis + 2) % 3]);
@@ -122,9 +128,11 @@ void add_diameters(Part& part, const Vec3& half) {
     for (int axis : {0, 1}) {
       const Vec3 end = half[axis] * Vec3::Unit(axis), up = kProud * z * Vec3::UnitZ();
       part.edges.push_back(
-          {.points = {up - end, up + end}, .closed = false, .radius = 0.006, .color = kEdge});
+          {.points = {up - end, up + end}, .closed = false, .radius = kEdgeRadius, .color = kBodyEdge});
     }
 }
+
+}  // namespace
 
 void turn_and_move(Part& part, const Quat& q, const Vec3& by) {
   for (Vec3& p : part.mesh.positions) p = q * p + by;
@@ -133,32 +141,41 @@ void turn_and_move(Part& part, const Quat& q, const Vec3& by) {
     for (Vec3& p : edge.points) p = q * p + by;
 }
 
+namespace {
+
 /// A bar of a T-handle: a cylinder turned from axis 3 to lie along `axis`.
 Part bar(double diameter, double length, const Vec3& axis, const Vec3& center) {
-  Part part = cylinder(0.5 * Vec3(diameter, diameter, length));
+  Part part = cylinder_part(0.5 * Vec3(diameter, diameter, length));
+  part.mesh.color = kSteel;
+  for (Tube& edge : part.edges) edge.color = kSteelEdge;
   turn_and_move(part, shortest_rotation(Vec3::UnitZ(), axis), center);
   return part;
 }
 
+/// The stem runs on to the crossbar's axis, so that the two are one piece of steel.
 std::vector<Part> t_handle(const Vec3& size_m) {
   const THandleGeometry g = t_handle_geometry(size_m);
-  return {bar(g.diameter_m, g.crossbar_length_m, Vec3::UnitX(), Vec3(0.0, g.crossbar_at_m, 0.0)),
-          bar(g.diameter_m, g.stem_length_m, Vec3::UnitY(), Vec3(0.0, g.stem_at_m, 0.0))};
+  const double more = 0.5 * g.diameter_m;
+  Part crossbar = bar(g.diameter_m, g.crossbar_length_m, Vec3::UnitX(), Vec3(0.0, g.crossbar_at_m, 0.0));
+  Part stem =
+      bar(g.diameter_m, g.stem_length_m + more, Vec3::UnitY(), Vec3(0.0, g.stem_at_m + 0.5 * more, 0.0));
+  stem.edges.erase(stem.edges.begin() + 1);  // the rim inside the crossbar
+  return {std::move(crossbar), std::move(stem)};
 }
 
 std::vector<Part> parts_of(const Shape& shape) {
   const Vec3 half = 0.5 * shape.size_m;
   switch (shape.kind) {
     case ShapeKind::box:
-      return {box(half)};
+      return {box_part(half)};
     case ShapeKind::ellipsoid:
       return {ellipsoid(half)};
     case ShapeKind::cylinder:
-      return {cylinder(half)};
+      return {cylinder_part(half)};
     case ShapeKind::t_handle:
       return t_handle(shape.size_m);
   }
-  return {box(half)};
+  return {box_part(half)};
 }
 
 /// Largest factor by which the parts may grow and still lie within the ellipsoid of these semi-axes.
@@ -201,6 +218,8 @@ Vec3 room_for(const Snapshot& m, const Vec3& w_B) {
 /// In m, about the pivot where the scene shows one.
 std::vector<Part> parts_of(const Scene& scene, bool on_pivot) {
   if (!on_pivot)
+    if (std::vector<Part> look = look_of(scene.body); !look.empty()) return look;
+  if (!on_pivot)
     return parts_of(scene.body.shape.value_or(equivalent_box(scene.body.moments, scene.body.mass_kg)));
   const Rotor rotor = rotor_of(scene, *heavy_top_of(scene));
   std::vector<Part> parts = parts_of(rotor.shape);
@@ -209,8 +228,9 @@ std::vector<Part> parts_of(const Scene& scene, bool on_pivot) {
   return parts;
 }
 
-void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const Color& color, float edges,
-               DrawList& list) {
+/// In their own colours, or all in one, with lines along the edges of this opacity.
+void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const std::optional<Color>& color,
+               float edges, DrawList& list) {
   for (Part& part : parts) {
     for (Vec3& p : part.mesh.positions) p = q_VB * (scale * p);
     for (Vec3& n : part.mesh.normals) n = q_VB * n;
@@ -219,7 +239,7 @@ void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const Co
       edge.color.a = edges;
       list.tubes.push_back(std::move(edge));
     }
-    part.mesh.color = color;
+    if (color) part.mesh.color = *color;
     list.meshes.push_back(std::move(part.mesh));
   }
 }
@@ -234,9 +254,33 @@ void add_solid(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (!m.model.needs.solid) return;
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
   const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
-  add_parts(std::move(parts), m.q_VB, scale, kSolid, 1.0F, list);
-  if (m.turn && m.model.solid.kind == ShapeKind::box)
+  add_parts(std::move(parts), m.q_VB, scale, std::nullopt, 1.0F, list);
+  if (m.turn && m.model.solid.kind == ShapeKind::box && look_of(m.model.scene.body).empty())
     add_cover(m.q_VB, 0.5 * scale * m.model.solid.size_m, list);
+}
+
+void add_poses(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
+  if (!draws_poses(m.model.scene) || m.view == View::body) return;
+  constexpr float kPalest = 0.78F, kLeastPale = 0.45F;  // of the way from a body's colours to the haze
+  constexpr Color kHaze = color_from_hex(0xE4E8EB);
+  constexpr double kAtStart = 1e-9;  // a pose at t = 0 is there, however its time is rounded
+  const std::vector<Part> parts = parts_of(m.model.scene, false);
+  const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
+  const Poses& poses = m.model.scene.poses;
+  for (int i = poses.count; i > 0; --i) {
+    const double then_s = m.t_s - poses.over_s * i / poses.count;
+    if (then_s < -kAtStart * poses.over_s) continue;
+    const Snapshot then = snapshot_at(m.model, std::max(0.0, then_s), m.view);
+    const float pale =
+        std::lerp(kLeastPale, kPalest, static_cast<float>(i) / static_cast<float>(poses.count));
+    std::vector<Part> placed = parts;
+    for (Part& part : placed) {
+      turn_and_move(part, Quat::Identity(), then.q_VB.conjugate() * (then.center_V - m.center_V) / scale);
+      part.mesh.color = between(part.mesh.color, kHaze, pale);
+      for (Tube& edge : part.edges) edge.color = between(edge.color, kHaze, pale);
+    }
+    add_parts(std::move(placed), then.q_VB, scale, std::nullopt, 1.0F, list);
+  }
 }
 
 void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list) {
@@ -246,7 +290,7 @@ void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list) {
       1.004;  // where both coincide, their faces would show through each other in specks
   std::vector<Part> parts = parts_of(m.model.scene, m.shows(Overlay::pivot));
   const double scale = fit(parts, room_for(m, w_B_of_surfaces(m)));
-  add_parts(std::move(parts), q_SB, kLarger * scale, {kGlassTint.r, kGlassTint.g, kGlassTint.b, kAlpha},
+  add_parts(std::move(parts), q_SB, kLarger * scale, Color{kGlassTint.r, kGlassTint.g, kGlassTint.b, kAlpha},
             kEdges, list);
 }
 

@@ -5,6 +5,7 @@
 #include "render/palette.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace polhode::builders {
@@ -14,13 +15,14 @@ constexpr double kTriadRadius = 0.008;
 constexpr int kTrailPoints = 240;
 constexpr double kOverCurve = 1.15;  ///< of a trail that lies on a curve
 
-void add_triad(const Quat& q_VF, const Vec3& origin_V, double emphasis, double dash, DrawList& list) {
+void add_triad(const Quat& q_VF, const Vec3& origin_V, double emphasis, double dash,
+               const std::array<Role, 3>& roles, DrawList& list) {
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis_V = q_VF * Vec3::Unit(i);
     list.arrows.push_back({.tail = origin_V,
                            .tip = origin_V + kTriadLength * axis_V,
                            .radius = kTriadRadius * emphasis,
-                           .color = kAxesRole.paint,
+                           .color = roles[static_cast<std::size_t>(i)].paint,
                            .dash = dash});
   }
 }
@@ -145,8 +147,10 @@ void add_vectors(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
 
 void add_axes(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (m.shows(Overlay::axes_space))
-    add_triad(m.q_VS, -m.center_V, m.emphasis(Overlay::axes_space), 0.05, list);
-  if (m.shows(Overlay::axes_body)) add_triad(m.q_VB, Vec3::Zero(), m.emphasis(Overlay::axes_body), 0.0, list);
+    add_triad(m.q_VS, -m.center_V, m.emphasis(Overlay::axes_space), 0.05, {kAxesRole, kAxesRole, kAxesRole},
+              list);
+  if (m.shows(Overlay::axes_body))
+    add_triad(m.q_VB, Vec3::Zero(), m.emphasis(Overlay::axes_body), 0.0, kBodyAxisRoles, list);
 }
 
 }  // namespace polhode::builders

@@ -64,6 +64,15 @@ struct NoteMark {
   bool operator==(const NoteMark&) const = default;
 };
 
+/// A body that flies as it was before: pale, at `count` instants, evenly over the last `over_s`, none before
+/// t = 0.
+struct Poses {
+  int count = 0;
+  double over_s = 0;  ///< s
+  bool operator==(const Poses&) const = default;
+};
+inline constexpr int kMostPoses = 12;
+
 struct Marks {
   std::vector<TrailMark> trails = {};
   std::vector<ArrowMark> arrows = {};

@@ -83,6 +83,7 @@ struct Scene {
   std::vector<View> views{View::space};  ///< one, or two side by side
   OverlaySet show;
   Marks marks;  ///< in space, besides the overlays
+  Poses poses;  ///< of a body that flies
   CameraSpec camera;
   double at_s = 0.0;  ///< the t of a still, and what lengths and tables that hang on a time are made for
   std::optional<double> still_s;       ///< the t of a still, where that is another

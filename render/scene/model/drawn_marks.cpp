@@ -2,6 +2,7 @@
 #include "render/scene/model/drawn_marks.h"
 
 #include "render/scene/model/model.h"
+#include "render/scene/model/translation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,13 @@ bool draws_marks(const Scene& scene) {
   return !scene.marks.empty() && !scene.show.contains(Overlay::turn_orders);
 }
 
+bool draws_poses(const Scene& scene) {
+  const bool is_seen = std::find(scene.views.begin(), scene.views.end(), View::space) != scene.views.end() &&
+                       scene.show.contains(Overlay::shape) && !scene.show.contains(Overlay::puck) &&
+                       !scene.show.contains(Overlay::turn_orders);
+  return scene.poses.count > 0 && is_seen && drifts(scene);
+}
+
 VectorCourses vector_courses(const SceneModel& model, const Effort& effort) {
   constexpr std::int64_t kEvaluations = 10;  // of a value, with its rates
   VectorCourses courses;
@@ -104,6 +112,8 @@ VectorCourses vector_courses(const SceneModel& model, const Effort& effort) {
 
 std::vector<std::string> unseen_marks(const SceneModel& model) {
   const Marks& marks = model.scene.marks;
+  if (model.scene.poses.count > 0 && !draws_poses(model.scene))
+    return {"poses show nothing: they are of a body with its shape that flies, seen from space"};
   if (marks.empty()) return {};
   if (!draws_marks(model.scene))
     return {

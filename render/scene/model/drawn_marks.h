@@ -18,6 +18,10 @@ struct SceneModel;
 /// Whether the marks of a scene are drawn: where a body is turned by hand there is no motion for them.
 bool draws_marks(const Scene& scene);
 
+/// Whether earlier poses are drawn: where the body is seen to fly. About a centre at rest they would cover
+/// one another.
+bool draws_poses(const Scene& scene);
+
 /// The angle from one vector to another, 0 to π, rad. Nothing where there is no arc to draw: one of them is
 /// 0, or they are parallel.
 std::optional<double> angle_between(const Vec3& a, const Vec3& b);

@@ -312,6 +312,10 @@ TEST(Transcript, ScenesSideBySideHaveALineEachUnlessTheirCaptionIsOne) {
   const std::string common = told("caption = 'both'\nscenes = [{}, { omega = [0, 0, 1] }]");
   EXPECT_THAT(common, HasSubstr("\nFigure: both\n"));
   EXPECT_THAT(common, Not(HasSubstr("of 2")));
+  const std::string numbers =
+      told("body = 'book'\ncaption = '$T = \\live{T}$'\nscenes = [{}, { omega = [0, 0, 9] }]");
+  EXPECT_THAT(numbers, HasSubstr("\nFigure 1 of 2: T")) << "each has the number of its own motion";
+  EXPECT_THAT(numbers, HasSubstr("\nFigure 2 of 2: T"));
 }
 
 TEST(Transcript, TheRangeOfWhatIsVariedIsSaid) {

@@ -170,5 +170,64 @@ TEST(LiveRows, ShowNoNumbersOfAStepThatDecidesNothing) {
       << "its numbers may differ by the step alone, and may agree by it";
 }
 
+/// left ≈ right near axis 2, to first order, of the kind free.
+Claim near_axis_two(const std::string& text, ClaimKind kind = ClaimKind::free) {
+  const SourceText source(text);
+  Report report(source, "text");
+  Claim claim;
+  claim.kind = kind;
+  claim.given.small = {{Quantity::w1, Quantity::w3}, 1};
+  claim.lines = read_claim_lines(source, 1, source.line_count(), kind, report);
+  EXPECT_FALSE(report.has_errors()) << text;
+  for (ClaimLine& line : claim.lines) {
+    line.judgement = judge(line, kind, Prover(), claim.given);
+    line.tex = tex_of(line, kind);
+  }
+  return claim;
+}
+const char* const kLinear = "ddt(ddt(w1)) ~= (I2 - I3)*(I1 - I2)/(I1*I3)*w2^2*w1";
+
+TEST(VerdictRow, SaysToWhichOrder) {
+  const Claim claim = near_axis_two(kLinear);
+  const VerdictRow row = verdict_row(claim, nullptr, nullptr);
+  EXPECT_EQ(row.word, "true when no torque acts");
+  EXPECT_EQ(row.note, "to first order in $\\omega_1$, $\\omega_3$");
+  EXPECT_EQ(row.certainty, Certainty::proved);
+  ASSERT_THAT(row.claimed, SizeIs(1));
+  EXPECT_THAT(row.claimed.front(), HasSubstr("\\approx"));
+  const Claim wrong = near_axis_two("T ~= I2*w2^2");
+  EXPECT_EQ(verdict_row(wrong, nullptr, nullptr).word, "does not hold");
+  const Claim called_false = near_axis_two("T ~= I2*w2^2", ClaimKind::is_false);
+  EXPECT_THAT(verdict_row(called_false, nullptr, nullptr).note,
+              HasSubstr("to first order in $\\omega_1$, $\\omega_3$, for example at I = "));
+}
+
+TEST(VerdictRow, TellsInequalitiesThatAreGiven) {
+  Claim claim = claim_of("T >= 0", ClaimKind::identity);
+  Bound bound;
+  bound.tex = "I_3 > I_1";
+  claim.given.bounds.push_back(bound);
+  EXPECT_EQ(verdict_row(claim, nullptr, nullptr).note, "given $I_3 > I_1$");
+}
+
+TEST(VerdictRow, NumbersOfAnApproximationAreNotMadeEqual) {
+  const Claim claim = near_axis_two(kLinear);
+  Scene scene;
+  scene.body.moments = PrincipalMoments(1.0, 1.75, 2.5);
+  scene.w0_B = Vec3(0.2, 3.0, 0.1);
+  scene.views = {View::body};
+  ASSERT_TRUE(can_be_shown(claim, scene));
+  const auto near = rows_of(claim, scene, 0);
+  ASSERT_THAT(near, SizeIs(1));
+  EXPECT_THAT(near.front(), HasSubstr(" ≈ "));
+  // ω̈₁ is 0.405 ω₁ … − …: to its digits it is not the linear one.
+  EXPECT_NE(near.front().substr(0, near.front().find(" ≈ ")),
+            near.front().substr(near.front().find(" ≈ ") + std::string(" ≈ ").size()));
+  // Once ω₁ has grown nothing is said to be small, and there are no numbers.
+  EXPECT_THAT(rows_of(claim, scene, 2.0), IsEmpty());
+  scene.w0_B = Vec3(3.0, 0.2, 0.1);
+  EXPECT_FALSE(can_be_shown(claim, scene));
+}
+
 }  // namespace
 }  // namespace polhode

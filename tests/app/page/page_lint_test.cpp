@@ -25,7 +25,64 @@ std::vector<Diagnostic> found_with(int paragraphs) {
   return page_diagnostics(*reading.lesson, kFonts, "long.md");
 }
 
-TEST(PageLint, AStepThatFitsIsFine) { EXPECT_TRUE(found_with(4).empty()); }
+TEST(PageLint, AStepThatFitsIsFine) { EXPECT_TRUE(found_with(2).empty()); }
+
+TEST(PageLint, MoreWordsThanOneReadsWhileSomebodySpeaksAreWarnedOf) {
+  const auto found = found_with(3);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  EXPECT_EQ(found[0].place.line, 11);
+  EXPECT_THAT(found[0].message, HasSubstr("step 2 of stage \"one\" has 66 words"));
+}
+
+std::vector<Diagnostic> found_in(const std::string& stages) {
+  const LessonReading reading =
+      read_lesson("+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n+++\n# A stage {one}\n" + stages, "x.md");
+  if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+  static const Fonts kFonts = Fonts::open().value();
+  return page_diagnostics(*reading.lesson, kFonts, "x.md");
+}
+
+TEST(PageLint, FormulasCountAsWordsAndThreeDisplaysAreTooMany) {
+  std::string sums = "Now";
+  for (int i = 0; i < 44; ++i) sums += " $a+b$";
+  EXPECT_TRUE(found_in(sums + "\n").empty());
+  EXPECT_THAT(found_in(sums + " more\n").at(0).message, HasSubstr("has 46 words"));
+  const auto math = [](const std::string& id) { return "```math " + id + "\nx\n```\n"; };
+  EXPECT_TRUE(found_in(math("a") + math("b")).empty());
+  EXPECT_THAT(found_in(math("a") + math("b") + math("c")).at(0).message, HasSubstr("3 displayed formulas"));
+}
+
+TEST(PageLint, AStepThatMakesTheTypeOfItsStageSmallerIsNamed) {
+  const auto math = [](const std::string& id, int rows) {
+    std::string lines;
+    for (int i = 1; i < rows; ++i) lines += "a &= b \\\\\n";
+    return "```math " + id + "\n\\begin{aligned}\n" + lines + "a &= b\n\\end{aligned}\n```\n";
+  };
+  const auto found =
+      found_in("Words.\n\n---\n\nTwo lines of words, so that there is something to be read above it.\n" +
+               math("a", 4) + "and\n" + math("b", 3));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].message, HasSubstr("step 2 of stage \"one\" is long for a slide: all slides"));
+}
+
+TEST(PageLint, APictureThatStaysNeedsItsReason) {
+  const std::string scene = "a\n\n```scene\nshow = [\"omega\"]\n```\n\n---\n\nb\n";
+  const auto with = [&](const std::string& keys) {
+    return found_in(scene + "\n```scene\n" + keys + "\n```\n");
+  };
+  ASSERT_EQ(found_in(scene).size(), 1u);
+  EXPECT_THAT(found_in(scene)[0].message,
+              HasSubstr("step 2 of stage \"one\" has the picture of the step before"));
+  EXPECT_EQ(with("caption = \"words alone\"\nduration = 3").size(), 1u);
+  for (const char* change :
+       {"at = 1", "show = [\"L\"]", "highlight = [\"omega\"]", "camera = { azimuth_deg = 50 }",
+        "meters = [\"omega\"]", "arrows = [{ of = \"L\" }]", "same = \"a question about it\""})
+    EXPECT_TRUE(with(change).empty()) << change;
+  const auto both = with("at = 1\nsame = \"a question about it\"");
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_THAT(both[0].message, HasSubstr("says why its picture stays, and changes it"));
+}
 
 TEST(PageLint, ALongStepIsWarnedOfWhereItBegins) {
   const auto found = found_with(17);
@@ -52,7 +109,8 @@ TEST(PageLint, WarnsOnceOfMarksThatShowNothing) {
       "marks.md");
   ASSERT_TRUE(reading.lesson);
   const auto found = page_diagnostics(*reading.lesson, Fonts::open().value(), "marks.md");
-  ASSERT_EQ(found.size(), 2U);
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_THAT(found[2].message, HasSubstr("has the picture of the step before")) << "and of marks no more";
   EXPECT_EQ(found[0].severity, Severity::warning);
   EXPECT_EQ(found[0].message,
             "step 1 of stage \"one\": the arrow of \"N\" shows nothing: \"N\" is 0 throughout");

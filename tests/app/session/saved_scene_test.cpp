@@ -292,6 +292,24 @@ TEST(SavedScene, MacrosAndSymbolsComeBack) {
   }
 }
 
+TEST(SavedScene, WhatCanBeAssumedComesBack) {
+  LessonSession session(test::loaded_text(
+      "+++\nformat = 1\nid = \"x\"\ntitle = 'X'\n[assume]\n"
+      "near = { small = ['w1', 'w3'], order = 2 }\nflat = ['I2 = I1', 'I3 > I1']\n+++\n# X {x}\n"
+      "```math a free given near\n\\dot\\omega_1 \\approx \\frac{I_2 - I_3}{I_1}\\omega_2\\omega_3\n```\n"
+      "```math b identity given flat\nI_3 > I_2\n```\n"));
+  const std::string text = lesson_of(session);
+  const LessonReading reading = check_lesson(text, "saved.md");
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front()) << text;
+  const Given& near = reading.lesson->assumptions.at("near");
+  EXPECT_EQ(near.small.quantities, (std::vector{Quantity::w1, Quantity::w3}));
+  EXPECT_EQ(near.small.order, 2);
+  const Given& flat = reading.lesson->assumptions.at("flat");
+  ASSERT_EQ(flat.bounds.size(), 1U);
+  EXPECT_EQ(flat.bounds[0].text, "I3 > I1");
+  EXPECT_EQ(flat.settings.size(), 1U);
+}
+
 TEST(SavedTrace, HasTheRowsThatTraceGives) {
   LessonSession session(test::loaded_text(
       "+++\nformat = 1\nid = \"x\"\ntitle = \"X\"\n[body.own]\nmoments = [1.0, 2.0, 2.5]\n+++\n# X "

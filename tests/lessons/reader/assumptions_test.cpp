@@ -42,6 +42,10 @@ std::string math(const std::string& opening, const std::string& tex) {
   return "```math " + opening + "\n" + tex + "\n```\n";
 }
 
+struct Wrong {
+  std::string tables, body, says;
+};
+
 TEST(Assumptions, ServeFormulasClaimsAndQuestions) {
   EXPECT_THAT(faults(lesson(kTop, math("a motion given heavy", R"(\frac{dE}{dt} = 0)"))), IsEmpty());
   EXPECT_THAT(faults(lesson(kTop, math("a motion given symmetric heavy", R"(\dot\omega_3 = 0)"))), IsEmpty());
@@ -88,16 +92,108 @@ TEST(Assumptions, ServeTheReferencesSecondRatesAndInequalities) {
               ElementsAre(HasSubstr("only of numbers")));
 }
 
+constexpr const char* kNear = "[assume]\nnear = { small = ['w1', 'w3'], order = 1 }\nsteep = 'I3 > I1'\n";
+constexpr const char* kLinear =
+    R"(\ddot\omega_1 \approx \frac{(I_2 - I_3)(I_1 - I_2)}{I_1 I_3}\,\omega_2^2\,\omega_1)";
+
+// The example of FORMAT.md under "What holds to first order", in a lesson of its own.
+TEST(Assumptions, ServeTheReferencesClaimsToAnOrder) {
+  const std::string format = testing::read_file(test::source_dir() / "lessons/FORMAT.md");
+  const std::size_t begin = format.find("[assume]\nnear = "), fence = format.find("```math near-axis-two");
+  ASSERT_NE(begin, format.npos);
+  ASSERT_NE(fence, format.npos);
+  const std::string table = format.substr(begin, format.find("+++", begin) - begin);
+  const std::string example = format.substr(fence, format.find("\n````\n", fence) + 1 - fence);
+  EXPECT_THAT(faults(lesson(table, example)), IsEmpty());
+}
+
+TEST(Assumptions, ServeClaimsToAnOrder) {
+  EXPECT_THAT(faults(lesson(kNear, math("a free given near", kLinear))), IsEmpty());
+  EXPECT_THAT(faults(lesson(kNear, math("a free given near", R"(\dot\omega_2 \approx 0)"))), IsEmpty());
+  EXPECT_THAT(
+      faults(lesson(kNear, math("a", "x") + "```claim a free given near in-other-words\n"
+                                            "I2*w2^2 ~= 2*T\nL ~= I2*w2*e2 + I1*w1*e1 + I3*w3*e3\n```\n")),
+      IsEmpty());
+  EXPECT_THAT(faults(lesson(kNear, math("a identity given near steep", R"(2T \approx I_2\omega_2^2)"))),
+              IsEmpty());
+  EXPECT_THAT(faults(lesson(kNear, math("a false given near", R"(T \approx I_2\omega_2^2)"))), IsEmpty());
+  EXPECT_THAT(
+      faults(lesson(kNear, math("a free given near", R"(\ddot\omega_1 \approx \omega_2^2\,\omega_1)"))),
+      ElementsAre(AllOf(HasSubstr("the claim (free) fails: this does not hold to first order"),
+                        HasSubstr("ω = (ε, 1, 0)"))));
+  EXPECT_THAT(faults(lesson(kNear, math("a motion given near", R"(\dot\omega_2 \approx 0)"))),
+              ElementsAre(HasSubstr("its kind is free")));
+  EXPECT_THAT(
+      faults(lesson(kNear, math("a identity given near", R"(\omega_1\omega_3 \approx 2\omega_1\omega_3)"))),
+      ElementsAre(HasSubstr("both sides are zero to that order: it says nothing")));
+  EXPECT_THAT(faults(lesson(kNear, math("a free given steep", R"(I_3 - I_1 > 0)"))), IsEmpty());
+}
+
+TEST(Assumptions, WhatIsSaidOfWhatIsSmallIsChecked) {
+  const std::string assume = "[assume]\n";
+  const auto near = [&](const std::string& keys) { return assume + "a = { " + keys + " }\n"; };
+  const auto proof = [](const std::string& tex) { return math("a identity given near", tex); };
+  const Wrong cases[] = {
+      {near("small = ['w1'], order = 0"), "",
+       "6:31: error: \"order\" is a whole number from 1 to 4, found 0"},
+      {near("small = ['w1'], order = 5"), "",
+       "6:31: error: \"order\" is a whole number from 1 to 4, found 5"},
+      {near("small = ['w1'], order = 'two'"), "",
+       "6:31: error: \"order\" is a whole number from 1 to 4, found a string"},
+      {near("small = ['w1'], order = 1.0"), "", "6:31: error: \"order\" is a whole number"},
+      {near("small = ['w1']"), "", "6:5: error: this does not say to which order in what is small"},
+      {near("order = 1"), "", "6:5: error: this does not say what is small"},
+      {near(""), "", "6:5: error: this does not say what is small"},
+      {near("small = [], order = 1"), "", "6:15: error: nothing is small here"},
+      {near("small = ['w4'], order = 1"), "",
+       "error: what can be small is w1 w2 w3, N, N1 N2 N3, h or k: \"w4\""},
+      {near("small = ['T'], order = 1"), "", "\"T\" is none of them"},
+      {near("small = ['w1', 'w1'], order = 1"), "", "\"w1\" is small already"},
+      {near("small = ['N', 'N1'], order = 1"), "", "\"N1\" is small already"},
+      {near("small = 3, order = 1"), "", "6:15: error:"},
+      {near("smal = ['w1'], order = 1"), "", "6:5: error: this does not say what is small"},
+      {assume + "a = ['I1 > I2', 'I2 > I1']\n", "", "6:5: error: these inequalities leave no room"},
+      {assume + "a = 'L > 0'\n", "", "6:6: error: of two vectors none is the greater"},
+      {assume + "a = 'dw1 > 0'\n", "", "6:6: error: an assumption holds at an instant: it has no rates"},
+      {assume + "a = 'norm(L) > 0'\n", "", "6:6: error: a proof has no roots"},
+      {assume + "a = 'I3 > T'\n", "", "6:6: error: units disagree"},
+      {assume + "a = 'I3 > '\n", "", "6:10: error: an expression is missing here"},
+      {assume + "a = 'I3 > I4'\n", "", "6:11: error:"},
+      {assume + "a = 'I1 > I2'\nb = 'I2 > I1'\n", math("a free given a b", "T = T"),
+       "no body is as these assumptions together say"},
+      {kNear, proof("T = T"), "write \\approx: with what is given it holds to first order only"},
+      {kNear, math("a", "x") + "```claim a identity given near\nT = T\n```\n",
+       "write ~=: with what is given"},
+      {kNear, math("a", "x") + "```claim a identity given near\nT ~ T\n```\n",
+       "write ~= for what is approximately"},
+      {kNear, proof(R"(T \ge 0)"), "an inequality is not proved to an order"},
+      {kNear, proof(R"(|\vec L| \approx |\vec L|)"), "a length is a root"},
+      {"", math("a identity", R"(T \approx T)"), "nothing is small here"},
+      {"", math("a", "x") + "```claim a identity\nT ~= T\n```\n", "nothing is small here"},
+      {kNear, math("a measured given near", R"(T \approx T)"), "within a tolerance that is said"},
+      {kNear, math("a motion given near", R"(\omega_1 = 0 \Rightarrow T \approx 0)"), ""},
+      {assume + "a = { small = ['w1'], order = 1 }\nb = 'w1 = 0'\n",
+       math("a identity given a b", R"(T \approx T)"), "what is small is set already, by \"w1 = 0\""},
+      {assume + "a = { small = ['w1'], order = 1 }\nb = { small = ['w3'], order = 2 }\n",
+       math("a identity given a b", R"(T \approx T)"), "\"b\" is of another order"},
+      {assume + "a = { small = ['N1'], order = 1 }\n", math("a free given a", R"(T \approx T)"),
+       "the kind free says that there is none"},
+      {kNear, "```ask a\ntype = 'expression'\nprompt = 'What?'\nanswer = 'T'\ngiven = 'near'\n```\n",
+       "it is given nothing that is small"},
+  };
+  for (const Wrong& c : cases) {
+    const auto said = faults(lesson(c.tables, c.body.empty() ? "Text.\n" : c.body));
+    ASSERT_FALSE(said.empty()) << c.tables << c.body;
+    EXPECT_THAT(said.front(), HasSubstr(c.says)) << c.tables << c.body;
+  }
+}
+
 TEST(Assumptions, FormulasShowTheWordsOfTheLesson) {
   EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(E = T + mg\ell\,u)"))), IsEmpty());
   EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(E = T - mg\ell\,u)"))),
               ElementsAre(HasSubstr("fails")));
   EXPECT_THAT(faults(lesson(kTop, math("a identity", R"(u = \hat e_z\cdot\hat e_3)"))), IsEmpty());
 }
-
-struct Wrong {
-  std::string tables, body, says;
-};
 
 TEST(Assumptions, WhatIsWrongIsSaidWhereItStands) {
   const std::string assume = "[assume]\n";

@@ -226,6 +226,25 @@ TEST(SceneKeys, RefuseAShapeThatHangsOnNoPrincipalAxis) {
   EXPECT_EQ(complaints("torque = \"heavy:1e200,0,0,1\"").size(), 1U) << "moments overflow";
 }
 
+TEST(SceneKeys, PosesAreCountedAndReadBack) {
+  const Scene scene = scene_from("poses = { count = 5, over = 0.8 }");
+  EXPECT_EQ(scene.poses, (Poses{5, 0.8}));
+  EXPECT_EQ(scene_from(scene_keys_text(scene, scene.at_s)).poses, scene.poses);
+  for (const char* wrong :
+       {"poses = 5", "poses = { count = 5 }", "poses = { over = 1 }", "poses = { count = 0, over = 1 }",
+        "poses = { count = 13, over = 1 }", "poses = { count = 2.5, over = 1 }",
+        "poses = { count = 2, over = -1 }", "poses = { count = 2, over = 1, pale = true }"})
+    EXPECT_TRUE(is_refused(wrong)) << wrong;
+}
+
+TEST(SceneKeys, APictureThatStaysSaysWhyInItsStep) {
+  EXPECT_TRUE(is_refused("same = \"a question\"")) << "in the front matter";
+  TextReport at("same = \" \"");
+  LessonScene scene;
+  read_scene_keys(testing::toml("same = \" \""), {}, {}, scene, at.texts, SourcePlace{1, 1});
+  EXPECT_TRUE(at.report.has_errors());
+}
+
 TEST(SceneKeyFacts, AreTheTableOfTheFormat) {
   std::string table = "| key | value | default |\n|---|---|---|\n";
   for (const SceneKeyFacts& key : scene_key_facts())

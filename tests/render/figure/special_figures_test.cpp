@@ -49,6 +49,77 @@ bool is_in_picture(const Camera& camera, const Vec3& point) {
   return pixel && pixel->x() > 0 && pixel->x() < 160 && pixel->y() > 0 && pixel->y() < 90;
 }
 
+/// The middle of what the meshes of a list have in the first colour of the body's parts.
+std::vector<Vec3> middles_of(const DrawList& list, std::size_t parts) {
+  std::vector<Vec3> middles;
+  for (std::size_t first = 0; first + parts <= list.meshes.size(); first += parts) {
+    Vec3 low = list.meshes[first].positions.front(), high = low;
+    for (std::size_t i = first; i < first + parts; ++i)
+      for (const Vec3& p : list.meshes[i].positions) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+      }
+    middles.push_back(0.5 * (low + high));
+  }
+  return middles;
+}
+
+TEST(Poses, LieOnTheWayOfTheCentreAndNotBeforeTheStart) {
+  Scene scene = thrown_book();
+  scene.body = find_body("box").value();  // one mesh, symmetric about its centre
+  const double t_s = 0.3;
+  const std::size_t alone = make_figure(make_model(scene), t_s, kAspect).panes[0].list.meshes.size();
+  scene.poses = {.count = 4, .over_s = 0.4};
+  const SceneModel model = make_model(scene);
+  const DrawList list = make_figure(model, t_s, kAspect).panes[0].list;
+  ASSERT_EQ(list.meshes.size(), alone + 3) << "the fourth would be 0.1 s before the throw";
+  const std::vector<Vec3> middles = middles_of(list, 1);
+  const Vec3 now_S = translation_at(scene, t_s).r_S, first_S = translation_at(scene, 0.0).r_S;
+  const double scale = (middles[1] - middles[0]).norm() / (first_S - now_S).norm();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 then_S = translation_at(scene, 0.1 * static_cast<double>(i)).r_S;
+    EXPECT_LT((middles[i + 1] - middles[0] - scale * (then_S - now_S)).norm(), 1e3 * kRounding) << i;
+  }
+  EXPECT_NE(list.meshes[1].color, list.meshes[0].color);
+}
+
+TEST(Looks, OfNamedBodiesTellTheirFacesApartAndKeepTheirSize) {
+  for (const char* name : {"book", "phone"}) {
+    Scene scene;
+    scene.body = find_body(name).value();
+    scene.show = {O::shape};
+    scene.w0_B.setZero();
+    scene.views = {View::body};
+    const DrawList list = make_figure(make_model(scene), 0.0, kAspect).panes[0].list;
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    Color front, back;  // of what is widest on either side of the middle
+    double widest_front = 0.0, widest_back = 0.0;
+    for (const Mesh& mesh : list.meshes) {
+      Vec3 least = mesh.positions.front(), most = least;
+      for (const Vec3& p : mesh.positions) {
+        least = least.cwiseMin(p);
+        most = most.cwiseMax(p);
+      }
+      low = low.cwiseMin(least);
+      high = high.cwiseMax(most);
+      const double wide = most.x() - least.x();
+      if (least.z() > 0.0 && wide > widest_front) {
+        widest_front = wide;
+        front = mesh.color;
+      }
+      if (most.z() < 0.0 && wide > widest_back) {
+        widest_back = wide;
+        back = mesh.color;
+      }
+    }
+    EXPECT_NE(front, back) << name;
+    // A band or a camera stands out from the faces a little.
+    const Vec3 size = high - low, wanted = scene.body.shape->size_m;
+    EXPECT_NEAR(size.y() / size.x(), wanted.y() / wanted.x(), 0.04) << name;
+    EXPECT_NEAR(size.z() / size.x(), wanted.z() / wanted.x(), 0.04) << name;
+  }
+}
+
 TEST(ThrownBody, HasItsMomentumOnItsVelocity) {
   const SceneModel model = make_model(thrown_book());
   for (double t_s : {0.0, 0.13, 0.4}) {
@@ -138,7 +209,7 @@ TEST(TurnOrders, AreTwoPanesThatEndDifferently) {
   const SceneModel model = make_model(scene);
   EXPECT_FALSE(model.drawn.contains(O::omega));
   const auto axis_1 = [&](double t_s, std::size_t pane) {
-    return arrow_of(make_figure(model, t_s, kAspect).panes.at(pane).list, kAxesRole.paint)->tip;
+    return arrow_of(make_figure(model, t_s, kAspect).panes.at(pane).list, kBodyAxisRoles[0].paint)->tip;
   };
   const Figure figure = make_figure(model, 4.0, kAspect);
   ASSERT_EQ(figure.panes.size(), 2U);

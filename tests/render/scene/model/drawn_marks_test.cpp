@@ -85,6 +85,22 @@ TEST(DrawnMarks, ThatShowNothingAreSaid) {
   EXPECT_EQ(unseen_marks(make_model(turned)).size(), 1U);
 }
 
+TEST(DrawnPoses, AreOfABodyThatIsSeenToFly) {
+  Scene scene;
+  scene.poses = {.count = 4, .over_s = 1.0};
+  scene.show = {Overlay::shape};
+  EXPECT_FALSE(draws_poses(scene));
+  EXPECT_EQ(unseen_marks(make_model(scene)).size(), 1U);
+  scene.v0_S = Vec3(0, 1, 2);
+  EXPECT_TRUE(draws_poses(scene));
+  EXPECT_THAT(unseen_marks(make_model(scene)), IsEmpty());
+  scene.views = {View::body};
+  EXPECT_FALSE(draws_poses(scene));
+  scene.views = {View::space};
+  scene.show = {Overlay::omega};
+  EXPECT_FALSE(draws_poses(scene));
+}
+
 TEST(AngleBetween, IsThatOfTheDirections) {
   EXPECT_NEAR(*angle_between(Vec3::UnitX(), Vec3(0, 7, 0)), std::numbers::pi / 2, kRounding);
   EXPECT_NEAR(*angle_between(1e300 * Vec3(1, 0, 0), 1e-300 * Vec3(1, 1, 0)), std::numbers::pi / 4, kRounding);
