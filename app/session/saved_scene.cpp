@@ -93,6 +93,25 @@ std::string macros_of(const Lesson& lesson) {
   return lines.empty() ? "" : "\n[macros]\n" + lines;
 }
 
+/// Whether a text has a citation of this key: [cite: KEY], [cite: KEY, ch. 4].
+bool cites(const std::string& text, const std::string& key) {
+  const std::string opening = "[cite: " + key;
+  for (std::size_t at = text.find(opening); at != text.npos; at = text.find(opening, at + 1)) {
+    const std::size_t end = at + opening.size();
+    if (end < text.size() && (text[end] == ']' || text[end] == ',')) return true;
+  }
+  return false;
+}
+
+/// The sources that a text cites.
+std::string references_of(const Lesson& lesson, const std::string& text) {
+  std::string lines;
+  for (const Reference& reference : lesson.references)
+    if (cites(text, reference.key))
+      lines += fmt::format("{} = {}\n", key_of(reference.key), toml(reference.text));
+  return lines.empty() ? "" : "\n[references]\n" + lines;
+}
+
 // The stage.
 
 /// The scene as it is saved: nothing is pointed at, and only what the saved steps have is highlighted.
@@ -211,9 +230,9 @@ std::string lesson_of(const LessonSession& session) {
     for (const Scene* shown : shown_scenes(scene))
       if (written.insert(shown->body.name).second) text += own_body_of(shown->body, shown->torque);
   }
-  text += macros_of(lesson) + symbols_of(lesson) + "+++\n\n";
   const SourceText source(lesson.source);
-  return text + fmt::format("{}\n", source.line(stage.place.line)) + steps_of(session, keys);
+  const std::string steps = fmt::format("{}\n", source.line(stage.place.line)) + steps_of(session, keys);
+  return text + macros_of(lesson) + references_of(lesson, steps) + symbols_of(lesson) + "+++\n\n" + steps;
 }
 
 std::string trace_of(const LessonSession& session) {
