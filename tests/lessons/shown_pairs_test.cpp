@@ -51,6 +51,9 @@ class Now {
   Vec3 ddt_L() const {
     return to_body(rate([](const Now& now) -> Vec3 { return now.R() * now.L(); }));
   }
+  Vec3 ddt_e(int i) const {
+    return to_body(rate([i](const Now& now) -> Vec3 { return now.R().col(i - 1); }));
+  }
   double ddt(const std::function<double(const Now&)>& f) const {
     return rate([&](const Now& now) { return Vec3(f(now), 0, 0); })[0];
   }
@@ -141,17 +144,19 @@ Vec3 seen_from_body_plus_turn(const Now& s) { return s.star_L() + w_x_L(s); }
 // clang-format off
 const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
   static const std::map<std::string, std::function<Sides2(const Now&)>> kPrinted = {
+    {"euler-equations/frames-three", [](const Now& s) { return Sides2(s.w()[2], -s.e(1).dot(s.ddt_e(2))); }},
     {"euler-equations/eq1", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.F()); }},
     {"euler-equations/eq2", [](const Now& s) { return Sides2(s.ddt_L(), s.N()); }},
     {"euler-equations/rotation-dot", [](const Now& s) { return Sides2(2 * s.L().dot(s.ddt_L()), 2 * s.L().dot(s.N())); }},
     {"euler-equations/rotation-length", [](const Now& s) { return Sides2(L2_rate(s), 2 * s.L().dot(s.N())); }},
     {"euler-equations/eq3", [](const Now& s) { return Sides2(s.m() * s.v(), s.m() * s.v()); }},
-    {"euler-equations/momentum-parallel", [](const Now& s) { return Sides2(s.v().cross(s.v()), 0.0); }},
+    {"euler-equations/momentum-parallel", [](const Now& s) { return Sides2((s.m() * s.v()).cross(s.v()), 0.0); }},
     {"euler-equations/momentum-product", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.m() * s.ddt_v()); }},
     {"euler-equations/momentum-ma", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.F()); }},
     {"euler-equations/angular-rigid", [](const Now& s) { return Sides2(s.L(), sum_over_particles(s)); }},
     {"euler-equations/eq4", [](const Now& s) { return Sides2(s.L(), s.times_I(s.w())); }},
-    {"euler-equations/contrast-parallel", [](const Now& s) { return Sides2(s.v().cross(s.v()), 0.0); }},
+    {"euler-equations/angular-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
+    {"euler-equations/contrast-parallel", [](const Now& s) { return Sides2((s.m() * s.v()).cross(s.v()), 0.0); }},
     {"euler-equations/contrast-not-parallel", [](const Now& s) { return Sides2(w_x_L(s), 0.0); }},
     {"euler-equations/contrast-square", [](const Now& s) {
        const double a = s.I()[0] * s.w()[0] * s.w()[0], b = s.I()[2] * s.w()[2] * s.w()[2];
@@ -161,13 +166,10 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
        return Sides2((I3 - I1) * (I3 - I1) + 4 * I1 * I3, (I3 + I1) * (I3 + I1)); }},
     {"euler-equations/tensor-symmetric", [](const Now& s) {
        return Sides2(s.w().cross(s.times_I(s.e(1))) - s.times_I(s.w().cross(s.e(1))), s.w()[2] * (s.I()[0] - s.I()[1]) * s.e(2)); }},
-    {"euler-equations/transport-expand", [](const Now& s) { return Sides2(s.A(), s.A()); }},
-    {"euler-equations/transport-product", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
-    {"euler-equations/transport-steps", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
-    {"euler-equations/transport-sums", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
+    {"euler-equations/tensor-symmetric-rest", [](const Now& s) {
+       const Vec3 w = s.w()[2] * s.e(3);  // as its parenthesis has it: the scene has a ball, on which both sides are 0
+       return Sides2(w.cross(s.times_I(s.e(2))) - s.times_I(w.cross(s.e(2))), s.w()[2] * (s.I()[0] - s.I()[1]) * s.e(1)); }},
     {"euler-equations/transport-theorem", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
-    {"euler-equations/transport-scalar", [](const Now& s) {
-       return Sides2(s.ddt([](const Now& now) { return now.A().squaredNorm(); }), 2 * s.A().dot(s.star_A())); }},
     {"euler-equations/vector-transport", [](const Now& s) { return Sides2(s.ddt_L(), seen_from_body_plus_turn(s)); }},
     {"euler-equations/eq5", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
     {"euler-equations/vector-tempting", [](const Now& s) { return Sides2(s.star_L(), s.N()); }},
@@ -202,27 +204,27 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/energy-first-row", [](const Now& s) { return Sides2(s.w()[0] * s.I()[0] * s.star_w()[0] + product(s, 0), 0.0); }},
     {"euler-equations/energy-dot", [](const Now& s) { return Sides2(s.w().dot(s.star_L()) + s.w().dot(w_x_L(s)), 0.0); }},
     {"euler-equations/energy-vector", [](const Now& s) { return Sides2(s.w().dot(w_x_L(s)), 0.0); }},
-    {"euler-equations/energy-sum", [](const Now& s) { return Sides2(s.w().dot(s.star_L()) + sum_of_products(s), 0.0); }},
     {"euler-equations/energy-cancel", [](const Now& s) { return Sides2(sum_of_products(s), 0.0); }},
     {"euler-equations/energy-left", [](const Now& s) { return Sides2(s.w().dot(s.star_L()), 0.0); }},
     {"euler-equations/energy-cancel-tempting", [](const Now& s) { return Sides2(product(s, 0), 0.0); }},
     {"euler-equations/energy-definition", [](const Now& s) { return Sides2(s.T(), 0.5 * s.I().dot(s.w().cwiseAbs2())); }},
-    {"euler-equations/energy-square", [](const Now& s) {
-       return Sides2(s.ddt([](const Now& now) { return 0.5 * now.I()[0] * now.w()[0] * now.w()[0]; }), s.L()[0] * s.star_w()[0]); }},
     {"euler-equations/energy-rate", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.star_w())); }},
     {"euler-equations/energy-conserved", [](const Now& s) { return Sides2(T_rate(s), 0.0); }},
     {"euler-equations/energy-measured", [](const Now& s) { return Sides2(2 * T_rate(s), 0.0); }},
     {"euler-equations/energy-work", [](const Now& s) { return Sides2(T_rate(s), s.N().dot(s.w())); }},
-    {"euler-equations/momentum-expanded", [](const Now&) { return Sides2(0.0, 0.0); }},
-    {"euler-equations/momentum-cancel", [](const Now&) { return Sides2(0.0, 0.0); }},
+    {"euler-equations/momentum-vector", [](const Now& s) { return Sides2(s.L().dot(w_x_L(s)), 0.0); }},
+    {"euler-equations/momentum-dot", [](const Now& s) { return Sides2(s.L().dot(s.times_I(s.star_w())), 0.0); }},
+    {"euler-equations/momentum-expanded", [](const Now& s) {
+       const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
+       return Sides2(I1 * (I3 - I2) + I2 * (I1 - I3) + I3 * (I2 - I1), 0.0); }},
     {"euler-equations/momentum-left", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), 0.0); }},
     {"euler-equations/magnitude-square", [](const Now& s) { return Sides2(s.L().squaredNorm(), s.I().cwiseAbs2().dot(s.w().cwiseAbs2())); }},
     {"euler-equations/magnitude-rate", [](const Now& s) { return Sides2(0.5 * L2_rate(s), s.L().dot(s.star_L())); }},
-    {"euler-equations/magnitude-conserved", [](const Now& s) { return Sides2(0.5 * L2_rate(s), 0.0); }},
+    {"euler-equations/magnitude-conserved", [](const Now& s) { return Sides2(L2_rate(s), 0.0); }},
     {"euler-equations/magnitude-measured", [](const Now& s) { return Sides2(L2_rate(s), 0.0); }},
-    {"euler-equations/magnitude-subtract", [](const Now& s) { return Sides2(L2_minus_2TI(s, 0), part(s, 1, 0) + part(s, 2, 0)); }},
     {"euler-equations/follows-product", [](const Now& s) { return Sides2(L2_rate(s), 2 * s.L().dot(s.ddt_L())); }},
     {"euler-equations/follows-zero", [](const Now& s) { return Sides2(s.L().dot(s.ddt_L()), 0.0); }},
+    {"euler-equations/follows-star", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), 0.0); }},
     {"euler-equations/why-fixed", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
     {"euler-equations/why-transport", [](const Now& s) { return Sides2(0.0, seen_from_body_plus_turn(s)); }},
     {"euler-equations/why-star", [](const Now& s) { return Sides2(s.star_L(), -w_x_L(s)); }},
@@ -230,6 +232,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/why-positive", [](const Now& s) { return Sides2(s.w().dot(s.L()), s.I().dot(s.w().cwiseAbs2())); }},
     {"euler-equations/poinsot-energy", [](const Now& s) { return Sides2(s.w().dot(s.L()), 2 * s.T()); }},
     {"euler-equations/poinsot-distance", [](const Now& s) { return Sides2(s.w().dot(s.L()) / s.L().norm(), 2 * s.T() / s.L().norm()); }},
+    {"euler-equations/poinsot-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
     {"euler-equations/poinsot-no-slip", [](const Now& s) { return Sides2(s.w().cross(s.w()), 0.0); }},
     {"euler-equations/poinsot-speed", [](const Now& s) { return Sides2(s.ddt_w().norm(), s.star_w().norm()); }},
 
