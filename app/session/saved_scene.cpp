@@ -93,6 +93,33 @@ std::string macros_of(const Lesson& lesson) {
   return lines.empty() ? "" : "\n[macros]\n" + lines;
 }
 
+/// What is saved is a stage of the lesson, up to a step: what its links lead to elsewhere in the lesson is in
+/// another lesson now, and links without a text, which show a title or a number, have it as their text.
+std::string with_links_out(std::string text, const LessonSession& session) {
+  const Lesson& lesson = session.lesson();
+  const Stage& here = session.stage();
+  constexpr std::string_view kOpening = "](#";
+  for (std::size_t at = text.find(kOpening); at != text.npos; at = text.find(kOpening, at + 1)) {
+    const std::size_t begin = at + kOpening.size(), end = std::min(text.find(')', begin), text.size());
+    const std::string id = text.substr(begin, end - begin);
+    const auto place = target_of(lesson, lesson.find_stage(id.substr(0, id.find('/'))) != nullptr
+                                             ? '#' + id
+                                             : '#' + here.id + '/' + id);
+    if (!place) continue;
+    const Stage& stage = lesson.stages[place->stage];
+    if (&stage == &here && place->step <= session.place().step) continue;
+    const std::string equation =
+        &stage == &here && id.find('/') == id.npos ? '/' + id : id.substr(std::min(id.find('/'), id.size()));
+    std::string shown = text[at - 1] != '[' ? "" : stage.title;
+    if (!shown.empty() && !equation.empty())
+      for (const Equation* one : equations_of(stage))
+        if ('/' + one->id == equation) shown = '(' + one->tag + ')';
+    text.replace(at, end - at, fmt::format("{}]({}#{}{}", shown, lesson.id, stage.id, equation));
+    at += shown.size();
+  }
+  return text;
+}
+
 /// Whether a text has a citation of this key: [cite: KEY], [cite: KEY, ch. 4].
 bool cites(const std::string& text, const std::string& key) {
   const std::string opening = "[cite: " + key;
@@ -231,7 +258,8 @@ std::string lesson_of(const LessonSession& session) {
       if (written.insert(shown->body.name).second) text += own_body_of(shown->body, shown->torque);
   }
   const SourceText source(lesson.source);
-  const std::string steps = fmt::format("{}\n", source.line(stage.place.line)) + steps_of(session, keys);
+  const std::string steps =
+      with_links_out(fmt::format("{}\n", source.line(stage.place.line)) + steps_of(session, keys), session);
   return text + macros_of(lesson) + references_of(lesson, steps) + symbols_of(lesson) + "+++\n\n" + steps;
 }
 

@@ -421,6 +421,10 @@ class SceneKeys {
                     "write poses = { count = 5, over = 0.8 }");
       return;
     }
+    if (table->entries.empty()) {
+      scene_.poses = {};
+      return;
+    }
     std::optional<double> count, over_s;
     read_keys(*table, "poses",
               {{"count", [&](const TomlEntry& e) { count = read_positive_number(e, report_); }},
@@ -698,13 +702,12 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        Row::Speaks::of_picture},
       {{"poses",
         "the body of a scene with `velocity` or `force` as it was before, pale: `{ count = 5, over = 0.8 }`, "
-        "1 to 12 "
-        "times, evenly over the last 0.8 s, none before t = 0",
+        "1 to 12 times, evenly over the last 0.8 s, none before t = 0; `{}` for none",
         "none"},
        &SceneKeys::poses,
        [](const Scene& scene) {
          return scene.poses.count == 0
-                    ? ""
+                    ? "{}"
                     : fmt::format("{{ count = {}, over = {} }}", scene.poses.count, toml(scene.poses.over_s));
        },
        Row::Speaks::of_picture},

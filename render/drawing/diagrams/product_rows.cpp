@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polhode::diagrams {
 namespace {
@@ -24,7 +25,11 @@ struct Block {
   Texts terms;
   Vec3 values;
   std::string sum;  ///< what it is
+  double rounding;  ///< of the values, relative to the largest
 };
+
+constexpr double kOfProducts = 64 * std::numeric_limits<double>::epsilon();  // a few factors each
+constexpr double kOfRates = 1e-11;  // what euler_terms.h promises of the exact motion, and some more
 
 /// The sums after one, two, three of the values.
 std::array<double, 4> running_sums(const Vec3& values) {
@@ -64,8 +69,7 @@ void add_block(const Block& block, const Scale& scale, double top, DiagramPaper&
   paper.line({kLabel, last - 0.5 * kRow}, {kNumberEnd, last - 0.5 * kRow}, 0.07, paper.style().ink);
   paper.math(block.sum, {kLabel + 1.1, last + kBaseline + 0.15}, {.size = 1.05});
   paper.disc({x_of(sums[3]), last}, 0.3, paper.style().ink);
-  // Each value is a product of a few factors: what is left of their sum below this is their rounding.
-  const double rounding = 64 * std::numeric_limits<double>::epsilon() * block.values.cwiseAbs().maxCoeff();
+  const double rounding = block.rounding * block.values.cwiseAbs().maxCoeff();
   const double sum = std::abs(sums[3]) <= rounding ? 0.0 : sums[3];
   paper.text(form.residual(sum), {kNumberEnd, last + kBaseline + 0.15}, {.align = 1, .bold = true});
 }
@@ -85,12 +89,13 @@ void draw_rows(const SceneModel& model, double t_s, bool with_moments, DiagramPa
   const Vec3 w_B = model.motion->w_B_at(t_s);
   const EulerTerms terms = euler_terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s);
   const std::string unit = with_moments ? "kg² m⁴/s³" : "W";
-  Block first{"The products, end to end", unit, {}, products(w_B), "\\text{sum}"};
+  Block first{"The products, end to end", unit, {}, products(w_B), "\\text{sum}", kOfProducts};
   Block second{"The first terms, measured on the motion",
                unit,
                {},
                weights.cwiseProduct(w_B).cwiseProduct(terms.inertial_B),
-               with_moments ? "\\text{sum} = \\tfrac12\\,d(\\vec L\\cdot\\vec L)/dt" : "\\text{sum} = dT/dt"};
+               with_moments ? "\\text{sum} = \\tfrac12\\,d(\\vec L\\cdot\\vec L)/dt" : "\\text{sum} = dT/dt",
+               kOfRates};
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const std::string n = std::to_string(i + 1), I_n = "I_" + n;

@@ -230,6 +230,7 @@ TEST(SceneKeys, PosesAreCountedAndReadBack) {
   const Scene scene = scene_from("poses = { count = 5, over = 0.8 }");
   EXPECT_EQ(scene.poses, (Poses{5, 0.8}));
   EXPECT_EQ(scene_from(scene_keys_text(scene, scene.at_s)).poses, scene.poses);
+  EXPECT_EQ(scene_from("poses = {}", scene).poses, Poses());
   for (const char* wrong :
        {"poses = 5", "poses = { count = 5 }", "poses = { over = 1 }", "poses = { count = 0, over = 1 }",
         "poses = { count = 13, over = 1 }", "poses = { count = 2.5, over = 1 }",
