@@ -217,6 +217,7 @@ class PageLint {
       found_.push_back({Severity::error, file_, place_, page.error(), kSplit});
       return false;
     }
+    if (request.size.width == kPages[0].width) check_framing(request, *page);
     if (page->scale < kLeastScale)
       warn(fmt::format("step {} of stage \"{}\" is long: {} its type has {:.0f} % of the normal size",
                        request.step, request.stage.id, on_page(), 100.0 * page->scale),
@@ -228,11 +229,33 @@ class PageLint {
     return page->scale >= kLeastScale && page->formula_scale >= kLeastFormulaScale;
   }
 
+  /// What lies outside the pane that it belongs to: an arrow whose tip is not seen says nothing, and half a
+  /// body is not what its lesson shows.
+  void check_framing(const PageRequest& request, const Page& page) {
+    bool arrow = false, body = false;
+    for (const Inset& inset : page.insets)
+      for (const Pane& pane : inset.figure.panes) {
+        const double width = pane.width * inset.place.width, height = pane.height * inset.place.height;
+        const auto is_outside = [&](const Vec3& point) {
+          const auto at = project(pane.camera, point, width, height);
+          return !at || at->x() < 0 || at->x() > width || at->y() < 0 || at->y() > height;
+        };
+        for (const Arrow& one : pane.list.arrows) arrow = arrow || is_outside(one.tip);
+        for (const Mesh& mesh : pane.list.meshes)
+          body = body || std::any_of(mesh.positions.begin(), mesh.positions.end(), is_outside);
+      }
+    const std::string where =
+        fmt::format("step {} of stage \"{}\": at the still ", request.step, request.stage.id);
+    if (arrow) warn(where + "the tip of an arrow lies outside the picture", kFrame);
+    if (body) warn(where + "the body is cut by the edge of the picture", kFrame);
+  }
+
   void warn(std::string message, std::string hint) {
     found_.push_back({Severity::warning, file_, place_, std::move(message), std::move(hint)});
   }
 
   static constexpr const char* kSplit = "split it with ---";
+  static constexpr const char* kFrame = "a larger distance or a smaller zoom of the camera shows it";
 
   const Lesson& lesson_;
   const Fonts& fonts_;

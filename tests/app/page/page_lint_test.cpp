@@ -66,6 +66,19 @@ TEST(PageLint, AStepThatMakesTheTypeOfItsStageSmallerIsNamed) {
   EXPECT_THAT(found[0].message, HasSubstr("step 2 of stage \"one\" is long for a slide: all slides"));
 }
 
+TEST(PageLint, WhatTheEdgeOfThePictureCutsIsWarnedOf) {
+  const auto with = [](const std::string& show, double zoom) {
+    return found_in("a\n\n```scene\nbody = \"book\"\nomega = [1, 2, 3]\nshow = [" + show +
+                    "]\ncamera = { azimuth_deg = 34, elevation_deg = 20, zoom = " + std::to_string(zoom) +
+                    " }\n```\n");
+  };
+  EXPECT_TRUE(with("\"L\", \"shape\"", 1.0).empty());
+  ASSERT_EQ(with("\"L\"", 2.2).size(), 1u);
+  EXPECT_THAT(with("\"L\"", 2.2)[0].message, HasSubstr("the tip of an arrow lies outside the picture"));
+  ASSERT_EQ(with("\"shape\"", 3.0).size(), 1u);
+  EXPECT_THAT(with("\"shape\"", 3.0)[0].message, HasSubstr("the body is cut by the edge"));
+}
+
 TEST(PageLint, APictureThatStaysNeedsItsReason) {
   const std::string scene = "a\n\n```scene\nshow = [\"omega\"]\n```\n\n---\n\nb\n";
   const auto with = [&](const std::string& keys) {
