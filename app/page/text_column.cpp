@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 
 namespace polhode {
@@ -67,6 +69,36 @@ void mark(const DisplayList& list, const Vec2& at, const std::vector<std::string
         rectangle(at.x() + box.x0 - pad, at.y() + box.y0 - pad, at.x() + box.x1 + pad, at.y() + box.y1 + pad),
         color});
   }
+}
+
+/// The parts of a formula between which it can be broken: each but the first begins with a relation, plus or
+/// minus that stands in no bracket.
+std::vector<std::string> terms_of(std::string_view tex) {
+  std::vector<std::string> terms(1);
+  int depth = 0;
+  bool after_operand = false;
+  for (std::size_t i = 0; i < tex.size();) {
+    std::size_t length = 1;
+    if (tex[i] == '\\') {
+      while (i + length < tex.size() && std::isalpha(static_cast<unsigned char>(tex[i + length])) != 0)
+        ++length;
+      length = std::max<std::size_t>(length, 2);
+    }
+    const std::string_view token = tex.substr(i, length);
+    depth += token == "{" || token == "(" || token == "["   ? 1
+             : token == "}" || token == ")" || token == "]" ? -1
+                                                            : 0;
+    static constexpr std::array<std::string_view, 8> kSigns = {"=",    "+",    "-",        "\\le",
+                                                               "\\ge", "\\ne", "\\approx", "\\Rightarrow"};
+    const bool is_sign = std::find(kSigns.begin(), kSigns.end(), token) != kSigns.end();
+    if (is_sign && depth == 0 && after_operand) terms.emplace_back();
+    if (token != " ") after_operand = !is_sign;
+    terms.back() += token;
+    i += length;
+  }
+  // A formula between dollars does not end with a blank.
+  for (std::string& term : terms) term.erase(term.find_last_not_of(' ') + 1);
+  return terms;
 }
 
 /// What is added with the time, moved by `at`, to a piece or a stack.
@@ -298,10 +330,28 @@ void TextColumn::add_claimed(const std::vector<std::string>& claimed, const Text
     piece.sheet.texts.push_back({.list = std::move(list), .at = {0, baseline}});
     row.clear();
   };
+  const auto fits = [&](const std::string& more) {
+    return set_line(row + more, style, fonts_).width <= width_;
+  };
   for (std::size_t i = 0; i < claimed.size(); ++i) {
-    const std::string formula = '$' + claimed[i] + '$' + (i + 1 < claimed.size() ? ",  " : "");
-    if (i > 0 && set_line(row + formula, style, fonts_).width > width_) end_row();
-    row += formula;
+    const std::string end = i + 1 < claimed.size() ? ",  " : "";
+    const std::string formula = '$' + claimed[i] + '$' + end;
+    if (i > 0 && !fits(formula)) end_row();
+    if (fits(formula)) {
+      row += formula;
+      continue;
+    }
+    // Over several rows, each as long as it can be, broken as a display is: before a relation or a sign.
+    std::string part;
+    for (const std::string& term : terms_of(claimed[i])) {
+      if (!part.empty() && !fits('$' + part + term + '$')) {
+        row += '$' + part + '$';
+        end_row();
+        part = "\\quad{}";
+      }
+      part += term;
+    }
+    row += '$' + part + '$' + end;
   }
   if (!claimed.empty()) end_row();
 }

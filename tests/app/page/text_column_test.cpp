@@ -256,6 +256,31 @@ TEST_P(Column, ChoicesHaveTheirLetters) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Column, testing::ValuesIn(kSizes));
 
+TEST_P(Column, WhatIsClaimedIsBrokenAtItsSignsAndNotSetSmaller) {
+  const auto claimed = [&](const std::string& tex) {
+    return column().verdict({.claim = nullptr,
+                             .certainty = Certainty::proved,
+                             .word = "always true",
+                             .note = "",
+                             .claimed = {tex}},
+                            false);
+  };
+  const std::string term = R"(\left(\hat e_1\cdot \vec A\right)\,\hat e_1 )";
+  const ColumnPiece one = claimed(R"(\vec A = \vec B)");
+  std::string sum = term;
+  for (int i = 0; i < 9; ++i) sum += (i % 2 == 0 ? "+ " : "- ") + term;
+  const ColumnPiece many = claimed(sum + R"(= \vec A \Rightarrow {a + b} \ne 0)");
+  ASSERT_GT(many.sheet.texts.size(), one.sheet.texts.size());
+  const double size = one.sheet.texts.back().list.glyphs.front().size;
+  for (std::size_t i = one.sheet.texts.size() - 1; i < many.sheet.texts.size(); ++i) {
+    const DisplayList& row = many.sheet.texts[i].list;
+    EXPECT_LE(row.width, width());
+    double largest = 0;
+    for (const Glyph& glyph : row.glyphs) largest = std::max(largest, static_cast<double>(glyph.size));
+    EXPECT_GE(largest, (1.0 - 1e-6) * size) << i;
+  }
+}
+
 TEST(TextColumn, ALongEquationIsBrokenBeforeItIsSetSmaller) {
   const std::vector<MathSymbol> none;
   const PageNumbers numbers(lesson(), test_fonts());
