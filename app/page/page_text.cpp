@@ -297,7 +297,9 @@ class ScaledText {
       place += fmt::format("  ·  step {} of {}", request_.step, request_.stage.steps.size());
     if (continued) place += "  ·  continued";
     const std::string whose = has_own_title() ? in_a_line(request_.stage.title_text) : request_.lesson.title;
+    const std::string brief = fmt::format("{} of {}", request_.number, request_.lesson.stages.size());
     DisplayList line = set_line(whose + "  ·  " + place, quiet, fonts_);
+    if (line.width > width_ && has_own_title()) line = set_line(whose + "  ·  " + brief, quiet, fonts_);
     if (line.width > width_) line = set_line(place, quiet, fonts_);
     ColumnPiece piece;
     piece.of = &request_.lesson;

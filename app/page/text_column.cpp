@@ -440,7 +440,7 @@ Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& 
   if (profile_ == Profile::slides) {
     TextStyle small = style(kLabelSize * size_, color, 0);
     small.sans = small.bold = true;
-    const double top = std::round(small.size), line = std::round(1.3 * small.size);
+    const double top = std::round(small.size), line = std::round(1.75 * small.size);
     ColumnPiece piece{.sheet = {}, .height = line + plain->height, .gap = plain->gap};
     piece.sheet.shapes.push_back(Stroke{
         .points = {{2, 2}, {2, piece.height - 2}}, .width = std::max(1.5, 0.09 * size_), .color = color});
