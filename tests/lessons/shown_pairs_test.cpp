@@ -163,7 +163,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
        return Sides2((a + b) * (a + b), 4 * a * b + (a - b) * (a - b)); }},
     {"euler-equations/contrast-hypotenuse", [](const Now& s) {
        const double I1 = s.I()[0], I3 = s.I()[2];
-       return Sides2((I3 - I1) * (I3 - I1) + 4 * I1 * I3, (I3 + I1) * (I3 + I1)); }},
+       return Sides2((I3 + I1) * (I3 + I1) - (I3 - I1) * (I3 - I1), 4 * I1 * I3); }},
     {"euler-equations/tensor-symmetric", [](const Now& s) {
        return Sides2(s.w().cross(s.times_I(s.e(1))) - s.times_I(s.w().cross(s.e(1))), s.w()[2] * (s.I()[0] - s.I()[1]) * s.e(2)); }},
     {"euler-equations/tensor-symmetric-rest", [](const Now& s) {
