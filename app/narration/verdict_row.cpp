@@ -55,7 +55,7 @@ std::string how_it_is_computed(const Scene* scene) {
   return fmt::format("with {}, tolerance {:g}", facts.name, motion.tolerance.value_or(kDefaultTolerance));
 }
 
-std::string joined(std::string words, const std::string& more) {
+std::string joined(const std::string& words, const std::string& more) {
   return words.empty() ? more : more.empty() ? words : words + ", " + more;
 }
 

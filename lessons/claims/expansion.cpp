@@ -62,13 +62,16 @@ OrderComparison compare_to_order(const ExpandedSides<N>& sides, int order) {
   return comparison;
 }
 
-#define POLHODE_EXPANSIONS_OF(N)                                                                   \
-  template std::optional<ExpandedSides<N>> expanded_sides(const Equality&, const StateNumbers<N>&, \
-                                                          Assumption, const Given&);               \
-  template OrderComparison compare_to_order(const ExpandedSides<N>&, int);
-POLHODE_EXPANSIONS_OF(FieldElement)
-POLHODE_EXPANSIONS_OF(WideFieldElement)
-POLHODE_EXPANSIONS_OF(Ratio)
-#undef POLHODE_EXPANSIONS_OF
+template std::optional<ExpandedSides<FieldElement>> expanded_sides(const Equality&,
+                                                                   const StateNumbers<FieldElement>&,
+                                                                   Assumption, const Given&);
+template OrderComparison compare_to_order(const ExpandedSides<FieldElement>&, int);
+template std::optional<ExpandedSides<WideFieldElement>> expanded_sides(const Equality&,
+                                                                       const StateNumbers<WideFieldElement>&,
+                                                                       Assumption, const Given&);
+template OrderComparison compare_to_order(const ExpandedSides<WideFieldElement>&, int);
+template std::optional<ExpandedSides<Ratio>> expanded_sides(const Equality&, const StateNumbers<Ratio>&,
+                                                            Assumption, const Given&);
+template OrderComparison compare_to_order(const ExpandedSides<Ratio>&, int);
 
 }  // namespace polhode

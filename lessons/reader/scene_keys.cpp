@@ -88,20 +88,21 @@ struct Finished {
 Finished finish(const LessonScene& given, const LessonBodies& bodies) {
   Finished finished{given.scene};
   Scene& scene = finished.scene;
-  auto torque = torque_of(given, bodies);
-  if (torque) scene.torque = std::move(torque).value();
-  auto body = body_of(given, scene.torque, bodies);
-  if (body) scene.body = std::move(body).value();
-  if (!torque || !body) {
-    finished.of_weight = !torque ? torque.error() : body.error();
-  } else if (given.start) {
-    const auto state = state_of(*given.start, scene.body.moments, scene.torque);
-    if (state) {
-      scene.w0_B = state->w_B;
-      scene.attitude = state->q_SB;
-    } else {
-      finished.of_start = state.error();
-    }
+  if (auto torque = torque_of(given, bodies))
+    scene.torque = std::move(torque).value();
+  else
+    finished.of_weight = torque.error();
+  if (auto body = body_of(given, scene.torque, bodies))
+    scene.body = std::move(body).value();
+  else if (!finished.of_weight)
+    finished.of_weight = body.error();
+  if (finished.of_weight || !given.start) return finished;
+  const auto state = state_of(*given.start, scene.body.moments, scene.torque);
+  if (state) {
+    scene.w0_B = state->w_B;
+    scene.attitude = state->q_SB;
+  } else {
+    finished.of_start = state.error();
   }
   return finished;
 }
