@@ -51,6 +51,9 @@ class Now {
   Vec3 ddt_L() const {
     return to_body(rate([](const Now& now) -> Vec3 { return now.R() * now.L(); }));
   }
+  Vec3 star_e(int i) const {
+    return rate([i](const Now&) -> Vec3 { return e(i); });
+  }
   Vec3 ddt_e(int i) const {
     return to_body(rate([i](const Now& now) -> Vec3 { return now.R().col(i - 1); }));
   }
@@ -169,6 +172,13 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/tensor-symmetric-rest", [](const Now& s) {
        const Vec3 w = s.w()[2] * s.e(3);  // as its parenthesis has it: the scene has a ball, on which both sides are 0
        return Sides2(w.cross(s.times_I(s.e(2))) - s.times_I(w.cross(s.e(2))), s.w()[2] * (s.I()[0] - s.I()[1]) * s.e(1)); }},
+    {"euler-equations/tensor-rotated", [](const Now& s) {
+       const Mat3 I_S = s.R() * s.I().asDiagonal() * s.R().transpose();
+       double sum = 0;  // over the body axes
+       for (int i = 0; i < 3; ++i) sum += s.I()[i] * s.R()(0, i) * s.R()(1, i);
+       return Sides2(I_S(0, 1), sum); }},
+    {"euler-equations/newton-kinematics", [](const Now& s) { return Sides2(s.star_e(1), Vec3(Vec3::Zero())); }},
+    {"euler-equations/euler-attitude", [](const Now& s) { return Sides2(s.star_e(1), Vec3(Vec3::Zero())); }},
     {"euler-equations/transport-theorem", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
     {"euler-equations/vector-transport", [](const Now& s) { return Sides2(s.ddt_L(), seen_from_body_plus_turn(s)); }},
     {"euler-equations/eq5", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},

@@ -153,9 +153,13 @@ Page page_of(const Stage& stage, std::size_t step) {
       .value();
 }
 
-/// Whether a mark of some step is made of this quantity: it is seen as an arrow, and may have no name.
+/// Whether a mark of some step is made of this quantity, which is seen as an arrow and may have no name; or a
+/// claim that stands below a formula speaks of it.
 bool is_drawn(const std::string& name) {
-  return lecture().source.find("of = \"" + name + '"') != std::string::npos;
+  const std::string& source = lecture().source;
+  return source.find("of = \"" + name + '"') != std::string::npos ||
+         source.find('(' + name + ',') != std::string::npos ||
+         source.find('(' + name + ')') != std::string::npos;
 }
 
 TEST(PageSymbols, OfTheLectureAreOfItsLesson) {
