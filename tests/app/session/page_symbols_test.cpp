@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <regex>
 #include <set>
 
 namespace polhode {
@@ -153,13 +154,12 @@ Page page_of(const Stage& stage, std::size_t step) {
       .value();
 }
 
-/// Whether a mark of some step is made of this quantity, which is seen as an arrow and may have no name; or a
-/// claim that stands below a formula speaks of it.
-bool is_drawn(const std::string& name) {
+/// Whether the lesson speaks of it somewhere else than where it is defined: in a mark, which is seen as an
+/// arrow and may have no name, or in a claim that stands below a formula.
+bool is_used(const std::string& name) {
   const std::string& source = lecture().source;
-  return source.find("of = \"" + name + '"') != std::string::npos ||
-         source.find('(' + name + ',') != std::string::npos ||
-         source.find('(' + name + ')') != std::string::npos;
+  const std::regex word("\\b" + name + "\\b");
+  return std::distance(std::sregex_iterator(source.begin(), source.end(), word), std::sregex_iterator()) > 1;
 }
 
 TEST(PageSymbols, OfTheLectureAreOfItsLesson) {
@@ -172,7 +172,7 @@ TEST(PageSymbols, OfTheLectureAreOfItsLesson) {
         seen.insert(symbol.name);
       }
   for (const auto& [name, symbol] : lecture().symbols)
-    EXPECT_TRUE(seen.contains(name) || is_drawn(name)) << name << " is defined, and used on no page";
+    EXPECT_TRUE(seen.contains(name) || is_used(name)) << name << " is defined, and used on no page";
 }
 
 TEST(PageSymbols, AreFoundInAFrame) {
