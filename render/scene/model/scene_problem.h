@@ -10,8 +10,8 @@ namespace polhode {
 /// Body, state at t = 0 and torque of a scene.
 Problem problem_of(const Scene& scene);
 
-/// Whether two scenes show one motion: all that numbers and claims are evaluated on is the same, however it is
-/// drawn, and for how long. Scenes are not compared as they are written: one that names its method or
+/// Whether two scenes show one motion: all that numbers and claims are evaluated on is the same, however it
+/// is drawn, and for how long. Scenes are not compared as they are written: one that names its method or
 /// attitude shows the motion of one that has the same by default.
 bool same_motion(const Scene& a, const Scene& b);
 
