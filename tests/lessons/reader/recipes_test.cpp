@@ -130,5 +130,37 @@ TEST(Recipes, ASleepingTopWakesBelowItsLeastSpin) {
   EXPECT_NEAR(std::sqrt(4 * kI1 * kMgl) / kI3, 149, 0.5) << "as the text says";
 }
 
+/// The second lesson of that chapter: free motion.
+const Lesson& free_recipes() {
+  static const Lesson kLesson = [] {
+    const std::string text = testing::read_file(test::source_dir() / "lessons" / "FORMAT.md");
+    const std::string opening = "\n````markdown\n";
+    const std::size_t begin = text.find(opening, text.find("\nFree motion has its own:")) + opening.size();
+    LessonReading reading =
+        read_lesson(text.substr(begin, text.find("\n````\n", begin) + 1 - begin), "free.md");
+    if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+    EXPECT_THAT(testing::lines_of(reading.diagnostics), ::testing::IsEmpty());
+    return std::move(*reading.lesson);
+  }();
+  return kLesson;
+}
+
+TEST(Recipes, AThinPlateWobblesTwiceWhileItSpinsOnce) {
+  const Scene& scene = *free_recipes().find_stage("plate")->steps.at(0).scene;
+  const Vec3 I = scene.body.moments.vector();
+  // ω₃ is the spin on the body beside the precession: seen from space the axis goes round at |L|/I₁, and the
+  // body turns about L at ω₃ near the axis; for I₃ = 2I₁ and a small tilt the ratio is 2 to the second order
+  // in the tilt.
+  const double wobble = I.cwiseProduct(scene.w0_B).norm() / I[0],
+               tilt = I[0] * scene.w0_B[0] / (I[2] * scene.w0_B[2]);
+  EXPECT_NEAR(wobble / scene.w0_B[2], 2, 2 * tilt * tilt);
+}
+
+TEST(Recipes, APointOfTheBodyConeRestsWhereTheConesTouch) {
+  const Scene& scene = *free_recipes().find_stage("rolling")->steps.at(0).scene;
+  // At t = 0 the point w_a ê₁ + w_s ê₃ is ω itself, and dr/dt = ω×r = 0.
+  EXPECT_LT(scene.w0_B.cross(Vec3(1.2, 0, 2.4)).norm(), 1e-12);
+}
+
 }  // namespace
 }  // namespace polhode
