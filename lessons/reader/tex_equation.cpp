@@ -216,6 +216,10 @@ class EquationReader {
       while (!last.empty() && last.back().kind == ItemKind::gap) last = last.first(last.size() - 1);
     }
     if (sentences.front().is_premise && sentences.size() > 1 && is_spin(sentences.front().items)) {
+      // Of "A => B, C" the page leaves open whether C is said under A.
+      if (sentences.size() > 2 && !sentences[2].items.empty())
+        throw TexFault(sentences[2].items.front().span, "what follows from what here?",
+                       "write A = B \\Rightarrow C = D, and nothing else, in a formula of its own");
       read_spin(sentences.front().items);
       sentences.erase(sentences.begin());
       sentences.front().joint = Joint::none;

@@ -309,6 +309,19 @@ TEST(TexEquation, WhatLooksOtherwiseIsRefused) {
     EXPECT_EQ(reading(tex).substr(0, 2), "? ") << tex;
 }
 
+// 2026-11-23: the premise of the first line was taken for one of all that followed, and ω₁ω₂ = 0 was "always
+// true".
+TEST(TexEquation, APremiseAboutTheSpinIsThatOfOneEquation) {
+  EXPECT_NE(reading(R"(\omega_1 = 0 \Rightarrow \omega_1^2 = 0)").substr(0, 2), "? ");
+  for (const char* tex :
+       {R"(\begin{aligned} \omega_1 &= 0 \Rightarrow \omega_1^2 = 0 \\ \omega_1\omega_2 &= 0 \end{aligned})",
+        R"(\omega_1 = 0 \Rightarrow \omega_1^2 = 0 \\ \omega_1 = 0)",
+        R"(\omega_1 = 0 \Rightarrow \omega_1^2 = 0, \quad \omega_1\omega_2 = 0)",
+        R"(\omega_1 = 0 \Rightarrow \omega_1^2 = 0 \\ \omega_1 \ge 0)",
+        R"(\vec\omega = \omega_3\hat e_3 \Rightarrow \omega_1 = 0 \\ \omega_2 = 0)"})
+    EXPECT_EQ(reading(tex).substr(0, 2), "? ") << tex;
+}
+
 // --- the lessons ----------------------------------------------------------------------------------------
 
 // Of the equations that carry a verdict the rest has sums over particles, the matrix R, > 0 and the like;
