@@ -157,13 +157,33 @@ class ClaimCheck {
   void check_live_numbers(const Claim& claim, const Step& step) {
     const auto named = std::find_if(equations_.begin(), equations_.end(),
                                     [&](const Equation* e) { return e->id == claim.equation; });
-    if (claim.given.empty() || named == equations_.end() || (*named)->math.live.empty() || !step.scene)
+    if (named == equations_.end() || (*named)->math.live.empty() || !step.scene) return;
+    const Torque& torque = step.scene->torque;
+    const auto is_sink = [](const TorqueTerm& term) { return std::holds_alternative<EnergySink>(term); };
+    const bool has_sink = std::any_of(torque.begin(), torque.end(), is_sink);
+    if ((claim.kind == ClaimKind::free && !torque.empty()) || (claim.kind == ClaimKind::motion && has_sink)) {
+      report_.error(
+          claim.place,
+          claim.kind == ClaimKind::free
+              ? "a computed number is of a motion on which a torque acts, and this is of those without one"
+              : "a computed number is of a body that loses energy inside, which obeys other equations",
+          "show a motion of which it holds, or leave the number out");
       return;
+    }
+    if (claim.given.empty()) return;
     const SceneModel* model = model_of(step);
-    const auto live = model == nullptr ? std::nullopt : live_state(*model, still_time_s(*step.scene));
-    if (live && !holds_on(claim.given, *live))
-      report_.error(claim.place, "a computed number is of a motion on which what is given does not hold",
-                    "show a body and a torque of which it does");
+    if (model == nullptr) return;
+    // At the still, and as long as films and the window show it.
+    for (int i = -1; i < kMeasuredTimes; ++i) {
+      const double t_s = i < 0 ? still_time_s(*step.scene) : model->span_s * i / (kMeasuredTimes - 1);
+      const auto live = live_state(*model, t_s);
+      if (!live || holds_on(claim.given, *live)) continue;
+      report_.error(claim.place,
+                    "a computed number is of a motion on which what is given does not hold at t = " +
+                        digits(t_s, 3) + " s",
+                    "show a body, a torque and a duration of which it does");
+      return;
+    }
   }
 
   void check(const Claim& claim, const Step& step) {

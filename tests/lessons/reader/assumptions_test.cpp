@@ -274,7 +274,7 @@ TEST(Assumptions, NothingFalseIsPrintedAsProved) {
        math("a false given a", R"(I_1 = I_2)"), "no possible body was found"},
       {"[assume]\na = 'I2 = I1'\n",
        math("a identity given a", R"(I_2 = I_1 = \live{I1})") + "```scene\nbody = 'book'\n```\n",
-       "a computed number is of a motion on which what is given does not hold"},
+       "a computed number is of a motion on which what is given does not hold at t = "},
   };
   for (const Wrong& c : cases) {
     const auto said = faults(lesson(c.tables, c.body.empty() ? "Text.\n" : c.body));

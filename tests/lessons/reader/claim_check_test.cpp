@@ -33,6 +33,23 @@ TEST(CheckClaims, EveryLineOfALessonIsProvedAtItsPlace) {
   EXPECT_THAT(wrong[1], HasSubstr("15:1: error:"));
 }
 
+// 2026-11-23: "dT/dt = 0 = 3.76 W" was true when no torque acts, beside a top.
+TEST(CheckClaims, NumbersAreOfAMotionOfWhichTheEquationHolds) {
+  const auto said = [](const std::string& kind, const std::string& tex, const std::string& scene) {
+    const std::string body = "```math a " + kind + "\n" + tex + "\n```\n```scene\n" + scene + "\n```\n";
+    LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
+    EXPECT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
+    if (!reading.lesson) return std::vector<std::string>();
+    EXPECT_FALSE(prove_claims(*reading.lesson));
+    return testing::lines_of(check_claims(*reading.lesson, "a.md"));
+  };
+  const std::string rate = "\\frac{dT}{dt} = 0 = \\live[unit={W}]{ddt(T)}", energy = "T = \\live{T}";
+  EXPECT_THAT(said("free", rate, "show = 'L'"), IsEmpty());
+  EXPECT_THAT(said("free", rate, "torque = 'damping:0.5'"), ElementsAre(HasSubstr("on which a torque acts")));
+  EXPECT_THAT(said("motion", energy, "torque = 'damping:0.5'"), IsEmpty());
+  EXPECT_THAT(said("motion", energy, "torque = 'sink:0.1'"), ElementsAre(HasSubstr("loses energy inside")));
+}
+
 TEST(CheckClaims, FalseAndNonSequiturFailIfTheyHold) {
   EXPECT_THAT(faults("false", "star(L) = 0"), IsEmpty());
   EXPECT_THAT(faults("false", "ddt(T) = 0"), SizeIs(1));
