@@ -55,6 +55,7 @@ struct ClaimLine {
   std::optional<Judgement> judgement{};  ///< once it is proved (lessons/reader/claim_check.h)
   Relation relation = Relation::equal;   ///< of the sides
   std::string tex{};                     ///< of what is not the formula itself: how it is printed
+  bool is_number = false;                ///< its right side is printed as a number that is computed
 };
 struct Claim {
   std::string equation;  ///< id of an equation of the same stage

@@ -393,6 +393,13 @@ class Evaluation {
     return false;
   }
 
+  /// Whether an angle has it, but for rounding; of residues that is not asked.
+  static bool is_cosine([[maybe_unused]] const Number& x) {
+    constexpr double kRounding = 1e-12;
+    if constexpr (std::is_same_v<N, SizedNumber>) return std::abs(x.value.value) <= 1 + kRounding;
+    return true;
+  }
+
   N constant_of(const ExpressionNode& node) const {
     if (s_.constants) return (*s_.constants)[static_cast<std::size_t>(node.integer)];
     if constexpr (std::is_same_v<N, SizedNumber>) return node.number.value;
@@ -474,7 +481,7 @@ class Evaluation {
         if (const ExpressionNode& angle = nodes[static_cast<std::size_t>(node.a)];
             angle.operation == O::acos) {
           value = operand(angle.a);
-          break;
+          return is_cosine(value[0]);
         }
         return function(node.operation, operand(node.a)[0], {}, value);
       case O::acos:

@@ -77,6 +77,19 @@ void add_motion_words(Vocabulary& vocabulary, std::map<int, Dimension>& dimensio
   }
 }
 
+bool counts_radians(const Expression& expression) {
+  using Q = Quantity;
+  if (expression.uses(Operation::pi)) return false;
+  for (const Q rate : {Q::omega, Q::w1, Q::w2, Q::w3, Q::dw1, Q::dw2, Q::dw3})
+    if (expression.uses(rate)) return true;
+  return std::any_of(expression.nodes.begin(), expression.nodes.end(), [&](const ExpressionNode& node) {
+    if (!is_motion_word(node)) return false;
+    const std::string& name = (*expression.constants)[static_cast<std::size_t>(node.integer)];
+    return std::any_of(kWords.begin(), kWords.end(),
+                       [&](const MotionWord& word) { return word.name == name && word.unit == "rad/s"; });
+  });
+}
+
 bool has_motion_words(const Expression& expression) {
   return std::any_of(expression.nodes.begin(), expression.nodes.end(), is_motion_word);
 }

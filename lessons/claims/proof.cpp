@@ -415,8 +415,9 @@ Assumption assumption_of(ClaimKind kind, const Given& given) {
   }
 }
 
-Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
-  if (kind == ClaimKind::measured) return {};
+namespace {
+
+Judgement judge_as_its_kind(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
   if (line.relation == Relation::approximate && !given.small.empty())
     return judge_approximation(line, kind, prover, given);
   if (line.conclusion && kind != ClaimKind::non_sequitur) return judge_implication(line, kind, prover, given);
@@ -424,6 +425,30 @@ Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, con
   if (kind == ClaimKind::is_false) return judge_false(line, prover, given);
   if (kind == ClaimKind::non_sequitur) return judge_inference(line, prover, given);
   return judge_equality(line, kind, prover, given);
+}
+
+/// Exact arithmetic takes cos(acos(a)) for a, whatever a is: whether there is such an angle, states tell.
+bool has_its_angles(const Equality& equality, Assumption assumption, const Given& given) {
+  if (!equality.left.uses(Operation::acos) && !equality.right.uses(Operation::acos)) return true;
+  int tried = 0;
+  first_small_state(with_lengths_squared(equality), nullptr, assumption, given, Relation::equal, &tried);
+  return tried > 0;
+}
+
+}  // namespace
+
+Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  if (kind == ClaimKind::measured) return {};
+  Judgement judgement = judge_as_its_kind(line, kind, prover, given);
+  if (judgement.verdict != Verdict::holds) return judgement;
+  const Assumption assumption = assumption_of(kind, given);
+  if (has_its_angles(line.equality, assumption, given) &&
+      (!line.conclusion || has_its_angles(*line.conclusion, assumption, given)))
+    return judgement;
+  return {Verdict::undecided,
+          "an angle in this was found in no state: its cosine is never between -1 and 1",
+          "",
+          {}};
 }
 
 }  // namespace polhode

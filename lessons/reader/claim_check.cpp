@@ -8,6 +8,7 @@
 #include "lessons/reader/lint_budget.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <stdexcept>
@@ -31,8 +32,10 @@ void prove(Claim& claim, const Prover& prover, const Effort& effort) {
         line.relation != Relation::equal || (line.conclusion && claim.kind != ClaimKind::non_sequitur);
     if (writes_out) spend(effort, kWrittenOutEvaluations);
     Judgement judgement = judge(line, claim.kind, prover, claim.given);
+    const bool has_angle =
+        line.equality.left.uses(Operation::acos) || line.equality.right.uses(Operation::acos);
     const bool searched = judgement.verdict == Verdict::fails || judgement.verdict == Verdict::not_refuted ||
-                          claim.kind == ClaimKind::is_false;
+                          claim.kind == ClaimKind::is_false || has_angle;
     if (searched && !judgement.counterexample) spend(effort, kVainSearchEvaluations);
     line.judgement = std::move(judgement);
   }
@@ -78,6 +81,71 @@ class ClaimCheck {
 
   template <class Other>
   void check(const Other&, const Step&) {}
+
+  void check(const Equation& equation, const Step& step) {
+    const auto at = std::find(equations_.begin(), equations_.end(), &equation);
+    const Math* above =
+        at == equations_.begin() || at == equations_.end() ? nullptr : &(*std::prev(at))->math;
+    const bool is_proved = std::any_of(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
+      const auto* claim = std::get_if<Claim>(&block);
+      return claim != nullptr && claim->equation == equation.id && claim->origin == Claim::Origin::formula;
+    });
+    check_what_numbers_say(equation.math, above, step, is_proved);
+  }
+
+  void check(const Prose& prose, const Step& step) { check_formulas_in(prose.text, step); }
+  void check(const Callout& callout, const Step& step) { check_formulas_in(callout.text, step); }
+
+  void check_formulas_in(const RichText& text, const Step& step) {
+    for_each_span(text,
+                  [&](const TextSpan& span) { check_what_numbers_say(span.math, nullptr, step, false); });
+  }
+
+  /// "T = 3.8 J" has to be so on the motion, whether or not the formula is called anything. What is proved
+  /// is; but to an order it may be proved and far off.
+  void check_what_numbers_say(const Math& math, const Math* above, const Step& step, bool is_proved) {
+    if (math.live.empty() || !math.root || !step.scene) return;
+    const auto read = read_equation(math, lesson_.notation, above);
+    if (!read) return;
+    std::vector<const EquationLink*> links;
+    for (const EquationSentence& sentence : read->sentences)
+      for (const EquationLink& link : sentence.links)
+        if (link.is_number && !(is_proved && link.relation == Relation::equal)) links.push_back(&link);
+    const SceneModel* model = links.empty() ? nullptr : model_of(step);
+    if (model == nullptr) return;
+    const bool is_typed =
+        std::any_of(math.live.begin(), math.live.end(), [](const LiveNumber& n) { return !n.typed.empty(); });
+    // At the still, and as long as films and the window show it: what is typed is of the still alone.
+    for (int i = -1; i < (is_typed ? 0 : kMeasuredTimes); ++i) {
+      const double t_s = i < 0 ? still_time_s(*step.scene) : model->span_s * i / (kMeasuredTimes - 1);
+      const auto live = live_state(*model, t_s);
+      if (!live) continue;
+      for (const EquationLink* link : links) {
+        ClaimLine line;
+        line.equality = link->equality;
+        const auto value = live_value(line, *live, View::space);
+        if (!value || agree(*value, link->relation)) continue;
+        const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(math.live.front().id)];
+        report_.error(number.place,
+                      "this is not the number of what it stands behind: at t = " + digits(t_s, 3) +
+                          " s that is " + digits(value->left[0], kDigitsOfHint) + ", and this " +
+                          digits(value->right[0], kDigitsOfHint),
+                      link->relation == Relation::approximate
+                          ? "≈ allows for a tenth; show a motion on which it is nearer"
+                          : "write the same on both sides of the =");
+        return;
+      }
+    }
+  }
+
+  /// As = or ≈ says.
+  static bool agree(const LiveValue& value, Relation relation) {
+    const double l = value.left[0], r = value.right[0];
+    if (relation == Relation::approximate)
+      return std::abs(l - r) <= kSmallOnMotion * std::max(std::abs(l), std::abs(r));
+    constexpr double kRounding = 1e-9;
+    return value.residual <= std::max(value.tolerance, kRounding);
+  }
 
   void check(const Ask& ask, const Step&) {
     const auto& answer = ask.expression;
@@ -188,6 +256,7 @@ class ClaimCheck {
 
   void check(const Claim& claim, const Step& step) {
     if (claim.origin == Claim::Origin::beside) check_against_formula(claim);
+    if (claim.origin == Claim::Origin::part) check_is_not_empty(claim);
     check_live_numbers(claim, step);
     for (const ClaimLine& line : claim.lines) {
       if (report_.is_full()) return;
@@ -255,6 +324,13 @@ class ClaimCheck {
            (in_any_order && same(a.left, b.right) && same(a.right, b.left));
   }
 
+  /// What an author chose to claim, by hand or with \proved, is to say something.
+  void check_is_not_empty(const Claim& claim) {
+    for (const ClaimLine& line : claim.lines)
+      if (line.equality.left.text == line.equality.right.text && !line.is_number)
+        report_.warning(line.place, "this says nothing: both sides are the same");
+  }
+
   void compare_letters(const Claim& claim, const Math& formula) {
     const std::set<std::string> shown = letters_in(formula, lesson_.notation);
     std::set<std::string> unseen;
@@ -267,9 +343,7 @@ class ClaimCheck {
       look(line.equality);
       if (line.conclusion) look(*line.conclusion);
     }
-    for (const ClaimLine& line : claim.lines)
-      if (line.equality.left.text == line.equality.right.text)
-        report_.warning(line.place, "this says nothing: both sides are the same");
+    check_is_not_empty(claim);
     if (unseen.empty()) return;
     std::string names;
     for (const std::string& name : unseen) names += (names.empty() ? "" : ", ") + name;

@@ -304,7 +304,11 @@ void check_unit(const TomlEntry& entry, FrontMatter& front, Report& report) {
   } else if (quantity != nullptr && table != nullptr && table->find("means") == nullptr) {
     known = quantity->dimension;
   }
-  if (unit && known && *unit != *known)
+  const bool is_rate = word != nullptr ? counts_radians(word->means)
+                                       : quantity != nullptr && quantity->dimension == Dimension{0, 0, -1};
+  if (unit && counts_turns(*text) && is_rate)
+    report.error(unit_entry->value.place, std::string(kRadiansOrTurns));
+  else if (unit && known && *unit != *known)
     report.error(unit_entry->value.place, "units disagree: " + in_quotes(entry.key) + " is in " +
                                               to_string(*known) + ", and this is " + to_string(*unit));
 }
@@ -380,6 +384,7 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
 
 /// Indices, alone or below a letter, the letters of d/dt, signs, and letters that look like Latin ones.
 bool is_sign_of_language(const std::string& tex) {
+  if (tex == "\\pi") return true;
   static const std::set<std::string> kSigns = {"i", "j", "k", "l", "d", "t", "=", "+", "-",
                                                ",", ";", "(", ")", "[", "]", "/", "|", ":"};
   if (kSigns.contains(tex)) return true;
@@ -408,6 +413,19 @@ std::optional<std::string> built_in_meaning(const std::string& tex, const FrontM
   return read->sentences.front().links.front().equality.left.text;
 }
 
+/// What nobody would notice in an index.
+bool is_stop(char32_t character) {
+  return std::u32string_view(U",.;:!'`·").find(character) != std::u32string_view::npos;
+}
+
+/// ω², which would be read as the square of what ω is; σ² may be a symbol of its own.
+bool is_power_of_quantity(const MathNode& scripts) {
+  const MathNode &base = scripts.children[0], &power = scripts.children[2];
+  return base.kind == MathNode::Kind::symbol &&
+         std::u32string_view(U"TIωLNmpvFA").find(base.character) != std::u32string_view::npos &&
+         power.kind == MathNode::Kind::symbol && power.character >= U'0' && power.character <= U'9';
+}
+
 /// A letter, or some side by side, with indices and marks that can be seen, none of which formulas use
 /// otherwise: no dots, fractions, roots, functions, blanks.
 bool is_plain_symbol(const MathNode& node, bool is_index = false) {
@@ -419,7 +437,7 @@ bool is_plain_symbol(const MathNode& node, bool is_index = false) {
   };
   switch (node.kind) {
     case Kind::symbol:
-      return true;
+      return !is_index || !is_stop(node.character);
     case Kind::row:
     case Kind::alphabet:
       return !node.children.empty() && are_plain(is_index);
@@ -431,7 +449,7 @@ bool is_plain_symbol(const MathNode& node, bool is_index = false) {
       return is_index && node.text.find_first_of("0123456789") == std::string::npos &&
              node.text.find_first_not_of(' ') != std::string::npos;
     case Kind::scripts:
-      return is_plain_symbol(node.children[0], is_index) &&
+      return !is_power_of_quantity(node) && is_plain_symbol(node.children[0], is_index) &&
              (node.children[1].absent() || is_plain_symbol(node.children[1], true)) &&
              (node.children[2].absent() || is_plain_symbol(node.children[2], true));
     default:

@@ -74,6 +74,7 @@ class PlotReader {
     }
     OwnPlot own;
     Measure y, x;
+    in_radians_ = false;
     if (plot != nullptr) y = read_curves(*plot, own);
     if (curve != nullptr) y = read_function(*curve, table, own, x);
     if (const TomlEntry* against = table.find("against"); against != nullptr && plot != nullptr)
@@ -82,7 +83,9 @@ class PlotReader {
     std::vector<KeyHandler> keys{{"title", [&](const TomlEntry& e) { read_title(e, own); }},
                                  {"tex", [&](const TomlEntry& e) { read_tex(e, own); }},
                                  {"range", [&](const TomlEntry& e) { read_range(e, own); }},
-                                 {"unit", [&](const TomlEntry& e) { read_unit(e, y, own.y); }}};
+                                 {"unit", [&](const TomlEntry& e) {
+                                    read_unit(e, {y, in_radians_}, own.y);
+                                  }}};
     for (const char* key : {"plot", "against"})
       if (plot != nullptr) keys.push_back({key, done});
     for (const char* key : {"curve", "x", "var", "level"})
@@ -127,6 +130,7 @@ class PlotReader {
         common = read->dimension;
         own.y = {read->quantity.unit, 1};
       }
+      in_radians_ = in_radians_ || read->in_radians;
       own.curves.push_back(std::move(read->quantity));
     }
     return common;
@@ -166,7 +170,7 @@ class PlotReader {
     auto read = text ? read_scalar({*text, of->value.place}) : std::nullopt;
     if (!read) return std::nullopt;
     unit = {read->quantity.unit, 1};
-    if (const TomlEntry* own = table.find("unit")) read_unit(*own, read->dimension, unit);
+    if (const TomlEntry* own = table.find("unit")) read_unit(*own, {read->dimension, read->in_radians}, unit);
     return read;
   }
 
@@ -355,20 +359,28 @@ class PlotReader {
       report_.error(entry.value.place, "a range is [lowest, highest], and the second is not greater");
   }
 
-  void read_unit(const TomlEntry& entry, const Measure& dimension, PlotUnit& unit) {
+  struct Measured {
+    Measure dimension;
+    bool in_radians = false;  ///< per second
+  };
+
+  void read_unit(const TomlEntry& entry, const Measured& of, PlotUnit& unit) {
     const auto text = read_text(entry, report_);
     if (!text) return;
     const auto scaled = scaled_unit(*text);
     if (!scaled)
       report_.error(entry.value.place, "unknown unit " + in_quotes(*text),
                     "units are kg g m s N J W Hz rad deg, with powers and prefixes: \"mJ\", \"deg/s\"");
-    else if (dimension && scaled->dimension != *dimension)
-      report_.error(entry.value.place,
-                    "units disagree: this is in " + to_string(*dimension) + ", not in " + in_quotes(*text));
+    else if (of.dimension && scaled->dimension != *of.dimension)
+      report_.error(entry.value.place, "units disagree: this is in " + to_string(*of.dimension) +
+                                           ", not in " + in_quotes(*text));
+    else if (of.in_radians && counts_turns(*text))
+      report_.error(entry.value.place, std::string(kRadiansOrTurns));
     else
       unit = {*text == "1" ? "" : *text, 1 / scaled->size};
   }
 
+  bool in_radians_ = false;  ///< a curve of the plot that is read is a rate of radians
   const SceneWords& words_;
   TextReader& texts_;
   Report& report_;

@@ -324,14 +324,13 @@ class EquationReader {
     return true;
   }
 
-  /// A number of \live and its unit.
-  static bool is_live(Items side) {
-    const bool is_number =
-        !side.empty() && side[0].kind == ItemKind::operand && side[0].node->kind == Kind::term;
-    return is_number && std::all_of(side.begin() + 1, side.end(), [](const TexItem& item) {
-             return item.kind == ItemKind::text || item.kind == ItemKind::gap ||
-                    item.is(ItemKind::times, U'/');
-           });
+  /// A number of \live and its own unit, which is known to fit; other words behind it are not.
+  bool is_live(Items side) const {
+    if (side.empty() || side[0].kind != ItemKind::operand || side[0].node->kind != Kind::term) return false;
+    const std::optional<std::size_t> index = index_of_live(*side[0].node);
+    if (side.size() == 1 || !index || *index >= math_.live.size()) return side.size() == 1;
+    return side.size() == 2 && side[1].kind == ItemKind::text &&
+           unit_tex(math_.live[*index].unit).ends_with("\\text{" + side[1].node->text + '}');
   }
 
   void add(const Sentence& sentence) {
@@ -353,12 +352,18 @@ class EquationReader {
       if (i == begin)
         throw TexFault(i < items.size() ? items[i].span : items.back().span,
                        "a side is missing beside this =");
-      terms_.may_be_live = i == items.size() && left && is_live(items.subspan(begin, i - begin));
-      TexValue right = terms_.side(items.subspan(begin, i - begin));
+      const bool is_number = i == items.size() && left && is_live(items.subspan(begin, i - begin));
+      terms_.may_be_live = is_number;
+      TexValue right = terms_.side(items.subspan(begin, is_number ? 1 : i - begin));
       terms_.may_be_live = false;
       if (left) {
         const std::size_t first = read.links.size();
-        link(read, *left, right, relation_of(items[begin - 1]));
+        const Relation relation = relation_of(items[begin - 1]);
+        if (is_number && is_order(relation))
+          throw TexFault(right.span, "a rounded number is neither the greater nor the less",
+                         "compare what it is the number of, and let the number end a chain of =");
+        link(read, *left, right, relation);
+        read.links.back().is_number = is_number;
         if (first > 0 && read.links.size() == first + 1) read.links.back().goes_on = true;
       }
       left = std::move(right);
@@ -555,6 +560,14 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
       });
   if (orders && (kind == ClaimKind::measured || kind == ClaimKind::non_sequitur))
     return refuse(whole, "an inequality is not of this kind", "the kind is identity, motion, free or false");
+  const bool only_numbers =
+      std::all_of(equation.sentences.begin(), equation.sentences.end(), [](const EquationSentence& sentence) {
+        return std::all_of(sentence.links.begin(), sentence.links.end(),
+                           [](const EquationLink& link) { return link.is_number; });
+      });
+  if (only_numbers)
+    return refuse(whole, "only a computed number stands here: of this body and motion, no law",
+                  "leave out the kind, and nothing is called proved");
   std::vector<ClaimLine> lines;
   const bool infers =
       std::any_of(equation.sentences.begin(), equation.sentences.end(),
@@ -599,7 +612,8 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
                        .goes_on = link.goes_on && !follows,
                        .is_side_by_side = link.is_side_by_side && !follows,
                        .judgement = {},
-                       .relation = link.relation});
+                       .relation = link.relation,
+                       .is_number = link.is_number});
     }
   }
   if (kind == ClaimKind::non_sequitur) {

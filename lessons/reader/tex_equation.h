@@ -101,6 +101,7 @@ struct EquationLink {
   bool goes_on = false;         ///< with the link before, whose right side is its left side
   bool is_side_by_side = true;  ///< as of ClaimLine
   Relation relation = Relation::equal;
+  bool is_number = false;  ///< the right side is a number that the program computes
 };
 
 /// A chain of links, and how it hangs together with the sentence before it.

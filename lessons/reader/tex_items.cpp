@@ -70,7 +70,7 @@ class Flattening {
       case Kind::phantom:
         return;
       case Kind::term:
-        if (node.text.starts_with("live ")) return push_operand(node, node, struck);
+        if (index_of_live(node)) return push_operand(node, node, struck);
         [[fallthrough]];
       case Kind::row:
       case Kind::alphabet:
@@ -150,7 +150,7 @@ class Flattening {
     const MathNode* inner = &node;
     while ((inner->kind == Kind::row || inner->kind == Kind::alphabet || inner->kind == Kind::term ||
             inner->kind == Kind::color) &&
-           inner->children.size() == 1 && !inner->text.starts_with("live "))
+           inner->children.size() == 1 && !index_of_live(*inner))
       inner = &inner->children.front();
     return *inner;
   }

@@ -117,7 +117,7 @@ bool same_scripts(const MathNode* a, const MathNode* b) {
 const MathNode& plain_node(const MathNode& node) {
   const MathNode* inner = &node;
   while ((inner->kind == Kind::row || inner->kind == Kind::alphabet || inner->kind == Kind::color ||
-          (inner->kind == Kind::term && !inner->text.starts_with("live "))) &&
+          (inner->kind == Kind::term && !index_of_live(*inner))) &&
          inner->children.size() == 1)
     inner = &inner->children.front();
   return *inner;
@@ -140,18 +140,7 @@ void TexTerms::spend(SourceSpan span) {
     throw TexFault(span, "this formula has more than " + std::to_string(kMaxEquationFactors) + " factors");
 }
 
-TexValue TexTerms::side(Items items) {
-  const bool begins_live =
-      !items.empty() && items.front().kind == ItemKind::operand && items.front().node->kind == Kind::term;
-  if (begins_live) {
-    // A number on the page and its unit: what it is the number of is what is equal.
-    const auto is_unit = [](const TexItem& item) {
-      return item.kind == ItemKind::text || item.kind == ItemKind::times;
-    };
-    if (std::all_of(items.begin() + 1, items.end(), is_unit)) items = items.first(1);
-  }
-  return sum(items, span_of(items, {}));
-}
+TexValue TexTerms::side(Items items) { return sum(items, span_of(items, {})); }
 
 TexValue TexTerms::sum(Items items, SourceSpan where) {
   struct Deeper {
@@ -739,10 +728,10 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
       if (node.grid->left == U'(' || node.grid->left == U'[') return matrix(item);
       throw TexFault(item.span, "this array is not read");
     case Kind::term: {  // \live
-      const std::size_t index = static_cast<std::size_t>(std::atoi(node.text.c_str() + 5));
+      const std::size_t index = index_of_live(node).value_or(math_.live.size());
       if (!may_be_live)
         throw TexFault(item.span, "a live number is not proved: it stands for a symbol, and shows digits",
-                       "let it stand alone at the end of the chain, behind what it is");
+                       "let it stand alone at the end of the chain, its unit within: = \\live[unit={J}]{T}");
       if (index >= math_.live.size()) throw TexFault(item.span, "this number is not read");
       return meaning_of({"live", {}, math_.live[index].expression}, item.span);
     }

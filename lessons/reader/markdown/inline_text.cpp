@@ -744,6 +744,10 @@ bool TextReader::take_unit(ComputedNumber& number, SourcePlace place) {
                   "the units of numbers are " + std::string(kUnitNames));
     return false;
   }
+  if (counts_turns(number.written.unit) && counts_radians(number.expression)) {
+    report_.error(place, std::string(kRadiansOrTurns));
+    return false;
+  }
   const DimensionReading reading = dimension_of(number.expression, language_->dimensions);
   number.unit_si = unit->size;
   if (!reading.dimension || *reading.dimension == unit->dimension) return true;

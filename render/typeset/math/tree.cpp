@@ -8,7 +8,16 @@
 
 namespace polhode {
 
-std::string live_name(std::size_t index) { return "live " + std::to_string(index); }
+namespace {
+constexpr std::string_view kLivePrefix = "live ";
+}
+
+std::string live_name(std::size_t index) { return std::string(kLivePrefix) + std::to_string(index); }
+
+std::optional<std::size_t> index_of_live(const MathNode& node) {
+  if (node.kind != MathNode::Kind::term || !node.text.starts_with(kLivePrefix)) return std::nullopt;
+  return static_cast<std::size_t>(std::atoi(node.text.c_str() + kLivePrefix.size()));
+}
 
 using Kind = MathNode::Kind;
 

@@ -114,4 +114,7 @@ const MathNode& without_groups(const MathNode& node);
 /// Whether both are the same mathematics, wherever they stand in their sources.
 bool same_math(const MathNode& a, const MathNode& b);
 
+/// The index in Math::live of the number whose term a node is (live_name); nothing of other nodes.
+std::optional<std::size_t> index_of_live(const MathNode& node);
+
 }  // namespace polhode

@@ -25,6 +25,14 @@ std::vector<std::string> faults(const std::string& kind, const std::string& clai
   return testing::lines_of(check_claims(*reading.lesson, "a.md"));
 }
 
+std::vector<std::string> faults_of(const std::string& body) {
+  LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
+  EXPECT_TRUE(reading.lesson);
+  if (!reading.lesson) return {};
+  EXPECT_FALSE(prove_claims(*reading.lesson));
+  return testing::lines_of(check_claims(*reading.lesson, "a.md"));
+}
+
 TEST(CheckClaims, EveryLineOfALessonIsProvedAtItsPlace) {
   EXPECT_THAT(faults("motion", "ddt(L) = N\nddt(T) = dot(N, omega)"), IsEmpty());
   const auto wrong = faults("motion", "ddt(L) = N\nddt(T) = dot(N, L)\nddt(L) = -N");
@@ -43,11 +51,40 @@ TEST(CheckClaims, NumbersAreOfAMotionOfWhichTheEquationHolds) {
     EXPECT_FALSE(prove_claims(*reading.lesson));
     return testing::lines_of(check_claims(*reading.lesson, "a.md"));
   };
-  const std::string rate = "\\frac{dT}{dt} = 0 = \\live[unit={W}]{ddt(T)}", energy = "T = \\live{T}";
+  const std::string rate = "\\frac{dT}{dt} = 0 = \\live[unit={W}]{ddt(T)}",
+                    energy = "2T = \\vec\\omega\\cdot\\vec L = \\live{2*T}";
   EXPECT_THAT(said("free", rate, "show = 'L'"), IsEmpty());
   EXPECT_THAT(said("free", rate, "torque = 'damping:0.5'"), ElementsAre(HasSubstr("on which a torque acts")));
   EXPECT_THAT(said("motion", energy, "torque = 'damping:0.5'"), IsEmpty());
   EXPECT_THAT(said("motion", energy, "torque = 'sink:0.1'"), ElementsAre(HasSubstr("loses energy inside")));
+}
+
+// 2026-11-23: what was called nothing could say anything, and so could what is proved to an order.
+TEST(CheckClaims, NumbersAreWhatStandsBeforeThem) {
+  const std::string scene = "```scene\nshow = [\"omega\"]\n```\n";
+  const auto display = [&](const std::string& tex) {
+    return faults_of("```math a\n" + tex + "\n```\n" + scene);
+  };
+  EXPECT_THAT(display("T = \\live{T}"), IsEmpty());
+  EXPECT_THAT(display("T = \\live{2*T}"), ElementsAre(HasSubstr("not the number of what it stands behind")));
+  EXPECT_THAT(display("2T \\approx \\live{2.1*T}"), IsEmpty());
+  EXPECT_THAT(display("2T \\approx \\live{2.5*T}"), ElementsAre(HasSubstr("allows for a tenth")));
+  EXPECT_THAT(faults_of("It has $T = \\live{T}$.\n" + scene), IsEmpty());
+  EXPECT_THAT(faults_of("It has $T = \\live{2*T}$.\n" + scene), SizeIs(1));
+}
+
+// 2026-11-23: \proved{T = T} = 0 was green.
+TEST(CheckClaims, APartThatSaysNothingIsWarnedOf) {
+  EXPECT_THAT(faults_of("```math a identity\n\\proved{T = T} = 0\n```\n"),
+              ElementsAre(HasSubstr("warning: this says nothing")));
+}
+
+// 2026-11-23: with cos(acos(2)) = 2 the line \cos\theta = 2 was always true.
+TEST(CheckClaims, AnAngleHasACosine) {
+  EXPECT_THAT(faults("identity", "cos(acos(2)) = 2"), ElementsAre(HasSubstr("never between -1 and 1")));
+  EXPECT_THAT(faults("identity", "cos(acos(1 + norm2(e1))) = 2"), SizeIs(1));
+  EXPECT_THAT(faults("identity", "cos(acos(dot(e3, ez))) = dot(e3, ez)"), IsEmpty());
+  EXPECT_THAT(faults("identity", "cos(acos(w1)) = w1"), IsEmpty()) << "where there is such an angle";
 }
 
 TEST(CheckClaims, FalseAndNonSequiturFailIfTheyHold) {
@@ -69,14 +106,6 @@ TEST(CheckClaims, MeasuredOnesAreMeasuredOnTheirScene) {
 
 TEST(CheckClaims, WhatMeasuresNothingIsRefused) {
   EXPECT_THAT(faults("measured", "L = -L within 5"), ElementsAre(HasSubstr("this measures nothing")));
-}
-
-std::vector<std::string> faults_of(const std::string& body) {
-  LessonReading reading = read_lesson(testing::lesson_with(body), "a.md");
-  EXPECT_TRUE(reading.lesson);
-  if (!reading.lesson) return {};
-  EXPECT_FALSE(prove_claims(*reading.lesson));
-  return testing::lines_of(check_claims(*reading.lesson, "a.md"));
 }
 
 std::vector<std::string> faults_within(const std::string& body, std::int64_t evaluations) {

@@ -164,10 +164,34 @@ TEST(ComputedNumbers, AreWrittenAsTheFormatSays) {
 }
 
 TEST(ComputedNumbers, AreProvedAtTheEndOfAChain) {
-  EXPECT_THAT(faults(lesson("```math e definition\nT = \\live[unit={J}]{T}\n```\n")), IsEmpty());
-  EXPECT_THAT(faults(lesson("```math e definition\nT = \\value[unit={J}]{9}{T}\n```\n")), IsEmpty());
-  EXPECT_THAT(faults(lesson("```math e definition\nT = \\value[unit={J}]{18}{2*T}\n```\n")), SizeIs(1))
-      << "not T";
+  const auto said = [](const std::string& number) {
+    return faults(lesson("```math e identity\n2T = \\vec\\omega\\cdot\\vec L = " + number + "\n```\n"));
+  };
+  EXPECT_THAT(said("\\live[unit={J}]{2*T}"), IsEmpty());
+  EXPECT_THAT(said("\\value[unit={J}]{18}{2*T}"), IsEmpty());
+  EXPECT_THAT(said("\\value[unit={J}]{9}{T}"), SizeIs(1)) << "not 2T";
+}
+
+// 2026-11-23: what stood behind a number was taken for its unit, and a rounded number for a bound.
+TEST(ComputedNumbers, ProveNothingByWhatStandsAroundThem) {
+  const auto said = [](const std::string& tex) {
+    return faults(lesson("```math e identity\n" + tex + "\n```\n"));
+  };
+  for (const char* behind : {R"(\ \mathrm{mJ})", R"(\ \text{or more})", R"(\,\text{J})", R"(\ \text{m}^2)"})
+    EXPECT_THAT(said(R"(2T = \vec\omega\cdot\vec L = \live[unit={J}]{2*T})" + std::string(behind)), SizeIs(1))
+        << behind;
+  for (const char* bound : {R"(2T \le \value[unit={J}]{18}{2*T})", R"(T \ge \live{T})", R"(0 < \live{T})"})
+    EXPECT_THAT(said(bound), ElementsAre(HasSubstr("a rounded number is neither"))) << bound;
+  EXPECT_THAT(said(R"(T = \live{T})"), ElementsAre(HasSubstr("only a computed number stands here")));
+}
+
+TEST(ComputedNumbers, OfRadiansAreNotInHertz) {
+  const auto said = [](const std::string& number) { return faults(lesson("It is $" + number + "$.\n")); };
+  EXPECT_THAT(said("\\live[unit={rad/s}]{w1}"), IsEmpty());
+  EXPECT_THAT(said("\\live[unit={Hz}]{w1/(2*pi)}"), IsEmpty());
+  for (const char* rate : {"w1", "norm(omega)", "2*body_precession"})
+    EXPECT_THAT(said("\\live[unit={Hz}]{" + std::string(rate) + "}"),
+                ElementsAre(HasSubstr("by 2*pi, in Hz")));
 }
 
 }  // namespace

@@ -103,7 +103,8 @@ TEST(FrontMatter, ASymbolThatMeansSomethingMeansNothingElse) {
     EXPECT_THAT(complaint("a = { tex = '" + std::string(known) + "', means = 'm' }"),
                 ::testing::HasSubstr("is known already"))
         << known;
-  for (const char* sign : {"i", "t", "d", "=", "\\omega_i", "Τ"})
+  for (const char* sign :
+       {"i", "t", "d", "=", "\\omega_i", "Τ", "\\pi", "\\omega_{1,}", "T_{.}", "\\omega^2"})
     EXPECT_THAT(complaint("a = { tex = '" + std::string(sign) + "', means = 'm' }"),
                 ::testing::HasSubstr("has a sign that formulas use otherwise"))
         << sign;

@@ -101,7 +101,7 @@ TEST(TexEquation, MeansWhatIsPrinted) {
       {R"(\cancel{I_2}\,m = \cancel{I_2}\,T)", "I2*m = I2*T; m = T"},
       {R"(\boxed{\term{a}{T} = m})", "T = m"},
       {R"({\omega_1 + \omega_2}\,T = 0)", "w1 + w2*T = 0"},  // braces of TeX are not seen
-      {R"(T = \live{2*T}\ \text{kg m}^2/\text{s})", "T = (2*T)"},
+      {R"(T = \live[unit={J}]{2*T})", "T = (2*T)"},
       {R"(\begin{aligned} T &= m & I_1 &= I_2 \\ &= 2 \end{aligned})", "T = m; I1 = I2; I2 = 2"},
       {R"(\begin{vmatrix} \omega_1 & \omega_2 \\ I_1 & I_2 \end{vmatrix} = 0)", "w1*I2 - w2*I1 = 0"},
       {R"(\mathbf 1\cdot\vec A = \vec A)", "A = A"},
