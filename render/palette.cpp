@@ -14,6 +14,12 @@ std::optional<Role> role_from(std::string_view name) {
   if (name == "polhode") return kPolhodeRole;
   if (name == "herpolhode") return kHerpolhodeRole;
   if (name == "axes") return kAxesRole;
+  if (name == "axis-1" || name == "axis-2" || name == "axis-3")
+    return kBodyAxisRoles[static_cast<std::size_t>(name.back() - '1')];
+  constexpr std::array<std::string_view, kMarkRoles.size()> kOfMarks = {"violet", "brown", "crimson",
+                                                                        "black"};
+  for (std::size_t i = 0; i < kMarkRoles.size(); ++i)
+    if (name == kOfMarks[i]) return kMarkRoles[i];
   return std::nullopt;
 }
 

@@ -35,7 +35,8 @@ inline constexpr std::array<Role, 4> kMarkRoles{Role{color_from_hex(0x5B3FA0), c
                                                 Role{color_from_hex(0x6E3B10), color_from_hex(0x9A5B22)},
                                                 Role{color_from_hex(0x8E1B3A), color_from_hex(0xB3244C)},
                                                 kTRole};
-/// omega | L | N | polhode | herpolhode | axes, as lessons name them; nothing otherwise.
+/// omega | L | N | polhode | herpolhode | axes | axis-1 | axis-2 | axis-3, and violet | brown | crimson |
+/// black of kMarkRoles, as lessons name them; nothing otherwise.
 std::optional<Role> role_from(std::string_view name);
 
 inline constexpr Color kSeparatrixPaint = color_from_hex(0x59616C);

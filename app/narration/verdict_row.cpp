@@ -73,9 +73,9 @@ std::string words_of(const Given& given, ClaimKind kind) {
 
 /// Of what is false, or does not follow.
 std::string words_of(const Counterexample& counter, ClaimKind kind) {
-  return fmt::format("for example at {}{}: {} ≠ {}", counter.state,
-                     kind == ClaimKind::non_sequitur ? ", where the premise holds" : "", counter.left,
-                     counter.right);
+  if (kind == ClaimKind::non_sequitur)
+    return fmt::format("at {} the premise holds, and {} ≠ {}", counter.state, counter.left, counter.right);
+  return fmt::format("for example at {}: {} ≠ {}", counter.state, counter.left, counter.right);
 }
 
 /// Numbers of a row: two or three digits of the largest component, a factor of ten set apart where it is not
@@ -244,6 +244,11 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
     is_instead(Certainty::open, "not proved", "");
   else if (refutes(claim.kind) && counter)
     row.note = joined(row.note, words_of(*counter, claim.kind));
+  // "A does not give B" is what the formula says, and it is right.
+  if (holds && claim.kind == ClaimKind::non_sequitur && claim.origin == Claim::Origin::formula) {
+    row.certainty = Certainty::proved;
+    row.word = "an example shows it";
+  }
   if (claim.kind != ClaimKind::measured || !holds) return row;
   row.note = joined(joined(how_it_is_computed(scene), within_of(claim)), row.note);
   if (const auto why = model ? why_not_measured(claim, *model) : std::nullopt)

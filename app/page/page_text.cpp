@@ -251,18 +251,23 @@ class ScaledText {
 
   bool is_slide() const { return request_.profile == Profile::slides; }
 
-  /// The last equation that an earlier step has come to, if a line holds it: not one of several lines, which
-  /// would take the room of the step's own.
+  /// What the step says that it goes on from, or the last equation that an earlier one has come to.
+  const Equation* recalled() const {
+    if (present().from == kRecallsNothing) return nullptr;
+    if (!present().from.empty()) return find_equation(request_.lesson, present().from);
+    for (std::size_t i = last_; i-- > 0;)
+      if (const Equation* equation = focus_of(request_.stage, request_.stage.steps[i])) return equation;
+    return nullptr;
+  }
+
+  /// If a line holds it: not one of several lines, which would take the room of the step's own.
   ColumnPiece from_before() {
-    for (std::size_t i = last_; i-- > 0;) {
-      const Equation* equation = focus_of(request_.stage, request_.stage.steps[i]);
-      if (equation == nullptr) continue;
-      ColumnPiece piece = noted(column_.from_before(*equation));
-      piece.of = equation;
-      const bool is_a_line = piece.width <= width_ && piece.height <= kTallestBefore * scale_ * em_;
-      return is_a_line ? piece : ColumnPiece();
-    }
-    return {};
+    const Equation* equation = recalled();
+    if (equation == nullptr) return {};
+    ColumnPiece piece = noted(column_.from_before(*equation));
+    piece.of = equation;
+    const bool is_a_line = piece.width <= width_ && piece.height <= kTallestBefore * scale_ * em_;
+    return is_a_line ? piece : ColumnPiece();
   }
 
   /// Nothing stands in the place of a text that cannot be set.
@@ -347,7 +352,8 @@ class ScaledText {
         take(column_.equation(*equation, focus_on(*equation), marked,
                               verdicts_on(*equation, step, is_present)),
              block);
-      if (const auto* claim = std::get_if<Claim>(&block); claim && !has_equation(step, claim->equation))
+      if (const auto* claim = std::get_if<Claim>(&block);
+          claim && !has_equation(step, claim->equation) && is_shown(*claim))
         take(verdict(*claim, is_present), block);
       if (const auto* prose = std::get_if<Prose>(&block)) take(column_.prose(prose->text), block);
       if (const auto* callout = std::get_if<Callout>(&block))
@@ -361,7 +367,8 @@ class ScaledText {
   Pieces verdicts_on(const Equation& equation, const Step& step, bool is_present) const {
     Pieces pieces;
     for (const Block& block : step.blocks)
-      if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
+      if (const auto* claim = std::get_if<Claim>(&block);
+          claim && claim->equation == equation.id && is_shown(*claim))
         pieces.push_back(verdict(*claim, is_present));
     return pieces;
   }
@@ -374,8 +381,16 @@ class ScaledText {
     return "";
   }
 
+  /// A slide has no room for claims that are not the line above them: it says nothing of that line then.
+  bool is_shown(const Claim& claim) const { return !is_slide() || claim.origin == Claim::Origin::formula; }
+
+  /// Nor for rows of numbers, which nobody reads from the back row: pages have them.
   ColumnPiece verdict(const Claim& claim, bool is_present) const {
-    return column_.verdict(verdicts_.at(&claim), is_present && scene() && can_be_shown(claim, *scene()));
+    const bool has_numbers = !is_slide() && is_present && scene() && can_be_shown(claim, *scene());
+    VerdictRow row = verdicts_.at(&claim);
+    if (is_slide() && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated)
+      row.note.clear();
+    return column_.verdict(row, has_numbers);
   }
 
   /// That of the page; of a slide that is only tried, the step's own.

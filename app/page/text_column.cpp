@@ -30,7 +30,7 @@ constexpr double kChipHeight = 1.55;   ///< likewise
 constexpr float kChipTint = 0.12F;     ///< of the ink, on the paper
 constexpr double kClaimedSize = 0.7;   ///< of what is claimed beside the formula
 constexpr double kClaimedGap = 0.3;    ///< above each of its rows, of its size
-constexpr double kVerdictGap = 0.3;
+constexpr double kVerdictGap = 0.3, kSlideVerdictGap = 0.5;
 constexpr double kWidestTag = 0.4;  ///< of the column
 constexpr double kStepTitleGap = 1.15;
 constexpr double kStepTitleCloser = 0.34;  ///< to its own text than that to what is above
@@ -251,7 +251,8 @@ ColumnPiece TextColumn::chip(const std::string& word, Certainty certainty) const
   const bool has_mark = certainty == Certainty::proved || certainty == Certainty::refuted;
   const double mark_width = has_mark ? std::round(1.0 * em) : 0.0;
   const double width = std::round(list.width + mark_width + 2.0 * pad);
-  ColumnPiece piece{.sheet = {}, .height = height, .gap = kVerdictGap * size_};
+  const double above = profile_ == Profile::slides ? kSlideVerdictGap : kVerdictGap;
+  ColumnPiece piece{.sheet = {}, .height = height, .gap = above * size_};
   piece.sheet.shapes.push_back(Stroke{
       .points = {{y, y}, {width - y, y}}, .width = height, .color = between(colors().paper, ink, kChipTint)});
   const auto drawn = [&](std::vector<Vec2> points) {
@@ -413,8 +414,12 @@ Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {
   TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
   quiet.sans = true;
   DisplayList words = set_line("from before:", quiet, fonts_);
+  // Symbols without a colour of their own are as quiet as the rest.
+  std::vector<MathSymbol> symbols = symbols_;
+  for (MathSymbol& symbol : symbols)
+    if (symbol.color == colors().ink) symbol.color = colors().quiet;
   const MathStyle math{
-      .size = kBeforeSize * size_, .color = colors().quiet, .strike = colors().quiet, .symbols = &symbols_};
+      .size = kBeforeSize * size_, .color = colors().quiet, .strike = colors().quiet, .symbols = &symbols};
   Result<DisplayList> list = or_why_not(set_math(numbers_.put_into(equation.math), math, fonts_));
   if (!list) return failure(list.error());
   const double top = std::round(std::max(list->ascent, kLineTop * size_)),

@@ -228,6 +228,7 @@ std::string_view form_of_answer(Question::Type type) {
       return "X Y Z";
     case Question::Type::choice:
     case Question::Type::predict:
+    case Question::Type::derive:
       return "";
   }
   return "";

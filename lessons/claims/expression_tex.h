@@ -11,9 +11,9 @@
 namespace polhode {
 
 /// "\vec\omega\cdot\mathbf I\cdot\vec\omega" of dot(omega, inertia(omega)): TeX that stands in a line of
-/// text. Read as a printed equation (lessons/reader/tex_equation.h) it is the same function of the state, but
-/// for the components of J, which no page prints. Words of the lesson's `vocabulary` are printed as it says,
-/// or by their names. Linear.
+/// text. Read as a printed equation (lessons/notation/tex_equation.h) it is the same function of the state,
+/// but for the components of J, which no page prints. Words of the lesson's `vocabulary` are printed as it
+/// says, or by their names. Linear.
 std::string tex_of(const Expression& expression, const Vocabulary* vocabulary = nullptr);
 
 /// "2T = …"; with its conclusion, if it has one, "A \Rightarrow B", or of a non-sequitur "A \not\Rightarrow

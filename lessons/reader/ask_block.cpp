@@ -4,6 +4,7 @@
 #include "base/spelling.h"
 #include "lessons/claims/expression_tex.h"
 #include "lessons/claims/expression_variants.h"
+#include "lessons/derivation/derivation.h"
 #include "lessons/reader/keys.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@
 namespace polhode {
 namespace {
 
-const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order"};
+const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order", "derive"};
 const std::vector<std::string> kModuloNames = {"identity", "motion", "free"};
 
 class AskReader {
@@ -35,13 +36,22 @@ class AskReader {
          {"answer", [](const TomlEntry&) {}},  // read last: it depends on the others
          {"modulo", [this](const TomlEntry& e) { modulo(e); }},
          {"given", [this](const TomlEntry& e) { given(e); }},
-         {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints, ask_.hint_texts); }}},
+         {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints, ask_.hint_texts); }},
+         {"start", [](const TomlEntry&) {}},
+         {"goal", [](const TomlEntry&) {}},
+         {"facts", [](const TomlEntry&) {}},
+         {"worked", [](const TomlEntry&) {}},
+         {"least", [](const TomlEntry&) {}}},
         report_);
-    for (const char* key : {"type", "prompt", "answer"}) {
-      if (table_.find(key) == nullptr) fail(ask_.place, "a question lacks " + in_quotes(key));
+    for (const char* key : {"type", "prompt"}) need(key);
+    if (ask_.type == Ask::Type::derive) {
+      for (const char* key : {"start", "goal", "worked"}) need(key);
+      if (ok_) derivation();
+    } else {
+      need("answer");
     }
     if (ok_) check_together();
-    if (ok_) answer(*table_.find("answer"));
+    if (ok_ && ask_.type != Ask::Type::derive) answer(*table_.find("answer"));
     if (ok_ && !ask_.given.empty()) say_what_is_given();
     return ok_ ? std::optional(std::move(ask_)) : std::nullopt;
   }
@@ -70,6 +80,124 @@ class AskReader {
   }
   void modulo(const TomlEntry& entry) {
     if (const auto index = one_of(entry, kModuloNames)) ask_.modulo = kModuloNames[*index];
+  }
+
+  /// A line as it is typed; nothing, and a report, where it cannot be read.
+  std::optional<DerivedLine> typed_line(const std::string& text, SourcePlace place,
+                                        const DerivedLine* above) {
+    auto line = read_line(text, notation(), above);
+    if (line) return std::move(*line);
+    const UnreadableLine& fault = line.error();
+    fail(advanced(inside_quotes(place), text, SourceText(text).offset_of({1, fault.column})), fault.message,
+         fault.hint);
+    return std::nullopt;
+  }
+
+  const LineNotation& notation() {
+    if (notation_.notation == nullptr) {
+      notation_ = {&front_.notation, {}, texts_.macros()};
+      for (const auto& [name, symbol] : front_.symbols) notation_.names.emplace(name, symbol.tex);
+    }
+    return notation_;
+  }
+
+  std::optional<DerivedLine> line_of(const char* key, const DerivedLine* above = nullptr) {
+    const TomlEntry& entry = *table_.find(key);
+    const auto text = read_text(entry, report_);
+    if (!text) ok_ = false;
+    return text ? typed_line(*text, entry.value.place, above) : std::nullopt;
+  }
+
+  /// { line, point, teach }
+  void worked_line(const TomlValue& value, Derivation& derivation) {
+    const auto* table = value.as<TomlTable>();
+    if (table == nullptr || table->find("line") == nullptr)
+      return fail(value.place, "a worked line is a table, found " + std::string(value.kind()),
+                  "worked = [{ line = \"…\", point = \"…\", teach = \"…\" }]");
+    WorkedLine worked;
+    const auto text_into = [this](std::string& into) {
+      return [this, &into](const TomlEntry& e) {
+        if (auto text = read_text(e, report_)) {
+          line(*text, e.value.place);  // what is wrong with it is said
+          into = std::move(*text);
+        }
+      };
+    };
+    std::optional<DerivedLine> read;
+    read_keys(*table, "a worked line",
+              {{"line",
+                [&](const TomlEntry& e) {
+                  const DerivedLine& above =
+                      derivation.worked.empty() ? derivation.start : derivation.worked.back().line;
+                  if (const auto text = read_text(e, report_))
+                    read = typed_line(*text, e.value.place, &above);
+                }},
+               {"point", text_into(worked.point)},
+               {"teach", text_into(worked.teach)}},
+              report_);
+    ok_ = ok_ && read;
+    if (read) {
+      worked.line = std::move(*read);
+      derivation.worked.push_back(std::move(worked));
+    }
+  }
+
+  void derivation() {
+    Derivation derivation;
+    derivation.given = ask_.given;
+    derivation.assumption = ask_.modulo == "free"     ? Assumption::free
+                            : ask_.modulo == "motion" ? Assumption::motion
+                                                      : Assumption::identity;
+    auto start = line_of("start"), goal = line_of("goal");
+    if (!start || !goal) return;
+    derivation.start = std::move(*start);
+    derivation.goal = std::move(*goal);
+    if (const TomlEntry* facts = table_.find("facts")) {
+      const auto list = read_texts(*facts, kMaxFacts, report_);
+      ok_ = ok_ && list;
+      for (const PlacedText& fact : list.value_or(std::vector<PlacedText>()))
+        if (auto read = typed_line(fact.text, fact.place, nullptr))
+          derivation.facts.push_back(std::move(*read));
+    }
+    const TomlEntry& worked = *table_.find("worked");
+    const auto* lines = worked.value.as<TomlArray>();
+    if (lines == nullptr || lines->empty() || lines->size() > kMaxWorkedLines)
+      return fail(worked.value.place, "\"worked\" lists 1 to " + std::to_string(kMaxWorkedLines) + " lines");
+    for (const TomlValue& line : *lines) worked_line(line, derivation);
+    derivation.least_lines = static_cast<int>(std::min<std::size_t>(2, derivation.worked.size()));
+    if (const TomlEntry* least = table_.find("least")) {
+      const auto* number = least->value.as<std::int64_t>();
+      if (number == nullptr || *number < 1 || *number > static_cast<std::int64_t>(derivation.worked.size()))
+        return fail(least->value.place, "\"least\" lies between 1 and the number of worked lines");
+      derivation.least_lines = static_cast<int>(*number);
+    }
+    if (!ok_) return;
+    derivation.letters = letters_of(derivation);
+    say_what_leads_where(derivation);
+    ask_.derivation = std::make_shared<const Derivation>(std::move(derivation));
+  }
+
+  /// Behind what is asked: "From: … Goal: … You may use: …".
+  void say_what_leads_where(const Derivation& derivation) {
+    const auto add = [&](const std::string& words, const std::vector<const DerivedLine*>& lines) {
+      TextBlock block;
+      TextSpan& text = block.spans.emplace_back();
+      text.text = words;
+      for (const DerivedLine* line : lines) {
+        if (line != lines.front()) block.spans.emplace_back().text = ", ";
+        auto math = parse_math(line->tex, texts_.macros());
+        TextSpan& span = block.spans.emplace_back();
+        span.kind = TextSpan::Kind::math;
+        if (math) span.math = std::move(*math);
+        span.text = line->tex;
+      }
+      ask_.prompt_text.push_back(std::move(block));
+    };
+    add("From: ", {&derivation.start});
+    add("To: ", {&derivation.goal});
+    std::vector<const DerivedLine*> facts;
+    for (const DerivedLine& fact : derivation.facts) facts.push_back(&fact);
+    if (!facts.empty()) add("You may use ", facts);
   }
 
   // The name of an assumption, or a list of some.
@@ -104,7 +232,20 @@ class AskReader {
     }
   }
 
+  void need(const char* key) {
+    if (table_.find(key) == nullptr) fail(ask_.place, "a question lacks " + in_quotes(key));
+  }
+
   void check_together() {
+    const bool derives = ask_.type == Ask::Type::derive;
+    for (const char* key : {"start", "goal", "facts", "worked", "least"})
+      if (const TomlEntry* entry = table_.find(key); entry != nullptr && !derives)
+        fail(entry->place, in_quotes(key) + " is of questions of type \"derive\"");
+    for (const char* key : {"answer", "hints", "choices"})
+      if (const TomlEntry* entry = table_.find(key); entry != nullptr && derives)
+        fail(entry->place, in_quotes(key) + " is not of questions of type \"derive\"",
+             "what leads to the goal stands in \"worked\"");
+    if (derives) return;
     const bool expression = ask_.type == Ask::Type::expression;
     const TomlEntry* choices = table_.find("choices");
     const TomlEntry* modulo = table_.find("modulo");
@@ -194,6 +335,7 @@ class AskReader {
   const FrontMatter& front_;
   TextReader& texts_;
   Report& report_;
+  LineNotation notation_;
   Ask ask_;
   bool ok_ = true;
 };

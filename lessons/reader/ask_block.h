@@ -14,6 +14,8 @@ namespace polhode {
 
 inline constexpr std::size_t kMaxChoices = 16;
 inline constexpr std::size_t kMaxHints = 16;
+/// Of a derivation.
+inline constexpr std::size_t kMaxFacts = 8, kMaxWorkedLines = 16;
 
 /// The question its keys state, in the words of the lesson; `place` is that of the fence. Nothing, and
 /// reports, if a key is wrong or missing.

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/claims/proof.h"
+#include "lessons/derivation/derivation.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/reader/lint_budget.h"
 
@@ -148,9 +149,35 @@ class ClaimCheck {
   }
 
   void check(const Ask& ask, const Step&) {
+    if (ask.derivation) check_derivation(ask, *ask.derivation);
     const auto& answer = ask.expression;
     if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");
+  }
+
+  /// Every line of it holds, and the last is the goal.
+  void check_derivation(const Ask& ask, const Derivation& derivation) {
+    const auto check_line = [&](const DerivedLine& line, const char* which) {
+      for (const Equality& link : line.links) {
+        spend(effort_, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(link));
+        if (is_provable(link) &&
+            prover_.settle(link, derivation.assumption, derivation.given) == Verdict::holds)
+          continue;
+        report_.error(ask.place,
+                      "the " + std::string(which) + " of question " + in_quotes(ask.id) +
+                          " does not hold: " + line.typed,
+                      "modulo = \"motion\" lets it use Euler's law, \"free\" that there is no torque");
+        return false;
+      }
+      return true;
+    };
+    bool all = check_line(derivation.start, "start") && check_line(derivation.goal, "goal");
+    for (const DerivedLine& fact : derivation.facts) all = all && check_line(fact, "fact");
+    for (const WorkedLine& worked : derivation.worked) all = all && check_line(worked.line, "solution");
+    if (all && !is_goal(derivation, derivation.worked.back().line, prover_))
+      report_.error(ask.place,
+                    "the last line of the solution of question " + in_quotes(ask.id) + " is not its goal",
+                    "it says the same in the goal's quantities");
   }
 
   /// A caption that several scenes have in common is about the first.

@@ -665,7 +665,9 @@ void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& te
 }  // namespace
 
 const std::vector<std::string>& color_roles() {
-  static const std::vector<std::string> kRoles = {"omega", "L", "N", "polhode", "herpolhode", "axes"};
+  static const std::vector<std::string> kRoles = {"omega", "L",       "N",      "polhode", "herpolhode",
+                                                  "axes",  "axis-1",  "axis-2", "axis-3",  "violet",
+                                                  "brown", "crimson", "black"};
   return kRoles;
 }
 

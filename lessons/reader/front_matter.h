@@ -3,12 +3,12 @@
 #pragma once
 
 #include "lessons/claims/dimension.h"
+#include "lessons/notation/tex_equation.h"
 #include "lessons/reader/about_keys.h"
 #include "lessons/reader/assumptions.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/scene_keys.h"
-#include "lessons/reader/tex_equation.h"
 
 #include <map>
 #include <string>

@@ -45,6 +45,15 @@ std::optional<StepPlace> target_of(const Lesson& lesson, std::string_view link) 
   return std::nullopt;
 }
 
+const Equation* find_equation(const Lesson& lesson, std::string_view place) {
+  const std::size_t slash = std::min(place.find('/'), place.size());
+  const Stage* stage = lesson.find_stage(place.substr(0, slash));
+  if (stage == nullptr || slash == place.size()) return nullptr;
+  for (const Equation* equation : equations_of(*stage))
+    if (equation->id == place.substr(slash + 1)) return equation;
+  return nullptr;
+}
+
 std::string_view label_of(const Lesson& lesson, Callout::Kind kind) {
   const auto own = lesson.about.labels.find(kind);
   return own != lesson.about.labels.end() ? std::string_view(own->second) : names_of(kind).label;

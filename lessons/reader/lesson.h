@@ -8,9 +8,9 @@
 #include "lessons/claims/answers.h"
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
+#include "lessons/notation/tex_equation.h"
 #include "lessons/reader/assumptions.h"
 #include "lessons/reader/computed_number.h"
-#include "lessons/reader/tex_equation.h"
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"
 
@@ -82,6 +82,8 @@ struct Footnote {
   SourcePlace place;
 };
 
+struct Derivation;
+
 /// A question as it stands on a page: ```ask ID.
 struct Ask : Question {
   std::string id;
@@ -91,9 +93,13 @@ struct Ask : Question {
   std::vector<std::string> hints;
   std::vector<RichText> hint_texts;
   SourcePlace place;
+  std::shared_ptr<const Derivation> derivation{};  ///< of the type derive
 };
 
 using Block = std::variant<Prose, Equation, Claim, Callout, Ask, Footnote>;
+
+/// Of Step::from: there is nothing that a slide goes on from.
+inline constexpr std::string_view kRecallsNothing = "none";
 
 /// A step adds blocks to what the stage already shows; its scene is complete (inherited keys filled in).
 struct Step {
@@ -108,7 +114,9 @@ struct Step {
   std::vector<std::shared_ptr<const RichText>> labels{};
   /// The scene with other numbers than it has, for the readers of its `vary`; null: there is none.
   std::shared_ptr<const VariedScene> varied{};
-  std::string same{};   ///< why its picture is that of the step before; empty: it should be another
+  std::string same{};  ///< why its picture is that of the step before; empty: it should be another
+  /// What its slide recalls at the foot: "stage/equation", or "none"; empty: what the stage came to last.
+  std::string from{};
   SourcePlace place{};  ///< of the stage's heading, or of the rule or title that it begins with
 };
 
@@ -206,6 +214,9 @@ struct StepPlace {
 /// Where a link of the lesson's texts leads within the lesson: "#stage", or "#stage/equation" to the step
 /// that brings the equation. Nothing for any other link.
 std::optional<StepPlace> target_of(const Lesson& lesson, std::string_view link);
+
+/// The equation of "stage/equation"; null if there is none.
+const Equation* find_equation(const Lesson& lesson, std::string_view place);
 
 /// The label beside a call-out of the lesson.
 std::string_view label_of(const Lesson& lesson, Callout::Kind kind);

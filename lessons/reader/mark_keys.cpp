@@ -5,6 +5,7 @@
 #include "base/utf8.h"
 #include "lessons/claims/scene_quantities.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/front_matter.h"
 #include "lessons/reader/toml_text.h"
 
 #include <initializer_list>
@@ -137,6 +138,15 @@ class MarkReader {
     return text;
   }
 
+  /// Empty if there is none such.
+  std::string read_role(const TomlEntry& entry) {
+    const auto name = read_text(entry, report_);
+    const auto& roles = color_roles();
+    if (!name || std::find(roles.begin(), roles.end(), *name) != roles.end()) return name.value_or("");
+    report_.error(entry.value.place, "unknown role " + in_quotes(*name), suggestion(*name, roles));
+    return "";
+  }
+
   Report& report() { return report_; }
   RichText take() { return std::move(written_); }
 
@@ -162,6 +172,15 @@ std::optional<double> read_length(const TomlEntry& entry, Report& report) {
   return std::nullopt;
 }
 
+/// 0 to 1.
+double read_part(const TomlEntry& entry, Report& report) {
+  const auto part = read_number(entry, report);
+  if (part && *part >= 0 && *part <= 1) return *part;
+  if (part)
+    report.error(entry.value.place, in_quotes(entry.key) + " lies between 0, the tail, and 1, the tip");
+  return 1;
+}
+
 class ArrowReader {
  public:
   ArrowReader(MarkReader& reader, SourcePlace place, const TomlTable& table)
@@ -172,6 +191,8 @@ class ArrowReader {
     std::optional<Dimension> measure, like_measure;
     std::optional<std::string> tex;
     std::optional<double> length;
+    std::string role;
+    double name_at = 1;
     Report& report = reader_.report();
     const bool has_all = reader_.read_table(
         place_, table_,
@@ -179,7 +200,9 @@ class ArrowReader {
          reader_.vector("at", at),
          {"tex", [&](const TomlEntry& e) { tex = reader_.read_name(e); }},
          {"length", [&](const TomlEntry& e) { length = read_length(e, report); }},
-         {"like", [&](const TomlEntry& e) { like = reader_.read_vector(e, &like_measure); }}},
+         {"like", [&](const TomlEntry& e) { like = reader_.read_vector(e, &like_measure); }},
+         {"role", [&](const TomlEntry& e) { role = reader_.read_role(e); }},
+         {"name_at", [&](const TomlEntry& e) { name_at = read_part(e, report); }}},
         {"of"});
     const TomlEntry* like_entry = table_.find("like");
     if (like_entry != nullptr && table_.find("length") != nullptr)
@@ -192,7 +215,8 @@ class ArrowReader {
     if (!has_all || !of || !is_read(table_, "at", at.has_value()) ||
         !is_read(table_, "like", like.has_value()))
       return std::nullopt;
-    return ArrowMark{std::move(*of), std::move(at), std::move(tex), length, std::move(like)};
+    if (!role.empty()) of->quantity.role = role;
+    return ArrowMark{std::move(*of), std::move(at), std::move(tex), length, std::move(like), role, name_at};
   }
 
  private:
@@ -326,6 +350,8 @@ std::string text_of(const std::vector<ArrowMark>& arrows) {
     if (arrow.tex) keys.emplace_back("tex", toml(*arrow.tex));
     if (arrow.length) keys.emplace_back("length", toml(*arrow.length));
     add_if(keys, "like", arrow.like);
+    if (!arrow.role.empty()) keys.emplace_back("role", toml(arrow.role));
+    if (arrow.name_at != 1) keys.emplace_back("name_at", toml(arrow.name_at));
     return keys;
   });
 }

@@ -47,12 +47,27 @@ class References {
     }
     is_title_ = false;
     for (Stage& stage : stages_)
-      for (Step& step : stage.steps)
+      for (Step& step : stage.steps) {
         for (Block& block : step.blocks) std::visit([&](auto& one) { resolve(one, stage); }, block);
+        resolve_recalled(step, stage);
+      }
     return std::move(outside_);
   }
 
  private:
+  /// What a slide recalls, as "stage/equation". Numbers in it are of another step, and nobody has them here.
+  void resolve_recalled(Step& step, const Stage& stage) {
+    if (step.from.empty() || step.from == kRecallsNothing) return;
+    const auto target = find(step.from, stage, Wanted::equation, step.place);
+    if (!target) return step.from.clear();
+    step.from = target->stage->id + '/' + target->equation->id;
+    if (target->stage != &stage && !target->equation->math.live.empty())
+      report_.error(step.place,
+                    "the slide recalls equation " + in_quotes(step.from) +
+                        ", whose computed numbers are those of another stage",
+                    "recall one without numbers");
+  }
+
   void resolve(Prose& prose, const Stage& stage) { resolve(prose.text, stage); }
   void resolve(Claim&, const Stage&) {}
   void resolve(Footnote& note, const Stage& stage) { resolve(note.text, stage); }

@@ -520,6 +520,15 @@ class SceneKeys {
       lesson_scene_.same = *why;
   }
 
+  void from(const TomlEntry& entry) {
+    const auto id = read_text(entry, report_);
+    if (!id) return;
+    if (of_ == Of::front_matter)
+      report_.error(entry.place, "what a slide recalls is of one step", "write it in a step's ```scene");
+    else
+      lesson_scene_.from = *id;
+  }
+
   void caption(const TomlEntry& entry) {
     auto text = read_text(entry, report_);
     if (!text) return;
@@ -685,7 +694,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::trails,
        [](const Scene& scene) { return text_of(scene.marks.trails); },
        Row::Speaks::of_picture},
-      {{"arrows", R"~(vectors: `[{ of = "ddt(e3)", at = "e3", tex, length, like }]` (Marks))~", "none"},
+      {{"arrows", R"~(vectors: `[{ of = "ddt(e3)", at = "e3", tex, name_at, length, like, role }]` (Marks))~", "none"},
        &SceneKeys::arrows,
        [](const Scene& scene) { return text_of(scene.marks.arrows); },
        Row::Speaks::of_picture},
@@ -780,6 +789,12 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
         R"(why the picture is that of the step before: `"a question about it"`; of this step alone, which `lint` then does not warn of)",
         "the picture changes"},
        &SceneKeys::same,
+       [](const Scene&) { return std::string(); },
+       Row::Speaks::of_all},
+      {{"from",
+        R"(the formula that the slide recalls at its foot, "from before": `"EQUATION"` of this stage, `"STAGE/EQUATION"`, or `"none"`; of this step alone)",
+        "the last formula of the stage's earlier steps"},
+       &SceneKeys::from,
        [](const Scene&) { return std::string(); },
        Row::Speaks::of_all},
   });

@@ -62,6 +62,7 @@ struct LessonScene {
   std::optional<TopStart> start = {};  ///< in place of ω and attitude of the scene
   bool fault_said = false;             ///< it cannot be, and was reported
   std::string same = {};               ///< of the last fence: why the picture stays (Step::same)
+  std::string from = {};               ///< likewise: what the slide recalls, as it is written (Step::from)
   /// Tables that change it to the scenes side by side, which are shown in its place; null: it is shown alone.
   std::shared_ptr<const TomlArray> scenes = {};
   std::vector<SourcePlace> vary_places =

@@ -243,6 +243,7 @@ void StageBuilder::finish_step() {
   step().scene = std::make_shared<const Scene>(std::move(scene));
   step().varied = varied_;
   step().same = scene_.same;
+  step().from = scene_.from;
   check_shown();
 }
 
@@ -559,6 +560,7 @@ void StageBuilder::add_scene(const Fence& fence) {
   const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
   if (!table) return;
   scene_.same.clear();
+  scene_.from.clear();
   std::vector<PlacedText> names =
       read_scene_keys(*table, front_.bodies, front_.words(), scene_, texts_, fence.place);
   std::move(names.begin(), names.end(), std::back_inserter(highlighted_));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/fuzz/math_inputs.h"
 
-#include "lessons/reader/tex_equation.h"
+#include "lessons/notation/tex_equation.h"
 #include "render/typeset/math/commands.h"
 #include "tests/support/paths.h"
 

@@ -35,7 +35,9 @@ Names operator+(Names a, const Names& b) {
 const std::vector<Room>& rooms() {
   static const Names kScene = {"render/scene/", "physics/", "base/"};
   static const Names kClaims = Names{"lessons/claims/", "lessons/diagnostics/"} + kScene;
-  static const Names kReader = Names{"lessons/reader/", "render/typeset/"} + kClaims;
+  static const Names kNotation = Names{"lessons/notation/", "render/typeset/"} + kClaims;
+  static const Names kDerivation = Names{"lessons/derivation/"} + kNotation;
+  static const Names kReader = Names{"lessons/reader/"} + kDerivation;
   static const Names kNarration = Names{"app/narration/", "render/drawing/", "render/palette.h"} + kReader;
   static const Names kPage = Names{"app/page/", "render/figure/", "render/gl/", "render/image/"} + kNarration;
   static const Names kExport = Names{"app/export/"} + kPage;
@@ -67,10 +69,9 @@ const std::vector<Room>& rooms() {
       {"render/palette", {"base/"}, {}, kConsoleAndFiles},
       {"lessons/diagnostics/", {"base/"}, {}, kConsoleAndFiles},
       {"lessons/claims/", Names{"lessons/diagnostics/"} + kScene, {"Eigen/"}, kConsoleAndFiles},
-      {"lessons/reader/",
-       Names{"render/typeset/"} + kClaims,
-       {"Eigen/", "fmt/", "md4c.h", "toml++/"},
-       kConsoleAndFiles},
+      {"lessons/notation/", Names{"render/typeset/"} + kClaims, {"Eigen/"}, kConsoleAndFiles},
+      {"lessons/derivation/", kNotation, {"Eigen/"}, kConsoleAndFiles},
+      {"lessons/reader/", kDerivation, {"Eigen/", "fmt/", "md4c.h", "toml++/"}, kConsoleAndFiles},
       {"app/narration/", kNarration, {"fmt/"}, kConsoleAndFiles},
       {"app/page/", kPage, {"fmt/"}, kConsole},
       {"app/export/", kExport, kFormats + kPosix, kConsole},

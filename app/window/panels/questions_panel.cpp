@@ -93,6 +93,9 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
     case Ask::Type::predict:
       ask_for_choice(context, ask, typed);
       break;
+    case Ask::Type::derive:
+      quiet_words("Not here yet.");
+      break;
   }
   if (const JudgedAnswer* answer = context.session.judged(ask))
     show_verdict(*answer);

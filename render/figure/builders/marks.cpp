@@ -278,8 +278,9 @@ class MarkBuilder {
          .radius = kArrowRadius * m_.thickness,
          .color = look.role.paint,
          .dash = is_torque || look.is_dashed ? kArrowDash : 0.0});
-    add_name(mark.tex.value_or(mark.of.quantity.tex), tip + kBeyond * along->normalized(), look.role.ink,
-             list_);
+    const Vec3 named =
+        mark.name_at < 1 ? Vec3(*tail + mark.name_at * *along) : Vec3(tip + kBeyond * along->normalized());
+    add_name(mark.tex.value_or(mark.of.quantity.tex), named, look.role.ink, list_);
   }
 
   void add_angle(std::size_t index) {

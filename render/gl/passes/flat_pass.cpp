@@ -195,6 +195,11 @@ PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bo
   return panel;
 }
 
+namespace {
+constexpr double kShortName = 1.6;  ///< em
+constexpr double kLeaderDot = 4.5;  ///< widths of a leader: the dot on what it leads to
+}  // namespace
+
 void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken,
                           Parts& parts) {
   const double base = kLabelSize * parts.type_px;
@@ -213,7 +218,9 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
                         .height = inks.back().y1 - inks.back().y0,
                         .unit = 0.95 * em,
                         .outward = pointed ? Vec2(away.normalized()) : Vec2(0, 0),
-                        .leader = label.leader});
+                        .leader = label.leader,
+                        // A number or letter that stands away from its point looks like "−1" behind its line.
+                        .close = label.leader && inks.back().x1 - inks.back().x0 < kShortName * em});
   }
   const PixelBox inside = frame.grown(-0.5 * kMargin * parts.type_px);
   // Boxes of ink have no space of their own around them.
@@ -226,8 +233,10 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
     const Color ink = readable(label.color, parts.halo);
     if (placed[i].has_leader) {
       const double width = std::max(1.0, 0.055 * em);
-      parts.add_stroke(requests[i].anchor, placed[i].leader_end, 3.2 * width, parts.halo);
-      parts.add_stroke(requests[i].anchor, placed[i].leader_end, width, ink);
+      const Vec2 &anchor = requests[i].anchor, &end = placed[i].leader_end;
+      parts.add_stroke(anchor, end, 3.2 * width, parts.halo);
+      parts.add_stroke(anchor, end, width, ink);
+      parts.add_stroke(anchor, anchor + 1e-3 * (end - anchor), kLeaderDot * width, ink);
     }
     parts.lines.push_back({.list = std::move(lines[i]),
                            .at = {box.x0 - inks[i].x0, box.y0 - inks[i].y0},

@@ -38,6 +38,8 @@ struct ArrowMark {
   std::optional<std::string> tex = {};  ///< its name; absent: that of the quantity, empty: none
   std::optional<double> length = {};    ///< scene units
   std::optional<MarkVector> like = {};  ///< drawn to the scale of that, so that both can be added
+  std::string role = {};                ///< of its colour, where that is not the vector's; empty: it is
+  double name_at = 1;                   ///< where its name stands: 0 at the tail, 1 beyond the tip
   bool operator==(const ArrowMark&) const = default;
 };
 inline constexpr double kArrowLength = 0.6;

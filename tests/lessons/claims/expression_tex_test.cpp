@@ -2,8 +2,8 @@
 #include "lessons/claims/expression_tex.h"
 
 #include "lessons/claims/proof.h"
+#include "lessons/notation/tex_equation.h"
 #include "lessons/reader/reader.h"
-#include "lessons/reader/tex_equation.h"
 #include "tests/lessons/claims/claim_examples.h"
 #include "tests/lessons/support.h"
 

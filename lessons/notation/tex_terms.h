@@ -3,8 +3,8 @@
 // equations.
 #pragma once
 
-#include "lessons/reader/tex_equation.h"
-#include "lessons/reader/tex_value.h"
+#include "lessons/notation/tex_equation.h"
+#include "lessons/notation/tex_value.h"
 
 #include <array>
 #include <map>

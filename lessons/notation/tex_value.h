@@ -5,7 +5,7 @@
 
 #include "lessons/claims/expression.h"
 #include "lessons/claims/vocabulary.h"
-#include "lessons/reader/tex_items.h"
+#include "lessons/notation/tex_items.h"
 
 #include <array>
 #include <memory>

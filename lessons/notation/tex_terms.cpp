@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/tex_terms.h"
+#include "lessons/notation/tex_terms.h"
 
 #include "lessons/claims/expression_names.h"
 
@@ -246,7 +246,7 @@ TexValue TexTerms::run(Items items, std::size_t& at) {
     if (has_vector && next.value.is_tensor())
       throw TexFault(next.span, "a vector and a tensor without a sign between them", "write \\cdot");
     if (next.value.is_vector() && has_vector)
-      throw TexFault(next.span, "two vectors without a sign between them", "write \\cdot or \\times");
+      throw TexKindFault(next.span, "two vectors without a sign between them", "write \\cdot or \\times");
     has_vector = has_vector || next.value.is_vector();
     if (!whole)
       whole = next.value;

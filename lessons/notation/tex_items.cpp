@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/tex_items.h"
+#include "lessons/notation/tex_items.h"
 
 #include <algorithm>
 #include <iterator>

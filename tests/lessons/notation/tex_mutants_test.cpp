@@ -5,7 +5,7 @@
 // that share nothing with the reader, its language or its prover. So the meaning of a mutant is known however
 // it is read.
 #include "lessons/claims/proof.h"
-#include "lessons/reader/tex_equation.h"
+#include "lessons/notation/tex_equation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/tex_value.h"
+#include "lessons/notation/tex_value.h"
 
 #include <algorithm>
 #include <string_view>
@@ -61,7 +61,8 @@ TexValue tensor_value(TexTensor tensor, SourceSpan span) {
 TexValue added(TexValue a, const TexValue& b, bool minus, SourceSpan span) {
   const bool zeros = a.type == Type::zero || b.type == Type::zero;
   if (a.type != b.type && !zeros)
-    throw TexFault(b.span, std::string(name_of(a)) + " and " + std::string(name_of(b)) + " cannot be added");
+    throw TexKindFault(b.span,
+                       std::string(name_of(a)) + " and " + std::string(name_of(b)) + " cannot be added");
   if (a.is_tensor() || b.is_tensor()) {
     if (b.type == Type::zero) return a;
     if (a.type == Type::zero) return minus ? negated_value(b, span) : b;
@@ -105,7 +106,7 @@ TexValue multiplied(TexValue a, const TexValue& b, SourceSpan span) {
     return tensor_value(std::move(product), span);
   }
   if (a.is_vector() && b.is_vector())
-    throw TexFault(span, "which product of two vectors?", "write \\cdot or \\times between them");
+    throw TexKindFault(span, "which product of two vectors?", "write \\cdot or \\times between them");
   const bool zeros = a.type == Type::zero && b.type == Type::zero;
   const Type type = a.is_vector() || b.is_vector() ? Type::vector : zeros ? Type::zero : Type::scalar;
   if (a.level == Level::sum) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/tex_equation.h"
+#include "lessons/notation/tex_equation.h"
 
 #include "lessons/claims/proof.h"
 #include "lessons/reader/claim_check.h"

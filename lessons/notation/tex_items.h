@@ -18,6 +18,10 @@ struct TexFault : std::runtime_error {
   SourceSpan place;
   std::string hint;
 };
+/// What is wrong is that vectors, numbers and tensors do not go together.
+struct TexKindFault : TexFault {
+  using TexFault::TexFault;
+};
 
 struct TexItem {
   enum class Kind {

@@ -125,6 +125,7 @@ struct ReadEquation {
 struct UnreadableEquation {
   SourceSpan place;  ///< bytes of the TeX
   std::string reason, hint;
+  bool of_kinds = false;  ///< vectors, numbers and tensors do not go together
 };
 
 /// Brackets nest at most so deep, and a formula has at most so many factors once its sums are written out.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/tex_equation.h"
+#include "lessons/notation/tex_equation.h"
 
 #include "lessons/claims/expression_names.h"
-#include "lessons/reader/tex_terms.h"
+#include "lessons/notation/tex_terms.h"
 
 #include <algorithm>
 #include <array>
@@ -409,7 +409,7 @@ class EquationReader {
         const TexValue e = unit_vector(axis, span);
         const auto column = [&](const TexValue& side) {
           if (side.type == TexValue::Type::zero) return side;
-          if (!side.is_tensor()) throw TexFault(span, "a tensor and something else cannot be equal");
+          if (!side.is_tensor()) throw TexKindFault(span, "a tensor and something else cannot be equal");
           return applied(*side.tensor, e, span);
         };
         push(sentence, column(left), column(right), span);
@@ -427,8 +427,8 @@ class EquationReader {
       throw TexFault(span, "a formula states at most " + std::to_string(kMaxEquationLinks) + " equalities");
     EquationLink link{{side_of(left, right), side_of(right, left)}, span};
     if (!fit(link.equality.left.type(), link.equality.right.type()))
-      throw TexFault(span, std::string(name_of(link.equality.left.type())) + " and " +
-                               std::string(name_of(link.equality.right.type())) + " cannot be equal");
+      throw TexKindFault(span, std::string(name_of(link.equality.left.type())) + " and " +
+                                   std::string(name_of(link.equality.right.type())) + " cannot be equal");
     sentence.links.push_back(std::move(link));
   }
 
@@ -459,6 +459,8 @@ Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const E
   try {
     if (!math.root) return Failure<UnreadableEquation>{{{}, "there is no formula here", ""}};
     return EquationReader(math, notation, above).read();
+  } catch (const TexKindFault& fault) {
+    return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint, true}};
   } catch (const TexFault& fault) {
     return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint}};
   }
