@@ -225,8 +225,6 @@ std::optional<Dimension> dimension_of_unit(std::string_view unit) {
 
 std::optional<ScaledUnit> scaled_unit(std::string_view unit) { return read_unit(unit, find_prefixed_unit); }
 
-bool counts_turns(std::string_view unit) { return unit.find("Hz") != unit.npos; }
-
 std::string to_string(const Dimension& dimension) {
   constexpr std::array<std::string_view, 3> kNames{"kg", "m", "s"};
   const auto with_power = [&](std::size_t i, double power) {

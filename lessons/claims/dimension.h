@@ -23,8 +23,6 @@ struct ScaledUnit {
   double size = 1;  ///< of SI units in it; of "deg" π/180
 };
 std::optional<ScaledUnit> scaled_unit(std::string_view unit);
-/// Whether it counts turns, as Hz does: a rate of radians has another.
-bool counts_turns(std::string_view unit);
 /// The names of these, for messages.
 inline constexpr std::string_view kUnitNames =
     "kg, g, m, s, N, J, W, Hz, rad, deg, ° with powers and prefixes";

@@ -77,17 +77,43 @@ void add_motion_words(Vocabulary& vocabulary, std::map<int, Dimension>& dimensio
   }
 }
 
-bool counts_radians(const Expression& expression) {
-  using Q = Quantity;
-  if (expression.uses(Operation::pi)) return false;
-  for (const Q rate : {Q::omega, Q::w1, Q::w2, Q::w3, Q::dw1, Q::dw2, Q::dw3})
-    if (expression.uses(rate)) return true;
+namespace {
+
+/// Whether a word for the motion, or a constant of a lesson, is in an expression, of this unit; of constants
+/// any.
+bool has_word_in(const Expression& expression, std::string_view unit) {
   return std::any_of(expression.nodes.begin(), expression.nodes.end(), [&](const ExpressionNode& node) {
-    if (!is_motion_word(node)) return false;
+    if (node.operation != Operation::constant) return false;
+    if (!is_motion_word(node)) return true;
     const std::string& name = (*expression.constants)[static_cast<std::size_t>(node.integer)];
     return std::any_of(kWords.begin(), kWords.end(),
-                       [&](const MotionWord& word) { return word.name == name && word.unit == "rad/s"; });
+                       [&](const MotionWord& word) { return word.name == name && word.unit == unit; });
   });
+}
+
+bool has_spin(const Expression& expression) {
+  using Q = Quantity;
+  for (const Q rate : {Q::omega, Q::w1, Q::w2, Q::w3, Q::dw1, Q::dw2, Q::dw3})
+    if (expression.uses(rate)) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string why_not_in(const Expression& expression, std::string_view unit) {
+  const bool has_pi = expression.uses(Operation::pi);
+  const bool is_angle = expression.uses(Operation::acos) || expression.uses(Operation::atan2);
+  if (unit.find("Hz") != unit.npos && !has_pi && !has_word_in(expression, "s"))
+    return "a rate of radians is in rad/s; turns per second are that by 2*pi, in Hz";
+  const bool in_degrees = unit.find("deg") != unit.npos || unit.find("°") != unit.npos;
+  if (!in_degrees) return "";
+  const bool of_rate = unit.find("/s") != unit.npos;
+  const bool is_alone = unit == "deg" || unit == "°" || unit == "deg/s" || unit == "°/s" || unit == "deg/s²";
+  const bool has_turned = is_angle || has_pi || has_word_in(expression, of_rate ? "rad/s" : "rad") ||
+                          (of_rate && has_spin(expression));
+  return is_alone && has_turned
+             ? ""
+             : "this is no angle, and degrees are of angles: acos(…), atan2(…), or rates in deg/s";
 }
 
 bool has_motion_words(const Expression& expression) {

@@ -36,10 +36,9 @@ std::span<const MotionWord> motion_words();
 /// Adds those words that the lesson has not itself; `dimensions` are those of constants, by their numbers.
 void add_motion_words(Vocabulary& vocabulary, std::map<int, Dimension>& dimensions);
 
-/// Whether a number comes from radians per second: it has ω in it, or a rate of precession, and no pi.
-bool counts_radians(const Expression& expression);
-inline constexpr std::string_view kRadiansOrTurns =
-    "a rate of radians is in rad/s; turns per second are that by 2*pi, in Hz";
+/// Why a number of this dimension is none of this unit: Hz counts turns, and degrees are of angles. Empty if
+/// it may be.
+std::string why_not_in(const Expression& expression, std::string_view unit);
 
 /// Whether an expression speaks of a motion as a whole.
 bool has_motion_words(const Expression& expression);

@@ -225,6 +225,14 @@ Judgement judge_implication(const ClaimLine& line, ClaimKind kind, const Prover&
 }
 
 Judgement judge_inference(const ClaimLine& line, const Prover& prover, const Given& given) {
+  const auto order = [](const Equality& equality) {
+    return std::max(equality.left.order(), equality.right.order());
+  };
+  if (order(*line.conclusion) > std::max(1, order(line.equality)))
+    return {Verdict::undecided,
+            "this asks for a rate of what the premise is about: of what holds all the time it would follow",
+            "let the conclusion have no more derivatives than the premise",
+            {}};
   Judgement judgement;
   judgement.counterexample = prover.refute_inference(line.equality, *line.conclusion, given);
   if (judgement.counterexample) return judgement;

@@ -24,6 +24,11 @@ bool is_symbol(const TexItem& item, char32_t c) {
          item.sub == nullptr && item.sup == nullptr;
 }
 
+bool is_digit_item(const TexItem& item) {
+  return item.kind == ItemKind::operand && item.node->kind == Kind::symbol && item.node->character >= U'0' &&
+         item.node->character <= U'9';
+}
+
 std::string words_of(const TexItem& item) {
   const std::string& text = item.node->text;
   const std::size_t begin = text.find_first_not_of(' ');
@@ -66,6 +71,7 @@ class EquationReader {
         items_(formula_items(*math.root, kMaxEquationNesting)) {
     if (above != nullptr && above->root && !items_.empty() &&
         (items_.front().is(ItemKind::relation, U'=') || items_.front().is(ItemKind::relation, U'≈'))) {
+      if (has_proved_part(*above->root)) throw_above("of that formula only a part is read");
       go_on_with(formula_items(*above->root, kMaxEquationNesting), !above->live.empty());
       above_root_ = above->root.get();
     }
@@ -185,6 +191,10 @@ class EquationReader {
       const bool does_not_follow = (words && words_of(item) == "does not give") ||
                                    item.is(ItemKind::relation, U'⇏') || item.is(ItemKind::relation, U'↛');
       const bool colon = item.is(ItemKind::relation, U':');
+      if (item.kind == ItemKind::comma && i > begin && i + 1 < items.size() && is_digit_item(items[i - 1]) &&
+          is_digit_item(items[i + 1]))
+        throw TexFault(item.span, "a number has a point",
+                       "write 0.5; equations are parted by a comma and \\quad");
       if (item.kind != ItemKind::comma && item.kind != ItemKind::line && !is_and && !does_not_follow &&
           !colon && !is_implication(item))
         continue;
@@ -242,9 +252,13 @@ class EquationReader {
 
   /// i = 1, 2, 3, or {i, j, k} = {1, 2, 3}: all permutations.
   bool read_range(Items items) {
-    const auto letter = [](const TexItem& item) {
-      for (const char32_t c : {U'i', U'j', U'k', U'l'})
-        if (is_symbol(item, c)) return c;
+    const auto letter = [this](const TexItem& item) {
+      for (const char32_t c : {U'i', U'j', U'k', U'l'}) {
+        if (!is_symbol(item, c)) continue;
+        if (terms_.is_redefined(item))
+          throw TexFault(item.span, "this index is a symbol of the lesson", "take another letter");
+        return c;
+      }
       return U'\0';
     };
     const auto is_list = [](Items list, const auto& fits) {
@@ -262,7 +276,7 @@ class EquationReader {
       return true;
     }
     const auto is_set = [](const TexItem& item) { return item.kind == ItemKind::group && item.open == U'{'; };
-    const auto is_letter = [&](const TexItem& item, std::size_t) { return letter(item) != 0; };
+    const auto is_letter = [&letter](const TexItem& item, std::size_t) { return letter(item) != 0; };
     if (items.size() != 3 || !is_set(items[0]) || !items[1].is(ItemKind::relation, U'=') ||
         !is_set(items[2]) || !is_list(items[0].inside, is_letter) || !is_list(items[2].inside, is_digit))
       return false;
@@ -337,6 +351,7 @@ class EquationReader {
     EquationSentence read;
     read.joint = sentence.joint;
     read.is_no_torque = sentence.is_premise && is_no_torque(sentence.items);
+    result_.has_condition = result_.has_condition || read.is_no_torque;
     read.source = joined_span(sentence.items.front().span, sentence.items.back().span);
     std::vector<std::pair<TexValue, TexValue>> labels;
     terms_.labels = &labels;
@@ -555,6 +570,24 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
     return refuse(whole, "\"tempting:\" stands before what is false", "the kind is false");
   if (equation.without_torque && kind != ClaimKind::free && kind != ClaimKind::is_false)
     return refuse(whole, "the condition says that there is no torque", "the kind is free");
+  // Of "A => B => C" the first arrow would be nobody's claim.
+  for (std::size_t i = 2; i < equation.sentences.size(); ++i)
+    if (equation.sentences[i].joint == EquationSentence::Joint::follows)
+      return refuse(equation.sentences[i].source, "what follows from what here?",
+                    "write A = B \\Rightarrow C = D, and nothing else, in a formula of its own");
+  const bool follows_somewhere = std::any_of(
+      equation.sentences.begin(), equation.sentences.end(),
+      [](const EquationSentence& sentence) { return sentence.joint == EquationSentence::Joint::follows; });
+  const auto is_number = [](const EquationLink& link) { return link.is_number; };
+  for (const EquationSentence& sentence : equation.sentences) {
+    if (std::none_of(sentence.links.begin(), sentence.links.end(), is_number)) continue;
+    if (equation.has_condition || follows_somewhere)
+      return refuse(sentence.source, "a computed number is of one motion, and this is said under a condition",
+                    "let the number end a formula without one");
+    if (std::all_of(sentence.links.begin(), sentence.links.end(), is_number))
+      return refuse(sentence.source, "only a computed number stands here: of this body and motion, no law",
+                    "leave out the kind, and nothing is called proved");
+  }
   const bool orders =
       std::any_of(equation.sentences.begin(), equation.sentences.end(), [](const EquationSentence& sentence) {
         return std::any_of(sentence.links.begin(), sentence.links.end(),
@@ -562,14 +595,6 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
       });
   if (orders && (kind == ClaimKind::measured || kind == ClaimKind::non_sequitur))
     return refuse(whole, "an inequality is not of this kind", "the kind is identity, motion, free or false");
-  const bool only_numbers =
-      std::all_of(equation.sentences.begin(), equation.sentences.end(), [](const EquationSentence& sentence) {
-        return std::all_of(sentence.links.begin(), sentence.links.end(),
-                           [](const EquationLink& link) { return link.is_number; });
-      });
-  if (only_numbers)
-    return refuse(whole, "only a computed number stands here: of this body and motion, no law",
-                  "leave out the kind, and nothing is called proved");
   std::vector<ClaimLine> lines;
   const bool infers =
       std::any_of(equation.sentences.begin(), equation.sentences.end(),

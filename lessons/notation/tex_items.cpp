@@ -161,6 +161,8 @@ class Flattening {
     for (const MathNode* script : {sub, sup})
       if (script != nullptr && nucleus_of(*script).kind == Kind::cancel)
         throw TexFault(script->span, "an index or power that is struck out is not read");
+    if (nucleus.kind == Kind::brace && sub != nullptr && sup != nullptr)
+      throw TexFault(sup->span, "what is raised by this, the brace or what it holds?", "write brackets");
     if (nucleus.kind == Kind::brace) return push_brace(nucleus, node, sub != nullptr ? sub : sup, struck);
     if (nucleus.kind == Kind::row && nucleus.children.empty())
       throw TexFault(node.span, "this index or power stands at nothing");

@@ -507,7 +507,8 @@ TexValue TexTerms::big_sum(Items items, std::size_t& at) {
   if (index == 0)
     throw TexFault(sign.span, "only sums over the axes are read",
                    "\\sum_i or \\sum_{i=1}^{3}, with i, j, k or l");
-  if (indices.contains(index)) throw TexFault(sign.span, "this index stands for something already");
+  if (indices.contains(index) || is_redefined(below[0]))
+    throw TexFault(sign.span, "this index stands for something already", "take another letter");
   const Items rest = items.subspan(at + 1);
   if (rest.empty()) throw TexFault(sign.span, "the sum of what?");
   const auto is_times = [](const TexItem& item) { return item.kind == ItemKind::times; };
@@ -542,11 +543,18 @@ TexValue TexTerms::trace(Items items, std::size_t& at) {
 }
 
 /// \cos\theta, \cos^2\theta, \cos(a + b): of one letter, or what stands in brackets.
+namespace {
+bool is_digit_two(const MathNode& node) { return node.kind == Kind::symbol && node.character == U'2'; }
+}  // namespace
+
 TexValue TexTerms::function(Items items, std::size_t& at) {
   const TexItem& word = items[at++];
   if (is_conditioned()) throw TexFault(word.span, "functions are not read under a condition on ω");
   if (word.sub != nullptr || at == items.size())
     throw TexFault(word.span, in_quotes(word.node->text) + " of what?");
+  if (word.sup != nullptr && !is_digit_two(plain_node(*word.sup)))
+    throw TexFault(word.span, "this power of a function is not read: some take it for its inverse",
+                   "of functions only the square is read, \\cos^2\\theta; else write brackets");
   const bool is_group = items[at].kind == ItemKind::group && items[at].open == U'(' && is_plain(items[at]);
   const bool is_sized = !is_group && items[at].kind == ItemKind::operand && is_digit(items[at]);
   const Factor of = factor(items, at);
@@ -986,6 +994,7 @@ TexValue TexTerms::raised_by(TexValue base, const TexItem& item, bool took_sub, 
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
   if (digits.empty() || read.ec != std::errc() || exponent > kMaxExponent)
     throw TexFault(item.sup->span, "an exponent is a whole number, at most " + std::to_string(kMaxExponent));
+  if (exponent == 0) throw TexFault(item.sup->span, "the power 0 of what may be 0 is not read", "write 1");
   return raised(base, negative ? -exponent : exponent, item.span);
 }
 

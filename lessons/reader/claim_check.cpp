@@ -7,6 +7,7 @@
 #include "lessons/derivation/derivation.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/reader/lint_budget.h"
+#include "render/typeset/math/tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -84,18 +85,29 @@ class ClaimCheck {
   void check(const Other&, const Step&) {}
 
   void check(const Equation& equation, const Step& step) {
+    if (equation.math.live.empty() || !step.scene) return;
     const auto at = std::find(equations_.begin(), equations_.end(), &equation);
     const Math* above =
         at == equations_.begin() || at == equations_.end() ? nullptr : &(*std::prev(at))->math;
-    const bool is_proved = std::any_of(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
-      const auto* claim = std::get_if<Claim>(&block);
-      return claim != nullptr && claim->equation == equation.id && claim->origin == Claim::Origin::formula;
-    });
+    const Claim* proved = nullptr;
+    for (const Claim* claim : blocks_of<Claim>(step))
+      if (claim->equation == equation.id && claim->origin == Claim::Origin::formula) proved = claim;
+    // What does not hold, or not of this motion, is said of the claim.
+    if (proved != nullptr && (!holds(*proved) || (proved->kind == ClaimKind::free && !step.scene->torque.empty())))
+      return;
+    const bool is_proved = proved != nullptr;
     check_what_numbers_say(equation.math, above, step, is_proved);
+  }
+
+  static bool holds(const Claim& claim) {
+    return std::all_of(claim.lines.begin(), claim.lines.end(), [](const ClaimLine& line) {
+      return line.judgement && line.judgement->verdict == Verdict::holds;
+    });
   }
 
   void check(const Prose& prose, const Step& step) { check_formulas_in(prose.text, step); }
   void check(const Callout& callout, const Step& step) { check_formulas_in(callout.text, step); }
+  void check(const Footnote& note, const Step& step) { check_formulas_in(note.text, step); }
 
   void check_formulas_in(const RichText& text, const Step& step) {
     for_each_span(text,
@@ -109,9 +121,11 @@ class ClaimCheck {
     const auto read = read_equation(math, lesson_.notation, above);
     if (!read) return;
     std::vector<const EquationLink*> links;
-    for (const EquationSentence& sentence : read->sentences)
-      for (const EquationLink& link : sentence.links)
-        if (link.is_number && !(is_proved && link.relation == Relation::equal)) links.push_back(&link);
+    for (const EquationSentence& sentence : read->sentences) {
+      const auto is_number = [](const EquationLink& link) { return link.is_number; };
+      if (std::any_of(sentence.links.begin(), sentence.links.end(), is_number))
+        for (const EquationLink& link : sentence.links) links.push_back(&link);
+    }
     const SceneModel* model = links.empty() ? nullptr : model_of(step);
     if (model == nullptr) return;
     const bool is_typed =
@@ -125,8 +139,13 @@ class ClaimCheck {
         ClaimLine line;
         line.equality = link->equality;
         const auto value = live_value(line, *live, View::space);
-        if (!value || agree(*value, link->relation)) continue;
+        if (value && agree(*value, link->relation, is_proved)) continue;
         const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(math.live.front().id)];
+        if (!value) {
+          if (i < 0 && link->is_number && is_proved)
+            report_.error(number.place, "what this number stands behind has no value on the scene's motion");
+          continue;
+        }
         report_.error(number.place,
                       "this is not the number of what it stands behind: at t = " + digits(t_s, 3) +
                           " s that is " + digits(value->left[0], kDigitsOfHint) + ", and this " +
@@ -139,13 +158,15 @@ class ClaimCheck {
     }
   }
 
-  /// As = or ≈ says.
-  static bool agree(const LiveValue& value, Relation relation) {
+  /// As = or ≈ says. What is proved differs only where a method errs: then the number is not what it should
+  /// be.
+  static bool agree(const LiveValue& value, Relation relation, bool is_proved) {
     const double l = value.left[0], r = value.right[0];
     if (relation == Relation::approximate)
       return std::abs(l - r) <= kSmallOnMotion * std::max(std::abs(l), std::abs(r));
-    constexpr double kRounding = 1e-9;
-    return value.residual <= std::max(value.tolerance, kRounding);
+    if (is_order(relation)) return true;
+    constexpr double kRounding = 1e-9, kShown = 1e-3;
+    return value.residual <= (is_proved ? kShown : std::max(value.tolerance, kRounding));
   }
 
   void check(const Ask& ask, const Step&) {
@@ -185,7 +206,10 @@ class ClaimCheck {
     if (!step.scene) return;
     const std::vector<const Scene*> shown = shown_scenes(*step.scene);
     const RichText* first = caption_of(step, step.scene->before);
-    if (first != nullptr) check_numbers(numbers_in(*first), step);
+    if (first != nullptr) {
+      check_numbers(numbers_in(*first), step);
+      check_formulas_in(*first, step);
+    }
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const RichText* caption = caption_of(step, i);
       const std::vector<int> ids =
@@ -256,7 +280,8 @@ class ClaimCheck {
     const Torque& torque = step.scene->torque;
     const auto is_sink = [](const TorqueTerm& term) { return std::holds_alternative<EnergySink>(term); };
     const bool has_sink = std::any_of(torque.begin(), torque.end(), is_sink);
-    if ((claim.kind == ClaimKind::free && !torque.empty()) || (claim.kind == ClaimKind::motion && has_sink)) {
+    const bool is_of_rigid_body = claim.kind == ClaimKind::motion || claim.kind == ClaimKind::law;
+    if ((claim.kind == ClaimKind::free && !torque.empty()) || (is_of_rigid_body && has_sink)) {
       report_.error(
           claim.place,
           claim.kind == ClaimKind::free
@@ -309,8 +334,20 @@ class ClaimCheck {
     const auto read = read_equation((*named)->math, lesson_.notation, above);
     if (read)
       compare(claim, *read);
+    else if (says_no_equality(*(*named)->math.root))
+      report_.warning(claim.place, "the formula has a sign that no claim stands for",
+                      "claim what = < > \\le \\ge or \\approx says, and write the formula so");
     else if (!claim.in_other_words)
       compare_letters(claim, (*named)->math);
+  }
+
+  /// Whether it has ≠, ≡, → or another relation of which nothing is proved.
+  static bool says_no_equality(const MathNode& node) {
+    if (node.kind == MathNode::Kind::cancel && node.character == U'n') return true;
+    const bool is_relation = node.kind == MathNode::Kind::symbol && node.atom == MathClass::relation;
+    if (is_relation && std::u32string_view(U"=<>≤≥⩽⩾≈:⇒⟹⇏").find(node.character) == std::u32string_view::npos)
+      return true;
+    return std::any_of(node.children.begin(), node.children.end(), says_no_equality);
   }
 
   void compare(const Claim& claim, const ReadEquation& formula) {
@@ -330,6 +367,8 @@ class ClaimCheck {
       if (claimed.size() == before && !claim.in_other_words)
         report_.warning(line.place, "the formula does not say this", as_printed);
     }
+    if (claimed.empty() && claim.in_other_words)
+      report_.warning(claim.place, "the formula can be read, and says something else", as_printed);
     if (claimed.size() == links.size())
       report_.warning(claim.place, "the formula itself can be proved, as it is printed", as_printed);
     else if (!claimed.empty())
@@ -390,6 +429,12 @@ class ClaimCheck {
       if (!live || holds_on(claim.given, *live)) continue;
       report_.error(line.place, "this is measured on a motion on which what is given does not hold",
                     "show a body and a torque of which it does, or leave out \"given\"");
+      return;
+    }
+    constexpr double kLeastTurn_rad = 0.01;
+    if (model->span_s * model->scene.w0_B.norm() < kLeastTurn_rad) {
+      report_.error(line.place, "this measures nothing: the motion lasts " + digits(model->span_s, 3) + " s",
+                    "give the scene a longer duration");
       return;
     }
     const auto measured = measure(line.equality, line.within, *model, claim.given);

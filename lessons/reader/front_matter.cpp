@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/front_matter.h"
 
+#include "base/numbers.h"
 #include "base/spelling.h"
 #include "lessons/claims/expression_names.h"
+#include "lessons/claims/motion_words.h"
 #include "physics/body/bodies.h"
 #include "physics/body/pivot.h"
 #include "render/typeset/math/tree.h"
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -216,6 +219,49 @@ std::string without_macros(const std::string& tex) { return parse_math(tex) ? te
 /// The tables whose entries say what letters are.
 enum class SymbolTable { constants, define, symbols };
 
+/// The value of a cosine that none can have, made of numbers and constants alone.
+std::optional<double> angle_without_cosine(const Expression& expression) {
+  std::vector<std::optional<double>> values;
+  for (const ExpressionNode& n : expression.nodes) {
+    const auto value = [&](int index) {
+      return index < 0 ? std::optional(0.0) : values[static_cast<std::size_t>(index)];
+    };
+    const auto a = value(n.a), b = value(n.b);
+    values.emplace_back();
+    if (!a || !b) continue;
+    switch (n.operation) {
+      case Operation::number:
+      case Operation::constant:
+        values.back() = n.number.value;
+        break;
+      case Operation::negate:
+        values.back() = -*a;
+        break;
+      case Operation::add:
+        values.back() = *a + *b;
+        break;
+      case Operation::subtract:
+        values.back() = *a - *b;
+        break;
+      case Operation::multiply:
+        values.back() = *a * *b;
+        break;
+      case Operation::divide:
+        values.back() = *a / *b;
+        break;
+      case Operation::power:
+        values.back() = std::pow(*a, n.integer);
+        break;
+      case Operation::acos:
+        if (std::abs(*a) > 1) return a;
+        break;
+      default:
+        break;
+    }
+  }
+  return std::nullopt;
+}
+
 /// An expression of the language of claims, which is known by the symbol's name from now on, or a tensor's
 /// name.
 void read_meaning(const TomlEntry& entry, const std::string& name, Symbol& symbol, FrontMatter& front,
@@ -243,6 +289,11 @@ void read_meaning(const TomlEntry& entry, const std::string& name, Symbol& symbo
                  "written out, the definitions of a lesson have at most " + std::to_string(kMaxDefinedParts) +
                      " parts",
                  "definitions in definitions grow quickly");
+    return;
+  }
+  if (const auto beyond = angle_without_cosine(*expression)) {
+    report.error(entry.value.place, "there is no such angle: this is acos(" + digits(*beyond, 4) + ")",
+                 "a cosine lies between -1 and 1");
     return;
   }
   symbol.means = *text;
@@ -290,6 +341,14 @@ void check_unit(const TomlEntry& entry, FrontMatter& front, Report& report) {
   const auto unit = text == nullptr ? std::nullopt : dimension_of_unit(*text);
   const QuantityFacts* quantity = find_quantity(entry.key);
   const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
+  // Their numbers are those of SI everywhere: 0.3 kg, never 300 g.
+  const auto scaled = text == nullptr ? std::nullopt : scaled_unit(*text);
+  if (scaled && scaled->size != 1) {
+    report.error(unit_entry->value.place,
+                 "the unit of " + in_quotes(entry.key) + " is one of SI, " + in_quotes(*text) + " is none",
+                 "numbers are shown in other units by \\live[unit=…], plots by their \"unit\"");
+    return;
+  }
   std::optional<Dimension> known;
   if (const auto constant = word == nullptr ? std::nullopt : word->constant()) {
     if (unit) front.dimensions.insert_or_assign(constant->first, *unit);
@@ -304,10 +363,10 @@ void check_unit(const TomlEntry& entry, FrontMatter& front, Report& report) {
   } else if (quantity != nullptr && table != nullptr && table->find("means") == nullptr) {
     known = quantity->dimension;
   }
-  const bool is_rate = word != nullptr ? counts_radians(word->means)
-                                       : quantity != nullptr && quantity->dimension == Dimension{0, 0, -1};
-  if (unit && counts_turns(*text) && is_rate)
-    report.error(unit_entry->value.place, std::string(kRadiansOrTurns));
+  static const Expression kOfNothing = zero_expression();
+  const std::string why = unit ? why_not_in(word != nullptr ? word->means : kOfNothing, *text) : "";
+  if (!why.empty())
+    report.error(unit_entry->value.place, why);
   else if (unit && known && *unit != *known)
     report.error(unit_entry->value.place, "units disagree: " + in_quotes(entry.key) + " is in " +
                                               to_string(*known) + ", and this is " + to_string(*unit));
@@ -384,7 +443,7 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
 
 /// Indices, alone or below a letter, the letters of d/dt, signs, and letters that look like Latin ones.
 bool is_sign_of_language(const std::string& tex) {
-  if (tex == "\\pi") return true;
+  if (tex == "\\pi" || tex == "\\omega") return true;
   static const std::set<std::string> kSigns = {"i", "j", "k", "l", "d", "t", "=", "+", "-",
                                                ",", ";", "(", ")", "[", "]", "/", "|", ":"};
   if (kSigns.contains(tex)) return true;
@@ -413,6 +472,16 @@ std::optional<std::string> built_in_meaning(const std::string& tex, const FrontM
   return read->sentences.front().links.front().equality.left.text;
 }
 
+/// Latin, Greek and script letters: what else stands in formulas has a meaning there.
+bool is_letter(char32_t c) {
+  return (c >= U'A' && c <= U'Z') || (c >= U'a' && c <= U'z') || (c >= 0x370 && c <= 0x3FF) ||
+         (c >= 0x2100 && c <= 0x214F);
+}
+
+bool is_index_letter(const MathNode& node) {
+  return node.kind == MathNode::Kind::symbol && node.character >= U'i' && node.character <= U'l';
+}
+
 /// What nobody would notice in an index.
 bool is_stop(char32_t character) {
   return std::u32string_view(U",.;:!'`·").find(character) != std::u32string_view::npos;
@@ -437,8 +506,11 @@ bool is_plain_symbol(const MathNode& node, bool is_index = false) {
   };
   switch (node.kind) {
     case Kind::symbol:
-      return !is_index || !is_stop(node.character);
+      return is_index ? !is_stop(node.character) : is_letter(node.character);
     case Kind::row:
+      // An i beside other indices is one of a sum.
+      if (is_index && std::any_of(node.children.begin(), node.children.end(), is_index_letter)) return false;
+      return !node.children.empty() && are_plain(is_index);
     case Kind::alphabet:
       return !node.children.empty() && are_plain(is_index);
     case Kind::accent:
@@ -476,7 +548,11 @@ std::optional<std::string> meaning_by_others(const std::string& name, const std:
 /// A symbol that means something is one that means nothing else: neither a quantity, nor a number or product
 /// of them, nor an index, nor the d and t of d/dt, nor another symbol.
 void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& front, TextReader& texts) {
+  // Upright or slanted, wide or narrow: nobody tells them apart.
   const auto key_of = [](std::string tex) {
+    for (const std::string_view looks_alike : {"\\mathit", "\\mathrm", "\\mathnormal", "\\text", "\\textit"})
+      for (std::size_t at; (at = tex.find(looks_alike)) != tex.npos;) tex.erase(at, looks_alike.size());
+    for (std::size_t at; (at = tex.find("\\wide")) != tex.npos;) tex.erase(at + 1, 4);
     std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
     return tex;
   };

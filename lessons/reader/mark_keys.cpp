@@ -151,7 +151,13 @@ class MarkReader {
   RichText take() { return std::move(written_); }
 
  private:
-  void add(RichText text) { std::move(text.begin(), text.end(), std::back_inserter(written_)); }
+  void add(RichText text) {
+    for_each_span(text, [this](const TextSpan& span) {
+      if (!span.math.live.empty())
+        report_.error(texts_.source().place_of(span.source.begin), std::string(kNoNumbersHere));
+    });
+    std::move(text.begin(), text.end(), std::back_inserter(written_));
+  }
 
   Kind kind_;
   const SceneWords& words_;

@@ -10,6 +10,10 @@
 
 namespace polhode {
 
+/// Of names in figures, whose size is that of their first picture.
+inline constexpr std::string_view kNoNumbersHere =
+    "computed numbers stand in texts, formulas and captions, not in marks and plots";
+
 inline constexpr int kMaxNoteCharacters = 60;
 
 /// Each puts its list into `marks`; what is wrong in it is reported and left out. Nothing is changed where

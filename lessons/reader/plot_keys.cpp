@@ -4,8 +4,10 @@
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/claims/expression_tex.h"
+#include "lessons/claims/motion_words.h"
 #include "lessons/claims/scene_quantities.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/mark_keys.h"
 #include "lessons/reader/toml_text.h"
 #include "render/typeset/math/tree.h"
 
@@ -74,7 +76,7 @@ class PlotReader {
     }
     OwnPlot own;
     Measure y, x;
-    in_radians_ = false;
+    curves_.clear();
     if (plot != nullptr) y = read_curves(*plot, own);
     if (curve != nullptr) y = read_function(*curve, table, own, x);
     if (const TomlEntry* against = table.find("against"); against != nullptr && plot != nullptr)
@@ -84,7 +86,7 @@ class PlotReader {
                                  {"tex", [&](const TomlEntry& e) { read_tex(e, own); }},
                                  {"range", [&](const TomlEntry& e) { read_range(e, own); }},
                                  {"unit", [&](const TomlEntry& e) {
-                                    read_unit(e, {y, in_radians_}, own.y);
+                                    read_unit(e, {y, curves_}, own.y);
                                   }}};
     for (const char* key : {"plot", "against"})
       if (plot != nullptr) keys.push_back({key, done});
@@ -130,7 +132,7 @@ class PlotReader {
         common = read->dimension;
         own.y = {read->quantity.unit, 1};
       }
-      in_radians_ = in_radians_ || read->in_radians;
+      curves_.push_back(read->expression);
       own.curves.push_back(std::move(read->quantity));
     }
     return common;
@@ -170,7 +172,8 @@ class PlotReader {
     auto read = text ? read_scalar({*text, of->value.place}) : std::nullopt;
     if (!read) return std::nullopt;
     unit = {read->quantity.unit, 1};
-    if (const TomlEntry* own = table.find("unit")) read_unit(*own, {read->dimension, read->in_radians}, unit);
+    if (const TomlEntry* own = table.find("unit"))
+      read_unit(*own, {read->dimension, {read->expression}}, unit);
     return read;
   }
 
@@ -321,7 +324,10 @@ class PlotReader {
                                            std::to_string(kMaxTitleCharacters) + " characters, found " +
                                            std::to_string(count_characters(*text)));
     } else {
-      texts_.caption(located_string(texts_.source(), entry.value.place, *text));
+      const RichText title = texts_.caption(located_string(texts_.source(), entry.value.place, *text));
+      for_each_span(title, [&](const TextSpan& span) {
+        if (!span.math.live.empty()) report_.error(entry.value.place, std::string(kNoNumbersHere));
+      });
       own.title = *text;
     }
   }
@@ -336,7 +342,9 @@ class PlotReader {
                                            ", and " + std::to_string(list->size()) + " names");
     for (const PlacedText& name : *list) {
       const LocatedText located = located_string(texts_.source(), name.place, name.text);
-      if (!texts_.formula(located)) continue;
+      const auto formula = texts_.formula(located);
+      if (!formula) continue;
+      if (!formula->live.empty()) report_.error(name.place, std::string(kNoNumbersHere));
       if (!parse_math(name.text))
         report_.error(name.place, "macros cannot be used in the names of curves", "write them out");
       own.tex.push_back(name.text);
@@ -361,26 +369,27 @@ class PlotReader {
 
   struct Measured {
     Measure dimension;
-    bool in_radians = false;  ///< per second
+    std::vector<Expression> quantities;
   };
 
   void read_unit(const TomlEntry& entry, const Measured& of, PlotUnit& unit) {
     const auto text = read_text(entry, report_);
     if (!text) return;
     const auto scaled = scaled_unit(*text);
+    for (const Expression& quantity : of.quantities)
+      if (const std::string why = why_not_in(quantity, *text); scaled && !why.empty())
+        return report_.error(entry.value.place, why);
     if (!scaled)
       report_.error(entry.value.place, "unknown unit " + in_quotes(*text),
                     "units are kg g m s N J W Hz rad deg, with powers and prefixes: \"mJ\", \"deg/s\"");
     else if (of.dimension && scaled->dimension != *of.dimension)
       report_.error(entry.value.place, "units disagree: this is in " + to_string(*of.dimension) +
                                            ", not in " + in_quotes(*text));
-    else if (of.in_radians && counts_turns(*text))
-      report_.error(entry.value.place, std::string(kRadiansOrTurns));
     else
       unit = {*text == "1" ? "" : *text, 1 / scaled->size};
   }
 
-  bool in_radians_ = false;  ///< a curve of the plot that is read is a rate of radians
+  std::vector<Expression> curves_;  ///< of the plot that is read
   const SceneWords& words_;
   TextReader& texts_;
   Report& report_;

@@ -4,7 +4,6 @@
 #include "base/spelling.h"
 #include "lessons/claims/expression_names.h"
 #include "lessons/claims/expression_tex.h"
-#include "lessons/claims/motion_words.h"
 #include "lessons/claims/scene_quantities.h"
 #include "lessons/diagnostics/source_text.h"
 
@@ -141,10 +140,10 @@ std::optional<ReadQuantity> read_quantity(const PlacedText& text, const SceneWor
   }
   std::string tex = tex_of(*expression, words.vocabulary), role = role_of(*expression, words),
               unit = reading.dimension ? unit_of(*expression, *reading.dimension, words) : "";
-  const bool in_radians = counts_radians(*expression);
+  Expression written = *expression;
   return ReadQuantity{
       scene_quantity(std::move(*expression), std::move(tex), std::move(unit), std::move(role)),
-      reading.dimension, in_radians};
+      reading.dimension, std::move(written)};
 }
 
 }  // namespace polhode

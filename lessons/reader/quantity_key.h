@@ -27,7 +27,7 @@ struct SceneWords {
 struct ReadQuantity {
   SceneQuantity quantity;
   std::optional<Dimension> dimension;
-  bool in_radians = false;  ///< per second (counts_radians)
+  Expression expression;
 };
 
 /// Reads a scalar or vector of the lesson that any motion has: not h and k, which are any numbers. Its unit

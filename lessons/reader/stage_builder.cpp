@@ -2,6 +2,7 @@
 #include "lessons/reader/stage_builder.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/dimension.h"
 #include "lessons/claims/expression_tex.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/reader/ask_block.h"
@@ -13,6 +14,7 @@
 #include "lessons/reader/reader.h"
 #include "lessons/reader/varied_scene.h"
 #include "render/scene/model/scene_needs.h"
+#include "render/typeset/math/tree.h"
 
 #include <fmt/format.h>
 
@@ -94,18 +96,34 @@ void print_lines(Claim& claim, const Vocabulary& vocabulary) {
   for (ClaimLine& line : claim.lines) line.tex = tex_of(line, claim.kind, &vocabulary);
 }
 
-/// Whether a formula has no relation and no words: it is one side.
-bool states_nothing(std::string_view tex) {
-  if (tex.find_first_of("=<>") != tex.npos) return false;
-  static const std::set<std::string_view> kWords = {"ne",         "neq",     "le",     "leq",    "ge",
-                                                    "geq",        "to",      "approx", "sim",    "equiv",
-                                                    "Rightarrow", "implies", "iff",    "propto", "text"};
-  for (std::size_t at = tex.find('\\'); at != tex.npos; at = tex.find('\\', at + 1)) {
-    std::size_t end = at + 1;
-    while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end]))) ++end;
-    if (kWords.contains(tex.substr(at + 1, end - at - 1))) return false;
+/// Of different units nothing is added, and no sides are compared, but where that is what is false of a line.
+/// False, and a report, if a line does.
+bool check_units(const Claim& claim, const std::map<int, Dimension>& constants, Report& report) {
+  if (claim.kind == ClaimKind::is_false) return true;
+  for (const ClaimLine& line : claim.lines) {
+    for (const Equality* equality : {&line.equality, line.conclusion ? &*line.conclusion : nullptr}) {
+      if (equality == nullptr) continue;
+      const DimensionReading left = dimension_of(equality->left, constants),
+                             right = dimension_of(equality->right, constants);
+      const auto& fault = left.fault ? left.fault : right.fault;
+      const bool differ = left.dimension && right.dimension && *left.dimension != *right.dimension;
+      if (fault) report.error(line.place, fault->message);
+      if (!fault && differ)
+        report.error(line.place, "units disagree: the sides are " + to_string(*left.dimension) + " and " +
+                                     to_string(*right.dimension));
+      if (fault || differ) return false;
+    }
   }
   return true;
+}
+
+/// Whether a formula is a quantity alone, with which one below may go on: no relation, no words.
+bool states_nothing(const MathNode& node) {
+  using Kind = MathNode::Kind;
+  const bool is_word = node.kind == Kind::text && node.atom != MathClass::large;
+  if (node.atom == MathClass::relation || is_word || node.kind == Kind::arrow || node.kind == Kind::cancel)
+    return false;
+  return std::all_of(node.children.begin(), node.children.end(), states_nothing);
 }
 
 }  // namespace
@@ -443,7 +461,7 @@ void StageBuilder::add_math(const Fence& fence) {
   above_.reset();
   if (claim && claim->origin == Claim::Origin::formula && claim->kind != ClaimKind::non_sequitur)
     above_ = {equation.math, claim->kind, claim->given.names};
-  else if (fence.words.size() == 2 && states_nothing(equation.tex))
+  else if (fence.words.size() == 2 && equation.math.root && states_nothing(*equation.math.root))
     above_ = {equation.math, {}};
   step().blocks.push_back(std::move(equation));
   if (!claim) return;
@@ -487,7 +505,9 @@ std::optional<Claim> StageBuilder::claim_printed_in(const Equation& equation, co
   if (!lines) return refuse(lines.error());
   claim.lines = std::move(*lines);
   claim.origin = read->is_part ? Claim::Origin::part : Claim::Origin::formula;
-  if (!check_given(claim, report_) || !check_order(claim, report_)) return std::nullopt;
+  if (!check_given(claim, report_) || !check_order(claim, report_) ||
+      !check_units(claim, front_.dimensions, report_))
+    return std::nullopt;
   print_lines(claim, front_.notation.vocabulary);
   return claim;
 }
@@ -545,7 +565,9 @@ void StageBuilder::add_claim(const Fence& fence) {
   const Vocabulary& vocabulary = front_.notation.vocabulary;
   claim.lines = read_claim_lines(source_, fence.first_line, fence.last_line, *kind, report_, &vocabulary);
   parts_ += static_cast<int>(claim.lines.size());
-  if (!take_given(fence, claim) || !check_given(claim, report_) || !check_order(claim, report_)) return;
+  if (!take_given(fence, claim) || !check_given(claim, report_) || !check_order(claim, report_) ||
+      !check_units(claim, front_.dimensions, report_))
+    return;
   print_lines(claim, vocabulary);
   step().blocks.push_back(std::move(claim));
 }

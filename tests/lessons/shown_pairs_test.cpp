@@ -246,6 +246,8 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/poinsot-no-slip", [](const Now& s) { return Sides2(s.w().cross(s.w()), 0.0); }},
     {"euler-equations/poinsot-speed", [](const Now& s) { return Sides2(s.ddt_w().norm(), s.star_w().norm()); }},
 
+    {"intermediate-axis/no-torque-balance",
+     [](const Now& s) { return Sides2(-w_x_L(s) - s.times_I(s.star_w()), 0.0); }},
     {"intermediate-axis/small-second", [](const Now& s) {
        return Sides2(s.I()[1] * s.star_w()[1], (s.I()[2] - s.I()[0]) * s.w()[2] * s.w()[0]); }},
     {"intermediate-axis/growth-product", [](const Now& s) {

@@ -2,6 +2,7 @@
 #include "lessons/reader/markdown/inline_text.h"
 
 #include "base/spelling.h"
+#include "lessons/claims/motion_words.h"
 #include "lessons/reader/markdown/heading.h"
 #include "lessons/reader/markdown/inline_marks.h"
 #include "render/typeset/characters.h"
@@ -744,8 +745,8 @@ bool TextReader::take_unit(ComputedNumber& number, SourcePlace place) {
                   "the units of numbers are " + std::string(kUnitNames));
     return false;
   }
-  if (counts_turns(number.written.unit) && counts_radians(number.expression)) {
-    report_.error(place, std::string(kRadiansOrTurns));
+  if (const std::string why = why_not_in(number.expression, number.written.unit); !why.empty()) {
+    report_.error(place, why);
     return false;
   }
   const DimensionReading reading = dimension_of(number.expression, language_->dimensions);

@@ -115,14 +115,14 @@ TEST(PrintedClaims, AreWhatTheFormulaSays) {
 }
 
 TEST(PrintedClaims, AChainGoesOnAndSoDoesTheNextFormula) {
-  const Stage stage = stage_of("```math a law\nT = T = m\n```\n```math b law\n= \\omega_1\n```\n");
+  const Stage stage = stage_of("```math a law\n\\vec N = \\vec N = \\frac{d\\vec L}{dt}\n```\n```math b law\n= \\vec\\omega\\times\\vec L + \\frac{d^*\\vec L}{dt}\n```\n");
   const auto& chain = std::get<Claim>(stage.steps[0].blocks.at(1));
   ASSERT_THAT(chain.lines, SizeIs(2));
   EXPECT_FALSE(chain.lines[0].goes_on);
   EXPECT_TRUE(chain.lines[1].goes_on);
   const auto& next = std::get<Claim>(stage.steps[0].blocks.at(3));
   ASSERT_THAT(next.lines, SizeIs(1));
-  EXPECT_EQ(next.lines[0].equality.left.text, "m");
+  EXPECT_EQ(next.lines[0].equality.left.text, "ddt(L)");
 }
 
 TEST(PrintedClaims, OfAPartAreWhatIsMarked) {
