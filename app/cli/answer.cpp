@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode answer: the verdict on a learner's answer, with the reason.
 #include "app/cli/commands.h"
+#include "app/cli/kept_answers.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
@@ -30,19 +31,6 @@ struct Options {
   std::optional<std::string> answer;
   bool hint = false, reset = false, json = false;
 };
-
-const Ask& ask_of(const Stage& stage, const std::string& id) {
-  std::vector<std::string> ids;
-  for (const Step& step : stage.steps)
-    for (const Block& block : step.blocks)
-      if (const auto* ask = std::get_if<Ask>(&block)) {
-        if (ask->id == id) return *ask;
-        ids.push_back(ask->id);
-      }
-  const std::string message = fmt::format("no question \"{}\" in stage \"{}\"", id, stage.id);
-  if (ids.empty()) throw CommandError(ExitCode::usage, message + ": it asks nothing");
-  throw CommandError(ExitCode::usage, fmt::format("{}: {}", message, suggestion(id, ids)));
-}
 
 const char* word_of(Mark mark) {
   if (mark == Mark::right) return "right";
@@ -83,35 +71,6 @@ void print_verdict(const AnswerJudgement& judgement, const std::string& answer) 
   if (const auto& counter = judgement.counterexample)
     fmt::print("At {} yours is {}, right is {}.\n", counter->state, counter->left, counter->right);
 }
-
-/// What was answered to one question, where it is kept.
-class KeptAnswers {
- public:
-  KeptAnswers(const std::string& lesson_id, std::string name) : name_(std::move(name)) {
-    if (const auto folder = state_folder()) path_ = answer_log_path(*folder, lesson_id);
-  }
-
-  using Change = std::function<void(AnswerLog&, const std::string& name)>;
-
-  /// Fails if it cannot be kept.
-  Status change(const Change& change) const {
-    if (!path_) return failure("neither XDG_STATE_HOME nor HOME is set");
-    const auto warning = change_answer_log(*path_, [&](AnswerLog& log) { change(log, name_); });
-    if (!warning) return failure(warning.error().text);
-    if (!warning->empty()) say("polhode: {}\n", *warning);
-    return success();
-  }
-
-  /// A verdict, or a hint, is given also where it cannot be kept; `what_if_not` is said then.
-  void change_if_possible(const Change& wanted, const char* what_if_not) const {
-    if (const Status changed = change(wanted); !changed)
-      say("polhode: {}: {}\n", changed.error(), what_if_not);
-  }
-
- private:
-  std::string name_;
-  std::optional<std::filesystem::path> path_;
-};
 
 ExitCode show_hint(const Ask& ask, const SpeechText& speech, const KeptAnswers& kept) {
   AnswerRecord unseen;

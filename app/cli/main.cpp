@@ -20,7 +20,7 @@ ExitCode run(int argc, char** argv) {
   try {
     return run_command_line(
         {list_command(), play_command(), export_command(), verify_command(), lint_command(), info_command(),
-         trace_command(), measure_command(), answer_command(), compare_command()},
+         trace_command(), measure_command(), answer_command(), derive_command(), compare_command()},
         argc, argv);
   } catch (const CommandError& error) {
     return fail(error.code, error.what());

@@ -135,6 +135,7 @@ void LessonSession::arrive(Place place) {
   place_ = place;
   visited_.insert(stage().id);
   judged_.clear();
+  derivations_.clear();
   notes_shown_ = false;
   const bool both = left != nullptr && has_scene();
   if (same_stage && (left == step().scene || (both && *left == *step().scene))) return;
@@ -172,6 +173,7 @@ void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   place_.step = std::min(place_.step, stage().steps.size() - 1);
   set_visited(visited_);
   judged_.clear();
+  derivations_.clear();
   transition_ = 1;
 
   SceneEdits kept = edits_;
@@ -425,13 +427,36 @@ const AnswerRecord* LessonSession::record(const Ask& ask) const {
   return found == answers_.end() ? nullptr : &found->second;
 }
 
+DerivationWork& LessonSession::derivation(const Ask& ask) {
+  const auto [found, is_new] = derivations_.try_emplace(ask.id, lesson(), ask);
+  const AnswerRecord* kept = is_new ? record(ask) : nullptr;
+  if (kept != nullptr) found->second.restore(kept->last);
+  return found->second;
+}
+
+void LessonSession::derive(const Ask& ask, std::string_view line) {
+  DerivationWork& work = derivation(ask);
+  const bool was_done = work.is_done();
+  const LineJudgement::Mark mark = work.add(line).mark;
+  if (mark != LineJudgement::Mark::unreadable && !was_done)
+    note_try(answers_[answer_name(stage().id, ask.id)], work.is_done(), work.text());
+}
+
+void LessonSession::undo_derived_line(const Ask& ask) {
+  derivation(ask).undo();
+  if (const auto kept = answers_.find(answer_name(stage().id, ask.id)); kept != answers_.end())
+    kept->second.last = derivation(ask).text();
+}
+
 void LessonSession::show_hint(const Ask& ask) {
-  if (!ask.hints.empty()) note_hint(answers_[answer_name(stage().id, ask.id)], ask.hints.size());
+  const std::size_t hints = ask.derivation ? DerivationWork::kMostHints : ask.hints.size();
+  if (hints > 0) note_hint(answers_[answer_name(stage().id, ask.id)], hints);
 }
 
 void LessonSession::forget_answer(const Ask& ask) {
   answers_.erase(answer_name(stage().id, ask.id));
   judged_.erase(ask.id);
+  derivations_.erase(ask.id);
 }
 
 // How it is shown.

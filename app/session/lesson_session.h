@@ -7,6 +7,7 @@
 #include "app/page/loaded_lesson.h"
 #include "app/page/page_theme.h"
 #include "app/session/answer_log.h"
+#include "app/session/derivation_work.h"
 #include "app/session/scene_edits.h"
 #include "lessons/claims/answers.h"
 #include "render/scene/model/model.h"
@@ -157,6 +158,12 @@ class LessonSession {
   const AnswerRecord* record(const Ask& ask) const;  ///< null: never answered
   void show_hint(const Ask& ask);                    ///< one more, if there is one
   void forget_answer(const Ask& ask);
+  /// The derivation that a question of the type derive asks for, as far as it goes; as it was left, where
+  /// that is kept.
+  DerivationWork& derivation(const Ask& ask);
+  /// Judges a line of it, and notes how far it goes.
+  void derive(const Ask& ask, std::string_view line);
+  void undo_derived_line(const Ask& ask);
 
   // How it is shown.
   Panel panel = Panel::none;
@@ -206,7 +213,8 @@ class LessonSession {
   mutable Flips flips_;  ///< found when asked for
   std::string lit_;
   AnswerLog answers_;
-  std::map<std::string, JudgedAnswer> judged_;  ///< by ask, since the place was reached
+  std::map<std::string, JudgedAnswer> judged_;         ///< by ask, since the place was reached
+  std::map<std::string, DerivationWork> derivations_;  ///< likewise
   bool presenting_ = false, notes_shown_ = false;
 };
 

@@ -94,10 +94,8 @@ class AskReader {
   }
 
   const LineNotation& notation() {
-    if (notation_.notation == nullptr) {
-      notation_ = {&front_.notation, {}, texts_.macros()};
-      for (const auto& [name, symbol] : front_.symbols) notation_.names.emplace(name, symbol.tex);
-    }
+    if (notation_.notation == nullptr)
+      notation_ = line_notation(front_.notation, front_.symbols, texts_.macros());
     return notation_;
   }
 
@@ -341,6 +339,17 @@ class AskReader {
 };
 
 }  // namespace
+
+LineNotation line_notation(const EquationNotation& notation, const std::map<std::string, Symbol>& symbols,
+                           const MathMacros& macros) {
+  LineNotation how{&notation, {}, macros};
+  for (const auto& [name, symbol] : symbols) how.names.emplace(name, symbol.tex);
+  return how;
+}
+
+LineNotation line_notation(const Lesson& lesson) {
+  return line_notation(lesson.notation, lesson.symbols, lesson.macros);
+}
 
 std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place,
                             const FrontMatter& front, TextReader& texts) {

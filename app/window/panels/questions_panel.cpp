@@ -48,6 +48,67 @@ void words_or_see_page(const PanelContext& context, const std::string& markdown,
   ImGui::PopTextWrapPos();
 }
 
+void show_line(const DerivationWork::TypedLine& line, std::size_t number) {
+  using Mark = LineJudgement::Mark;
+  const LineJudgement& verdict = line.judgement;
+  const std::string words = fmt::format("{}   {}", number, line.text);
+  if (verdict.mark == Mark::goal || verdict.mark == Mark::holds) return right_words(words.c_str());
+  warning_words(words);
+  const std::string what = verdict.mark == Mark::away    ? ""
+                           : verdict.mark == Mark::wrong ? "Not right: "
+                                                         : "Cannot be read: ";
+  quiet_words(fmt::format("{}{}.{}", what, verdict.reason, verdict.hint.empty() ? "" : " " + verdict.hint));
+  if (verdict.column > 0) quiet_words(fmt::format("at column {}", verdict.column));
+  if (const auto& counter = verdict.counterexample)
+    quiet_words(fmt::format("At {} the left side is {}, the right side {}.", counter->state, counter->left,
+                            counter->right));
+}
+
+/// Line after line, each judged as it is entered; the goal stays in sight.
+void derive(PanelContext& context, const Ask& ask, std::string& typed) {
+  DerivationWork& work = context.session.derivation(ask);
+  quiet_words(fmt::format("From  {}", work.derivation().start.typed));
+  quiet_words(fmt::format("To    {}", work.derivation().goal.typed));
+  for (std::size_t i = 0; i < work.lines().size(); ++i) show_line(work.lines()[i], i + 1);
+  if (work.is_done()) right_words("The goal is reached.");
+  if (work.is_too_short())
+    warning_words(fmt::format("That is the goal itself: show how you get there, in at least {} lines.",
+                              work.derivation().least_lines));
+  if (!work.is_done()) {
+    const float check = ImGui::CalcTextSize("Next").x + 2 * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - check - ImGui::GetStyle().ItemSpacing.x);
+    if (context.take_focus) ImGui::SetKeyboardFocusHere();
+    const bool entered = ImGui::InputTextWithHint("##line", "the next line, such as a = b + c", &typed,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    if (entered) ImGui::SetKeyboardFocusHere(-1);
+    ImGui::SameLine();
+    if ((ImGui::Button("Next") || entered) && !typed.empty()) {
+      context.session.derive(ask, typed);
+      const auto mark = work.lines().back().judgement.mark;
+      if (mark == LineJudgement::Mark::holds || mark == LineJudgement::Mark::goal) typed.clear();
+    }
+  }
+  if (!work.lines().empty() && ImGui::Button("Take back the last line"))
+    context.session.undo_derived_line(ask);
+}
+
+/// What to use, how, and the line itself: one after the other, for the step that comes next.
+void show_next_step(PanelContext& context, const Ask& ask) {
+  const DerivationWork& work = context.session.derivation(ask);
+  const AnswerRecord* record = context.session.record(ask);
+  const int shown = record == nullptr ? 0 : record->hints;
+  if (!work.is_done()) {
+    if (shown > 0)
+      if (const std::string hint = work.hint(shown); !hint.empty()) quiet_words("Hint: " + hint);
+    if (shown < DerivationWork::kMostHints) {
+      if (ImGui::Button(shown == 0 ? "A hint" : shown == 1 ? "How?" : "Show the line"))
+        context.session.show_hint(ask);
+      if (record) ImGui::SameLine();
+    }
+  }
+  if (record && ImGui::Button("Begin again")) context.session.forget_answer(ask);
+}
+
 void ask_for_choice(PanelContext& context, const Ask& ask, std::string& typed) {
   for (std::size_t i = 0; i < ask.choices.size(); ++i) {
     const std::string letter(1, letter_of_choice(i));
@@ -94,8 +155,10 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
       ask_for_choice(context, ask, typed);
       break;
     case Ask::Type::derive:
-      quiet_words("Not here yet.");
-      break;
+      derive(context, ask, typed);
+      show_next_step(context, ask);
+      ImGui::PopID();
+      return;
   }
   if (const JudgedAnswer* answer = context.session.judged(ask))
     show_verdict(*answer);
