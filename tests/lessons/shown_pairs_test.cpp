@@ -106,18 +106,6 @@ class Now {
   RigidBodyState at_;
 };
 
-/// Σ m r×(ω×r) over two particles of half a kilogram on each axis, which have the body's moments.
-Vec3 sum_over_particles(const Now& s) {
-  Vec3 sum = Vec3::Zero();
-  const double half_trace = 0.5 * s.I().sum();
-  for (int i = 0; i < 3; ++i)
-    for (const double side : {-1.0, 1.0}) {
-      const Vec3 r = side * std::sqrt(half_trace - s.I()[i]) * Vec3::Unit(i);
-      sum += 0.5 * r.cross(s.w().cross(r));
-    }
-  return sum;
-}
-
 /// ω×(I·ω) by its three cofactors.
 Vec3 by_cofactors(const Now& s) {
   const Vec3 w = s.w(), L = s.L();
@@ -156,7 +144,11 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/momentum-parallel", [](const Now& s) { return Sides2((s.m() * s.v()).cross(s.v()), 0.0); }},
     {"euler-equations/momentum-product", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.m() * s.ddt_v()); }},
     {"euler-equations/momentum-ma", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.F()); }},
-    {"euler-equations/angular-rigid", [](const Now& s) { return Sides2(s.L(), sum_over_particles(s)); }},
+    {"euler-equations/angular-rigid", [](const Now& s) { return Sides2(s.ddt_e(1), s.w().cross(s.e(1))); }},
+    {"euler-equations/angular-moments", [](const Now& s) { return Sides2(s.I()[0], s.I()[0]); }},
+    {"euler-equations/tensor-derivative-steps", [](const Now& s) {
+       const Vec3 rate = s.w().cross(s.times_I(s.e(1))) - s.times_I(s.w().cross(s.e(1)));
+       return Sides2(rate, rate); }},
     {"euler-equations/eq4", [](const Now& s) { return Sides2(s.L(), s.times_I(s.w())); }},
     {"euler-equations/angular-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
     {"euler-equations/contrast-parallel", [](const Now& s) { return Sides2((s.m() * s.v()).cross(s.v()), 0.0); }},
@@ -170,15 +162,13 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/tensor-symmetric", [](const Now& s) {
        return Sides2(s.w().cross(s.times_I(s.e(1))) - s.times_I(s.w().cross(s.e(1))), s.w()[2] * (s.I()[0] - s.I()[1]) * s.e(2)); }},
     {"euler-equations/tensor-symmetric-rest", [](const Now& s) {
-       const Vec3 w = s.w()[2] * s.e(3);  // as its parenthesis has it: the scene has a ball, on which both sides are 0
+       const Vec3 w = s.w()[2] * s.e(3);  // as its parenthesis has it
        return Sides2(w.cross(s.times_I(s.e(2))) - s.times_I(w.cross(s.e(2))), s.w()[2] * (s.I()[0] - s.I()[1]) * s.e(1)); }},
     {"euler-equations/tensor-rotated", [](const Now& s) {
        const Mat3 I_S = s.R() * s.I().asDiagonal() * s.R().transpose();
        double sum = 0;  // over the body axes
        for (int i = 0; i < 3; ++i) sum += s.I()[i] * s.R()(0, i) * s.R()(1, i);
        return Sides2(I_S(0, 1), sum); }},
-    {"euler-equations/newton-kinematics", [](const Now& s) { return Sides2(s.star_e(1), Vec3(Vec3::Zero())); }},
-    {"euler-equations/euler-attitude", [](const Now& s) { return Sides2(s.star_e(1), Vec3(Vec3::Zero())); }},
     {"euler-equations/transport-theorem", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
     {"euler-equations/vector-transport", [](const Now& s) { return Sides2(s.ddt_L(), seen_from_body_plus_turn(s)); }},
     {"euler-equations/eq5", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
@@ -241,7 +231,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/why-tempting", [](const Now& s) { return Sides2(s.star_L(), 0.0); }},
     {"euler-equations/why-positive", [](const Now& s) { return Sides2(s.w().dot(s.L()), s.I().dot(s.w().cwiseAbs2())); }},
     {"euler-equations/poinsot-energy", [](const Now& s) { return Sides2(s.w().dot(s.L()), 2 * s.T()); }},
-    {"euler-equations/poinsot-distance", [](const Now& s) { return Sides2(s.w().dot(s.L()) / s.L().norm(), 2 * s.T() / s.L().norm()); }},
+    {"euler-equations/poinsot-distance", [](const Now& s) { return Sides2(s.w().dot(s.L()), 2 * s.T()); }},
     {"euler-equations/poinsot-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
     {"euler-equations/poinsot-no-slip", [](const Now& s) { return Sides2(s.w().cross(s.w()), 0.0); }},
     {"euler-equations/poinsot-speed", [](const Now& s) { return Sides2(s.ddt_w().norm(), s.star_w().norm()); }},
