@@ -36,7 +36,9 @@ void DerivationWork::undo() {
 }
 
 std::string DerivationWork::hint(int level) const {
-  const std::size_t next = next_worked(derivation_, held());
+  std::vector<DerivedLine> lines = held();
+  if (is_too_short()) lines.pop_back();
+  const std::size_t next = next_worked(derivation_, lines);
   if (next >= derivation_.worked.size()) return "";
   const WorkedLine& worked = derivation_.worked[next];
   if (level <= 1 && !worked.point.empty()) return worked.point;

@@ -31,7 +31,7 @@ std::vector<Line> proved_lines_of(const Lesson& lesson) {
       for (const Block& block : step.blocks) {
         const auto* claim = std::get_if<Claim>(&block);
         if (!claim || claim->kind == ClaimKind::is_false || claim->kind == ClaimKind::non_sequitur) continue;
-        if (!claim->given.small.quantities.empty()) continue;  // to an order: tex_mutants_test.cpp has those
+        if (!claim->given.empty()) continue;  // under assumptions: tex_mutants_test.cpp has those
         for (const ClaimLine& line : claim->lines)
           if (is_provable(line.equality))  // others are measured alone
             lines.push_back({line.equality, assumption_of(claim->kind), claim->kind == ClaimKind::measured});

@@ -61,7 +61,7 @@ TEST(VerdictRow, SaysTheKindInAWordAndWhatIsKnown) {
   EXPECT_EQ(wrong.note, "for example at I = (2, 3, 4), ω = (1, 1, 0), N = 0: (0, 0, −1) ≠ 0");
   EXPECT_EQ(wrong.certainty, Certainty::refuted);
   EXPECT_THAT(row_of("ddt(T) = 0 => N = 0", ClaimKind::non_sequitur).note,
-              HasSubstr("where the premise holds: "));
+              HasSubstr("the premise holds, and "));
 }
 
 TEST(VerdictRow, WhatIsNotProvedIsNotCalledSo) {
