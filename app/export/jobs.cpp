@@ -20,7 +20,7 @@ namespace {
 
 // What a job writes into its pipe: a byte for each piece of work; at the end how it ended, or an error: whose
 // fault it is and, until the pipe closes, its text.
-enum Said : char { kBegun = '.', kDone = 'd', kInterrupted = 'i', kError = 'e' };
+constexpr char kBegun = '.', kDone = 'd', kInterrupted = 'i', kError = 'e';
 
 struct Job {
   pid_t process = -1;

@@ -34,13 +34,13 @@ Written written(double value, int digits) {
 
 std::string number_tex(double value, int digits) {
   const Written number = written(value, digits);
-  const std::string text = (number.negative ? "-" : "") + number.digits;
+  std::string text = (number.negative ? "-" : "") + number.digits;
   return number.power == 0 ? text : fmt::format("{}{{\\cdot}}10^{{{}}}", text, number.power);
 }
 
 std::string number_words(double value, int digits) {
   const Written number = written(value, digits);
-  const std::string text = (number.negative ? "minus " : "") + number.digits;
+  std::string text = (number.negative ? "minus " : "") + number.digits;
   if (number.power == 0) return text;
   return fmt::format("{} times 10 to the power {}{}", text, number.power < 0 ? "minus " : "",
                      std::abs(number.power));

@@ -122,6 +122,7 @@ std::optional<StateNumbers<N>> with_given(StateNumbers<N> n, const Given& given)
   return n;
 }
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type in a template's arguments has none
 #define POLHODE_STATES_OF(N)                                                                 \
   template std::optional<ClaimState<N>> state_of(StateNumbers<N>, Assumption, const Given&); \
   template std::optional<StateNumbers<N>> with_given(StateNumbers<N>, const Given&);
@@ -133,6 +134,7 @@ POLHODE_STATES_OF(PowerSeries<FieldElement>)
 POLHODE_STATES_OF(PowerSeries<WideFieldElement>)
 POLHODE_STATES_OF(PowerSeries<Ratio>)
 #undef POLHODE_STATES_OF
+// NOLINTEND(bugprone-macro-parentheses)
 
 bool is_possible_body(const std::array<SizedNumber, 3>& I) {
   for (std::size_t i = 0; i < 3; ++i) {

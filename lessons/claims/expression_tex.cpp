@@ -269,7 +269,7 @@ std::string tex_of(const Expression& expression, const Vocabulary* vocabulary) {
 }
 
 std::string tex_of(const ClaimLine& line, ClaimKind kind, const Vocabulary* vocabulary) {
-  const std::string tex = tex_of(line.equality, line.relation, vocabulary);
+  std::string tex = tex_of(line.equality, line.relation, vocabulary);
   if (!line.conclusion) return tex;
   const char* arrow = kind == ClaimKind::non_sequitur ? "\\;\\not\\Rightarrow\\;" : "\\;\\Rightarrow\\;";
   return tex + arrow + tex_of(*line.conclusion, Relation::equal, vocabulary);

@@ -59,8 +59,8 @@ Triple<SizedNumber> sized(const Vec3& x, double size, double rate, const Vec3& f
 Triple<SizedNumber> at_rest(const Vec3& x) { return sized(x, x.norm(), 0, Vec3::Zero(), Vec3::Zero()); }
 
 Mat3 on_turned_axes(const PrincipalMoments& I) {
-  static const Mat3 Q = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
-  return Q.transpose() * I.vector().asDiagonal() * Q;
+  static const Mat3 kTurn = Eigen::AngleAxisd(kTurnOfAxes, Vec3::Ones().normalized()).toRotationMatrix();
+  return kTurn.transpose() * I.vector().asDiagonal() * kTurn;
 }
 
 /// By what the rates of a computed motion differ from those it should have, relative.

@@ -31,8 +31,9 @@ void Vocabulary::define(const std::string& name, Expression means, std::string t
 }
 
 void Vocabulary::print_as(std::string_view name, std::string tex) {
-  for (Word& word : words_)
-    if (word.name == name) word.tex = std::move(tex);
+  const auto found =
+      std::find_if(words_.begin(), words_.end(), [name](const Word& word) { return word.name == name; });
+  if (found != words_.end()) found->tex = std::move(tex);
 }
 
 const Vocabulary::Word* Vocabulary::find(std::string_view name) const {
@@ -52,7 +53,7 @@ std::string why_no_word(std::string_view name) {
   const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
   if (name.empty() || !is_letter(name.front()) || !std::all_of(name.begin(), name.end(), fits))
     return "a name begins with a letter, and has letters, digits and _ only";
-  const auto known = expression_symbols();
+  const auto& known = expression_symbols();
   const auto functions = expression_functions();
   const bool taken = std::find(known.begin(), known.end(), name) != known.end() ||
                      std::find(functions.begin(), functions.end(), name) != functions.end();

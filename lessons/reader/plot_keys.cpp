@@ -450,7 +450,7 @@ std::optional<std::vector<PlotSpec>> read_plots(const TomlEntry& entry, const Sc
 int parts_of(const std::vector<PlotSpec>& plots) {
   constexpr std::size_t kBytesOfPart = 128;
   const auto bytes_of = [](const SceneQuantity& quantity) {
-    return sizeof quantity + quantity.text.size() + quantity.tex.size() + quantity.meaning.size();
+    return sizeof(SceneQuantity) + quantity.text.size() + quantity.tex.size() + quantity.meaning.size();
   };
   std::size_t bytes = 0;
   for (const PlotSpec& plot : plots) {

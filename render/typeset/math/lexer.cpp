@@ -193,12 +193,18 @@ void MathTokens::expand() {
     const MathToken call = ahead_.back();
     const auto author = macros_.find(call.name);
     const MathCommand* known = math_command(call.name);
-    const bool built_in = known != nullptr && known->action == MathCommand::Action::macro;
-    if (author == macros_.end() && !built_in) return;
-    const std::string_view name = author != macros_.end() ? author->first : known->name;
-    const std::string_view text =
-        author != macros_.end() ? std::string_view(author->second.body) : known->text;
-    const int count = author != macros_.end() ? author->second.arguments : 0;
+    std::string_view name, text;
+    int count = 0;
+    if (author != macros_.end()) {
+      name = author->first;
+      text = author->second.body;
+      count = author->second.arguments;
+    } else if (known != nullptr && known->action == MathCommand::Action::macro) {
+      name = known->name;
+      text = known->text;
+    } else {
+      return;
+    }
     ahead_.pop_back();
     if (!may_expand(call, name)) return;
     if (!bodies_.contains(name)) bodies_.emplace(name, read(text, true));
