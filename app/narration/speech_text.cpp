@@ -205,7 +205,8 @@ std::string SpeechText::words(const Claim& claim) const {
   const VerdictRow row = verdict_row(claim, nullptr, nullptr);
   std::string word = row.word;
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
-  const std::string note = words_of_line(row.note);
+  const std::string note =
+      words_of_line(row.note + (row.note.empty() || row.example.empty() ? "" : ", ") + row.example);
   std::string text = note.empty() ? word + '.' : word + ", " + note + '.';
   std::string claimed;
   for (const std::string& tex : row.claimed)

@@ -243,7 +243,7 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
   else if (!holds)
     is_instead(Certainty::open, "not proved", "");
   else if (refutes(claim.kind) && counter)
-    row.note = joined(row.note, words_of(*counter, claim.kind));
+    row.example = words_of(*counter, claim.kind);
   // "A does not give B" is what the formula says, and it is right.
   if (holds && claim.kind == ClaimKind::non_sequitur && claim.origin == Claim::Origin::formula) {
     row.certainty = Certainty::proved;

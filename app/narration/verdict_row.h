@@ -22,9 +22,10 @@ struct VerdictRow {
   const Claim* claim = nullptr;
   Certainty certainty = Certainty::open;
   std::string word;  ///< "true in every motion", "law", "false"
-  /// What is given, to which order it holds, how it was measured, a counterexample; goes on behind the word
-  /// and ", ".
+  /// What is given, to which order it holds, how it was measured; goes on behind the word and ", ".
   std::string note;
+  /// A state in which what is false fails; goes on behind the note.
+  std::string example{};
   /// Where the equation itself is not what is claimed: each line of the claim, as TeX.
   std::vector<std::string> claimed;
 };

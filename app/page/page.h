@@ -4,6 +4,7 @@
 // slide the step stands alone, with the equation that was come to before it in a line at the foot.
 #pragma once
 
+#include "app/narration/verdict_row.h"
 #include "app/page/page_theme.h"
 #include "render/drawing/label_layout.h"
 #include "render/gl/renderer.h"
@@ -44,6 +45,19 @@ struct SlideType {
   double scale = 1;   ///< of the type's normal size; below 1 a step has more than a slide holds
 };
 
+/// A line of a learner's derivation, below the question that asks for it.
+struct ShownDerivedLine {
+  std::string tex;
+  std::string word;  ///< of its chip; empty: it is being typed
+  Certainty certainty = Certainty::stated;
+  bool operator==(const ShownDerivedLine&) const = default;
+};
+struct ShownDerivation {
+  const Ask* ask = nullptr;  ///< null: there is none
+  std::vector<ShownDerivedLine> lines{};
+  bool operator==(const ShownDerivation&) const = default;
+};
+
 struct PageRequest {
   const Lesson& lesson;
   const Stage& stage;
@@ -67,6 +81,7 @@ struct PageRequest {
   bool runs = false;
   /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
   StillNumbers* still_numbers = nullptr;
+  ShownDerivation derivation{};  ///< of a reader, as far as it goes
   /// Told what laying the text out costs, as if it were evaluations of a motion
   /// (lessons/reader/lint_budget.h); what it throws ends that.
   Effort effort{};

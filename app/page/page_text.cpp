@@ -358,10 +358,23 @@ class ScaledText {
       if (const auto* prose = std::get_if<Prose>(&block)) take(column_.prose(prose->text), block);
       if (const auto* callout = std::get_if<Callout>(&block))
         take(column_.callout(*callout, std::string(label_of(request_.lesson, callout->kind))), block);
-      if (const auto* ask = std::get_if<Ask>(&block)) take(column_.question(*ask), block);
+      if (const auto* ask = std::get_if<Ask>(&block)) {
+        take(column_.question(*ask), block);
+        if (ask == request_.derivation.ask && is_present) add_derivation(made.text);
+      }
       if (const auto* note = std::get_if<Footnote>(&block)) take(column_.footnote(*note), block);
     }
     return made;
+  }
+
+  void add_derivation(Pieces& pieces) {
+    for (const ShownDerivedLine& line : request_.derivation.lines) {
+      const auto formula = parse_math(line.tex, request_.lesson.macros);
+      if (!formula) continue;  // it was set before it came here
+      pieces.push_back(noted(column_.derived_line(*formula, line.word, line.certainty)));
+      pieces.back().is_new = true;
+      tell_cost_of(pieces.back());
+    }
   }
 
   Pieces verdicts_on(const Equation& equation, const Step& step, bool is_present) const {

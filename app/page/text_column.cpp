@@ -282,11 +282,14 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
   ColumnPiece piece = chip(row.word, row.certainty);
   const double line = std::round(kVerdictLine * em);
   double baseline = piece.sheet.texts.front().at.y(), end = piece.width;
-  if (!row.note.empty()) {
-    DisplayList note = set_line(row.note, quiet, fonts_);
+  // Nobody reads the numbers of an example from the back row.
+  const bool has_example = !row.example.empty() && profile_ == Profile::page;
+  const std::string words = has_example ? row.note + (row.note.empty() ? "" : ", ") + row.example : row.note;
+  if (!words.empty()) {
+    DisplayList note = set_line(words, quiet, fonts_);
     Vec2 at(end + gap, baseline);
     if (at.x() + note.width > width_) {  // below, in as many lines as it takes
-      note = set_lines(row.note, quiet, fonts_);
+      note = set_lines(words, quiet, fonts_);
       at = {0, piece.height + std::round(0.3 * em + std::max(note.ascent, kLineTop * em))};
       piece.height = at.y() + std::round(std::max(note.depth, kLineBottom * em));
       end = width_;
@@ -524,6 +527,41 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   TextStyle plain = style(em, colors().ink, width);
   plain.between = 0.28;
   return labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
+}
+
+Result<ColumnPiece> TextColumn::derived_line(const Math& formula, const std::string& word,
+                                             Certainty certainty) const {
+  const double left = label_indent(), room = width_ - left;
+  MathStyle style{.size = size_,
+                  .display = true,
+                  .color = word.empty() ? colors().quiet : colors().ink,
+                  .strike = colors().accent,
+                  .line_width = room,
+                  .symbols = &symbols_};
+  Result<DisplayList> list = or_why_not(set_math(formula, style, fonts_));
+  if (list && list->width > room) {
+    style.size *= 0.999 * room / list->width;
+    list = or_why_not(set_math(formula, style, fonts_));
+  }
+  if (!list) return failure(list.error());
+  const double top = std::round(std::max(list->ascent, kLineTop * size_));
+  ColumnPiece piece;
+  piece.height = top + std::round(std::max(list->depth, kLineBottom * size_));
+  piece.gap = 0.45 * size_;
+  const double end = left + list->width;
+  piece.sheet.texts.push_back({.list = std::move(list).value(), .at = {left, top}});
+  if (word.empty()) return piece;
+  ColumnPiece verdict = chip(word, certainty);
+  const double gap = std::round(0.7 * size_);
+  if (end + gap + verdict.width <= width_) {
+    const double y = std::round(top - 0.3 * size_ - 0.5 * verdict.height);
+    add(piece, std::move(verdict), {end + gap, std::max(0.0, y)});
+  } else {
+    const double y = piece.height + std::round(0.2 * size_);
+    piece.height = y + verdict.height;
+    add(piece, std::move(verdict), {left, y});
+  }
+  return piece;
 }
 
 Stack stack(const std::vector<const ColumnPiece*>& pieces) {

@@ -85,6 +85,8 @@ class TextColumn {
   /// The short line above all footnotes.
   ColumnPiece footnote_rule() const;
   Result<ColumnPiece> question(const Ask& ask) const;
+  /// A formula, and behind it a chip with the word, or below it where there is no room.
+  Result<ColumnPiece> derived_line(const Math& formula, const std::string& word, Certainty certainty) const;
 
  private:
   const PageColors& colors() const { return colors_of(theme_); }

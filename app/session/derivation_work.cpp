@@ -31,6 +31,10 @@ const LineJudgement& DerivationWork::add(std::string_view typed) {
   return lines_.back().judgement;
 }
 
+std::string DerivationWork::typed_tex() const {
+  return typing_.empty() ? "" : typed_formula(typing_, how_.names).tex;
+}
+
 void DerivationWork::undo() {
   if (!lines_.empty()) lines_.pop_back();
 }

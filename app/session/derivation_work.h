@@ -28,6 +28,10 @@ class DerivationWork {
   void clear() { lines_.clear(); }
 
   const std::vector<TypedLine>& lines() const { return lines_; }
+  /// What is being typed, to be seen as it will be set.
+  void type(std::string_view line) { typing_ = line; }
+  /// TeX of that; empty: nothing.
+  std::string typed_tex() const;
   /// Of those that lead on.
   std::size_t count() const { return held().size(); }
   /// The goal stands behind as many lines as the lesson asks for; or it does, but they are too few.
@@ -54,6 +58,7 @@ class DerivationWork {
   LineNotation how_;
   Prover prover_;
   std::vector<TypedLine> lines_;
+  std::string typing_;
 };
 
 /// A derivation has at most so many lines.

@@ -448,6 +448,34 @@ void LessonSession::undo_derived_line(const Ask& ask) {
     kept->second.last = derivation(ask).text();
 }
 
+namespace {
+
+ShownDerivedLine shown_line(const LineJudgement& judgement) {
+  using Mark = LineJudgement::Mark;
+  const bool leads_on = judgement.mark == Mark::holds || judgement.mark == Mark::goal;
+  return {judgement.tex, std::string(name_of(judgement.mark)),
+          leads_on                        ? Certainty::proved
+          : judgement.mark == Mark::wrong ? Certainty::refuted
+                                          : Certainty::open};
+}
+
+}  // namespace
+
+ShownDerivation LessonSession::shown_derivation() const {
+  for (const Ask* ask : questions()) {
+    const auto work = derivations_.find(ask->id);
+    if (work == derivations_.end()) continue;
+    ShownDerivation shown{ask, {}};
+    for (const DerivationWork::TypedLine& line : work->second.lines())
+      shown.lines.push_back(shown_line(line.judgement));
+    const std::string typing = work->second.typed_tex();
+    if (!typing.empty() && (shown.lines.empty() || shown.lines.back().tex != typing))
+      shown.lines.push_back({typing, "", Certainty::stated});
+    return shown;
+  }
+  return {};
+}
+
 void LessonSession::show_hint(const Ask& ask) {
   const std::size_t hints = ask.derivation ? DerivationWork::kMostHints : ask.hints.size();
   if (hints > 0) note_hint(answers_[answer_name(stage().id, ask.id)], hints);

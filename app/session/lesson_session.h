@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/page/loaded_lesson.h"
+#include "app/page/page.h"
 #include "app/page/page_theme.h"
 #include "app/session/answer_log.h"
 #include "app/session/derivation_work.h"
@@ -164,6 +165,8 @@ class LessonSession {
   /// Judges a line of it, and notes how far it goes.
   void derive(const Ask& ask, std::string_view line);
   void undo_derived_line(const Ask& ask);
+  /// What the page shows of that of the present step; empty before it was begun.
+  ShownDerivation shown_derivation() const;
 
   // How it is shown.
   Panel panel = Panel::none;

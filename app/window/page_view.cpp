@@ -16,14 +16,16 @@ PageRequest request_of(const LessonSession& session, Size size) {
           .theme = session.preferences.theme,
           .quality = {},
           .text_scale = session.preferences.text_scale,
-          .runs = true};
+          .runs = true,
+          .derivation = session.shown_derivation()};
 }
 
 }  // namespace
 
 PageView::PageKey PageView::key_of(const LessonSession& session, const PageLook& look) const {
   const SceneModel* model = session.model();
-  return {{session.loaded_pointer(), session.place(), session.model_number(), look.size, session.preferences},
+  return {{session.loaded_pointer(), session.place(), session.model_number(), look.size, session.preferences,
+           session.shown_derivation()},
           look,
           session.t_s(),
           session.transition(),

@@ -43,6 +43,7 @@ class PageView {
     unsigned model_number = 0;
     Size size;
     Preferences preferences;
+    ShownDerivation derivation;
     bool operator==(const TextKey&) const = default;
   };
   /// And the rest of the page.

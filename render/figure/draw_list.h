@@ -22,7 +22,6 @@ struct Tube {
 };
 
 struct Arrow {
-  enum class Head { cone, double_cone } head = Head::cone;  ///< with dash, tells arrows apart without colour
   Vec3 tail, tip;
   double radius = 0.02;
   Color color;

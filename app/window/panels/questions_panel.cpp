@@ -81,6 +81,7 @@ void derive(PanelContext& context, const Ask& ask, std::string& typed) {
     const bool entered = ImGui::InputTextWithHint("##line", "the next line, such as a = b + c", &typed,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     if (entered) ImGui::SetKeyboardFocusHere(-1);
+    work.type(typed);
     ImGui::SameLine();
     if ((ImGui::Button("Next") || entered) && !typed.empty()) {
       context.session.derive(ask, typed);
@@ -140,7 +141,9 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
                                    std::size_t count) {
   ImGui::PushID(ask.id.c_str());
   heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
-  words_or_see_page(context, ask.prompt, ask.prompt_text);
+  // What leads where in a derivation stands below, as it is typed.
+  const RichText words = ask.derivation ? RichText{ask.prompt_text.front()} : ask.prompt_text;
+  words_or_see_page(context, ask.prompt, words);
   std::string& typed = typed_[context.session.stage().id + '/' + ask.id];
   switch (ask.type) {
     case Ask::Type::expression:
@@ -176,7 +179,9 @@ void QuestionsPanel::draw(PanelContext& context) {
     context.take_focus = false;
   }
   heading("How to write it");
-  quiet_words(std::string(kWordsOfAnswers));
+  const bool derives = std::any_of(questions.begin(), questions.end(),
+                                   [](const Ask* ask) { return ask->derivation != nullptr; });
+  quiet_words(std::string(derives ? kWordsOfDerivations : kWordsOfAnswers));
 }
 
 }  // namespace polhode

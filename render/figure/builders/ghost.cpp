@@ -17,16 +17,12 @@ constexpr float kAlpha = 0.6F;
 constexpr double kDash = 0.06;
 
 /// No name where the computed arrow, with its own, is as good as here.
-void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, Arrow::Head head,
-               const char* name, const Role& role, DrawList& list) {
+void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, const char* name,
+               const Role& role, DrawList& list) {
   Color paint = role.paint;
   paint.a = kAlpha;
-  list.arrows.push_back({.head = head,
-                         .tail = Vec3::Zero(),
-                         .tip = tip_V,
-                         .radius = 0.017 * m.thickness,
-                         .color = paint,
-                         .dash = kDash});
+  list.arrows.push_back(
+      {.tail = Vec3::Zero(), .tip = tip_V, .radius = 0.017 * m.thickness, .color = paint, .dash = kDash});
   constexpr double kApart = 0.15;
   if (m.shows(Overlay::labels) && (tip_V - computed_V).norm() > kApart)
     list.labels.push_back(
@@ -103,11 +99,11 @@ void add_ghost(const Snapshot& m, const Camera& camera, DrawList& list) {
   add_ghost_of_solid(m, exact.q_SB, list);
   const bool turning = !exact.w_B.isZero(0.0);
   if (m.shows(Overlay::L) && turning)
-    add_arrow(m, q_VB * m.L_drawn_B(angular_momentum_B(m.I(), exact.w_B)), m.L_tip_V(),
-              Arrow::Head::double_cone, "$\\vec L$ exact", kLRole, list);
+    add_arrow(m, q_VB * m.L_drawn_B(angular_momentum_B(m.I(), exact.w_B)), m.L_tip_V(), "$\\vec L$ exact",
+              kLRole, list);
   if (m.shows(Overlay::omega) && turning)
-    add_arrow(m, q_VB * (exact.w_B * m.omega_scale), m.omega_tip_V(), Arrow::Head::cone,
-              "$\\vec\\omega$ exact", kOmegaRole, list);
+    add_arrow(m, q_VB * (exact.w_B * m.omega_scale), m.omega_tip_V(), "$\\vec\\omega$ exact", kOmegaRole,
+              list);
   if (!m.shows(Overlay::labels) || computed == 0 || list.meshes.size() == computed) return;
   const std::span<const Mesh> meshes = list.meshes;
   const std::vector<Vec3> computed_body = as_seen(meshes.first(computed), camera),

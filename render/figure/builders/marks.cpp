@@ -271,13 +271,11 @@ class MarkBuilder {
     const Look look = looks_.of(mark.of);
     const bool is_torque = mark.of.overlay == Overlay::N;
     const Vec3 tip = *tail + *along;
-    list_.arrows.push_back(
-        {.head = mark.of.overlay == Overlay::L ? Arrow::Head::double_cone : Arrow::Head::cone,
-         .tail = *tail,
-         .tip = tip,
-         .radius = kArrowRadius * m_.thickness,
-         .color = look.role.paint,
-         .dash = is_torque || look.is_dashed ? kArrowDash : 0.0});
+    list_.arrows.push_back({.tail = *tail,
+                            .tip = tip,
+                            .radius = kArrowRadius * m_.thickness,
+                            .color = look.role.paint,
+                            .dash = is_torque || look.is_dashed ? kArrowDash : 0.0});
     const Vec3 named =
         mark.name_at < 1 ? Vec3(*tail + mark.name_at * *along) : Vec3(tip + kBeyond * along->normalized());
     add_name(mark.tex.value_or(mark.of.quantity.tex), named, look.role.ink, list_);

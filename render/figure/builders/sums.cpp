@@ -21,14 +21,12 @@ struct Side {
   Vec3 along_V;
   const char* name;
   Role role;
-  Arrow::Head head = Arrow::Head::cone;
   double dash = 0.0;
 };
 
 void add_side(const Snapshot& m, const Side& side, const Vec3& from_V, double radius, DrawList& list) {
   if (!(side.along_V.norm() > kTooShort)) return;  // NaN too: the motion does not reach so far
-  list.arrows.push_back({.head = side.head,
-                         .tail = from_V,
+  list.arrows.push_back({.tail = from_V,
                          .tip = from_V + side.along_V,
                          .radius = radius,
                          .color = side.role.paint,
@@ -87,9 +85,8 @@ void add_transport(const Snapshot& m, const Camera& camera, DrawList& list) {
     list.labels.push_back(
         {.text = "$\\vec A$", .anchor = 0.55 * A_V, .color = kAxesRole.ink, .size = 1.2, .leader = false});
   add_triangle(m, {drawn(rates.star_rate_S), "$d^*\\!\\vec A/dt$", kPolhodeRole},
-               {drawn(rates.turning_S), "$\\vec\\omega\\times\\vec A$", kOmegaRole, Arrow::Head::cone, 0.04},
-               {drawn(rates.rate_S), "$d\\vec A/dt$", kHerpolhodeRole, Arrow::Head::double_cone}, A_V, radius,
-               camera, list);
+               {drawn(rates.turning_S), "$\\vec\\omega\\times\\vec A$", kOmegaRole, 0.04},
+               {drawn(rates.rate_S), "$d\\vec A/dt$", kHerpolhodeRole}, A_V, radius, camera, list);
 }
 
 /// At the tip of L, where that is shown, they are its rates: d*L/dt and ω×L of equation (5).
@@ -108,7 +105,7 @@ void add_terms(const Snapshot& m, const Camera& camera, DrawList& list) {
                {drawn(terms.gyroscopic_B),
                 at_L ? "$\\vec\\omega\\times\\vec L$" : "$\\vec\\omega\\times(\\mathbf I\\cdot\\vec\\omega)$",
                 kOmegaRole},
-               {drawn(terms.N_B), "$\\vec N$", kNRole, Arrow::Head::cone, 0.045}, at_V, radius, camera, list);
+               {drawn(terms.N_B), "$\\vec N$", kNRole, 0.045}, at_V, radius, camera, list);
 }
 
 }  // namespace polhode::builders

@@ -114,12 +114,7 @@ void add_arrows(const Snapshot& m, const Vec3& at, const Lengths& lengths, const
     add_arrow(m, Overlay::v, {.tail = at, .tip = at + lengths.v * v_V, .radius = 0.8 * radius, .color = {}},
               "$\\vec v$", kOmegaRole, list);
   if (shown.contains(Overlay::p) && moves)
-    add_arrow(m, Overlay::p,
-              {.head = Arrow::Head::double_cone,
-               .tail = at,
-               .tip = at + lengths.p * v_V,
-               .radius = 1.35 * radius,
-               .color = {}},
+    add_arrow(m, Overlay::p, {.tail = at, .tip = at + lengths.p * v_V, .radius = 1.35 * radius, .color = {}},
               "$\\vec p$", kLRole, list);
   if (shown.contains(Overlay::F) && !now.F_S.isZero(0.0))
     add_arrow(m, Overlay::F,

@@ -123,8 +123,7 @@ void add_vectors(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const double radius = kArrowRadius * m.thickness;
   const bool turning = !m.state.w_B.isZero(0.0);
   if (m.shows(Overlay::L) && turning)
-    list.arrows.push_back({.head = Arrow::Head::double_cone,
-                           .tail = Vec3::Zero(),
+    list.arrows.push_back({.tail = Vec3::Zero(),
                            .tip = m.L_tip_V(),
                            .radius = radius * m.emphasis(Overlay::L),
                            .color = kLRole.paint});

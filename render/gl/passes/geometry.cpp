@@ -91,7 +91,7 @@ void append_arrow(const Arrow& arrow, PaneGeometry& out) {
   const auto parts = parts_of(arrow);
   if (!parts) return;
   append_tube(parts->shaft, out.tubes);
-  for (const Cone& cone : parts->cones) append_cone(cone.base, cone.tip, cone.radius, cone.color, out.solid);
+  append_cone(parts->head.base, parts->head.tip, parts->head.radius, parts->head.color, out.solid);
 }
 
 void append_ball(const Ball& ball, Geometry<MeshVertex>& out) {
@@ -144,18 +144,13 @@ std::optional<ArrowParts> parts_of(const Arrow& arrow) {
   if (length <= 0.0) return std::nullopt;
   const Vec3 axis = direction(arrow.tail, arrow.tip);
   const double head = std::min(6.6 * arrow.radius, 0.45 * length);
-  const int cones = arrow.head == Arrow::Head::double_cone ? 2 : 1;
-  const double step = 0.62 * head;  // the second cone starts inside the first
-  const Vec3 neck = arrow.tip - (head + (cones - 1) * step) * axis;
+  const Vec3 neck = arrow.tip - head * axis;
   ArrowParts parts;
   parts.shaft = {.points = {arrow.tail, neck + 0.15 * head * axis},
                  .radius = arrow.radius,
                  .color = arrow.color,
                  .dash = arrow.dash};
-  for (int i = 0; i < cones; ++i) {
-    const Vec3 tip = arrow.tip - i * step * axis;
-    parts.cones.push_back({tip - head * axis, tip, 0.38 * head, arrow.color});
-  }
+  parts.head = {neck, arrow.tip, 0.38 * head, arrow.color};
   return parts;
 }
 

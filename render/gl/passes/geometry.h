@@ -49,8 +49,8 @@ struct Cone {
   Color color;
 };
 struct ArrowParts {
-  Tube shaft;  ///< ends a little inside the last cone
-  std::vector<Cone> cones;
+  Tube shaft;  ///< ends a little inside the head
+  Cone head;
 };
 /// Nothing for an arrow without length.
 std::optional<ArrowParts> parts_of(const Arrow& arrow);

@@ -41,18 +41,17 @@ class Painter {
   void add(const Arrow& arrow) {
     const auto parts = parts_of(arrow);
     if (!parts) return;
-    // One or two cones as one solid, and a shaft that ends just inside: where they are faint, nothing shows
-    // through twice.
-    const Cone &first = parts->cones.front(), &last = parts->cones.back();
-    const Vec3 base = last.base, tip = first.tip;
+    // The shaft ends just inside of the head: where they are faint, nothing shows through twice.
+    const Cone& head = parts->head;
+    const Vec3 &base = head.base, &tip = head.tip;
     Tube shaft = parts->shaft;
     // Of arrows along one line the later lies over the earlier, by more than the rounding of depths.
     for (Vec3& p : shaft.points) p += 0.01 * arrows_ * arrow.radius * direction(p, eye_);
     ++arrows_;
-    shaft.points.back() = base + 0.04 * (last.tip - last.base);
+    shaft.points.back() = base + 0.04 * (tip - base);
     add(shaft);
     // Sorted by the middle of its bulk: what touches its tip lies over it where that points to the viewer.
-    add_solid(Strokes::Kind::cone, base, tip, first.color, first.radius, (first.tip - first.base).norm(),
+    add_solid(Strokes::Kind::cone, base, tip, head.color, head.radius, (tip - base).norm(),
               base + 0.25 * (tip - base));
   }
 

@@ -601,5 +601,29 @@ TEST(Footnotes, ComeAndGoWithTheStepThatTheyBelongTo) {
   EXPECT_TRUE(text_page(lesson, 2).page().sheet.shapes.empty());
 }
 
+// A line of a learner's stands below its question with a chip; one that is being typed has none.
+TEST(PageOfADerivation, HasTheLinesBelowTheQuestion) {
+  const Stage& stage = lecture().stages.at(13);
+  const Ask* ask = nullptr;
+  int step = 0;
+  for (std::size_t i = 0; i < stage.steps.size(); ++i)
+    for (const Ask* one : blocks_of<Ask>(stage.steps[i]))
+      if (one->derivation) ask = one, step = static_cast<int>(i) + 1;
+  ASSERT_NE(ask, nullptr) << stage.id;
+  PageRequest request{.lesson = lecture(), .stage = stage, .number = 14, .step = step, .size = {2560, 2600}};
+  const auto glyphs = [&] {
+    const Page page = compose_page(request, test_fonts()).value();
+    std::size_t count = 0;
+    for (const PlacedType& text : page.sheet.texts) count += text.list.glyphs.size();
+    return count;
+  };
+  const std::size_t alone = glyphs();
+  request.derivation = {ask, {{"T = 1", "", Certainty::stated}}};
+  const std::size_t typed = glyphs();
+  request.derivation.lines[0] = {"T = 1", "holds", Certainty::proved};
+  EXPECT_EQ(typed, alone + 3);
+  EXPECT_EQ(glyphs(), typed + 5) << "and the word of the chip";
+}
+
 }  // namespace
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/derivation_work.h"
 
+#include "app/session/lesson_session.h"
 #include "tests/app/session/example_lesson.h"
 
 #include <gmock/gmock.h>
@@ -84,6 +85,33 @@ TEST(DerivationWork, WhatIsKeptIsReadAgain) {
   EXPECT_EQ(again.text(), "d*L/dt + omega x L = N");
   again.restore("nonsense\nL = I omega");
   EXPECT_TRUE(again.lines().empty()) << "of another lesson";
+}
+
+// What the page shows below the question: each line with its verdict, and the one that is being typed as it
+// grows.
+TEST(LessonSession, ADerivationIsShownAsItIsTyped) {
+  LessonSession session(test::loaded_lesson("euler-equations"));
+  const Ask* ask = nullptr;
+  for (std::size_t stage = 0; ask == nullptr && stage < session.lesson().stages.size(); ++stage)
+    for (std::size_t step = 0; ask == nullptr && step < session.lesson().stages[stage].steps.size(); ++step)
+      for (const Ask* one : blocks_of<Ask>(session.lesson().stages[stage].steps[step]))
+        if (one->id == "derive-six") session.go_to({stage, step}), ask = one;
+  ASSERT_NE(ask, nullptr);
+  EXPECT_EQ(session.shown_derivation(), ShownDerivation());
+  session.derivation(*ask).type("d*L/dt + om");
+  ASSERT_EQ(session.shown_derivation().lines.size(), 1u);
+  EXPECT_EQ(session.shown_derivation().lines[0].word, "") << "it is not judged yet";
+  session.derive(*ask, "d*L/dt - omega x L = N");
+  session.derivation(*ask).type("");
+  ASSERT_EQ(session.shown_derivation().lines.size(), 1u);
+  EXPECT_EQ(session.shown_derivation().lines[0].certainty, Certainty::refuted);
+  session.derive(*ask, "d*L/dt + omega x L = N");
+  EXPECT_EQ(session.shown_derivation().lines[0].word, "holds");
+  EXPECT_EQ(session.record(*ask)->last, "d*L/dt + omega x L = N");
+  session.undo_derived_line(*ask);
+  EXPECT_TRUE(session.shown_derivation().lines.empty());
+  session.forget_answer(*ask);
+  EXPECT_EQ(session.record(*ask), nullptr);
 }
 
 }  // namespace

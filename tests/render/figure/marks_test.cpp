@@ -132,7 +132,7 @@ TEST(Marks, LAndNStandAsTheirOverlaysDo) {
   const DrawList list = list_of(scene, 0.8);
   ASSERT_EQ(list.arrows.size(), 4U);
   EXPECT_LT((list.arrows[0].tip - list.arrows[2].tip).norm(), kRounding);
-  EXPECT_EQ(list.arrows[0].head, list.arrows[2].head);
+  EXPECT_EQ(list.arrows[0].dash, list.arrows[2].dash);
   EXPECT_LT((list.arrows[1].tip - list.arrows[3].tip).norm(), kRounding);
   EXPECT_EQ(list.arrows[1].dash, list.arrows[3].dash);
   ASSERT_EQ(list.labels.size(), 3U) << "both names, and the note";

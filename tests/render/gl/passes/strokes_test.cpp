@@ -96,8 +96,7 @@ TEST(Strokes, RunsHaveEachIndexOnce) {
   DrawList list;
   list.tubes.push_back(ring(1.0, 0.0));
   list.balls.push_back({.center = Vec3::Zero(), .radius = 0.1, .color = {}});
-  list.arrows.push_back(
-      {.head = Arrow::Head::double_cone, .tail = Vec3::Zero(), .tip = Vec3(0, 0, -2), .color = {}});
+  list.arrows.push_back({.tail = Vec3::Zero(), .tip = Vec3(0, 0, -2), .color = {}});
   const Strokes strokes = make_strokes(list, kEye);
   std::size_t lines = 0, solids = 0;
   for (const Strokes::Run& run : strokes.runs) {
@@ -107,7 +106,7 @@ TEST(Strokes, RunsHaveEachIndexOnce) {
   }
   EXPECT_EQ(lines, strokes.lines.indices.size());
   EXPECT_EQ(solids, strokes.solids.indices.size());
-  EXPECT_EQ(solids, 2U * 6U);  // a ball, and two cones as one
+  EXPECT_EQ(solids, 2U * 6U);  // a ball, and a head
 }
 
 /// Whether the way from the eye to a point crosses the surface.
