@@ -151,7 +151,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
        return Sides2(rate, rate); }},
     {"euler-equations/eq4", [](const Now& s) { return Sides2(s.L(), s.times_I(s.w())); }},
     {"euler-equations/angular-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
-    {"euler-equations/contrast-parallel", [](const Now& s) { return Sides2((s.m() * s.v()).cross(s.v()), 0.0); }},
     {"euler-equations/contrast-not-parallel", [](const Now& s) { return Sides2(w_x_L(s), 0.0); }},
     {"euler-equations/contrast-square", [](const Now& s) {
        const double a = s.I()[0] * s.w()[0] * s.w()[0], b = s.I()[2] * s.w()[2] * s.w()[2];

@@ -46,7 +46,7 @@ TEST_F(Derive, EachLineIsJudgedAndTheGoalIsZero) {
 TEST_F(Derive, NotThereYetIsFourAndSaysWhatIsNext) {
   const ProgramRun run = derive("d*L/dt + omega x L = N\n", {"--hint", "3"});
   EXPECT_EQ(run.code, 4);
-  EXPECT_THAT(run.out, HasSubstr("Not there yet. The goal: I d*omega/dt + omega x (I omega) = N\n"));
+  EXPECT_THAT(run.out, HasSubstr("Not there yet. The goal: I omega' + omega x (I omega) = N\n"));
   EXPECT_THAT(run.out, HasSubstr("Hint: Type: d*(I omega)/dt"));
   EXPECT_EQ(derive("", {"--hint", "9"}).code, 2);
 }
