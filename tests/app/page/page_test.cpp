@@ -7,6 +7,7 @@
 #include "app/page/loaded_lesson.h"
 #include "app/page/page_text.h"
 #include "app/page/text_column.h"
+#include "render/scene/model/scene_problem.h"
 #include "tests/app/page/sheet_checks.h"
 #include "tests/support/paths.h"
 
@@ -80,19 +81,26 @@ bool stands_in_a_gap_of(const PlacedType& formula, const PlacedType& number) {
   });
 }
 
-/// Those that the page's step adds.
+/// Those of the page's step, and of the steps before: of another motion as they were at its still.
 PageNumbers numbers_at(const PageRequest& request) {
   PageNumbers numbers(request.lesson, test_fonts());
   const auto live = request.model ? live_state(*request.model, request.t_s) : std::nullopt;
-  const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
+  const Step& present = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
   StillNumbers stills;
-  for (const int id : numbers_in(step)) {
-    const ComputedNumber& number = request.lesson.numbers[static_cast<std::size_t>(id)];
-    // Those of tables are of motions of their own.
-    if (number.row)
-      numbers.keep(id, stills.of(request.lesson, step).at(id));
-    else if (live)
-      numbers.keep(id, value_of(number, *live));
+  for (int i = 0; i < request.step; ++i) {
+    const Step& step = request.stage.steps[static_cast<std::size_t>(i)];
+    const bool is_of_page =
+        &step == &present || !step.scene || !present.scene || same_motion(*step.scene, *present.scene);
+    for (const int id : numbers_in(step)) {
+      const ComputedNumber& number = request.lesson.numbers[static_cast<std::size_t>(id)];
+      // Those of tables are of motions of their own.
+      if (number.row || !is_of_page) {
+        const auto& values = stills.of(request.lesson, step);
+        if (const auto value = values.find(id); value != values.end()) numbers.keep(id, value->second);
+      } else if (live) {
+        numbers.keep(id, value_of(number, *live));
+      }
+    }
   }
   return numbers;
 }
