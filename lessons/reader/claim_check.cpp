@@ -93,7 +93,8 @@ class ClaimCheck {
     for (const Claim* claim : blocks_of<Claim>(step))
       if (claim->equation == equation.id && claim->origin == Claim::Origin::formula) proved = claim;
     // What does not hold, or not of this motion, is said of the claim.
-    if (proved != nullptr && (!holds(*proved) || (proved->kind == ClaimKind::free && !step.scene->torque.empty())))
+    if (proved != nullptr &&
+        (!holds(*proved) || (proved->kind == ClaimKind::free && !step.scene->torque.empty())))
       return;
     const bool is_proved = proved != nullptr;
     check_what_numbers_say(equation.math, above, step, is_proved);

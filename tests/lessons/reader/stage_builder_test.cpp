@@ -115,7 +115,9 @@ TEST(PrintedClaims, AreWhatTheFormulaSays) {
 }
 
 TEST(PrintedClaims, AChainGoesOnAndSoDoesTheNextFormula) {
-  const Stage stage = stage_of("```math a law\n\\vec N = \\vec N = \\frac{d\\vec L}{dt}\n```\n```math b law\n= \\vec\\omega\\times\\vec L + \\frac{d^*\\vec L}{dt}\n```\n");
+  const Stage stage = stage_of(
+      "```math a law\n\\vec N = \\vec N = \\frac{d\\vec L}{dt}\n```\n```math b law\n= "
+      "\\vec\\omega\\times\\vec L + \\frac{d^*\\vec L}{dt}\n```\n");
   const auto& chain = std::get<Claim>(stage.steps[0].blocks.at(1));
   ASSERT_THAT(chain.lines, SizeIs(2));
   EXPECT_FALSE(chain.lines[0].goes_on);
