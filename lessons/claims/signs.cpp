@@ -106,8 +106,8 @@ Terms rewritten(const Terms& terms, const std::array<Symbol, 3>& three, const Fo
   for (const auto& [monomial, coefficient] : terms) {
     Monomial rest = times(monomial, clearing);
     std::array<int, 3> exponents{};
-    for (std::size_t i = 0; i < 3; ++i)
-      exponents[i] = static_cast<int>(std::exchange(rest[three[i]], std::int8_t{0}));
+    for (std::size_t i = 0; i < 3; ++i)  // none is negative
+      exponents[i] = static_cast<unsigned char>(std::exchange(rest[three[i]], std::int8_t{0}));
     Terms product{{rest, coefficient}};
     for (std::size_t i = 0; i < 3; ++i)
       for (int n = 0; n < exponents[i]; ++n) product = multiplied(product, moments[i]);

@@ -95,7 +95,7 @@ class Judge {
         const Prover& prover)
       : derivation_(derivation), before_(before), how_(how), prover_(prover) {}
 
-  LineJudgement judge(DerivedLine line) const {
+  LineJudgement judge(const DerivedLine& line) const {
     for (const Equality& link : line.links) {
       if (!is_provable(link)) return without_proof(link);
       const Verdict verdict = settle(link, derivation_.assumption);

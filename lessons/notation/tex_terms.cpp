@@ -175,7 +175,7 @@ TexValue TexTerms::sum(Items items, SourceSpan where) {
     if (total)
       total = added(std::move(*total), *term, minus, whole);
     else
-      total = minus ? negated_value(std::move(*term), whole) : std::move(term);
+      total = minus ? negated_value(*term, whole) : std::move(*term);
   }
   if (!total) return atom_value("0", Type::zero, whole);  // all of it is struck out
   total->span = whole;
