@@ -121,6 +121,11 @@ ExitCode answer(const Options& options) {
   const LoadedLesson loaded = or_fail(load_lesson(options.lesson));
   const Stage& stage = stage_of(loaded.lesson, options.stage);
   const Ask& ask = ask_of(stage, options.ask);
+  if (ask.derivation && !options.reset)
+    throw CommandError(ExitCode::usage,
+                       fmt::format("question \"{}\" asks for a derivation: polhode derive takes "
+                                   "its lines, and has hints",
+                                   ask.id));
   const KeptAnswers kept(loaded.lesson.id, answer_name(stage.id, ask.id));
   if (options.hint) return show_hint(ask, SpeechText(loaded.lesson), kept);
   if (options.reset) {

@@ -20,7 +20,6 @@ namespace polhode {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Mark = LineJudgement::Mark;
 
 struct Options {
   std::string lesson, stage, ask, hint;
@@ -94,7 +93,7 @@ ExitCode derive(const Options& options) {
     else
       print_line(number, typed, judgement);
   }
-  const std::string hint = level > 0 ? work.hint(level) : "";
+  const std::string hint = level > 0 ? SpeechText(loaded.lesson).words_of_line(work.hint(level)) : "";
   if (options.json) {
     const Json json = {{"lines", lines}, {"goal_reached", work.is_done()}, {"hint", hint}};
     fmt::print("{}\n", printable(json.dump(2, ' ', false, Json::error_handler_t::replace)));

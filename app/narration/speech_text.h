@@ -53,6 +53,8 @@ class SpeechText {
   /// What the marks of a scene (mark.h), and of those beside it, are: "The angle theta from e z to e 3; the
   /// trail of the tip of L."; empty: none is drawn.
   std::string words_of_marks(const Scene& scene) const;
+  /// Of a line with formulas between dollars: "use the transport theorem with A equals L".
+  std::string words_of_line(const std::string& line) const;
   /// Title, and what the steps from `first` to `last` add.
   std::string words_of_page(const Stage& stage, int first, int last) const;
 
@@ -61,7 +63,6 @@ class SpeechText {
   std::vector<std::string> marks_in_words(const Scene& scene) const;
   std::vector<std::string> captions_in_words(const Step& step, const Scene& shown) const;
   std::string words_of_tex(const std::string& tex) const;
-  std::string words_of_line(const std::string& line) const;
   std::string words(const std::vector<TextSpan>& spans, std::vector<NoteLink>* links,
                     bool is_sentence = true) const;
   std::string words_of_caption(const Step& step, std::size_t shown) const;

@@ -234,6 +234,14 @@ class AskReader {
     if (table_.find(key) == nullptr) fail(ask_.place, "a question lacks " + in_quotes(key));
   }
 
+  void check_given() {
+    const TomlEntry* given = table_.find("given");
+    if (given != nullptr && !ask_.given.small.empty())
+      fail(given->place, "an answer is right or wrong to all orders: it is given nothing that is small");
+    if (given != nullptr && ask_.modulo == "free" && ask_.given.sets_torque())
+      fail(given->place, "this gives a torque, and modulo = \"free\" says that there is none");
+  }
+
   void check_together() {
     const bool derives = ask_.type == Ask::Type::derive;
     for (const char* key : {"start", "goal", "facts", "worked", "least"})
@@ -243,10 +251,11 @@ class AskReader {
       if (const TomlEntry* entry = table_.find(key); entry != nullptr && derives)
         fail(entry->place, in_quotes(key) + " is not of questions of type \"derive\"",
              "what leads to the goal stands in \"worked\"");
-    if (derives) return;
     const bool expression = ask_.type == Ask::Type::expression;
     const TomlEntry* choices = table_.find("choices");
     const TomlEntry* modulo = table_.find("modulo");
+    check_given();
+    if (derives) return;
     if (expression && choices != nullptr) fail(choices->place, "a question for an expression has no choices");
     if (!expression && ask_.choices.size() < 2) {
       fail(choices == nullptr ? ask_.place : choices->value.place,
@@ -256,10 +265,6 @@ class AskReader {
     if (!expression && modulo != nullptr) fail(modulo->place, "\"modulo\" is of questions for an expression");
     const TomlEntry* given = table_.find("given");
     if (!expression && given != nullptr) fail(given->place, "\"given\" is of questions for an expression");
-    if (given != nullptr && !ask_.given.small.empty())
-      fail(given->place, "an answer is right or wrong to all orders: it is given nothing that is small");
-    if (given != nullptr && ask_.modulo == "free" && ask_.given.sets_torque())
-      fail(given->place, "this gives a torque, and modulo = \"free\" says that there is none");
     if (expression && modulo == nullptr) ask_.modulo = "identity";
   }
 

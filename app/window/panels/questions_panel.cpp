@@ -100,7 +100,8 @@ void show_next_step(PanelContext& context, const Ask& ask) {
   const int shown = record == nullptr ? 0 : record->hints;
   if (!work.is_done()) {
     if (shown > 0)
-      if (const std::string hint = work.hint(shown); !hint.empty()) quiet_words("Hint: " + hint);
+      if (const std::string hint = work.hint(shown); !hint.empty())
+        quiet_words("Hint: " + context.speech.words_of_line(hint));
     if (shown < DerivationWork::kMostHints) {
       if (ImGui::Button(shown == 0 ? "A hint" : shown == 1 ? "How?" : "Show the line"))
         context.session.show_hint(ask);

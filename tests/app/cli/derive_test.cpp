@@ -51,6 +51,20 @@ TEST_F(Derive, NotThereYetIsFourAndSaysWhatIsNext) {
   EXPECT_EQ(derive("", {"--hint", "9"}).code, 2);
 }
 
+// Formulas in hints are said in words: a terminal sets none.
+TEST_F(Derive, HintsHaveNoTex) {
+  const ProgramRun run = derive("", {"--hint", "2"});
+  EXPECT_THAT(run.out, HasSubstr("Hint: "));
+  EXPECT_EQ(run.out.find('$'), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find('\\'), std::string::npos) << run.out;
+}
+
+TEST_F(Derive, AreNotAnswered) {
+  const ProgramRun run = polhode({"answer", lesson_, "euler-tensor", "derive-six", "A"}, {});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("polhode derive takes its lines"));
+}
+
 TEST_F(Derive, AsJsonEveryLineHasItsSlip) {
   const Json json = Json::parse(derive("dL/dt = d*L/dt\nL + \n", {"--json"}).out);
   EXPECT_EQ(json.at("goal_reached"), false);
