@@ -89,8 +89,8 @@ constexpr const char* kSecondLaws[] = {
     "ddt(ddt(L)) = ddt(N)", "I1*ddt(dw1) = (I2 - I3)*(dw2*w3 + w2*dw3) + ddt(N1)",
     "ddt(ddt(e2)) = cross(ddt(omega), e2) + cross(omega, cross(omega, e2))",
     "ddt(ddt(dot(ez, e3))) = dot(ez, cross(ddt(omega), e3) + cross(omega, cross(omega, e3)))",
-    "ddt(ddt(A)) = star(star(A)) + 2*cross(omega, star(A)) + cross(star(omega), A) + cross(omega, "
-    "cross(omega, A))"};
+    ("ddt(ddt(A)) = star(star(A)) + 2*cross(omega, star(A)) + cross(star(omega), A) + cross(omega, "
+     "cross(omega, A))")};
 
 TEST(LiveClaims, SecondRatesAreThoseOfTheMotion) {
   for (const char* law : kSecondLaws) {
