@@ -80,7 +80,7 @@ class CloserLook {
           return typed.contains(letter) && !wanted.contains(letter);
         });
         if ((!is_same && left == letters.end()) || !is_what_is_asked(asked)) continue;
-        return is_same ? "this is what is asked, written again"
+        return is_same ? "this is what is asked, written again: work it out"
                        : "the answer is asked for without " + (*left == "omega" ? "ω" : *left);
       }
     return std::nullopt;
