@@ -12,7 +12,7 @@
 #include "base/shell_line.h"
 #include "base/spelling.h"
 #include "base/utf8.h"
-#include "lessons/claims/answers.h"
+#include "lessons/derivation/answer_reasons.h"
 #include "lessons/diagnostics/source_text.h"
 
 #include <fmt/format.h>
@@ -46,6 +46,7 @@ void print_json(const AnswerJudgement& judgement) {
   using Json = nlohmann::ordered_json;
   Json json = {{"verdict", word_of(judgement.mark)},
                {"reason", judgement.reason},
+               {"tag", judgement.tag.empty() ? Json(nullptr) : Json(judgement.tag)},
                {"hint", judgement.hint},
                {"column", judgement.column > 0 ? Json(judgement.column) : Json(nullptr)},
                {"counterexample", nullptr}};
@@ -95,7 +96,7 @@ void offer_hint(const Options& options) {
 
 ExitCode judge_and_keep(const Ask& ask, const Vocabulary& words, const std::string& given,
                         const Options& options, const KeptAnswers& kept) {
-  const AnswerJudgement judgement = judge_answer(ask, given, Prover(), &words);
+  const AnswerJudgement judgement = judge_with_reasons(ask, given, Prover(), words);
   options.json ? print_json(judgement) : print_verdict(judgement, given);
   if (judgement.mark == Mark::unreadable && !options.json) {
     print_place(given, judgement.column);
@@ -107,9 +108,7 @@ ExitCode judge_and_keep(const Ask& ask, const Vocabulary& words, const std::stri
     if (!options.json && judgement.mark == Mark::wrong && !ask.hints.empty()) offer_hint(options);
     std::fflush(stdout);  // the verdict need not wait for another process that keeps an answer just now
     kept.change_if_possible(
-        [&](AnswerLog& log, const std::string& name) {
-          note_try(log[name], judgement.mark == Mark::right, given);
-        },
+        [&](AnswerLog& log, const std::string& name) { note_judged(log[name], judgement, given); },
         "the answer is not kept");
   }
   return code_of(judgement.mark);
@@ -149,7 +148,7 @@ Command answer_command() {
                         form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order))},
            {"--hint", &options->hint, "Show the next hint instead"},
            {"--reset", &options->reset, "Forget what was answered to the question, and its hints"},
-           {"--json", &options->json, "verdict, reason, hint, column and counterexample as JSON"}},
+           {"--json", &options->json, "verdict, reason, tag, column, counterexample as JSON"}},
           "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
           "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.",
           [options](const CommandWords&) { return answer(*options); },

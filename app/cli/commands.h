@@ -15,6 +15,7 @@ Command info_command();
 Command trace_command();
 Command measure_command();
 Command answer_command();
+Command answers_command();
 Command derive_command();
 Command compare_command();
 

@@ -80,6 +80,7 @@ ExitCode derive(const Options& options) {
         fmt::format("question \"{}\" asks for no derivation: polhode answer judges it", ask.id));
   DerivationWork work(loaded.lesson, ask);
   Json lines = Json::array();
+  std::vector<std::string_view> slips;
   std::size_t number = 0;
   for (std::string typed; !work.is_done() && std::getline(std::cin, typed);) {
     if (typed.find_first_not_of(" \t\r") == typed.npos) continue;
@@ -88,6 +89,7 @@ ExitCode derive(const Options& options) {
                          fmt::format("a derivation has at most {} lines", kMostDerivedLines));
     if (typed.back() == '\r') typed.pop_back();
     const LineJudgement& judgement = work.add(typed);
+    if (judgement.mark == LineJudgement::Mark::wrong) slips.push_back(name_of(judgement.slip));
     if (options.json)
       lines.push_back(json_of(typed, judgement));
     else
@@ -106,6 +108,7 @@ ExitCode derive(const Options& options) {
         .change_if_possible(
             [&](AnswerLog& log, const std::string& name) {
               note_try(log[name], work.is_done(), work.text());
+              for (const std::string_view slip : slips) note_reason(log[name], slip);
             },
             "the derivation is not kept");
   return work.is_done() ? ExitCode::done : ExitCode::different;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/session/state_file.h"
+#include "lessons/claims/answers.h"
 
 #include <chrono>
 #include <filesystem>
@@ -16,10 +17,12 @@
 namespace polhode {
 
 struct AnswerRecord {
-  int right = 0;     ///< how many tries were right; the file keeps only whether any was
-  int tries = 0;     ///< how many answers could be read, right or wrong
-  int hints = 0;     ///< how many hints were shown
-  std::string last;  ///< the last answer
+  int right = 0;                          ///< how many tries were right; the file keeps only whether any was
+  int tries = 0;                          ///< how many answers could be read, right or wrong
+  int hints = 0;                          ///< how many hints were shown
+  std::string last;                       ///< the last answer
+  std::string accepted = {};              ///< the last one that was right
+  std::map<std::string, int> wrong = {};  ///< how often each reason (reason_tags.h) was given
   bool operator==(const AnswerRecord&) const = default;
 };
 
@@ -28,6 +31,10 @@ using AnswerLog = std::map<std::string, AnswerRecord>;
 std::string answer_name(std::string_view stage_id, std::string_view ask_id);
 
 void note_try(AnswerRecord& record, bool is_right, std::string_view answer);
+/// Notes why an answer, or a line of a derivation, was wrong; empty: for another reason.
+void note_reason(AnswerRecord& record, std::string_view tag);
+/// Notes a try that was judged. Precondition: it could be read.
+void note_judged(AnswerRecord& record, const AnswerJudgement& judgement, std::string_view answer);
 /// Notes that one more of the question's `hints` hints is shown, and says which, from 0; nothing if all were
 /// shown before.
 std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints);

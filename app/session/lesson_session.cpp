@@ -2,6 +2,7 @@
 #include "app/session/lesson_session.h"
 
 #include "app/export/picture_maker.h"
+#include "lessons/derivation/answer_reasons.h"
 #include "lessons/reader/varied_scene.h"
 #include "physics/body/euler.h"
 #include "physics/geometry/flips.h"
@@ -409,11 +410,10 @@ std::vector<const Ask*> LessonSession::questions() const {
 
 const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view text) {
   using Mark = AnswerJudgement::Mark;
-  JudgedAnswer& judged =
-      judged_[ask.id] = {std::string(text), judge_answer(ask, text, Prover(), &lesson().notation.vocabulary)};
-  const Mark mark = judged.judgement.mark;
-  if (mark != Mark::unreadable)
-    note_try(answers_[answer_name(stage().id, ask.id)], mark == Mark::right, text);
+  JudgedAnswer& judged = judged_[ask.id] = {
+      std::string(text), judge_with_reasons(ask, text, Prover(), lesson().notation.vocabulary)};
+  if (judged.judgement.mark != Mark::unreadable)
+    note_judged(answers_[answer_name(stage().id, ask.id)], judged.judgement, text);
   return judged.judgement;
 }
 
@@ -437,9 +437,11 @@ DerivationWork& LessonSession::derivation(const Ask& ask) {
 void LessonSession::derive(const Ask& ask, std::string_view line) {
   DerivationWork& work = derivation(ask);
   const bool was_done = work.is_done();
-  const LineJudgement::Mark mark = work.add(line).mark;
-  if (mark != LineJudgement::Mark::unreadable && !was_done)
-    note_try(answers_[answer_name(stage().id, ask.id)], work.is_done(), work.text());
+  const LineJudgement& judgement = work.add(line);
+  if (judgement.mark == LineJudgement::Mark::unreadable || was_done) return;
+  AnswerRecord& record = answers_[answer_name(stage().id, ask.id)];
+  note_try(record, work.is_done(), work.text());
+  if (judgement.mark == LineJudgement::Mark::wrong) note_reason(record, name_of(judgement.slip));
 }
 
 void LessonSession::undo_derived_line(const Ask& ask) {

@@ -4,6 +4,8 @@
 #include "app/export/picture_export.h"
 #include "app/export/picture_maker.h"
 #include "app/export/picture_metadata.h"
+#include "app/session/answer_report.h"
+#include "app/session/progress.h"
 #include "app/session/saved_scene.h"
 #include "base/files/atomic_file.h"
 #include "render/image/png.h"
@@ -96,18 +98,26 @@ Outcome<fs::path> save_picture(const LessonSession& session, SaveAs what, const 
 bool can_save_as(const LessonSession& session, SaveAs what) {
   if (what == SaveAs::page) return true;
   if (what == SaveAs::equation) return last_equation(session.step()) != nullptr;
+  if (what == SaveAs::answers) return !questions_of(session.lesson()).empty();
   return session.model() != nullptr;
 }
 
 Result<fs::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
                          const fs::path& folder, Renderer& renderer) {
   if (!can_save_as(session, what))
-    return failure(what == SaveAs::equation ? "this step has no equation" : "this step has no figure");
+    return failure(what == SaveAs::equation  ? "this step has no equation"
+                   : what == SaveAs::answers ? "this lesson asks nothing"
+                                             : "this step has no figure");
   if (const Status made = make_folder(folder); !made) return failure(made.error());
   if (what == SaveAs::trace)
     return write_text(free_name(folder, stem_of(session), ".csv"), trace_of(session));
   if (what == SaveAs::scene)
     return write_text(free_name(folder, stem_of(session) + "-scene", ".md"), lesson_of(session));
+  if (what == SaveAs::answers) {
+    const auto report = answer_report(session.lesson(), session.answers(), options.student);
+    if (!report) return failure(report.error());
+    return write_text(free_name(folder, session.lesson().id + "-answers", ".txt"), *report);
+  }
   const auto picture = save_picture(session, what, options, folder, renderer);
   if (!picture) return failure(picture.error().text);
   return *picture;

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 // What a student takes out of the window: pictures as export makes them, the motion as numbers, the scene as
-// a lesson.
+// a lesson, the answers to hand in.
 #pragma once
 
 #include "app/session/lesson_session.h"
 #include "render/gl/renderer.h"
 
 #include <filesystem>
+#include <string>
 
 namespace polhode {
 
-enum class SaveAs { page, figure, equation, trace, scene };
+enum class SaveAs { page, figure, equation, trace, scene, answers };
 
 struct SaveOptions {
   Size size{1920, 1080};     ///< of pages and figures
   bool transparent = false;  ///< background of pictures
+  std::string student = {};  ///< who hands in answers, as typed; empty: nobody says
   bool operator==(const SaveOptions&) const = default;
 };
 
@@ -25,7 +27,7 @@ bool can_save_as(const LessonSession& session, SaveAs what);
 /// one that export gives (07-poinsot-step3.png; the names of figures, traces and scenes also have their
 /// kind), and if that is taken, has a number behind it: nothing is overwritten. A picture is the one that
 /// `polhode export` makes of the same state, byte for byte on the same driver. Of several equations the last
-/// is saved.
+/// is saved. Answers are those to the whole lesson: quiz-answers.txt (answer_report.h).
 Result<std::filesystem::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
                                       const std::filesystem::path& folder, Renderer& renderer);
 

@@ -10,6 +10,7 @@
 #include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -250,6 +251,11 @@ std::string lesson_of(const LessonSession& session) {
   std::string text = fmt::format("+++\nformat = 1\nid = \"{}\"\ntitle = {}\n", stage.id, toml(lesson.title)),
               keys;
   if (lesson.notation.xyz_are_body_axes) text += "axes = \"xyz\"\n";
+  if (!lesson.about.outcomes.empty()) {  // questions refer to them
+    std::vector<std::string> outcomes;
+    for (const std::string& outcome : lesson.about.outcomes) outcomes.push_back(toml(outcome));
+    text += fmt::format("outcomes = [{}]\n", fmt::join(outcomes, ", "));
+  }
   if (session.has_scene()) {
     const Scene scene = saved(session);
     keys = scene_keys_text(scene, session.t_s());

@@ -16,9 +16,13 @@ using Mark = AnswerJudgement::Mark;
 AnswerJudgement right() {
   return {.mark = Mark::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
 }
-AnswerJudgement wrong(std::string reason, int column = 0) {
-  return {
-      .mark = Mark::wrong, .reason = std::move(reason), .hint = {}, .column = column, .counterexample = {}};
+AnswerJudgement wrong(std::string tag, std::string reason, int column = 0) {
+  return {.mark = Mark::wrong,
+          .reason = std::move(reason),
+          .hint = {},
+          .column = column,
+          .counterexample = {},
+          .tag = std::move(tag)};
 }
 AnswerJudgement unreadable(std::string reason, std::string hint = {}, int column = 0) {
   return {Mark::unreadable, std::move(reason), std::move(hint), column, {}};
@@ -38,9 +42,10 @@ class ExpressionJudge {
         prover_(prover),
         assumption_(assumption_named(question.modulo)) {}
 
-  AnswerJudgement judge() const {
+  AnswerJudgement judge(Reasons reasons) const {
     if (const auto refused = unasked_derivative()) return *refused;
     if (equals(answer_, assumption_)) return right();
+    if (reasons == Reasons::unwanted) return not_equal();
     AnswerJudgement judgement = reason();
     judgement.counterexample = prover_.refute({answer_, *question_.expression}, assumption_, question_.given);
     return judgement;
@@ -65,22 +70,24 @@ class ExpressionJudge {
       return std::nullopt;
     const auto found = std::find_if(answer_.nodes.begin(), answer_.nodes.end(), is_rate);
     if (found == answer_.nodes.end()) return std::nullopt;
-    return wrong("the answer is asked for without derivatives: " + words_of(*found) + " is one",
+    return wrong("derivative", "the answer is asked for without derivatives: " + words_of(*found) + " is one",
                  column_of(*found));
   }
 
   AnswerJudgement reason() const {
-    if (equals(negated(answer_))) return wrong("wrong sign: every sign is the other way round");
+    if (equals(negated(answer_))) return wrong("signs", "wrong sign: every sign is the other way round");
     if (const auto found = one_term()) return *found;
     if (const auto found = factor()) return *found;
     if (const auto found = indices()) return *found;
     if (assumption_ == Assumption::identity && equals(answer_, Assumption::motion))
-      return wrong("this follows from the equations of motion; here it has to hold whatever ω̇ is");
+      return wrong("law", "this follows from the equations of motion; here it has to hold whatever ω̇ is");
     if (assumption_ != Assumption::free && !question_.given.sets_torque() && !has_torque() &&
         !vanishes_without_torque() && equals(answer_, Assumption::free))
-      return wrong("this is right without torque only");
-    return wrong("not equal to what is asked for");
+      return wrong("torque", "this is right without torque only");
+    return not_equal();
   }
+
+  static AnswerJudgement not_equal() { return wrong("other", "not equal to what is asked for"); }
 
   bool has_torque() const {
     return answer_.uses(Quantity::N) || answer_.uses(Quantity::N1) || answer_.uses(Quantity::N2) ||
@@ -97,9 +104,9 @@ class ExpressionJudge {
     for (const int summand : summands_of(answer_)) {
       const ExpressionNode& node = answer_.nodes[static_cast<std::size_t>(summand)];
       if (equals(with_summand_negated(answer_, summand)))
-        return wrong("wrong sign: that of " + words_of(node), column_of(node));
+        return wrong("sign", "wrong sign: that of " + words_of(node), column_of(node));
       if (equals(without_summand(answer_, summand)))
-        return wrong(words_of(node) + " does not belong there", column_of(node));
+        return wrong("extra", words_of(node) + " does not belong there", column_of(node));
     }
     return std::nullopt;
   }
@@ -108,8 +115,8 @@ class ExpressionJudge {
     for (int denominator = 1; denominator <= 4; ++denominator)
       for (int numerator = -4; numerator <= 4; ++numerator)
         if (numerator != 0 && equals(times(answer_, numerator, denominator)))
-          return wrong("a constant factor is wrong: this is " + fraction(denominator, numerator) +
-                       " times what is asked for");
+          return wrong("factor", "a constant factor is wrong: this is " + fraction(denominator, numerator) +
+                                     " times what is asked for");
     return std::nullopt;
   }
 
@@ -121,9 +128,10 @@ class ExpressionJudge {
   std::optional<AnswerJudgement> indices() const {
     for (const AxisPermutation& permutation : kAxisPermutations)
       if (equals(renamed(answer_, permutation)))
-        return wrong("the indices are mixed up: right would be " + std::to_string(permutation[0] + 1) +
-                     " for 1, " + std::to_string(permutation[1] + 1) + " for 2, " +
-                     std::to_string(permutation[2] + 1) + " for 3");
+        return wrong("indices", "the indices are mixed up: right would be " +
+                                    std::to_string(permutation[0] + 1) + " for 1, " +
+                                    std::to_string(permutation[1] + 1) + " for 2, " +
+                                    std::to_string(permutation[2] + 1) + " for 3");
     return std::nullopt;
   }
 
@@ -134,7 +142,7 @@ class ExpressionJudge {
 };
 
 AnswerJudgement judge_expression(const Question& question, std::string_view text, const Prover& prover,
-                                 const Vocabulary* vocabulary) {
+                                 const Vocabulary* vocabulary, Reasons reasons) {
   const SourceText source(text);
   Report report(source, "");
   if (source.line_count() > 1) return unreadable("an answer is one line");
@@ -149,9 +157,9 @@ AnswerJudgement judge_expression(const Question& question, std::string_view text
   if (prover.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
     return unreadable("this is nowhere defined", "is something divided by 0?");
   if (!fit(answer->type(), question.expression->type()))
-    return wrong("wrong type: " + std::string(name_of(question.expression->type())) +
-                 " is asked for, this is " + std::string(name_of(answer->type())));
-  return ExpressionJudge(*answer, question, prover).judge();
+    return wrong("kind", "wrong type: " + std::string(name_of(question.expression->type())) +
+                             " is asked for, this is " + std::string(name_of(answer->type())));
+  return ExpressionJudge(*answer, question, prover).judge(reasons);
 }
 
 /// The choices that a text names, from 1, by letters or numbers; nothing if it names anything else.
@@ -188,8 +196,8 @@ AnswerJudgement judge_choice(const Question& question, std::string_view text) {
   if (!choices || choices->size() != 1)
     return unreadable("the answer is one of the choices, " + letters_of(question.choices.size()));
   if (*choices == question.answers) return right();
-  return wrong(std::string(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1))) +
-               " is not it");
+  const std::string letter(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1)));
+  return wrong("choice-" + letter, letter + " is not it");
 }
 
 AnswerJudgement judge_order(const Question& question, std::string_view text) {
@@ -204,18 +212,19 @@ AnswerJudgement judge_order(const Question& question, std::string_view text) {
   if (*choices == question.answers) return right();
   const auto parting = std::mismatch(choices->begin(), choices->end(), question.answers.begin()).first;
   const auto right = parting - choices->begin();
-  return wrong("place " + std::to_string(right + 1) + " is not right" +
-               (right == 0   ? ""
-                : right == 1 ? ", the one before it is"
-                             : ", those before it are"));
+  const std::string place = std::to_string(right + 1);
+  return wrong("place-" + place, "place " + place + " is not right" +
+                                     (right == 0   ? ""
+                                      : right == 1 ? ", the one before it is"
+                                                   : ", those before it are"));
 }
 
 }  // namespace
 
 AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover,
-                             const Vocabulary* vocabulary) {
+                             const Vocabulary* vocabulary, Reasons reasons) {
   if (question.type == Question::Type::expression)
-    return judge_expression(question, answer, prover, vocabulary);
+    return judge_expression(question, answer, prover, vocabulary, reasons);
   if (question.type == Question::Type::order) return judge_order(question, answer);
   return judge_choice(question, answer);
 }

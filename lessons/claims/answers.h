@@ -20,6 +20,8 @@ struct Question {
   std::vector<int> answers;              ///< the answer, of other types: 1-based, one index or all in order
   std::string modulo;                    ///< identity | motion | free; of expressions
   Given given;                           ///< what the answer may assume, of expressions
+  /// What the formulas of the prompt say, as far as they can be read: to write that again is no answer.
+  std::vector<Expression> asked{};
 };
 
 /// Choices are called A, B, C … wherever they are shown or read; there are at most 16.
@@ -33,16 +35,21 @@ struct AnswerJudgement {
   int column = 0;      ///< from 1, what the reason is about; 0: the whole
   /// Of a wrong expression, if one of small whole numbers was found: the learner's value on the left.
   std::optional<Counterexample> counterexample;
+  std::string tag{};  ///< of what is wrong: the reason in a word, to be counted (reason_tags.h)
 };
+
+/// Whether a wrong answer is to have its reason, which takes most of the time.
+enum class Reasons { wanted, unwanted };
 
 /// Expressions are right if they equal the lesson's answer modulo what the question says, proved as claims
 /// are; derivatives in them only if the lesson's answer has some. Reasons that are looked for: the type, all
 /// signs, the sign of one term, a term too many, a constant factor, indices mixed up, what holds only along
 /// motions or without torque. Choices: a number from 1, or a letter; an order: all of them, with or without
 /// commas or spaces between. Up to some 50 ms.
-/// `vocabulary` has the words that the lesson adds to those of expressions; null: none.
+/// `vocabulary` has the words that the lesson adds to those of expressions; null: none. What a learner is
+/// told of an expression comes from lessons/derivation/answer_reasons.h, which knows more slips.
 AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover,
-                             const Vocabulary* vocabulary = nullptr);
+                             const Vocabulary* vocabulary = nullptr, Reasons reasons = Reasons::wanted);
 
 /// The words of an expression that is asked for, for help: those that a learner may need.
 inline constexpr std::string_view kWordsOfAnswers =

@@ -119,8 +119,9 @@ class Rewriting {
 class SlipSearch {
  public:
   SlipSearch(const Equality& wrong, const std::vector<std::string>& terms,
-             const std::function<bool(const Equality&)>& holds, const Vocabulary& vocabulary)
-      : wrong_(wrong), terms_(terms), holds_(holds), vocabulary_(vocabulary) {}
+             const std::function<bool(const Equality&)>& holds, const Vocabulary& vocabulary,
+             MendedSides sides)
+      : wrong_(wrong), terms_(terms), holds_(holds), vocabulary_(vocabulary), sides_(sides) {}
 
   FoundSlip find() {
     using Look = bool (SlipSearch::*)();
@@ -142,13 +143,14 @@ class SlipSearch {
     ++tried_;
     if (!fit(mended.left.type(), mended.right.type()) || !is_provable(mended) || !holds_(mended))
       return false;
-    if (canonical_form(mended).empty()) return false;  // nothing is said any more
+    if (sides_ == MendedSides::both && canonical_form(mended).empty())
+      return false;  // nothing is said any more
     found_ = {slip, reason};
     return true;
   }
 
   bool try_side(int which, std::optional<Expression> changed, Slip slip, const std::string& reason) {
-    if (!changed) return false;
+    if (!changed || which < first_side()) return false;
     return try_equality(
         which == 0 ? Equality{std::move(*changed), wrong_.right} : Equality{wrong_.left, std::move(*changed)},
         slip, reason);
@@ -178,9 +180,11 @@ class SlipSearch {
     return in_quotes(typing_of(expression, at));
   }
 
+  int first_side() const { return sides_ == MendedSides::both ? 0 : 1; }
+
   template <class Do>
   bool for_each_node(const Do& act) const {
-    for (int which = 0; which < 2; ++which)
+    for (int which = first_side(); which < 2; ++which)
       for (std::size_t i = 0; i < side(which).nodes.size(); ++i)
         if (act(which, static_cast<int>(i), side(which).nodes[i])) return true;
     return false;
@@ -189,7 +193,7 @@ class SlipSearch {
   /// Whole sides, and what stands in their sums.
   template <class Do>
   bool for_each_term(const Do& act) const {
-    for (int which = 0; which < 2; ++which) {
+    for (int which = first_side(); which < 2; ++which) {
       std::vector<int> terms = summands_of(side(which));
       const int whole = static_cast<int>(side(which).nodes.size()) - 1;
       if (terms.empty()) terms.push_back(whole);
@@ -591,6 +595,7 @@ class SlipSearch {
   const std::vector<std::string>& terms_;
   const std::function<bool(const Equality&)>& holds_;
   const Vocabulary& vocabulary_;
+  MendedSides sides_;
   FoundSlip found_;
   int tried_ = 0;
 };
@@ -598,8 +603,9 @@ class SlipSearch {
 }  // namespace
 
 FoundSlip find_slip(const Equality& wrong, const std::vector<std::string>& terms,
-                    const std::function<bool(const Equality&)>& holds, const Vocabulary& vocabulary) {
-  return SlipSearch(wrong, terms, holds, vocabulary).find();
+                    const std::function<bool(const Equality&)>& holds, const Vocabulary& vocabulary,
+                    MendedSides sides) {
+  return SlipSearch(wrong, terms, holds, vocabulary, sides).find();
 }
 
 }  // namespace polhode

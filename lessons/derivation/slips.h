@@ -13,10 +13,14 @@ struct FoundSlip {
   std::string reason;  ///< one sentence, without a full stop; it names the place, not what is right there
 };
 
+/// Which sides are a learner's, to be mended.
+enum class MendedSides { both, right };
+
 /// `holds`: whether an equality does, under what the derivation allows. `terms`: what may be missing, in the
 /// language of claims. At most kMostMends equalities are tried.
 inline constexpr int kMostMends = 1500;
 FoundSlip find_slip(const Equality& wrong, const std::vector<std::string>& terms,
-                    const std::function<bool(const Equality&)>& holds, const Vocabulary& vocabulary);
+                    const std::function<bool(const Equality&)>& holds, const Vocabulary& vocabulary,
+                    MendedSides sides = MendedSides::both);
 
 }  // namespace polhode

@@ -5,7 +5,9 @@
 #include "lessons/claims/expression_tex.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/derivation/derivation.h"
+#include "lessons/reader/asked_formulas.h"
 #include "lessons/reader/keys.h"
+#include "lessons/reader/outcome_key.h"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +39,7 @@ class AskReader {
          {"modulo", [this](const TomlEntry& e) { modulo(e); }},
          {"given", [this](const TomlEntry& e) { given(e); }},
          {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints, ask_.hint_texts); }},
+         {"outcome", [this](const TomlEntry& e) { outcomes(e); }},
          {"start", [](const TomlEntry&) {}},
          {"goal", [](const TomlEntry&) {}},
          {"facts", [](const TomlEntry&) {}},
@@ -52,6 +55,7 @@ class AskReader {
     }
     if (ok_) check_together();
     if (ok_ && ask_.type != Ask::Type::derive) answer(*table_.find("answer"));
+    if (ok_ && ask_.expression) ask_.asked = asked_formulas(ask_.prompt_text, notation());
     if (ok_ && !ask_.given.empty()) say_what_is_given();
     return ok_ ? std::optional(std::move(ask_)) : std::nullopt;
   }
@@ -80,6 +84,12 @@ class AskReader {
   }
   void modulo(const TomlEntry& entry) {
     if (const auto index = one_of(entry, kModuloNames)) ask_.modulo = kModuloNames[*index];
+  }
+
+  void outcomes(const TomlEntry& entry) {
+    auto numbers = read_outcomes(entry, front_.about.about.outcomes.size(), report_);
+    ok_ = ok_ && numbers;
+    ask_.outcomes = std::move(numbers).value_or(std::vector<int>());
   }
 
   /// A line as it is typed; nothing, and a report, where it cannot be read.

@@ -94,6 +94,7 @@ struct Ask : Question {
   std::vector<RichText> hint_texts;
   SourcePlace place;
   std::shared_ptr<const Derivation> derivation{};  ///< of the type derive
+  std::vector<int> outcomes{};  ///< which of the lesson's it tests, from 1 (About::outcomes)
 };
 
 using Block = std::variant<Prose, Equation, Claim, Callout, Ask, Footnote>;

@@ -100,7 +100,8 @@ void draw_panel_buttons(PanelContext& context) {
     if (!first) ImGui::SameLine(0, 0.5F * ImGui::GetStyle().ItemSpacing.x);
     first = false;
     const bool is_on = session.panel == facts.panel;
-    ImGui::BeginDisabled(facts.panel == Panel::question && session.questions().empty());
+    const bool asks = !session.questions().empty() || !session.next_place();  // the end has its summary there
+    ImGui::BeginDisabled(facts.panel == Panel::question && !asks);
     if (toggle_button(facts.name, is_on, told(facts.command)))
       session.panel = is_on ? Panel::none : facts.panel;
     ImGui::EndDisabled();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "app/window/panels/progress_table.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -78,6 +79,7 @@ void OutlinePanel::draw(PanelContext& context) {
   }
   const std::vector<Stage>& stages = session.lesson().stages;
   quiet_words(fmt::format("{} of {} stages seen", session.visited().size(), stages.size()));
+  draw_progress(context);
   ImGui::BeginChild("stages", {0, 0}, false,
                     ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollWithMouse);
   for (std::size_t i = 0; i < stages.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "app/window/panels/progress_table.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -174,11 +175,14 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
 
 void QuestionsPanel::draw(PanelContext& context) {
   const std::vector<const Ask*> questions = context.session.questions();
-  if (questions.empty()) return quiet_words("This step asks nothing.");
+  const bool is_end = !context.session.next_place();
+  if (questions.empty() && !is_end) return quiet_words("This step asks nothing.");
   for (std::size_t i = 0; i < questions.size(); ++i) {
     draw_question(context, *questions[i], i + 1, questions.size());
     context.take_focus = false;
   }
+  if (is_end) draw_summary(context);
+  if (questions.empty()) return;
   heading("How to write it");
   const bool derives = std::any_of(questions.begin(), questions.end(),
                                    [](const Ask* ask) { return ask->derivation != nullptr; });

@@ -55,6 +55,11 @@ void SavePanel::draw(PanelContext& context) {
   heading("Scene");
   offer(context, "Save as a lesson", SaveAs::scene,
         "With all that was changed by hand; polhode export makes the same figure of it");
+  heading("Answers");
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputTextWithHint("##student", "your name, if it is to stand there", &options.student);
+  offer(context, "Save a report to hand in", SaveAs::answers,
+        "What you answered in this lesson, as a text; without a name it does not say who you are");
   heading("Folder");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputText("##folder", &folder);

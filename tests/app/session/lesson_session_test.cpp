@@ -137,7 +137,7 @@ TEST(LessonSession, JudgesAnAnswerAndKeepsIt) {
   EXPECT_EQ(session.answer(ask, "1").mark, Mark::wrong);
   EXPECT_EQ(session.answer(ask, "B").mark, Mark::right);
   EXPECT_EQ(session.answer(ask, "A").mark, Mark::wrong);
-  EXPECT_EQ(*session.record(ask), (AnswerRecord{true, 3, 0, "A"}));
+  EXPECT_EQ(*session.record(ask), (AnswerRecord{1, 3, 0, "A", "B", {{"choice-A", 2}}}));
   EXPECT_EQ(session.judged(ask)->text, "A");
   EXPECT_EQ(session.answers().count("free/axis"), 1u) << "the name that `polhode answer` uses";
 

@@ -46,7 +46,7 @@ TEST_F(SavedProgressOfAWindow, BringsBackPlaceAnswersAndPreferences) {
   const SavedProgress progress(session, scratch_.path());
   EXPECT_THAT(progress.notice(), IsEmpty());
   EXPECT_EQ(session.place(), (Place{0, 1}));
-  EXPECT_EQ(session.answers().at(kAxis), (AnswerRecord{1, 1, 0, "B"}));
+  EXPECT_EQ(session.answers().at(kAxis), (AnswerRecord{1, 1, 0, "B", "B", {}}));
   EXPECT_EQ(session.preferences.theme, Theme::dark);
 }
 
@@ -57,13 +57,14 @@ TEST_F(SavedProgressOfAWindow, DoesNotBringBackWhatAResetForgot) {
   window.progress.keep(window.session);
   ASSERT_TRUE(change_answer_log(log(), [](AnswerLog& log) { log.erase(kAxis); }));
   AnswerLog more = window.session.answers();
-  more["free/other"] = {1, 1, 0, "w1"};
+  more["free/other"] = {1, 1, 0, "w1", "w1", {}};
   window.session.set_answers(more);
   window.progress.keep(window.session);
-  EXPECT_EQ(logged(), (AnswerLog{{"free/other", {1, 1, 0, "w1"}}}));
+  EXPECT_EQ(logged(), (AnswerLog{{"free/other", {1, 1, 0, "w1", "w1", {}}}}));
   window.answer("A");
   window.progress.keep(window.session);
-  EXPECT_EQ(logged().at(kAxis), (AnswerRecord{0, 1, 0, "A"})) << "answered again, and wrong";
+  EXPECT_EQ(logged().at(kAxis), (AnswerRecord{0, 1, 0, "A", "", {{"choice-A", 1}}}))
+      << "answered again, and wrong";
 }
 
 TEST_F(SavedProgressOfAWindow, TellsOfALogThatWasDamagedMeanwhile) {
@@ -71,7 +72,7 @@ TEST_F(SavedProgressOfAWindow, TellsOfALogThatWasDamagedMeanwhile) {
   write_text(log(), "{\"format\":1,");
   window.answer("B");
   EXPECT_THAT(window.progress.keep(window.session), HasSubstr("was damaged: it is now "));
-  EXPECT_EQ(logged().at(kAxis), (AnswerRecord{1, 1, 0, "B"}));
+  EXPECT_EQ(logged().at(kAxis), (AnswerRecord{1, 1, 0, "B", "B", {}}));
   EXPECT_THAT(window.progress.keep(window.session), IsEmpty()) << "once";
 }
 
@@ -86,7 +87,7 @@ TEST_F(SavedProgressOfAWindow, WaitsForNobodyAndTriesAgain) {
   EXPECT_THAT(logged(), IsEmpty());
   held.reset();
   EXPECT_THAT(window.progress.keep(window.session), IsEmpty());
-  EXPECT_EQ(logged().at(kAxis), (AnswerRecord{1, 1, 0, "B"}));
+  EXPECT_EQ(logged().at(kAxis), (AnswerRecord{1, 1, 0, "B", "B", {}}));
 }
 
 TEST_F(SavedProgressOfAWindow, AtLastSaysWhatIsNotKept) {

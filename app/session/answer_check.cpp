@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/answer_check.h"
+
+#include "app/session/derivation_work.h"
+#include "lessons/derivation/answer_reasons.h"
+
+namespace polhode {
+
+bool AnswerCheck::is_right(const Ask& ask, std::string_view answer) {
+  const auto [known, is_new] = known_.try_emplace({&ask, std::string(answer)}, false);
+  if (is_new) known->second = judge(ask, answer);
+  return known->second;
+}
+
+bool AnswerCheck::judge(const Ask& ask, std::string_view answer) const {
+  if (!ask.derivation) return is_right_answer(ask, answer, prover_, lesson_.notation.vocabulary);
+  DerivationWork work(lesson_, ask);
+  work.restore(answer);
+  return work.is_done();
+}
+
+}  // namespace polhode

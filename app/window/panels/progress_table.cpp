@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/panels/progress_table.h"
+
+#include "app/session/progress.h"
+#include "app/window/controls/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+/// A row: the outcome, on as many lines as it takes, and right/asked behind it.
+void outcome_row(const std::string& outcome, const QuestionCount& count) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextWrapped("%s", outcome.c_str());
+  ImGui::TableNextColumn();
+  const std::string numbers = fmt::format("{}/{}", count.right, count.asked);
+  if (count.right == count.asked)
+    right_words(numbers);
+  else
+    ImGui::TextUnformatted(numbers.c_str());
+}
+
+}  // namespace
+
+void draw_progress(const PanelContext& context) {
+  const Lesson& lesson = context.session.lesson();
+  const Progress progress = progress_of(lesson, context.session.answers());
+  if (progress.all.asked == 0) return;
+  quiet_words("Questions: " + words_of(progress.all));
+  if (!progress.tests_outcomes() || !ImGui::BeginTable("outcomes", 2, ImGuiTableFlags_BordersInnerH)) return;
+  const float numbers = ImGui::CalcTextSize("00/00").x;
+  ImGui::TableSetupColumn("outcome", ImGuiTableColumnFlags_WidthStretch);
+  ImGui::TableSetupColumn("right", ImGuiTableColumnFlags_WidthFixed, numbers);
+  for (std::size_t i = 0; i < progress.outcomes.size(); ++i)
+    if (progress.outcomes[i].asked > 0) outcome_row(lesson.about.outcomes[i], progress.outcomes[i]);
+  ImGui::EndTable();
+}
+
+void draw_summary(PanelContext& context) {
+  LessonSession& session = context.session;
+  heading("What you can do now");
+  draw_progress(context);
+  std::vector<PlacedAsk> open;
+  for (PlacedAsk& question : questions_of(session.lesson())) {
+    const auto record = session.answers().find(question.name);
+    if (record == session.answers().end() || record->second.right == 0) open.push_back(std::move(question));
+  }
+  if (!open.empty()) {
+    heading("Not yet answered right");
+    std::optional<Place> chosen;
+    for (const PlacedAsk& question : open) {
+      const Stage& stage = session.lesson().stages[question.place.stage];
+      const std::string words =
+          fmt::format("{}: {}##{}", context.speech.words_of_title(stage), question.ask->id, question.name);
+      if (ImGui::Selectable(words.c_str())) chosen = Place{question.place.stage, question.place.step};
+    }
+    if (chosen) session.go_to(*chosen);
+  }
+  if (const std::string& next = session.lesson().about.next; !next.empty())
+    quiet_words(fmt::format("The lesson to go on with: {}", next));
+}
+
+}  // namespace polhode

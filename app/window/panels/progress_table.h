@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How far a learner has come, in a panel.
+#pragma once
+
+#include "app/window/panels/panel_context.h"
+
+namespace polhode {
+
+/// How many questions of the lesson were answered right, and for each outcome how many of those that test it.
+/// Nothing where the lesson asks nothing.
+void draw_progress(const PanelContext& context);
+
+/// At the end of the lesson: that, what was not answered right, to be clicked, and the lesson to go on with.
+void draw_summary(PanelContext& context);
+
+}  // namespace polhode
