@@ -14,14 +14,21 @@ namespace {
 using Mark = AnswerJudgement::Mark;
 
 AnswerJudgement right() {
-  return {.mark = Mark::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
+  AnswerJudgement judgement;
+  judgement.mark = Mark::right;
+  return judgement;
 }
 AnswerJudgement wrong(std::string reason, int column = 0) {
-  return {
-      .mark = Mark::wrong, .reason = std::move(reason), .hint = {}, .column = column, .counterexample = {}};
+  AnswerJudgement judgement;
+  judgement.reason = std::move(reason);
+  judgement.column = column;
+  return judgement;
 }
 AnswerJudgement unreadable(std::string reason, std::string hint = {}, int column = 0) {
-  return {Mark::unreadable, std::move(reason), std::move(hint), column, {}};
+  AnswerJudgement judgement = wrong(std::move(reason), column);
+  judgement.mark = Mark::unreadable;
+  judgement.hint = std::move(hint);
+  return judgement;
 }
 
 Assumption assumption_named(const std::string& modulo) {
@@ -187,9 +194,13 @@ AnswerJudgement judge_choice(const Question& question, std::string_view text) {
   const auto choices = read_choices(text, question.choices.size());
   if (!choices || choices->size() != 1)
     return unreadable("the answer is one of the choices, " + letters_of(question.choices.size()));
-  if (*choices == question.answers) return right();
-  return wrong(std::string(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1))) +
-               " is not it");
+  AnswerJudgement judgement =
+      *choices == question.answers
+          ? right()
+          : wrong(std::string(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1))) +
+                  " is not it");
+  judgement.choice = choices->front();
+  return judgement;
 }
 
 AnswerJudgement judge_order(const Question& question, std::string_view text) {
@@ -217,6 +228,7 @@ AnswerJudgement judge_answer(const Question& question, std::string_view answer, 
   if (question.type == Question::Type::expression)
     return judge_expression(question, answer, prover, vocabulary);
   if (question.type == Question::Type::order) return judge_order(question, answer);
+  if (question.number) return judge_number(*question.number, answer);
   return judge_choice(question, answer);
 }
 
@@ -226,6 +238,8 @@ std::string_view form_of_answer(Question::Type type) {
       return "2*a*(b - c)";
     case Question::Type::order:
       return "X Y Z";
+    case Question::Type::number:
+      return "x.xx";
     case Question::Type::choice:
     case Question::Type::predict:
     case Question::Type::derive:
