@@ -194,17 +194,17 @@ class NumberJudge {
   /// Of a unit that cannot be that of the answer.
   std::string why_not(const TypedUnit& unit, const std::optional<TypedUnit>& asked) const {
     using Counts = TypedUnit::Counts;
-    const std::string in = answer_.unit.empty() ? "a number without a unit" : "one in " + answer_.unit;
+    const std::string in = answer_.unit.empty() ? "a number without a unit is asked for"
+                                                : "an answer in " + answer_.unit + " is asked for";
     const Dimension& wanted = asked ? asked->scaled.dimension : kNumber;
     if (unit.scaled.dimension != wanted)
-      return "the unit is of another kind: asked for is " + in + ", and " + typed_.unit + " is " +
-             to_string(unit.scaled.dimension);
+      return "the unit is of another kind: " + in + ", and this is in " + typed_.unit;
     const Counts counts = asked ? asked->counts : Counts::nothing;
     if (unit.counts == Counts::turns && counts == Counts::radians)
-      return "Hz counts turns, and asked for is " + in + ": 1 Hz is 2π rad/s";
+      return typed_.unit + " counts turns, and " + in + ": 1 Hz is 2π rad/s";
     const bool counts_turns_too = typed_.unit == "rpm" || typed_.unit.starts_with("rev");
     if (unit.counts == Counts::radians && counts == Counts::turns && !counts_turns_too)
-      return typed_.unit + " counts angles, and asked for is " + in + ", turns: 1 Hz is 2π rad/s";
+      return typed_.unit + " counts angles, and " + in + ": 1 Hz is 2π rad/s";
     return "";
   }
 

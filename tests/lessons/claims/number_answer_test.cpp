@@ -68,9 +68,11 @@ TEST_P(NumberSlips, AreNamed) {
 INSTANTIATE_TEST_SUITE_P(
     All, NumberSlips,
     ::testing::Values(
-        Slipped{4.2, "J", "4.2 kg m²/s", "of another kind: asked for is one in J, and kg m²/s is"},
-        Slipped{4.2, "J", "4.2 W", "of another kind"}, Slipped{0.3, "1", "0.3 s", "asked for is one in 1"},
-        Slipped{4.2, "J", "-4.2", "wrong sign"}, Slipped{4.2, "J", "4200", "factor of 1000"},
+        Slipped{4.2, "J", "4.2 kg m²/s",
+                "of another kind: an answer in J is asked for, and this is in kg m²/s"},
+        Slipped{4.2, "J", "4.2 W", "of another kind"},
+        Slipped{0.3, "1", "0.3 s", "an answer in 1 is asked for"}, Slipped{4.2, "J", "-4.2", "wrong sign"},
+        Slipped{4.2, "J", "4200", "factor of 1000"},
         Slipped{4.2, "J", "4.2 kJ", "too large by a factor of 1000"},
         Slipped{4.2, "J", "0.42", "too small by a factor of 10"},
         Slipped{4.2, "J", "42000000", "too large by a factor of 10^7"},
