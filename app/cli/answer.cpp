@@ -6,6 +6,7 @@
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "app/narration/speech_text.h"
+#include "app/narration/transcript.h"
 #include "app/session/answer_log.h"
 #include "app/session/state_file.h"
 #include "base/printable.h"
@@ -42,12 +43,13 @@ ExitCode code_of(Mark mark) {
   return mark == Mark::wrong ? ExitCode::different : ExitCode::usage;
 }
 
-void print_json(const AnswerJudgement& judgement) {
+void print_json(const AnswerJudgement& judgement, const std::string& reply) {
   using Json = nlohmann::ordered_json;
   Json json = {{"verdict", word_of(judgement.mark)},
                {"reason", judgement.reason},
                {"tag", judgement.tag.empty() ? Json(nullptr) : Json(judgement.tag)},
                {"hint", judgement.hint},
+               {"reply", reply},
                {"column", judgement.column > 0 ? Json(judgement.column) : Json(nullptr)},
                {"counterexample", nullptr}};
   if (const auto& counter = judgement.counterexample)
@@ -64,26 +66,41 @@ void print_place(const std::string& answer, int column) {
   fmt::print("  {}\n  {:>{}}\n", printable_line(answer), '^', before + 1);
 }
 
-void print_verdict(const AnswerJudgement& judgement, const std::string& answer) {
+void print_verdict(const AnswerJudgement& judgement, const std::string& answer, const std::string& reply) {
   if (judgement.mark == Mark::unreadable) return;
   fmt::print("{}{}{}\n", word_of(judgement.mark), judgement.reason.empty() ? "" : ": ",
              printable_line(judgement.reason));
   print_place(answer, judgement.column);
   if (const auto& counter = judgement.counterexample)
     fmt::print("At {} yours is {}, right is {}.\n", counter->state, counter->left, counter->right);
+  if (!reply.empty()) fmt::print("{}", wrapped(printable_line(reply), ""));
 }
 
 ExitCode show_hint(const Ask& ask, const SpeechText& speech, const KeptAnswers& kept) {
   AnswerRecord unseen;
-  std::optional<std::size_t> next = note_hint(unseen, ask.hints.size());  // where no log can be read
-  if (!ask.hints.empty())
-    kept.change_if_possible(
-        [&](AnswerLog& log, const std::string& name) { next = note_hint(log[name], ask.hints.size()); },
-        "the hint is not noted");
-  if (next)
-    fmt::print("Hint {} of {}: {}\n", *next + 1, ask.hints.size(), speech.words(ask.hint_texts[*next]));
-  else
-    fmt::print("{}\n", ask.hints.empty() ? "There is no hint." : "There are no more hints.");
+  const std::size_t hints = ask.hints.size();
+  std::optional<std::size_t> next = note_help(unseen, hints);  // where no log can be read
+  bool is_told = false;
+  kept.change_if_possible(
+      [&](AnswerLog& log, const std::string& name) {
+        AnswerRecord record = log.contains(name) ? log[name] : AnswerRecord();
+        is_told = polhode::is_told(record, hints);
+        next = note_help(record, hints);
+        if (next) log[name] = std::move(record);
+      },
+      "the hint is not noted");
+  if (next && *next < hints) {
+    fmt::print("Hint {} of {}: {}\n", *next + 1, hints, speech.words(ask.hint_texts[*next]));
+    if (*next + 1 == hints) fmt::print("That was the last hint: after it --hint tells the answer.\n");
+    return ExitCode::done;
+  }
+  if (!next && !is_told) {
+    fmt::print("There is no hint. Try an answer: after it --hint tells the right one.\n");
+    return ExitCode::done;
+  }
+  fmt::print("{}", wrapped("The answer: " + printable_line(speech.words_of_answer(ask)), ""));
+  const std::string because = speech.words(ask.because);
+  if (!because.empty()) fmt::print("{}", wrapped(printable_line(because), ""));
   return ExitCode::done;
 }
 
@@ -94,10 +111,11 @@ void offer_hint(const Options& options) {
   if (shows_as_it_is(command)) fmt::print("A hint: {}\n", shell_line(command));
 }
 
-ExitCode judge_and_keep(const Ask& ask, const Vocabulary& words, const std::string& given,
-                        const Options& options, const KeptAnswers& kept) {
+ExitCode judge_and_keep(const Ask& ask, const SpeechText& speech, const Vocabulary& words,
+                        const std::string& given, const Options& options, const KeptAnswers& kept) {
   const AnswerJudgement judgement = judge_with_reasons(ask, given, Prover(), words);
-  options.json ? print_json(judgement) : print_verdict(judgement, given);
+  const std::string reply = speech.words_after(ask, judgement);
+  options.json ? print_json(judgement, reply) : print_verdict(judgement, given, reply);
   if (judgement.mark == Mark::unreadable && !options.json) {
     print_place(given, judgement.column);
     throw CommandError(ExitCode::usage, judgement.hint.empty()
@@ -126,12 +144,13 @@ ExitCode answer(const Options& options) {
                                    "its lines, and has hints",
                                    ask.id));
   const KeptAnswers kept(loaded.lesson.id, answer_name(stage.id, ask.id));
-  if (options.hint) return show_hint(ask, SpeechText(loaded.lesson), kept);
+  const SpeechText speech(loaded.lesson);
+  if (options.hint) return show_hint(ask, speech, kept);
   if (options.reset) {
     or_fail(kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); }));
     return ExitCode::done;
   }
-  return judge_and_keep(ask, loaded.lesson.notation.vocabulary, *options.answer, options, kept);
+  return judge_and_keep(ask, speech, loaded.lesson.notation.vocabulary, *options.answer, options, kept);
 }
 
 }  // namespace
@@ -144,11 +163,11 @@ Command answer_command() {
            {"STAGE", &options->stage, "Id of the stage", "", true},
            {"ASK", &options->ask, "Id of the question", "", true},
            {"ANSWER", &options->answer,
-            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"",
+            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"; a number, \"4.2 mJ\"",
                         form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order))},
-           {"--hint", &options->hint, "Show the next hint instead"},
+           {"--hint", &options->hint, "Show the next hint instead; behind the last, the answer"},
            {"--reset", &options->reset, "Forget what was answered to the question, and its hints"},
-           {"--json", &options->json, "verdict, reason, tag, column, counterexample as JSON"}},
+           {"--json", &options->json, "verdict, reason, tag, reply, column, counterexample as JSON"}},
           "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
           "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.",
           [options](const CommandWords&) { return answer(*options); },

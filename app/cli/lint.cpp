@@ -9,6 +9,7 @@
 #include "base/spelling.h"
 #include "lessons/reader/claim_check.h"
 #include "lessons/reader/lint_budget.h"
+#include "lessons/reader/question_check.h"
 #include "lessons/reader/scene_keys.h"
 #include "lessons/reader/type_check.h"
 
@@ -122,6 +123,8 @@ std::vector<Diagnostic> diagnostics_of(std::string_view text, const std::string&
   add_in_order(OtherLessons(file).check(*reading.lesson, file), reading.diagnostics);
   try {
     add_in_order(check_claims(*reading.lesson, file, budget.effort()), reading.diagnostics);
+    if (!budget.is_spent())
+      add_in_order(check_questions(*reading.lesson, file, budget.effort()), reading.diagnostics);
     if (!budget.is_spent())
       add_in_order(type_and_page_diagnostics(*reading.lesson, file, budget.effort()), reading.diagnostics);
   } catch (const std::domain_error& error) {  // that no check has given a place

@@ -234,6 +234,25 @@ std::string SpeechText::words(const Ask& ask) const {
   return text;
 }
 
+std::string SpeechText::words_of_answer(const Ask& ask) const {
+  if (ask.expression) return ask.expression->text + '.';
+  if (ask.number) return ask.number->value ? words_of(*ask.number) + '.' : "";
+  std::string text;
+  for (const int answer : ask.answers)
+    text +=
+        (text.empty() ? "" : ", ") + std::string(1, letter_of_choice(static_cast<std::size_t>(answer - 1)));
+  if (ask.answers.size() == 1)
+    text += ": " + words(ask.choice_texts[static_cast<std::size_t>(ask.answers.front() - 1)]);
+  return text.empty() ? text : sentence(std::move(text));
+}
+
+std::string SpeechText::words_after(const Ask& ask, const AnswerJudgement& judgement) const {
+  const auto picked = static_cast<std::size_t>(judgement.choice);
+  std::string text = picked > 0 && picked <= ask.replies.size() ? words(ask.replies[picked - 1]) : "";
+  if (judgement.mark == AnswerJudgement::Mark::right) add(text, words(ask.because));
+  return text.empty() ? text : sentence(std::move(text));
+}
+
 std::string SpeechText::words_of_title(const Stage& stage) const { return sentence(words(stage.title_text)); }
 
 std::string SpeechText::words_of_caption(const Step& step, std::size_t shown) const {

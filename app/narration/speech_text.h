@@ -39,6 +39,12 @@ class SpeechText {
   std::string words(const Callout& callout, std::vector<NoteLink>* links = nullptr) const;
   /// With its choices, without hints and answer.
   std::string words(const Ask& ask) const;
+  /// What is right: "B: the intermediate axis.", "C, A, B.", "w1*w2.", "4.19 rad/s."; empty: it cannot be
+  /// told.
+  std::string words_of_answer(const Ask& ask) const;
+  /// What is said to who gave this answer: the reply to the choice, and after a right one why it is right;
+  /// may be empty.
+  std::string words_after(const Ask& ask, const AnswerJudgement& judgement) const;
   /// "Euler's equation in vector form."
   std::string words_of_title(const Stage& stage) const;
   /// Of each scene that is shown at the step, in their order: its label and caption, and what its marks are.

@@ -3,6 +3,7 @@
 
 #include "lessons/reader/claim_check.h"
 #include "lessons/reader/lint_budget.h"
+#include "lessons/reader/number_question.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>
@@ -80,6 +81,9 @@ LessonReading check_lesson(std::string_view text, std::string_view file_name, co
   if (found.empty())
     if (const auto unproved = prove_claims(*reading.lesson, effort))
       found.push_back(too_long_to_check(file_name, *unproved));
+  if (found.empty())
+    if (const auto uncomputed = compute_answers(*reading.lesson, effort))
+      found.push_back(too_long_to_check(file_name, *uncomputed));
   if (found.empty()) return reading;
   reading.lesson.reset();
   add_in_order(std::move(found), reading.diagnostics);

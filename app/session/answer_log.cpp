@@ -89,6 +89,11 @@ std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints) {
   return shown;
 }
 
+std::optional<std::size_t> note_help(AnswerRecord& record, std::size_t hints) {
+  if (hints == 0 && record.tries == 0) return std::nullopt;
+  return note_hint(record, hints + 1);
+}
+
 void merge_answers(AnswerLog& log, const AnswerLog& before, const AnswerLog& now) {
   for (const auto& [name, record] : before)
     if (!now.contains(name)) log.erase(name);

@@ -39,6 +39,13 @@ void note_judged(AnswerRecord& record, const AnswerJudgement& judgement, std::st
 /// shown before.
 std::optional<std::size_t> note_hint(AnswerRecord& record, std::size_t hints);
 
+/// The same, and behind the last hint the answer itself: then it is `hints`, and the record has one hint more
+/// than there are. Of a question without hints the answer is told to who has tried.
+std::optional<std::size_t> note_help(AnswerRecord& record, std::size_t hints);
+inline bool is_told(const AnswerRecord& record, std::size_t hints) {
+  return record.hints > static_cast<int>(hints);
+}
+
 /// Applies to a log the changes that turned `before`, a copy of it, into `now`, and nothing else: what
 /// another process has added or removed in the meantime stays so.
 void merge_answers(AnswerLog& log, const AnswerLog& before, const AnswerLog& now);

@@ -137,6 +137,7 @@ void LessonSession::arrive(Place place) {
   visited_.insert(stage().id);
   judged_.clear();
   derivations_.clear();
+  awaited_.reset();
   notes_shown_ = false;
   const bool both = left != nullptr && has_scene();
   if (same_stage && (left == step().scene || (both && *left == *step().scene))) return;
@@ -175,6 +176,7 @@ void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   set_visited(visited_);
   judged_.clear();
   derivations_.clear();
+  awaited_.reset();
   transition_ = 1;
 
   SceneEdits kept = edits_;
@@ -277,11 +279,14 @@ void LessonSession::advance(double seconds) {
   transition_ = preferences.reduced_motion ? 1 : std::min(1.0, transition_ + seconds / kMorphSeconds);
   if (!playing_) return;
   double next_s = t_s_ + model_->rate * speed_ * seconds;
+  if (awaited_ && next_s >= awaited_->to_s) return end_play();
   const Interval loop = time_line();
   if (lesson_scene().duration_s && next_s > loop.to_s)  // what has an end begins again
     next_s = loop.from_s + std::fmod(next_s - loop.from_s, model_->span_s);
   set_time(next_s);
-  if (t_s_ != next_s) playing_ = false;
+  if (t_s_ == next_s) return;
+  playing_ = false;
+  awaited_.reset();  // what cannot be played is not waited for
 }
 
 LessonSession::Interval LessonSession::time_line() const {
@@ -412,9 +417,27 @@ const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view te
   using Mark = AnswerJudgement::Mark;
   JudgedAnswer& judged = judged_[ask.id] = {
       std::string(text), judge_with_reasons(ask, text, Prover(), lesson().notation.vocabulary)};
-  if (judged.judgement.mark != Mark::unreadable)
+  if (judged.judgement.mark != Mark::unreadable) {
     note_judged(answers_[answer_name(stage().id, ask.id)], judged.judgement, text);
+    if (ask.plays && model_) play_for(ask);
+  }
   return judged.judgement;
+}
+
+/// The lesson's motion, whatever was made of it before.
+void LessonSession::play_for(const Ask& ask) {
+  if (!keeps_motion(edits_)) reset_edits();
+  if (preferences.reduced_motion) return set_time(ask.plays->to_s);
+  set_time(ask.plays->from_s);
+  set_playing(true);
+  awaited_ = Awaited{ask.id, ask.plays->to_s};
+}
+
+void LessonSession::end_play() {
+  if (!awaited_) return;
+  set_time(awaited_->to_s);
+  set_playing(false);
+  awaited_.reset();
 }
 
 const JudgedAnswer* LessonSession::judged(const Ask& ask) const {
@@ -479,14 +502,18 @@ ShownDerivation LessonSession::shown_derivation() const {
 }
 
 void LessonSession::show_hint(const Ask& ask) {
-  const std::size_t hints = ask.derivation ? DerivationWork::kMostHints : ask.hints.size();
-  if (hints > 0) note_hint(answers_[answer_name(stage().id, ask.id)], hints);
+  const AnswerRecord* known = this->record(ask);
+  AnswerRecord record = known != nullptr ? *known : AnswerRecord();
+  const auto shown =
+      ask.derivation ? note_hint(record, DerivationWork::kMostHints) : note_help(record, ask.hints.size());
+  if (shown) answers_[answer_name(stage().id, ask.id)] = std::move(record);
 }
 
 void LessonSession::forget_answer(const Ask& ask) {
   answers_.erase(answer_name(stage().id, ask.id));
   judged_.erase(ask.id);
   derivations_.erase(ask.id);
+  if (is_awaited(ask)) awaited_.reset();
 }
 
 // How it is shown.

@@ -157,7 +157,11 @@ class LessonSession {
   /// What was answered last to this question since the place was reached; null: nothing.
   const JudgedAnswer* judged(const Ask& ask) const;
   const AnswerRecord* record(const Ask& ask) const;  ///< null: never answered
-  void show_hint(const Ask& ask);                    ///< one more, if there is one
+  /// Whether the motion is to answer a prediction first (Ask::plays): it was made, and what it is held
+  /// against is not over. Then nothing is to be said of it.
+  bool is_awaited(const Ask& ask) const { return awaited_ && awaited_->ask == ask.id; }
+  void end_play();                 ///< says it now
+  void show_hint(const Ask& ask);  ///< one more, if there is one, and then the answer
   void forget_answer(const Ask& ask);
   /// The derivation that a question of the type derive asks for, as far as it goes; as it was left, where
   /// that is kept.
@@ -193,6 +197,7 @@ class LessonSession {
   void make_model_of(const SceneEdits& edits);
   void go_on_from(double t_s);
   void patch_model();
+  void play_for(const Ask& ask);
   std::vector<std::string> with_lit(const Scene& scene) const;  ///< what is highlighted of it now
   void set_time(double t_s);
   double heading_at(double t_s) const;
@@ -218,6 +223,11 @@ class LessonSession {
   AnswerLog answers_;
   std::map<std::string, JudgedAnswer> judged_;         ///< by ask, since the place was reached
   std::map<std::string, DerivationWork> derivations_;  ///< likewise
+  struct Awaited {
+    std::string ask;
+    double to_s = 0;
+  };
+  std::optional<Awaited> awaited_;  ///< likewise
   bool presenting_ = false, notes_shown_ = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen.h"
 
+#include "app/session/answer_keys.h"
 #include "app/session/command.h"
 #include "app/session/typed_folder.h"
 #include "app/window/number_sliders.h"
@@ -118,6 +119,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   if (typing && key.starts_with("Ctrl+") && key != "Ctrl+S") return false;
   if (panels_.has_focus() && std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end())
     return false;
+  if (session.panel == Panel::question && !is_repeated && answer_by_key(session, key)) return true;
   const auto command = command_of(key);
   if (!command) return false;
   if (is_repeated && !facts_of(*command).repeats) return true;

@@ -14,18 +14,22 @@ namespace {
 using Mark = AnswerJudgement::Mark;
 
 AnswerJudgement right() {
-  return {.mark = Mark::right, .reason = {}, .hint = {}, .column = 0, .counterexample = {}};
+  AnswerJudgement judgement;
+  judgement.mark = Mark::right;
+  return judgement;
 }
 AnswerJudgement wrong(std::string tag, std::string reason, int column = 0) {
-  return {.mark = Mark::wrong,
-          .reason = std::move(reason),
-          .hint = {},
-          .column = column,
-          .counterexample = {},
-          .tag = std::move(tag)};
+  AnswerJudgement judgement;
+  judgement.reason = std::move(reason);
+  judgement.column = column;
+  judgement.tag = std::move(tag);
+  return judgement;
 }
 AnswerJudgement unreadable(std::string reason, std::string hint = {}, int column = 0) {
-  return {Mark::unreadable, std::move(reason), std::move(hint), column, {}};
+  AnswerJudgement judgement = wrong({}, std::move(reason), column);
+  judgement.mark = Mark::unreadable;
+  judgement.hint = std::move(hint);
+  return judgement;
 }
 
 Assumption assumption_named(const std::string& modulo) {
@@ -195,9 +199,13 @@ AnswerJudgement judge_choice(const Question& question, std::string_view text) {
   const auto choices = read_choices(text, question.choices.size());
   if (!choices || choices->size() != 1)
     return unreadable("the answer is one of the choices, " + letters_of(question.choices.size()));
-  if (*choices == question.answers) return right();
-  const std::string letter(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1)));
-  return wrong("choice-" + letter, letter + " is not it");
+  AnswerJudgement judgement = right();
+  if (*choices != question.answers) {
+    const std::string letter(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1)));
+    judgement = wrong("choice-" + letter, letter + " is not it");
+  }
+  judgement.choice = choices->front();
+  return judgement;
 }
 
 AnswerJudgement judge_order(const Question& question, std::string_view text) {
@@ -226,6 +234,7 @@ AnswerJudgement judge_answer(const Question& question, std::string_view answer, 
   if (question.type == Question::Type::expression)
     return judge_expression(question, answer, prover, vocabulary, reasons);
   if (question.type == Question::Type::order) return judge_order(question, answer);
+  if (question.number) return judge_number(*question.number, answer);
   return judge_choice(question, answer);
 }
 
@@ -235,6 +244,8 @@ std::string_view form_of_answer(Question::Type type) {
       return "2*a*(b - c)";
     case Question::Type::order:
       return "X Y Z";
+    case Question::Type::number:
+      return "x.xx";
     case Question::Type::choice:
     case Question::Type::predict:
     case Question::Type::derive:

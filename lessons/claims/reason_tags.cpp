@@ -11,8 +11,10 @@ namespace {
 
 using Row = std::pair<std::string_view, std::string_view>;
 
-/// Those of answers (lessons/claims/answers.h) and of lines of derivations (Slip, whose names they are).
-constexpr std::array<Row, 19> kReasons{{
+/// Those of answers (lessons/claims/answers.h, number_answer.h) and of lines of derivations (Slip, whose
+/// names they are).
+constexpr std::array<Row, 23> kReasons{{
+    {"degrees", "degrees and radians are mixed up"},
     {"derivative", "a derivative is left in the answer"},
     {"extra", "a term is too many"},
     {"factor", "a number as a factor is wrong"},
@@ -25,12 +27,15 @@ constexpr std::array<Row, 19> kReasons{{
     {"missing", "a term is missing"},
     {"other", "another reason"},
     {"power", "a square or a factor is missing or too many"},
+    {"power-of-ten", "it is off by a power of ten"},
     {"rate", "a derivative is missing or too many"},
     {"restated", "the question is written again"},
+    {"rounding", "it is rounded too coarsely"},
     {"sign", "the sign of a term is wrong"},
     {"signs", "all signs are the other way round"},
     {"torque", "the torque is left out"},
     {"transport", "omega x … is missing"},
+    {"turns", "turns and radians are mixed up"},
     {"unit", "the unit is wrong"},
 }};
 

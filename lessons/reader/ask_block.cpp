@@ -7,6 +7,7 @@
 #include "lessons/derivation/derivation.h"
 #include "lessons/reader/asked_formulas.h"
 #include "lessons/reader/keys.h"
+#include "lessons/reader/number_question.h"
 #include "lessons/reader/outcome_key.h"
 
 #include <algorithm>
@@ -17,14 +18,19 @@
 namespace polhode {
 namespace {
 
-const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order", "derive"};
+const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order", "number", "derive"};
 const std::vector<std::string> kModuloNames = {"identity", "motion", "free"};
 
 class AskReader {
  public:
   AskReader(const TomlTable& table, std::string id, SourcePlace place, const FrontMatter& front,
-            TextReader& texts)
-      : table_(table), front_(front), texts_(texts), report_(texts.report()) {
+            TextReader& texts, const ChoiceList* list, std::string_view stage_id)
+      : table_(table),
+        list_(list),
+        stage_id_(stage_id),
+        front_(front),
+        texts_(texts),
+        report_(texts.report()) {
     ask_.id = std::move(id);
     ask_.place = place;
   }
@@ -38,6 +44,11 @@ class AskReader {
          {"answer", [](const TomlEntry&) {}},  // read last: it depends on the others
          {"modulo", [this](const TomlEntry& e) { modulo(e); }},
          {"given", [this](const TomlEntry& e) { given(e); }},
+         {"because", [this](const TomlEntry& e) { because(e); }},
+         {"shuffle", [this](const TomlEntry& e) { shuffle_ = read_flag(e, report_); }},
+         {"plays", [this](const TomlEntry& e) { plays(e); }},
+         {"unit", [](const TomlEntry&) {}},
+         {"within", [](const TomlEntry&) {}},
          {"hints", [this](const TomlEntry& e) { texts(e, kMaxHints, ask_.hints, ask_.hint_texts); }},
          {"outcome", [this](const TomlEntry& e) { outcomes(e); }},
          {"start", [](const TomlEntry&) {}},
@@ -50,12 +61,15 @@ class AskReader {
     if (ask_.type == Ask::Type::derive) {
       for (const char* key : {"start", "goal", "worked"}) need(key);
       if (ok_) derivation();
-    } else {
+    } else if (list_ == nullptr) {
       need("answer");
     }
+    if (list_ != nullptr && ok_) take_list();
     if (ok_) check_together();
-    if (ok_ && ask_.type != Ask::Type::derive) answer(*table_.find("answer"));
+    if (ok_ && ask_.type != Ask::Type::derive && list_ == nullptr) answer(*table_.find("answer"));
     if (ok_ && ask_.expression) ask_.asked = asked_formulas(ask_.prompt_text, notation());
+    if (ok_ && has_choices(ask_.type)) shuffle();
+    if (ok_ && ask_.number) add_to_prompt(words_of_what_is_asked(*ask_.number));
     if (ok_ && !ask_.given.empty()) say_what_is_given();
     return ok_ ? std::optional(std::move(ask_)) : std::nullopt;
   }
@@ -229,6 +243,21 @@ class AskReader {
     return texts_.line(located_string(texts_.source(), place, text));
   }
 
+  void because(const TomlEntry& entry) {
+    const auto text = read_text(entry, report_);
+    ok_ = ok_ && text;
+    if (text) ask_.because = texts_.note(located_string(texts_.source(), entry.value.place, *text));
+  }
+
+  void plays(const TomlEntry& entry) {
+    const auto times = read_numbers(entry, 2, report_);
+    ok_ = ok_ && times;
+    if (!times) return;
+    ask_.plays = {times->front(), times->back()};
+    if (!(ask_.plays->to_s > ask_.plays->from_s))
+      fail(entry.value.place, "this plays nothing: it ends before it begins", "plays = [from, to], in s");
+  }
+
   void texts(const TomlEntry& entry, std::size_t max_count, std::vector<std::string>& into,
              std::vector<RichText>& rich) {
     const auto list = read_texts(entry, max_count, report_);
@@ -242,6 +271,65 @@ class AskReader {
 
   void need(const char* key) {
     if (table_.find(key) == nullptr) fail(ask_.place, "a question lacks " + in_quotes(key));
+  }
+
+  /// The choices of the list, in the order in which they are written.
+  void take_list() {
+    const std::string type = in_quotes(kTypeNames[static_cast<std::size_t>(ask_.type)]);
+    if (!has_choices(ask_.type))
+      return fail(list_->place, "a question of type " + type + " has no list of choices");
+    for (const char* key : {"answer", "choices"})
+      if (const TomlEntry* entry = table_.find(key))
+        fail(entry->place, in_quotes(key) + " and a list of choices: the list says both",
+             "leave out " + in_quotes(key));
+    if (list_->is_numbered != (ask_.type == Ask::Type::order))
+      return fail(
+          list_->place,
+          "a question of type " + type + " takes a list with " + (list_->is_numbered ? "boxes" : "numbers"),
+          list_->is_numbered ? "- [x] the right one, - [ ] the others" : "1. 2. 3. as the right order is");
+    if (list_->items.size() > kMaxChoices)
+      return fail(list_->items[kMaxChoices].place,
+                  "a question has at most " + std::to_string(kMaxChoices) + " choices");
+    ask_.is_listed = true;
+    for (const ChoiceList::Item& item : list_->items) take_item(item);
+    if (ask_.type != Ask::Type::order && ask_.answers.empty())
+      fail(list_->place, "none of the choices is marked as right", "write - [x] before it");
+  }
+
+  void take_item(const ChoiceList::Item& item) {
+    ask_.choices.push_back(item.text.text());
+    ask_.choice_texts.push_back(texts_.line(item.text));
+    ask_.replies.push_back(item.reply.text().empty() ? RichText() : texts_.note(item.reply));
+    const auto number = static_cast<int>(ask_.choices.size());
+    const bool orders = ask_.type == Ask::Type::order;
+    if (orders && !item.reply.text().empty())
+      fail(item.place, "no part of an order has a reply: no one of them is picked",
+           "say in \"because\" why the order is right");
+    if (item.is_right && !ask_.answers.empty())
+      return fail(item.place, "two choices are marked as right", "write - [ ] before the wrong one");
+    if (orders || item.is_right) ask_.answers.push_back(number);
+  }
+
+  /// Changes the order in which choices are shown, and their numbers in the answer with it.
+  void shuffle() {
+    ask_.replies.resize(ask_.choices.size());
+    const bool orders = ask_.type == Ask::Type::order;
+    if (!shuffle_.value_or(ask_.is_listed)) return;
+    std::vector<std::size_t> shown = shuffled_order(front_.id, stage_id_, ask_.id, ask_.choices.size());
+    if (orders && std::is_sorted(shown.begin(), shown.end()))  // that would give the answer away
+      std::rotate(shown.begin(), shown.begin() + 1, shown.end());
+    const auto take_in_order = [&](auto& all) {
+      std::remove_reference_t<decltype(all)> old = std::move(all);
+      all.clear();
+      for (const std::size_t from : shown) all.push_back(std::move(old[from]));
+    };
+    take_in_order(ask_.choices);
+    take_in_order(ask_.choice_texts);
+    take_in_order(ask_.replies);
+    for (int& answer : ask_.answers)
+      answer =
+          1 + static_cast<int>(std::find(shown.begin(), shown.end(), static_cast<std::size_t>(answer - 1)) -
+                               shown.begin());
   }
 
   void check_given() {
@@ -261,14 +349,30 @@ class AskReader {
       if (const TomlEntry* entry = table_.find(key); entry != nullptr && derives)
         fail(entry->place, in_quotes(key) + " is not of questions of type \"derive\"",
              "what leads to the goal stands in \"worked\"");
-    const bool expression = ask_.type == Ask::Type::expression;
+    const auto is_only_of = [&](const char* key, bool is_so, const char* of) {
+      if (const TomlEntry* entry = table_.find(key); entry != nullptr && !is_so)
+        fail(entry->place, in_quotes(key) + " is of questions " + of);
+    };
+    const bool is_number = ask_.type == Ask::Type::number;
+    is_only_of("unit", is_number, "of type \"number\"");
+    is_only_of("within", is_number, "of type \"number\"");
+    is_only_of("plays", ask_.type == Ask::Type::predict, "of type \"predict\"");
+    is_only_of("shuffle", picks_choice(ask_.type),
+               ask_.type == Ask::Type::order ? "for one choice: an order in a list is always shuffled"
+                                             : "for a choice");
+    is_only_of("because", !derives, "of other types than \"derive\"");
+    const bool expression = ask_.type == Ask::Type::expression, chooses = has_choices(ask_.type);
     const TomlEntry* choices = table_.find("choices");
     const TomlEntry* modulo = table_.find("modulo");
     check_given();
     if (derives) return;
-    if (expression && choices != nullptr) fail(choices->place, "a question for an expression has no choices");
-    if (!expression && ask_.choices.size() < 2) {
-      fail(choices == nullptr ? ask_.place : choices->value.place,
+    if (!chooses && choices != nullptr)
+      fail(choices->place,
+           std::string("a question for ") + (is_number ? "a number" : "an expression") + " has no choices");
+    if (chooses && ask_.choices.size() < 2) {
+      fail(list_ != nullptr     ? list_->place
+           : choices == nullptr ? ask_.place
+                                : choices->value.place,
            "a question of type " + in_quotes(kTypeNames[static_cast<std::size_t>(ask_.type)]) +
                " needs at least two choices");
     }
@@ -276,6 +380,13 @@ class AskReader {
     const TomlEntry* given = table_.find("given");
     if (!expression && given != nullptr) fail(given->place, "\"given\" is of questions for an expression");
     if (expression && modulo == nullptr) ask_.modulo = "identity";
+  }
+
+  /// Behind what is asked, in a line of its own.
+  void add_to_prompt(std::string words) {
+    TextBlock block;
+    block.spans.emplace_back().text = std::move(words);
+    ask_.prompt_text.push_back(std::move(block));
   }
 
   /// Behind what is asked: "Given: $I_2 = I_1$."
@@ -310,6 +421,10 @@ class AskReader {
       else if (ok_ && ask_.given.sets_spin() &&
                std::any_of(ask_.expression->nodes.begin(), ask_.expression->nodes.end(), is_rate))
         fail(entry.value.place, "what is given of ω holds at an instant, and says nothing of rates");
+    } else if (ask_.type == Ask::Type::number) {
+      auto number = read_number_answer(table_, texts_);
+      ok_ = ok_ && number;
+      if (number) ask_.number = std::make_shared<const NumberAnswer>(std::move(*number));
     } else if (ask_.type == Ask::Type::order) {
       order(entry);
     } else {
@@ -345,11 +460,14 @@ class AskReader {
   }
 
   const TomlTable& table_;
+  const ChoiceList* list_;  ///< null: there is none
+  std::string_view stage_id_;
   const FrontMatter& front_;
   TextReader& texts_;
   Report& report_;
   LineNotation notation_;
   Ask ask_;
+  std::optional<bool> shuffle_;
   bool ok_ = true;
 };
 
@@ -367,8 +485,9 @@ LineNotation line_notation(const Lesson& lesson) {
 }
 
 std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place,
-                            const FrontMatter& front, TextReader& texts) {
-  return AskReader(table, std::move(id), place, front, texts).read();
+                            const FrontMatter& front, TextReader& texts, const ChoiceList* list,
+                            std::string_view stage_id) {
+  return AskReader(table, std::move(id), place, front, texts, list, stage_id).read();
 }
 
 }  // namespace polhode

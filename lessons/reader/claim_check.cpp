@@ -170,7 +170,9 @@ class ClaimCheck {
     return value.residual <= (is_proved ? kShown : std::max(value.tolerance, kRounding));
   }
 
-  void check(const Ask& ask, const Step&) {
+  void check(const Ask& ask, const Step& step) {
+    for (const RichText& reply : ask.replies) check_formulas_in(reply, step);
+    check_formulas_in(ask.because, step);
     if (ask.derivation) check_derivation(ask, *ask.derivation);
     const auto& answer = ask.expression;
     if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)

@@ -83,6 +83,10 @@ std::vector<int> numbers_in(const Block& block) {
   if (const auto* prose = std::get_if<Prose>(&block)) ids = numbers_in(prose->text);
   if (const auto* callout = std::get_if<Callout>(&block)) ids = numbers_in(callout->text);
   if (const auto* note = std::get_if<Footnote>(&block)) ids = numbers_in(note->text);
+  if (const auto* ask = std::get_if<Ask>(&block)) {
+    for (const RichText& reply : ask->replies) append_to(ids, numbers_in(reply));
+    append_to(ids, numbers_in(ask->because));
+  }
   return ids;
 }
 

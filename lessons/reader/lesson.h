@@ -84,14 +84,23 @@ struct Footnote {
 
 struct Derivation;
 
+/// Of the motion of a step.
+struct PlayedInterval {
+  double from_s = 0, to_s = 0;
+};
+
 /// A question as it stands on a page: ```ask ID.
 struct Ask : Question {
   std::string id;
   std::string prompt;
   RichText prompt_text;  ///< with what is given behind it
   std::vector<RichText> choice_texts;
+  std::vector<RichText> replies{};  ///< to who picks a choice, one for each; empty texts where there is none
+  bool is_listed = false;           ///< its choices are a Markdown list
   std::vector<std::string> hints;
   std::vector<RichText> hint_texts;
+  RichText because{};  ///< why the answer is right; empty: nothing is said
+  std::optional<PlayedInterval> plays{};  ///< what a prediction is held against before its verdict
   SourcePlace place;
   std::shared_ptr<const Derivation> derivation{};  ///< of the type derive
   std::vector<int> outcomes{};  ///< which of the lesson's it tests, from 1 (About::outcomes)

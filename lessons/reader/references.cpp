@@ -79,7 +79,9 @@ class References {
   void resolve(Ask& ask, const Stage& stage) {
     resolve(ask.prompt_text, stage);
     for (RichText& choice : ask.choice_texts) resolve(choice, stage);
+    for (RichText& reply : ask.replies) resolve(reply, stage);
     for (RichText& hint : ask.hint_texts) resolve(hint, stage);
+    resolve(ask.because, stage);
   }
 
   void resolve(RichText& text, const Stage& stage) {

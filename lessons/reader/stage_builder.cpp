@@ -672,9 +672,13 @@ void StageBuilder::read_tables() {
 
 void StageBuilder::add_ask(const Fence& fence) {
   take_id(fence, ask_lines_, "question");
-  const auto table = parse_toml(source_.lines(fence.first_line, fence.last_line), fence.first_line, report_);
+  const int list_line = first_line_of_list(source_, fence.first_line, fence.last_line);
+  const auto table = parse_toml(source_.lines(fence.first_line, list_line - 1), fence.first_line, report_);
+  std::optional<ChoiceList> list;
+  if (list_line <= fence.last_line) list = read_choice_list(list_line, fence.last_line, report_);
   if (!table) return;
-  if (auto ask = read_ask(*table, fence.words[1].text, fence.place, front_, texts_)) {
+  if (auto ask = read_ask(*table, fence.words[1].text, fence.place, front_, texts_, list ? &*list : nullptr,
+                          stages_.back().id)) {
     step().blocks.push_back(std::move(*ask));
   }
 }

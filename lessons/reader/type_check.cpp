@@ -70,7 +70,9 @@ class TypeCheck {
   void check(const Ask& ask) {
     text(ask.prompt_text, body_);
     for (const RichText& choice : ask.choice_texts) text(choice, body_);
+    for (const RichText& reply : ask.replies) text(reply, body_);
     for (const RichText& hint : ask.hint_texts) text(hint, body_);
+    text(ask.because, body_);
   }
 
   void text(const RichText& text, const TextStyle& style) {

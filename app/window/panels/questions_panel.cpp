@@ -13,6 +13,13 @@ namespace polhode {
 
 namespace {
 
+void wrapped_words(const std::string& words) {
+  if (words.empty()) return;
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 /// Of the answer that was judged, whatever is typed since.
 void show_verdict(const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
@@ -33,20 +40,14 @@ void ask_for_words(PanelContext& context, const Ask& ask, std::string& typed) {
   const float check = ImGui::CalcTextSize("Check").x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - check - ImGui::GetStyle().ItemSpacing.x);
   if (context.take_focus) ImGui::SetKeyboardFocusHere();
-  const std::string form = fmt::format("such as {}", form_of_answer(ask.type));
+  const std::string form = ask.number
+                               ? "a number" + (ask.number->unit.empty() ? "" : " in " + ask.number->unit)
+                               : fmt::format("such as {}", form_of_answer(ask.type));
   const bool entered =
       ImGui::InputTextWithHint("##answer", form.c_str(), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
   if (entered) ImGui::SetKeyboardFocusHere(-1);  // for another try
   ImGui::SameLine();
   if ((ImGui::Button("Check") || entered) && !typed.empty()) context.session.answer(ask, typed);
-}
-
-/// Controls set no formulas: what has some is to be read where it is set.
-void words_or_see_page(const PanelContext& context, const std::string& markdown, const RichText& text) {
-  if (markdown.find('$') != markdown.npos) return quiet_words("as on the page");
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(context.speech.words(text).c_str());
-  ImGui::PopTextWrapPos();
 }
 
 void show_line(const DerivationWork::TypedLine& line, std::size_t number) {
@@ -112,29 +113,73 @@ void show_next_step(PanelContext& context, const Ask& ask) {
   if (record && ImGui::Button("Begin again")) context.session.forget_answer(ask);
 }
 
-void ask_for_choice(PanelContext& context, const Ask& ask, std::string& typed) {
-  for (std::size_t i = 0; i < ask.choices.size(); ++i) {
-    const std::string letter(1, letter_of_choice(i));
-    if (toggle_button(letter.c_str(), typed == letter, "")) {
-      typed = letter;
-      context.session.answer(ask, typed);
-    }
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    words_or_see_page(context, ask.choices[i], ask.choice_texts[i]);
-  }
+/// The words of a choice beside its letter, which a click picks as well. Formulas are said: controls set
+/// none.
+bool choice_words(const std::string& words) {
+  const ImVec2 at = ImGui::GetCursorPos();
+  const float width = ImGui::GetContentRegionAvail().x, padding = ImGui::GetStyle().FramePadding.y;
+  const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y + 2 * padding;
+  const bool is_picked = ImGui::Selectable("##words", false, 0, {width, height});
+  const ImVec2 below = ImGui::GetCursorPos();
+  ImGui::SetCursorPos({at.x, at.y + padding});
+  wrapped_words(words);
+  ImGui::SetCursorPos(below);
+  return is_picked;
 }
 
-void show_hints(PanelContext& context, const Ask& ask) {
-  const AnswerRecord* record = context.session.record(ask);
-  const auto shown = static_cast<std::size_t>(record ? record->hints : 0);
-  for (std::size_t i = 0; i < std::min(shown, ask.hint_texts.size()); ++i)
-    quiet_words(fmt::format("Hint {}: {}", i + 1, context.speech.words(ask.hint_texts[i])));
-  if (shown < ask.hints.size()) {
-    if (ImGui::Button(shown == 0 ? "A hint" : "Another hint")) context.session.show_hint(ask);
-    if (record) ImGui::SameLine();
+/// What is said of a pick stands below it.
+void show_reply(PanelContext& context, const Ask& ask, const JudgedAnswer& answer) {
+  const float indent =
+      ImGui::CalcTextSize("A").x + 2 * ImGui::GetStyle().FramePadding.x + ImGui::GetStyle().ItemSpacing.x;
+  ImGui::Indent(indent);
+  if (context.session.is_awaited(ask)) {
+    quiet_words("Watch what it does.");
+    if (ImGui::Button("Say it now")) context.session.end_play();
+  } else {
+    show_verdict(answer);
+    wrapped_words(context.speech.words_after(ask, answer.judgement));
   }
-  if (record && ImGui::Button("Forget my answers")) context.session.forget_answer(ask);
+  ImGui::Unindent(indent);
+}
+
+void ask_for_choice(PanelContext& context, const Ask& ask) {
+  const JudgedAnswer* judged = context.session.judged(ask);
+  const int picked_before = judged != nullptr ? judged->judgement.choice : 0;
+  std::string picked;
+  for (std::size_t i = 0; i < ask.choices.size(); ++i) {
+    const std::string letter(1, letter_of_choice(i));
+    const bool is_picked = picked_before == static_cast<int>(i) + 1;
+    ImGui::PushID(letter.c_str());
+    if (toggle_button(letter.c_str(), is_picked, "")) picked = letter;
+    ImGui::SameLine();
+    if (choice_words(context.speech.words(ask.choice_texts[i]))) picked = letter;
+    ImGui::PopID();
+    if (is_picked) show_reply(context, ask, *judged);
+  }
+  if (!picked.empty()) context.session.answer(ask, picked);
+}
+
+/// Hints, and behind the last one the answer; none is offered to who has it.
+void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
+  const AnswerRecord* record = context.session.record(ask);
+  const AnswerRecord known = record != nullptr ? *record : AnswerRecord();
+  const auto shown = std::min(static_cast<std::size_t>(std::max(0, known.hints)), ask.hint_texts.size());
+  const bool told = is_told(known, ask.hints.size());
+  for (std::size_t i = 0; i < shown; ++i)
+    quiet_words(fmt::format("Hint {}: {}", i + 1, context.speech.words(ask.hint_texts[i])));
+  if (told) {
+    wrapped_words("The answer: " + context.speech.words_of_answer(ask));
+    if (!is_settled) wrapped_words(context.speech.words(ask.because));  // it was said with the verdict
+  }
+  AnswerRecord after = known;
+  if (!is_settled && note_help(after, ask.hints.size())) {
+    const char* words = shown == ask.hints.size() ? "Show the answer"
+                        : shown == 0              ? "A hint"
+                                                  : "Another hint";
+    if (ImGui::Button(words)) context.session.show_hint(ask);
+    if (record != nullptr) ImGui::SameLine();
+  }
+  if (record != nullptr && ImGui::Button("Forget my answers")) context.session.forget_answer(ask);
 }
 
 }  // namespace
@@ -145,10 +190,11 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
   // What leads where in a derivation stands below, as it is typed.
   const RichText words = ask.derivation ? RichText{ask.prompt_text.front()} : ask.prompt_text;
-  words_or_see_page(context, ask.prompt, words);
+  wrapped_words(context.speech.words(words));
   std::string& typed = typed_[context.session.stage().id + '/' + ask.id];
   switch (ask.type) {
     case Ask::Type::expression:
+    case Ask::Type::number:
       ask_for_words(context, ask, typed);
       break;
     case Ask::Type::order:
@@ -157,7 +203,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
       break;
     case Ask::Type::choice:
     case Ask::Type::predict:
-      ask_for_choice(context, ask, typed);
+      ask_for_choice(context, ask);
       break;
     case Ask::Type::derive:
       derive(context, ask, typed);
@@ -165,11 +211,16 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
       ImGui::PopID();
       return;
   }
-  if (const JudgedAnswer* answer = context.session.judged(ask))
+  const JudgedAnswer* answer = context.session.judged(ask);
+  const AnswerRecord* record = context.session.record(ask);
+  if (answer != nullptr && answer->judgement.choice == 0) {
     show_verdict(*answer);
-  else if (const AnswerRecord* record = context.session.record(ask); record && record->right)
+    wrapped_words(context.speech.words_after(ask, answer->judgement));
+  }
+  if (answer == nullptr && record != nullptr && record->right > 0)
     quiet_words("You have answered this one right.");
-  show_hints(context, ask);
+  const bool is_right = answer != nullptr && answer->judgement.mark == AnswerJudgement::Mark::right;
+  show_hints(context, ask, is_right && !context.session.is_awaited(ask));
   ImGui::PopID();
 }
 
@@ -183,9 +234,12 @@ void QuestionsPanel::draw(PanelContext& context) {
   }
   if (is_end) draw_summary(context);
   if (questions.empty()) return;
+  const auto asks_for = [&](Ask::Type type) {
+    return std::any_of(questions.begin(), questions.end(), [=](const Ask* ask) { return ask->type == type; });
+  };
+  const bool derives = asks_for(Ask::Type::derive);
+  if (!derives && !asks_for(Ask::Type::expression)) return;  // choices are picked, not written
   heading("How to write it");
-  const bool derives = std::any_of(questions.begin(), questions.end(),
-                                   [](const Ask* ask) { return ask->derivation != nullptr; });
   quiet_words(std::string(derives ? kWordsOfDerivations : kWordsOfAnswers));
 }
 

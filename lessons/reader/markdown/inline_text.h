@@ -60,6 +60,8 @@ class TextReader {
   std::optional<Math> formula_of(ComputedNumber number);
   /// The words of computed numbers. Precondition: speak was called.
   const Vocabulary& vocabulary() const { return language_->vocabulary; }
+  /// The dimensions of their constants, by their numbers. Precondition: speak was called.
+  const std::map<int, Dimension>& dimensions() const { return language_->dimensions; }
   /// Those of all formulas read so far, by their ids.
   std::vector<ComputedNumber> take_numbers() { return std::move(numbers_); }
 

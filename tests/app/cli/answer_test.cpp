@@ -34,8 +34,13 @@ class Answer : public ::testing::Test {
         lesson_,
         "+++\nformat = 1\nid = \"quiz\"\ntitle = \"Quiz\"\n+++\n# Quiz {quiz}\nAsk.\n\n"
         "```ask sign\ntype = \"expression\"\nprompt = 'The y component?'\n"
-        "answer = \"w3*w1*(I1 - I3)\"\nhints = ['Use $I_1$.', 'Mind the sign.']\n```\n"
-        "```ask which\ntype = \"choice\"\nprompt = 'Which?'\nchoices = ['one', 'two']\nanswer = 2\n```\n");
+        "answer = \"w3*w1*(I1 - I3)\"\nhints = ['Use $I_1$.', 'Mind the sign.']\n"
+        "because = 'The middle minor has a minus sign'\n```\n"
+        "```ask which\ntype = \"choice\"\nprompt = 'Which?'\nchoices = ['one', 'two']\nanswer = 2\n```\n"
+        "```ask listed\ntype = \"choice\"\nprompt = 'Which?'\nshuffle = false\nbecause = 'So it is.'\n"
+        "- [ ] one\n  The $\\omega_1$ there is small.\n- [x] two\n```\n"
+        "```ask speed\ntype = \"number\"\nprompt = 'How fast?'\nanswer = 2\nunit = 'rad/s'\n"
+        "hints = ['One.', 'Two.']\n```\n");
   }
   ScratchFolder folder_;
   std::filesystem::path lesson_ = folder_ / "quiz.md";
@@ -78,9 +83,44 @@ TEST_F(Answer, TriesAreKeptAndCanBeForgotten) {
 
 TEST_F(Answer, HintsComeOneAtATimeInWords) {
   EXPECT_EQ(answer("sign", {"--hint"}).out, "Hint 1 of 2: Use I sub 1.\n");
-  EXPECT_EQ(answer("sign", {"--hint"}).out, "Hint 2 of 2: Mind the sign.\n");
-  EXPECT_EQ(answer("sign", {"--hint"}).out, "There are no more hints.\n");
-  EXPECT_EQ(answer("which", {"--hint"}).out, "There is no hint.\n");
+  EXPECT_EQ(answer("sign", {"--hint"}).out,
+            "Hint 2 of 2: Mind the sign.\nThat was the last hint: after it --hint tells the answer.\n");
+}
+
+TEST_F(Answer, BehindTheLastHintTheAnswerIsToldWithItsReason) {
+  for (int i = 0; i < 2; ++i) answer("sign", {"--hint"});
+  const std::string told = "The answer: w3*w1*(I1 - I3).\nThe middle minor has a minus sign.\n";
+  EXPECT_EQ(answer("sign", {"--hint"}).out, told);
+  EXPECT_EQ(answer("sign", {"--hint"}).out, told) << "and again";
+  EXPECT_EQ(logged()["quiz/sign"]["hints"], 3) << "one more than there are: it was told";
+}
+
+TEST_F(Answer, WithoutHintsItIsToldToWhoHasTried) {
+  EXPECT_EQ(answer("which", {"--hint"}).out,
+            "There is no hint. Try an answer: after it --hint tells the right one.\n");
+  EXPECT_FALSE(std::filesystem::exists(log()) && logged().contains("quiz/which"));
+  answer("which", {"A"});
+  EXPECT_EQ(answer("which", {"--hint"}).out, "The answer: B: two.\n");
+}
+
+TEST_F(Answer, AChoiceGetsItsReply) {
+  const ProgramRun wrong = answer("listed", {"A"});
+  EXPECT_EQ(wrong.code, 4);
+  EXPECT_EQ(wrong.out, "wrong: A is not it\nThe omega sub 1 there is small.\n");
+  EXPECT_EQ(answer("listed", {"B"}).out, "right\nSo it is.\n");
+  const Json json = Json::parse(answer("listed", {"A", "--json"}).out);
+  EXPECT_EQ(json["reply"], "The omega sub 1 there is small.");
+}
+
+TEST_F(Answer, ANumberIsJudgedWithItsUnit) {
+  EXPECT_EQ(answer("speed", {"2 rad/s"}).code, 0);
+  EXPECT_EQ(answer("speed", {"19.1 rpm"}).code, 0);
+  EXPECT_THAT(answer("speed", {"2000"}).out, HasSubstr("too large by a factor of 1000"));
+  const ProgramRun comma = answer("speed", {"2,0"});
+  EXPECT_EQ(comma.code, 2);
+  EXPECT_THAT(comma.err, HasSubstr("a comma is not read in numbers"));
+  for (int i = 0; i < 2; ++i) answer("speed", {"--hint"});
+  EXPECT_EQ(answer("speed", {"--hint"}).out, "The answer: 2 rad/s.\n");
 }
 
 TEST_F(Answer, ADamagedLogIsSetAside) {
