@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Sides of a printed equation: sums of products of factors (tex_equation.h). Internal to the reader of
 // equations.
+//
+// tex_terms.cpp has the grammar, tex_names.cpp what letters mean, tex_operators.cpp rates, sums, functions,
+// fractions and arrays.
 #pragma once
 
 #include "lessons/notation/tex_equation.h"
@@ -64,6 +67,7 @@ class TexTerms {
   TexValue chain(std::vector<TexValue> runs, const std::vector<const TexItem*>& signs);
   Factor factor(Items items, std::size_t& at);
   TexValue rate_of_run(Items items, std::size_t& at, bool from_space, SourceSpan place);
+  std::optional<TexValue> rate_by_fraction(Items items, std::size_t& at);
   std::optional<TexValue> inline_rate(Items items, std::size_t& at);
   TexValue big_sum(Items items, std::size_t& at);
   TexValue trace(Items items, std::size_t& at);
