@@ -140,14 +140,6 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
       if (node.grid->left == U'|' && node.grid->right == U'|') return determinant(item);
       if (node.grid->left == U'(' || node.grid->left == U'[') return matrix(item);
       throw TexFault(item.span, "this array is not read");
-    case Kind::term: {  // \live
-      const std::size_t index = index_of_live(node).value_or(math_.live.size());
-      if (!may_be_live)
-        throw TexFault(item.span, "a live number is not proved: it stands for a symbol, and shows digits",
-                       "let it stand alone at the end of the chain, its unit within: = \\live[unit={J}]{T}");
-      if (index >= math_.live.size()) throw TexFault(item.span, "this number is not read");
-      return meaning_of({"live", {}, math_.live[index].expression}, item.span);
-    }
     case Kind::radical: {
       if (node.children.size() > 1 && !node.children[1].absent())
         throw TexFault(item.span, "only square roots are read", "write powers, or square both sides");

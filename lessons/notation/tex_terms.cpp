@@ -33,15 +33,6 @@ bool is_like_argument(const TexItems& inside) {
   return only.kind == ItemKind::operand && only.node->kind != Kind::fraction && only.node->kind != Kind::grid;
 }
 
-/// Digits, or a relation, in the words of a label.
-bool says_value(const MathNode& label) {
-  const auto says = [](const MathNode& node) {
-    return node.text.find_first_of("0123456789=<>") != std::string::npos ||
-           node.text.find("≠") != std::string::npos;
-  };
-  return says(label) || std::any_of(label.children.begin(), label.children.end(), says);
-}
-
 }  // namespace
 
 const MathNode& plain_node(const MathNode& node) {
@@ -51,6 +42,17 @@ const MathNode& plain_node(const MathNode& node) {
          inner->children.size() == 1)
     inner = &inner->children.front();
   return *inner;
+}
+
+bool has_tensor_component(const MathNode& node) {
+  if (node.kind == Kind::scripts && !node.children[1].absent()) {
+    const MathNode& nucleus = plain_node(node.children[0]);
+    const bool bold = nucleus.alphabet == Alphabet::bold || nucleus.alphabet == Alphabet::bold_italic;
+    if (nucleus.kind == Kind::symbol && nucleus.character == U'I' && !bold &&
+        plain_node(node.children[1]).kind == Kind::row && plain_node(node.children[1]).children.size() == 2)
+      return true;
+  }
+  return std::any_of(node.children.begin(), node.children.end(), has_tensor_component);
 }
 
 TexTerms::TexTerms(const Math& math, const EquationNotation& notation) : math_(math), notation_(notation) {
@@ -310,6 +312,7 @@ TexTerms::Factor TexTerms::factor(Items items, std::size_t& at) {
     };
     made.fraction_of_numbers = only_digits(node->children[0]) && only_digits(node->children[1]);
   }
+  if (item.kind == ItemKind::operand && node->kind == Kind::term) return live_number(items, at);
   bool took_sub = false, took_sup = false;
   TexValue base = item.kind == ItemKind::group ? group(item) : base_of(item, took_sub, took_sup);
   if (item.kind == ItemKind::group && item.sub != nullptr) {
@@ -368,6 +371,29 @@ TexTerms::Factor TexTerms::number(Items items, std::size_t& at) {
   return made;
 }
 
+/// A number of \live, as its expression, with its own unit behind it.
+TexTerms::Factor TexTerms::live_number(Items items, std::size_t& at) {
+  const TexItem& item = items[at];
+  const std::size_t index = index_of_live(*item.node).value_or(math_.live.size());
+  if (!may_be_live)
+    throw TexFault(item.span, "a live number is not proved: it stands for a symbol, and shows digits",
+                   "let it stand alone at the end of the chain, its unit within: = \\live[unit={J}]{T}");
+  if (index >= math_.live.size()) throw TexFault(item.span, "this number is not read");
+  if (!is_plain(item))
+    throw TexFault(item.span, "is the sign or the unit of this number raised, too?",
+                   "write brackets around it");
+  Factor made;
+  made.number = true;
+  made.span = item.span;
+  made.value = meaning_of({"live", {}, math_.live[index].expression}, item.span);
+  const std::string unit = unit_tex(math_.live[index].unit);
+  ++at;
+  if (at < items.size() && items[at].kind == ItemKind::text && is_plain(items[at]) && !unit.empty() &&
+      unit.ends_with("\\text{" + items[at].node->text + '}'))
+    ++at;
+  return made;
+}
+
 TexValue TexTerms::group(const TexItem& item) {
   if (item.open == U'|') return length_of(sum(item.inside, item.span), item.span);
   TexValue value = sum(item.inside, item.span);
@@ -380,8 +406,8 @@ TexValue TexTerms::group(const TexItem& item) {
                         std::all_of(label.children.begin(), label.children.end(), [](const MathNode& part) {
                           return part.kind == Kind::text || part.kind == Kind::space;
                         }));
-    if (words && says_value(label))
-      throw TexFault(item.label->span, "words under a brace are not proved, and these say a value",
+    if (words && states_something(label))
+      throw TexFault(item.label->span, "words under a brace are not proved, and these state something",
                      "write it as a formula: \\underbrace{a}_{0}");
     if (!words) {
       const TexItems items = items_of(*item.label, kMaxEquationNesting);

@@ -432,7 +432,12 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
   } else if (which == SymbolTable::symbols) {
     report.error(entry.place, what + in_quotes(entry.key) + " lacks \"tex\"");
   } else {
-    return;  // a word of expressions alone
+    // A word of expressions alone: it stands in no formula that could have its colour.
+    if (const TomlEntry* role = table->find("role"))
+      report.warning(role->place,
+                     "the role of " + what + in_quotes(entry.key) + " has no effect without a \"tex\"",
+                     "write how it is printed, tex = '…', or give the arrow a role");
+    return;
   }
   if (symbol.means.empty()) front.notation.vocabulary.print_as(entry.key, without_macros(symbol.tex));
   // By its name, where that is a word: it is written as that.
@@ -453,6 +458,23 @@ bool is_sign_of_language(const std::string& tex) {
       std::any_of(tex.begin(), tex.end(), [](unsigned char c) { return std::isalpha(c); });
   const bool is_foreign = std::any_of(tex.begin(), tex.end(), [](unsigned char c) { return c >= 0x80; });
   return !has_letter || is_foreign;
+}
+
+/// dT, d\omega: nobody would read one name.
+bool is_like_differential(const std::string& tex) {
+  const auto letter = [&](std::size_t at) {
+    return at < tex.size() && std::isalpha(static_cast<unsigned char>(tex[at]));
+  };
+  if (tex.size() < 2 || tex[0] != 'd' || tex.starts_with("d\\prime")) return false;
+  return tex[1] == '\\' || (letter(1) && !letter(2));
+}
+
+/// Letters that stand for functions of time wherever the motion of a body is written about, besides those
+/// that the language of claims has itself.
+bool is_letter_of_state(const std::string& tex) {
+  static const std::set<std::string> kLetters = {"E",          "H",     "t",        "\\theta",
+                                                 "\\vartheta", "\\phi", "\\varphi", "\\psi"};
+  return kLetters.contains(tex);
 }
 
 bool is_quantity(const std::string& name) {
@@ -563,6 +585,8 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     });
   };
   std::map<std::string, std::string> names;
+  for (const Vocabulary::Word& word : front.notation.vocabulary.words())
+    if (word.tex.empty()) names.emplace(key_of(word.name), word.name);  // as it is printed
   for (const TomlEntry* one : entries) {
     const TomlEntry& entry = *one;
     const auto found = front.symbols.find(entry.key);
@@ -574,13 +598,21 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     const auto known = built_in_meaning(symbol.tex, front, texts);
     const std::string tex = key_of(symbol.tex);
     const auto [same, is_new] = names.emplace(tex, entry.key);
-    const bool means = !symbol.means.empty();
-    if (!is_new && same->second != entry.key && (means || !front.symbols.at(same->second).means.empty()))
+    const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
+    const bool means = !symbol.means.empty() || word != nullptr;
+    const auto other = front.symbols.find(same->second);
+    const bool other_means = other == front.symbols.end() || !other->second.means.empty();
+    if (!is_new && same->second != entry.key && (means || other_means))
       refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
     else if (means && known)
       refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
     else if (means && (is_sign_of_language(tex) || !symbol.math.root || !is_plain_symbol(*symbol.math.root)))
       refuse("has a sign that formulas use otherwise", "take a letter, with an index or a mark");
+    else if ((means || is_quantity(entry.key)) && is_like_differential(tex))
+      refuse("reads as a differential", "take a letter without a d before it");
+    else if (word != nullptr && word->constant() && is_letter_of_state(tex))
+      refuse("is a constant, and is printed as what changes with the motion",
+             "a value that does not change has an index: E_0");
     else if (const auto by_others = means && !has_twin(entry.key, tex)
                                         ? meaning_by_others(entry.key, symbol.tex, front, texts)
                                         : std::nullopt)
