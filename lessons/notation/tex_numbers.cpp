@@ -177,6 +177,9 @@ class NumberReader {
     const bool is_bare = !items.empty() && !is_break(items.back());
     if (last.alone && !last.has_unit && is_bare) result_.last = last.alone;
     if (first.alone) result_.first = first.alone;
+    // "= 3.8": what it is said of stands before the formula.
+    const Chain& chain = chains.front();
+    if (first.items.empty() && chain.sides.size() > 1) result_.first = chain.sides[1].alone;
   }
 
   /// Whether words go on with what stands before them as a unit behind a number does.
@@ -278,7 +281,8 @@ class NumberReader {
       return is_own && behind.size() == 1 ? number : std::nullopt;
     }
     if (behind.empty()) return number;
-    const std::string unit = unit_of(behind);
+    const bool is_percent = behind.size() == 1 && is_symbol(behind[0], U'%') && is_plain(behind[0]);
+    const std::string unit = is_percent ? "%" : unit_of(behind);
     if (unit.empty()) return std::nullopt;
     result_.units.push_back({*number, unit});
     return number;

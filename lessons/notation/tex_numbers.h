@@ -26,7 +26,7 @@ struct NumberStatement {
   std::optional<std::size_t> left, right;
 };
 
-/// A unit that is printed behind a number without one of its own: "kg m²/s", as scaled_unit reads it.
+/// A unit that is printed behind a number without one of its own: "kg m²/s", as scaled_unit reads it, or "%".
 struct PrintedUnit {
   std::size_t number = 0;  ///< in Math::live
   std::string unit;
@@ -37,7 +37,7 @@ struct NumbersInFormula {
   std::vector<PrintedUnit> units;
   /// The number that all of the formula is, or that its last side is, with no unit behind it.
   std::optional<std::size_t> last;
-  /// The same of the first side: nothing stands before it.
+  /// The same of the first side: nothing stands before it, or a sign of relation alone.
   std::optional<std::size_t> first;
 };
 

@@ -506,7 +506,12 @@ bool is_index_letter(const MathNode& node) {
 
 /// What nobody would notice in an index.
 bool is_stop(char32_t character) {
-  return std::u32string_view(U",.;:!'`·").find(character) != std::u32string_view::npos;
+  return std::u32string_view(U",.;:!'`·⋅∙∘").find(character) != std::u32string_view::npos;
+}
+
+/// T_{=5} would state something; ω_∥ does not.
+bool is_relation(char32_t character) {
+  return std::u32string_view(U"=<>≤≥⩽⩾≈≠≡∼≃≅∝").find(character) != std::u32string_view::npos;
 }
 
 /// ω², which would be read as the square of what ω is; σ² may be a symbol of its own.
@@ -528,7 +533,8 @@ bool is_plain_symbol(const MathNode& node, bool is_index = false) {
   };
   switch (node.kind) {
     case Kind::symbol:
-      return is_index ? !is_stop(node.character) : is_letter(node.character);
+      if (!is_index) return is_letter(node.character);
+      return !is_stop(node.character) && !is_relation(node.character);
     case Kind::row:
       // An i beside other indices is one of a sum.
       if (is_index && std::any_of(node.children.begin(), node.children.end(), is_index_letter)) return false;
@@ -567,14 +573,42 @@ std::optional<std::string> meaning_by_others(const std::string& name, const std:
   return read->sentences.front().links.front().equality.left.text;
 }
 
+/// Upright or slanted, wide or narrow: nobody tells them apart.
+std::string without_alphabets(std::string tex) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kLooksAlike{{
+      {"\\overrightarrow", "\\vec"},
+      {"\\mathnormal", ""},
+      {"\\textnormal", ""},
+      {"\\mathit", ""},
+      {"\\mathrm", ""},
+      {"\\mathup", ""},
+      {"\\symup", ""},
+      {"\\symit", ""},
+      {"\\textit", ""},
+      {"\\textrm", ""},
+      {"\\emph", ""},
+      {"\\mbox", ""},
+      {"\\text", ""},
+      {"\\wide", "\\"},
+  }};
+  for (const auto& [other, usual] : kLooksAlike)
+    for (std::size_t at = 0; (at = tex.find(other, at)) != tex.npos; at += usual.size()) {
+      const std::size_t end = at + other.size();
+      const bool is_whole =
+          other == "\\wide" || end == tex.size() || !std::isalpha(static_cast<unsigned char>(tex[end]));
+      if (is_whole)
+        tex.replace(at, other.size(), usual);
+      else
+        ++at;
+    }
+  return tex;
+}
+
 /// A symbol that means something is one that means nothing else: neither a quantity, nor a number or product
 /// of them, nor an index, nor the d and t of d/dt, nor another symbol.
 void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& front, TextReader& texts) {
-  // Upright or slanted, wide or narrow: nobody tells them apart.
-  const auto key_of = [](std::string tex) {
-    for (const std::string_view looks_alike : {"\\mathit", "\\mathrm", "\\mathnormal", "\\text", "\\textit"})
-      for (std::size_t at; (at = tex.find(looks_alike)) != tex.npos;) tex.erase(at, looks_alike.size());
-    for (std::size_t at; (at = tex.find("\\wide")) != tex.npos;) tex.erase(at + 1, 4);
+  const auto key_of = [](const std::string& written) {
+    std::string tex = without_alphabets(written);
     std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
     return tex;
   };
@@ -595,7 +629,7 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     const auto refuse = [&](const std::string& why, const std::string& hint) {
       texts.report().error(entry.place, "symbol " + in_quotes(entry.key) + ' ' + why, hint);
     };
-    const auto known = built_in_meaning(symbol.tex, front, texts);
+    const auto known = built_in_meaning(without_alphabets(symbol.tex), front, texts);
     const std::string tex = key_of(symbol.tex);
     const auto [same, is_new] = names.emplace(tex, entry.key);
     const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
@@ -606,7 +640,9 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
       refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
     else if (means && known)
       refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
-    else if (means && (is_sign_of_language(tex) || !symbol.math.root || !is_plain_symbol(*symbol.math.root)))
+    else if (const bool is_plain = symbol.math.root && is_plain_symbol(*symbol.math.root);
+             (means && (is_sign_of_language(tex) || !is_plain)) ||
+             (is_quantity(entry.key) && known != entry.key && symbol.math.root && !is_plain))
       refuse("has a sign that formulas use otherwise", "take a letter, with an index or a mark");
     else if ((means || is_quantity(entry.key)) && is_like_differential(tex))
       refuse("reads as a differential", "take a letter without a d before it");

@@ -49,7 +49,7 @@ class NameCheck {
       const double lengths = std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
       // How long it is drawn is the author's choice.
       if (lengths > 0 && dot(a->components, b->components) < (1 - kNear) * lengths)
-        return refuse("the arrow of", of.text, tex);
+        return refuse("the tip of", of.text, tex);
     }
   }
 
@@ -74,6 +74,7 @@ class NameCheck {
   }
 
   std::optional<Expression> read(const std::string& tex) const {
+    if (tex.empty()) return std::nullopt;
     const auto math = parse_math(tex);
     auto said = math ? read_side(*math, lesson_.notation) : std::nullopt;
     return said && has_name(*said) ? said : std::nullopt;
@@ -115,17 +116,23 @@ class NameCheck {
   std::vector<LiveState> states_;
 };
 
+/// The TeX of a line that is a formula and nothing else; empty of another.
+std::string formula_alone(const std::string& line) {
+  const bool is_alone = line.size() > 2 && line.front() == '$' && line.find('$', 1) == line.size() - 1;
+  return is_alone ? line.substr(1, line.size() - 2) : "";
+}
+
 }  // namespace
 
 bool has_names(const Scene& scene) {
   const auto is_named = [](const PlotSpec& plot) {
     const auto* own = std::get_if<OwnPlot>(&plot);
-    return own != nullptr && !own->tex.empty();
+    return own != nullptr && (!own->tex.empty() || !own->title.empty());
   };
   const auto has_name = [](const ArrowMark& arrow) { return arrow.tex && !arrow.tex->empty(); };
   const Marks& marks = scene.marks;
   return std::any_of(scene.meters.begin(), scene.meters.end(), is_named) ||
-         std::any_of(marks.arrows.begin(), marks.arrows.end(), has_name) ||
+         std::any_of(marks.arrows.begin(), marks.arrows.end(), has_name) || !marks.notes.empty() ||
          std::any_of(marks.angles.begin(), marks.angles.end(),
                      [](const AngleMark& a) { return !a.tex.empty(); });
 }
@@ -137,11 +144,14 @@ void check_names(const Lesson& lesson, const SceneModel& model, SourcePlace plac
     if (own == nullptr) continue;
     for (std::size_t i = 0; i < std::min(own->curves.size(), own->tex.size()); ++i)
       check.check_curve(own->curves[i], own->tex[i]);
+    if (own->curves.size() == 1) check.check_curve(own->curves.front(), formula_alone(own->title));
   }
   for (const ArrowMark& arrow : model.scene.marks.arrows)
     if (arrow.tex) check.check_arrow(arrow.of.quantity, *arrow.tex);
   for (const AngleMark& angle : model.scene.marks.angles)
     if (!angle.tex.empty()) check.check_angle(angle.from.quantity, angle.to.quantity, angle.tex);
+  for (const NoteMark& note : model.scene.marks.notes)
+    check.check_arrow(note.at.quantity, formula_alone(note.text));
 }
 
 }  // namespace polhode

@@ -16,7 +16,6 @@ namespace polhode {
 namespace {
 
 constexpr int kDigitsOfHint = 6;
-constexpr const char* kUnitWithin = "write the unit into the number: \\live[unit={kJ}]{T}";
 constexpr const char* kOneFormula = "write both into one formula, in which they are compared";
 
 /// As = or ≈ says. What is proved differs only where a method errs: then the number is not what it should
@@ -221,7 +220,7 @@ bool NumberCheck::check_statement(const Math& math, const NumberStatement& state
 }
 
 void NumberCheck::check_unit(const ComputedNumber& number, const std::string& unit) {
-  const auto read = scaled_unit(unit);
+  const auto read = unit == "%" ? ScaledUnit{} : scaled_unit(unit);
   if (!read) return;
   if (!number.written.unit.empty())
     return refuse(
@@ -234,7 +233,7 @@ void NumberCheck::check_unit(const ComputedNumber& number, const std::string& un
   constexpr double kRounding = 1e-12;
   if (std::abs(read->size / number.unit_si - 1) > kRounding)
     refuse(number, "this number is in units of SI, and " + in_quotes(unit) + " stands behind it",
-           kUnitWithin);
+           "write the unit into the number: \\live[unit={" + unit + "}]{…}");
 }
 
 void NumberCheck::check_text(const RichText& text, const NumbersMotion& motion) {
@@ -273,8 +272,13 @@ void NumberCheck::check_before(const std::vector<TextSpan>& spans, std::size_t a
       refuse(number, "another formula stands directly before this number", kOneFormula);
     return;
   }
-  const bool is_sign = ends_with_any(text, {"=", "<", ">", "≤", "≥", "≈", "≠", "±", "×", "·",
-                                            "+", "−", "*", "^", "/", "√", "~", "∼", "≡", "→"}) ||
+  // What stands before a bracket that it is in, directly.
+  while (!has_blank && ends_with_any(text, {"(", "["})) {
+    text.remove_suffix(1);
+    if (text.empty() || take_last_blank(text)) return;
+  }
+  const bool is_sign = ends_with_any(text, {"=", "<", ">", "≤", "≥", "≈", "≠", "±", "×", "·", "+", "−", "*",
+                                            "^", "/", "√", "~", "∼", "≡", "→", "½", "¼", "¾", "∂", "Δ"}) ||
                        (!has_blank && ends_with_any(text, {"-", "–"}));
   if (is_sign) return refuse(number, "a sign stands before this number, outside of its formula", kOneFormula);
   const bool is_figure =
@@ -304,9 +308,13 @@ void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t a
       refuse(number, "another formula stands directly behind this number", kOneFormula);
     return;
   }
+  while (!has_blank && starts_with_any(text, {")", "]"})) {
+    text.remove_prefix(1);
+    if (text.empty() || take_blank(text)) return;
+  }
   const bool is_sign =
-      starts_with_any(text, {"=", "<", ">", "≤", "≥", "≈", "≠", "±", "×", "·", "+", "−",
-                             "*", "^", "/", "²", "³", "⁴", "⁻", "¹", "~", "∼", "≡"}) ||
+      starts_with_any(text, {"=", "<", ">", "≤", "≥", "≈", "≠", "±", "×", "·", "+", "−", "*", "^",
+                             "/", "²", "³", "⁴", "⁻", "¹", "~", "∼", "≡", "½", "¼", "¾", "!"}) ||
       (!has_blank && text.size() > 1 && std::string_view("-–.,").find(text[0]) != std::string_view::npos &&
        is_digit(text[1]));
   if (is_sign) return refuse(number, "a sign stands behind this number, outside of its formula", kOneFormula);
@@ -316,12 +324,7 @@ void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t a
     if (text.starts_with(word))
       return refuse(number, "this number is not that many " + std::string(word) + "s: it is printed as it is",
                     "write the power of ten as a unit, or leave it out");
-  if (starts_with_any(text, {"%", "‰"})) {
-    if (number.dimension && *number.dimension != Dimension{})
-      refuse(number,
-             "units disagree: this number is " + to_string(*number.dimension) + ", and % stands behind it");
-    return;
-  }
+  if (text.starts_with("%")) return check_unit(number, "%");
   if (const std::string unit = unit_at_start(text); !unit.empty()) return check_unit(number, unit);
   if (!has_blank && is_letter(text.front()))
     refuse(number, "a letter stands directly behind this number", "put a blank between them");
