@@ -34,8 +34,8 @@ class SpeechText {
   std::vector<std::string> words_of_rows(const TextTable& table) const;
   /// "Equation (5): d L over d t equals N."
   std::string words(const Equation& equation) const;
-  /// "True in every motion."
-  std::string words(const Claim& claim) const;
+  /// "True in every motion." `scene` is that of its step; null: there is none.
+  std::string words(const Claim& claim, const Scene* scene = nullptr) const;
   std::string words(const Callout& callout, std::vector<NoteLink>* links = nullptr) const;
   /// With its choices, without hints and answer.
   std::string words(const Ask& ask) const;

@@ -28,6 +28,7 @@ class Transcript {
     text_ += '\n' + underlined(fmt::format("{}. {}", number, speech_.words(stage.title_text)), '-');
     for (const Step& step : stage.steps) {
       if (!step.title.empty()) text_ += '\n' + underlined(speech_.words(step.title), '~');
+      scene_ = step.scene.get();
       for (const Block& block : step.blocks) std::visit([this](const auto& b) { add(b); }, block);
       const std::vector<FigureWords> figure = speech_.words_of_figure(step);
       if (!figure.empty() && figure != figure_) {
@@ -84,7 +85,7 @@ class Transcript {
   void add(const Footnote& note) {
     text_ += '\n' + wrapped(speech_.words(note.text), raised_number(note.number) + ' ');
   }
-  void add(const Claim& claim) { text_ += wrapped(speech_.words(claim), "      "); }
+  void add(const Claim& claim) { text_ += wrapped(speech_.words(claim, scene_), "      "); }
 
   void add(const Ask& ask) {
     add_paragraph(speech_.words(ask.prompt_text), "Question: ");
@@ -100,6 +101,7 @@ class Transcript {
   std::string text_;
   std::vector<FigureWords> figure_;  ///< of the last one: steps inherit captions
   std::string plots_, marks_;        ///< likewise
+  const Scene* scene_ = nullptr;     ///< of the step
 };
 
 }  // namespace

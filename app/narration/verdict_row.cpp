@@ -71,6 +71,13 @@ std::string words_of(const Given& given, ClaimKind kind) {
   return joined(listed(printed_conditions(given), "given"), listed(printed_small(given), order));
 }
 
+/// What is true of other motions than the one beside it does not stand there as if it were of that, too.
+std::string why_not_of_this(ClaimKind kind, const Scene& scene) {
+  const bool is_of_motions = kind == ClaimKind::free || kind == ClaimKind::motion || kind == ClaimKind::law;
+  if (is_of_motions && slips(scene)) return "not of this body, which loses energy inside";
+  return kind == ClaimKind::free && !scene.torque.empty() ? "here one acts" : "";
+}
+
 /// Of what is false, or does not follow.
 std::string words_of(const Counterexample& counter, ClaimKind kind) {
   if (kind == ClaimKind::non_sequitur)
@@ -226,6 +233,7 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
     row.word = std::move(word);
     row.note = std::move(note);
   };
+  if (scene != nullptr) row.note = joined(row.note, why_not_of_this(claim.kind, *scene));
   std::optional<Counterexample> counter;
   bool holds = true;
   int states = 0;  // in which what is not refuted held, the fewest of a line; 0: there is no such line

@@ -129,18 +129,22 @@ MotionNumbers::MotionNumbers(const SceneModel& model, double t_s, Effort effort)
 
 std::optional<double> MotionNumbers::value_of(const Expression& scalar) {
   if (!live_) return std::nullopt;
-  if (!has_motion_words(scalar)) return live_number(scalar, *live_);
-  Expression known = scalar;
+  const auto known = written_out(scalar);
+  return known ? live_number(*known, *live_) : std::nullopt;
+}
+
+std::optional<Expression> MotionNumbers::written_out(const Expression& expression) {
+  Expression known = expression;
   for (ExpressionNode& node : known.nodes) {
     if (!is_motion_word(node)) continue;
-    const std::string& name = (*scalar.constants)[static_cast<std::size_t>(node.integer)];
+    const std::string& name = (*expression.constants)[static_cast<std::size_t>(node.integer)];
     const auto word =
         std::find_if(kWords.begin(), kWords.end(), [&](const auto& w) { return w.name == name; });
     const auto value = word->value(*this);
     if (!value || !std::isfinite(*value)) return std::nullopt;
     node.number.value = *value;
   }
-  return live_number(known, *live_);
+  return known;
 }
 
 const MotionFacts& MotionNumbers::facts() {

@@ -52,6 +52,8 @@ class MotionNumbers {
 
   /// Nothing where it is not defined on the motion. @throws what `effort` throws
   std::optional<double> value_of(const Expression& scalar);
+  /// The same with the words of this motion replaced by their values; nothing where one is not defined.
+  std::optional<Expression> written_out(const Expression& expression);
 
   const MotionFacts& facts();
   /// Of the computed motion at t, from the closed form, or under a torque from a much smaller tolerance;

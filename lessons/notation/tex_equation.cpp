@@ -39,18 +39,6 @@ bool is_implication(const TexItem& item) {
   return item.is(ItemKind::relation, U'⇒') || item.is(ItemKind::relation, U'⟹');
 }
 
-/// I_{xy} or I_{12} somewhere: two indices at an italic I.
-bool has_tensor_component(const MathNode& node) {
-  if (node.kind == Kind::scripts && !node.children[1].absent()) {
-    const MathNode& nucleus = plain_node(node.children[0]);
-    const bool bold = nucleus.alphabet == Alphabet::bold || nucleus.alphabet == Alphabet::bold_italic;
-    if (nucleus.kind == Kind::symbol && nucleus.character == U'I' && !bold &&
-        plain_node(node.children[1]).kind == Kind::row && plain_node(node.children[1]).children.size() == 2)
-      return true;
-  }
-  return std::any_of(node.children.begin(), node.children.end(), has_tensor_component);
-}
-
 bool has_struck(const MathNode& node) {
   return node.kind == Kind::cancel || std::any_of(node.children.begin(), node.children.end(), has_struck);
 }

@@ -2,7 +2,10 @@
 #include "lessons/notation/tex_items.h"
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace polhode {
@@ -45,6 +48,23 @@ bool is_bracket(const Item& item) {
          std::u32string_view(U"()[]{}|‖⟨⟩⌊⌋⌈⌉⟮⟯").find(item.node->character) != std::u32string_view::npos;
 }
 
+/// Nothing, or words that state nothing.
+bool is_name(const MathNode& label) {
+  const MathNode& words = without_groups(label);
+  return words.kind == Kind::text ? !states_something(label)
+                                  : words.kind == Kind::row && words.children.empty();
+}
+
+constexpr double kScriptStyle = 2;
+
+/// Lines that are printed over one another are not read.
+void check_skips(const MathNode& grid) {
+  constexpr double kTouching = -0.3;  // em: below, lines of letters with indices meet
+  for (const double skip : grid.grid->skips)
+    if (skip < kTouching)
+      throw TexFault(grid.span, "a line that goes back may be printed over another", "leave \\\\[…] out");
+}
+
 /// The row without brackets matched: what only decorates is gone.
 class Flattening {
  public:
@@ -59,15 +79,18 @@ class Flattening {
  private:
   void push(Item item) {
     if (items_.size() > 8192) throw TexFault(item.span, "this formula is too long to be read");
-    goes_back_ = false;
+    gone_on_ = 0;
     items_.push_back(std::move(item));
   }
 
   void add(const MathNode& node, bool struck) {
     switch (node.kind) {
       case Kind::nothing:
-      case Kind::style:
       case Kind::phantom:
+        return;
+      case Kind::style:
+        if (node.amount >= kScriptStyle)
+          throw TexFault(node.span, "small type looks like an index or a power", "write _ or ^");
         return;
       case Kind::term:
         if (index_of_live(node)) return push_operand(node, node, struck);
@@ -90,9 +113,9 @@ class Flattening {
         return;
       case Kind::space: {
         constexpr double kQuad = 0.99, kThin = -0.17;  // em; \! is the thin space backwards
-        if (node.amount < kThin || (node.amount < 0 && goes_back_))
+        gone_on_ += node.amount;
+        if (node.amount < kThin || gone_on_ < kThin)
           throw TexFault(node.span, "a space that goes back may print one thing over another");
-        goes_back_ = node.amount < 0;
         if (node.amount < kQuad) return;
         Item gap;
         gap.kind = Item::Kind::gap;
@@ -125,10 +148,14 @@ class Flattening {
           throw TexFault(node.span, "this is not read when it is struck out");
         if (node.kind == Kind::arrow)
           for (const MathNode& label : node.children)
-            if (!label.absent() && without_groups(label).kind != Kind::text && !label.children.empty())
-              throw TexFault(label.span, "a formula on an arrow is not read");
+            if (!label.absent() && !is_name(label))
+              throw TexFault(label.span, "a formula on an arrow, or words that state something, are not read",
+                             "write it beside the arrow");
         return push(std::move(item));
       }
+      case Kind::grid:
+        check_skips(node);
+        [[fallthrough]];
       default:
         return push_operand(node, node, struck);
     }
@@ -198,7 +225,7 @@ class Flattening {
   }
 
   TexItems items_;
-  bool goes_back_ = false;  ///< the last thing was a negative space
+  double gone_on_ = 0;  ///< the space since the last thing, em
 };
 
 /// Matches brackets, by a stack of its own.
@@ -287,6 +314,7 @@ void append(TexItems& to, TexItems from) { std::move(from.begin(), from.end(), s
 
 /// The lines of an alignment, joined where one goes on with the one above.
 TexItems lines_of(const MathNode& grid, int depth) {
+  check_skips(grid);
   TexItems all, last;  // `last`: since the last sentence ended
   const auto columns = static_cast<std::size_t>(std::max(grid.grid->columns, 1));
   for (std::size_t at = 0; at < grid.children.size(); at += columns) {
@@ -329,6 +357,28 @@ TexItems lines_of(const MathNode& grid, int depth) {
 
 }  // namespace
 
+bool states_something(const MathNode& words) {
+  static const std::set<std::string, std::less<>> kStating = {
+      "zero",     "null",    "nothing",   "none",     "vanish", "vanishes", "vanishing", "one",    "two",
+      "three",    "four",    "five",      "six",      "seven",  "eight",    "nine",      "ten",    "half",
+      "twice",    "double",  "equal",     "equals",   "is",     "are",      "was",       "always", "never",
+      "constant", "const",   "conserved", "positive", "true",   "negative", "infinite",  "false",  "wrong",
+      "cancel",   "cancels", "drops",     "not",      "no",     "small",    "large",     "fixed"};
+  const std::string& text = words.text;
+  if (text.find_first_of("0123456789=<>%") != text.npos || text.find("≠") != text.npos ||
+      text.find("∝") != text.npos || text.find("½") != text.npos || text.find("∞") != text.npos)
+    return true;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    std::string word;
+    while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])))
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(text[end++])));
+    if (kStating.contains(word)) return true;
+    at = end + 1;
+  }
+  return std::any_of(words.children.begin(), words.children.end(), states_something);
+}
+
 SourceSpan joined_span(SourceSpan first, SourceSpan last) {
   return {std::min(first.begin, last.begin), std::max(first.end, last.end)};
 }
@@ -347,8 +397,6 @@ void find_proved(const MathNode& node, std::vector<const MathNode*>& parts) {
   else
     for (const MathNode& child : node.children) find_proved(child, parts);
 }
-
-TexItems whole_formula(const MathNode& root, int depth);
 
 }  // namespace
 
@@ -377,8 +425,6 @@ TexItems formula_items(const MathNode& root, int depth) {
   return all;
 }
 
-namespace {
-
 TexItems whole_formula(const MathNode& root, int depth) {
   const auto is_lines = [](const MathNode& node) {
     return node.kind == Kind::grid &&
@@ -395,7 +441,5 @@ TexItems whole_formula(const MathNode& root, int depth) {
       throw TexFault(item.span, "aligned lines beside other things are not read");
   return lines_of(*grid->node, depth - 1);
 }
-
-}  // namespace
 
 }  // namespace polhode

@@ -52,11 +52,16 @@ using TexItems = std::vector<TexItem>;
 TexItems items_of(const MathNode& node, int depth);
 
 /// The lines of the formula one behind the other, with a `line` between sentences (tex_equation.h).
-/// Where parts are marked by \proved{…}: these alone, one behind the other.
+TexItems whole_formula(const MathNode& root, int depth);
+/// The same; where parts are marked by \proved{…}, these alone, one behind the other.
 TexItems formula_items(const MathNode& root, int depth);
 
 /// Whether a formula marks parts by \proved{…}.
 bool has_proved_part(const MathNode& root);
+
+/// Whether words in a formula, such as the label of a brace, state something: digits, a relation, or that
+/// something vanishes, is constant, the half. Nobody proves words: they are to name what they stand at.
+bool states_something(const MathNode& words);
 
 /// `first` to `last`.
 SourceSpan joined_span(SourceSpan first, SourceSpan last);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Sides of a printed equation: sums of products of factors (tex_equation.h). Internal to the reader of
 // equations.
+//
+// tex_terms.cpp has the grammar, tex_names.cpp what letters mean, tex_operators.cpp rates, sums, functions,
+// fractions and arrays.
 #pragma once
 
 #include "lessons/notation/tex_equation.h"
@@ -39,7 +42,7 @@ class TexTerms {
   bool without_struck = false;
   /// Contents of underbraces and their labels, as they are come by; null: they were taken already.
   std::vector<std::pair<TexValue, TexValue>>* labels = nullptr;
-  /// A number of \live is read: it stands alone, as the last side of a chain.
+  /// Numbers of \live are read, as their expressions.
   bool may_be_live = false;
   /// A rate as seen from the body was read; any rate; 𝐈_S; 𝐈 without an index; a tensor by its components.
   bool has_body_rate = false, has_rate = false, has_space_inertia = false, has_inertia = false,
@@ -64,11 +67,13 @@ class TexTerms {
   TexValue chain(std::vector<TexValue> runs, const std::vector<const TexItem*>& signs);
   Factor factor(Items items, std::size_t& at);
   TexValue rate_of_run(Items items, std::size_t& at, bool from_space, SourceSpan place);
+  std::optional<TexValue> rate_by_fraction(Items items, std::size_t& at);
   std::optional<TexValue> inline_rate(Items items, std::size_t& at);
   TexValue big_sum(Items items, std::size_t& at);
   TexValue trace(Items items, std::size_t& at);
   TexValue function(Items items, std::size_t& at);
   Factor number(Items items, std::size_t& at);
+  Factor live_number(Items items, std::size_t& at);
   std::optional<TexValue> declared(Items items, std::size_t& at);
   TexValue meaning_of(const EquationSymbol& symbol, SourceSpan span) const;
   TexValue group(const TexItem& item);
@@ -97,6 +102,9 @@ class TexTerms {
   int depth_ = 0;
   mutable std::map<char32_t, int> used_;  // indices, and how often they were
 };
+
+/// I_{xy} or I_{12} somewhere: two indices at an italic I.
+bool has_tensor_component(const MathNode& node);
 
 /// The only child of a row in a row, through what only decorates.
 const MathNode& plain_node(const MathNode& node);

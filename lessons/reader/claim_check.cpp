@@ -7,6 +7,8 @@
 #include "lessons/derivation/derivation.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/reader/lint_budget.h"
+#include "lessons/reader/name_check.h"
+#include "lessons/reader/number_check.h"
 #include "render/typeset/math/tree.h"
 
 #include <algorithm>
@@ -46,7 +48,11 @@ void prove(Claim& claim, const Prover& prover, const Effort& effort) {
 class ClaimCheck {
  public:
   ClaimCheck(const Lesson& lesson, std::string_view file, const Effort& effort)
-      : lesson_(lesson), source_(lesson.source), report_(source_, file), effort_(effort) {}
+      : lesson_(lesson),
+        source_(lesson.source),
+        report_(source_, file),
+        effort_(effort),
+        number_check_(lesson, report_, effort) {}
 
   std::vector<Diagnostic> run() {
     SourcePlace place;
@@ -61,6 +67,8 @@ class ClaimCheck {
             check_block(block, step, place);
           }
           check_captions(step);
+          if (step.scene && step.scene != scene_) check_names(step);
+          scene_ = step.scene;
         }
       }
     } catch (const BudgetSpent&) {
@@ -96,8 +104,8 @@ class ClaimCheck {
     if (proved != nullptr &&
         (!holds(*proved) || (proved->kind == ClaimKind::free && !step.scene->torque.empty())))
       return;
-    const bool is_proved = proved != nullptr;
-    check_what_numbers_say(equation.math, above, step, is_proved);
+    if (model_of(step) != nullptr)
+      number_check_.check_formula(equation.math, above, motion_of(step), proved != nullptr);
   }
 
   static bool holds(const Claim& claim) {
@@ -106,68 +114,15 @@ class ClaimCheck {
     });
   }
 
-  void check(const Prose& prose, const Step& step) { check_formulas_in(prose.text, step); }
-  void check(const Callout& callout, const Step& step) { check_formulas_in(callout.text, step); }
-  void check(const Footnote& note, const Step& step) { check_formulas_in(note.text, step); }
+  void check(const Prose& prose, const Step& step) { check_text(prose.text, step); }
+  void check(const Callout& callout, const Step& step) { check_text(callout.text, step); }
+  void check(const Footnote& note, const Step& step) { check_text(note.text, step); }
 
-  void check_formulas_in(const RichText& text, const Step& step) {
-    for_each_span(text,
-                  [&](const TextSpan& span) { check_what_numbers_say(span.math, nullptr, step, false); });
-  }
-
-  /// "T = 3.8 J" has to be so on the motion, whether or not the formula is called anything. What is proved
-  /// is; but to an order it may be proved and far off.
-  void check_what_numbers_say(const Math& math, const Math* above, const Step& step, bool is_proved) {
-    if (math.live.empty() || !math.root || !step.scene) return;
-    const auto read = read_equation(math, lesson_.notation, above);
-    if (!read) return;
-    std::vector<const EquationLink*> links;
-    for (const EquationSentence& sentence : read->sentences) {
-      const auto is_number = [](const EquationLink& link) { return link.is_number; };
-      if (std::any_of(sentence.links.begin(), sentence.links.end(), is_number))
-        for (const EquationLink& link : sentence.links) links.push_back(&link);
-    }
-    const SceneModel* model = links.empty() ? nullptr : model_of(step);
-    if (model == nullptr) return;
-    const bool is_typed =
-        std::any_of(math.live.begin(), math.live.end(), [](const LiveNumber& n) { return !n.typed.empty(); });
-    // At the still, and as long as films and the window show it: what is typed is of the still alone.
-    for (int i = -1; i < (is_typed ? 0 : kMeasuredTimes); ++i) {
-      const double t_s = i < 0 ? still_time_s(*step.scene) : model->span_s * i / (kMeasuredTimes - 1);
-      const auto live = live_state(*model, t_s);
-      if (!live) continue;
-      for (const EquationLink* link : links) {
-        ClaimLine line;
-        line.equality = link->equality;
-        const auto value = live_value(line, *live, View::space);
-        if (value && agree(*value, link->relation, is_proved)) continue;
-        const ComputedNumber& number = lesson_.numbers[static_cast<std::size_t>(math.live.front().id)];
-        if (!value) {
-          if (i < 0 && link->is_number && is_proved)
-            report_.error(number.place, "what this number stands behind has no value on the scene's motion");
-          continue;
-        }
-        report_.error(number.place,
-                      "this is not the number of what it stands behind: at t = " + digits(t_s, 3) +
-                          " s that is " + digits(value->left[0], kDigitsOfHint) + ", and this " +
-                          digits(value->right[0], kDigitsOfHint),
-                      link->relation == Relation::approximate
-                          ? "≈ allows for a tenth; show a motion on which it is nearer"
-                          : "write the same on both sides of the =");
-        return;
-      }
-    }
-  }
-
-  /// As = or ≈ says. What is proved differs only where a method errs: then the number is not what it should
-  /// be.
-  static bool agree(const LiveValue& value, Relation relation, bool is_proved) {
-    const double l = value.left[0], r = value.right[0];
-    if (relation == Relation::approximate)
-      return std::abs(l - r) <= kSmallOnMotion * std::max(std::abs(l), std::abs(r));
-    if (is_order(relation)) return true;
-    constexpr double kRounding = 1e-9, kShown = 1e-3;
-    return value.residual <= (is_proved ? kShown : std::max(value.tolerance, kRounding));
+  /// What stands around the numbers of a text.
+  void check_text(const RichText& text, const Step& step) {
+    if (numbers_in(text).empty()) return;
+    number_check_.check_computed_tables(text);
+    if (step.scene && model_of(step) != nullptr) number_check_.check_text(text, motion_of(step));
   }
 
   void check(const Ask& ask, const Step& step) {
@@ -204,23 +159,47 @@ class ClaimCheck {
                     "it says the same in the goal's quantities");
   }
 
-  /// A caption that several scenes have in common is about the first.
+  /// Each caption's numbers are those of its own scene; one that stands once below all has to be so of all.
   void check_captions(const Step& step) {
     if (!step.scene) return;
     const std::vector<const Scene*> shown = shown_scenes(*step.scene);
     const RichText* first = caption_of(step, step.scene->before);
     if (first != nullptr) {
       check_numbers(numbers_in(*first), step);
-      check_formulas_in(*first, step);
+      check_text(*first, step);
     }
+    std::vector<SceneModel> models;
+    models.reserve(shown.size());
+    const bool is_shared = shown.size() > 1 && std::all_of(shown.begin(), shown.end(), [&](const Scene* one) {
+                             return one->caption == shown.front()->caption;
+                           });
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const RichText* caption = caption_of(step, i);
-      const std::vector<int> ids =
-          caption == nullptr || caption == first ? std::vector<int>() : numbers_in(*caption);
-      if (ids.empty()) continue;
-      const SceneModel model = make_model(*shown[i], Product::numbers, effort_);
-      MotionNumbers motion(model, still_time_s(*step.scene), effort_);
+      const std::vector<int> ids = caption == nullptr ? std::vector<int>() : numbers_in(*caption);
+      if (ids.empty() || (caption == first && !is_shared)) continue;
+      Scene alone = *shown[i];
+      alone.beside.clear();
+      alone.before = 0;
+      models.push_back(make_model(alone, Product::figure, effort_));
+      if (caption == first) continue;
+      MotionNumbers motion(models.back(), still_time_s(*step.scene), effort_);
       for (const int id : ids) check_number(lesson_.numbers[static_cast<std::size_t>(id)], motion, step);
+      number_check_.check_text(*caption, {models.back(), motion, still_time_s(*step.scene)});
+    }
+    if (!is_shared || models.empty()) return;
+    std::vector<const SceneModel*> of_all;
+    for (const SceneModel& model : models) of_all.push_back(&model);
+    number_check_.check_shared(numbers_in(*first), of_all);
+  }
+
+  /// Of the scene's marks and plots, and of those beside it.
+  void check_names(const Step& step) {
+    for (const Scene* shown : shown_scenes(*step.scene)) {
+      if (!has_names(*shown)) continue;
+      Scene alone = *shown;
+      alone.beside.clear();
+      alone.before = 0;
+      polhode::check_names(lesson_, make_model(alone, Product::numbers, effort_), step.place, report_);
     }
   }
 
@@ -475,6 +454,8 @@ class ClaimCheck {
     }
   }
 
+  NumbersMotion motion_of(const Step& step) { return {*model_, still_of(step), still_time_s(*step.scene)}; }
+
   /// The numbers of the scene's motion at its still. Precondition: there is a model of it.
   MotionNumbers& still_of(const Step& step) {
     if (!still_) still_.emplace(*model_, still_time_s(*step.scene), effort_);
@@ -487,8 +468,10 @@ class ClaimCheck {
   SourceText source_;
   Report report_;
   const Effort& effort_;
+  NumberCheck number_check_;
   Prover prover_;
   std::vector<const Equation*> equations_;  // of the stage
+  std::shared_ptr<const Scene> scene_;      // of the step before
   std::optional<SceneModel> model_;         // of the step
   std::optional<MotionNumbers> still_;      // at its still, once they were asked for
 };

@@ -29,6 +29,7 @@ struct ComputedNumber {
   LiveNumber written;
   SourcePlace place;                      ///< of the expression
   std::shared_ptr<const TableRow> row{};  ///< of a cell; null: it is a number of the step's motion
+  std::optional<Dimension> dimension{};   ///< of the expression; nothing: it cannot be told
 
   bool is_typed() const { return !written.typed.empty(); }
 };

@@ -432,7 +432,12 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
   } else if (which == SymbolTable::symbols) {
     report.error(entry.place, what + in_quotes(entry.key) + " lacks \"tex\"");
   } else {
-    return;  // a word of expressions alone
+    // A word of expressions alone: it stands in no formula that could have its colour.
+    if (const TomlEntry* role = table->find("role"))
+      report.warning(role->place,
+                     "the role of " + what + in_quotes(entry.key) + " has no effect without a \"tex\"",
+                     "write how it is printed, tex = '…', or give the arrow a role");
+    return;
   }
   if (symbol.means.empty()) front.notation.vocabulary.print_as(entry.key, without_macros(symbol.tex));
   // By its name, where that is a word: it is written as that.
@@ -453,6 +458,23 @@ bool is_sign_of_language(const std::string& tex) {
       std::any_of(tex.begin(), tex.end(), [](unsigned char c) { return std::isalpha(c); });
   const bool is_foreign = std::any_of(tex.begin(), tex.end(), [](unsigned char c) { return c >= 0x80; });
   return !has_letter || is_foreign;
+}
+
+/// dT, d\omega: nobody would read one name.
+bool is_like_differential(const std::string& tex) {
+  const auto letter = [&](std::size_t at) {
+    return at < tex.size() && std::isalpha(static_cast<unsigned char>(tex[at]));
+  };
+  if (tex.size() < 2 || tex[0] != 'd' || tex.starts_with("d\\prime")) return false;
+  return tex[1] == '\\' || (letter(1) && !letter(2));
+}
+
+/// Letters that stand for functions of time wherever the motion of a body is written about, besides those
+/// that the language of claims has itself.
+bool is_letter_of_state(const std::string& tex) {
+  static const std::set<std::string> kLetters = {"E",          "H",     "t",        "\\theta",
+                                                 "\\vartheta", "\\phi", "\\varphi", "\\psi"};
+  return kLetters.contains(tex);
 }
 
 bool is_quantity(const std::string& name) {
@@ -484,7 +506,12 @@ bool is_index_letter(const MathNode& node) {
 
 /// What nobody would notice in an index.
 bool is_stop(char32_t character) {
-  return std::u32string_view(U",.;:!'`·").find(character) != std::u32string_view::npos;
+  return std::u32string_view(U",.;:!'`·⋅∙∘").find(character) != std::u32string_view::npos;
+}
+
+/// T_{=5} would state something; ω_∥ does not.
+bool is_relation(char32_t character) {
+  return std::u32string_view(U"=<>≤≥⩽⩾≈≠≡∼≃≅∝").find(character) != std::u32string_view::npos;
 }
 
 /// ω², which would be read as the square of what ω is; σ² may be a symbol of its own.
@@ -506,7 +533,8 @@ bool is_plain_symbol(const MathNode& node, bool is_index = false) {
   };
   switch (node.kind) {
     case Kind::symbol:
-      return is_index ? !is_stop(node.character) : is_letter(node.character);
+      if (!is_index) return is_letter(node.character);
+      return !is_stop(node.character) && !is_relation(node.character);
     case Kind::row:
       // An i beside other indices is one of a sum.
       if (is_index && std::any_of(node.children.begin(), node.children.end(), is_index_letter)) return false;
@@ -545,14 +573,42 @@ std::optional<std::string> meaning_by_others(const std::string& name, const std:
   return read->sentences.front().links.front().equality.left.text;
 }
 
+/// Upright or slanted, wide or narrow: nobody tells them apart.
+std::string without_alphabets(std::string tex) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kLooksAlike{{
+      {"\\overrightarrow", "\\vec"},
+      {"\\mathnormal", ""},
+      {"\\textnormal", ""},
+      {"\\mathit", ""},
+      {"\\mathrm", ""},
+      {"\\mathup", ""},
+      {"\\symup", ""},
+      {"\\symit", ""},
+      {"\\textit", ""},
+      {"\\textrm", ""},
+      {"\\emph", ""},
+      {"\\mbox", ""},
+      {"\\text", ""},
+      {"\\wide", "\\"},
+  }};
+  for (const auto& [other, usual] : kLooksAlike)
+    for (std::size_t at = 0; (at = tex.find(other, at)) != tex.npos; at += usual.size()) {
+      const std::size_t end = at + other.size();
+      const bool is_whole =
+          other == "\\wide" || end == tex.size() || !std::isalpha(static_cast<unsigned char>(tex[end]));
+      if (is_whole)
+        tex.replace(at, other.size(), usual);
+      else
+        ++at;
+    }
+  return tex;
+}
+
 /// A symbol that means something is one that means nothing else: neither a quantity, nor a number or product
 /// of them, nor an index, nor the d and t of d/dt, nor another symbol.
 void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& front, TextReader& texts) {
-  // Upright or slanted, wide or narrow: nobody tells them apart.
-  const auto key_of = [](std::string tex) {
-    for (const std::string_view looks_alike : {"\\mathit", "\\mathrm", "\\mathnormal", "\\text", "\\textit"})
-      for (std::size_t at; (at = tex.find(looks_alike)) != tex.npos;) tex.erase(at, looks_alike.size());
-    for (std::size_t at; (at = tex.find("\\wide")) != tex.npos;) tex.erase(at + 1, 4);
+  const auto key_of = [](const std::string& written) {
+    std::string tex = without_alphabets(written);
     std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
     return tex;
   };
@@ -563,6 +619,8 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     });
   };
   std::map<std::string, std::string> names;
+  for (const Vocabulary::Word& word : front.notation.vocabulary.words())
+    if (word.tex.empty()) names.emplace(key_of(word.name), word.name);  // as it is printed
   for (const TomlEntry* one : entries) {
     const TomlEntry& entry = *one;
     const auto found = front.symbols.find(entry.key);
@@ -571,16 +629,26 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     const auto refuse = [&](const std::string& why, const std::string& hint) {
       texts.report().error(entry.place, "symbol " + in_quotes(entry.key) + ' ' + why, hint);
     };
-    const auto known = built_in_meaning(symbol.tex, front, texts);
+    const auto known = built_in_meaning(without_alphabets(symbol.tex), front, texts);
     const std::string tex = key_of(symbol.tex);
     const auto [same, is_new] = names.emplace(tex, entry.key);
-    const bool means = !symbol.means.empty();
-    if (!is_new && same->second != entry.key && (means || !front.symbols.at(same->second).means.empty()))
+    const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
+    const bool means = !symbol.means.empty() || word != nullptr;
+    const auto other = front.symbols.find(same->second);
+    const bool other_means = other == front.symbols.end() || !other->second.means.empty();
+    if (!is_new && same->second != entry.key && (means || other_means))
       refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
     else if (means && known)
       refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
-    else if (means && (is_sign_of_language(tex) || !symbol.math.root || !is_plain_symbol(*symbol.math.root)))
+    else if (const bool is_plain = symbol.math.root && is_plain_symbol(*symbol.math.root);
+             (means && (is_sign_of_language(tex) || !is_plain)) ||
+             (is_quantity(entry.key) && known != entry.key && symbol.math.root && !is_plain))
       refuse("has a sign that formulas use otherwise", "take a letter, with an index or a mark");
+    else if ((means || is_quantity(entry.key)) && is_like_differential(tex))
+      refuse("reads as a differential", "take a letter without a d before it");
+    else if (word != nullptr && word->constant() && is_letter_of_state(tex))
+      refuse("is a constant, and is printed as what changes with the motion",
+             "a value that does not change has an index: E_0");
     else if (const auto by_others = means && !has_twin(entry.key, tex)
                                         ? meaning_by_others(entry.key, symbol.tex, front, texts)
                                         : std::nullopt)

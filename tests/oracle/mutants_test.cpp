@@ -9,11 +9,12 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
+#include <string>
 
 namespace polhode::oracle {
 namespace {
@@ -21,6 +22,7 @@ namespace {
 struct Line {
   Equality equality;
   Assumption assumption;
+  Given given;
   bool measured;  ///< in a scene: it need not hold in every motion
 };
 
@@ -31,10 +33,11 @@ std::vector<Line> proved_lines_of(const Lesson& lesson) {
       for (const Block& block : step.blocks) {
         const auto* claim = std::get_if<Claim>(&block);
         if (!claim || claim->kind == ClaimKind::is_false || claim->kind == ClaimKind::non_sequitur) continue;
-        if (!claim->given.empty()) continue;  // under assumptions: tex_mutants_test.cpp has those
+        if (!claim->given.small.empty()) continue;  // to an order: tex_mutants_test.cpp has those
         for (const ClaimLine& line : claim->lines)
-          if (is_provable(line.equality))  // others are measured alone
-            lines.push_back({line.equality, assumption_of(claim->kind), claim->kind == ClaimKind::measured});
+          if (is_provable(line.equality) && line.relation == Relation::equal && !line.conclusion)
+            lines.push_back({line.equality, assumption_of(claim->kind, claim->given), claim->given,
+                             claim->kind == ClaimKind::measured});
       }
   return lines;
 }
@@ -54,14 +57,15 @@ std::vector<Line> proved_lines_of_all_lessons() {
 }
 
 struct Counts {
-  int lines = 0, mutants = 0, refused = 0, equivalent = 0, undefined = 0, without_counterexample = 0;
+  int lines = 0, mutants = 0, refused = 0, equivalent = 0, undefined = 0, without_counterexample = 0,
+      given = 0;
 };
 
 /// Holds the mutants of one line against the oracle; a side that is not changed is written out once.
 class MutantCheck {
  public:
   void check(const Line& line) {
-    const Oracle& oracle = oracles_[static_cast<std::size_t>(line.assumption)];
+    const Oracle& oracle = oracle_of(line);
     const Oracle::Side left = oracle.side(line.equality.left), right = oracle.side(line.equality.right);
     const bool holds = oracle.compare(left, right) == Decision::same;
     EXPECT_TRUE(holds || line.measured) << line.equality.left.text << " = " << line.equality.right.text;
@@ -69,25 +73,33 @@ class MutantCheck {
     ++counts.lines;
     for (const Expression& mutant : mutants_of(line.equality.left))
       if (fit(mutant.type(), line.equality.right.type()))
-        settle({mutant, line.equality.right}, oracle.compare(oracle.side(mutant), right), line.assumption);
+        settle({mutant, line.equality.right}, oracle.compare(oracle.side(mutant), right), line);
     for (const Expression& mutant : mutants_of(line.equality.right))
       if (fit(line.equality.left.type(), mutant.type()))
-        settle({line.equality.left, mutant}, oracle.compare(left, oracle.side(mutant)), line.assumption);
+        settle({line.equality.left, mutant}, oracle.compare(left, oracle.side(mutant)), line);
   }
   int by_points() const {
     int sum = 0;
-    for (const Oracle& oracle : oracles_) sum += oracle.by_points();
+    for (const auto& [name, oracle] : oracles_) sum += oracle.by_points();
     return sum;
   }
 
   Counts counts;
 
  private:
-  void settle(const Equality& mutant, Decision decision, Assumption assumption) {
+  /// One for all lines that are given the same.
+  const Oracle& oracle_of(const Line& line) {
+    std::string name = std::to_string(static_cast<int>(line.assumption));
+    for (const Setting& setting : line.given.settings) name += ';' + setting.text;
+    return oracles_.try_emplace(name, line.assumption, line.given).first->second;
+  }
+
+  void settle(const Equality& mutant, Decision decision, const Line& line) {
     if (!is_provable(mutant)) return;  // lessons/reader/claim_lines.h refuses to read it
-    const Verdict verdict = prover_.settle(mutant, assumption);
+    const Verdict verdict = prover_.settle(mutant, line.assumption, line.given);
     const auto text = [&] { return mutant.left.text + " = " + mutant.right.text; };
     ++counts.mutants;
+    counts.given += line.given.empty() ? 0 : 1;
     switch (decision) {
       case Decision::same:
         ++counts.equivalent;
@@ -96,7 +108,7 @@ class MutantCheck {
       case Decision::different:
         ++counts.refused;
         EXPECT_EQ(verdict, Verdict::fails) << "a slip that is not seen: " << text();
-        if (!prover_.refute(mutant, assumption)) ++counts.without_counterexample;
+        if (!prover_.refute(mutant, line.assumption, line.given)) ++counts.without_counterexample;
         break;
       case Decision::undefined:
         ++counts.undefined;
@@ -105,8 +117,7 @@ class MutantCheck {
   }
 
   Prover prover_;
-  std::array<Oracle, 3> oracles_{Oracle(Assumption::identity), Oracle(Assumption::motion),
-                                 Oracle(Assumption::free)};
+  std::map<std::string, Oracle> oracles_;
 };
 
 TEST(Mutants, OfEveryProvedLineAreRefusedUnlessTheySayTheSame) {
@@ -114,10 +125,13 @@ TEST(Mutants, OfEveryProvedLineAreRefusedUnlessTheySayTheSame) {
   for (const Line& line : proved_lines_of_all_lessons()) check.check(line);
   const Counts& c = check.counts;
   std::printf(
-      "%d lines, %d mutants: %d differ, %d say the same, %d are nowhere defined; %d by points alone; "
+      "%d lines, %d mutants, %d of them under assumptions: %d differ, %d say the same, %d are nowhere "
+      "defined; %d by points alone; "
       "%d without a counterexample in small whole numbers\n",
-      c.lines, c.mutants, c.refused, c.equivalent, c.undefined, check.by_points(), c.without_counterexample);
+      c.lines, c.mutants, c.given, c.refused, c.equivalent, c.undefined, check.by_points(),
+      c.without_counterexample);
   EXPECT_GE(c.mutants, 2000);
+  EXPECT_GE(c.given, 100);
   EXPECT_GE(c.refused, 1500);
   EXPECT_GE(c.equivalent, 20) << "none refused for nothing";
   EXPECT_LE(100 * c.without_counterexample, c.refused);

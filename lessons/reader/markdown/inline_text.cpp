@@ -717,11 +717,13 @@ std::optional<ComputedNumber> TextReader::computed_number(const LiveNumber& writ
     report_.error(place, "a computed number is a scalar, this is a vector", "take a component: comp(a, 1)");
     return std::nullopt;
   }
-  if (const auto fault = dimension_of(*expression, language_->dimensions).fault) {
+  const DimensionReading reading = dimension_of(*expression, language_->dimensions);
+  if (const auto& fault = reading.fault) {
     report_.error(advanced(place, written.expression, fault->begin), fault->message);
     return std::nullopt;
   }
   ComputedNumber computed{std::move(*expression), 1, written, place};
+  computed.dimension = reading.dimension;
   if (!written.unit.empty() && !take_unit(computed, unit_place)) return std::nullopt;
   return computed;
 }
@@ -749,10 +751,9 @@ bool TextReader::take_unit(ComputedNumber& number, SourcePlace place) {
     report_.error(place, why);
     return false;
   }
-  const DimensionReading reading = dimension_of(number.expression, language_->dimensions);
   number.unit_si = unit->size;
-  if (!reading.dimension || *reading.dimension == unit->dimension) return true;
-  report_.error(place, "units disagree: the expression is " + to_string(*reading.dimension) + ", and " +
+  if (!number.dimension || *number.dimension == unit->dimension) return true;
+  report_.error(place, "units disagree: the expression is " + to_string(*number.dimension) + ", and " +
                            in_quotes(number.written.unit) + " is " + to_string(unit->dimension));
   return false;
 }

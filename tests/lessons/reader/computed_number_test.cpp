@@ -43,7 +43,7 @@ std::vector<std::string> faults_of(const std::string& formula) {
 
 TEST(ComputedNumbers, StandInTextNotesCalloutsTablesCaptionsAndDisplays) {
   EXPECT_THAT(
-      faults(lesson("a $\\live{T}$[^n]\n\n- $\\live{T}$\n\n[^n]: $\\live{T}$\n\n> [!note] $\\live{T}$\n\n"
+      faults(lesson("a $\\live{T}$ here[^n]\n\n- $\\live{T}$\n\n[^n]: $\\live{T}$\n\n> [!note] $\\live{T}$\n\n"
                     "| a |\n|---|\n| $\\live{T}$ |\n\n```math e\nT = \\live{T}\n```\n",
                     "\n```scene\ncaption = '$\\live[unit={J}]{T}$'\n```\n")),
       IsEmpty());

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What a formula says of the numbers in it that the program computes, where it is no equation that can be
+// read as a whole: a label, a line of prose, a caption, a cell of a table.
+//
+// A number stands alone on its side of = < > \le \ge \approx, between commas, in a cell of a matrix or in
+// brackets, with its unit behind it and nothing else: then it is what it is printed as, and what other sides
+// of its chain can be read have to be the same. Or its side can be read, the number for its expression, and
+// so can another side of the chain. Or it stands alone as the exponent of e in a formula of nothing else. All
+// else is refused: a factor, a sign, a power or words beside a number would make it another.
+#pragma once
+
+#include "lessons/notation/tex_equation.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Two sides of a chain, of which one at least shows a number.
+struct NumberStatement {
+  Equality equality;  ///< of scalars
+  Relation relation = Relation::equal;
+  /// Of a side that is a number alone: its index in Math::live.
+  std::optional<std::size_t> left, right;
+};
+
+/// A unit that is printed behind a number without one of its own: "kg m²/s", as scaled_unit reads it, or "%".
+struct PrintedUnit {
+  std::size_t number = 0;  ///< in Math::live
+  std::string unit;
+};
+
+struct NumbersInFormula {
+  std::vector<NumberStatement> statements;
+  std::vector<PrintedUnit> units;
+  /// The number that all of the formula is, or that its last side is, with no unit behind it.
+  std::optional<std::size_t> last;
+  /// The same of the first side: nothing stands before it, or a sign of relation alone.
+  std::optional<std::size_t> first;
+};
+
+/// Linear in the formula, up to the limits of read_equation.
+Result<NumbersInFormula, UnreadableEquation> read_numbers(const Math& math, const EquationNotation& notation);
+
+/// A formula that is one side alone, as an expression; nothing if it cannot be read, or shows a number.
+std::optional<Expression> read_side(const Math& math, const EquationNotation& notation);
+
+/// A unit that a formula prints and nothing else, "\text{kg m}^2/\text{s}"; nothing if it is none.
+std::optional<std::string> read_unit_formula(const Math& math);
+
+}  // namespace polhode

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/name_check.h"
+
+#include "lessons/claims/live_claims.h"
+#include "lessons/notation/tex_numbers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+/// Rates on a motion are differences, good to some 1e-8 of their terms; another quantity is further off.
+constexpr double kNear = 1e-6;
+
+using Components = std::array<double, 3>;
+
+double dot(const Components& a, const Components& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+class NameCheck {
+ public:
+  NameCheck(const Lesson& lesson, const SceneModel& model, SourcePlace place, Report& report)
+      : lesson_(lesson), place_(place), report_(report) {
+    const double still_s = still_time_s(model.scene);
+    for (const double t_s : {still_s, 0.37 * model.span_s, 0.81 * model.span_s})
+      if (auto live = live_state(model, t_s)) states_.push_back(std::move(*live));
+  }
+
+  void check_curve(const SceneQuantity& curve, const std::string& tex) {
+    const auto said = read(tex), shown = named(curve);
+    if (!said || !shown || said->type() == ExpressionType::vector) return;
+    for (const LiveState& live : states_) {
+      const auto a = live_number(*said, live), b = live_number(*shown, live);
+      if (a && b && std::abs(*a - *b) > kNear * (std::abs(*a) + std::abs(*b)) &&
+          is_more_than_rounding(*a, *b))
+        return refuse("the curve of", curve.text, tex);
+    }
+  }
+
+  void check_arrow(const SceneQuantity& of, const std::string& tex) {
+    const auto said = read(tex), shown = named(of);
+    if (!said || !shown || said->type() != ExpressionType::vector) return;
+    for (const LiveState& live : states_) {
+      const auto a = live_quantity(*said, live, View::space), b = live_quantity(*shown, live, View::space);
+      if (!a || !b) continue;
+      const double lengths = std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
+      // How long it is drawn is the author's choice.
+      if (lengths > 0 && dot(a->components, b->components) < (1 - kNear) * lengths)
+        return refuse("the tip of", of.text, tex);
+    }
+  }
+
+  void check_angle(const SceneQuantity& from, const SceneQuantity& to, const std::string& tex) {
+    const auto said = read(tex), first = expression_of(from), second = expression_of(to);
+    if (!said || !first || !second || said->type() == ExpressionType::vector) return;
+    for (const LiveState& live : states_) {
+      const auto a = live_quantity(*first, live, View::space), b = live_quantity(*second, live, View::space);
+      const auto angle = live_number(*said, live);
+      if (!a || !b || !angle) continue;
+      const double lengths = std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
+      if (lengths > 0 && std::abs(std::cos(*angle) - dot(a->components, b->components) / lengths) > kNear)
+        return refuse("the angle from " + from.text + " to", to.text, tex);
+    }
+  }
+
+ private:
+  /// Both are 0 on this motion, but for rounding.
+  static bool is_more_than_rounding(double a, double b) {
+    constexpr double kNothing = 1e-9;
+    return std::max(std::abs(a), std::abs(b)) > kNothing;
+  }
+
+  std::optional<Expression> read(const std::string& tex) const {
+    if (tex.empty()) return std::nullopt;
+    const auto math = parse_math(tex);
+    auto said = math ? read_side(*math, lesson_.notation) : std::nullopt;
+    return said && has_name(*said) ? said : std::nullopt;
+  }
+
+  /// A quantity, or a word that the lesson prints as something.
+  bool has_name(const Expression& expression) const {
+    const Vocabulary::Word* word = lesson_.notation.vocabulary.find(expression.text);
+    return word != nullptr
+               ? !word->tex.empty()
+               : expression.nodes.size() == 1 && expression.nodes[0].operation == Operation::quantity;
+  }
+
+  std::optional<Expression> expression_of(const SceneQuantity& quantity) const {
+    const SourceText source(quantity.text);
+    Report report(source, "");
+    return read_expression(quantity.text, {1, 1}, report, &lesson_.notation.vocabulary);
+  }
+
+  /// Vectors that a lesson defines are called by what they stand for, such as L before a step.
+  std::optional<Expression> named(const SceneQuantity& quantity) const {
+    auto shown = expression_of(quantity);
+    if (!shown || !has_name(*shown)) return std::nullopt;
+    const Quantity first = shown->nodes[0].quantity;
+    const bool is_axis = first >= Quantity::e1 && first <= Quantity::ez;
+    const bool is_defined = lesson_.notation.vocabulary.find(shown->text) != nullptr;
+    if (shown->type() == ExpressionType::vector && (is_defined || is_axis)) return std::nullopt;
+    return shown;
+  }
+
+  void refuse(const std::string& what, const std::string& text, const std::string& tex) {
+    report_.error(place_, what + ' ' + text + " is named " + in_quotes(tex) + ", which is something else",
+                  "leave \"tex\" out, or take a name of its own");
+  }
+
+  const Lesson& lesson_;
+  SourcePlace place_;
+  Report& report_;
+  std::vector<LiveState> states_;
+};
+
+/// The TeX of a line that is a formula and nothing else; empty of another.
+std::string formula_alone(const std::string& line) {
+  const bool is_alone = line.size() > 2 && line.front() == '$' && line.find('$', 1) == line.size() - 1;
+  return is_alone ? line.substr(1, line.size() - 2) : "";
+}
+
+}  // namespace
+
+bool has_names(const Scene& scene) {
+  const auto is_named = [](const PlotSpec& plot) {
+    const auto* own = std::get_if<OwnPlot>(&plot);
+    return own != nullptr && (!own->tex.empty() || !own->title.empty());
+  };
+  const auto has_name = [](const ArrowMark& arrow) { return arrow.tex && !arrow.tex->empty(); };
+  const Marks& marks = scene.marks;
+  return std::any_of(scene.meters.begin(), scene.meters.end(), is_named) ||
+         std::any_of(marks.arrows.begin(), marks.arrows.end(), has_name) || !marks.notes.empty() ||
+         std::any_of(marks.angles.begin(), marks.angles.end(),
+                     [](const AngleMark& a) { return !a.tex.empty(); });
+}
+
+void check_names(const Lesson& lesson, const SceneModel& model, SourcePlace place, Report& report) {
+  NameCheck check(lesson, model, place, report);
+  for (const PlotSpec& plot : model.scene.meters) {
+    const auto* own = std::get_if<OwnPlot>(&plot);
+    if (own == nullptr) continue;
+    for (std::size_t i = 0; i < std::min(own->curves.size(), own->tex.size()); ++i)
+      check.check_curve(own->curves[i], own->tex[i]);
+    if (own->curves.size() == 1) check.check_curve(own->curves.front(), formula_alone(own->title));
+  }
+  for (const ArrowMark& arrow : model.scene.marks.arrows)
+    if (arrow.tex) check.check_arrow(arrow.of.quantity, *arrow.tex);
+  for (const AngleMark& angle : model.scene.marks.angles)
+    if (!angle.tex.empty()) check.check_angle(angle.from.quantity, angle.to.quantity, angle.tex);
+  for (const NoteMark& note : model.scene.marks.notes)
+    check.check_arrow(note.at.quantity, formula_alone(note.text));
+}
+
+}  // namespace polhode

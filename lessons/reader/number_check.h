@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Whether what a lesson prints around its computed numbers is so: the other sides of a formula, units behind
+// a number, signs and words that would make it another, heads of tables.
+#pragma once
+
+#include "lessons/diagnostics/report.h"
+#include "lessons/notation/tex_numbers.h"
+#include "lessons/reader/lesson.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// The motion that numbers are of.
+struct NumbersMotion {
+  const SceneModel& model;
+  MotionNumbers& still;  ///< at the time still_s
+  double still_s = 0;
+};
+
+class NumberCheck {
+ public:
+  /// All must outlive it.
+  NumberCheck(const Lesson& lesson, Report& report, const Effort& effort);
+
+  /// "T = 3.8 J" has to be so on the motion, whether or not the formula is called anything; `above` is the
+  /// formula that it may go on from. Of a formula that is proved only this is left to say: to an order it may
+  /// be proved and far off.
+  void check_formula(const Math& math, const Math* above, const NumbersMotion& motion, bool is_proved);
+  /// Its formulas, what stands beside them, and heads of tables.
+  void check_text(const RichText& text, const NumbersMotion& motion);
+  /// Heads of columns that are computed, each for a motion of its own.
+  void check_computed_tables(const RichText& text);
+  /// Numbers of a caption that stands once below the pictures of these motions.
+  void check_shared(const std::vector<int>& ids, const std::vector<const SceneModel*>& models);
+
+ private:
+  struct Head;
+  const ComputedNumber& number(const Math& math, std::size_t index) const;
+  void check_apart(const Math& math, const NumbersMotion& motion);
+  bool check_statement(const Math& math, const NumberStatement& statement, const NumbersMotion& motion);
+  void check_unit(const ComputedNumber& number, const std::string& unit);
+  void check_spans(const std::vector<TextSpan>& spans, const NumbersMotion& motion);
+  void check_before(const std::vector<TextSpan>& spans, std::size_t at, const ComputedNumber& number);
+  void check_behind(const std::vector<TextSpan>& spans, std::size_t at, const ComputedNumber& number);
+  void check_table(const TextTable& table, const NumbersMotion& motion);
+  Head head_of(const TextTable::Cell& cell) const;
+  void check_head(const Head& head, const ComputedNumber& number, const std::vector<MotionNumbers*>& motions);
+  void refuse(const ComputedNumber& number, const std::string& message, const std::string& hint = "");
+
+  const Lesson& lesson_;
+  Report& report_;
+  const Effort& effort_;
+  EquationNotation notation_;  ///< with the words of motions as a whole
+};
+
+}  // namespace polhode
