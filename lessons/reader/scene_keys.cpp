@@ -648,8 +648,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        Row::Speaks::of_motion},
       {{"start",
         "`{ theta_deg, phi_deg, psi_deg, spin, precession }`: how a top is set going, in place of `omega` "
-        "and "
-        "`attitude` (Tops, below)",
+        "and `attitude` (Tops, below)",
         "none"},
        &SceneKeys::start,
        [](const Scene&) { return std::string(); },  // a scene has the ω and attitude that it stands for

@@ -214,8 +214,7 @@ TEST(SceneKeys, RefuseAShapeThatHangsOnNoPrincipalAxis) {
   };
   const std::string says =
       "error: the moments of \"book\" about the pivot: its weight hangs on no principal axis, so that 1, 2, "
-      "3 "
-      "are not principal at the pivot (let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by "
+      "3 are not principal at the pivot (let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by "
       "moments about the pivot)";
   EXPECT_THAT(complaints("torque = \"heavy:0.5,0,1,1\""), ElementsAre("10:10: " + says));
   EXPECT_THAT(complaints("torque = \"heavy:0.5,0,1,0\""), IsEmpty());
