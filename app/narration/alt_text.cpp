@@ -2,7 +2,6 @@
 #include "app/narration/alt_text.h"
 
 #include "physics/body/euler.h"
-#include "render/drawing/diagrams/diagrams.h"
 #include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/model.h"
 

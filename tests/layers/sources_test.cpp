@@ -53,11 +53,20 @@ TEST(Sources, KeepTheArrowsBetweenTheRooms) {
   }
 }
 
-TEST(Sources, KeepTheArrowsThroughTheirHeaders) {
+std::map<std::string, std::string> texts_by_path() {
   std::map<std::string, std::string> files;
   for (Source& file : sources({".h", ".cpp"})) files.emplace(std::move(file.path), std::move(file.text));
-  for (const Finding& finding : broken_closures(files))
+  return files;
+}
+
+TEST(Sources, KeepTheArrowsThroughTheirHeaders) {
+  for (const Finding& finding : broken_closures(texts_by_path()))
     ADD_FAILURE() << finding.file << ':' << finding.line << ": " << finding.message;
+}
+
+TEST(Sources, FollowEachArrow) {
+  for (const Finding& finding : unused_arrows(texts_by_path()))
+    ADD_FAILURE() << finding.file << ": " << finding.message;
 }
 
 TEST(Sources, NameTheirLicence) {
