@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// States of a body in which claims are tried, and what is assumed of its motion. Internal to lessons/.
+// States of a body in which claims are tried, and what is assumed of its motion. Internal to lessons/claims/.
 #pragma once
 
 #include "lessons/claims/evaluation.h"

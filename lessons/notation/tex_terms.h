@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sides of a printed equation: sums of products of factors (tex_equation.h). Internal to the reader of
-// equations.
+// Sides of a printed equation: sums of products of factors (tex_equation.h). Internal to
+// lessons/notation/.
 #pragma once
 
 #include "lessons/notation/tex_equation.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One function for each kind of thing that an overlay adds to a pane's draw list. All are pure; a builder
-// that has nothing to add adds nothing. Internal to render/figure.
+// that has nothing to add adds nothing. Internal to render/figure/.
 #pragma once
 
 #include "render/figure/figure.h"
