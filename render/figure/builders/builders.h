@@ -69,7 +69,7 @@ Builder add_vectors;      ///< ω, L, N
 Builder add_translation;  ///< p, v, F and the path; puck
 Builder add_turn;         ///< the axis and the sense of the present turn
 Builder add_transport;    ///< A and its triangle
-Builder add_terms;        ///< of equation (6)
+Builder add_terms;        ///< of I·ω̇ + ω×(I·ω) = N
 Builder add_pivot;        ///< stand, axle and weight
 Builder add_ghost;        ///< the exact body, ω and L beside the computed ones
 Builder add_labels;
