@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/scene_keys.h"
 
+#include "base/angles.h"
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/diagnostics/source_text.h"
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -28,7 +28,6 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t kMaxViews = 2;
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 static_assert(kMaxOverlays >= kOverlayCount);
 
 bool has_heavy(const Torque& torque) {
