@@ -11,7 +11,6 @@
 #include "physics/integrators/moser_veselov.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -21,35 +20,6 @@ namespace {
 using enum StepControl;
 using M = Method;
 using Torques = ServedTorque;
-
-// In the order of the enumerators.
-constexpr std::array kFacts = {
-    MethodFacts{M::exact, "exact", "closed form", none, Torques::none, 0, "T, L in space, |q|"},
-    MethodFacts{M::uniform, "uniform", "steady rotation", none, Torques::none, 0, "T, L in space, |q|"},
-    MethodFacts{M::symmetric, "symmetric", "symmetric top", none, Torques::none, 0, "T, L in space, |q|"},
-    MethodFacts{M::explicit_euler, "explicit-euler", "explicit Euler", fixed, Torques::any, 1, "nothing"},
-    MethodFacts{M::explicit_midpoint, "explicit-midpoint", "explicit midpoint", fixed, Torques::any, 2,
-                "nothing"},
-    MethodFacts{M::rk4, "rk4", "classical Runge-Kutta", fixed, Torques::any, 4, "nothing"},
-    MethodFacts{M::rk4_projected, "rk4-projected", "Runge-Kutta 4, projected", fixed, Torques::none, 4,
-                "T, |L|, |q|"},
-    MethodFacts{M::splitting, "splitting", "Lie-Poisson splitting", fixed, Torques::of_attitude, 2,
-                "L in space, |q|; reversible"},
-    MethodFacts{M::implicit_midpoint, "implicit-midpoint", "implicit midpoint", fixed, Torques::none, 2,
-                "T, L in space, |q|; reversible"},
-    MethodFacts{M::implicit_midpoint_exp, "implicit-midpoint-exp", "implicit midpoint, exponential attitude",
-                fixed, Torques::none, 2, "T, |L|, |q|; reversible"},
-    MethodFacts{M::moser_veselov_2, "moser-veselov-2", "Moser-Veselov 2", fixed, Torques::of_attitude, 2,
-                "T, L in space, |q|; reversible"},
-    MethodFacts{M::moser_veselov_6, "moser-veselov-6", "Moser-Veselov 6", fixed, Torques::of_attitude, 6,
-                "T, L in space, |q|; reversible"},
-    MethodFacts{M::moser_veselov_10, "moser-veselov-10", "Moser-Veselov 10", fixed, Torques::of_attitude, 10,
-                "T, L in space, |q|; reversible"},
-    MethodFacts{M::dormand_prince_5, "dormand-prince-5", "Dormand-Prince 5(4)", adaptive, Torques::any, 5,
-                "nothing"},
-    MethodFacts{M::dormand_prince_8, "dormand-prince-8", "Dormand-Prince 8(5,3)", adaptive, Torques::any, 8,
-                "nothing"},
-};
 
 bool depends_on_attitude_alone(const Torque& torque) {
   return std::all_of(torque.begin(), torque.end(), [](const TorqueTerm& term) {
@@ -84,27 +54,6 @@ void check_settings(const MethodFacts& facts, const MethodChoice& choice) {
 
 }  // namespace
 
-std::span<const MethodFacts> all_methods() { return kFacts; }
-
-const MethodFacts& facts_of(Method method) { return kFacts[static_cast<std::size_t>(method)]; }
-
-std::string_view name_of(Method method) { return facts_of(method).name; }
-
-std::optional<Method> method_from(std::string_view name) {
-  const auto found = std::find_if(kFacts.begin(), kFacts.end(),
-                                  [name](const MethodFacts& facts) { return facts.name == name; });
-  return found == kFacts.end() ? std::nullopt : std::optional(found->method);
-}
-
-const std::vector<std::string>& method_names() {
-  static const std::vector<std::string> kNames = [] {
-    std::vector<std::string> result;
-    for (const MethodFacts& facts : kFacts) result.emplace_back(facts.name);
-    return result;
-  }();
-  return kNames;
-}
-
 std::optional<std::string> why_not(Method method, const Problem& problem) {
   const MethodFacts& facts = facts_of(method);
   if (facts.torque == Torques::none && !problem.torque.empty()) return "it is for torque-free motion";
@@ -117,7 +66,7 @@ std::optional<std::string> why_not(Method method, const Problem& problem) {
 
 std::vector<std::string> serving_methods(const Problem& problem) {
   std::vector<std::string> names;
-  for (const MethodFacts& facts : kFacts)
+  for (const MethodFacts& facts : all_methods())
     if (!why_not(facts.method, problem)) names.emplace_back(facts.name);
   return names;
 }

@@ -47,7 +47,7 @@ class Motion {
     return 1;
   }
 
-  /// The method's name in the table of method.h: "uniform", "symmetric", "rk4", ...
+  /// The name of its method, one of method_names() (method_facts.h): "uniform", "symmetric", "rk4", ...
   virtual std::string_view method() const = 0;
 };
 

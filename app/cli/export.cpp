@@ -31,8 +31,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void write_text(const std::string& name, const std::string& text, const ExportOutput& out) {
-  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  or_fail(replace_file_atomically(out.folder / name, bytes, out.durability));
+  or_fail(replace_file_atomically(out.folder / name, bytes_of(text), out.durability));
 }
 
 /// With the pictures that are there. @throws Interrupted

@@ -5,6 +5,8 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
 #include "app/cli/scene_facts.h"
+#include "app/export/json_values.h"
+#include "base/angles.h"
 #include "base/printable.h"
 #include "base/stopwatch.h"
 #include "physics/analysis/horizon.h"
@@ -23,8 +25,6 @@ namespace polhode {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 struct StageInfo {
   const Stage* stage = nullptr;
@@ -78,8 +78,6 @@ StageInfo info_of(const Stage& stage) {
   info.horizon = horizon_of(problem_of(*drawn->scene));
   return info;
 }
-
-Json number_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json to_json(const SceneFacts& facts) {
   const Vec3& I = facts.body.moments.vector();

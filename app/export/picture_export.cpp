@@ -148,7 +148,7 @@ Status write_manifest(const PictureExport& e, PictureMaker& maker, const Shard& 
   const auto fill = [&](const AppendBytes& append) -> Status {
     std::string text = manifest_head(identity_of(e.loaded, e.options), renderer);
     const auto flush = [&] {
-      Status appended = append({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+      Status appended = append(bytes_of(text));
       text.clear();
       return appended;
     };

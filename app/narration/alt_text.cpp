@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/alt_text.h"
 
+#include "base/angles.h"
 #include "physics/body/euler.h"
-#include "render/drawing/diagrams/diagrams.h"
 #include "render/scene/model/drawn_marks.h"
 #include "render/scene/model/model.h"
 
@@ -10,7 +10,6 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace polhode {
@@ -43,7 +42,7 @@ std::string shown_words(const OverlaySet& show, const std::vector<std::string>& 
 
 std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s) {
   const Vec3 L_B = angular_momentum_B(I, w_B);
-  const double angle_deg = std::atan2(w_B.cross(L_B).norm(), w_B.dot(L_B)) * 180.0 / std::numbers::pi;
+  const double angle_deg = angle_between(w_B, L_B) * kDegreesPerRadian;
   std::string text = fmt::format("At t = {:.4g} s the body turns at {:.3g} rad/s", t_s, w_B.norm());
   constexpr double kParallel_deg = 1e-6;  // what rounding leaves
   if (!w_B.isZero(0.0))

@@ -27,9 +27,7 @@ namespace {
 class Sink {
  public:
   explicit Sink(const AppendBytes& append) : append_(append) {}
-  Status operator()(std::string_view text) const {
-    return append_({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  }
+  Status operator()(std::string_view text) const { return append_(bytes_of(text)); }
 
  private:
   const AppendBytes& append_;

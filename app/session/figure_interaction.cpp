@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/figure_interaction.h"
 
+#include "base/angles.h"
 #include "physics/body/euler.h"
 #include "physics/geometry/poinsot.h"
 #include "render/figure/omega_tip.h"
@@ -14,8 +15,6 @@
 namespace polhode {
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Of a pane, px of the page; as the renderer divides an inset.
 PixelRect rect_of(const Pane& pane, const PixelRect& inset) {
@@ -158,7 +157,7 @@ class OmegaSearch {
 }  // namespace
 
 CameraSpec orbited(CameraSpec camera, double dx, double dy, double height) {
-  constexpr double kSteepest = 89.0 * kDegree;
+  constexpr double kSteepest = 89.0 * kRadiansPerDegree;
   if (!(height > 0.0) || !std::isfinite(dx) || !std::isfinite(dy)) return camera;
   const double per_px = std::numbers::pi / height;
   camera.azimuth_rad = std::remainder(camera.azimuth_rad - dx * per_px, 2.0 * std::numbers::pi);
@@ -175,7 +174,8 @@ CameraSpec zoomed(CameraSpec camera, double notches) {
 
 const std::vector<CameraPreset>& camera_presets() {
   const auto from = [](double azimuth_deg, double elevation_deg) {
-    return CameraSpec{.azimuth_rad = azimuth_deg * kDegree, .elevation_rad = elevation_deg * kDegree};
+    return CameraSpec{.azimuth_rad = azimuth_deg * kRadiansPerDegree,
+                      .elevation_rad = elevation_deg * kRadiansPerDegree};
   };
   static const std::vector<CameraPreset> kPresets = {{"three-quarter", CameraSpec{}},
                                                      {"front", from(0, 0)},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/lesson_session.h"
 
-#include "app/export/picture_maker.h"
 #include "lessons/derivation/answer_reasons.h"
 #include "lessons/reader/varied_scene.h"
 #include "physics/body/euler.h"
@@ -15,33 +14,6 @@
 namespace polhode {
 
 namespace {
-
-/// Whether two scenes differ at most in how the same motion is looked at.
-bool same_course(Scene a, const Scene& b) {
-  a.views = b.views;
-  a.show = b.show;
-  a.marks = b.marks;
-  a.poses = b.poses;
-  a.camera = b.camera;
-  a.highlight = b.highlight;
-  a.quality = b.quality;
-  a.caption = b.caption;
-  a.meters = b.meters;
-  const bool same_beside =
-      std::equal(a.beside.begin(), a.beside.end(), b.beside.begin(), b.beside.end(), same_course);
-  a.beside = b.beside;
-  return same_beside && a == b;
-}
-
-/// Whether the model of one serves the other with a word changed.
-bool same_model(Scene a, const Scene& b) {
-  a.camera = b.camera;
-  a.quality = b.quality;
-  const bool same_beside =
-      std::equal(a.beside.begin(), a.beside.end(), b.beside.begin(), b.beside.end(), same_model);
-  a.beside = b.beside;
-  return same_beside && a == b;
-}
 
 bool starts_another_motion(const SceneEdits& a, const SceneEdits& b) {
   return a.body != b.body || a.w0_B != b.w0_B || a.attitude != b.attitude;

@@ -44,8 +44,7 @@ fs::path free_name(const fs::path& folder, const std::string& stem, const std::s
 }
 
 Result<fs::path> write_text(const fs::path& path, const std::string& text) {
-  const Status written =
-      write_file_atomically(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  const Status written = write_file_atomically(path, bytes_of(text));
   if (!written) return failure(written.error());
   return path;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/scene_edits.h"
 
+#include "base/angles.h"
 #include "lessons/reader/scene_keys.h"
 #include "lessons/reader/scene_values.h"
 #include "physics/body/pivot.h"
@@ -13,8 +14,6 @@
 namespace polhode {
 
 namespace {
-
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 
 /// A quotient of whole numbers, so that its decimals are few.
 double whole_parts_of_degree(double angle_rad) {

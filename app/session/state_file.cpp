@@ -119,8 +119,7 @@ StateFileResult<std::monostate> write_state_file(const fs::path& path, const Jso
   Json json{{"format", kFormat}};
   json.update(members);
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-  const Status written = write_file_atomically(
-      path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), Durability::sync);
+  const Status written = write_file_atomically(path, bytes_of(text), Durability::sync);
   if (!written) return fails(written.error());
   return std::monostate{};
 }

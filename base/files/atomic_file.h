@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string_view>
 
 namespace polhode {
 
@@ -64,6 +65,11 @@ Status write_file_atomically(FileOps& files, const std::filesystem::path& path,
 /// way. A symbolic link is not followed, and neither device nor pipe is opened; a folder is an error.
 Status replace_file_atomically(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                                Durability durability = Durability::rename_only);
+
+/// A text as the bytes of the file that holds it; of a text that outlives them.
+inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
 
 /// Takes the next bytes of a file; a failure (a full disk) is to be passed on.
 using AppendBytes = std::function<Status(std::span<const std::uint8_t>)>;

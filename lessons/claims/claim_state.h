@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// States of a body in which claims are tried, and what is assumed of its motion. Internal to lessons/.
+// States of a body in which claims are tried, and what is assumed of its motion. Internal to lessons/claims/.
 #pragma once
 
 #include "lessons/claims/evaluation.h"
@@ -58,7 +58,7 @@ std::array<Jet<N>, 4> turning(const std::array<N, 4>& q, const std::array<N, 3>&
   return all;
 }
 
-/// I ω̇ = N − ω×Iω, component by component: equations (7) to (9). Of numbers, or of jets: then ω̈ is the rate.
+/// I ω̇ = N − ω×Iω, component by component: Euler's equations. Of numbers, or of jets: then ω̈ is the rate.
 template <class N>
 std::array<N, 3> euler_rate(const std::array<N, 3>& I, const std::array<N, 3>& w,
                             const std::array<N, 3>& torque_B) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bounds of the degrees and coefficients of what expressions stand for, so that agreement at random points is
 // proof (proof.h). One set of rules: for expressions as they are read, and once more where quantities are
-// given, for these then stand for what they are set to. Internal to lessons/.
+// given, for these then stand for what they are set to. Internal to lessons/claims/.
 #pragma once
 
 #include "lessons/claims/given.h"

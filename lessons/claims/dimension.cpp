@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/dimension.h"
 
+#include "base/angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 namespace polhode {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 struct UnitFacts {
   std::string_view name;
@@ -26,8 +25,8 @@ constexpr std::array<UnitFacts, 12> kUnits{{{"kg", {1, 0, 0}},
                                             {"W", {1, 2, -3}},
                                             {"Hz", {0, 0, -1}},
                                             {"rad", kNumber},
-                                            {"deg", kNumber, kDegree},
-                                            {"°", kNumber, kDegree},
+                                            {"deg", kNumber, kRadiansPerDegree},
+                                            {"°", kNumber, kRadiansPerDegree},
                                             {"1", kNumber},
                                             {"", kNumber}}};
 

@@ -69,10 +69,9 @@ std::set<std::string> letters_of(const Derivation& derivation);
 /// What is typed, for help.
 inline constexpr std::string_view kWordsOfDerivations =
     "dL/dt or d/dt (…) as seen from space, d*L/dt from the body; w1' and omega' for rates; omega x L, omega "
-    ". L; "
-    "I omega for the tensor; I1 w1, 1/2, w1^2, |L|^2; = … goes on from the line before";
+    ". L; I omega for the tensor; I1 w1, 1/2, w1^2, |L|^2; = … goes on from the line before";
 
-/// What a mistake is, in the order in which they are looked for.
+/// What a mistake is.
 enum class Slip {
   none,
   kind,

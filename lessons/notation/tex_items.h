@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tree of a formula as what a reader sees: atoms in a row, brackets with their contents. Internal to the
-// reader of equations (tex_equation.h).
+// The tree of a formula as what a reader sees: atoms in a row, brackets with their contents. Internal to
+// lessons/notation/ (tex_equation.h).
 #pragma once
 
 #include "render/typeset/math/tree.h"
@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// Why a formula is not read. Thrown and caught within lessons/reader/.
+/// Why a formula is not read. Thrown and caught within lessons/notation/.
 struct TexFault : std::runtime_error {
   TexFault(SourceSpan at, const std::string& reason, std::string hint_ = {})
       : std::runtime_error(reason), place(at), hint(std::move(hint_)) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sides of a printed equation: sums of products of factors (tex_equation.h). Internal to the reader of
-// equations.
+// Sides of a printed equation: sums of products of factors (tex_equation.h). Internal to
+// lessons/notation/.
 //
 // tex_terms.cpp has the grammar, tex_names.cpp what letters mean, tex_operators.cpp rates, sums, functions,
 // fractions and arrays.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Values of parts of a printed equation: texts in the language of claims that know where they come from.
-// Internal to the reader of equations (tex_equation.h).
+// Internal to lessons/notation/ (tex_equation.h).
 #pragma once
 
 #include "lessons/claims/expression.h"

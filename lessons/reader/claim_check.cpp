@@ -425,7 +425,8 @@ class ClaimCheck {
     else if (measured->tolerance > kDecisive)
       report_.error(line.place,
                     "this measures nothing: allowed are " + digits(measured->tolerance, 3) + " of the terms",
-                    line.within ? "at most 0.01 decides anything" : "shorten the step of the motion");
+                    line.within ? "at most " + digits(kDecisive, 3) + " decides anything"
+                                : "shorten the step of the motion");
     else if (!measured->decides())
       report_.error(line.place,
                     "this measures nothing: the terms cancel down to " + digits(measured->side, 3) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/mark_keys.h"
 
+#include "base/numbers.h"
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/claims/scene_quantities.h"
@@ -174,7 +175,8 @@ bool is_read(const TomlTable& table, const char* key, bool has_value) {
 std::optional<double> read_length(const TomlEntry& entry, Report& report) {
   const auto length = read_positive_number(entry, report);
   if (!length || (*length >= kLeastArrowLength && *length <= kMostArrowLength)) return length;
-  report.error(entry.value.place, "\"length\" must lie between 0.1 and 3: the length of a unit vector is 1");
+  report.error(entry.value.place, "\"length\" must lie between " + digits(kLeastArrowLength, 3) + " and " +
+                                      digits(kMostArrowLength, 3) + ": the length of a unit vector is 1");
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/scene_keys.h"
 
+#include "base/angles.h"
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/diagnostics/source_text.h"
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <utility>
 
@@ -28,7 +28,6 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t kMaxViews = 2;
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 static_assert(kMaxOverlays >= kOverlayCount);
 
 bool has_heavy(const Torque& torque) {
@@ -449,7 +448,8 @@ class SceneKeys {
     if (std::abs(*degrees) <= kMostElevationDeg)
       camera.elevation_rad = *degrees * kRadiansPerDegree;
     else
-      report_.error(entry.value.place, "\"elevation_deg\" must lie between -90 and 90");
+      report_.error(entry.value.place, fmt::format("\"elevation_deg\" must lie between {} and {}",
+                                                   -kMostElevationDeg, kMostElevationDeg));
   }
 
   void camera(const TomlEntry& entry) {
@@ -478,7 +478,8 @@ class SceneKeys {
   std::optional<double> scale(const TomlEntry& entry) {
     const auto number = read_positive_number(entry, report_);
     if (!number || (*number >= kLeastCameraScale && *number <= kMostCameraScale)) return number;
-    report_.error(entry.value.place, in_quotes(entry.key) + " must lie between 0.1 and 100");
+    report_.error(entry.value.place, fmt::format("{} must lie between {} and {}", in_quotes(entry.key),
+                                                 kLeastCameraScale, kMostCameraScale));
     return std::nullopt;
   }
 
@@ -648,14 +649,15 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        Row::Speaks::of_motion},
       {{"start",
         "`{ theta_deg, phi_deg, psi_deg, spin, precession }`: how a top is set going, in place of `omega` "
-        "and "
-        "`attitude` (Tops, below)",
+        "and `attitude` (Tops, below)",
         "none"},
        &SceneKeys::start,
        [](const Scene&) { return std::string(); },  // a scene has the ω and attitude that it stands for
        Row::Speaks::of_motion},
       {{"torque",
-        R"(a string or up to 4: `"weight"` (Tops, below) `"space:x,y,z"` `"body:x,y,z"` `"heavy:MGR,ax,ay,az"` `"damping:C"` `"sink:C"`)",
+        fmt::format(
+            R"(a string or up to {}: `"weight"` (Tops, below) `"space:x,y,z"` `"body:x,y,z"` `"heavy:MGR,ax,ay,az"` `"damping:C"` `"sink:C"`)",
+            kMaxTorqueTerms),
         "none"},
        &SceneKeys::torque,
        [](const Scene& scene) { return text_of(scene.torque); },
@@ -686,7 +688,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::views,
        [](const Scene& scene) { return text_of(scene.views); },
        Row::Speaks::of_picture},
-      {{"show", "list of overlays, at most 40", "none"},
+      {{"show", fmt::format("list of overlays, at most {}", kMaxOverlays), "none"},
        &SceneKeys::show,
        [](const Scene& scene) { return text_of(scene.show); },
        Row::Speaks::of_picture},
@@ -712,8 +714,10 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        [](const Scene& scene) { return text_of(scene.marks.notes); },
        Row::Speaks::of_picture},
       {{"poses",
-        "the body of a scene with `velocity` or `force` as it was before, pale: `{ count = 5, over = 0.8 }`, "
-        "1 to 12 times, evenly over the last 0.8 s, none before t = 0; `{}` for none",
+        fmt::format(
+            "the body of a scene with `velocity` or `force` as it was before, pale: `{{ count = 5, over = "
+            "0.8 }}`, 1 to {} times, evenly over the last 0.8 s, none before t = 0; `{{}}` for none",
+            kMostPoses),
         "none"},
        &SceneKeys::poses,
        [](const Scene& scene) {
@@ -723,9 +727,10 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        },
        Row::Speaks::of_picture},
       {{"camera",
-        "`{ azimuth_deg, elevation_deg, distance, zoom }`: it stands at this angle from x towards y (1 "
-        "towards 2 where the body is at rest) and so far above; elevation −90 to 90, distance and zoom 0.1 "
-        "to 100",
+        fmt::format("`{{ azimuth_deg, elevation_deg, distance, zoom }}`: it stands at this angle from x "
+                    "towards y (1 towards 2 where the body is at rest) and so far above; elevation −{0} to "
+                    "{0}, distance and zoom {1} to {2}",
+                    kMostElevationDeg, kLeastCameraScale, kMostCameraScale),
         "34°, 20°, 4.2, 1"},
        &SceneKeys::camera,
        [](const Scene& scene) { return text_of(scene.camera); },
@@ -751,7 +756,9 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        [](const Scene& scene) { return scene.rate ? toml(*scene.rate) : ""; },
        Row::Speaks::of_all},
       {{"highlight",
-        R"(overlays, which are drawn bolder, or ids of `\term`s of the stage, which are marked on its pages; at most 4)",
+        fmt::format(
+            R"(overlays, which are drawn bolder, or ids of `\term`s of the stage, which are marked on its pages; at most {})",
+            kMaxHighlights),
         "none"},
        &SceneKeys::highlight,
        [](const Scene& scene) { return toml_list(scene.highlight); },
@@ -763,14 +770,17 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        [](const Scene& scene) { return toml(name_of(scene.quality)); },
        Row::Speaks::of_all},
       {{"caption",
-        "one line in the picture, at most 120 characters; formulas between `$` without macros, computed "
-        "numbers too, else plain text",
+        fmt::format("one line in the picture, at most {} characters; formulas between `$` without macros, "
+                    "computed numbers too, else plain text",
+                    kMaxCaptionCharacters),
         "none"},
        &SceneKeys::caption,
        [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; },
        Row::Speaks::of_picture},
       {{"meters",
-        R"(plots beside the figure of a page: a list of up to 6 of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start), each against time over `duration`, and of plots of your own (Plots, below))",
+        fmt::format(
+            R"(plots beside the figure of a page: a list of up to {} of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start), each against time over `duration`, and of plots of your own (Plots, below))",
+            kMaxPlots),
         "none"},
        &SceneKeys::meters,
        [](const Scene& scene) { return plots_text(scene.meters); },

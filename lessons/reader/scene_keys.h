@@ -24,7 +24,9 @@ inline constexpr std::size_t kMaxHighlights = 4;
 
 /// A key as FORMAT.md has it in its table, in Markdown.
 struct SceneKeyFacts {
-  std::string_view name, value, usual;
+  std::string_view name;
+  std::string value;  ///< with the limits that its reader holds it to
+  std::string_view usual;
 };
 /// In the order in which a scene is written.
 std::vector<SceneKeyFacts> scene_key_facts();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/scene_values.h"
 
+#include "base/angles.h"
 #include "lessons/reader/scene_keys.h"
 #include "lessons/reader/toml_text.h"
 #include "physics/body/torque_text.h"
@@ -9,13 +10,10 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace polhode {
 
 namespace {
-
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 // Numbers that the reader turns into others: the text is sought that gives the ones there are.
 
@@ -23,7 +21,7 @@ constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 double degrees_that_read_as(double angle_rad) {
   constexpr double kParts = 1e4;
   const auto reads = [&](double degrees) {
-    return std::remainder(degrees, 360.0) * (std::numbers::pi / 180) == angle_rad;
+    return std::remainder(degrees, 360.0) * kRadiansPerDegree == angle_rad;
   };
   const double near = angle_rad * kDegreesPerRadian, whole = std::round(near * kParts) / kParts;
   if (reads(whole)) return whole;

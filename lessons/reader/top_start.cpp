@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/top_start.h"
 
+#include "base/angles.h"
 #include "base/numbers.h"
 #include "base/spelling.h"
 #include "lessons/reader/scene_keys.h"
@@ -8,12 +9,10 @@
 #include "physics/body/euler_angles.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace polhode {
 namespace {
 
-constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr int kToldDigits = 7;
 
 std::optional<double> read_theta(const TomlEntry& entry, Report& report) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The terms of equation (6), I·ω̇ + ω×(I·ω) = N, on a motion.
+// The terms of Euler's equation, I·ω̇ + ω×(I·ω) = N, on a motion.
 #pragma once
 
 #include "physics/body/principal_moments.h"

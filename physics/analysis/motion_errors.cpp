@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/analysis/motion_errors.h"
 
+#include "base/angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -13,8 +15,6 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// std::max forgets a NaN on its right.
 double larger(double a, double b) { return std::isnan(b) || b > a ? b : a; }
-
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// T and L in units of the body's largest moment and of |ω₀|, so that none overflows unless the motion does.
 class Invariants {

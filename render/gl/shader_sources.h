@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of shaders/, compiled in by CMake. Internal to render/gl.
+// The files of shaders/, compiled in by CMake. Internal to render/gl/.
 #pragma once
 
 namespace polhode::shaders {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices that are new in every frame: one vertex array with its buffers. Internal to render/gl.
+// Vertices that are new in every frame: one vertex array with its buffers. Internal to render/gl/.
 #pragma once
 
 #include "render/gl/context/functions.h"

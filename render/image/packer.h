@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The zlib stream of a PNG's pixels. Internal to render/image.
+// The zlib stream of a PNG's pixels. Internal to render/image/.
 #pragma once
 
 #include "render/image/png.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to render/image: what PNG text may be, its two encodings, and its unit of resolution.
+// Internal to render/image/: what PNG text may be, its two encodings, and its unit of resolution.
 #pragma once
 
 #include <optional>

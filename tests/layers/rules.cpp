@@ -2,7 +2,6 @@
 #include "tests/layers/rules.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <regex>
 #include <set>
@@ -38,12 +37,16 @@ const std::vector<Room>& rooms() {
   static const Names kNotation = Names{"lessons/notation/", "render/typeset/"} + kClaims;
   static const Names kDerivation = Names{"lessons/derivation/"} + kNotation;
   static const Names kReader = Names{"lessons/reader/"} + kDerivation;
-  static const Names kNarration = Names{"app/narration/", "render/drawing/", "render/palette.h"} + kReader;
-  static const Names kPage = Names{"app/page/", "render/figure/", "render/gl/", "render/image/"} + kNarration;
+  static const Names kNarration = Names{"app/narration/"} + kReader;
+  static const Names kPage = Names{"app/page/",  "render/figure/", "render/drawing/",
+                                   "render/gl/", "render/image/",  "render/palette.h"} +
+                             kNarration;
   static const Names kExport = Names{"app/export/"} + kPage;
   static const Names kSession = Names{"app/session/"} + kExport;
+  static const Names kWindow = Names{"app/window/"} + kSession;
   static const Names kProgram = {"app/", "lessons/", "render/", "physics/", "base/"};
   static const Names kFormats = {"fmt/", "nlohmann/", "Eigen/"};
+  static const Names kControls = Names{"imgui"} + kFormats + kPosix;
   static const Names kProgramLibraries = Names{"CLI/", "qpdf/"} + kFormats + kPosix;
   static const std::vector<Room> kRooms = {
       {"base/files/", {"base/"}, kPosix, kConsole},
@@ -77,8 +80,9 @@ const std::vector<Room>& rooms() {
       {"app/export/", kExport, kFormats + kPosix, kConsole},
       {"app/publish/", Names{"app/publish/"} + kExport, Names{"fmt/", "qpdf/"} + kPosix, kConsole},
       {"app/session/", kSession, kFormats + kPosix, kConsole},
-      {"app/window/", Names{"app/window/"} + kSession,
-       Names{"GLFW/", "X11/", "imgui", "backends/imgui_impl_glfw.h"} + kFormats + kPosix, kConsole},
+      {"app/window/panels/", kWindow, kControls, kConsole},
+      {"app/window/screen", kWindow, kControls, kConsole},  // drawn off-screen too, without GLFW
+      {"app/window/", kWindow, Names{"GLFW/", "X11/", "backends/imgui_impl_glfw.h"} + kControls, kConsole},
       {"app/cli/", kProgram, kProgramLibraries, {}, false},
       {"examples/",
        {},
@@ -189,6 +193,25 @@ void check_printing(const std::string& path, const std::string& code, std::vecto
   }
 }
 
+/// Whether the room sees it because it sees a room that does.
+bool follows_from_another(const Room& room, std::string_view seen) {
+  return std::ranges::any_of(rooms(), [&](const Room& other) {
+    return other.folder != room.folder && std::ranges::find(room.sees, other.folder) != room.sees.end() &&
+           std::ranges::find(other.sees, seen) != other.sees.end();
+  });
+}
+
+/// Of each file the includes that are files of ours.
+using OwnIncludes = std::map<std::string, std::vector<Include>>;
+
+OwnIncludes own_includes(const std::map<std::string, std::string>& sources) {
+  OwnIncludes ours;
+  for (const auto& [path, text] : sources)
+    for (Include& include : includes_of(text))
+      if (sources.contains(include.name)) ours[path].push_back(std::move(include));
+  return ours;
+}
+
 }  // namespace
 
 std::string code_of(std::string_view text) {
@@ -236,11 +259,7 @@ std::vector<Finding> broken_rules(const std::string& path, std::string_view text
 }
 
 std::vector<Finding> broken_closures(const std::map<std::string, std::string>& sources) {
-  std::map<std::string, std::vector<Include>> ours;  // of each file those that are files of ours
-  for (const auto& [path, text] : sources)
-    for (Include& include : includes_of(text))
-      if (sources.contains(include.name)) ours[path].push_back(std::move(include));
-
+  const OwnIncludes ours = own_includes(sources);
   std::vector<Finding> findings;
   for (const auto& [path, direct] : ours) {
     const Room* room = room_of(path);
@@ -268,6 +287,34 @@ std::vector<Finding> broken_closures(const std::map<std::string, std::string>& s
       }
     }
   }
+  return findings;
+}
+
+std::vector<Finding> unused_arrows(const std::map<std::string, std::string>& sources) {
+  const OwnIncludes ours = own_includes(sources);
+  std::map<const Room*, std::set<std::string>> reached;  // by the files of a room, through all headers
+  for (const auto& [path, direct] : ours) {
+    const Room* room = room_of(path);
+    if (!room || !room->is_library) continue;
+    std::set<std::string>& of_room = reached[room];
+    std::vector<std::string> ways = {path};
+    while (!ways.empty()) {
+      const auto further = ours.find(ways.back());
+      ways.pop_back();
+      if (further == ours.end()) continue;
+      for (const Include& next : further->second)
+        if (of_room.insert(next.name).second) ways.push_back(next.name);
+    }
+  }
+  std::vector<Finding> findings;
+  for (const auto& [room, paths] : reached)
+    for (const std::string_view seen : room->sees) {
+      const bool is_used =
+          std::ranges::any_of(paths, [&](const std::string& path) { return path.starts_with(seen); });
+      if (!is_used && seen != room->folder && !follows_from_another(*room, seen))
+        findings.push_back({"tests/layers/rules.cpp", 1,
+                            std::string(room->folder) + " may see " + std::string(seen) + ", and does not"});
+    }
   return findings;
 }
 

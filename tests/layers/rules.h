@@ -40,6 +40,10 @@ std::vector<Finding> broken_rules(const std::string& path, std::string_view text
 /// files by their paths, and their texts.
 std::vector<Finding> broken_closures(const std::map<std::string, std::string>& sources);
 
+/// Every arrow of the table that no file follows: a room that may see another, and does not, neither itself
+/// nor through what it sees.
+std::vector<Finding> unused_arrows(const std::map<std::string, std::string>& sources);
+
 /// Whether the licence is named on the first line, or on the second below `#!`.
 bool names_licence(std::string_view text);
 

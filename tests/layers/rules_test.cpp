@@ -92,6 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
         Forbidden{"lessons/reader/a.cpp", "nlohmann/json.hpp"},
         Forbidden{"lessons/reader/a.cpp", "CLI/CLI.hpp"}, Forbidden{"app/cli/export.cpp", "GLFW/glfw3.h"},
         Forbidden{"app/narration/a.cpp", "app/page/page.h"},
+        Forbidden{"app/narration/a.cpp", "render/drawing/sheet.h"},
         Forbidden{"app/page/a.cpp", "app/export/folder/manifest.h"},
         Forbidden{"app/page/a.cpp", "app/cli/exit_codes.h"},
         Forbidden{"app/export/a.cpp", "app/cli/exit_codes.h"},
@@ -100,8 +101,11 @@ INSTANTIATE_TEST_SUITE_P(
         Forbidden{"app/publish/a.cpp", "app/session/lesson_session.h"},
         Forbidden{"app/session/a.cpp", "app/cli/exit_codes.h"}, Forbidden{"app/session/a.cpp", "imgui.h"},
         Forbidden{"app/window/a.cpp", "app/cli/exit_codes.h"},
-        Forbidden{"app/window/a.cpp", "app/publish/deck.h"}, Forbidden{"app/cli/export.cpp", "imgui.h"},
-        Forbidden{"app/cli/export.cpp", "GL/glcorearb.h"},
+        Forbidden{"app/window/a.cpp", "app/publish/deck.h"},
+        Forbidden{"app/window/panels/a.cpp", "GLFW/glfw3.h"},
+        Forbidden{"app/window/screen.cpp", "GLFW/glfw3.h"},
+        Forbidden{"app/window/screen.h", "backends/imgui_impl_glfw.h"},
+        Forbidden{"app/cli/export.cpp", "imgui.h"}, Forbidden{"app/cli/export.cpp", "GL/glcorearb.h"},
         Forbidden{"app/cli/export.cpp", "tests/layers/rules.h"},
         Forbidden{"tests/app/a.cpp", "GLFW/glfw3.h"}),
     [](const auto& tested) {
@@ -158,6 +162,27 @@ TEST(Closure, OfHeadersThatIncludeEachOtherEnds) {
   EXPECT_THAT(broken_closures({{"physics/a.h", "#include \"physics/b.h\"\n"},
                                {"physics/b.h", "#include \"physics/a.h\"\n"}}),
               IsEmpty());
+}
+
+TEST(Arrow, ThatNoFileFollowsIsReported) {
+  std::map<std::string, std::string> sources = {
+      {"render/drawing/a.cpp", "#include \"physics/motion.h\"\n#include \"render/typeset/rich_text.h\"\n"},
+      {"render/typeset/rich_text.h", "#include \"base/colors.h\"\n"},
+      {"render/palette.h", ""},
+      {"render/scene/description/scene.h", ""},
+      {"physics/motion.h", ""},
+      {"base/colors.h", ""}};
+  const auto messages = [&] {
+    std::vector<std::string> all;
+    for (const Finding& finding : unused_arrows(sources))
+      if (finding.message.starts_with("render/drawing/")) all.push_back(finding.message);
+    return all;
+  };
+  EXPECT_THAT(messages(), ElementsAre("render/drawing/ may see render/palette.h, and does not",
+                                      "render/drawing/ may see render/scene/, and does not"));
+  sources["physics/motion.h"] = "#include \"render/scene/description/scene.h\"\n";
+  sources["render/drawing/b.h"] = "#include \"render/palette.h\"\n";
+  EXPECT_THAT(messages(), IsEmpty()) << "through a header, or by a header of the room";
 }
 
 TEST(Library, NeitherPrintsNorExits) {

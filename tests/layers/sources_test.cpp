@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 namespace polhode::layers {
 namespace {
@@ -53,16 +54,36 @@ TEST(Sources, KeepTheArrowsBetweenTheRooms) {
   }
 }
 
-TEST(Sources, KeepTheArrowsThroughTheirHeaders) {
+std::map<std::string, std::string> texts_by_path() {
   std::map<std::string, std::string> files;
   for (Source& file : sources({".h", ".cpp"})) files.emplace(std::move(file.path), std::move(file.text));
-  for (const Finding& finding : broken_closures(files))
+  return files;
+}
+
+TEST(Sources, KeepTheArrowsThroughTheirHeaders) {
+  for (const Finding& finding : broken_closures(texts_by_path()))
     ADD_FAILURE() << finding.file << ':' << finding.line << ": " << finding.message;
 }
 
+TEST(Sources, FollowEachArrow) {
+  for (const Finding& finding : unused_arrows(texts_by_path()))
+    ADD_FAILURE() << finding.file << ": " << finding.message;
+}
+
+TEST(Sources, OfThePhysicsAreInTheIndex) {
+  const std::string index = text_of(fs::path(test::source_dir()) / "physics/README.md");
+  for (const Source& file : sources({".h"})) {
+    constexpr std::string_view kRoom = "physics/",
+                               kPublic = "physics/public/";  // these are named as public/*.h
+    if (!file.path.starts_with(kRoom) || file.path.starts_with(kPublic)) continue;
+    const std::string name = '`' + file.path.substr(kRoom.size()) + '`';
+    EXPECT_NE(index.find(name), index.npos) << "physics/README.md does not name " << name;
+  }
+}
+
 TEST(Sources, NameTheirLicence) {
-  std::vector<Source> files =
-      sources({".h", ".cpp", ".sh", ".py", ".js", ".css", ".cmake", "CMakeLists.txt", "packages.txt"});
+  std::vector<Source> files = sources({".h", ".cpp", ".vert", ".frag", ".glsl", ".sh", ".py", ".js", ".css",
+                                       ".cmake", "CMakeLists.txt", "packages.txt"});
   const fs::path root = test::source_dir();
   for (const char* path : {"CMakeLists.txt", "play", "check", ".ci/run"})
     files.push_back({path, text_of(root / path)});

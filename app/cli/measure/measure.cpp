@@ -104,12 +104,6 @@ void print_notes(const Problem& problem, const WorkPrecisionPlan& plan, const Wo
       plan.cpu_seconds, fmt::join(names, ", "));
 }
 
-void write_text_file(const std::string& path, const std::string& text) {
-  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  if (const Status written = write_file_atomically(path, bytes); !written)
-    throw CommandError(ExitCode::failed, written.error());
-}
-
 void print_result(const MeasureReport& report, const TypedOptions& typed) {
   if (typed.json)
     fmt::print("{}", json_text(report));
@@ -134,7 +128,7 @@ ExitCode measure_motion(const TypedOptions& typed) {
   if (report.tolerance) report.recommended = cheapest_within(report.rows, *report.tolerance);
 
   print_result(report, typed);
-  if (!typed.csv.empty()) write_text_file(typed.csv, csv_text(report.rows));
+  if (!typed.csv.empty()) or_fail(write_file_atomically(typed.csv, bytes_of(csv_text(report.rows))));
   if (!typed.plot.empty()) or_fail(write_plot(typed.plot, plot_of(report, problem)));
   return ExitCode::done;
 }

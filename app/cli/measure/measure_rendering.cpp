@@ -181,11 +181,6 @@ WorkPrecisionPlot plot_of(const RenderingRequest& request, const std::vector<Ren
   return plot;
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-  or_fail(write_file_atomically(path, bytes));
-}
-
 }  // namespace
 
 std::vector<RenderingSetting> rendering_settings(int most_samples) {
@@ -258,7 +253,7 @@ ExitCode measure_rendering(const RenderingRequest& request) {
         "{}* on the Pareto front; rms and max in levels of 8 bits as displayed, against 16 samples a "
         "pixel\n{}",
         table_text(rows, recommended), advice_text(request, rows, recommended));
-  if (!request.csv.empty()) write_text(request.csv, csv_text(rows));
+  if (!request.csv.empty()) or_fail(write_file_atomically(request.csv, bytes_of(csv_text(rows))));
   if (!request.plot.empty()) or_fail(write_plot(request.plot, plot_of(request, rows, recommended)));
   return ExitCode::done;
 }

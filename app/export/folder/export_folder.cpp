@@ -84,10 +84,6 @@ std::string text_of(const Marker& marker) {
   return marker_json(marker).dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::span<const std::uint8_t> bytes_of(const std::string& text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
 bool same_export(const ExportIdentity& a, const ExportIdentity& b) {
   return a.options == b.options && a.lesson_sha256 == b.lesson_sha256;
 }

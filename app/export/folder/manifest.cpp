@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/folder/manifest.h"
 
+#include "app/export/json_values.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -43,10 +45,6 @@ const char* name_of(What what) {
       break;
   }
   return "transcript";
-}
-
-Json number_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
 Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }

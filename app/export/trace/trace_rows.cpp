@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/trace/trace_rows.h"
 
+#include "base/angles.h"
 #include "base/numbers.h"
 #include "base/spelling.h"
 #include "physics/body/euler.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 namespace polhode {
 
@@ -20,7 +20,6 @@ namespace {
 using State = RigidBodyState;
 
 constexpr std::size_t kUsualColumns = 13;
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 double T_of(const Problem& problem, const State& state) { return kinetic_energy(problem.I, state.w_B); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "base/angles.h"
 #include "physics/body/euler.h"
 
 #include <fmt/format.h>
@@ -47,8 +48,7 @@ void show_state(const SceneModel& model, double t_s) {
   value_row("|ω|", fmt::format("{:.4g} rad/s", w_B.norm()));
   value_row("T", fmt::format("{:.5g} J", kinetic_energy(I, w_B)));
   value_row("|L|", fmt::format("{:.5g} kg m²/s", L_B.norm()));
-  const double angle = std::atan2(w_B.cross(L_B).norm(), w_B.dot(L_B));
-  value_row("angle of ω and L", fmt::format("{:.2f}°", angle * 180 / M_PI));
+  value_row("angle of ω and L", fmt::format("{:.2f}°", angle_between(w_B, L_B) * kDegreesPerRadian));
 }
 
 }  // namespace

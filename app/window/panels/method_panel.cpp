@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace polhode {
 
@@ -18,7 +19,7 @@ namespace {
 /// For methods that have one: a 64th of the time of a turn.
 double usual_step_s(const SceneModel& model) {
   const double speed = model.scene.w0_B.norm();
-  return speed > 0 ? 2 * M_PI / speed / 64 : 0.01;
+  return speed > 0 ? 2 * std::numbers::pi / speed / 64 : 0.01;
 }
 
 /// Two digits; as a power of ten where that is shorter. Empty where there is no number.

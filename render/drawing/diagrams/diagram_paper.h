@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What diagrams are drawn on, and what they have in common. Inside of render/drawing/diagrams/. Lengths are
+// What diagrams are drawn on, and what they have in common. Internal to render/drawing/diagrams/. Lengths are
 // in sizes of type, from the diagram's upper left corner, y down.
 #pragma once
 

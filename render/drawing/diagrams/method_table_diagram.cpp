@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The methods side by side; what is grossly wrong stands bold on a panel.
+#include "base/angles.h"
 #include "render/drawing/diagrams/diagram_paper.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace polhode::diagrams {
 namespace {
@@ -22,7 +22,7 @@ struct Column {
   double gross;  ///< more than that is grossly wrong
 };
 
-double degrees(double rad) { return rad * 180.0 / std::numbers::pi; }
+double degrees(double rad) { return rad * kDegreesPerRadian; }
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 const std::array<Column, kColumns> kTable = {{

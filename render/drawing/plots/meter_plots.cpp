@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/drawing/plots/meter_plots.h"
 
+#include "base/angles.h"
 #include "physics/body/euler.h"
 
 #include <algorithm>
@@ -116,8 +117,6 @@ Conserved conserved(const PrincipalMoments& I, const RigidBodyState& state, doub
   const Vec3 L_B = moments.cwiseProduct(w_B);
   return {0.5 * w_B.dot(L_B), L_B.norm(), state.q_SB * L_B};
 }
-
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// The largest of each group of neighbours, so that no drift is larger than what is drawn. The groups are
 /// alike: a last one of few samples would fall off.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One function for each kind of thing that an overlay adds to a pane's draw list. All are pure; a builder
-// that has nothing to add adds nothing. Internal to render/figure.
+// that has nothing to add adds nothing. Internal to render/figure/.
 #pragma once
 
 #include "render/figure/figure.h"
@@ -69,7 +69,7 @@ Builder add_vectors;      ///< ω, L, N
 Builder add_translation;  ///< p, v, F and the path; puck
 Builder add_turn;         ///< the axis and the sense of the present turn
 Builder add_transport;    ///< A and its triangle
-Builder add_terms;        ///< of equation (6)
+Builder add_terms;        ///< of I·ω̇ + ω×(I·ω) = N
 Builder add_pivot;        ///< stand, axle and weight
 Builder add_ghost;        ///< the exact body, ω and L beside the computed ones
 Builder add_labels;

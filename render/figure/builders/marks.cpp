@@ -287,7 +287,7 @@ class MarkBuilder {
     const AngleMark& mark = marks_.angles[index];
     const auto from = vectors_.value_V(mark.from, m_.t_s, m_.state),
                to = vectors_.value_V(mark.to, m_.t_s, m_.state);
-    const auto angle_rad = from && to ? angle_between(*from, *to) : std::nullopt;
+    const auto angle_rad = from && to ? arc_between(*from, *to) : std::nullopt;
     if (!angle_rad) return;
     const Vec3 u = from->stableNormalized(), v = to->stableNormalized(), axis = u.cross(v).normalized();
     const double radius = radius_of_angle(m_, index);

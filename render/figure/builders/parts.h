@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pieces that solid bodies are put together of. Internal to render/figure.
+// Pieces that solid bodies are put together of. Internal to render/figure/.
 #pragma once
 
 #include "physics/body/bodies.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrows that add up: the triangle of the transport theorem, the terms of equation (6).
+// Arrows that add up: the triangle of the transport theorem, the terms of I·ω̇ + ω×(I·ω) = N.
 #include "physics/analysis/euler_terms.h"
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
@@ -89,7 +89,7 @@ void add_transport(const Snapshot& m, const Camera& camera, DrawList& list) {
                {drawn(rates.rate_S), "$d\\vec A/dt$", kHerpolhodeRole}, A_V, radius, camera, list);
 }
 
-/// At the tip of L, where that is shown, they are its rates: d*L/dt and ω×L of equation (5).
+/// At the tip of L, where that is shown, they are its rates: d*L/dt and ω×L of dL/dt = d*L/dt + ω×L.
 void add_terms(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::terms) || m.model.longest_term == 0.0) return;
   constexpr double kLongest = 1.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to render/gl: the two ways to open a context, with the library's name open to tests.
+// Internal to render/gl/: the two ways to open a context, with the library's name open to tests.
 #pragma once
 
 #include "base/result.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A tube cut into pieces that are drawn as parabolas: longer than those of a polyline, and nearer to the
-// curve. No GL calls; internal to render/gl.
+// curve. No GL calls; internal to render/gl/.
 #pragma once
 
 #include "render/gl/passes/geometry.h"

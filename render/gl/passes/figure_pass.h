@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The space of a figure: backdrop, floor, glass ellipsoids, lines and solids; no text. Internal to render/gl.
+// The space of a figure: backdrop, floor, glass ellipsoids, lines and solids; no text. Internal to
+// render/gl/.
 //
 // Two ways. Figures of lines, arrows and balls are painted from far to near, one sample a pixel, with edges
 // that know how much of a pixel they cover; the depth buffer holds off only what comes out of order. Figures

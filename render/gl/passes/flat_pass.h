@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What lies flat on the picture: labels with halo and leader lines, readouts, titles, the caption. Drawn on
-// the resolved picture with analytic edges. Internal to render/gl.
+// the resolved picture with analytic edges. Internal to render/gl/.
 #pragma once
 
 #include "render/drawing/label_layout.h"

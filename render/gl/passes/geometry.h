@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draw-list items as vertices for a depth buffer. No GL calls; internal to render/gl.
+// Draw-list items as vertices for a depth buffer. No GL calls; internal to render/gl/.
 #pragma once
 
 #include "render/figure/camera.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Masks of glyphs and halos in one texture, kept from picture to picture. Its texels are fetched and never
-// filtered, so that where a mask lies cannot be seen. Internal to render/gl.
+// filtered, so that where a mask lies cannot be seen. Internal to render/gl/.
 #pragma once
 
 #include "render/gl/context/functions.h"

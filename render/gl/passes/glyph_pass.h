@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws placed type: glyphs from an atlas of masks, rules, and the halos around them. Internal to render/gl.
+// Draws placed type: glyphs from an atlas of masks, rules, and the halos around them. Internal to render/gl/.
 #pragma once
 
 #include "render/drawing/sheet.h"

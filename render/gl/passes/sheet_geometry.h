@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flat shapes as triangles with soft edges. No GL calls; internal to render/gl.
+// Flat shapes as triangles with soft edges. No GL calls; internal to render/gl/.
 #pragma once
 
 #include "render/drawing/sheet.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws the flat shapes of a sheet with soft edges. Internal to render/gl.
+// Draws the flat shapes of a sheet with soft edges. Internal to render/gl/.
 #pragma once
 
 #include "render/drawing/sheet.h"

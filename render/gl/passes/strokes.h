@@ -2,7 +2,7 @@
 // Lines, arrows and balls of a draw list as pieces in painter's order, from far to near, so that soft edges
 // lie over what is behind them. Pieces are sorted by the near side of their middle, trails as if nearer:
 // those that cross or touch may come out of order, and a depth buffer then holds them off. No GL calls;
-// internal to render/gl.
+// internal to render/gl/.
 #pragma once
 
 #include "render/gl/passes/geometry.h"

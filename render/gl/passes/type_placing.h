@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which pixels placed type falls on: glyphs in quarters of a pixel, rules as boxes. No GL calls; internal to
-// render/gl.
+// render/gl/.
 #pragma once
 
 #include "render/drawing/sheet.h"

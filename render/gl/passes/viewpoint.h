@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What drawing needs to know about a pane's camera, and which parts of the screen things fall on. No GL
-// calls; internal to render/gl.
+// calls; internal to render/gl/.
 #pragma once
 
 #include "render/figure/camera.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Averages squares of pixels of a premultiplied picture into one each.
 uniform sampler2D u_fine;
 uniform int u_fineness;  // pixels to a side

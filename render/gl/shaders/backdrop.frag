@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The studio with nothing in it.
 noperspective in vec2 v_sky;
 noperspective in vec2 v_place;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A rectangle of the viewport.
 uniform vec4 u_bounds;  // x0, y0, x1, y1 in clip space
 uniform vec4 u_window;  // clip space to noise(): offset, factor

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // What lies behind the near sides of the glass ellipsoids, of which there are GLASSES. They are laid over each thing by
 // itself and not over the picture: laying over is affine, so things that cover one another partly come out the same.
 uniform float u_fineness;  // of pixels to a side that are averaged into one: lines keep their width

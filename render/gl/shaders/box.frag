@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Rounded box with a border; a box one line high and long is a leader line.
 in vec2 v_local;
 flat in vec4 v_ink;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Lays a premultiplied layer over what is there.
 uniform sampler2D u_layer;
 uniform vec2 u_corner;  // of the layer, px

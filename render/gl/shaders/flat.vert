@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Labels, leader lines and panels: rectangles in pixels from the lower left.
 layout(location = 0) in vec2 a_position;  // px
 layout(location = 1) in vec2 a_local;     // texels of the mask, or px from the middle of a rounded box

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The floor: grid, and (BALL) soft shadow, contact darkening and (MIRROR) a faint image of the ellipsoid, all in closed
 // form in the space where this is the unit ball. Fades with distance into the sky; FROM_BELOW it is a sheet to look
 // through, laid over what is there. Output is premultiplied. Derivatives are by formula: those of the software

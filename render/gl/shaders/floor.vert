@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A rectangle of the viewport with the rays through it, linear on the screen. What is the same in all pixels is flat:
 // on the software rasteriser uniforms cost more in a fragment shader than most arithmetic. w is 1: `noperspective`
 // changes the cost alone, and GLSL ES, which lacks it, may define it as nothing.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A glass ellipsoid with nothing in it, or (FAR_SIDE, NEAR_SIDE) one of its sides; the near one with its depth.
 noperspective in vec3 v_ray;
 noperspective in vec3 v_towards;

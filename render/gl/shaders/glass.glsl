@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Glass ellipsoids, ray-cast in the space where each is the unit ball. Colours are premultiplied. Rays have any length;
 // ways along them count in it.
 struct Ray {

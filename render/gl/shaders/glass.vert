@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A polygon around the outline of a glass ellipsoid, with the rays through it. What is the same in all pixels is flat,
 // as in floor.vert.
 uniform vec2 u_center;    // of the outline in clip space, ...

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A glass ellipsoid as the shaders get it.
 struct Glass {
   vec3 eye;       // in the ball's space, as all but the tint

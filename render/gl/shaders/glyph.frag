@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Ink where the mask says. Colours are mixed as they are stored, where light ink thins out: the gain makes up for it.
 uniform sampler2D u_atlas;
 in vec2 v_texel;

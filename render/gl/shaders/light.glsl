@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The studio's light on opaque things.
 
 /// @param to_light, to_halfway the normal's share of the direction to the key light, and of that halfway to the viewer

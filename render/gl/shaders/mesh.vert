@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_color;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Interleaved gradient noise (Jimenez 2014), half a level either way: gradients do not band, and bytes repeat.
 // The same for 16 pixels of a row, so that a PNG stays half as large, and for those that are averaged into one.
 /// @param place column / 16 and row of the pixel, from u_window, as the vertex shaders have it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The part of the pixel that the box covers, as RuleBox::coverage.
 in vec2 v_local;
 flat in vec2 v_half;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Boxes of any direction: pixels from the upper left.
 layout(location = 0) in vec2 a_position;  // px
 layout(location = 1) in vec2 a_local;     // px from the middle, along and across

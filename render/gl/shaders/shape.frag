@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A piece of a stroke is covered up to its radius from its middle line, fading over one pixel.
 in vec4 v_color;
 in vec4 v_piece;  // along, across, half length, radius; px

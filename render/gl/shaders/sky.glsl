@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The studio's gradient, of a place that is linear in clip space.
 vec2 sky_place(vec2 clip) { return (0.5 * clip - vec2(0.0, 0.12)) * vec2(1.25, 1.0); }
 

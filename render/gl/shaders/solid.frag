@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ball, or (CONE) one or two cones, ray-cast 8 times in each pixel, no two in one row or column of an 8 x 8 grid.
 flat in vec3 v_from;
 flat in vec3 v_to;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A ball, or (CONE) one or two cones, as a rectangle that faces the viewer and holds it.
 layout(location = 0) in vec2 a_corner;  // -1 or +1
 layout(location = 1) in vec3 a_from;    // middle of the ball; of the base of the last cone

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A piece of a tube, lit as a cylinder, with the part of the pixel that it covers, behind the glass where it is.
 flat in vec4 v_color;
 in vec4 v_light;  // as stroke.vert gives them

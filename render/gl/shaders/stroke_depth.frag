@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // The depth of a piece of a tube where it hides whole pixels.
 flat in vec4 v_color;
 in vec4 v_px;     // as in stroke.frag

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 in vec3 v_side;
 in vec3 v_toward;
 in vec4 v_color;

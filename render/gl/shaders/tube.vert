@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // A tube as a ribbon of two triangles a segment that faces the viewer, shaded as a cylinder.
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_tangent;  // unit

@@ -22,7 +22,7 @@ struct Requirements {
   bool cones = false;
   bool solid = false;    ///< a shape to draw
   bool meters = false;   ///< plots against time
-  bool terms = false;    ///< how long the terms of (6) become
+  bool terms = false;    ///< how long the terms of I·ω̇ + ω×(I·ω) = N become
   bool ghost = false;    ///< the exact motion beside the computed one
   bool methods = false;  ///< the table of methods
   bool orders = false;   ///< the same at shorter and shorter steps

@@ -104,6 +104,12 @@ struct Scene {
 /// The scene and those beside it, in the order in which they stand.
 std::vector<const Scene*> shown_scenes(const Scene& scene);
 
+/// Whether two scenes differ at most in how the same motion is looked at: on the way from one to the other
+/// t goes on. All fields but those named in scene.cpp belong to the motion.
+bool same_course(Scene a, const Scene& b);
+/// Whether the model of one serves the other: they differ at most in the camera and the quality.
+bool same_model(Scene a, const Scene& b);
+
 /// The t of a still.
 inline double still_time_s(const Scene& scene) { return scene.still_s.value_or(scene.at_s); }
 

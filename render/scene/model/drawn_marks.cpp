@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/scene/model/drawn_marks.h"
 
+#include "base/angles.h"
 #include "render/scene/model/model.h"
 #include "render/scene/model/translation.h"
 
@@ -55,7 +56,7 @@ class Unseen {
     const std::vector<Vec3>&from_S = model_.courses.at(mark.from.quantity.meaning).values_S,
           &to_S = model_.courses.at(mark.to.quantity.meaning).values_S;
     for (std::size_t n = 0; n < from_S.size(); ++n)
-      if (from_S[n].allFinite() && to_S[n].allFinite() && angle_between(from_S[n], to_S[n])) return;
+      if (from_S[n].allFinite() && to_S[n].allFinite() && arc_between(from_S[n], to_S[n])) return;
     found_.push_back(what + " shows nothing: they are parallel throughout");
   }
 
@@ -69,11 +70,11 @@ class Unseen {
 
 }  // namespace
 
-std::optional<double> angle_between(const Vec3& a, const Vec3& b) {
+std::optional<double> arc_between(const Vec3& a, const Vec3& b) {
   constexpr double kLeast = 0.01;  // rad: an arc that is shorter than its line is thick
   if (a.isZero(0.0) || b.isZero(0.0)) return std::nullopt;
   const Vec3 u = a.stableNormalized(), v = b.stableNormalized();
-  const double angle_rad = std::atan2(u.cross(v).norm(), u.dot(v));
+  const double angle_rad = angle_between(u, v);
   constexpr double kNoPlane = 1e-6;  // of opposite vectors
   const bool is_seen = angle_rad >= kLeast && u.cross(v).norm() > kNoPlane;
   return is_seen ? std::optional(angle_rad) : std::nullopt;

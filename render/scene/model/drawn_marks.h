@@ -22,9 +22,9 @@ bool draws_marks(const Scene& scene);
 /// one another.
 bool draws_poses(const Scene& scene);
 
-/// The angle from one vector to another, 0 to π, rad. Nothing where there is no arc to draw: one of them is
-/// 0, or they are parallel.
-std::optional<double> angle_between(const Vec3& a, const Vec3& b);
+/// The angle of the arc from one vector to another, 0 to π, rad. Nothing where there is no arc to draw: one
+/// of them is 0, or they are parallel.
+std::optional<double> arc_between(const Vec3& a, const Vec3& b);
 
 /// A vector over the model's span: at even times from 0 to the end, SI, components in space; NaN where it has
 /// no value.

@@ -35,7 +35,7 @@ struct SceneModel {
   std::unique_ptr<const Motion> exact;   ///< of the ghost; null: none is asked for
   Quat q0_SB = Quat::Identity();         ///< attitude at t = 0
   double L_reference = 0.0;   ///< |L| that is drawn at full length, kg m²/s: the larger of start and `at`
-  double longest_term = 0.0;  ///< of equation (6), drawn at full length, N m
+  double longest_term = 0.0;  ///< of I·ω̇ + ω×(I·ω) = N, drawn at full length, N m
   VectorCourses courses;      ///< of the marks, over span_s
   double span_s = 0.0;        ///< what curves over time cover and one loop of a film shows
   double reach_s = 0.0;       ///< the longest |t| that it, and what is beside it, is to be asked for

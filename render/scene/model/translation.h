@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The motion of the centre of mass: equations (1) and (3) of the lecture, dp/dt = F and p = m v. The force of
-// a scene is constant in space, so that both are integrated in closed form, and the rotation has no part in
-// them.
+// The motion of the centre of mass, dp/dt = F with p = m v. The force of a scene is constant in space, so
+// that both are integrated in closed form, and the rotation has no part in them.
 #pragma once
 
 #include "render/scene/description/scene.h"

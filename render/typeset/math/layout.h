@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Inside of set_math(). The rules named are those of The TeXbook, Appendix G.
+// What stands behind set_math(). The rules named are those of The TeXbook, Appendix G. Internal to
+// render/typeset/math/.
 #pragma once
 
 #include "render/typeset/math/constants.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Inside of parse_math(): TeX by recursive descent.
+// TeX by recursive descent: what stands behind parse_math(). Internal to render/typeset/math/.
 #pragma once
 
 #include "render/typeset/math/commands.h"

@@ -72,8 +72,7 @@ constexpr const char* kTwoSteps =
     "# A stage {s}\n\nThe first step has these words, and a line more of them.\n\n```math first\nT = "
     "1\n```\n\n"
     "```scene\n```\n\n---\n\nThe second step has these other words, and a line more of them.\n\n```math "
-    "second\nT = "
-    "2\n```\n";
+    "second\nT = 2\n```\n";
 
 TEST(Slide, HasTheStepAloneAndWhatItGoesOnFrom) {
   const Slides slides(kTwoSteps);

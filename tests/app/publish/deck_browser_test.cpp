@@ -280,9 +280,8 @@ TEST_F(DeckBrowser, FitsAnyWindowWithoutScrolling) {
       const Json fits = value(
           "(() => { const b = document.querySelector('.current img').getBoundingClientRect(); const d = "
           "document.documentElement; return b.left >= 0 && b.top >= 0 && b.right <= innerWidth && b.bottom "
-          "<= "
-          "innerHeight && b.width > 100 && b.height > 60 && d.scrollWidth <= innerWidth && d.scrollHeight <= "
-          "innerHeight; })()");
+          "<= innerHeight && b.width > 100 && b.height > 60 && d.scrollWidth <= innerWidth && d.scrollHeight "
+          "<= innerHeight; })()");
       EXPECT_EQ(fits, true) << width << 'x' << height << notes;
     }
     press("n");

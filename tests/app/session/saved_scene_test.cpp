@@ -295,12 +295,11 @@ TEST(SavedScene, HighlightsOfTermsThatAreNotInItAreLeftOut) {
 }
 
 TEST(SavedScene, MacrosAndSymbolsComeBack) {
-  LessonSession session(
-      test::loaded_text("+++\nformat = 1\nid = \"x\"\ntitle = 'The \"X\"'\n[macros]\nprimed = { arguments = "
-                        "1, tex = \"#1'\" }\n"
-                        "half = '\\frac12'\n[symbols]\nomega = { tex = '\\vec\\omega', role = \"omega\", say "
-                        "= \"spin\", unit = "
-                        "\"rad/s\" }\nprimes = { tex = \"x'\" }\n+++\n# X {x}\nText $\\half\\primed{x}$.\n"));
+  LessonSession session(test::loaded_text(
+      "+++\nformat = 1\nid = \"x\"\ntitle = 'The \"X\"'\n[macros]\nprimed = { arguments = "
+      "1, tex = \"#1'\" }\n"
+      "half = '\\frac12'\n[symbols]\nomega = { tex = '\\vec\\omega', role = \"omega\", say = \"spin\", unit "
+      "= \"rad/s\" }\nprimes = { tex = \"x'\" }\n+++\n# X {x}\nText $\\half\\primed{x}$.\n"));
   const std::string text = lesson_of(session);
   const LessonReading reading = check_lesson(text, "saved.md");
   ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front()) << text;

@@ -106,8 +106,7 @@ TEST(SymbolNote, HasNoValueOfWhatTheSceneHasNot) {
 TEST(SymbolNote, OfATermIsItsFormulaInWords) {
   LessonReading reading = read_lesson(
       "+++\nformat = 1\nid = \"page\"\ntitle = \"Terms\"\n[symbols]\nL = { tex = '\\vec L', role = \"L\", "
-      "say = "
-      "\"angular momentum\" }\n+++\n# One {one}\n```math a\n\\term{left}{a + b} = \\term{right}{\\vec "
+      "say = \"angular momentum\" }\n+++\n# One {one}\n```math a\n\\term{left}{a + b} = \\term{right}{\\vec "
       "L}\n```\n\n---\n"
       "```math b\n\\term{left}{c} = d\n```\n\n# Two {two}\n```math c\n\\frac{\\term{left}{x}}{y} = 1\n```\n",
       "terms.md");

@@ -117,8 +117,7 @@ TEST(MarkKeys, AreWrittenAsTheyWereRead) {
   for (const char* keys :
        {"trails = [{ of = 'e3', on = 'sphere' }, { of = 'L' }]\n",
         "arrows = [{ of = 'ddt(e3)', at = 'e3', tex = '\\dot e', length = 0.7 }, { of = 'comp(omega, 3)*e3', "
-        "tex = "
-        "'', like = 'omega' }]\n",
+        "tex = '', like = 'omega' }]\n",
         "angles = [{ from = 'ez', to = 'e3', tex = '\\theta' }, { from = 'ex', to = 'e1' }]\n",
         "planes = [{ normal = 'L', through = 'omega' }, { normal = 'ez' }]\n",
         "notes = [{ text = \"it's \\\"odd\\\"\", at = 'e3' }]\n"}) {

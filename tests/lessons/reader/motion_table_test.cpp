@@ -26,8 +26,7 @@ constexpr const char* kScene = "\n```scene\nomega = [0.8, 0, 2]\n```\n";
 /// The table begins on line 14.
 std::string lesson(const std::string& table, const std::string& scene = kScene) {
   return "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n[body.pencil]\nmoments = [1, 1, "
-         "0.3]\n[body.coin]\nmoments = "
-         "[1, 1, 1.9]\n[scene]\nbody = \"pencil\"\n+++\n# S {s}\n```table\n" +
+         "0.3]\n[body.coin]\nmoments = [1, 1, 1.9]\n[scene]\nbody = \"pencil\"\n+++\n# S {s}\n```table\n" +
          table + "\n```\n" + scene;
 }
 

@@ -6,9 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -214,8 +217,7 @@ TEST(SceneKeys, RefuseAShapeThatHangsOnNoPrincipalAxis) {
   };
   const std::string says =
       "error: the moments of \"book\" about the pivot: its weight hangs on no principal axis, so that 1, 2, "
-      "3 "
-      "are not principal at the pivot (let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by "
+      "3 are not principal at the pivot (let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by "
       "moments about the pivot)";
   EXPECT_THAT(complaints("torque = \"heavy:0.5,0,1,1\""), ElementsAre("10:10: " + says));
   EXPECT_THAT(complaints("torque = \"heavy:0.5,0,1,0\""), IsEmpty());
@@ -244,6 +246,84 @@ TEST(SceneKeys, APictureThatStaysSaysWhyInItsStep) {
   LessonScene scene;
   read_scene_keys(testing::toml("same = \" \""), {}, {}, scene, at.texts, SourcePlace{1, 1});
   EXPECT_TRUE(at.report.has_errors());
+}
+
+/// What a step's scene with one key more is to the scene without it.
+enum class Effect {
+  of_step,        ///< the same scene: it is said of the step
+  other_picture,  ///< from another camera, or finer: the same model serves it
+  other_look,     ///< of the same motion, on which t goes on
+  other_course
+};
+void PrintTo(Effect effect, std::ostream* out) {
+  *out << std::array{"of the step", "other picture", "other look", "other course"}[std::size_t(effect)];
+}
+
+struct KeyEffect {
+  const char *key, *value;
+  Effect effect;
+};
+
+// A row for each key of the table: a field that same_course or same_model forgets is seen here.
+constexpr KeyEffect kEffects[] = {
+    {"body", "'textbook'", Effect::other_course},
+    {"omega", "[1, 2, 3]", Effect::other_course},
+    {"attitude", "'L-up'", Effect::other_course},
+    {"start", "{ theta_deg = 30, spin = 50 }", Effect::other_course},
+    {"torque", "'damping:0.5'", Effect::other_course},
+    {"velocity", "[1, 0, 0]", Effect::other_course},
+    {"force", "[1, 0, 0]", Effect::other_course},
+    {"arrow", "'body'", Effect::other_course},
+    {"motion", "'dormand-prince-5'", Effect::other_course},
+    {"views", "'body'", Effect::other_look},
+    {"show", "'omega'", Effect::other_look},
+    {"trails", "[{ of = 'e3' }]", Effect::other_look},
+    {"arrows", "[{ of = 'e3' }]", Effect::other_look},
+    {"angles", "[{ from = 'ez', to = 'e3' }]", Effect::other_look},
+    {"planes", "[{ normal = 'L', through = 'omega' }]", Effect::other_look},
+    {"notes", "[{ text = 'tip', at = 'e3' }]", Effect::other_look},
+    {"poses", "{ count = 5, over = 0.8 }", Effect::other_look},
+    {"camera", "{ distance = 3 }", Effect::other_picture},
+    {"at", "1", Effect::other_course},
+    {"still", "1", Effect::other_course},
+    {"duration", "1", Effect::other_course},
+    {"rate", "1", Effect::other_course},
+    {"highlight", "'omega'", Effect::other_look},
+    {"quality", "'fine'", Effect::other_picture},
+    {"caption", "'A caption'", Effect::other_look},
+    {"meters", "'energy'", Effect::other_look},
+    {"scenes", "[{}, { omega = [1, 2, 3] }]", Effect::other_course},
+    {"vary", "{ omega3 = { from = 1, to = 9 } }", Effect::other_course},
+    {"same", "'a question about it'", Effect::of_step},
+    {"from", "'a'", Effect::of_step},
+};
+
+TEST(SceneKeyFacts, AreAllOfTheMotionOrOfItsLook) {
+  std::vector<std::string_view> names, tried;
+  for (const SceneKeyFacts& key : scene_key_facts()) names.push_back(key.name);
+  for (const KeyEffect& row : kEffects) tried.emplace_back(row.key);
+  EXPECT_EQ(tried, names);
+
+  // A top on its pivot, whose start two numbers tell.
+  const std::string top =
+      "+++\nformat = 1\nid = \"top\"\ntitle = \"Top\"\n[body.top]\nshape = \"cylinder\"\n"
+      "size_m = [0.2, 0.2, 0.02]\nmass_kg = 1.0\npivot_m = [0, 0, -0.1]\n[scene]\nbody = \"top\"\n+++\n";
+  for (const KeyEffect& row : kEffects) {
+    const std::string line = std::string(row.key) + " = " + row.value + '\n';
+    const std::string weight = std::string_view(row.key) == "start" ? "torque = 'weight'\n" : "";
+    const LessonReading reading =
+        read_lesson(top + "# A stage {one}\n```math a\nx = y\n```\n```scene\n" + weight +
+                        "```\n\n---\n```math b\nx = z\n```\n```scene\n" + line + "```\n",
+                    "top.md");
+    ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+    const auto& steps = reading.lesson->stages[0].steps;
+    const Scene &before = *steps.at(0).scene, &after = *steps.at(1).scene;
+    const Effect effect = after == before              ? Effect::of_step
+                          : same_model(before, after)  ? Effect::other_picture
+                          : same_course(before, after) ? Effect::other_look
+                                                       : Effect::other_course;
+    EXPECT_EQ(effect, row.effect) << line;
+  }
 }
 
 TEST(SceneKeyFacts, AreTheTableOfTheFormat) {

@@ -79,8 +79,7 @@ TEST(SideBySide, ReadBackAsTheyAreWritten) {
   const Scene first = shown_by(
       "body = 'book'\nattitude = 'L-down'\ncaption = 'left'\nscenes = [{ show = 'omega' }, "
       "{ caption = '', omega = [0, 0.125, 4], torque = 'damping:0.5', motion = { method = 'rk4', step = 0.02 "
-      "} }, "
-      "{ meters = 'omega', camera = { azimuth_deg = 90, elevation_deg = 10 } }]");
+      "} }, { meters = 'omega', camera = { azimuth_deg = 90, elevation_deg = 10 } }]");
   const std::string text = scene_keys_text(first, first.at_s);
   EXPECT_EQ(shown_by(text), first) << text;
 }

@@ -19,11 +19,9 @@ using ::testing::SizeIs;
 
 constexpr const char* kProse =
     "The body in the picture is a hard test: a slender rod with the moments 1, 1 and 0.0001. It spins with "
-    "200 "
-    "rad/s about its length and with 0.1 rad/s across it. The step is one millisecond, so the rod turns by "
-    "0.2 "
-    "rad in each step. Watch the direction: in a free motion it must not move at all, and any trail that it "
-    "leaves is an error of the well-known method.";
+    "200 rad/s about its length and with 0.1 rad/s across it. The step is one millisecond, so the rod turns "
+    "by 0.2 rad in each step. Watch the direction: in a free motion it must not move at all, and any trail "
+    "that it leaves is an error of the well-known method.";
 
 TextSpan text(std::string words) {
   TextSpan span;

@@ -101,14 +101,14 @@ TEST(DrawnPoses, AreOfABodyThatIsSeenToFly) {
   EXPECT_FALSE(draws_poses(scene));
 }
 
-TEST(AngleBetween, IsThatOfTheDirections) {
-  EXPECT_NEAR(*angle_between(Vec3::UnitX(), Vec3(0, 7, 0)), std::numbers::pi / 2, kRounding);
-  EXPECT_NEAR(*angle_between(1e300 * Vec3(1, 0, 0), 1e-300 * Vec3(1, 1, 0)), std::numbers::pi / 4, kRounding);
-  EXPECT_NEAR(*angle_between(Vec3::UnitX(), Vec3(-1, 1e-3, 0)), std::numbers::pi - 1e-3, 1e-9);
-  EXPECT_FALSE(angle_between(Vec3::UnitX(), Vec3::Zero()));
-  EXPECT_FALSE(angle_between(Vec3::UnitX(), 3 * Vec3::UnitX()));
-  EXPECT_FALSE(angle_between(Vec3::UnitX(), -Vec3::UnitX())) << "through which plane?";
-  EXPECT_FALSE(angle_between(Vec3::UnitX(), Vec3(1, 1e-4, 0))) << "shorter than its line is thick";
+TEST(ArcBetween, IsThatOfTheDirections) {
+  EXPECT_NEAR(*arc_between(Vec3::UnitX(), Vec3(0, 7, 0)), std::numbers::pi / 2, kRounding);
+  EXPECT_NEAR(*arc_between(1e300 * Vec3(1, 0, 0), 1e-300 * Vec3(1, 1, 0)), std::numbers::pi / 4, kRounding);
+  EXPECT_NEAR(*arc_between(Vec3::UnitX(), Vec3(-1, 1e-3, 0)), std::numbers::pi - 1e-3, 1e-9);
+  EXPECT_FALSE(arc_between(Vec3::UnitX(), Vec3::Zero()));
+  EXPECT_FALSE(arc_between(Vec3::UnitX(), 3 * Vec3::UnitX()));
+  EXPECT_FALSE(arc_between(Vec3::UnitX(), -Vec3::UnitX())) << "through which plane?";
+  EXPECT_FALSE(arc_between(Vec3::UnitX(), Vec3(1, 1e-4, 0))) << "shorter than its line is thick";
 }
 
 }  // namespace
