@@ -126,8 +126,10 @@ class ClaimCheck {
   }
 
   void check(const Ask& ask, const Step& step) {
-    for (const RichText& reply : ask.replies) check_formulas_in(reply, step);
-    check_formulas_in(ask.because, step);
+    check_text(ask.prompt_text, step);
+    for (const auto* texts : {&ask.choice_texts, &ask.replies, &ask.hint_texts})
+      for (const RichText& text : *texts) check_text(text, step);
+    check_text(ask.because, step);
     if (ask.derivation) check_derivation(ask, *ask.derivation);
     const auto& answer = ask.expression;
     if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)
