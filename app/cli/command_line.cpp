@@ -52,7 +52,7 @@ void describe_program(CLI::App& app) {
       "LESSON is an id, looked up in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons,\n"
       "or a file. Numbers may be decimal or hexadecimal (0x1.8p+1).\n"
       "Exit codes: 0 done, 1 failed while running, 2 usage, 3 lesson, body or state invalid,\n"
-      "4 compared and different, a wrong answer, or an export not whole, 130 interrupted.\n"
+      "4 compared and different, a wrong answer, an export or a class not whole, 130 interrupted.\n"
       "See: polhode COMMAND --help");
 }
 

@@ -33,18 +33,24 @@ void draw_progress(const PanelContext& context) {
   const Progress progress = progress_of(lesson, context.session.answers());
   if (progress.all.asked == 0) return;
   quiet_words("Questions: " + words_of(progress.all));
-  if (!progress.tests_outcomes() || !ImGui::BeginTable("outcomes", 2, ImGuiTableFlags_BordersInnerH)) return;
-  const float numbers = ImGui::CalcTextSize("00/00").x;
+  if (!progress.tests_outcomes() || !ImGui::BeginTable("outcomes", 2)) return;
+  constexpr const char* kNumbers = "right/asked";
   ImGui::TableSetupColumn("outcome", ImGuiTableColumnFlags_WidthStretch);
-  ImGui::TableSetupColumn("right", ImGuiTableColumnFlags_WidthFixed, numbers);
+  ImGui::TableSetupColumn(kNumbers, ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize(kNumbers).x);
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("outcome");
+  ImGui::TableNextColumn();
+  ImGui::TextDisabled("%s", kNumbers);
   for (std::size_t i = 0; i < progress.outcomes.size(); ++i)
     if (progress.outcomes[i].asked > 0) outcome_row(lesson.about.outcomes[i], progress.outcomes[i]);
   ImGui::EndTable();
+  ImGui::Spacing();
 }
 
 void draw_summary(PanelContext& context) {
   LessonSession& session = context.session;
-  heading("What you can do now");
+  heading("How far you have come");
   draw_progress(context);
   std::vector<PlacedAsk> open;
   for (PlacedAsk& question : questions_of(session.lesson())) {
@@ -55,13 +61,14 @@ void draw_summary(PanelContext& context) {
     heading("Not yet answered right");
     std::optional<Place> chosen;
     for (const PlacedAsk& question : open) {
-      const Stage& stage = session.lesson().stages[question.place.stage];
-      const std::string words =
-          fmt::format("{}: {}##{}", context.speech.words_of_title(stage), question.ask->id, question.name);
+      std::string title = context.speech.words_of_title(session.lesson().stages[question.place.stage]);
+      if (title.ends_with('.')) title.pop_back();
+      const std::string words = fmt::format("{}: {}##{}", title, question.ask->id, question.name);
       if (ImGui::Selectable(words.c_str())) chosen = Place{question.place.stage, question.place.step};
     }
     if (chosen) session.go_to(*chosen);
   }
+  ImGui::Spacing();
   if (const std::string& next = session.lesson().about.next; !next.empty())
     quiet_words(fmt::format("The lesson to go on with: {}", next));
 }
