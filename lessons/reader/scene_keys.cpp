@@ -504,7 +504,7 @@ class SceneKeys {
     if (const auto level = quality_level_from(*name)) {
       scene_.quality = *level;
     } else {
-      unknown("quality", {*name, entry.value.place}, {"draft", "normal", "fine"});
+      unknown("quality", {*name, entry.value.place}, quality_level_names());
     }
   }
 
