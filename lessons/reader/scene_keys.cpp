@@ -128,7 +128,9 @@ class SceneKeys {
 
   std::vector<PlacedText> read(const TomlTable& table);
 
-  /// All that is known of a key. To add one: a row of the table, which FORMAT.md repeats, and a reader here.
+  /// All that is known of a key. To add one: a row of the table, which FORMAT.md repeats, and a reader here;
+  /// a field of Scene, which same_course and same_model (scene.h) are to know, with its text in
+  /// scene_values.cpp.
   struct Row {
     SceneKeyFacts facts;
     void (SceneKeys::*read)(const TomlEntry&);
