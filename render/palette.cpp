@@ -33,7 +33,7 @@ Color on_dark(const Color& color) {
 }
 
 Color family_color(double s) {
-  constexpr std::array<Color, 5> kStops = {color_from_hex(0x4C3A9E), color_from_hex(0x7F7CC4),
+  constexpr std::array<Color, 5> kStops = {kBodyAxisRoles[0].ink, color_from_hex(0x7F7CC4),
                                            color_from_hex(0x8E9BAA), color_from_hex(0x4FA3B5),
                                            color_from_hex(0x0A7486)};
   const double place = std::clamp(s, 0.0, 1.0) * static_cast<double>(kStops.size() - 1);

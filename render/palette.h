@@ -41,9 +41,9 @@ std::optional<Role> role_from(std::string_view name);
 
 inline constexpr Color kSeparatrixPaint = color_from_hex(0x59616C);
 inline constexpr Color kPaper = color_from_hex(0xFBFAF6);
-inline constexpr Color kInk = color_from_hex(0x23262B);
-inline constexpr Color kGlassTint = color_from_hex(0x8FC3DA);
-inline constexpr Color kSphereTint = color_from_hex(0xC9B98A);
+inline constexpr Color kInk = kTRole.ink;
+inline constexpr Color kGlassTint = color_from_hex(0x8FC3DA), kGlassInk = color_from_hex(0x2F6178);
+inline constexpr Color kSphereTint = color_from_hex(0xC9B98A), kSphereInk = color_from_hex(0x6B5B2E);
 inline constexpr Color kSolid = color_from_hex(0xD9CDB8);
 
 /// Whether inks made for paper cannot be read on it.

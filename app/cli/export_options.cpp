@@ -184,8 +184,7 @@ ExportOptions export_options(const TypedExport& typed) {
   options.background = background_name(typed.background, options.what);
   options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
   if (!typed.quality.empty())
-    options.quality =
-        static_cast<QualityLevel>(choice("--quality", typed.quality, {"draft", "normal", "fine"}));
+    options.quality = static_cast<QualityLevel>(choice("--quality", typed.quality, quality_level_names()));
   options.text_scale = text_scale_of(typed.text_size);
   options.dpi = dpi_of(typed.dpi, typed.size, options.what);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));

@@ -23,7 +23,7 @@ std::string view_words(const std::vector<View>& views) {
 
 std::string diagram_words(const OverlaySet& show) {
   const std::size_t count = diagrams_in(show).size();
-  return count > 1 ? "Boards" : "A board";
+  return count > 1 ? "Diagrams" : "A diagram";
 }
 
 std::string shown_words(const OverlaySet& show, const std::vector<std::string>& marks) {

@@ -18,7 +18,7 @@ bool have_one_caption(const std::vector<const Scene*>& shown);
 /// Each step's motion is computed once, when its numbers are first asked for. The lesson must outlive it.
 class StillNumbers {
  public:
-  /// In their units, by LiveNumber::id.
+  /// Each number in its unit, under its LiveNumber::id.
   using Values = std::map<int, double>;
 
   /// `effort` is told what the motions cost.

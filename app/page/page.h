@@ -126,7 +126,8 @@ Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts);
 /// Pure: depends on its arguments alone. Nothing is ever cut: what is too long is set smaller.
 /// Errors as of text_of_page.
 Result<Page> compose_page(const PageRequest& request, const Fonts& fonts);
-/// The same with a text that is there: of this request, whatever its entrance, and if it runs its time.
+/// The same with the text that text_of_page gave for this request; the request may be further on in its
+/// entrance since, and, if it runs, in its time.
 Page compose_page(const PageRequest& request, const FittedText& text, const Fonts& fonts);
 
 }  // namespace polhode

@@ -10,12 +10,12 @@ namespace {
 constexpr PageColors kLight = {.paper = kPaper,
                                .ink = kInk,
                                .quiet = color_from_hex(0x5F656D),
-                               .accent = color_from_hex(0xB04A00),
+                               .accent = kOmegaRole.ink,
                                .panel = color_from_hex(0xF3EDDD),
                                .line = color_from_hex(0xDDD8CB),
                                .said = color_from_hex(0x5F656D),
-                               .meant = color_from_hex(0x00734F),
-                               .question = color_from_hex(0x005F99),
+                               .meant = kPolhodeRole.ink,
+                               .question = kLRole.ink,
                                .marked = color_from_hex(0xF0C27A, 0.55F),
                                .backdrop = kPaper};
 

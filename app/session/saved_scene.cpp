@@ -24,20 +24,6 @@ namespace {
 
 // The front matter.
 
-const char* name_of_shape(ShapeKind kind) {
-  switch (kind) {
-    case ShapeKind::box:
-      return "box";
-    case ShapeKind::ellipsoid:
-      return "ellipsoid";
-    case ShapeKind::cylinder:
-      return "cylinder";
-    case ShapeKind::t_handle:
-      break;
-  }
-  return "t-handle";
-}
-
 std::string key_of(const std::string& name) { return is_id(name) ? name : toml(name); }
 
 /// "tex = 'E', say = \"energy\""
@@ -234,12 +220,12 @@ std::string own_body_of(const Body& body, const Torque& torque) {
   if (const auto built_in = find_body(body.name); built_in && reads_as_it(*built_in)) return {};
   std::string lines = fmt::format("\n[body.{}]\n", body.name);
   if (body.shape && reads_as_it(make_body(body.name, body.shape->kind, body.shape->size_m, body.mass_kg)))
-    return lines + fmt::format("shape = \"{}\"\nsize_m = {}\nmass_kg = {}\n", name_of_shape(body.shape->kind),
+    return lines + fmt::format("shape = \"{}\"\nsize_m = {}\nmass_kg = {}\n", name_of(body.shape->kind),
                                toml(body.shape->size_m), toml(body.mass_kg));
   lines += fmt::format("moments = {}\n", toml(body.moments.vector()));
   if (body.mass_kg != 1.0) lines += fmt::format("mass_kg = {}\n", toml(body.mass_kg));
   if (!body.shape) return lines;
-  lines += fmt::format("draw = \"{}\"\n", name_of_shape(body.shape->kind));
+  lines += fmt::format("draw = \"{}\"\n", name_of(body.shape->kind));
   if (body.shape != equivalent_box(body.moments, body.mass_kg))
     lines += fmt::format("size_m = {}\n", toml(body.shape->size_m));
   return lines;

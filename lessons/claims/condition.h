@@ -10,8 +10,8 @@
 
 namespace polhode {
 
-/// What a premise sets, as an assumption would (given.h): N1 = 0, N2 = 0, N3 = 0. The states of possible
-/// bodies in which it holds are exactly those in which what it sets is set.
+/// What a premise sets, as an assumption would (given.h): N1 = 0, N2 = 0, N3 = 0. A possible body
+/// is in a state in which the premise holds if, and only if, these quantities have what they are set to.
 ///
 /// Each component of the premise, written out (rational_function.h), is solved for a component of N or ω or
 /// for a moment that occurs in it once, times moments and numbers only: for such a factor is never 0. So no

@@ -20,6 +20,7 @@ struct QuantityFacts {
   ExpressionType type;
   int order;                           ///< as of ExpressionNode
   std::optional<Dimension> dimension;  ///< nothing: it may be anything
+  std::string_view arrow_letter{};     ///< TeX of what is printed with an arrow: "\\omega"; empty: nothing is
 };
 
 struct FunctionFacts {
@@ -54,13 +55,13 @@ inline constexpr std::array<QuantityFacts, 35> kQuantities = [] {
       {"m", S::m, scalar, 0, Dimension{1, 0, 0}},
       {"h", S::h, scalar, 0, {}},
       {"k", S::k, scalar, 0, {}},
-      {"omega", S::omega, vector, 0, kSpin},
-      {"L", S::L, vector, 0, Dimension{1, 2, -1}},
-      {"N", S::N, vector, 1, kEnergy},
-      {"p", S::p, vector, 0, Dimension{1, 1, -1}},
-      {"v", S::v, vector, 0, Dimension{0, 1, -1}},
-      {"F", S::F, vector, 1, Dimension{1, 1, -2}},
-      {"A", S::A, vector, 0, {}},
+      {"omega", S::omega, vector, 0, kSpin, "\\omega"},
+      {"L", S::L, vector, 0, Dimension{1, 2, -1}, "L"},
+      {"N", S::N, vector, 1, kEnergy, "N"},
+      {"p", S::p, vector, 0, Dimension{1, 1, -1}, "p"},
+      {"v", S::v, vector, 0, Dimension{0, 1, -1}, "v"},
+      {"F", S::F, vector, 1, Dimension{1, 1, -2}, "F"},
+      {"A", S::A, vector, 0, {}, "A"},
       {"e1", S::e1, vector, 0, kNumber},
       {"e2", S::e2, vector, 0, kNumber},
       {"e3", S::e3, vector, 0, kNumber},

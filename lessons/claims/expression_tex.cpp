@@ -18,26 +18,9 @@ struct Piece {
 };
 
 /// "\vec L" without its arrow, as components are written; empty of what has no letter.
-std::string_view letter_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::omega:
-      return "\\omega";
-    case Quantity::L:
-      return "L";
-    case Quantity::N:
-      return "N";
-    case Quantity::p:
-      return "p";
-    case Quantity::v:
-      return "v";
-    case Quantity::F:
-      return "F";
-    case Quantity::A:
-      return "A";
-    default:
-      return "";
-  }
-}
+std::string_view letter_of(Quantity quantity) { return facts_of(quantity).arrow_letter; }
+
+}  // namespace
 
 std::string tex_of(Quantity quantity) {
   if (const auto letter = letter_of(quantity); !letter.empty())
@@ -54,6 +37,8 @@ std::string tex_of(Quantity quantity) {
   }
   return "";
 }
+
+namespace {
 
 class Printer {
  public:

@@ -10,6 +10,9 @@
 
 namespace polhode {
 
+/// "\vec L", "I_1", "\hat e_x".
+std::string tex_of(Quantity quantity);
+
 /// "\vec\omega\cdot\mathbf I\cdot\vec\omega" of dot(omega, inertia(omega)): TeX that stands in a line of
 /// text. Read as a printed equation (lessons/notation/tex_equation.h) it is the same function of the state,
 /// but for the components of J, which no page prints. Words of the lesson's `vocabulary` are printed as it

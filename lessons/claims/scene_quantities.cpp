@@ -12,9 +12,9 @@
 namespace polhode {
 namespace {
 
-/// A mark of its parts, in which words of the lesson are written out: two that are not the same have another.
-/// Only whether a lesson that was changed needs another picture hangs on it.
-std::string meaning_of(const Expression& expression) {
+/// A hash of its parts, in which words of the lesson are written out. Two that are not the same have the same
+/// one with a chance of 2⁻⁶⁴.
+std::string fingerprint_of(const Expression& expression) {
   std::ostringstream text;
   text.precision(17);
   for (const ExpressionNode& node : expression.nodes) {
@@ -32,7 +32,7 @@ std::string meaning_of(const Expression& expression) {
 SceneQuantity scene_quantity(Expression expression, std::string tex, std::string unit, std::string role) {
   SceneQuantity quantity{.text = expression.text,
                          .tex = std::move(tex),
-                         .meaning = meaning_of(expression),
+                         .fingerprint = fingerprint_of(expression),
                          .is_vector = expression.type() == ExpressionType::vector,
                          .unit = std::move(unit),
                          .role = std::move(role),
@@ -51,7 +51,7 @@ SceneQuantity scene_quantity(Expression expression, std::string tex, std::string
 }
 
 FunctionOfConstant function_of_constant(Expression expression, int variable) {
-  FunctionOfConstant function{meaning_of(expression), {}};
+  FunctionOfConstant function{fingerprint_of(expression), {}};
   const auto shared = std::make_shared<const Expression>(std::move(expression));
   function.values = [shared, variable, of_rates = has_rates(*shared)](const SceneModel& model,
                                                                       const std::vector<double>& x) {

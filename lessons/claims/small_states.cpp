@@ -54,76 +54,78 @@ constexpr std::array<std::array<Whole, 4>, 5> kAttitudes{
 constexpr std::array<Whole, 7> kConstants{2, 3, 1, 5, -1, 4, 7};
 
 /// What else there is; the eigenvalues of J lie between 6 and 12 (Gershgorin), so that it is possible.
-struct Company {
+struct OtherQuantities {
   std::array<Whole, 6> J;
   Whole3 v, dv, A, dA, F;
   Whole m, h, k;
   Whole3 ddv, ddA, dF;
 };
-constexpr std::array<Company, 5> kCompany{{{{8, 1, 0, 9, 0, 10},
-                                            {1, 0, 0},
-                                            {0, 1, 0},
-                                            {1, 0, 0},
-                                            {0, 1, 0},
-                                            {0, 1, 0},
-                                            2,
-                                            2,
-                                            3,
-                                            {0, 0, 1},
-                                            {0, 0, 1},
-                                            {1, 0, 0}},
-                                           {{8, 0, 1, 9, -1, 10},
-                                            {0, 1, 0},
-                                            {1, 0, 1},
-                                            {1, 0, 1},
-                                            {0, 0, 1},
-                                            {1, 1, 0},
-                                            3,
-                                            3,
-                                            1,
-                                            {1, 0, 0},
-                                            {1, 1, 0},
-                                            {0, 0, 1}},
-                                           {{10, 1, 1, 9, 1, 8},
-                                            {1, 2, 3},
-                                            {3, 1, -1},
-                                            {2, -1, 3},
-                                            {2, -1, 1},
-                                            {1, 2, -1},
-                                            2,
-                                            1,
-                                            2,
-                                            {1, -1, 2},
-                                            {3, 1, 2},
-                                            {2, 1, 3}},
-                                           {{8, 1, 0, 9, 0, 10},
-                                            {1, 0, 0},
-                                            {0, 1, 0},
-                                            {1, 0, 0},
-                                            {0, 0, 0},
-                                            {0, 0, 0},
-                                            1,
-                                            1,
-                                            1,
-                                            {0, 0, 0},
-                                            {0, 0, 0},
-                                            {0, 0, 0}},
-                                           {{8, 1, 0, 9, 0, 10},
-                                            {0, 0, 0},
-                                            {0, 1, 0},
-                                            {1, 0, 0},
-                                            {0, 0, 0},
-                                            {1, 0, 0},
-                                            1,
-                                            -1,
-                                            2,
-                                            {0, 0, 0},
-                                            {0, 0, 0},
-                                            {0, 0, 0}}}};
+constexpr std::array<OtherQuantities, 5> kOtherQuantities{{
+    {.J = {8, 1, 0, 9, 0, 10},
+     .v = {1, 0, 0},
+     .dv = {0, 1, 0},
+     .A = {1, 0, 0},
+     .dA = {0, 1, 0},
+     .F = {0, 1, 0},
+     .m = 2,
+     .h = 2,
+     .k = 3,
+     .ddv = {0, 0, 1},
+     .ddA = {0, 0, 1},
+     .dF = {1, 0, 0}},
+    {.J = {8, 0, 1, 9, -1, 10},
+     .v = {0, 1, 0},
+     .dv = {1, 0, 1},
+     .A = {1, 0, 1},
+     .dA = {0, 0, 1},
+     .F = {1, 1, 0},
+     .m = 3,
+     .h = 3,
+     .k = 1,
+     .ddv = {1, 0, 0},
+     .ddA = {1, 1, 0},
+     .dF = {0, 0, 1}},
+    {.J = {10, 1, 1, 9, 1, 8},
+     .v = {1, 2, 3},
+     .dv = {3, 1, -1},
+     .A = {2, -1, 3},
+     .dA = {2, -1, 1},
+     .F = {1, 2, -1},
+     .m = 2,
+     .h = 1,
+     .k = 2,
+     .ddv = {1, -1, 2},
+     .ddA = {3, 1, 2},
+     .dF = {2, 1, 3}},
+    {.J = {8, 1, 0, 9, 0, 10},
+     .v = {1, 0, 0},
+     .dv = {0, 1, 0},
+     .A = {1, 0, 0},
+     .dA = {0, 0, 0},
+     .F = {0, 0, 0},
+     .m = 1,
+     .h = 1,
+     .k = 1,
+     .ddv = {0, 0, 0},
+     .ddA = {0, 0, 0},
+     .dF = {0, 0, 0}},
+    {.J = {8, 1, 0, 9, 0, 10},
+     .v = {0, 0, 0},
+     .dv = {0, 1, 0},
+     .A = {1, 0, 0},
+     .dA = {0, 0, 0},
+     .F = {1, 0, 0},
+     .m = 1,
+     .h = -1,
+     .k = 2,
+     .ddv = {0, 0, 0},
+     .ddA = {0, 0, 0},
+     .dF = {0, 0, 0}},
+}};
 
 struct SmallNumbers {
   Whole3 I, w, dw, ddw, N, dN;
-  Company company;
+  OtherQuantities other;
   std::array<Whole, 4> q;
   std::size_t first_constant = 0;  ///< its place in kConstants
 };
@@ -140,18 +142,18 @@ StateNumbers<N> as(const SmallNumbers& small) {
   copy(small.ddw, numbers.ddw);
   copy(small.N, numbers.N_B);
   copy(small.dN, numbers.dN_B);
-  copy(small.company.J, numbers.J);
-  copy(small.company.v, numbers.v_S);
-  copy(small.company.dv, numbers.dv_S);
-  copy(small.company.A, numbers.A_S);
-  copy(small.company.dA, numbers.dA_S);
-  copy(small.company.F, numbers.F_S);
-  copy(small.company.ddv, numbers.ddv_S);
-  copy(small.company.ddA, numbers.ddA_S);
-  copy(small.company.dF, numbers.dF_S);
-  numbers.m = N(small.company.m);
-  numbers.h = N(small.company.h);
-  numbers.k = N(small.company.k);
+  copy(small.other.J, numbers.J);
+  copy(small.other.v, numbers.v_S);
+  copy(small.other.dv, numbers.dv_S);
+  copy(small.other.A, numbers.A_S);
+  copy(small.other.dA, numbers.dA_S);
+  copy(small.other.F, numbers.F_S);
+  copy(small.other.ddv, numbers.ddv_S);
+  copy(small.other.ddA, numbers.ddA_S);
+  copy(small.other.dF, numbers.dF_S);
+  numbers.m = N(small.other.m);
+  numbers.h = N(small.other.h);
+  numbers.k = N(small.other.k);
   copy(small.q, numbers.q);
   for (std::size_t i = 0; i < kMaxConstants; ++i)
     numbers.constants[i] = N(kConstants[(small.first_constant + i) % kConstants.size()]);
@@ -391,17 +393,17 @@ std::string value_text(const Triple<SizedNumber, 0>& value, ExpressionType type)
 template <class Use>
 void for_each_state(const Dependence& d, const Use& use) {
   const auto firsts = [](const auto& all, bool vary) { return std::span(all).first(vary ? all.size() : 1); };
-  const bool company = d.J || d.v || d.dv || d.ddv || d.A || d.dA || d.ddA || d.F || d.dF || d.m || d.h ||
-                       d.k || !d.constants.empty();
+  const bool has_other = d.J || d.v || d.dv || d.ddv || d.A || d.dA || d.ddA || d.F || d.dF || d.m || d.h ||
+                         d.k || !d.constants.empty();
   for (const Whole3& I : firsts(kMoments, d.I))
-    for (const Company& c : firsts(kCompany, company))
+    for (const OtherQuantities& c : firsts(kOtherQuantities, has_other))
       for (const auto& q : firsts(kAttitudes, d.q))
         for (const Whole3& w : firsts(kSpins, d.w))
           for (const Whole3& N : firsts(kTorques, d.N))
             for (std::size_t i = 0; i < (d.dw || d.ddw || d.dN ? kRates.size() : 1); ++i) {
               const Whole3 &ddw = kRates[3 * i % kRates.size()], &dN = kRates[2 * i % kRates.size()];
               if (use(SmallNumbers{I, w, kRates[i], ddw, N, dN, c, q,
-                                   static_cast<std::size_t>(&c - kCompany.data())}))
+                                   static_cast<std::size_t>(&c - kOtherQuantities.data())}))
                 return;
             }
 }
@@ -419,14 +421,15 @@ SmallNumbers mixed_numbers(std::mt19937_64& random) {
   const Whole a = below(5), b = 1 + below(5), c = below(5);
   small.I = {b + c, a + c + (a + c == 0 ? 1 : 0), a + b};  // possible but for this 1; that is looked at
   for (Whole3* vector : {&small.w, &small.dw, &small.ddw, &small.N, &small.dN}) *vector = three();
-  const auto place = static_cast<std::size_t>(below(static_cast<Whole>(kCompany.size())));
-  small.company = kCompany[place];
-  for (Whole3 Company::*vector : {&Company::v, &Company::dv, &Company::ddv, &Company::A, &Company::dA,
-                                  &Company::ddA, &Company::F, &Company::dF})
-    small.company.*vector = three();
-  small.company.h = below(11) - 5;
-  small.company.k = below(11) - 5;
-  small.company.m = 1 + below(5);
+  const auto place = static_cast<std::size_t>(below(static_cast<Whole>(kOtherQuantities.size())));
+  small.other = kOtherQuantities[place];
+  for (Whole3 OtherQuantities::*vector :
+       {&OtherQuantities::v, &OtherQuantities::dv, &OtherQuantities::ddv, &OtherQuantities::A,
+        &OtherQuantities::dA, &OtherQuantities::ddA, &OtherQuantities::F, &OtherQuantities::dF})
+    small.other.*vector = three();
+  small.other.h = below(11) - 5;
+  small.other.k = below(11) - 5;
+  small.other.m = 1 + below(5);
   small.q = {1 + below(3), below(7) - 3, below(7) - 3, below(7) - 3};
   small.first_constant = static_cast<std::size_t>(below(static_cast<Whole>(kConstants.size())));
   return small;
@@ -445,8 +448,8 @@ SmallNumbers uneven_numbers(std::mt19937_64& random) {
   small.I = {b + c, a + c + (a + c == 0 ? 1 : 0), a + b};
   for (Whole3* vector : {&small.w, &small.N})
     for (Whole& component : *vector) component = power(component);
-  small.company.h = power(small.company.h);
-  small.company.k = power(small.company.k);
+  small.other.h = power(small.other.h);
+  small.other.k = power(small.other.k);
   return small;
 }
 
@@ -524,10 +527,10 @@ bool is_possible(const Given& given) {
   constexpr int kMostDoublings = 140;
   const Whole3 turning{1, 2, 3}, torque{-1, 2, 1}, rate{1, 2, 3};
   for (const Whole3& I : kMoments)
-    for (std::size_t i = 0; i < kCompany.size(); ++i)
+    for (std::size_t i = 0; i < kOtherQuantities.size(); ++i)
       for (int doublings = -kMostDoublings; doublings <= kMostDoublings; ++doublings) {
-        auto numbers =
-            as<SizedNumber>({I, turning, rate, rate, torque, rate, kCompany[i], kAttitudes.back(), i});
+        auto numbers = as<SizedNumber>(
+            {I, turning, rate, rate, torque, rate, kOtherQuantities[i], kAttitudes.back(), i});
         for (SizedNumber& moment : numbers.I) moment = std::ldexp(moment.value, doublings);
         const auto replaced = with_given(numbers, given);
         if (replaced && is_possible_body(replaced->I) && is_finite(*replaced)) return true;

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "base/utf8.h"
 #include "lessons/claims/expression_names.h"
+#include "lessons/claims/expression_tex.h"
 #include "lessons/diagnostics/report.h"
 
 #include <algorithm>
@@ -58,6 +59,24 @@ std::string_view letters_of(char32_t c) {
     default:
       return "";
   }
+}
+
+/// A name whose letter an index may follow.
+struct Letter {
+  std::string_view name, plain;  ///< as it is typed; TeX of it before an index
+  std::string alone;             ///< TeX of it without an index; empty: it needs one
+};
+
+const std::vector<Letter>& letters() {
+  static const std::vector<Letter> kLetters = [] {
+    std::vector<Letter> all{
+        {"w", "\\omega", ""}, {"I", "I", "\\mathbf I"}, {"e", "\\hat e", ""}, {"T", "T", "T"}};
+    for (const QuantityFacts& facts : kQuantities)
+      if (!facts.arrow_letter.empty())
+        all.push_back({facts.name, facts.arrow_letter, tex_of(facts.quantity)});
+    return all;
+  }();
+  return kLetters;
 }
 
 /// TeX and the bytes of the line that its parts come from.
@@ -221,27 +240,13 @@ class Typing {
       return Name{own->second, "", is_arrow || text == "I", text == "omega"};
     }
     if (text == "w") return find("omega").value_or(Name{"\\vec\\omega", "", true, true});
-    struct Letter {
-      std::string_view name, plain, vector;
-    };
-    constexpr std::array<Letter, 11> kLetters{{{"omega", "\\omega", "\\vec\\omega"},
-                                               {"w", "\\omega", ""},
-                                               {"L", "L", "\\vec L"},
-                                               {"N", "N", "\\vec N"},
-                                               {"A", "A", "\\vec A"},
-                                               {"p", "p", "\\vec p"},
-                                               {"v", "v", "\\vec v"},
-                                               {"F", "F", "\\vec F"},
-                                               {"I", "I", "\\mathbf I"},
-                                               {"e", "\\hat e", ""},
-                                               {"T", "T", "T"}}};
     if (text == "m") return Name{"m", ""};
-    for (const Letter& letter : kLetters) {
+    for (const Letter& letter : letters()) {
       if (!text.starts_with(letter.name)) continue;
       std::string index = text.substr(letter.name.size());
       if (index.starts_with('_')) index.erase(0, 1);
-      if (index.empty() && text == letter.name && !letter.vector.empty())
-        return Name{std::string(letter.vector), "", letter.name != "T", letter.name == "omega"};
+      if (index.empty() && text == letter.name && !letter.alone.empty())
+        return Name{letter.alone, "", letter.name != "T", letter.name == "omega"};
       const bool is_index = !index.empty() && letter.name != "T" &&
                             index.size() <= (letter.name == "I" ? 2u : 1u) &&
                             index.find_first_not_of("123xyz") == index.npos;

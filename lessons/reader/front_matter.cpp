@@ -65,7 +65,7 @@ std::optional<ShapeKind> read_shape(const TomlEntry& entry, Report& report) {
   const auto kind = shape_kind_from(*name);
   if (!kind) {
     report.error(entry.value.place, "unknown shape " + in_quotes(*name),
-                 suggestion(*name, {"box", "ellipsoid", "cylinder", "t-handle"}));
+                 suggestion(*name, shape_kind_names()));
   }
   return kind;
 }

@@ -200,7 +200,7 @@ struct Lesson {
   About about{};
   std::vector<Reference> references{};            ///< by their keys
   std::vector<OutsideReference> other_lessons{};  ///< in their order
-  std::vector<ComputedNumber> numbers{};          ///< by LiveNumber::id
+  std::vector<ComputedNumber> numbers{};          ///< the place of each is its LiveNumber::id
 
   const Stage* find_stage(std::string_view stage_id) const;
   /// The error names the one that may have been meant.

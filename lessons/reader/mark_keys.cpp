@@ -17,15 +17,15 @@
 namespace polhode {
 namespace {
 
-/// What an overlay shows, by the meaning of the quantity.
-const std::map<std::string, Overlay>& overlays_by_meaning() {
+/// What an overlay shows, by the fingerprint of the quantity.
+const std::map<std::string, Overlay>& overlays_by_fingerprint() {
   static const std::map<std::string, Overlay> kOverlays = [] {
     std::map<std::string, Overlay> all;
     for (const auto& [name, overlay] :
          {std::pair("omega", Overlay::omega), std::pair("L", Overlay::L), std::pair("N", Overlay::N)}) {
       const SourceText source(name);
       Report report(source, "");
-      all.emplace(scene_quantity(*read_expression(name, {1, 1}, report), "", "", "").meaning, overlay);
+      all.emplace(scene_quantity(*read_expression(name, {1, 1}, report), "", "", "").fingerprint, overlay);
     }
     return all;
   }();
@@ -105,8 +105,8 @@ class MarkReader {
     if (dimension != nullptr) *dimension = read->dimension;
     MarkVector vector{std::move(read->quantity)};
     vector.is_number = read->dimension.value_or(Dimension{}) == Dimension{};
-    const auto overlay = overlays_by_meaning().find(vector.quantity.meaning);
-    if (overlay != overlays_by_meaning().end()) vector.overlay = overlay->second;
+    const auto overlay = overlays_by_fingerprint().find(vector.quantity.fingerprint);
+    if (overlay != overlays_by_fingerprint().end()) vector.overlay = overlay->second;
     return vector;
   }
 
@@ -303,7 +303,7 @@ RichText read_angles(const TomlEntry& entry, const SceneWords& words, Marks& mar
                            {"from", "to"}) ||
         !from || !to)
       return;
-    if (from->quantity.meaning == to->quantity.meaning)
+    if (from->quantity.fingerprint == to->quantity.fingerprint)
       reader.report().error(
           table.find("to")->value.place,
           "an angle lies between two vectors, and both are " + in_quotes(to->quantity.text));

@@ -216,7 +216,7 @@ class PlotReader {
     function.text = *text;
     function.tex = tex_of(expression, &*words);
     auto made = function_of_constant(std::move(expression), variable);
-    function.meaning = std::move(made.meaning);
+    function.fingerprint = std::move(made.fingerprint);
     function.values = std::move(made.values);
     if (const TomlEntry* level = table.find("level")) read_level(*level, dimension, function, own);
     own.function = std::move(function);
@@ -450,7 +450,7 @@ std::optional<std::vector<PlotSpec>> read_plots(const TomlEntry& entry, const Sc
 int parts_of(const std::vector<PlotSpec>& plots) {
   constexpr std::size_t kBytesOfPart = 128;
   const auto bytes_of = [](const SceneQuantity& quantity) {
-    return sizeof(SceneQuantity) + quantity.text.size() + quantity.tex.size() + quantity.meaning.size();
+    return sizeof(SceneQuantity) + quantity.text.size() + quantity.tex.size() + quantity.fingerprint.size();
   };
   std::size_t bytes = 0;
   for (const PlotSpec& plot : plots) {

@@ -128,7 +128,9 @@ class SceneKeys {
 
   std::vector<PlacedText> read(const TomlTable& table);
 
-  /// All that is known of a key. To add one: a row of the table, which FORMAT.md repeats, and a reader here.
+  /// All that is known of a key. To add one: a row of the table, which FORMAT.md repeats, and a reader here;
+  /// a field of Scene, which same_course and same_model (scene.h) are to know, with its text in
+  /// scene_values.cpp.
   struct Row {
     SceneKeyFacts facts;
     void (SceneKeys::*read)(const TomlEntry&);
@@ -504,7 +506,7 @@ class SceneKeys {
     if (const auto level = quality_level_from(*name)) {
       scene_.quality = *level;
     } else {
-      unknown("quality", {*name, entry.value.place}, {"draft", "normal", "fine"});
+      unknown("quality", {*name, entry.value.place}, quality_level_names());
     }
   }
 

@@ -19,24 +19,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace polhode {
 namespace {
 
+/// What the opening of a ```claim may end with.
+constexpr std::string_view kInOtherWords = "in-other-words";
+
 std::vector<std::string> names_of(const std::map<std::string, int>& lines) {
   std::vector<std::string> names;
   for (const auto& [name, line] : lines) names.push_back(name);
   return names;
-}
-
-std::string usage_of(std::string_view kind) {
-  if (kind == "claim") return "```claim EQUATION KIND [given ASSUMPTION…] [in-other-words]";
-  if (kind == "math")
-    return "```math ID, or ```math ID KIND [given ASSUMPTION…] where the formula is to be proved";
-  return kind == "scene" || kind == "table" ? "```" + std::string(kind) : "```" + std::string(kind) + " ID";
 }
 
 /// What holds of ω at an instant says nothing of rates. False, and a report, if a claim speaks of them.
@@ -386,6 +384,27 @@ void StageBuilder::add_quote(const MarkdownBlock& block) {
   }
 }
 
+/// What a fence opens with: so many words, its kind among them, without "given" and what is.
+struct StageBuilder::FenceKind {
+  std::string_view name;
+  std::size_t least, most;
+  std::string_view last;  ///< what the last is where there are the most; empty: anything
+  bool takes_given;
+  std::string_view usage;
+  void (StageBuilder::*add)(const Fence&);
+};
+
+const std::array<StageBuilder::FenceKind, 5> StageBuilder::kFenceKinds{{
+    {"math", 2, 3, "", true,
+     "```math ID, or ```math ID KIND [given ASSUMPTION…] where the formula is to be proved",
+     &StageBuilder::add_math},
+    {"claim", 3, 4, kInOtherWords, true, "```claim EQUATION KIND [given ASSUMPTION…] [in-other-words]",
+     &StageBuilder::add_claim},
+    {"scene", 1, 1, "", false, "```scene", &StageBuilder::add_scene},
+    {"table", 1, 1, "", false, "```table", &StageBuilder::add_table},
+    {"ask", 2, 2, "", false, "```ask ID", &StageBuilder::add_ask},
+}};
+
 void StageBuilder::add_fence(const MarkdownBlock& block) {
   Fence fence;
   fence.place = {block.first_line, 1};
@@ -397,39 +416,33 @@ void StageBuilder::add_fence(const MarkdownBlock& block) {
   }
   const std::string_view opening = source_.line(block.first_line);
   fence.words = read_words(opening, opening.find_first_not_of(" `~"), block.first_line);
-  const std::string kind = fence.words.empty() ? "" : fence.words[0].text;
-  const std::vector<std::string> kinds = {"math", "claim", "scene", "table", "ask"};
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+  const std::string name = fence.words.empty() ? "" : fence.words[0].text;
+  const auto kind = std::find_if(kFenceKinds.begin(), kFenceKinds.end(),
+                                 [&name](const FenceKind& known) { return known.name == name; });
+  if (kind == kFenceKinds.end()) {
+    std::vector<std::string> names;
+    for (const FenceKind& known : kFenceKinds) names.emplace_back(known.name);
     report_.error(fence.place,
-                  kind.empty() ? "this fence does not say what it holds" : "unknown fence " + in_quotes(kind),
-                  suggestion(kind, kinds));
+                  name.empty() ? "this fence does not say what it holds" : "unknown fence " + in_quotes(name),
+                  suggestion(name, names));
     return;
   }
-  const bool proves = kind == "claim" || kind == "math";
-  if (proves && fence.words.size() > 4 && fence.words[3].text == "given") {
-    const auto end = fence.words.end() - (fence.words.back().text == "in-other-words" ? 1 : 0);
+  if (kind->takes_given && fence.words.size() > 4 && fence.words[3].text == "given") {
+    const auto end = fence.words.end() - (fence.words.back().text == kInOtherWords ? 1 : 0);
     fence.given.assign(fence.words.begin() + 4, end);
     fence.words.erase(fence.words.begin() + 3, end);
   }
-  const std::size_t most = kind == "claim"                      ? 4
-                           : kind == "math"                     ? 3
-                           : kind == "scene" || kind == "table" ? 1
-                                                                : 2;
-  const std::size_t least = kind == "claim" || kind == "math" ? most - 1 : most;
-  const bool has_other_words = kind == "claim" && fence.words.size() == most;
-  if (fence.words.size() < least || fence.words.size() > most ||
-      (has_other_words && fence.words.back().text != "in-other-words")) {
-    report_.error(fence.words.size() > most ? fence.words[most].place
-                  : has_other_words         ? fence.words.back().place
-                                            : fence.place,
-                  "this fence opens with " + usage_of(kind));
+  const std::size_t count = fence.words.size();
+  const bool ends_otherwise =
+      !kind->last.empty() && count == kind->most && fence.words.back().text != kind->last;
+  if (count < kind->least || count > kind->most || ends_otherwise) {
+    report_.error(count > kind->most ? fence.words[kind->most].place
+                  : ends_otherwise   ? fence.words.back().place
+                                     : fence.place,
+                  "this fence opens with " + std::string(kind->usage));
     return;
   }
-  if (kind == "math") add_math(fence);
-  if (kind == "claim") add_claim(fence);
-  if (kind == "scene") add_scene(fence);
-  if (kind == "table") add_table(fence);
-  if (kind == "ask") add_ask(fence);
+  (this->*kind->add)(fence);
 }
 
 bool StageBuilder::take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what) {

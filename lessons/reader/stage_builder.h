@@ -7,6 +7,7 @@
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/markdown.h"
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -27,6 +28,8 @@ class StageBuilder {
 
  private:
   struct Fence;
+  struct FenceKind;
+  static const std::array<FenceKind, 5> kFenceKinds;
 
   bool start_stage(const MarkdownBlock& heading);
   /// From the line of a rule, or of a step's title, on.

@@ -10,6 +10,9 @@
 namespace polhode {
 namespace {
 
+// In the order of the enumerators.
+constexpr std::array<std::string_view, 4> kShapeNames = {"box", "ellipsoid", "cylinder", "t-handle"};
+
 constexpr double kThinnestDrawn = 1.0 / 500.0;  // of the longest edge
 
 void require_positive(const Vec3& size_m, double mass_kg = 1.0) {
@@ -100,17 +103,14 @@ Shape equivalent_box(const PrincipalMoments& I, double mass_kg) {
           size_m.unaryExpr([e](double x) { return std::scalbn(x, e / 2); }) / std::sqrt(mass_kg)};
 }
 
+std::string_view name_of(ShapeKind kind) { return kShapeNames[static_cast<std::size_t>(kind)]; }
+
+std::vector<std::string> shape_kind_names() { return {kShapeNames.begin(), kShapeNames.end()}; }
+
 std::optional<ShapeKind> shape_kind_from(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, ShapeKind>, 4> kKinds{{
-      {"box", ShapeKind::box},
-      {"ellipsoid", ShapeKind::ellipsoid},
-      {"cylinder", ShapeKind::cylinder},
-      {"t-handle", ShapeKind::t_handle},
-  }};
-  for (const auto& [known, kind] : kKinds) {
-    if (known == name) return kind;
-  }
-  return std::nullopt;
+  const auto found = std::find(kShapeNames.begin(), kShapeNames.end(), name);
+  if (found == kShapeNames.end()) return std::nullopt;
+  return static_cast<ShapeKind>(found - kShapeNames.begin());
 }
 
 }  // namespace polhode

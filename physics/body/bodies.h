@@ -73,7 +73,10 @@ Body make_body(std::string name, ShapeKind kind, const Vec3& size_m, double mass
 /// flat body has one of zero) is given as that, so it can be drawn.
 Shape equivalent_box(const PrincipalMoments& I, double mass_kg = 1.0);
 
-/// "box" "ellipsoid" "cylinder" "t-handle"; nothing if unknown.
+/// "box" "ellipsoid" "cylinder" "t-handle".
+std::string_view name_of(ShapeKind kind);
+std::vector<std::string> shape_kind_names();
+/// Nothing if unknown.
 std::optional<ShapeKind> shape_kind_from(std::string_view name);
 
 /// One of named_bodies(); nothing if unknown. Sizes, masses and sources: named_bodies.cpp.

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <string_view>
 
@@ -78,6 +80,21 @@ TEST(Sources, OfThePhysicsAreInTheIndex) {
     if (!file.path.starts_with(kRoom) || file.path.starts_with(kPublic)) continue;
     const std::string name = '`' + file.path.substr(kRoom.size()) + '`';
     EXPECT_NE(index.find(name), index.npos) << "physics/README.md does not name " << name;
+  }
+}
+
+TEST(Sources, NameTheColoursOfRoles) {
+  const std::string palette = text_of(fs::path(test::source_dir()) / "render/palette.h");
+  static const std::regex kRole(R"(Role\{color_from_hex\((0x\w+)\),\s*color_from_hex\((0x\w+)\))");
+  std::set<std::string> colours;
+  for (std::sregex_iterator at(palette.begin(), palette.end(), kRole), end; at != end; ++at)
+    colours.insert({(*at)[1].str(), (*at)[2].str()});
+  ASSERT_GT(colours.size(), 20u) << "of 7 quantities, 3 axes and 3 marks, two each, but some the same";
+  for (const Source& file : sources({".h", ".cpp"})) {
+    if (file.path.starts_with("tests/") || file.path == "render/palette.h") continue;
+    for (const std::string& colour : colours)
+      EXPECT_EQ(file.text.find(colour), file.text.npos)
+          << file.path << " types " << colour << ", which a role of render/palette.h has";
   }
 }
 

@@ -14,7 +14,7 @@ using VectorOfState = std::function<Vec3(const RigidBodyState&)>;
 /// Components in space.
 inline MarkVector mark_vector(const std::string& text, const VectorOfState& value_S, bool is_number = false) {
   SceneQuantity quantity{
-      .text = text, .tex = text, .meaning = text, .is_vector = true, .unit = "", .role = "", .value = {}};
+      .text = text, .tex = text, .fingerprint = text, .is_vector = true, .unit = "", .role = "", .value = {}};
   quantity.value = [value_S](const SceneModel&, double, const RigidBodyState& state) -> std::optional<Vec3> {
     const Vec3 value = value_S(state);
     return value.allFinite() ? std::optional(value) : std::nullopt;

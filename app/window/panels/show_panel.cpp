@@ -82,7 +82,7 @@ void ShowPanel::draw(PanelContext& context, const std::string& refusal) {
         offer_overlay(context, overlay);
   };
   offer_all(false);
-  heading("On boards");
+  heading("Diagrams");
   offer_all(true);
 }
 

@@ -14,7 +14,8 @@
 
 namespace polhode::diagrams {
 
-/// Paints of what belongs to the axes 1, 2, 3: of no quantity's role, and told apart by lightness too.
+/// Paints of what belongs to the indices 1, 2, 3 of components: of no quantity's role, and told apart by
+/// lightness too. Axes in space have kBodyAxisRoles.
 inline constexpr std::array<Color, 3> kIndexPaint = {color_from_hex(0xE69F00), color_from_hex(0x56B4E9),
                                                      color_from_hex(0x6F5B9E)};
 

@@ -27,7 +27,7 @@ const LookStyle& style_of(PlotLook look) {
   static const LookStyle kOrange{
       kOmegaRole.ink,
       color_from_hex(0xE58A2E),
-      color_from_hex(0xB04A00),
+      kOmegaRole.ink,
       {M::triangle_down, M::square, M::disc, M::diamond, M::triangle_up, M::hexagon},
       false};
   static const LookStyle kBlue{kLRole.ink,

@@ -107,11 +107,9 @@ void label_surfaces(const Snapshot& m, const Camera& camera, DrawList& list) {
   }
   if (m.shows(Overlay::momentum_sphere) && list.ellipsoids.size() > 1) {
     add_text(list, "$2T$ = const.",
-             on_silhouette(list.ellipsoids.front(), screen_direction(camera, -0.8, 0.6)),
-             color_from_hex(0x2F6178));
+             on_silhouette(list.ellipsoids.front(), screen_direction(camera, -0.8, 0.6)), kGlassInk);
     add_text(list, "$|\\vec L|$ = const.",
-             on_silhouette(list.ellipsoids.back(), screen_direction(camera, 0.8, 0.6)),
-             color_from_hex(0x6B5B2E));
+             on_silhouette(list.ellipsoids.back(), screen_direction(camera, 0.8, 0.6)), kSphereInk);
   }
 }
 

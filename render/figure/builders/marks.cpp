@@ -21,7 +21,9 @@ constexpr double kBeyond = 0.06;  // of a name behind the tip of its arrow
 constexpr double kSymbolSize = 1.2, kTextSize = 0.8;
 constexpr double kTooShort = 0.02;  // for an arrow: there is nothing, or noise
 
-bool is_same(const MarkVector& a, const MarkVector& b) { return a.quantity.meaning == b.quantity.meaning; }
+bool is_same(const MarkVector& a, const MarkVector& b) {
+  return a.quantity.fingerprint == b.quantity.fingerprint;
+}
 
 Vec3 scaled(const Vec3& v, double factor) { return std::isfinite(factor) ? Vec3(factor * v) : Vec3::Zero(); }
 
@@ -113,7 +115,7 @@ class DrawnVectors {
   }
 
   const VectorCourse& course_of(const MarkVector& vector) const {
-    return m_.model.courses.at(vector.quantity.meaning);
+    return m_.model.courses.at(vector.quantity.fingerprint);
   }
 
   /// The arrow of N stands on the tip of L, whose velocity it is.
@@ -163,7 +165,7 @@ class Looks {
 
   Look of(const MarkVector& vector) const {
     if (const auto role = role_from(vector.quantity.role)) return {*role};
-    const auto found = std::find(own_.begin(), own_.end(), vector.quantity.meaning);
+    const auto found = std::find(own_.begin(), own_.end(), vector.quantity.fingerprint);
     if (found == own_.end()) return {kMarkRoles.front()};
     const auto place = static_cast<std::size_t>(found - own_.begin());
     return {kMarkRoles[place % kMarkRoles.size()], place / kMarkRoles.size() % 2 == 1};
@@ -171,8 +173,8 @@ class Looks {
 
  private:
   void add(const MarkVector& vector) {
-    const bool is_there = std::find(own_.begin(), own_.end(), vector.quantity.meaning) != own_.end();
-    if (!role_from(vector.quantity.role) && !is_there) own_.push_back(vector.quantity.meaning);
+    const bool is_there = std::find(own_.begin(), own_.end(), vector.quantity.fingerprint) != own_.end();
+    if (!role_from(vector.quantity.role) && !is_there) own_.push_back(vector.quantity.fingerprint);
   }
 
   std::vector<std::string> own_;

@@ -39,7 +39,7 @@ struct PlotFunction {
   std::string text;                    ///< as it is written
   std::string tex;                     ///< as it is printed
   std::string variable;                ///< the word for the variable in it
-  std::string meaning;                 ///< as of a SceneQuantity
+  std::string fingerprint;             ///< as of a SceneQuantity
   SceneQuantity of;                    ///< what the variable is on the motion
   double from = 0, to = 1;             ///< SI
   std::optional<SceneQuantity> level;  ///< a horizontal line at what it is now
@@ -47,8 +47,9 @@ struct PlotFunction {
   std::function<std::vector<double>(const SceneModel&, const std::vector<double>& x)> values;
 
   bool operator==(const PlotFunction& other) const {
-    return text == other.text && tex == other.tex && variable == other.variable && meaning == other.meaning &&
-           of == other.of && from == other.from && to == other.to && level == other.level;
+    return text == other.text && tex == other.tex && variable == other.variable &&
+           fingerprint == other.fingerprint && of == other.of && from == other.from && to == other.to &&
+           level == other.level;
   }
 };
 

@@ -2,8 +2,15 @@
 #include "render/scene/description/scene.h"
 
 #include <algorithm>
+#include <array>
 
 namespace polhode {
+namespace {
+
+// In the order of the enumerators.
+constexpr std::array kQualityNames = {"draft", "normal", "fine"};
+
+}  // namespace
 
 std::vector<const Scene*> shown_scenes(const Scene& scene) {
   std::vector<const Scene*> shown;
@@ -37,22 +44,14 @@ bool same_model(Scene a, const Scene& b) {
   return same_beside && a == b;
 }
 
-std::optional<QualityLevel> quality_level_from(std::string_view name) {
-  for (const QualityLevel level : {QualityLevel::draft, QualityLevel::normal, QualityLevel::fine})
-    if (name == name_of(level)) return level;
-  return std::nullopt;
-}
+const char* name_of(QualityLevel level) { return kQualityNames[static_cast<std::size_t>(level)]; }
 
-const char* name_of(QualityLevel level) {
-  switch (level) {
-    case QualityLevel::draft:
-      return "draft";
-    case QualityLevel::normal:
-      return "normal";
-    case QualityLevel::fine:
-      break;
-  }
-  return "fine";
+std::vector<std::string> quality_level_names() { return {kQualityNames.begin(), kQualityNames.end()}; }
+
+std::optional<QualityLevel> quality_level_from(std::string_view name) {
+  const auto found = std::find(kQualityNames.begin(), kQualityNames.end(), name);
+  if (found == kQualityNames.end()) return std::nullopt;
+  return static_cast<QualityLevel>(found - kQualityNames.begin());
 }
 
 }  // namespace polhode

@@ -53,9 +53,11 @@ inline constexpr double kLeastCameraScale = 0.1, kMostCameraScale = 100;
 
 /// How finely pictures of a scene are drawn, by name; the renderer says what that is.
 enum class QualityLevel { draft, normal, fine };
-/// draft | normal | fine; nothing otherwise.
-std::optional<QualityLevel> quality_level_from(std::string_view name);
+/// draft | normal | fine.
 const char* name_of(QualityLevel level);
+std::vector<std::string> quality_level_names();
+/// Nothing if unknown.
+std::optional<QualityLevel> quality_level_from(std::string_view name);
 
 /// A number of a scene that may be changed within a range (lessons/reader/varied_scene.h): a slider in the
 /// window, a filmstrip on paper.
@@ -96,7 +98,8 @@ struct Scene {
   std::vector<PlotSpec> meters;   ///< plots of a page
   std::vector<Scene> beside{};    ///< shown beside it at the same t, at its rate; they have none beside them
   std::size_t before = 0;         ///< so many of them stand before it: further left, or above
-  std::vector<Variation> vary{};  ///< then those beside it are itself at other values of the first of these
+  std::vector<Variation> vary{};  ///< where there are any, those beside it are this scene at other values of
+                                  ///< the first
   std::string label{};            ///< below it among those: the value, as a caption is written
   bool operator==(const Scene&) const = default;
 };

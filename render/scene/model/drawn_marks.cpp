@@ -41,7 +41,7 @@ class Unseen {
 
   /// Whether nothing is to be seen for want of this vector.
   bool says_why(const std::string& what, const MarkVector& vector, bool may_be_zero = false) {
-    const VectorCourse& course = model_.courses.at(vector.quantity.meaning);
+    const VectorCourse& course = model_.courses.at(vector.quantity.fingerprint);
     const bool has_value = std::any_of(course.values_S.begin(), course.values_S.end(),
                                        [](const Vec3& value_S) { return value_S.allFinite(); });
     if (has_value && (may_be_zero || course.longest > 0.0)) return false;
@@ -53,8 +53,8 @@ class Unseen {
   void angle(const AngleMark& mark) {
     const std::string what = "the angle from " + quoted(mark.from) + " to " + quoted(mark.to);
     if (says_why(what, mark.from) || says_why(what, mark.to)) return;
-    const std::vector<Vec3>&from_S = model_.courses.at(mark.from.quantity.meaning).values_S,
-          &to_S = model_.courses.at(mark.to.quantity.meaning).values_S;
+    const std::vector<Vec3>&from_S = model_.courses.at(mark.from.quantity.fingerprint).values_S,
+          &to_S = model_.courses.at(mark.to.quantity.fingerprint).values_S;
     for (std::size_t n = 0; n < from_S.size(); ++n)
       if (from_S[n].allFinite() && to_S[n].allFinite() && arc_between(from_S[n], to_S[n])) return;
     found_.push_back(what + " shows nothing: they are parallel throughout");
@@ -95,7 +95,7 @@ VectorCourses vector_courses(const SceneModel& model, const Effort& effort) {
   constexpr std::int64_t kEvaluations = 10;  // of a value, with its rates
   VectorCourses courses;
   for_each_vector(model.scene.marks, [&](const MarkVector& vector) {
-    const auto [at, is_new] = courses.emplace(vector.quantity.meaning, VectorCourse{});
+    const auto [at, is_new] = courses.emplace(vector.quantity.fingerprint, VectorCourse{});
     if (!is_new) return;
     VectorCourse& course = at->second;
     for (int n = 0; n <= kCourseSteps; ++n) {

@@ -32,7 +32,7 @@ struct VectorCourse {
   std::vector<Vec3> values_S;
   double longest = 0.0;  ///< of those that have a value
 };
-/// By the meaning of the quantity.
+/// By the fingerprint of the quantity.
 using VectorCourses = std::map<std::string, VectorCourse>;
 inline constexpr int kCourseSteps = 64;  ///< a picture's scale: nothing hangs on its last digits
 

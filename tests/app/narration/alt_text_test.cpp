@@ -49,9 +49,9 @@ TEST(AltText, NamesTheViewsAndTheCaption) {
 TEST(AltText, DiagramsAloneAreSeenFromNowhere) {
   Scene scene;
   scene.show = {Overlay::cards};
-  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), testing::StartsWith("A board: cards"));
+  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), testing::StartsWith("A diagram: cards"));
   scene.show.insert(Overlay::cofactors);
-  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), testing::StartsWith("Boards: "));
+  EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), testing::StartsWith("Diagrams: "));
   scene.show.insert(Overlay::omega);
   EXPECT_THAT(alt_text(scene, {}, Vec3(0, 0, 1), 0.0), testing::StartsWith("Seen from space: "));
 }

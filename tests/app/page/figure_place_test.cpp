@@ -99,7 +99,7 @@ TEST(FigurePlace, PaintsTheGroundThatItIsGiven) {
   const std::size_t shapes = place_figure(model, 0.0, place, fonts()).sheet.shapes.size();
   place.ground = color_from_hex(0x22262C);
   const PlacedFigure figure = place_figure(model, 0.0, place, fonts());
-  ASSERT_EQ(figure.sheet.shapes.size(), shapes + 2) << "of the caption, and of the board";
+  ASSERT_EQ(figure.sheet.shapes.size(), shapes + 2) << "of the caption, and of the diagram";
   EXPECT_EQ(std::get<Area>(figure.sheet.shapes[0]).color, *place.ground);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_theme.h"
 
+#include "lessons/reader/front_matter.h"
 #include "lessons/reader/reader.h"
 
 #include <gtest/gtest.h>
@@ -26,8 +27,6 @@ Color over(const Color& top, const Color& under) {
   return {mixed(top.r, under.r), mixed(top.g, under.g), mixed(top.b, under.b), 1.0F};
 }
 
-constexpr const char* kRoles[] = {"omega", "L", "N", "polhode", "herpolhode", "axes"};
-
 class PageTheme : public testing::TestWithParam<Theme> {
  protected:
   const PageColors& colors() const { return colors_of(GetParam()); }
@@ -35,7 +34,9 @@ class PageTheme : public testing::TestWithParam<Theme> {
   /// What formulas are set in, with names for messages.
   std::vector<std::pair<std::string, Color>> colors_of_formulas() const {
     std::vector<std::pair<std::string, Color>> all = {{"ink", colors().ink}};
-    for (const char* role : kRoles) all.emplace_back(role, on_paper(role_from(role)->ink, GetParam()));
+    // The roles that lessons may name: the reader of lessons, which knows no colours, has the list.
+    for (const std::string& role : color_roles())
+      all.emplace_back(role, on_paper(role_from(role).value().ink, GetParam()));
     return all;
   }
 };

@@ -191,6 +191,7 @@ TEST(Bodies, ShapeNames) {
   EXPECT_EQ(shape_kind_from("cylinder"), ShapeKind::cylinder);
   EXPECT_EQ(shape_kind_from("t-handle"), ShapeKind::t_handle);
   EXPECT_EQ(shape_kind_from("cube"), std::nullopt);
+  for (const std::string& name : shape_kind_names()) EXPECT_EQ(name_of(shape_kind_from(name).value()), name);
 }
 
 }  // namespace

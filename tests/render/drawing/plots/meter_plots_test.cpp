@@ -141,7 +141,7 @@ SceneQuantity quantity(const std::string& name, std::function<double(double t_s,
   return {
       .text = name,
       .tex = name,
-      .meaning = name,
+      .fingerprint = name,
       .unit = "rad/s",
       .role = role,
       .value = [value](const SceneModel&, double t_s, const RigidBodyState& state) -> std::optional<Vec3> {
@@ -210,7 +210,7 @@ TEST(MeterPlots, AFunctionIsDrawnAroundItsLevel) {
   PlotFunction well{.text = "1/(1 - x^2)",
                     .tex = "U",
                     .variable = "x",
-                    .meaning = "U",
+                    .fingerprint = "U",
                     .of = component(0),
                     .from = -1,
                     .to = 1,
