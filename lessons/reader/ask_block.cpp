@@ -6,6 +6,7 @@
 #include "lessons/claims/expression_variants.h"
 #include "lessons/derivation/derivation.h"
 #include "lessons/reader/keys.h"
+#include "lessons/reader/state_keys.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@
 namespace polhode {
 namespace {
 
-const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order", "derive"};
+const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order", "derive", "state"};
 const std::vector<std::string> kModuloNames = {"identity", "motion", "free"};
 
 class AskReader {
@@ -41,17 +42,22 @@ class AskReader {
          {"goal", [](const TomlEntry&) {}},
          {"facts", [](const TomlEntry&) {}},
          {"worked", [](const TomlEntry&) {}},
-         {"least", [](const TomlEntry&) {}}},
+         {"least", [](const TomlEntry&) {}},
+         {"goals", [](const TomlEntry&) {}},
+         {"change", [](const TomlEntry&) {}},
+         {"solution", [](const TomlEntry&) {}}},
         report_);
     for (const char* key : {"type", "prompt"}) need(key);
     if (ask_.type == Ask::Type::derive) {
       for (const char* key : {"start", "goal", "worked"}) need(key);
       if (ok_) derivation();
+    } else if (ask_.type == Ask::Type::state) {
+      if (ok_) task();
     } else {
       need("answer");
     }
     if (ok_) check_together();
-    if (ok_ && ask_.type != Ask::Type::derive) answer(*table_.find("answer"));
+    if (ok_ && has_answer()) answer(*table_.find("answer"));
     if (ok_ && !ask_.given.empty()) say_what_is_given();
     return ok_ ? std::optional(std::move(ask_)) : std::nullopt;
   }
@@ -175,6 +181,16 @@ class AskReader {
     ask_.derivation = std::make_shared<const Derivation>(std::move(derivation));
   }
 
+  bool has_answer() const { return ask_.type != Ask::Type::derive && ask_.type != Ask::Type::state; }
+
+  void task() {
+    auto task = read_state_task(table_, ask_.place, texts_);
+    ok_ = ok_ && task;
+    if (!task) return;
+    say_what_is_to_be_reached(*task, front_.notation.vocabulary, ask_.prompt_text);
+    ask_.task = std::make_shared<const StateTask>(std::move(*task));
+  }
+
   /// Behind what is asked: "From: … Goal: … You may use: …".
   void say_what_leads_where(const Derivation& derivation) {
     const auto add = [&](const std::string& words, const std::vector<const DerivedLine*>& lines) {
@@ -251,11 +267,19 @@ class AskReader {
       if (const TomlEntry* entry = table_.find(key); entry != nullptr && derives)
         fail(entry->place, in_quotes(key) + " is not of questions of type \"derive\"",
              "what leads to the goal stands in \"worked\"");
+    const bool steers = ask_.type == Ask::Type::state;
+    for (const char* key : kKeysOfStates)
+      if (const TomlEntry* entry = table_.find(key); entry != nullptr && !steers)
+        fail(entry->place, in_quotes(key) + " is of questions of type \"state\"");
+    for (const char* key : {"answer", "choices", "modulo", "given"})
+      if (const TomlEntry* entry = table_.find(key); entry != nullptr && steers)
+        fail(entry->place, in_quotes(key) + " is not of questions of type \"state\"",
+             "what is to be reached stands in \"goals\"");
     const bool expression = ask_.type == Ask::Type::expression;
     const TomlEntry* choices = table_.find("choices");
     const TomlEntry* modulo = table_.find("modulo");
     check_given();
-    if (derives) return;
+    if (derives || steers) return;
     if (expression && choices != nullptr) fail(choices->place, "a question for an expression has no choices");
     if (!expression && ask_.choices.size() < 2) {
       fail(choices == nullptr ? ask_.place : choices->value.place,

@@ -7,6 +7,7 @@
 #include "lessons/derivation/derivation.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/reader/lint_budget.h"
+#include "lessons/reader/state_keys.h"
 #include "render/typeset/math/tree.h"
 
 #include <algorithm>
@@ -172,6 +173,7 @@ class ClaimCheck {
 
   void check(const Ask& ask, const Step&) {
     if (ask.derivation) check_derivation(ask, *ask.derivation);
+    if (ask.task) check_state_task(ask, report_, effort_);
     const auto& answer = ask.expression;
     if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");

@@ -83,6 +83,7 @@ struct Footnote {
 };
 
 struct Derivation;
+struct StateTask;
 
 /// A question as it stands on a page: ```ask ID.
 struct Ask : Question {
@@ -94,6 +95,7 @@ struct Ask : Question {
   std::vector<RichText> hint_texts;
   SourcePlace place;
   std::shared_ptr<const Derivation> derivation{};  ///< of the type derive
+  std::shared_ptr<const StateTask> task{};         ///< of the type state
 };
 
 using Block = std::variant<Prose, Equation, Claim, Callout, Ask, Footnote>;
