@@ -14,6 +14,7 @@
 #include "base/utf8.h"
 #include "lessons/claims/answers.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/state_task.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -95,7 +96,8 @@ void offer_hint(const Options& options) {
 
 ExitCode judge_and_keep(const Ask& ask, const Vocabulary& words, const std::string& given,
                         const Options& options, const KeptAnswers& kept) {
-  const AnswerJudgement judgement = judge_answer(ask, given, Prover(), &words);
+  const AnswerJudgement judgement =
+      ask.task ? judge_state(*ask.task, given) : judge_answer(ask, given, Prover(), &words);
   options.json ? print_json(judgement) : print_verdict(judgement, given);
   if (judgement.mark == Mark::unreadable && !options.json) {
     print_place(given, judgement.column);
@@ -145,8 +147,9 @@ Command answer_command() {
            {"STAGE", &options->stage, "Id of the stage", "", true},
            {"ASK", &options->ask, "Id of the question", "", true},
            {"ANSWER", &options->answer,
-            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"",
-                        form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order))},
+            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"; a state, \"{}\"",
+                        form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order),
+                        form_of_answer(Ask::Type::state))},
            {"--hint", &options->hint, "Show the next hint instead"},
            {"--reset", &options->reset, "Forget what was answered to the question, and its hints"},
            {"--json", &options->json, "verdict, reason, hint, column and counterexample as JSON"}},

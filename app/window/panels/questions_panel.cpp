@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "app/window/panels/state_question.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -13,7 +14,7 @@ namespace polhode {
 namespace {
 
 /// Of the answer that was judged, whatever is typed since.
-void show_verdict(const JudgedAnswer& answer) {
+void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
   using Mark = AnswerJudgement::Mark;
   const bool right = verdict.mark == Mark::right;
@@ -22,9 +23,11 @@ void show_verdict(const JudgedAnswer& answer) {
   warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
   if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
   if (!verdict.hint.empty()) quiet_words(verdict.hint);
-  if (const auto& counter = verdict.counterexample)
+  if (const auto& counter = verdict.counterexample) {
     quiet_words(
         fmt::format("At {} yours is {}, right is {}.", counter->state, counter->left, counter->right));
+    show_it_button(context, *counter);
+  }
 }
 
 /// Typed, and checked with Enter or the button.
@@ -48,7 +51,7 @@ void words_or_see_page(const PanelContext& context, const std::string& markdown,
   ImGui::PopTextWrapPos();
 }
 
-void show_line(const DerivationWork::TypedLine& line, std::size_t number) {
+void show_line(PanelContext& context, const DerivationWork::TypedLine& line, std::size_t number) {
   using Mark = LineJudgement::Mark;
   const LineJudgement& verdict = line.judgement;
   const std::string words = fmt::format("{}   {}", number, line.text);
@@ -59,9 +62,11 @@ void show_line(const DerivationWork::TypedLine& line, std::size_t number) {
                                                          : "Cannot be read: ";
   quiet_words(fmt::format("{}{}.{}", what, verdict.reason, verdict.hint.empty() ? "" : " " + verdict.hint));
   if (verdict.column > 0) quiet_words(fmt::format("at column {}", verdict.column));
-  if (const auto& counter = verdict.counterexample)
+  if (const auto& counter = verdict.counterexample) {
     quiet_words(fmt::format("At {} the left side is {}, the right side {}.", counter->state, counter->left,
                             counter->right));
+    show_it_button(context, *counter);
+  }
 }
 
 /// Line after line, each judged as it is entered; the goal stays in sight.
@@ -69,7 +74,7 @@ void derive(PanelContext& context, const Ask& ask, std::string& typed) {
   DerivationWork& work = context.session.derivation(ask);
   quiet_words(fmt::format("From  {}", work.derivation().start.typed));
   quiet_words(fmt::format("To    {}", work.derivation().goal.typed));
-  for (std::size_t i = 0; i < work.lines().size(); ++i) show_line(work.lines()[i], i + 1);
+  for (std::size_t i = 0; i < work.lines().size(); ++i) show_line(context, work.lines()[i], i + 1);
   if (work.is_done()) right_words("The goal is reached.");
   if (work.is_too_short())
     warning_words(fmt::format("That is the goal itself: show how you get there, in at least {} lines.",
@@ -142,8 +147,9 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
                                    std::size_t count) {
   ImGui::PushID(ask.id.c_str());
   heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
-  // What leads where in a derivation stands below, as it is typed.
-  const RichText words = ask.derivation ? RichText{ask.prompt_text.front()} : ask.prompt_text;
+  // What leads where in a derivation stands below, as it is typed; and goals with how far they are.
+  const bool has_more_below = ask.derivation || ask.task;
+  const RichText words = has_more_below ? RichText{ask.prompt_text.front()} : ask.prompt_text;
   words_or_see_page(context, ask.prompt, words);
   std::string& typed = typed_[context.session.stage().id + '/' + ask.id];
   switch (ask.type) {
@@ -158,6 +164,11 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
     case Ask::Type::predict:
       ask_for_choice(context, ask, typed);
       break;
+    case Ask::Type::state:
+      ask_for_state(context, ask);
+      show_hints(context, ask);
+      ImGui::PopID();
+      return;
     case Ask::Type::derive:
       derive(context, ask, typed);
       show_next_step(context, ask);
@@ -165,7 +176,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
       return;
   }
   if (const JudgedAnswer* answer = context.session.judged(ask))
-    show_verdict(*answer);
+    show_verdict(context, *answer);
   else if (const AnswerRecord* record = context.session.record(ask); record && record->right)
     quiet_words("You have answered this one right.");
   show_hints(context, ask);
@@ -179,6 +190,8 @@ void QuestionsPanel::draw(PanelContext& context) {
     draw_question(context, *questions[i], i + 1, questions.size());
     context.take_focus = false;
   }
+  const auto is_written = [](const Ask* ask) { return ask->task == nullptr; };
+  if (std::none_of(questions.begin(), questions.end(), is_written)) return;
   heading("How to write it");
   const bool derives = std::any_of(questions.begin(), questions.end(),
                                    [](const Ask* ask) { return ask->derivation != nullptr; });
