@@ -15,6 +15,7 @@
 #include "base/utf8.h"
 #include "lessons/derivation/answer_reasons.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/state_task.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -113,7 +114,8 @@ void offer_hint(const Options& options) {
 
 ExitCode judge_and_keep(const Ask& ask, const SpeechText& speech, const Vocabulary& words,
                         const std::string& given, const Options& options, const KeptAnswers& kept) {
-  const AnswerJudgement judgement = judge_with_reasons(ask, given, Prover(), words);
+  const AnswerJudgement judgement =
+      ask.task ? judge_state(*ask.task, given) : judge_with_reasons(ask, given, Prover(), words);
   const std::string reply = speech.words_after(ask, judgement);
   options.json ? print_json(judgement, reply) : print_verdict(judgement, given, reply);
   if (judgement.mark == Mark::unreadable && !options.json) {
@@ -163,8 +165,9 @@ Command answer_command() {
            {"STAGE", &options->stage, "Id of the stage", "", true},
            {"ASK", &options->ask, "Id of the question", "", true},
            {"ANSWER", &options->answer,
-            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"; a number, \"4.2 mJ\"",
-                        form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order))},
+            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"; a number, \"4.2 mJ\"; a state, \"{}\"",
+                        form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order),
+                        form_of_answer(Ask::Type::state))},
            {"--hint", &options->hint, "Show the next hint instead; behind the last, the answer"},
            {"--reset", &options->reset, "Forget what was answered to the question, and its hints"},
            {"--json", &options->json, "verdict, reason, tag, reply, column, counterexample as JSON"}},

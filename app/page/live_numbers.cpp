@@ -183,7 +183,8 @@ namespace {
 
 std::string caption_at(const Lesson& lesson, const RichText* caption, const SceneModel& model, double t_s,
                        const LongestNumbers& longest) {
-  if (caption == nullptr || numbers_in(*caption).empty()) return model.scene.caption;
+  if (caption == nullptr || model.scene.caption.empty() || numbers_in(*caption).empty())
+    return model.scene.caption;
   const auto live = live_state(model, t_s);
   std::string line;
   const auto add_formula = [&](const TextSpan& span) {

@@ -3,6 +3,7 @@
 
 #include "app/session/derivation_work.h"
 #include "lessons/derivation/answer_reasons.h"
+#include "lessons/reader/state_task.h"
 
 namespace polhode {
 
@@ -13,6 +14,7 @@ bool AnswerCheck::is_right(const Ask& ask, std::string_view answer) {
 }
 
 bool AnswerCheck::judge(const Ask& ask, std::string_view answer) const {
+  if (ask.task) return judge_state(*ask.task, answer).mark == AnswerJudgement::Mark::right;
   if (!ask.derivation) return is_right_answer(ask, answer, prover_, lesson_.notation.vocabulary);
   DerivationWork work(lesson_, ask);
   work.restore(answer);

@@ -2,6 +2,7 @@
 #include "app/session/lesson_session.h"
 
 #include "lessons/derivation/answer_reasons.h"
+#include "lessons/reader/state_task.h"
 #include "lessons/reader/varied_scene.h"
 #include "physics/body/euler.h"
 #include "physics/geometry/flips.h"
@@ -16,7 +17,7 @@ namespace polhode {
 namespace {
 
 bool starts_another_motion(const SceneEdits& a, const SceneEdits& b) {
-  return a.body != b.body || a.w0_B != b.w0_B || a.attitude != b.attitude;
+  return a.body != b.body || a.w0_B != b.w0_B || a.attitude != b.attitude || a.torque != b.torque;
 }
 
 /// Whether the motion is that of the lesson, computed as it is there.
@@ -165,6 +166,7 @@ void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
 void LessonSession::show_lesson_scene() {
   playing_ = false;
   edits_ = {};
+  aside_.reset();
   t_s_ = loop_ = 0;
   model_.reset();
   if (!has_scene()) return;
@@ -290,6 +292,7 @@ Status LessonSession::set_edits(const SceneEdits& edits) {
     } else {
       const bool another = starts_another_motion(wanted, edits_);
       make_model_of(wanted);
+      if (aside_ && another) aside_->is_changed = true;
       go_on_from(another ? 0 : t_s_);
     }
   } catch (const std::domain_error& error) {
@@ -326,6 +329,7 @@ void LessonSession::reset_edits() {
   if (!has_scene() || (edits_.empty() && !following_)) return;
   const bool another = starts_another_motion(edits_, SceneEdits{});
   following_ = false;
+  aside_.reset();
   make_model_of({});
   go_on_from(another ? still_time_s(lesson_scene()) : t_s_);
   patch_model();
@@ -388,7 +392,8 @@ std::vector<const Ask*> LessonSession::questions() const {
 const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view text) {
   using Mark = AnswerJudgement::Mark;
   JudgedAnswer& judged = judged_[ask.id] = {
-      std::string(text), judge_with_reasons(ask, text, Prover(), lesson().notation.vocabulary)};
+      std::string(text), ask.task ? judge_state(*ask.task, text, effort_)
+                                  : judge_with_reasons(ask, text, Prover(), lesson().notation.vocabulary)};
   if (judged.judgement.mark != Mark::unreadable) {
     note_judged(answers_[answer_name(stage().id, ask.id)], judged.judgement, text);
     if (ask.plays && model_) play_for(ask);

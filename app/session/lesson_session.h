@@ -135,6 +135,16 @@ class LessonSession {
   Status vary(std::size_t number, double value);
   /// Follows nothing any more; a motion that was changed begins at the scene's own time.
   void reset_edits();
+  /// The body of a counterexample in place of the lesson's, as it turns and with its torque, without the
+  /// lesson's caption; leaving it gives back what was shown before, with the camera of now. What goes to
+  /// another scene, or back to the lesson's, leaves it too.
+  Status show_counterexample(const Counterexample& counter);
+  void leave_counterexample();
+  /// What is shown; null: none, or its body was changed since.
+  const Counterexample* counterexample() const {
+    return aside_ && !aside_->is_changed ? &aside_->shown : nullptr;
+  }
+  bool is_aside() const { return aside_.has_value(); }
   /// The camera alone: cheap.
   void set_camera(const CameraSpec& camera);
   /// The camera keeps pace with the body's turning about the vertical; not where the scene is
@@ -219,6 +229,13 @@ class LessonSession {
     std::vector<double> times_s;
   };
   mutable Flips flips_;  ///< found when asked for
+  struct Aside {
+    Counterexample shown;
+    SceneEdits before;
+    double t_s = 0;
+    bool is_changed = false;
+  };
+  std::optional<Aside> aside_;  ///< from the lesson's scene, to a counterexample
   std::string lit_;
   AnswerLog answers_;
   std::map<std::string, JudgedAnswer> judged_;         ///< by ask, since the place was reached

@@ -52,6 +52,12 @@ Scene edited(Scene scene, const SceneEdits& edits) {
     if (shows && !scene.torque.empty()) scene.attitude = LPoints::up;
   }
   if (edits.attitude) scene.attitude = edits.attitude;
+  replace(scene.torque, edits.torque);
+  if (edits.is_counterexample) {
+    scene.rate.reset();
+    scene.duration_s.reset();
+    scene.caption.clear();
+  }
   if (edits.body) scene.body = or_throw(on_its_pivot(*edits.body, scene.torque));
   replace(scene.w0_B, edits.w0_B);
   replace(scene.motion, edits.motion);
@@ -63,6 +69,8 @@ Scene edited(Scene scene, const SceneEdits& edits) {
   of_look.body = {};
   of_look.w0_B = {};
   of_look.attitude = {};
+  of_look.torque = {};
+  of_look.is_counterexample = false;
   of_look.motion = {};
   for (std::size_t i = 0; i < scene.beside.size(); ++i) {
     Scene other = edited(scene.beside[i], of_look);

@@ -17,7 +17,10 @@ struct SceneEdits {
   std::optional<Body> body{};
   std::optional<Vec3> w0_B{};  ///< rad/s at t = 0
   std::optional<AttitudeSpec> attitude{};
+  std::optional<Torque> torque{};
   std::optional<MotionSpec> motion{};
+  /// It shows a counterexample: the rate, duration and caption of the lesson do not speak of it.
+  bool is_counterexample = false;
   OverlaySet on{}, off{};  ///< shown, not shown, whatever the lesson says; disjoint
   std::optional<std::vector<View>> views{};
   std::optional<CameraSpec> camera{};

@@ -4,6 +4,7 @@
 #include "app/session/answer_keys.h"
 #include "app/session/command.h"
 #include "app/session/typed_folder.h"
+#include "app/window/figure_marks.h"
 #include "app/window/number_sliders.h"
 #include "app/window/speaker_notes.h"
 
@@ -267,6 +268,8 @@ void Screen::lay_out_sliders(LessonSession& session) {
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
+  draw_drag_marks(session, page_->insets(), drag_.holds_omega(), *sizes_);
+  draw_scene_chip(session, figure, *sizes_);
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {

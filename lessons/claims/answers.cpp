@@ -250,6 +250,8 @@ std::string_view form_of_answer(Question::Type type) {
     case Question::Type::predict:
     case Question::Type::derive:
       return "";
+    case Question::Type::state:
+      return "omega = [a, b, c]; t = d";
   }
   return "";
 }

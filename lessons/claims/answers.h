@@ -15,7 +15,7 @@ namespace polhode {
 
 /// What is asked, and the answer.
 struct Question {
-  enum class Type { expression, choice, predict, order, number, derive };
+  enum class Type { expression, choice, predict, order, number, derive, state };
   Type type = Type::expression;
   std::vector<std::string> choices;
   std::optional<Expression> expression;  ///< the answer, of type expression

@@ -7,6 +7,7 @@
 #include "lessons/claims/relation.h"
 #include "lessons/diagnostics/diagnostic.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,10 +25,20 @@ std::vector<std::string> claim_kind_names();
 /// seldom defined, or its numbers too large.
 enum class Verdict { holds, not_refuted, fails, undecided };
 
+/// The body of a counterexample, how it turns, and the torque on it, as far as a figure can show them: kg m²,
+/// rad/s and N m on its axes; whatever the sides do not depend on is some possible number.
+struct CounterBody {
+  std::array<double, 3> I{}, w{}, N{};
+  std::array<double, 4> q{1, 0, 0, 0};  ///< w x y z, of any length but 0: body to space
+  bool has_more =
+      false;  ///< the counterexample has numbers besides: of p, v, A, constants, rates of their own
+};
+
 /// A possible body in a state of small whole numbers; axes of body and space coincide.
 struct Counterexample {
-  std::string state;        ///< "I = (2, 3, 4), ω = (1, 1, 0)"
-  std::string left, right;  ///< values of both sides; of a non-sequitur those of the conclusion
+  std::string state;                  ///< "I = (2, 3, 4), ω = (1, 1, 0)"
+  std::string left, right;            ///< values of both sides; of a non-sequitur those of the conclusion
+  std::optional<CounterBody> body{};  ///< nothing where something is small without being a number
 };
 /// "at I = …: left …, right …"
 std::string to_string(const Counterexample& counterexample);

@@ -2,6 +2,7 @@
 #include "lessons/claims/motion_words.h"
 
 #include "physics/analysis/work_precision.h"
+#include "physics/geometry/flips.h"
 #include "physics/method.h"
 #include "render/scene/model/method_table.h"
 #include "render/scene/model/scene_problem.h"
@@ -24,6 +25,9 @@ std::optional<double> part(const std::optional<Facts>& facts, T Facts::*member) 
 using M = MotionNumbers;
 constexpr std::array kWords = std::to_array<MotionWord>({
     {"period", "s", R"(\text{period})", "period of the polhode", [](M& m) { return m.facts().period_s; }},
+    {"flip_interval", "s", R"(\text{time between two flips})",
+     "free body that turns over again and again about its intermediate axis: time from one flip to the next",
+     [](M& m) { return m.flip_interval_s(); }},
     {"precession", "rad/s", R"(\text{precession})",
      R"(free symmetric body: rate at which its axis turns about L; \|L\|/I1 with the axis 3)",
      [](M& m) { return part(m.facts().free, &FreePrecession::in_space); }},
@@ -150,6 +154,12 @@ std::optional<Expression> MotionNumbers::written_out(const Expression& expressio
 const MotionFacts& MotionNumbers::facts() {
   if (!facts_) facts_ = motion_facts(problem_);
   return *facts_;
+}
+
+std::optional<double> MotionNumbers::flip_interval_s() {
+  const bool flips = problem_.torque.empty() && keeps_flipping(problem_.I, problem_.start.w_B);
+  if (!flips || !facts().period_s) return std::nullopt;
+  return 0.5 * *facts().period_s;
 }
 
 bool MotionNumbers::is_computed() const {

@@ -56,6 +56,8 @@ class MotionNumbers {
   std::optional<Expression> written_out(const Expression& expression);
 
   const MotionFacts& facts();
+  /// Half the period; nothing of a motion without flips (physics/geometry/flips.h).
+  std::optional<double> flip_interval_s();
   /// Of the computed motion at t, from the closed form, or under a torque from a much smaller tolerance;
   /// nothing of a closed form, which is itself what others are compared with.
   std::optional<StateError> error();

@@ -13,12 +13,13 @@ using Row = std::pair<std::string_view, std::string_view>;
 
 /// Those of answers (lessons/claims/answers.h, number_answer.h) and of lines of derivations (Slip, whose
 /// names they are).
-constexpr std::array<Row, 23> kReasons{{
+constexpr std::array<Row, 24> kReasons{{
     {"degrees", "degrees and radians are mixed up"},
     {"derivative", "a derivative is left in the answer"},
     {"extra", "a term is too many"},
     {"factor", "a number as a factor is wrong"},
     {"frame", "the rate is that seen from the other frame"},
+    {"goal", "the motion does not reach its goal"},
     {"index", "an index is wrong"},
     {"indices", "the indices are mixed up"},
     {"inertia", "a moment of inertia is missing or misplaced"},

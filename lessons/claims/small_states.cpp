@@ -383,6 +383,20 @@ std::string words_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedN
   return text.empty() ? "any state" : text;
 }
 
+CounterBody body_of(const StateNumbers<SizedNumber>& s, const Dependence& d) {
+  CounterBody body;
+  for (std::size_t i = 0; i < 3; ++i) {
+    body.I[i] = s.I[i].value;
+    body.w[i] = s.w[i].value;
+    body.N[i] = d.N ? s.N_B[i].value : 0.0;
+  }
+  if (d.q)
+    for (std::size_t i = 0; i < 4; ++i) body.q[i] = s.q[i].value;
+  body.has_more = d.dw || d.ddw || d.dN || d.J || d.v || d.dv || d.ddv || d.A || d.dA || d.ddA || d.F ||
+                  d.dF || d.m || d.h || d.k || !d.constants.empty();
+  return body;
+}
+
 std::string value_text(const Triple<SizedNumber, 0>& value, ExpressionType type) {
   if (type == ExpressionType::zero) return "0";
   if (type == ExpressionType::scalar) return number_text(value[0].value.value);
@@ -561,7 +575,7 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
     const Sides sides = *sides_of(equality, *real);
     found = Counterexample{words_of(*real_numbers, *real, depends, {}),
                            value_text(sides.left, equality.left.type()),
-                           value_text(sides.right, equality.right.type())};
+                           value_text(sides.right, equality.right.type()), body_of(*real_numbers, depends)};
     return true;
   };
   for_each_state(depends, look_at);

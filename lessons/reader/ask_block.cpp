@@ -9,6 +9,7 @@
 #include "lessons/reader/keys.h"
 #include "lessons/reader/number_question.h"
 #include "lessons/reader/outcome_key.h"
+#include "lessons/reader/state_keys.h"
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,8 @@
 namespace polhode {
 namespace {
 
-const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order", "number", "derive"};
+const std::vector<std::string> kTypeNames = {"expression", "choice", "predict", "order",
+                                             "number",     "derive", "state"};
 const std::vector<std::string> kModuloNames = {"identity", "motion", "free"};
 
 class AskReader {
@@ -55,18 +57,23 @@ class AskReader {
          {"goal", [](const TomlEntry&) {}},
          {"facts", [](const TomlEntry&) {}},
          {"worked", [](const TomlEntry&) {}},
-         {"least", [](const TomlEntry&) {}}},
+         {"least", [](const TomlEntry&) {}},
+         {"goals", [](const TomlEntry&) {}},
+         {"change", [](const TomlEntry&) {}},
+         {"solution", [](const TomlEntry&) {}}},
         report_);
     for (const char* key : {"type", "prompt"}) need(key);
     if (ask_.type == Ask::Type::derive) {
       for (const char* key : {"start", "goal", "worked"}) need(key);
       if (ok_) derivation();
+    } else if (ask_.type == Ask::Type::state) {
+      if (ok_) task();
     } else if (list_ == nullptr) {
       need("answer");
     }
     if (list_ != nullptr && ok_) take_list();
     if (ok_) check_together();
-    if (ok_ && ask_.type != Ask::Type::derive && list_ == nullptr) answer(*table_.find("answer"));
+    if (ok_ && has_answer() && list_ == nullptr) answer(*table_.find("answer"));
     if (ok_ && ask_.expression) ask_.asked = asked_formulas(ask_.prompt_text, notation());
     if (ok_ && has_choices(ask_.type)) shuffle();
     if (ok_ && ask_.number) add_to_prompt(words_of_what_is_asked(*ask_.number));
@@ -197,6 +204,16 @@ class AskReader {
     derivation.letters = letters_of(derivation);
     say_what_leads_where(derivation);
     ask_.derivation = std::make_shared<const Derivation>(std::move(derivation));
+  }
+
+  bool has_answer() const { return ask_.type != Ask::Type::derive && ask_.type != Ask::Type::state; }
+
+  void task() {
+    auto task = read_state_task(table_, ask_.place, texts_);
+    ok_ = ok_ && task;
+    if (!task) return;
+    say_what_is_to_be_reached(*task, front_.notation.vocabulary, ask_.prompt_text);
+    ask_.task = std::make_shared<const StateTask>(std::move(*task));
   }
 
   /// Behind what is asked: "From: … Goal: … You may use: …".
@@ -349,6 +366,14 @@ class AskReader {
       if (const TomlEntry* entry = table_.find(key); entry != nullptr && derives)
         fail(entry->place, in_quotes(key) + " is not of questions of type \"derive\"",
              "what leads to the goal stands in \"worked\"");
+    const bool steers = ask_.type == Ask::Type::state;
+    for (const char* key : kKeysOfStates)
+      if (const TomlEntry* entry = table_.find(key); entry != nullptr && !steers)
+        fail(entry->place, in_quotes(key) + " is of questions of type \"state\"");
+    for (const char* key : {"answer", "choices", "modulo", "given"})
+      if (const TomlEntry* entry = table_.find(key); entry != nullptr && steers)
+        fail(entry->place, in_quotes(key) + " is not of questions of type \"state\"",
+             "what is to be reached stands in \"goals\"");
     const auto is_only_of = [&](const char* key, bool is_so, const char* of) {
       if (const TomlEntry* entry = table_.find(key); entry != nullptr && !is_so)
         fail(entry->place, in_quotes(key) + " is of questions " + of);
@@ -365,7 +390,7 @@ class AskReader {
     const TomlEntry* choices = table_.find("choices");
     const TomlEntry* modulo = table_.find("modulo");
     check_given();
-    if (derives) return;
+    if (derives || steers) return;
     if (!chooses && choices != nullptr)
       fail(choices->place,
            std::string("a question for ") + (is_number ? "a number" : "an expression") + " has no choices");

@@ -9,6 +9,7 @@
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/name_check.h"
 #include "lessons/reader/number_check.h"
+#include "lessons/reader/state_keys.h"
 #include "render/typeset/math/tree.h"
 
 #include <algorithm>
@@ -131,6 +132,7 @@ class ClaimCheck {
       for (const RichText& text : *texts) check_text(text, step);
     check_text(ask.because, step);
     if (ask.derivation) check_derivation(ask, *ask.derivation);
+    if (ask.task) check_state_task(ask, report_, effort_);
     const auto& answer = ask.expression;
     if (answer && prover_.settle({*answer, *answer}, Assumption::identity, ask.given) != Verdict::holds)
       report_.error(ask.place, "the answer of question " + in_quotes(ask.id) + " is nowhere defined");

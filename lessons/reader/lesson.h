@@ -83,6 +83,7 @@ struct Footnote {
 };
 
 struct Derivation;
+struct StateTask;
 
 /// Of the motion of a step.
 struct PlayedInterval {
@@ -104,6 +105,7 @@ struct Ask : Question {
   SourcePlace place;
   std::shared_ptr<const Derivation> derivation{};  ///< of the type derive
   std::vector<int> outcomes{};  ///< which of the lesson's it tests, from 1 (About::outcomes)
+  std::shared_ptr<const StateTask> task{};         ///< of the type state
 };
 
 using Block = std::variant<Prose, Equation, Claim, Callout, Ask, Footnote>;

@@ -12,6 +12,7 @@
 #include "lessons/reader/motion_table.h"
 #include "lessons/reader/plot_keys.h"
 #include "lessons/reader/reader.h"
+#include "lessons/reader/state_keys.h"
 #include "lessons/reader/varied_scene.h"
 #include "render/scene/model/scene_needs.h"
 #include "render/typeset/math/tree.h"
@@ -317,6 +318,7 @@ void StageBuilder::add_footnotes() {
 void StageBuilder::finish_stage() {
   if (stages_.empty()) return;
   finish_step();
+  for (Step& one : stages_.back().steps) place_state_questions(one, report_);
   stages_.back().steps.shrink_to_fit();  // complete scenes are large
   check_claims();
   check_highlights();

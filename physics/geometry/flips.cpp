@@ -74,6 +74,20 @@ class FlipSearch {
 
 }  // namespace
 
+bool keeps_flipping(const PrincipalMoments& moments, const Vec3& w_B) {
+  const auto [a, b, c] = axes_by_moment(moments);
+  const double Ia = moments[a], Ib = moments[b], Ic = moments[c];
+  if (!(Ia < Ib && Ib < Ic)) return false;
+  // The scale of ω does not matter: squares stay within the range of numbers.
+  const Vec3 w = w_B.stableNormalized();
+  const double two_T = Ia * w[a] * w[a] + Ib * w[b] * w[b] + Ic * w[c] * w[c];
+  const double L2 = Ia * Ia * w[a] * w[a] + Ib * Ib * w[b] * w[b] + Ic * Ic * w[c] * w[c];
+  // L_b² is least where it is 0, if L² is beside 2T I_b: on either side of the separatrix it passes there.
+  if (L2 == two_T * Ib) return false;
+  const double most = std::min(Ib * (two_T * Ic - L2) / (Ic - Ib), Ib * (L2 - two_T * Ia) / (Ib - Ia));
+  return most > kFlipsNearer * kFlipsNearer * L2;
+}
+
 std::vector<double> flip_times(const Motion& motion, const PrincipalMoments& moments, double from_s,
                                double to_s) {
   const FlipSearch search(motion, moments);

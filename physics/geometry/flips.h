@@ -25,6 +25,10 @@ namespace polhode {
 
 inline constexpr double kFlipsNearer = 0.9;
 
+/// Whether a body that turns freely with this ω flips, again and again: its polhode goes from one end of the
+/// intermediate axis to the other. On the separatrix, where it would do so once, it does not.
+bool keeps_flipping(const PrincipalMoments& moments, const Vec3& w_B);
+
 /// Times in [from_s, to_s], rising, to 1e-14 of the interval. None where two moments are equal,
 /// and where the motion cannot be computed. Two flips nearer to each other than 1/500 of the interval may be
 /// missed. Some 500 evaluations of ω, and 40 a flip.

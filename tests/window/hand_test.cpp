@@ -126,6 +126,25 @@ TEST_F(Hand, AnswersAQuestionWrongAndRight) {
   EXPECT_EQ(lesson.place().stage, 2) << "letters and Enter are for the question";
 }
 
+// The tip is dragged to where the goal is reached; only Check makes an answer of it, which is the state
+// itself.
+TEST_F(Hand, BringsAMotionToItsGoal) {
+  PlayedLesson lesson(display(), home(), {kSteered});
+  const Image start = lesson.picture_at_rest();
+  lesson.press({"q"});
+  ASSERT_TRUE(lesson.changes_from(start));
+  const Image asked = lesson.picture_at_rest();
+  lesson.drag({kSteeredTip, beside(kSteeredTip, -25, 27), beside(kSteeredTip, -50, 54)});
+  ASSERT_TRUE(lesson.changes_from(asked));
+  lesson.picture_at_rest();
+  EXPECT_TRUE(answers(home(), "steered").empty()) << "nothing was checked";
+  lesson.click(kCheckState);
+  EXPECT_TRUE(eventually([&] {
+    const nlohmann::json given = answers(home(), "steered").value("apart/apart", nlohmann::json::object());
+    return given.value("right", false) && given.value("last", "").find("omega = [") == 0;
+  })) << answers(home(), "steered").dump();
+}
+
 TEST_F(Hand, EditsAnAnswer) {
   PlayedLesson lesson(display(), home(), {kPlayed, "--stage", "question"});
   const Image start = lesson.picture_at_rest();

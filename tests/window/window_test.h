@@ -14,6 +14,7 @@ namespace polhode::window_test {
 
 /// A small lesson: a figure of two steps (the closed form, rk4), a question, an end.
 inline const std::string kPlayed = test::source_dir() / "tests/data/window/played.md";
+inline const std::string kSteered = test::source_dir() / "tests/data/window/steered.md";
 
 /// A display and a home for each test; skipped where there can be none. What was seen last when a test failed
 /// is in out/check/window-NAME.png.

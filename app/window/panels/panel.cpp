@@ -44,6 +44,11 @@ void Panels::draw_contents(PanelContext& context) {
 
 /// What cannot be is not made, and the panel says why.
 void Panels::make_edits(PanelContext& context) {
+  if (context.requests.counterexample) {
+    const Status shown = context.session.show_counterexample(*context.requests.counterexample);
+    if (!shown) refusal_ = shown.error();
+    context.requests.counterexample.reset();
+  }
   if (!context.requests.edits) return;
   const Status made = context.session.set_edits(*context.requests.edits);
   refusal_ = made ? "" : made.error();

@@ -19,6 +19,7 @@ struct WindowRequests {
   std::string clipboard{};  ///< to be copied; empty: nothing
   /// They make another model, and what is being drawn refers to the present one.
   std::optional<SceneEdits> edits{};
+  std::optional<Counterexample> counterexample{};  ///< to be shown in the figure, likewise
 };
 
 /// A rectangle of the display, px.

@@ -2,6 +2,7 @@
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
 #include "app/window/panels/progress_table.h"
+#include "app/window/panels/state_question.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -21,7 +22,7 @@ void wrapped_words(const std::string& words) {
 }
 
 /// Of the answer that was judged, whatever is typed since.
-void show_verdict(const JudgedAnswer& answer) {
+void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
   using Mark = AnswerJudgement::Mark;
   const bool right = verdict.mark == Mark::right;
@@ -30,9 +31,11 @@ void show_verdict(const JudgedAnswer& answer) {
   warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
   if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
   if (!verdict.hint.empty()) quiet_words(verdict.hint);
-  if (const auto& counter = verdict.counterexample)
+  if (const auto& counter = verdict.counterexample) {
     quiet_words(
         fmt::format("At {} yours is {}, right is {}.", counter->state, counter->left, counter->right));
+    show_it_button(context, *counter);
+  }
 }
 
 /// Typed, and checked with Enter or the button.
@@ -50,7 +53,7 @@ void ask_for_words(PanelContext& context, const Ask& ask, std::string& typed) {
   if ((ImGui::Button("Check") || entered) && !typed.empty()) context.session.answer(ask, typed);
 }
 
-void show_line(const DerivationWork::TypedLine& line, std::size_t number) {
+void show_line(PanelContext& context, const DerivationWork::TypedLine& line, std::size_t number) {
   using Mark = LineJudgement::Mark;
   const LineJudgement& verdict = line.judgement;
   const std::string words = fmt::format("{}   {}", number, line.text);
@@ -61,9 +64,11 @@ void show_line(const DerivationWork::TypedLine& line, std::size_t number) {
                                                          : "Cannot be read: ";
   quiet_words(fmt::format("{}{}.{}", what, verdict.reason, verdict.hint.empty() ? "" : " " + verdict.hint));
   if (verdict.column > 0) quiet_words(fmt::format("at column {}", verdict.column));
-  if (const auto& counter = verdict.counterexample)
+  if (const auto& counter = verdict.counterexample) {
     quiet_words(fmt::format("At {} the left side is {}, the right side {}.", counter->state, counter->left,
                             counter->right));
+    show_it_button(context, *counter);
+  }
 }
 
 /// Line after line, each judged as it is entered; the goal stays in sight.
@@ -71,7 +76,7 @@ void derive(PanelContext& context, const Ask& ask, std::string& typed) {
   DerivationWork& work = context.session.derivation(ask);
   quiet_words(fmt::format("From  {}", work.derivation().start.typed));
   quiet_words(fmt::format("To    {}", work.derivation().goal.typed));
-  for (std::size_t i = 0; i < work.lines().size(); ++i) show_line(work.lines()[i], i + 1);
+  for (std::size_t i = 0; i < work.lines().size(); ++i) show_line(context, work.lines()[i], i + 1);
   if (work.is_done()) right_words("The goal is reached.");
   if (work.is_too_short())
     warning_words(fmt::format("That is the goal itself: show how you get there, in at least {} lines.",
@@ -188,8 +193,9 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
                                    std::size_t count) {
   ImGui::PushID(ask.id.c_str());
   heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
-  // What leads where in a derivation stands below, as it is typed.
-  const RichText words = ask.derivation ? RichText{ask.prompt_text.front()} : ask.prompt_text;
+  // What leads where in a derivation stands below, as it is typed; and goals with how far they are.
+  const bool has_more_below = ask.derivation || ask.task;
+  const RichText words = has_more_below ? RichText{ask.prompt_text.front()} : ask.prompt_text;
   wrapped_words(context.speech.words(words));
   std::string& typed = typed_[context.session.stage().id + '/' + ask.id];
   switch (ask.type) {
@@ -205,6 +211,11 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
     case Ask::Type::predict:
       ask_for_choice(context, ask);
       break;
+    case Ask::Type::state:
+      ask_for_state(context, ask);
+      show_hints(context, ask, false);
+      ImGui::PopID();
+      return;
     case Ask::Type::derive:
       derive(context, ask, typed);
       show_next_step(context, ask);
@@ -214,7 +225,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   const JudgedAnswer* answer = context.session.judged(ask);
   const AnswerRecord* record = context.session.record(ask);
   if (answer != nullptr && answer->judgement.choice == 0) {
-    show_verdict(*answer);
+    show_verdict(context, *answer);
     wrapped_words(context.speech.words_after(ask, answer->judgement));
   }
   if (answer == nullptr && record != nullptr && record->right > 0)

@@ -40,7 +40,12 @@ class Answer : public ::testing::Test {
         "```ask listed\ntype = \"choice\"\nprompt = 'Which?'\nshuffle = false\nbecause = 'So it is.'\n"
         "- [ ] one\n  The $\\omega_1$ there is small.\n- [x] two\n```\n"
         "```ask speed\ntype = \"number\"\nprompt = 'How fast?'\nanswer = 2\nunit = 'rad/s'\n"
-        "hints = ['One.', 'Two.']\n```\n");
+        "hints = ['One.', 'Two.']\n```\n"
+        "```scene\nbody = \"textbook\"\nomega = [0.3, 0.2, 1.5]\n```\n"
+        "```ask apart\ntype = \"state\"\nprompt = 'Apart?'\n"
+        "goals = [{ of = 'atan2(norm(cross(omega, L)), dot(omega, L))', say = 'angle', is = 20, within = 1, "
+        "unit = 'deg' }]\n"
+        "change = ['omega']\nsolution = { omega = [1.5, 0, 0.45] }\nhints = ['Drag.']\n```\n");
   }
   ScratchFolder folder_;
   std::filesystem::path lesson_ = folder_ / "quiz.md";
@@ -54,6 +59,23 @@ TEST_F(Answer, RightIsZeroAndWrongIsFourWithTheReason) {
   EXPECT_EQ(wrong.code, 4);
   EXPECT_THAT(wrong.out, HasSubstr("wrong: wrong sign"));
   EXPECT_THAT(wrong.out, HasSubstr("At I = (2, 3, 4), ω = (1, 0, 1) yours is 2, right is −2."));
+}
+
+TEST_F(Answer, AStateIsJudgedByItsMotion) {
+  const ProgramRun right = answer("apart", {"omega = [1.5, 0, 0.45]"});
+  EXPECT_EQ(right.code, 0) << right.err;
+  EXPECT_EQ(right.out, "right\n");
+  EXPECT_EQ(logged().at("quiz/apart").at("last"), "omega = [1.5, 0, 0.45]");
+  const ProgramRun wrong = answer("apart", {"omega = [0, 0, 1]"});
+  EXPECT_EQ(wrong.code, 4);
+  EXPECT_THAT(wrong.out, HasSubstr("wrong: angle is 0.0°, 20.0° too small\n"));
+  const ProgramRun other = answer("apart", {"t = 1"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_THAT(other.err, HasSubstr("this question keeps the time as it is"));
+  const ProgramRun slip = answer("apart", {"omge = [0, 0, 1]"});
+  EXPECT_EQ(slip.code, 2);
+  EXPECT_EQ(slip.out, "  omge = [0, 0, 1]\n  ^\n");
+  EXPECT_THAT(slip.err, HasSubstr("omge"));
 }
 
 TEST_F(Answer, UnreadableIsTwoWithItsColumn) {

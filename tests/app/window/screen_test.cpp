@@ -3,6 +3,7 @@
 
 #include "app/export/picture_maker.h"
 #include "app/session/figure_interaction.h"
+#include "app/session/steering.h"
 #include "app/window/speaker_notes.h"
 #include "tests/app/session/example_lesson.h"
 #include "tests/base/files/folder.h"
@@ -213,6 +214,42 @@ TEST_F(ScreenTest, TheTipOfOmegaIsTakenElsewhere) {
   const auto now = omega_tips(*session.model(), session.t_s(), screen->page().insets());
   ASSERT_FALSE(now.empty());
   EXPECT_LT((Vec2(now[0].x, now[0].y) - target).norm(), 4);
+}
+
+// Its panel follows the hand, and the answer is what is there when Check is pressed.
+TEST_F(ScreenTest, AStateIsReachedByDraggingOmega) {
+  const auto& stages = session.lesson().stages;
+  const auto stage = std::ranges::find(stages, "contrast", &Stage::id);
+  ASSERT_NE(stage, stages.end());
+  session.go_to({static_cast<std::size_t>(stage - stages.begin()), stage->steps.size() - 1});
+  const Ask& ask = *session.questions().front();
+  ASSERT_TRUE(ask.task);
+  session.panel = Panel::question;
+  frame(3);
+  const auto tips = omega_tips(*session.model(), session.t_s(), screen->page().insets());
+  ASSERT_FALSE(tips.empty());
+  const double before = steering_of(session, *ask.task).goals.front().value.value();
+  drag(tips[0].x, tips[0].y, tips[0].x + 30, tips[0].y + 30);
+  const double after = steering_of(session, *ask.task).goals.front().value.value();
+  EXPECT_GT(std::abs(after - before), 0.1) << "degrees";
+  EXPECT_EQ(session.record(ask), nullptr) << "nothing was checked yet";
+}
+
+TEST_F(ScreenTest, ACounterexampleIsShownAndLeft) {
+  frame(3);
+  const Image lessons = screen->read();
+  Counterexample counter{"I = (2, 3, 4), ω = (1, 1, 0)", "1", "2", CounterBody{{2, 3, 4}, {1, 1, 0}, {}}};
+  screen->requests().counterexample = counter;
+  session.panel = Panel::question;
+  frame(3);
+  ASSERT_NE(session.counterexample(), nullptr);
+  session.panel = Panel::none;
+  frame(3);
+  EXPECT_NE(screen->read().rgba, lessons.rgba);
+  screen->press(session, "R");
+  frame(3);
+  EXPECT_FALSE(session.is_aside());
+  EXPECT_EQ(screen->read().rgba, lessons.rgba);
 }
 
 TEST_F(ScreenTest, KeysOfAFocusedPanelAreItsOwn) {

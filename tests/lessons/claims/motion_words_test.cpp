@@ -54,6 +54,15 @@ Scene top() {
   return scene;
 }
 
+TEST(MotionWords, FlipsComeTwiceAPeriod) {
+  Scene book;
+  book.body = {"book", PrincipalMoments(1, 1.75, 2.5), std::nullopt};
+  book.w0_B = Vec3(0.3, 3, 0);
+  EXPECT_EQ(value_on(book, "flip_interval"), 0.5 * value_on(book, "period").value());
+  book.w0_B = Vec3(3, 0.3, 0);
+  EXPECT_FALSE(value_on(book, "flip_interval")) << "it wobbles about axis 1";
+}
+
 TEST(MotionWords, AreThoseOfFreeMotion) {
   EXPECT_NEAR(value_on(pencil(), "precession").value(), std::hypot(0.8, 0.6), kRounding);
   EXPECT_NEAR(value_on(pencil(), "body_precession").value(), -0.7 * 2, kRounding);

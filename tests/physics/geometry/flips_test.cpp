@@ -135,5 +135,23 @@ TEST(Flips, AreNoneWhereNothingCanBeComputed) {
   EXPECT_TRUE(flip_times(*exact, kTHandle, 0, std::numeric_limits<double>::infinity()).empty());
 }
 
+// Flips that are found are flips that keep coming.
+TEST(Flips, KeepComingWhereThereAreSome) {
+  test::Random random(8);
+  int flipping = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 w0_B(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const double period_s = polhode_period(kTHandle, w0_B).value();
+    const bool found = !flips_of(kTHandle, w0_B, 0.01 * period_s, 1.01 * period_s).empty();
+    EXPECT_EQ(keeps_flipping(kTHandle, w0_B), found) << w0_B.transpose();
+    flipping += found ? 1 : 0;
+  }
+  EXPECT_GT(flipping, 5);
+  EXPECT_LT(flipping, 195);
+  EXPECT_FALSE(keeps_flipping(PrincipalMoments(1, 1, 2), Vec3(1, 1, 1)));
+  EXPECT_FALSE(keeps_flipping(kTHandle, Vec3::Zero()));
+  EXPECT_FALSE(keeps_flipping(kTHandle, Vec3(0, 0, 2))) << "a steady spin";
+}
+
 }  // namespace
 }  // namespace polhode

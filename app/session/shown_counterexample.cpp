@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A counterexample as the scene of a session: its body takes the place of the lesson's, until it is left.
+#include "app/session/lesson_session.h"
+
+#include <cmath>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+Vec3 vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
+
+}  // namespace
+
+/// The numbers stay as they are, so that what is said of them is true of the figure; what is small or slow is
+/// shown by a clock of its own. Where the attitude is not said, L stands as in the lesson's scene.
+Status LessonSession::show_counterexample(const Counterexample& counter) {
+  if (!counter.body) return failure("this counterexample has no body to be shown");
+  const CounterBody& shown = *counter.body;
+  const auto body = body_with_moments(vector(shown.I));
+  if (!body) return failure(body.error());
+  const SceneEdits before = aside_ ? aside_->before : edits_;
+  const double t_s = aside_ ? aside_->t_s : t_s_;
+  SceneEdits edits = before;
+  edits.numbers.clear();
+  edits.body = *body;
+  edits.w0_B = vector(shown.w);
+  edits.motion = MotionSpec{};
+  edits.torque = Torque{};
+  const Vec3 N_B = vector(shown.N);
+  if (!N_B.isZero(0)) edits.torque->push_back(BodyTorque{N_B});
+  const auto& [w, x, y, z] = shown.q;
+  const bool is_turned = x != 0 || y != 0 || z != 0;
+  edits.attitude.reset();
+  if (is_turned) edits.attitude = Quat(w, x, y, z).normalized();
+  edits.is_counterexample = true;
+  if (const Status made = set_edits(edits); !made) return made;
+  aside_ = Aside{counter, before, t_s};
+  return success();
+}
+
+void LessonSession::leave_counterexample() {
+  if (!aside_) return;
+  const Aside aside = *std::exchange(aside_, std::nullopt);
+  SceneEdits edits = aside.before;
+  edits.camera = edits_.camera;
+  if (!set_edits(edits)) reset_edits();
+  scrub_to(aside.t_s);
+}
+
+}  // namespace polhode

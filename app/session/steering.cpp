@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/steering.h"
+
+#include "render/scene/model/scene_problem.h"
+
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+void add(std::string& words, std::string_view more) {
+  words += (words.empty() ? "" : ", ") + std::string(more);
+}
+
+/// What was changed of a scene, all of it.
+SteeredState difference(const Scene& lesson, const Scene& now) {
+  SteeredState state;
+  if (now.w0_B != lesson.w0_B) state.w0_B = now.w0_B;
+  if (!(now.body.moments == lesson.body.moments)) state.moments = now.body.moments.vector();
+  if (attitude_spec(now) != attitude_spec(lesson)) state.attitude = attitude_spec(now);
+  const TorqueTerm constant = constant_torque(now.torque);
+  if (now.torque != lesson.torque && with_constant(lesson.torque, constant) == now.torque)
+    state.torque = constant;
+  return state;
+}
+
+bool has_same_method(const MotionSpec& a, const MotionSpec& b) {
+  return a.method == b.method && a.step_s == b.step_s && a.tolerance == b.tolerance;
+}
+
+}  // namespace
+
+Steering steering_of(const LessonSession& session, const StateTask& task) {
+  const Scene &lesson = *task.scene, &now = session.model()->scene;
+  Steering steering;
+  steering.state = difference(lesson, now);
+  SteeredParts others;
+  const auto keep = [&](Steered part, auto& value) {
+    if (!value || task.change.contains(part)) return;
+    others.insert(part);
+    value.reset();
+  };
+  keep(Steered::omega, steering.state.w0_B);
+  keep(Steered::moments, steering.state.moments);
+  keep(Steered::attitude, steering.state.attitude);
+  keep(Steered::torque, steering.state.torque);
+  steering.elsewhere = words_of(others);
+  const bool has_other_torque =
+      now.torque != lesson.torque && with_constant(lesson.torque, constant_torque(now.torque)) != now.torque;
+  if (has_other_torque) add(steering.elsewhere, facts_of(Steered::torque).words);
+  if (!has_same_method(now.motion, lesson.motion)) add(steering.elsewhere, "the method");
+  steering.t_s = judged_time_s(task, session.t_s());
+  if (task.change.contains(Steered::t)) steering.state.t_s = session.t_s();
+  steering.goals = read_goals(task, *session.model(), steering.t_s, session.effort());
+  return steering;
+}
+
+SceneEdits put_back(SceneEdits edits, const StateTask& task) {
+  if (!task.change.contains(Steered::omega)) edits.w0_B.reset();
+  if (!task.change.contains(Steered::moments)) edits.body.reset();
+  if (!task.change.contains(Steered::attitude)) edits.attitude.reset();
+  if (!task.change.contains(Steered::torque)) edits.torque.reset();
+  edits.numbers.clear();
+  edits.motion.reset();
+  return edits;
+}
+
+Vec3 euler_angles(const Quat& q_SB) {
+  const Mat3 R = q_SB.normalized().toRotationMatrix();
+  const double theta = std::atan2(std::hypot(R(0, 2), R(1, 2)), R(2, 2));
+  constexpr double kUpright = 1e-9;  // rad, beside which φ is noise
+  if (std::hypot(R(0, 2), R(1, 2)) < kUpright) return {std::atan2(R(1, 0), R(0, 0)), theta, 0};
+  return {std::atan2(R(0, 2), -R(1, 2)), theta, std::atan2(R(2, 0), R(2, 1))};
+}
+
+Quat attitude_of(const Vec3& angles) {
+  const auto about = [](double angle, const Vec3& axis) { return Quat(Eigen::AngleAxisd(angle, axis)); };
+  return about(angles[0], Vec3::UnitZ()) * about(angles[1], Vec3::UnitX()) * about(angles[2], Vec3::UnitZ());
+}
+
+}  // namespace polhode

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How far a reader has come with a question of the type state: what was changed of its scene by hand, and
+// how far each goal is.
+#pragma once
+
+#include "app/session/lesson_session.h"
+#include "lessons/reader/state_task.h"
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+struct Steering {
+  SteeredState state;  ///< of what the question offers: what is judged, and kept as the answer
+  /// What else was changed, "the moments of inertia, the method"; empty: nothing. It is not judged until that
+  /// is put back.
+  std::string elsewhere;
+  std::vector<GoalReading> goals;  ///< on the motion that is shown
+  double t_s = 0;                  ///< at which they are read
+};
+/// Precondition: the session shows a scene, and the question is one of its step.
+Steering steering_of(const LessonSession& session, const StateTask& task);
+
+/// The edits without those that the question does not offer, nor another method.
+SceneEdits put_back(SceneEdits edits, const StateTask& task);
+
+/// Euler's angles z-x-z of an attitude, φ θ ψ in rad with 0 ≤ θ ≤ π, and back: what sliders of an attitude
+/// change. At θ = 0 and π only φ ± ψ is known, and ψ is 0.
+Vec3 euler_angles(const Quat& q_SB);
+Quat attitude_of(const Vec3& phi_theta_psi);
+
+}  // namespace polhode

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/figure_marks.h"
+
+#include "app/session/figure_interaction.h"
+#include "app/window/controls/widgets.h"
+#include "lessons/reader/state_task.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+bool is_to_be_dragged(const LessonSession& session) {
+  const std::vector<const Ask*> asks = session.questions();
+  return !session.is_aside() && std::any_of(asks.begin(), asks.end(), [](const Ask* ask) {
+    return ask->task && ask->task->change.contains(Steered::omega);
+  });
+}
+
+void label(ImDrawList& list, ImVec2 at, const std::string& words, float pad) {
+  const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+  list.AddRectFilled({at.x - pad, at.y - 0.5F * pad}, {at.x + size.x + pad, at.y + size.y + 0.5F * pad},
+                     ImGui::GetColorU32(ImGuiCol_WindowBg), pad);
+  list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), words.c_str());
+}
+
+/// Whether another motion is shown than the lesson's; numbers that it lets readers vary have sliders of their
+/// own.
+bool has_other_motion(const SceneEdits& edits) {
+  return edits.body || edits.w0_B || edits.attitude || edits.torque || edits.motion;
+}
+
+std::string words_of_chip(const LessonSession& session) {
+  const Counterexample* counter = session.counterexample();
+  if (counter == nullptr)
+    return session.is_aside() ? "a body for which it fails, then changed by hand" : "changed by hand";
+  return fmt::format("a body for which it fails: {}{}", counter->state,
+                     counter->body->has_more ? " (the figure shows body, ω and N alone)" : "");
+}
+
+}  // namespace
+
+void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, bool is_held,
+                     const ControlSizes& sizes) {
+  const bool asks = is_to_be_dragged(session);
+  if ((!asks && !is_held) || session.model() == nullptr) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float radius = 0.7F * sizes.em;
+  for (const TipOnScreen& tip : omega_tips(*session.model(), session.t_s(), insets)) {
+    const ImVec2 at{static_cast<float>(tip.x), static_cast<float>(tip.y)};
+    list.AddCircle(at, radius, ImGui::GetColorU32(ImGuiCol_WindowBg), 32, 0.3F * sizes.em);
+    list.AddCircle(at, radius, ImGui::GetColorU32(ImGuiCol_NavHighlight), 32, 0.13F * sizes.em);
+    const Vec3& w = session.model()->scene.w0_B;
+    const std::string words =
+        is_held ? fmt::format("ω = ({:.3g}, {:.3g}, {:.3g}) rad/s, T kept", w[0], w[1], w[2]) : "drag";
+    label(list, {at.x + 1.6F * radius, at.y - 2.2F * radius}, words, 0.4F * sizes.em);
+  }
+}
+
+void draw_scene_chip(LessonSession& session, const Region& figure, const ControlSizes& sizes) {
+  if (!session.is_aside() && !has_other_motion(session.edits())) return;
+  ImGui::SetNextWindowPos({figure.x + figure.width - sizes.padding, figure.y + sizes.padding},
+                          ImGuiCond_Always, {1, 0});
+  ImGui::Begin("changed-scene", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
+  ImGui::PushTextWrapPos(std::min(19 * sizes.em, 0.6F * figure.width));
+  ImGui::TextUnformatted(words_of_chip(session).c_str());
+  ImGui::PopTextWrapPos();
+  if (session.is_aside()) {
+    if (ImGui::Button("Back to what was shown")) session.leave_counterexample();
+  } else {
+    ImGui::SameLine();
+    if (ImGui::SmallButton("Undo")) session.reset_edits();
+    tooltip_of_last(told(Command::reset_scene));
+  }
+  ImGui::End();
+}
+
+}  // namespace polhode

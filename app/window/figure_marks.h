@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What the window lays over a figure: where to take hold, and what is shown in place of the lesson's scene.
+#pragma once
+
+#include "app/window/panels/panel_context.h"
+#include "render/gl/renderer.h"
+
+#include <vector>
+
+namespace polhode {
+
+/// A ring round the tip of ω where a question asks to drag it; while it is held, its components.
+void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, bool is_held,
+                     const ControlSizes& sizes);
+
+/// In the upper right corner of the figure, the region: that the scene was changed, or is that of a
+/// counterexample, with a button that leads back. Nothing of the lesson's own scene.
+void draw_scene_chip(LessonSession& session, const Region& figure, const ControlSizes& sizes);
+
+}  // namespace polhode

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A question of the type state in its panel: goals, how far they are, and controls of just what may be
+// changed.
+#pragma once
+
+#include "app/window/panels/panel_context.h"
+
+namespace polhode {
+
+/// The answer is given by the button Check: reaching a goal on the way to somewhere else is none.
+void ask_for_state(PanelContext& context, const Ask& ask);
+
+/// A button that puts the body of a counterexample into the figure; nothing where it has none to show.
+void show_it_button(PanelContext& context, const Counterexample& counter);
+
+}  // namespace polhode

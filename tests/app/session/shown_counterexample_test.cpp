@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// A counterexample in the figure.
+#include "app/session/lesson_session.h"
+#include "tests/app/session/example_lesson.h"
+
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+std::shared_ptr<const LoadedLesson> lesson() {
+  static const auto kLesson = test::loaded_text(
+      "+++\nformat = 1\nid = \"asked\"\ntitle = \"Asked\"\n+++\n# Asked {asked}\nText.\n\n"
+      "```scene\nomega = [0, 12, 0.1]\nshow = [\"omega\"]\nrate = 0.01\nat = 0.1\ncaption = \"A book\"\n```\n"
+      "```ask a\ntype = \"expression\"\nprompt = \"What?\"\nanswer = \"w1*w2*(I2 - I1)\"\n```\n");
+  return kLesson;
+}
+
+TEST(ShownCounterexample, IsTheBodyThatIsSaid) {
+  LessonSession session(lesson());
+  const AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  ASSERT_TRUE(judged.counterexample && judged.counterexample->body);
+  const CounterBody& body = *judged.counterexample->body;
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample));
+  const Scene& shown = session.model()->scene;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    EXPECT_EQ(shown.body.moments[i], body.I[k]);
+    EXPECT_EQ(shown.w0_B[i], body.w[k]);
+  }
+  const Vec3 w = shown.w0_B;
+  EXPECT_NE(w[0] * w[1] * (shown.body.moments[0] - shown.body.moments[1]), 0) << "there the answer fails";
+  EXPECT_TRUE(shown.caption.empty()) << "it is no book";
+  EXPECT_FALSE(shown.rate) << "nor as fast";
+  EXPECT_EQ(session.t_s(), 0);
+  ASSERT_NE(session.counterexample(), nullptr);
+  EXPECT_EQ(session.counterexample()->state, judged.counterexample->state);
+}
+
+TEST(ShownCounterexample, GivesBackWhatWasShownBefore) {
+  LessonSession session(lesson());
+  const AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  ASSERT_TRUE(session.set_edits({.w0_B = Vec3(1, 2, 3)}));
+  session.scrub_to(0.3);
+  const Scene before = session.model()->scene;
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample));
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample))
+      << "another one does not hide the way back";
+  session.leave_counterexample();
+  EXPECT_EQ(session.model()->scene, before);
+  EXPECT_EQ(session.t_s(), 0.3);
+  EXPECT_FALSE(session.is_aside());
+}
+
+TEST(ShownCounterexample, IsNoneAnyMoreOnceItsBodyIsChanged) {
+  LessonSession session(lesson());
+  const AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample));
+  session.set_camera({.azimuth_rad = 1});
+  EXPECT_NE(session.counterexample(), nullptr);
+  SceneEdits edits = session.edits();
+  edits.w0_B = Vec3(1, 2, 3);
+  ASSERT_TRUE(session.set_edits(edits));
+  EXPECT_EQ(session.counterexample(), nullptr);
+  EXPECT_TRUE(session.is_aside());
+  session.reset_edits();
+  EXPECT_FALSE(session.is_aside());
+  EXPECT_EQ(session.model()->scene.caption, "A book");
+}
+
+TEST(ShownCounterexample, TurnsUnderTheTorqueThatIsSaid) {
+  LessonSession session(lesson());
+  Counterexample counter{"I = (2, 3, 4), ω = (1, 0, 0), N = (0, 1, 0)", "1", "2", CounterBody{}};
+  counter.body->I = {2, 3, 4};
+  counter.body->w = {1, 0, 0};
+  counter.body->N = {0, 1, 0};
+  ASSERT_TRUE(session.show_counterexample(counter));
+  EXPECT_EQ(session.model()->scene.torque, Torque{BodyTorque{Vec3(0, 1, 0)}});
+  counter.body.reset();
+  EXPECT_FALSE(session.show_counterexample(counter).ok());
+}
+
+}  // namespace
+}  // namespace polhode
