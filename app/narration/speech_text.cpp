@@ -4,6 +4,7 @@
 #include "app/narration/number_text.h"
 #include "app/narration/verdict_row.h"
 #include "lessons/reader/markdown/footnotes.h"
+#include "lessons/reader/state_task.h"
 #include "lessons/reader/varied_scene.h"
 #include "render/scene/model/drawn_marks.h"
 
@@ -237,6 +238,7 @@ std::string SpeechText::words(const Ask& ask) const {
 
 std::string SpeechText::words_of_answer(const Ask& ask) const {
   if (ask.expression) return ask.expression->text + '.';
+  if (ask.task) return text_of(ask.task->solution) + '.';
   if (ask.number) return ask.number->value ? words_of(*ask.number) + '.' : "";
   std::string text;
   for (const int answer : ask.answers)

@@ -130,12 +130,14 @@ void check(PanelContext& context, const Ask& ask, const Steering& steering) {
   ImGui::EndDisabled();
   const JudgedAnswer* judged = context.session.judged(ask);
   const AnswerRecord* record = context.session.record(ask);
-  if (judged != nullptr && judged->text == state && judged->judgement.mark == Mark::right)
+  if (judged != nullptr && judged->text == state && judged->judgement.mark == Mark::right) {
     right_words("Right.");
-  else if (judged != nullptr && judged->text == state)
+    wrapped_words(context.speech.words_after(ask, judged->judgement));
+  } else if (judged != nullptr && judged->text == state) {
     warning_words(fmt::format("Not right: {}.", judged->judgement.reason));
-  else if (record != nullptr && record->right > 0)
+  } else if (record != nullptr && record->right > 0) {
     quiet_words("You have answered this one right.");
+  }
 }
 
 }  // namespace
