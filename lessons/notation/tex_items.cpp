@@ -359,11 +359,13 @@ TexItems lines_of(const MathNode& grid, int depth) {
 
 bool states_something(const MathNode& words) {
   static const std::set<std::string, std::less<>> kStating = {
-      "zero",     "null",    "nothing",   "none",     "vanish", "vanishes", "vanishing", "one",    "two",
-      "three",    "four",    "five",      "six",      "seven",  "eight",    "nine",      "ten",    "half",
-      "twice",    "double",  "equal",     "equals",   "is",     "are",      "was",       "always", "never",
-      "constant", "const",   "conserved", "positive", "true",   "negative", "infinite",  "false",  "wrong",
-      "cancel",   "cancels", "drops",     "not",      "no",     "small",    "large",     "fixed"};
+      "zero",     "null",     "nothing", "none",     "vanish", "vanishes",  "vanishing",    "one",
+      "two",      "three",    "four",    "five",     "six",    "seven",     "eight",        "nine",
+      "ten",      "half",     "twice",   "double",   "equal",  "equals",    "is",           "are",
+      "was",      "always",   "never",   "constant", "const",  "conserved", "positive",     "true",
+      "negative", "infinite", "false",   "wrong",    "cancel", "cancels",   "drops",        "not",
+      "no",       "small",    "nought",  "naught",   "nil",    "gone",      "proportional", "differs",
+      "large",    "fixed"};
   const std::string& text = words.text;
   if (text.find_first_of("0123456789=<>%") != text.npos || text.find("≠") != text.npos ||
       text.find("∝") != text.npos || text.find("½") != text.npos || text.find("∞") != text.npos)

@@ -120,8 +120,8 @@ constexpr const char* kAlone =
 
 class NumberReader {
  public:
-  NumberReader(const Math& math, const EquationNotation& notation)
-      : math_(math), notation_(notation), terms_(math, notation) {
+  NumberReader(const Math& math, const EquationNotation& notation, const Math* above)
+      : math_(math), notation_(notation), above_(above), terms_(math, notation) {
     terms_.any_inertia = has_tensor_component(*math.root);
     terms_.may_be_live = true;
   }
@@ -141,6 +141,7 @@ class NumberReader {
     std::optional<std::size_t> alone;
     bool has_unit = false;
     std::optional<Expression> value;
+    std::optional<TexValue> whole;  ///< a vector, or a tensor
     std::string why_unread;
   };
   struct Chain {
@@ -171,7 +172,7 @@ class NumberReader {
     std::erase_if(chains, [](const Chain& chain) {
       return chain.relations.empty() && chain.sides.front().items.empty();
     });
-    for (Chain& chain : chains) read_chain(chain);
+    for (Chain& chain : chains) read_chain(chain, is_whole && &chain == &chains.front());
     if (!is_whole || chains.empty()) return;
     const Side &first = chains.front().sides.front(), &last = chains.back().sides.back();
     const bool is_bare = !items.empty() && !is_break(items.back());
@@ -196,7 +197,7 @@ class NumberReader {
     if (before) throw TexFault(items[at].span, "words stand beside a number that is computed", kAlone);
   }
 
-  void read_chain(Chain& chain) {
+  void read_chain(Chain& chain, bool may_go_on) {
     std::size_t numbers = 0;
     for (Side& side : chain.sides) numbers += side.numbers = numbers_in(side.items);
     if (numbers == 0) return;
@@ -207,6 +208,7 @@ class NumberReader {
                        "beside a number that is computed only = < > \\le \\ge \\approx are read",
                        "say it in words, outside of the formula");
     for (Side& side : chain.sides) read_side(side);
+    if (may_go_on && chain.sides.front().items.empty() && above_ != nullptr) take_above(chain.sides.front());
     const auto is_read = [](const Side& side) { return side.value.has_value(); };
     const bool is_compared = std::count_if(chain.sides.begin(), chain.sides.end(), is_read) > 1;
     for (const Side& side : chain.sides) {
@@ -220,6 +222,26 @@ class NumberReader {
                      kAlone);
     }
     compare(chain);
+    compare_components(chain);
+  }
+
+  /// The last side of the formula above, if it can be read.
+  void take_above(Side& side) const {
+    if (!above_->root || !above_->live.empty()) return;
+    try {
+      const TexItems items = whole_formula(*above_->root, kMaxEquationNesting);
+      std::size_t begin = items.size();
+      while (begin > 0 && items[begin - 1].kind != ItemKind::relation) --begin;
+      TexTerms terms(*above_, notation_);
+      terms.any_inertia = has_tensor_component(*above_->root);
+      TexValue value = terms.side(Items(items).subspan(begin));
+      if (value.is_scalar())
+        side.value = expression_of(value, notation_.vocabulary);
+      else
+        side.whole = std::move(value);
+    } catch (const TexFault&) {
+      return;
+    }
   }
 
   SourceSpan place_of(const Side& side) const {
@@ -258,6 +280,7 @@ class NumberReader {
       const TexValue value = terms_.side(side.alone ? side.items.first(1) : side.items);
       terms_.labels = nullptr;
       if (value.is_scalar() && labels.empty()) side.value = expression_of(value, notation_.vocabulary);
+      if (!value.is_scalar() && labels.empty() && side.numbers == 0) side.whole = value;
       if (!labels.empty()) side.why_unread = "a brace has a label";
     } catch (const TexFault& fault) {
       terms_.labels = nullptr;
@@ -351,8 +374,75 @@ class NumberReader {
     }
   }
 
+  /// The scalars between the brackets or in the cells of a side; empty if it is no list of 3, or matrix of 9.
+  std::vector<TexValue> components_of(const Side& side) {
+    std::vector<TexValue> parts;
+    const TexItem& first = side.items.front();
+    std::vector<TexItems> cells;
+    if (first.kind == ItemKind::group && first.open == U'(') {
+      cells.emplace_back();
+      for (const TexItem& item : first.inside) {
+        if (item.kind == ItemKind::comma)
+          cells.emplace_back();
+        else if (item.kind != ItemKind::gap)
+          cells.back().push_back(item);
+      }
+    } else if (first.kind == ItemKind::operand && first.node->kind == Kind::grid) {
+      const int columns = first.node->grid->columns;
+      if (columns != 1 && columns != 3) return {};
+      for (const MathNode& cell : first.node->children)
+        cells.push_back(items_of(cell, kMaxEquationNesting - 1));
+    }
+    if (cells.size() != 3 && cells.size() != 9) return {};
+    for (const TexItems& cell : cells) {
+      bool has_unit = false;
+      const bool is_alone = alone(cell, has_unit).has_value();
+      parts.push_back(terms_.side(is_alone ? Items(cell).first(1) : Items(cell)));
+      if (!parts.back().is_scalar()) return {};
+    }
+    return parts;
+  }
+
+  /// Of what a list of components is said to be, where that is a vector or tensor that can be read.
+  void compare_components(const Chain& chain) {
+    const auto whole = std::find_if(chain.sides.begin(), chain.sides.end(),
+                                    [](const Side& side) { return side.whole.has_value(); });
+    if (whole == chain.sides.end()) return;
+    for (const Side& side : chain.sides) {
+      if (side.numbers == 0 || side.items.empty()) continue;
+      try {
+        const std::vector<TexValue> parts = components_of(side);
+        if (parts.empty() || (parts.size() == 9) != whole->whole->is_tensor()) continue;
+        ComponentsStatement statement;
+        std::vector<std::size_t> numbers;
+        collect(side.items.front(), numbers);
+        statement.number = numbers.front();
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+          const std::size_t row = parts.size() == 9 ? i / 3 : i, column = i % 3;
+          for (const char* axes : {"123", "xyz"}) {
+            const auto axis = [&](std::size_t k) {
+              return atom_value(std::string("e") + axes[k], TexValue::Type::vector, parts[i].span);
+            };
+            const TexValue vector = parts.size() == 9
+                                        ? applied(*whole->whole->tensor, axis(column), parts[i].span)
+                                        : *whole->whole;
+            const TexValue on_row = axis(row);
+            const TexValue component = called("dot", vector, &on_row, TexValue::Type::scalar, parts[i].span);
+            (axes[0] == '1' ? statement.on_body : statement.on_space)
+                .push_back({expression_of(component, notation_.vocabulary),
+                            expression_of(parts[i], notation_.vocabulary)});
+          }
+        }
+        result_.components.push_back(std::move(statement));
+      } catch (const TexFault&) {
+        continue;  // components that are not read are only shown
+      }
+    }
+  }
+
   const Math& math_;
   const EquationNotation& notation_;
+  const Math* above_;
   TexTerms terms_;
   NumbersInFormula result_;
   std::size_t seen_ = 0;
@@ -360,11 +450,11 @@ class NumberReader {
 
 }  // namespace
 
-Result<NumbersInFormula, UnreadableEquation> read_numbers(const Math& math,
-                                                          const EquationNotation& notation) {
+Result<NumbersInFormula, UnreadableEquation> read_numbers(const Math& math, const EquationNotation& notation,
+                                                          const Math* above) {
   try {
     if (!math.root) return Failure<UnreadableEquation>{{{}, "there is no formula here", ""}};
-    return NumberReader(math, notation).read();
+    return NumberReader(math, notation, above).read();
   } catch (const TexFault& fault) {
     return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint}};
   }
@@ -379,6 +469,29 @@ std::optional<Expression> read_side(const Math& math, const EquationNotation& no
     const TexValue value = terms.side(items);
     if (value.is_tensor()) return std::nullopt;
     return expression_of(value, notation.vocabulary);
+  } catch (const TexFault&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<std::pair<Expression, std::string>> read_in_unit(const Math& math,
+                                                               const EquationNotation& notation) {
+  if (!math.root || !math.live.empty()) return std::nullopt;
+  try {
+    const TexItems items = items_of(*math.root, kMaxEquationNesting);
+    const auto slash = std::find_if(items.begin(), items.end(),
+                                    [](const TexItem& item) { return item.is(ItemKind::times, U'/'); });
+    if (slash == items.end()) return std::nullopt;
+    const auto at = static_cast<std::size_t>(slash - items.begin());
+    Items behind = Items(items).subspan(at + 1);
+    if (behind.size() == 1 && behind[0].kind == ItemKind::group && behind[0].open == U'(')
+      behind = behind[0].inside;
+    std::string unit = unit_of(behind);
+    if (unit.empty()) return std::nullopt;
+    TexTerms terms(math, notation);
+    const TexValue value = terms.side(Items(items).first(at));
+    if (value.is_tensor()) return std::nullopt;
+    return std::pair(expression_of(value, notation.vocabulary), std::move(unit));
   } catch (const TexFault&) {
     return std::nullopt;
   }

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -26,6 +27,13 @@ struct NumberStatement {
   std::optional<std::size_t> left, right;
 };
 
+/// A vector or tensor, and its components as they are printed, some of them numbers: "(1.2, 0.3, 0)". They
+/// are those on the axes of the body, or those of space.
+struct ComponentsStatement {
+  std::vector<Equality> on_body, on_space;
+  std::size_t number = 0;  ///< in Math::live, one of them
+};
+
 /// A unit that is printed behind a number without one of its own: "kg m²/s", as scaled_unit reads it, or "%".
 struct PrintedUnit {
   std::size_t number = 0;  ///< in Math::live
@@ -34,6 +42,7 @@ struct PrintedUnit {
 
 struct NumbersInFormula {
   std::vector<NumberStatement> statements;
+  std::vector<ComponentsStatement> components;
   std::vector<PrintedUnit> units;
   /// The number that all of the formula is, or that its last side is, with no unit behind it.
   std::optional<std::size_t> last;
@@ -41,11 +50,17 @@ struct NumbersInFormula {
   std::optional<std::size_t> first;
 };
 
-/// Linear in the formula, up to the limits of read_equation.
-Result<NumbersInFormula, UnreadableEquation> read_numbers(const Math& math, const EquationNotation& notation);
+/// A formula that begins with a sign of relation goes on from the last side of the one `above`, if that can
+/// be read. Linear in the formula, up to the limits of read_equation.
+Result<NumbersInFormula, UnreadableEquation> read_numbers(const Math& math, const EquationNotation& notation,
+                                                          const Math* above = nullptr);
 
 /// A formula that is one side alone, as an expression; nothing if it cannot be read, or shows a number.
 std::optional<Expression> read_side(const Math& math, const EquationNotation& notation);
+
+/// "T/\text{kJ}": what it is, and the unit; nothing of other formulas.
+std::optional<std::pair<Expression, std::string>> read_in_unit(const Math& math,
+                                                               const EquationNotation& notation);
 
 /// A unit that a formula prints and nothing else, "\text{kg m}^2/\text{s}"; nothing if it is none.
 std::optional<std::string> read_unit_formula(const Math& math);

@@ -6,6 +6,7 @@
 #include "lessons/reader/markdown/callouts.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string>
 #include <utility>
@@ -76,6 +77,16 @@ const TomlTable* table_of(const TomlEntry& entry, const std::string& usage, Repo
   return table;
 }
 
+/// The signs and words that pages have for verdicts.
+bool is_like_verdict(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  constexpr std::array<std::string_view, 7> kWords{
+      "✓", "✔", "✗", "✘", "always true", "proved", "true in every"};
+  return std::any_of(kWords.begin(), kWords.end(),
+                     [&](std::string_view word) { return text.find(word) != text.npos; });
+}
+
 void read_labels(const TomlEntry& entry, About& about, Report& report) {
   const TomlTable* table = table_of(entry, "write [labels], and said = \"…\" below", report);
   if (table == nullptr) return;
@@ -88,6 +99,9 @@ void read_labels(const TomlEntry& entry, About& about, Report& report) {
            if (count_characters(text) > kMaxLabelCharacters)
              report.error(label.value.place,
                           "a label has at most " + std::to_string(kMaxLabelCharacters) + " characters");
+           else if (is_like_verdict(text))
+             report.error(label.value.place, "this label reads as what is said of a formula that is proved",
+                          "give the formula a kind, ```math ID identity, and the page says it");
            else if (!text.empty())
              about.labels[kind] = std::move(text);
          }});

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/name_check.h"
 
+#include "lessons/claims/dimension.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/notation/tex_numbers.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -30,25 +32,61 @@ class NameCheck {
   }
 
   void check_curve(const SceneQuantity& curve, const std::string& tex) {
-    const auto said = read(tex), shown = named(curve);
-    if (!said || !shown || said->type() == ExpressionType::vector) return;
+    if (const auto shown = named(curve)) check_scalar(*shown, curve.text, tex);
+  }
+
+  void check_scalar(const Expression& shown, const std::string& text, const std::string& tex) {
+    const auto said = read(tex);
+    if (!said || said->type() == ExpressionType::vector) return;
     for (const LiveState& live : states_) {
-      const auto a = live_number(*said, live), b = live_number(*shown, live);
+      const auto a = live_number(*said, live), b = live_number(shown, live);
       if (a && b && std::abs(*a - *b) > kNear * (std::abs(*a) + std::abs(*b)) &&
           is_more_than_rounding(*a, *b))
-        return refuse("the curve of", curve.text, tex);
+        return refuse("the curve of", text, tex);
     }
   }
 
+  /// Where x is what it stands for on the motion, a function has the value of the quantity that it is named
+  /// as.
+  void check_function(const PlotFunction& function, const std::string& tex) {
+    const auto of = expression_of(function.of);
+    if (!of) return;
+    Vocabulary words = lesson_.notation.vocabulary;
+    words.define(function.variable, *of, "");
+    const SourceText source(function.text);
+    Report unused(source, "");
+    const auto shown = read_expression(function.text, {1, 1}, unused, &words);
+    if (shown) check_scalar(*shown, function.text, tex);
+  }
+
+  /// "T in kJ" above an axis of J.
+  void check_title(const OwnPlot& plot) {
+    const std::size_t in = plot.title.rfind(" in "), open = plot.title.rfind('(');
+    std::string unit;
+    if (in != plot.title.npos) unit = plot.title.substr(in + 4);
+    if (open != plot.title.npos && plot.title.back() == ')')
+      unit = plot.title.substr(open + 1, plot.title.size() - open - 2);
+    const bool has_letter =
+        std::any_of(unit.begin(), unit.end(), [](unsigned char c) { return std::isalpha(c); });
+    const auto said = has_letter ? scaled_unit(unit) : std::nullopt, shown = scaled_unit(plot.y.unit);
+    if (said && shown && (said->dimension != shown->dimension || said->size != shown->size))
+      report_.error(place_,
+                    "the title of a plot says " + in_quotes(unit) + ", and its axis is in " +
+                        (plot.y.unit.empty() ? std::string("units of SI") : in_quotes(plot.y.unit)),
+                    "write unit = " + in_quotes(unit) + ", or leave it out of the title");
+  }
+
   void check_arrow(const SceneQuantity& of, const std::string& tex) {
-    const auto said = read(tex), shown = named(of);
+    const auto said = read(tex), shown = expression_of(of);
+    if (lesson_.notation.vocabulary.find(of.text) != nullptr) return;  // called as the lesson likes
     if (!said || !shown || said->type() != ExpressionType::vector) return;
     for (const LiveState& live : states_) {
       const auto a = live_quantity(*said, live, View::space), b = live_quantity(*shown, live, View::space);
       if (!a || !b) continue;
       const double lengths = std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
-      // How long it is drawn is the author's choice.
-      if (lengths > 0 && dot(a->components, b->components) < (1 - kNear) * lengths)
+      // How long it is drawn is the author's choice; of what has no name of its own only the sense is told.
+      const double least = named(of) ? 1 - kNear : -kNear;
+      if (lengths > 0 && dot(a->components, b->components) < least * lengths)
         return refuse("the tip of", of.text, tex);
     }
   }
@@ -144,6 +182,8 @@ void check_names(const Lesson& lesson, const SceneModel& model, SourcePlace plac
     if (own == nullptr) continue;
     for (std::size_t i = 0; i < std::min(own->curves.size(), own->tex.size()); ++i)
       check.check_curve(own->curves[i], own->tex[i]);
+    if (own->function && !own->tex.empty()) check.check_function(*own->function, own->tex.front());
+    check.check_title(*own);
     if (own->curves.size() == 1) check.check_curve(own->curves.front(), formula_alone(own->title));
   }
   for (const ArrowMark& arrow : model.scene.marks.arrows)

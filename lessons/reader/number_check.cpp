@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace polhode {
@@ -76,7 +77,30 @@ bool take_last_blank(std::string_view& text) {
   return false;
 }
 
-/// The unit that a text begins with, up to four words of it: "kg m²/s".
+/// "kJ" of "kilojoules"; other words as they are.
+std::string unit_in_short(std::string_view word) {
+  using Names = std::pair<std::string_view, std::string_view>;
+  constexpr std::array<Names, 10> kUnits{{{"joule", "J"},
+                                          {"watt", "W"},
+                                          {"newton", "N"},
+                                          {"metre", "m"},
+                                          {"meter", "m"},
+                                          {"second", "s"},
+                                          {"gram", "g"},
+                                          {"degree", "deg"},
+                                          {"radian", "rad"},
+                                          {"hertz", "Hz"}}};
+  constexpr std::array<Names, 6> kPrefixes{
+      {{"", ""}, {"kilo", "k"}, {"milli", "m"}, {"mega", "M"}, {"micro", "µ"}, {"centi", "c"}}};
+  for (const auto& [prefix, p] : kPrefixes)
+    for (const auto& [unit, u] : kUnits) {
+      const std::string name = std::string(prefix) + std::string(unit);
+      if (word == name || word == name + 's') return std::string(p) + std::string(u);
+    }
+  return std::string(word);
+}
+
+/// The unit that a text begins with, up to four words of it: "kg m²/s", "radians per second".
 std::string unit_at_start(std::string_view text) {
   std::string unit, found;
   for (int words = 0; words < 4 && !text.empty(); ++words) {
@@ -92,7 +116,10 @@ std::string unit_at_start(std::string_view text) {
       word.remove_suffix(1);
       is_last = true;
     }
-    unit += (unit.empty() ? "" : " ") + std::string(word);
+    if (word == "per" && !unit.empty())
+      unit += '/';
+    else
+      unit += (unit.empty() || unit.back() == '/' ? "" : " ") + unit_in_short(word);
     const bool has_sign =
         std::any_of(unit.begin(), unit.end(), [](char c) { return is_letter(c); }) || unit.starts_with("°");
     if (has_sign && !word.empty() && scaled_unit(unit)) found = unit;
@@ -130,7 +157,7 @@ void NumberCheck::check_formula(const Math& math, const Math* above, const Numbe
                                 bool is_proved) {
   if (math.live.empty() || !math.root) return;
   const auto read = read_equation(math, lesson_.notation, above);
-  if (!read || read->is_part) return check_apart(math, motion);
+  if (!read || read->is_part) return check_apart(math, above, motion);
   std::vector<const EquationLink*> links;
   for (const EquationSentence& sentence : read->sentences) {
     const auto is_number = [](const EquationLink& link) { return link.is_number; };
@@ -164,8 +191,8 @@ void NumberCheck::check_formula(const Math& math, const Math* above, const Numbe
 }
 
 /// A formula that is no equation as a whole.
-void NumberCheck::check_apart(const Math& math, const NumbersMotion& motion) {
-  const auto read = read_numbers(math, notation_);
+void NumberCheck::check_apart(const Math& math, const Math* above, const NumbersMotion& motion) {
+  const auto read = read_numbers(math, notation_, above);
   if (!read) {
     const SourceSpan place = read.error().place;
     std::size_t at = 0;  // the first number in what is not read
@@ -175,6 +202,29 @@ void NumberCheck::check_apart(const Math& math, const NumbersMotion& motion) {
   for (const PrintedUnit& unit : read->units) check_unit(number(math, unit.number), unit.unit);
   for (const NumberStatement& statement : read->statements)
     if (!check_statement(math, statement, motion)) return;
+  for (const ComponentsStatement& components : read->components) check_components(math, components, motion);
+}
+
+/// A vector has its components on the axes of the body, or of space: of both at one time none is wrong.
+void NumberCheck::check_components(const Math& math, const ComponentsStatement& statement,
+                                   const NumbersMotion& motion) {
+  for (const double t_s : times_of(motion, has_typed(math))) {
+    const auto live = live_state(motion.model, t_s);
+    if (!live) continue;
+    const auto all_agree = [&](const std::vector<Equality>& components) {
+      return std::all_of(components.begin(), components.end(), [&](const Equality& component) {
+        ClaimLine line;
+        line.equality = component;
+        const auto value = live_value(line, *live, View::space);
+        return !value || agree(*value, Relation::equal, false);
+      });
+    };
+    if (all_agree(statement.on_body) || all_agree(statement.on_space)) continue;
+    return refuse(number(math, statement.number),
+                  "these are its components neither on the axes of the body nor of space, at t = " +
+                      digits(t_s, 3) + " s",
+                  "write the components of what stands before the =, in their order");
+  }
 }
 
 /// False, and a report, where its sides differ on the motion.
@@ -359,12 +409,24 @@ NumberCheck::Head NumberCheck::head_of(const TextTable::Cell& cell) const {
       head.unit = unit;
     if (!head.unit.empty()) words.erase(bracket);
   }
+  // "energy in kJ"
+  const std::size_t in = words.rfind(" in ");
+  if (head.unit.empty() && in != words.npos) {
+    const std::string unit = words.substr(in + 4);
+    if (unit == unit_at_start(unit)) head.unit = unit;
+    if (!head.unit.empty()) words.erase(in);
+  }
   std::string_view rest(words);
   while (take_blank(rest)) {
   }
   while (take_last_blank(rest)) {
   }
-  if (formulas == 1 && rest.empty()) head.is = read_side(*formula, notation_);
+  if (formulas == 1 && rest.empty()) {
+    head.is = read_side(*formula, notation_);
+    auto in_unit = head.is ? std::nullopt : read_in_unit(*formula, notation_);
+    if (in_unit)
+      std::tie(head.is, head.unit) = std::pair(std::move(in_unit->first), std::move(in_unit->second));
+  }
   const bool is_letter_alone = formulas == 0 && !rest.empty() && rest.find(' ') == rest.npos;
   if (is_letter_alone)
     if (const auto math = parse_math(rest)) head.is = read_side(*math, notation_);

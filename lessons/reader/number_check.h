@@ -39,7 +39,8 @@ class NumberCheck {
  private:
   struct Head;
   const ComputedNumber& number(const Math& math, std::size_t index) const;
-  void check_apart(const Math& math, const NumbersMotion& motion);
+  void check_apart(const Math& math, const Math* above, const NumbersMotion& motion);
+  void check_components(const Math& math, const ComponentsStatement& statement, const NumbersMotion& motion);
   bool check_statement(const Math& math, const NumberStatement& statement, const NumbersMotion& motion);
   void check_unit(const ComputedNumber& number, const std::string& unit);
   void check_spans(const std::vector<TextSpan>& spans, const NumbersMotion& motion);

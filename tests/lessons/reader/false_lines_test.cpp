@@ -154,6 +154,27 @@ const FalseLine kFalseLines[] = {
     {"QuantityAsAnotherInUprightType", "Text.\n", "[symbols]\nw1 = { tex = '\\mathrm{T}' }\n"},
     {"RelationInAnIndex", "Text.\n", "[define]\na = { means = \"2*T\", tex = 'T_{=5}' }\n"},
     {"IndexThatNobodySees", "Text.\n", "[define]\na = { means = \"2*T\", tex = 'T_{\\cdot}' }\n"},
+    {"GoesOnFromAQuantity", "```math a\nT\n```\n\nand so\n\n```math b\n= \\live{2*T}\\,\\text{J}\n```\n", ""},
+    {"ComponentsOfAVector", "Here $\\vec\\omega = (\\live{w2}, \\live{w1}, \\live{w3})$.\n", ""},
+    {"ComponentsOfATensor",
+     "Here $\\mathbf I = \\begin{pmatrix} \\live{I2} & 0 & 0 \\\\ 0 & \\live{I1} & 0 \\\\ 0 & 0 & \\live{I3} "
+     "\\end{pmatrix}$.\n",
+     ""},
+    {"UnitInWords", "It is $\\live{T}$ kilojoules.\n", ""},
+    {"DegreesInWords", "It is $\\live{acos(dot(ez, e3))}$ degrees.\n", ""},
+    {"UnitInWordsOfAHead",
+     "```table\ncolumns = [{ head = \"\" }, { head = \"energy in kJ\", of = \"T\" }]\nrows = [{ head = \"a\" "
+     "}]\n```\n",
+     ""},
+    {"QuotientAsAHead",
+     "```table\ncolumns = [{ head = \"\" }, { head = '$T/\\text{kJ}$', of = \"T\" }]\nrows = [{ head = \"a\" "
+     "}]\n```\n",
+     ""},
+    {"FunctionNamedAsAnother", "Text.\n", "",
+     "meters = [{ curve = \"2*x\", x = { of = \"w1\", from = -1, to = 1 }, tex = '\\omega_1' }]"},
+    {"UnitInTheTitleOfAPlot", "Text.\n", "", "meters = [{ plot = \"T\", title = '$T$ in kJ' }]"},
+    {"ArrowTheOtherWay", "Text.\n", "", "arrows = [{ of = \"-1*L\", tex = '\\vec L' }]"},
+    {"LabelAsAVerdict", "> [!note] Here $2T = 5T$.\n", "[labels]\nnote = \"✓ always true\"\n"},
     // Captions that stand once.
     {"CaptionOfAFilmstrip", "Text.\n", "",
      "vary = { omega3 = { from = 1, to = 9 } }\ncaption = 'With $T = \\live[unit={J}]{T}$'"},
@@ -252,6 +273,16 @@ TEST(TrueLines, AroundNumbersAreAccepted) {
         "Here $T_{\\text{end}} = \\frac{|\\vec L|^2}{2I_3} = \\live{norm2(L)/(2*I3)}$.\n",
         "Here $I_1 = \\live{I1/I3}\\,I_3$.\n",
         "Here $\\live{I1} \\le \\live{I3}$.\n",
+        "Here $\\vec\\omega = (\\live{w1}, \\live{w2}, \\live{w3})$ and $\\vec L = (\\live{dot(L, ex)}, "
+        "\\live{dot(L, "
+        "ey)}, \\live{dot(L, ez)})$.\n",
+        "It leans by $\\live[unit={deg}]{acos(dot(ez, e3))}$, turns at $\\live{w1}$ radians per second, has "
+        "$\\live{T}$ "
+        "joules in all.\n",
+        "```math a\n2T\n```\n\nand so\n\n```math b\n= \\live{2*T}\\,\\text{J}\n```\n",
+        "```table\ncolumns = [{ head = \"\" }, { head = '$T/\\text{J}$', of = \"T\" }, { head = \"energy in "
+        "J\", of = "
+        "\"T\" }]\nrows = [{ head = \"a\" }]\n```\n",
         "It grows by a factor $e^{\\value{3.0}{3}}$.\n",
         "Here $(\\live{w1}, \\live{w2}, \\live{w3})\\,\\text{rad/s}$.\n",
         "Here $\\mathbf I = \\begin{pmatrix} \\live{I1} & 0 & 0 \\\\ 0 & \\live{I2} & 0 \\\\ 0 & 0 & "
