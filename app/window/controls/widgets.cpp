@@ -185,6 +185,10 @@ void wrapped(const std::string& text, const ImVec4& color) {
 
 }  // namespace
 
+void plain_words(const std::string& text) {
+  if (!text.empty()) wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_Text));
+}
+
 void quiet_words(const std::string& text) { wrapped(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
 
 void warning_words(const std::string& text) {

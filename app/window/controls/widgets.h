@@ -33,6 +33,8 @@ std::optional<double> time_line(const LessonSession::Interval& interval, double 
 
 /// A heading within a panel.
 void heading(const char* text);
+/// Words that wrap; nothing of an empty text.
+void plain_words(const std::string& text);
 /// Quiet words that wrap.
 void quiet_words(const std::string& text);
 /// In the colour of what is right.

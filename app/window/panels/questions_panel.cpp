@@ -14,13 +14,6 @@ namespace polhode {
 
 namespace {
 
-void wrapped_words(const std::string& words) {
-  if (words.empty()) return;
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
-}
-
 /// Of the answer that was judged, whatever is typed since.
 void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
@@ -127,7 +120,7 @@ bool choice_words(const std::string& words) {
   const bool is_picked = ImGui::Selectable("##words", false, 0, {width, height});
   const ImVec2 below = ImGui::GetCursorPos();
   ImGui::SetCursorPos({at.x, at.y + padding});
-  wrapped_words(words);
+  plain_words(words);
   ImGui::SetCursorPos(below);
   return is_picked;
 }
@@ -142,7 +135,7 @@ void show_reply(PanelContext& context, const Ask& ask, const JudgedAnswer& answe
     if (ImGui::Button("Say it now")) context.session.end_play();
   } else {
     show_verdict(answer);
-    wrapped_words(context.speech.words_after(ask, answer.judgement));
+    plain_words(context.speech.words_after(ask, answer.judgement));
   }
   ImGui::Unindent(indent);
 }
@@ -173,8 +166,8 @@ void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
   for (std::size_t i = 0; i < shown; ++i)
     quiet_words(fmt::format("Hint {}: {}", i + 1, context.speech.words(ask.hint_texts[i])));
   if (told) {
-    wrapped_words("The answer: " + context.speech.words_of_answer(ask));
-    if (!is_settled) wrapped_words(context.speech.words(ask.because));  // it was said with the verdict
+    plain_words("The answer: " + context.speech.words_of_answer(ask));
+    if (!is_settled) plain_words(context.speech.words(ask.because));  // it was said with the verdict
   }
   AnswerRecord after = known;
   if (!is_settled && note_help(after, ask.hints.size())) {
@@ -196,7 +189,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   // What leads where in a derivation stands below, as it is typed; and goals with how far they are.
   const bool has_more_below = ask.derivation || ask.task;
   const RichText words = has_more_below ? RichText{ask.prompt_text.front()} : ask.prompt_text;
-  wrapped_words(context.speech.words(words));
+  plain_words(context.speech.words(words));
   std::string& typed = typed_[context.session.stage().id + '/' + ask.id];
   switch (ask.type) {
     case Ask::Type::expression:
@@ -226,7 +219,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   const AnswerRecord* record = context.session.record(ask);
   if (answer != nullptr && answer->judgement.choice == 0) {
     show_verdict(context, *answer);
-    wrapped_words(context.speech.words_after(ask, answer->judgement));
+    plain_words(context.speech.words_after(ask, answer->judgement));
   }
   if (answer == nullptr && record != nullptr && record->right > 0)
     quiet_words("You have answered this one right.");

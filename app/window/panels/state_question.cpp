@@ -132,7 +132,7 @@ void check(PanelContext& context, const Ask& ask, const Steering& steering) {
   const AnswerRecord* record = context.session.record(ask);
   if (judged != nullptr && judged->text == state && judged->judgement.mark == Mark::right) {
     right_words("Right.");
-    wrapped_words(context.speech.words_after(ask, judged->judgement));
+    plain_words(context.speech.words_after(ask, judged->judgement));
   } else if (judged != nullptr && judged->text == state) {
     warning_words(fmt::format("Not right: {}.", judged->judgement.reason));
   } else if (record != nullptr && record->right > 0) {
