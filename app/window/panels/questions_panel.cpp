@@ -134,7 +134,7 @@ void show_reply(PanelContext& context, const Ask& ask, const JudgedAnswer& answe
     quiet_words("Watch what it does.");
     if (ImGui::Button("Say it now")) context.session.end_play();
   } else {
-    show_verdict(answer);
+    show_verdict(context, answer);
     plain_words(context.speech.words_after(ask, answer.judgement));
   }
   ImGui::Unindent(indent);
