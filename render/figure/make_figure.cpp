@@ -218,7 +218,7 @@ TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
   trial_.drawn = drawn_overlays(trial_.scene);
   trial_.needs = requirements(trial_.scene);
   is_remade_ = drifts(trial_.scene) || trial_.needs.marks || !trial_.scene.torque.empty() ||
-               trial_.needs.ghost || trial_.drawn.contains(Overlay::puck) ||
+               builders::is_computed(trial_.scene) || trial_.drawn.contains(Overlay::puck) ||
                trial_.drawn.contains(Overlay::transport) || trial_.drawn.contains(Overlay::terms);
 }
 

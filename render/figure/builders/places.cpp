@@ -172,7 +172,7 @@ void add_places_of_surfaces(const Snapshot& m, const Film& film, Places& places)
 
 void add_places_of_solid(const Snapshot& m, const Film& film, Places& places) {
   if (!m.model.needs.solid || m.shows(Overlay::energy_ellipsoid)) return;
-  const bool may_lie_anyhow = m.model.needs.ghost || m.turn || m.shows(Overlay::pivot);
+  const bool may_lie_anyhow = is_computed(m.model.scene) || m.turn || m.shows(Overlay::pivot);
   const std::vector<Vec3> corners_B = may_lie_anyhow ? std::vector<Vec3>() : solid_corners_B(m);
   for (const Vec3& corner_B : corners_B) film.add_of_body(corner_B, 0.0, places);
   if (corners_B.empty())
@@ -184,7 +184,7 @@ void add_places_of_solid(const Snapshot& m, const Film& film, Places& places) {
 }
 
 void add_places_of_axes(const Snapshot& m, const Film& film, Places& places) {
-  const bool may_lie_anyhow = m.turn || m.model.needs.ghost;
+  const bool may_lie_anyhow = m.turn || is_computed(m.model.scene);
   const bool stand_elsewhere = flies(m);
   for (int i = 0; i < 3; ++i) {
     const Vec3 axis = kTriadLength * Vec3::Unit(i);
@@ -215,12 +215,12 @@ void add_places_of_vectors(const Snapshot& m, const Film& film, Places& places) 
       film.add(state, tail_B + kTorqueLength * N_B.stableNormalized(), kLine, places, letters);
     }
   }
-  if (!m.model.needs.ghost || film.is_driven()) return;
-  // A computed motion goes its own way, and its L may point anywhere.
-  if (L) places.push_back(ball_at(Vec3::Zero(), m.L_length + kLine));
-  for (const RigidBodyState& state : sampled_states(m)) {
+  if (!is_computed(m.model.scene) || film.is_driven()) return;
+  for (const RigidBodyState& state : sampled_states(m)) {  // a computed motion goes its own way
     const Quat q_VB = m.view == View::space ? state.q_SB : Quat::Identity();
-    if (omega) places.push_back(ball_at(q_VB * (state.w_B * m.omega_scale), kLine));
+    const auto hold = [&](const Vec3& v_B) { places.push_back(ball_at(q_VB * v_B, kLine)); };
+    if (omega) hold(state.w_B * m.omega_scale);
+    if (L) hold(m.L_drawn_B(angular_momentum_B(m.I(), state.w_B)));
   }
 }
 
@@ -277,6 +277,10 @@ Places places_round_center(const Snapshot& m, const Film& film) {
 }
 
 }  // namespace
+
+bool is_computed(const Scene& scene) {
+  return scene.motion.method && facts_of(*scene.motion.method).control != StepControl::none;
+}
 
 Place name_beyond(const Vec3& tip, const Vec3& tail, double letters) {
   constexpr double kBeyond = 0.12, kHalfHeight = 0.07, kLetter = 0.05;

@@ -27,8 +27,8 @@ inline Place disc_at(const Vec3& center, const Vec3& normal, double radius) {
 Place name_beyond(const Vec3& tip, const Vec3& tail, double letters = 1);
 
 /// All that the scene shows in this view, names included. Without torque that is where an exact motion with
-/// its T and L can ever bring it, which needs no motion to be computed; of a driven motion, and of a lesson's
-/// own marks, it is sampled over the scene's span.
+/// its T and L can ever bring it, which needs no motion to be computed; of a motion that is driven or
+/// computed by steps, and of a lesson's own marks, it is sampled over the scene's span.
 Places places_of(const Snapshot& m);
 
 /// Of the marks alone.
@@ -36,6 +36,9 @@ void add_places_of_marks(const Snapshot& m, Places& places);
 
 /// The path of the centre of mass with its arrows, or that of the puck; space axes.
 void add_places_of_translation(const Snapshot& m, Places& places);
+
+/// Whether the motion is followed step by step, and may leave the surfaces of its start.
+bool is_computed(const Scene& scene);
 
 /// How far the furthest of them reaches from the centre.
 double reach_of(const Places& places);

@@ -29,7 +29,7 @@ struct Seen {
     y0 = std::min(y0, at->y()), y1 = std::max(y1, at->y());
   }
   void add_ball(const Camera& camera, const Vec3& center, const Mat3& spread, double aspect) {
-    constexpr int kPoints = 150;
+    constexpr int kPoints = 80;
     for (int i = 0; i < kPoints; ++i) {
       const double z = 1.0 - (2.0 * i + 1.0) / kPoints, r = std::sqrt(1.0 - z * z), turn = 2.39996323 * i;
       add(camera, center + spread * Vec3(r * std::cos(turn), r * std::sin(turn), z), aspect);
@@ -100,12 +100,12 @@ std::vector<Case> cases() {
   return cases;
 }
 
-constexpr double kTimes = 20;
+constexpr double kTimes = 10;
 
 TEST(Frame, HoldsAllThatIsDrawnAtEveryTimeOfTheFilm) {
   constexpr double kMargin = 0.01;  // of the frame's own, which is for halves of lines and for names
   for (const auto& [name, scene] : cases())
-    for (const double aspect : {16.0 / 9.0, 1.0, 0.7}) {
+    for (const double aspect : {16.0 / 9.0, 0.7}) {
       const SceneModel model = make_model(scene);
       for (int n = 0; n <= kTimes; ++n) {
         const Figure figure = make_figure(model, model.span_s * n / kTimes, aspect);
@@ -124,7 +124,7 @@ TEST(Frame, HoldsAllThatIsDrawnAtEveryTimeOfTheFilm) {
 TEST(Frame, IsFilledByTheFilm) {
   constexpr double kLeast = 0.6;
   for (const auto& [name, scene] : cases())
-    for (const double aspect : {16.0 / 9.0, 1.0, 0.7}) {
+    for (const double aspect : {16.0 / 9.0, 0.7}) {
       const SceneModel model = make_model(scene);
       const std::size_t panes = scene.views.size();
       std::vector<Seen> seen(panes);
