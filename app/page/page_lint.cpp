@@ -255,7 +255,7 @@ class PageLint {
   }
 
   static constexpr const char* kSplit = "split it with ---";
-  static constexpr const char* kFrame = "a larger distance or a smaller zoom of the camera shows it";
+  static constexpr const char* kFrame = "a smaller zoom of the camera shows it";
 
   const Lesson& lesson_;
   const Fonts& fonts_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/figure_interaction.h"
 
+#include "app/session/scene_edits.h"
 #include "base/angles.h"
 #include "physics/body/euler.h"
 #include "physics/geometry/poinsot.h"
@@ -160,6 +161,7 @@ CameraSpec orbited(CameraSpec camera, double dx, double dy, double height) {
   constexpr double kSteepest = 89.0 * kRadiansPerDegree;
   if (!(height > 0.0) || !std::isfinite(dx) || !std::isfinite(dy)) return camera;
   const double per_px = std::numbers::pi / height;
+  camera = turned_from_here(camera);
   camera.azimuth_rad = std::remainder(camera.azimuth_rad - dx * per_px, 2.0 * std::numbers::pi);
   camera.elevation_rad = std::clamp(camera.elevation_rad + dy * per_px, -kSteepest, kSteepest);
   return camera;

@@ -370,6 +370,7 @@ CameraSpec LessonSession::camera() const {
   if (!following_ || !model_) return camera;
   const double turned_rad = heading_at(t_s_) - heading_rad_;
   if (turned_rad == 0) return camera;
+  camera = turned_from_here(camera);
   camera.azimuth_rad += turned_rad;
   return writable(camera);
 }

@@ -95,13 +95,24 @@ Result<Body> body_with_moments(const Vec3& moments) {
   return Body{"own-body", PrincipalMoments(moments[0], moments[1], moments[2]), std::nullopt};
 }
 
+CameraSpec turned_from_here(CameraSpec camera) {
+  if (!camera.fitted) camera.fitted = CameraAngles{camera.azimuth_rad, camera.elevation_rad};
+  return camera;
+}
+
 CameraSpec writable(const CameraSpec& camera) {
-  const double azimuth_deg = whole_parts_of_degree(std::remainder(camera.azimuth_rad, 2 * std::numbers::pi));
-  const double elevation_deg =
-      std::clamp(whole_parts_of_degree(camera.elevation_rad), -kMostElevationDeg, kMostElevationDeg);
-  return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree,
-          std::clamp(camera.distance, kLeastCameraScale, kMostCameraScale),
-          std::clamp(camera.zoom, kLeastCameraScale, kMostCameraScale)};
+  const auto angles = [](const CameraAngles& from) -> CameraAngles {
+    const double azimuth_deg = whole_parts_of_degree(std::remainder(from.azimuth_rad, 2 * std::numbers::pi));
+    const double elevation_deg =
+        std::clamp(whole_parts_of_degree(from.elevation_rad), -kMostElevationDeg, kMostElevationDeg);
+    return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree};
+  };
+  const CameraAngles own = angles({camera.azimuth_rad, camera.elevation_rad});
+  CameraSpec made{own.azimuth_rad, own.elevation_rad,
+                  std::clamp(camera.distance, kLeastCameraScale, kMostCameraScale),
+                  std::clamp(camera.zoom, kLeastCameraScale, kMostCameraScale)};
+  if (camera.fitted) made.fitted = angles(*camera.fitted);
+  return made;
 }
 
 AttitudeSpec writable(const AttitudeSpec& attitude) {

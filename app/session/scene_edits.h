@@ -47,6 +47,9 @@ void set_shown(SceneEdits& edits, const Scene& lesson_scene, Overlay overlay, bo
 /// A body known by these moments alone, kg m², or the inequality that forbids them.
 Result<Body> body_with_moments(const Vec3& moments);
 
+/// A camera that is about to be turned by hand: it keeps the scale at which it fills the picture now.
+CameraSpec turned_from_here(CameraSpec camera);
+
 /// The camera as a lesson can state it: angles in whole 1e-4°, azimuth within half a turn, the rest within
 /// the format's bounds. What is on the screen can then be saved without moving by a hair.
 CameraSpec writable(const CameraSpec& camera);

@@ -444,11 +444,16 @@ class SceneKeys {
       scene_.poses = {static_cast<int>(*count), *over_s};
   }
 
-  void elevation(const TomlEntry& entry, CameraSpec& camera) {
+  void azimuth(const TomlEntry& entry, double& azimuth_rad) {
+    if (const auto degrees = read_number(entry, report_))
+      azimuth_rad = std::remainder(*degrees, 360.0) * kRadiansPerDegree;
+  }
+
+  void elevation(const TomlEntry& entry, double& elevation_rad) {
     const auto degrees = read_number(entry, report_);
     if (!degrees) return;
     if (std::abs(*degrees) <= kMostElevationDeg)
-      camera.elevation_rad = *degrees * kRadiansPerDegree;
+      elevation_rad = *degrees * kRadiansPerDegree;
     else
       report_.error(entry.value.place, fmt::format("\"elevation_deg\" must lie between {} and {}",
                                                    -kMostElevationDeg, kMostElevationDeg));
@@ -462,18 +467,29 @@ class SceneKeys {
       return;
     }
     CameraSpec camera;
-    const auto azimuth = [&](const TomlEntry& e) {
-      if (const auto degrees = read_number(e, report_)) {
-        camera.azimuth_rad = std::remainder(*degrees, 360.0) * kRadiansPerDegree;
-      }
-    };
     read_keys(*table, "the camera",
-              {{"azimuth_deg", azimuth},
-               {"elevation_deg", [&](const TomlEntry& e) { elevation(e, camera); }},
+              {{"azimuth_deg", [&](const TomlEntry& e) { azimuth(e, camera.azimuth_rad); }},
+               {"elevation_deg", [&](const TomlEntry& e) { elevation(e, camera.elevation_rad); }},
                {"distance", [&](const TomlEntry& e) { assign(camera.distance, scale(e)); }},
-               {"zoom", [&](const TomlEntry& e) { assign(camera.zoom, scale(e)); }}},
+               {"zoom", [&](const TomlEntry& e) { assign(camera.zoom, scale(e)); }},
+               {"fitted", [&](const TomlEntry& e) { fitted(e, camera); }}},
               report_);
     scene_.camera = camera;
+  }
+
+  void fitted(const TomlEntry& entry, CameraSpec& camera) {
+    const auto* table = entry.value.as<TomlTable>();
+    if (table == nullptr) {
+      report_.error(entry.value.place, "\"fitted\" takes a table, found " + std::string(entry.value.kind()),
+                    "write fitted = { azimuth_deg = 35, elevation_deg = 20 }");
+      return;
+    }
+    CameraAngles angles{CameraSpec{}.azimuth_rad, CameraSpec{}.elevation_rad};
+    read_keys(*table, "the fitted camera",
+              {{"azimuth_deg", [&](const TomlEntry& e) { azimuth(e, angles.azimuth_rad); }},
+               {"elevation_deg", [&](const TomlEntry& e) { elevation(e, angles.elevation_rad); }}},
+              report_);
+    camera.fitted = angles;
   }
 
   /// Of the camera: what lies outside shows nothing, and is most likely a slip.
@@ -729,10 +745,14 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        },
        Row::Speaks::of_picture},
       {{"camera",
-        fmt::format("`{{ azimuth_deg, elevation_deg, distance, zoom }}`: it stands at this angle from x "
-                    "towards y (1 towards 2 where the body is at rest) and so far above; elevation −{0} to "
-                    "{0}, distance and zoom {1} to {2}",
-                    kMostElevationDeg, kLeastCameraScale, kMostCameraScale),
+        fmt::format(
+            "`{{ azimuth_deg, elevation_deg, distance, zoom, fitted }}`: it stands at this angle from x "
+            "towards y (1 towards 2 where the body is at rest) and so far above, and what the scene shows"
+            " over its whole film fills the picture: the larger the distance (from 1.3), the less what is"
+            " near looks larger; zoom makes all larger than that; `fitted = {{ azimuth_deg, elevation_deg "
+            "}}` keeps the scale that fills the picture from there; elevation −{0} to {0}, distance and zoom"
+            " {1} to {2}",
+            kMostElevationDeg, kLeastCameraScale, kMostCameraScale),
         "34°, 20°, 4.2, 1"},
        &SceneKeys::camera,
        [](const Scene& scene) { return text_of(scene.camera); },

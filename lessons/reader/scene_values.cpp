@@ -125,10 +125,17 @@ std::string text_of(const OverlaySet& shown) {
 }
 
 std::string text_of(const CameraSpec& camera) {
-  return fmt::format("{{ azimuth_deg = {}, elevation_deg = {}, distance = {}, zoom = {} }}",
-                     toml(degrees_that_read_as(camera.azimuth_rad)),
-                     toml(degrees_that_read_as(camera.elevation_rad)), toml(camera.distance),
-                     toml(camera.zoom));
+  const auto angles = [](double azimuth_rad, double elevation_rad) {
+    return fmt::format("azimuth_deg = {}, elevation_deg = {}", toml(degrees_that_read_as(azimuth_rad)),
+                       toml(degrees_that_read_as(elevation_rad)));
+  };
+  std::string text =
+      fmt::format("{{ {}, distance = {}, zoom = {}", angles(camera.azimuth_rad, camera.elevation_rad),
+                  toml(camera.distance), toml(camera.zoom));
+  if (camera.fitted)
+    text +=
+        fmt::format(", fitted = {{ {} }}", angles(camera.fitted->azimuth_rad, camera.fitted->elevation_rad));
+  return text + " }";
 }
 
 }  // namespace polhode

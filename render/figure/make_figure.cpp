@@ -4,13 +4,13 @@
 #include "physics/body/euler.h"
 #include "physics/exact/powers_of_two.h"
 #include "render/figure/builders/builders.h"
+#include "render/figure/builders/places.h"
+#include "render/figure/frame.h"
 #include "render/figure/omega_tip.h"
-#include "render/figure/orbit_camera.h"
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace polhode {
 namespace builders {
@@ -83,7 +83,7 @@ Snapshot snapshot_in(const SceneModel& model, double t_s, View view, const Rigid
              .L_scale = L_scale,
              .L_length = L_length_of(scene, omega_scale, L_scale),
              .thickness = scene.views.size() > 1 ? 1.15 : 1.0};
-  m.center_V = center_of_mass_V(m);
+  m.center_V = center_of_mass_V(m, t_s);
   return m;
 }
 
@@ -102,67 +102,9 @@ Snapshot snapshot_at(const SceneModel& model, double t_s, View view) {
 
 namespace {
 
-/// How far from the centre there is something to see, with its label.
-double reach_of(const builders::Snapshot& m) {
-  constexpr double kLabel = 0.1;
-  double reach = 1.0;
-  if (m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body)) reach = builders::kTriadLength + kLabel;
-  if (m.shows(Overlay::omega) || m.shows(Overlay::trail_omega))
-    reach = std::max(reach, norm_of(m.model.scene.w0_B) * m.omega_scale + kLabel);
-  if (m.shows(Overlay::L)) reach = std::max(reach, m.L_length + kLabel);
-  if (m.shows(Overlay::N) && !m.model.scene.torque.empty()) reach = std::max(reach, m.L_length + 0.3);
-  constexpr double kTriangle = 0.5;  // of what stands on the tip of an arrow
-  if (m.shows(Overlay::transport)) reach = std::max(reach, 1.0 + kTriangle);
-  if (m.shows(Overlay::terms)) reach = std::max(reach, (m.shows(Overlay::L) ? m.L_length : 0.5) + kTriangle);
-  return std::max(reach, builders::reach_of_marks(m));
-}
+using builders::Snapshot;
 
-constexpr double kFilled = 1.16;  // radius that fills the height of a picture at the default distance
-
-/// A place to be held in the picture, with room round it.
-struct Held {
-  Vec3 at_V;
-  double reach;
-};
-
-/// Holds all places; the least radius of a scene that does, its middle in the middle of the picture.
-Camera camera_holding(const std::vector<Held>& places, const CameraSpec& spec, double aspect) {
-  const Camera at_origin = orbit(spec, Vec3::Zero(), 1.0);
-  const Mat3 axes = at_origin.view().topLeftCorner<3, 3>();  // right, up, towards the eye
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Held& place : places) {
-    const Vec3 on_screen = axes * place.at_V;
-    low = low.cwiseMin(on_screen - Vec3::Constant(place.reach));
-    high = high.cwiseMax(on_screen + Vec3::Constant(place.reach));
-  }
-  const Vec3 middle = 0.5 * (low + high);
-  double radius = 0.0;
-  for (const Held& place : places) {
-    const Vec3 off = axes * place.at_V - middle;
-    const double aside = (std::abs(off.x()) + place.reach) / aspect;
-    const double wanted = std::max(aside, std::abs(off.y()) + place.reach) / kFilled;
-    radius = std::max(radius, wanted + off.z() / CameraSpec{}.distance);  // what is nearer looks larger
-  }
-  return orbit(spec, axes.transpose() * middle, radius);
-}
-
-/// The way of the centre of mass with the body round it, the arrows on it, and the origin of S; or the body
-/// and the way of the puck. Space axes.
-std::vector<Held> places_of_translation(const builders::Snapshot& m, double reach) {
-  constexpr double kLabel = 0.14, kRoundPuck = 0.42;
-  const double round_body = std::max(0.95, builders::reach_of_marks(m));
-  const bool puck = m.shows(Overlay::puck);
-  std::vector<Held> places;
-  for (const Vec3& at_V : builders::path_of_center_V(m))
-    places.push_back({at_V, puck ? kRoundPuck : round_body});
-  for (const Vec3& at_V : builders::tips_of_center_V(m)) places.push_back({at_V, kLabel});
-  if (puck && !builders::puck_alone(m)) places.push_back({Vec3::Zero(), reach});
-  if (!puck && m.shows(Overlay::axes_space))
-    for (int i = 0; i < 3; ++i) places.push_back({builders::kTriadLength * Vec3::Unit(i), kLabel});
-  return places;
-}
-
-bool translates(const builders::Snapshot& m) {
+bool translates(const Snapshot& m) {
   return m.view == View::space && (m.shows(Overlay::puck) || drifts(m.model.scene));
 }
 
@@ -173,26 +115,30 @@ Camera seen_from_center(Camera camera, const Vec3& center_V) {
   return camera;
 }
 
-/// Enough room for what is shown, and the floor below. Nothing here depends on t, so that the camera stands
-/// still.
-Camera camera_for(const builders::Snapshot& m, double aspect) {
-  constexpr double kNarrowest = 1.15;  // a pane narrower than this needs more distance to hold the figure
-  const Scene& scene = m.model.scene;
-  const bool floor = m.view == View::space && m.shows(Overlay::plane);
-  // Arrows and axes point up: the middle of it all lies above the centre.
-  const double lift = m.shows(Overlay::terms) && m.shows(Overlay::L) ? 0.32 : 0.2;
-  const bool upward = !m.shows(Overlay::pivot) && !m.model.needs.ghost &&  // a wrong L may point down
-                      (m.shows(Overlay::L) || m.shows(Overlay::axes_space) || m.shows(Overlay::axes_body));
-  const double reach = reach_of(m);
-  if (translates(m))
-    return seen_from_center(camera_holding(places_of_translation(m, reach), scene.camera, aspect),
-                            m.center_V);
-  const Vec3 target(0.0, 0.0, floor ? 0.4 * builders::plane_z(m) : upward ? lift * reach : 0.0);
-  CameraSpec spec = scene.camera;
-  spec.distance *= std::max(1.0, kNarrowest / aspect);
-  // With a floor L points down, so that only the space axes stand out above.
-  const double above = m.shows(Overlay::axes_space) ? reach - target.z() - 0.15 : 1.0;
-  return orbit(spec, target, std::max(1.0, (floor ? above : reach) / kFilled));
+/// Room for a title above panes that have one.
+FrameMargins margins_of(const Snapshot& m) {
+  constexpr double kTitle = 0.07;
+  FrameMargins margins;
+  if (m.turn || m.model.scene.views.size() > 1) margins.top = kTitle;
+  return margins;
+}
+
+/// All that the scene shows over its film: nothing here depends on t, so that the camera stands still. Views
+/// side by side have one scale.
+Camera camera_for(const Snapshot& m, double aspect) {
+  const CameraSpec& spec = m.model.scene.camera;
+  const FrameMargins margins = margins_of(m);
+  const builders::Places places = builders::places_of(m);
+  Frame frame = frame_of(places, spec, aspect, margins);
+  for (const View view : m.model.scene.views) {
+    if (view == m.view || m.turn || drifts(m.model.scene)) continue;
+    const builders::Places others = builders::places_of(builders::snapshot_in(m.model, m.t_s, view, m.state));
+    const Frame other = frame_of(others, spec, aspect, margins, frame.radius);
+    frame = frame_of(places, spec, aspect, margins, other.radius);
+    frame.half_tan = std::max(frame.half_tan, other.half_tan);
+  }
+  const Camera camera = framed(frame, spec);
+  return translates(m) ? seen_from_center(camera, m.center_V) : camera;
 }
 
 Pane make_pane(const builders::Snapshot& m, double aspect) {
@@ -271,7 +217,9 @@ TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
   if (attitude) trial_.scene.attitude = attitude;
   trial_.drawn = drawn_overlays(trial_.scene);
   trial_.needs = requirements(trial_.scene);
-  is_remade_ = drifts(trial_.scene) || trial_.needs.marks || trial_.drawn.contains(Overlay::puck);
+  is_remade_ = drifts(trial_.scene) || trial_.needs.marks || !trial_.scene.torque.empty() ||
+               builders::is_computed(trial_.scene) || trial_.drawn.contains(Overlay::puck) ||
+               trial_.drawn.contains(Overlay::transport) || trial_.drawn.contains(Overlay::terms);
 }
 
 std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
@@ -282,6 +230,8 @@ std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
     return std::nullopt;
   RigidBodyState start{Quat::Identity(), w0_B};
   if (trial_.needs.attitude) start.q_SB = problem_of(trial_.scene).start.q_SB;
+  trial_.q0_SB = start.q_SB;
+  trial_.L_reference = angular_momentum_B(trial_.scene.body.moments, w0_B).stableNorm();
   const builders::Snapshot m = builders::snapshot_in(trial_, 0.0, views[pane_], start);
   return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect_ / static_cast<double>(views.size()))};
 }

@@ -83,9 +83,6 @@ inline constexpr std::array kBuilders = {
 void add_values(const Snapshot& m, DrawList& list);
 void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list);
 
-/// How far from the centre the marks of the scene reach at any time, with their names; 0 without marks.
-double reach_of_marks(const Snapshot& m);
-
 /// From when on a trail shows the past. Torque-free motion has no beginning; a driven one starts at t = 0.
 double trail_start_s(const Snapshot& m);
 /// The arrow's tip ends the trail, whose blunt end would stick out: its axis ends one radius behind.
@@ -94,8 +91,8 @@ void end_behind_tip(Tube& trail);
 /// Scene units per metre: of the body that is drawn, and of the path of its centre.
 double scene_units_per_m(const Snapshot& m);
 
-/// Where the centre of mass is drawn from S's origin.
-Vec3 center_of_mass_V(const Snapshot& m);
+/// Where the centre of mass is drawn at t from S's origin.
+Vec3 center_of_mass_V(const Snapshot& m, double t_s);
 
 /// Tips of its arrows over the scene's span, from S's origin.
 std::vector<Vec3> tips_of_center_V(const Snapshot& m);

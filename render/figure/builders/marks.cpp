@@ -3,14 +3,18 @@
 #include "physics/body/euler.h"
 #include "physics/geometry/curve_sampling.h"
 #include "render/figure/builders/builders.h"
+#include "render/figure/builders/places.h"
 #include "render/palette.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polhode::builders {
@@ -67,16 +71,30 @@ class DrawnVectors {
   std::optional<Vec3> tip_V(const MarkVector& vector) const { return tip_V(vector, m_.t_s, m_.state); }
 
   /// How far from the centre the tip gets over the span.
-  double reach(const MarkVector& vector, std::size_t count) const {
+  double reach(const MarkVector& vector) const {
     double reach = 0.0;
     for (std::size_t n = 0; n <= kCourseSteps; ++n) {
-      const double far = place_S(vector, count, n).norm();
+      const double far = place_S(vector, arrows_.size(), n, RigidBodyState{}).norm();
       if (std::isfinite(far)) reach = std::max(reach, far);
     }
-    const bool on_L = find_arrow(vector, count) == count && stands_on_L(vector);
-    return reach + (on_L ? m_.L_length : 0.0);
+    return reach + (stands_on_L(vector) ? m_.L_length : 0.0);
   }
-  double reach(const MarkVector& vector) const { return reach(vector, arrows_.size()); }
+
+  /// What one of the arrows joins at a step of the courses.
+  std::pair<Vec3, Vec3> ends_V(std::size_t arrow, std::size_t step, const RigidBodyState& then) const {
+    const auto& at = arrows_[arrow].at;
+    const Vec3 tail_S = at ? place_S(*at, arrow, step, then) : Vec3(Vec3::Zero());
+    const Vec3& value_S = course_of(arrows_[arrow].of).values_S[step];
+    return {to_view(tail_S, then),
+            to_view(tail_S + drawn(arrows_[arrow].of, &arrows_[arrow], value_S), then)};
+  }
+  /// The tip of a vector at a step of the courses.
+  Vec3 place_V(const MarkVector& vector, std::size_t step, const RigidBodyState& then) const {
+    return to_view(place_S(vector, arrows_.size(), step, then), then);
+  }
+  Vec3 direction_V(const MarkVector& vector, std::size_t step, const RigidBodyState& then) const {
+    return to_view(course_of(vector).values_S[step].stableNormalized(), then);
+  }
 
   bool has_arrow(const MarkVector& vector) const {
     return find_arrow(vector, arrows_.size()) < arrows_.size() ||
@@ -101,11 +119,15 @@ class DrawnVectors {
   }
 
   /// The tip of a vector at a time of its course.
-  Vec3 place_S(const MarkVector& vector, std::size_t count, std::size_t step) const {
+  Vec3 place_S(const MarkVector& vector, std::size_t count, std::size_t step,
+               const RigidBodyState& then) const {
     const std::size_t index = find_arrow(vector, count);
     const ArrowMark* arrow = index < count ? &arrows_[index] : nullptr;
     const Vec3& value_S = course_of(vector).values_S[step];
-    const Vec3 tail_S = arrow != nullptr && arrow->at ? place_S(*arrow->at, index, step) : Vec3(Vec3::Zero());
+    Vec3 tail_S = Vec3::Zero();
+    if (arrow != nullptr && arrow->at) tail_S = place_S(*arrow->at, index, step, then);
+    if (arrow == nullptr && stands_on_L(vector))
+      tail_S = then.q_SB * m_.L_drawn_B(angular_momentum_B(m_.I(), then.w_B));
     return tail_S + drawn(vector, arrow, value_S);
   }
 
@@ -348,19 +370,78 @@ void add_marks(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (m.model.needs.marks) MarkBuilder(m, list).add_all();
 }
 
-double reach_of_marks(const Snapshot& m) {
-  if (!m.model.needs.marks) return 0.0;
+namespace {
+
+/// Letters of a formula as it is set, roughly: commands with a backslash count as one, or as nothing where
+/// they only dress another.
+double letters_of(const std::string& tex) {
+  double letters = 0.0;
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    if (tex[i] == '\\') {
+      std::size_t end = i + 1;
+      while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])) != 0) ++end;
+      const std::string command = tex.substr(i + 1, end - i - 1);
+      const bool dresses = command == "vec" || command == "dot" || command == "hat" || command == "mathbf" ||
+                           command == "ddot" || command == "text" || command == "mathrm";
+      letters += dresses ? 0.0 : 1.0;
+      i = end - 1;
+    } else if (std::strchr("{}$_^ ", tex[i]) == nullptr && (tex[i] & 0xC0) != 0x80) {
+      letters += i > 0 && (tex[i - 1] == '_' || tex[i - 1] == '^') ? 0.6 : 1.0;
+    }
+  }
+  return letters;
+}
+
+}  // namespace
+
+void add_places_of_marks(const Snapshot& m, Places& places) {
+  if (!m.model.needs.marks) return;
+  constexpr int kEvery = 2;  // of the steps of a course
+  constexpr double kLine = 0.03;
   const Marks& marks = m.model.scene.marks;
   const DrawnVectors vectors(m);
-  double reach = 0.0;
-  const auto holds = [&](double far) { reach = std::max(reach, far); };
-  for (const TrailMark& trail : marks.trails) holds(trail.on_sphere ? 1.0 : vectors.reach(trail.of));
-  for (std::size_t i = 0; i < marks.arrows.size(); ++i)
-    holds(vectors.reach(marks.arrows[i].of, i + 1) + kLabel);
-  for (std::size_t i = 0; i < marks.angles.size(); ++i) holds(radius_of_angle(m, i) + 2.0 * kLabel);
-  for (const PlaneMark& plane : marks.planes) holds(radius_of_plane(vectors, plane));
-  for (const NoteMark& note : marks.notes) holds(vectors.reach(note.at) + kLabel);
-  return reach;
+  for (const TrailMark& trail : marks.trails)
+    if (trail.on_sphere) places.push_back(ball_at(Vec3::Zero(), 1.0));
+  const auto hold = [&](const Vec3& at_V, double radius) {
+    if (at_V.allFinite()) places.push_back(ball_at(at_V, radius));
+  };
+  for (int n = 0; n <= kCourseSteps; n += kEvery) {
+    const double t_s = m.model.span_s * n / kCourseSteps;
+    const RigidBodyState then = m.model.motion->at(t_s);
+    const auto step = static_cast<std::size_t>(n);
+    for (std::size_t i = 0; i < marks.arrows.size(); ++i) {
+      const ArrowMark& arrow = marks.arrows[i];
+      const auto [tail_V, tip_V] = vectors.ends_V(i, step, then);
+      if (!tail_V.allFinite() || !tip_V.allFinite() || !((tip_V - tail_V).norm() > kTooShort)) continue;
+      hold(tail_V, kLine);
+      hold(tip_V, kLine);
+      const std::string& tex = arrow.tex.value_or(arrow.of.quantity.tex);
+      if (!tex.empty() && arrow.name_at >= 1) places.push_back(name_beyond(tip_V, tail_V, letters_of(tex)));
+    }
+    for (const TrailMark& trail : marks.trails)
+      if (!trail.on_sphere) hold(vectors.place_V(trail.of, step, then), kLine);
+    for (const NoteMark& note : marks.notes) {
+      constexpr double kHalfHeight = 0.06, kLetter = 0.035;
+      Place name = ball_at(vectors.place_V(note.at, step, then), kHalfHeight);
+      name.aside = kLetter * static_cast<double>(note.text.size());
+      if (name.center.allFinite()) places.push_back(name);
+    }
+    for (std::size_t i = 0; i < marks.angles.size(); ++i) {
+      constexpr double kName = 0.13;
+      const double radius = radius_of_angle(m, i);
+      const Vec3 from = vectors.direction_V(marks.angles[i].from, step, then),
+                 to = vectors.direction_V(marks.angles[i].to, step, then);
+      hold(radius * from, kLabel);
+      hold(radius * to, kLabel);
+      hold((radius + kLabel) * (from + to).stableNormalized(), kName);
+    }
+    for (const PlaneMark& plane : marks.planes) {
+      const Vec3 normal = vectors.direction_V(plane.normal, step, then);
+      const Vec3 through = plane.through ? vectors.place_V(*plane.through, step, then) : Vec3(Vec3::Zero());
+      if (normal.allFinite() && through.allFinite())
+        places.push_back(disc_at(through.dot(normal) * normal, normal, radius_of_plane(vectors, plane)));
+    }
+  }
 }
 
 }  // namespace polhode::builders

@@ -3,6 +3,7 @@
 #include "physics/body/euler.h"
 #include "render/figure/builders/builders.h"
 #include "render/figure/builders/parts.h"
+#include "render/figure/builders/places.h"
 #include "render/palette.h"
 #include "render/scene/model/rotor.h"
 
@@ -16,7 +17,6 @@ namespace polhode::builders {
 namespace {
 
 constexpr int kSegments = 64;
-constexpr double kAloneRadius = 0.95;  // of the sphere round a body that stands alone
 constexpr double kInsideGlass = 0.84;  // of the energy ellipsoid, for a body drawn in it
 constexpr Color kSteel = color_from_hex(0xB7B4AD), kSteelEdge = color_from_hex(0x7E7A72);
 
@@ -248,6 +248,38 @@ void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const st
 
 double scene_units_per_m(const Snapshot& m) {
   return fit(parts_of(m.model.scene, m.shows(Overlay::pivot)), room_for(m, m.model.scene.w0_B));
+}
+
+std::vector<Vec3> solid_corners_B(const Snapshot& m) {
+  const Body& body = m.model.scene.body;
+  // A racket is known by its name and has no shape; what looks like a book keeps the size of its box.
+  const bool has_look = !body.shape && !look_of(body, Look::solid).empty();
+  const Shape shape = body.shape.value_or(equivalent_box(body.moments, body.mass_kg));
+  const Vec3 half = 0.5 * shape.size_m;
+  std::vector<Vec3> corners;
+  const auto add_box = [&](const Vec3& center, const Vec3& half_size) {
+    for (int k = 0; k < 8; ++k)
+      corners.push_back(center +
+                        half_size.cwiseProduct(Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1)));
+  };
+  if (has_look) return corners;
+  if (shape.kind == ShapeKind::box) {
+    add_box(Vec3::Zero(), half);
+  } else if (shape.kind == ShapeKind::cylinder) {
+    constexpr int kCorners = 12;
+    for (int k = 0; k < kCorners; ++k)
+      for (const double side : {-1.0, 1.0})
+        corners.push_back(on_circle(static_cast<double>(k) / kCorners, half.x(), half.y(), side * half.z()));
+  } else if (shape.kind == ShapeKind::t_handle) {
+    const THandleGeometry g = t_handle_geometry(shape.size_m);
+    const double radius = 0.5 * g.diameter_m;
+    add_box({0.0, g.crossbar_at_m, 0.0}, {0.5 * g.crossbar_length_m, radius, radius});
+    add_box({0.0, g.stem_at_m, 0.0}, {radius, 0.5 * g.stem_length_m, radius});
+  }
+  double reach = 0.0;
+  for (const Vec3& corner : corners) reach = std::max(reach, corner.norm());
+  for (Vec3& corner : corners) corner *= kAloneRadius / reach;
+  return corners;
 }
 
 void add_solid(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {

@@ -35,14 +35,23 @@ struct MotionSpec {
   bool operator==(const MotionSpec&) const = default;
 };
 
-/// Orbit camera about the scene's centre. Angles in radians (degrees exist in lessons only). Elevation is
-/// measured from the horizontal plane of the view; distance is in units of the scene's radius; zoom narrows
-/// the field.
+/// Where a camera stands. Angles in radians (degrees exist in lessons only); elevation is measured from the
+/// horizontal plane of the view.
+struct CameraAngles {
+  double azimuth_rad = 0, elevation_rad = 0;
+  bool operator==(const CameraAngles&) const = default;
+};
+
+/// Camera about the middle of what the scene shows over its film, which fills the picture at zoom 1. The
+/// distance, in radii of that, says how much larger what is near looks than what is far.
 struct CameraSpec {
   double azimuth_rad = 0.6;
   double elevation_rad = 0.35;
   double distance = 4.2;
   double zoom = 1.0;
+  /// Where it fills the picture, of a camera that has been turned since: turning keeps the scale. Absent:
+  /// where the camera stands.
+  std::optional<CameraAngles> fitted = {};
   bool operator==(const CameraSpec&) const = default;
 };
 

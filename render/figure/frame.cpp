@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "render/figure/frame.h"
+
+#include "render/figure/orbit_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+namespace {
+
+using builders::Place;
+using builders::Places;
+
+constexpr double kNearest = 1.3;  // of the eye from the middle, in radii: outside all that is held
+
+/// How far places reach to one side of the screen, from a point, against a plane through the eye that leans
+/// by `slope` from the line of sight: all of them are seen below that slope if `reach` is not more than
+/// slope times the eye's distance.
+struct Reach {
+  double reach = -std::numeric_limits<double>::infinity();
+  double per_slope = 0.0;  ///< its derivative
+};
+/// @param axis of the screen, 0 to the right, 1 up; `sign` says to which of its sides
+Reach reach_at(const Places& seen, int axis, double sign, double slope) {
+  Reach most;
+  for (const Place& place : seen) {
+    const Vec3 across = sign * place.spread.row(axis), towards = place.spread.row(2);
+    const Vec3 lean = across + slope * towards;
+    const double length = lean.norm();
+    const double off = sign * place.center[axis];
+    const double beside = axis == 0 && off > 0.0 ? place.aside : 0.0;
+    const double reach = off + beside + slope * place.center.z() + length;
+    if (reach > most.reach)
+      most = {reach, place.center.z() + (length > 0.0 ? lean.dot(towards) / length : 0.0)};
+  }
+  return most;
+}
+
+/// One direction of the screen: the parts of the half field of view on its two sides that may be used.
+struct Sides {
+  int axis;
+  double plus, minus;
+};
+
+/// Slopes to the two sides that grow with a number.
+struct Slopes {
+  double plus, plus_per = 1.0, minus, minus_per = 1.0;
+};
+
+struct Held {
+  double number;  ///< the least with which both sides together hold all places
+  double middle;  ///< where they meet then: no other place in the middle of the screen holds them
+};
+
+/// What is wanted is convex in the number and falls until it is reached, so that Newton's method comes to it
+/// from below.
+Held least_that_holds(const Places& seen, int axis, const Slopes& slopes, double distance, double number) {
+  constexpr int kMostSteps = 30;
+  constexpr double kEnough = 1e-13;
+  for (int step = 0;; ++step) {
+    const double to_plus = slopes.plus + slopes.plus_per * number,
+                 to_minus = slopes.minus + slopes.minus_per * number;
+    const Reach plus = reach_at(seen, axis, 1.0, to_plus), minus = reach_at(seen, axis, -1.0, to_minus);
+    const double wanted = plus.reach + minus.reach - (to_plus + to_minus) * distance;
+    const double fall =
+        slopes.plus_per * (distance - plus.per_slope) + slopes.minus_per * (distance - minus.per_slope);
+    if (step == kMostSteps || !(wanted > kEnough * distance) || !(fall > 0.0))
+      return {number, 0.5 * ((plus.reach - to_plus * distance) - (minus.reach - to_minus * distance))};
+    number += wanted / fall;
+  }
+}
+
+double least_half_tan(const Places& seen, const Sides& sides, double distance) {
+  return least_that_holds(seen, sides.axis, {0.0, sides.plus, 0.0, sides.minus}, distance, 0.0).number;
+}
+
+/// Where the middle of the screen lies, in this direction, so that as much is free on both sides.
+double middle_of(const Places& seen, const Sides& sides, double half_tan, double distance) {
+  const double plus = sides.plus * half_tan, minus = sides.minus * half_tan;
+  return least_that_holds(seen, sides.axis, {plus, 1.0, minus, 1.0}, distance, -std::max(plus, minus)).middle;
+}
+
+CameraSpec fitted_spec(const CameraSpec& spec) {
+  CameraSpec from = spec;
+  if (spec.fitted) {
+    from.azimuth_rad = spec.fitted->azimuth_rad;
+    from.elevation_rad = spec.fitted->elevation_rad;
+  }
+  return from;
+}
+
+}  // namespace
+
+Frame frame_of(const Places& places, const CameraSpec& spec, double aspect, const FrameMargins& margins,
+               double least_radius) {
+  if (places.empty()) return {};
+  const Mat3 axes = orbit(fitted_spec(spec), Vec3::Zero(), 1.0).view().topLeftCorner<3, 3>();
+  Places seen = places;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (Place& place : seen) {
+    place.center = axes * place.center;
+    place.spread = axes * place.spread;
+    const Vec3 half = place.spread.rowwise().norm();
+    low = low.cwiseMin(place.center - half);
+    high = high.cwiseMax(place.center + half);
+  }
+  const Vec3 middle = 0.5 * (low + high);
+  double radius = least_radius;
+  for (const Place& place : seen)
+    radius = std::max(radius, (place.center - middle).norm() + place.spread.colwise().norm().maxCoeff());
+  if (!(radius > 0.0)) return {};
+  // Names stand away from the centre, which the places are given from: to the right of it, or to the left.
+  for (Place& place : seen) place.center.z() -= middle.z();
+
+  const double distance = radius * std::max(spec.distance, kNearest);
+  const Sides across{0, aspect * (1.0 - 2.0 * margins.side), aspect * (1.0 - 2.0 * margins.side)};
+  const Sides upright{1, 1.0 - 2.0 * margins.top, 1.0 - 2.0 * margins.bottom};
+  const double half_tan =
+      std::max(least_half_tan(seen, across, distance), least_half_tan(seen, upright, distance));
+  const Vec3 target(middle_of(seen, across, half_tan, distance), middle_of(seen, upright, half_tan, distance),
+                    middle.z());
+  return {axes.transpose() * target, radius, half_tan};
+}
+
+Camera framed(const Frame& frame, const CameraSpec& spec) {
+  CameraSpec from = spec;
+  from.distance = std::max(spec.distance, kNearest);
+  Camera camera = orbit(from, frame.target, frame.radius);
+  camera.fov_y_rad = 2.0 * std::atan(frame.half_tan / spec.zoom);
+  return camera;
+}
+
+}  // namespace polhode
