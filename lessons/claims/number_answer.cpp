@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/number_answer.h"
 
+#include "base/angles.h"
 #include "base/numbers.h"
 #include "base/utf8.h"
 #include "lessons/claims/answers.h"
@@ -15,7 +16,7 @@
 namespace polhode {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi, kDegree = std::numbers::pi / 180;
+constexpr double kTurn = 2 * std::numbers::pi;
 /// Nobody types more digits and letters of a unit than this.
 constexpr std::size_t kMostBytes = 100;
 /// Decimals that are typed and halved come out a few bits off.
@@ -239,9 +240,9 @@ class NumberJudge {
     if (value != 0 && std::abs(value - right_) <= 0.5 * last_digit)
       return {"rounding", "rounded too coarsely: it has to be right to " + answer_.within_text};
     if (is_angular()) {
-      if (!is_in_degrees() && is_right_times(value, 1 / kDegree))
+      if (!is_in_degrees() && is_right_times(value, 1 / kRadiansPerDegree))
         return {"degrees", "these are degrees, and radians are asked for: 180° is π"};
-      if (is_in_degrees() && is_right_times(value, kDegree))
+      if (is_in_degrees() && is_right_times(value, kRadiansPerDegree))
         return {"degrees", "these are radians, and degrees are asked for: π is 180°"};
     }
     if (has_cycles()) {

@@ -3,6 +3,7 @@
 
 #include "app/session/steering.h"
 #include "app/window/controls/widgets.h"
+#include "base/angles.h"
 #include "physics/body/euler.h"
 #include "render/scene/model/scene_problem.h"
 
@@ -11,13 +12,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 namespace polhode {
 
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// A slider with its name behind it. True while it is moved.
 bool slider(const char* name, double& value, double from, double to, const char* format) {
@@ -74,10 +72,10 @@ class Controls {
   }
 
   void attitude() {
-    Vec3 angles = euler_angles(problem_of(now_).start.q_SB) / kDegree;
+    Vec3 angles = euler_angles(problem_of(now_).start.q_SB) / kRadiansPerDegree;
     if (!sliders({"φ °", "θ °", "ψ °"}, angles, -180, 180, "%.1f")) return;
     angles[1] = std::clamp(angles[1], 0.0, 180.0);
-    edits_.attitude = attitude_of(angles * kDegree);
+    edits_.attitude = attitude_of(angles * kRadiansPerDegree);
     changed_ = true;
   }
 
