@@ -100,8 +100,6 @@ ExitCode show_hint(const Ask& ask, const SpeechText& speech, const KeptAnswers& 
     return ExitCode::done;
   }
   fmt::print("{}", wrapped("The answer: " + printable_line(speech.words_of_answer(ask)), ""));
-  const std::string because = speech.words(ask.because);
-  if (!because.empty()) fmt::print("{}", wrapped(printable_line(because), ""));
   return ExitCode::done;
 }
 

@@ -237,16 +237,18 @@ std::string SpeechText::words(const Ask& ask) const {
 }
 
 std::string SpeechText::words_of_answer(const Ask& ask) const {
-  if (ask.expression) return ask.expression->text + '.';
-  if (ask.task) return text_of(ask.task->solution) + '.';
-  if (ask.number) return ask.number->value ? words_of(*ask.number) + '.' : "";
-  std::string text;
+  std::string text = ask.expression ? ask.expression->text
+                     : ask.task     ? text_of(ask.task->solution)
+                     : ask.number   ? polhode::words_of(*ask.number)
+                                    : "";
   for (const int answer : ask.answers)
     text +=
         (text.empty() ? "" : ", ") + std::string(1, letter_of_choice(static_cast<std::size_t>(answer - 1)));
   if (ask.answers.size() == 1)
     text += ": " + words(ask.choice_texts[static_cast<std::size_t>(ask.answers.front() - 1)]);
-  return text.empty() ? text : sentence(std::move(text));
+  if (!text.empty()) text = sentence(std::move(text));
+  if (!ask.because.empty()) add(text, sentence(words(ask.because)));
+  return text;
 }
 
 std::string SpeechText::words_after(const Ask& ask, const AnswerJudgement& judgement) const {

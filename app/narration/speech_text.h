@@ -39,8 +39,7 @@ class SpeechText {
   std::string words(const Callout& callout, std::vector<NoteLink>* links = nullptr) const;
   /// With its choices, without hints and answer.
   std::string words(const Ask& ask) const;
-  /// What is right: "B: the intermediate axis.", "C, A, B.", "w1*w2.", "4.19 rad/s."; empty: it cannot be
-  /// told.
+  /// What is right, and why: "B: the intermediate axis.", "C, A, B.", "w1*w2.", "4.19 rad/s. It is …".
   std::string words_of_answer(const Ask& ask) const;
   /// What is said to who gave this answer: the reply to the choice, and after a right one why it is right;
   /// may be empty.

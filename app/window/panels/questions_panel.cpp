@@ -132,7 +132,7 @@ void show_reply(PanelContext& context, const Ask& ask, const JudgedAnswer& answe
   ImGui::Indent(indent);
   if (context.session.is_awaited(ask)) {
     quiet_words("Watch what it does.");
-    if (ImGui::Button("Say it now")) context.session.end_play();
+    if (ImGui::Button("Skip to the verdict")) context.session.end_play();
   } else {
     show_verdict(context, answer);
     plain_words(context.speech.words_after(ask, answer.judgement));
@@ -162,13 +162,10 @@ void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
   const AnswerRecord* record = context.session.record(ask);
   const AnswerRecord known = record != nullptr ? *record : AnswerRecord();
   const auto shown = std::min(static_cast<std::size_t>(std::max(0, known.hints)), ask.hint_texts.size());
-  const bool told = is_told(known, ask.hints.size());
   for (std::size_t i = 0; i < shown; ++i)
     quiet_words(fmt::format("Hint {}: {}", i + 1, context.speech.words(ask.hint_texts[i])));
-  if (told) {
+  if (!is_settled && is_told(known, ask.hints.size()))
     plain_words("The answer: " + context.speech.words_of_answer(ask));
-    if (!is_settled) plain_words(context.speech.words(ask.because));  // it was said with the verdict
-  }
   AnswerRecord after = known;
   if (!is_settled && note_help(after, ask.hints.size())) {
     const char* words = shown == ask.hints.size() ? "Show the answer"

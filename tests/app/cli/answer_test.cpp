@@ -34,13 +34,12 @@ class Answer : public ::testing::Test {
         lesson_,
         "+++\nformat = 1\nid = \"quiz\"\ntitle = \"Quiz\"\n+++\n# Quiz {quiz}\nAsk.\n\n"
         "```ask sign\ntype = \"expression\"\nprompt = 'The y component?'\n"
-        "answer = \"w3*w1*(I1 - I3)\"\nhints = ['Use $I_1$.', 'Mind the sign.']\n"
-        "because = 'The middle minor has a minus sign'\n```\n"
+        "answer = \"w3*w1*(I1 - I3)\"\nhints = ['Use $I_1$.', 'Mind the sign.']\n```\n"
         "```ask which\ntype = \"choice\"\nprompt = 'Which?'\nchoices = ['one', 'two']\nanswer = 2\n```\n"
         "```ask listed\ntype = \"choice\"\nprompt = 'Which?'\nshuffle = false\nbecause = 'So it is.'\n"
         "- [ ] one\n  The $\\omega_1$ there is small.\n- [x] two\n```\n"
         "```ask speed\ntype = \"number\"\nprompt = 'How fast?'\nanswer = 2\nunit = 'rad/s'\n"
-        "hints = ['One.', 'Two.']\n```\n"
+        "hints = ['One.', 'Two.']\nbecause = 'It is given'\n```\n"
         "```scene\nbody = \"textbook\"\nomega = [0.3, 0.2, 1.5]\n```\n"
         "```ask apart\ntype = \"state\"\nprompt = 'Apart?'\n"
         "goals = [{ of = 'atan2(norm(cross(omega, L)), dot(omega, L))', say = 'angle', is = 20, within = 1, "
@@ -111,7 +110,7 @@ TEST_F(Answer, HintsComeOneAtATimeInWords) {
 
 TEST_F(Answer, BehindTheLastHintTheAnswerIsToldWithItsReason) {
   for (int i = 0; i < 2; ++i) answer("sign", {"--hint"});
-  const std::string told = "The answer: w3*w1*(I1 - I3).\nThe middle minor has a minus sign.\n";
+  const std::string told = "The answer: w3*w1*(I1 - I3).\n";
   EXPECT_EQ(answer("sign", {"--hint"}).out, told);
   EXPECT_EQ(answer("sign", {"--hint"}).out, told) << "and again";
   EXPECT_EQ(logged()["quiz/sign"]["hints"], 3) << "one more than there are: it was told";
@@ -142,7 +141,7 @@ TEST_F(Answer, ANumberIsJudgedWithItsUnit) {
   EXPECT_EQ(comma.code, 2);
   EXPECT_THAT(comma.err, HasSubstr("a comma is not read in numbers"));
   for (int i = 0; i < 2; ++i) answer("speed", {"--hint"});
-  EXPECT_EQ(answer("speed", {"--hint"}).out, "The answer: 2 rad/s.\n");
+  EXPECT_EQ(answer("speed", {"--hint"}).out, "The answer: 2 rad/s. It is given.\n");
 }
 
 TEST_F(Answer, ADamagedLogIsSetAside) {
