@@ -163,7 +163,8 @@ Command answer_command() {
            {"STAGE", &options->stage, "Id of the stage", "", true},
            {"ASK", &options->ask, "Id of the question", "", true},
            {"ANSWER", &options->answer,
-            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"; a number, \"4.2 mJ\"; a state, \"{}\"",
+            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"; a number, \"4.2 mJ\"; a "
+                        "state, \"{}\"",
                         form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order),
                         form_of_answer(Ask::Type::state))},
            {"--hint", &options->hint, "Show the next hint instead; behind the last, the answer"},

@@ -100,12 +100,12 @@ struct Ask : Question {
   bool is_listed = false;           ///< its choices are a Markdown list
   std::vector<std::string> hints;
   std::vector<RichText> hint_texts;
-  RichText because{};  ///< why the answer is right; empty: nothing is said
+  RichText because{};                     ///< why the answer is right; empty: nothing is said
   std::optional<PlayedInterval> plays{};  ///< what a prediction is held against before its verdict
   SourcePlace place;
   std::shared_ptr<const Derivation> derivation{};  ///< of the type derive
-  std::vector<int> outcomes{};  ///< which of the lesson's it tests, from 1 (About::outcomes)
-  std::shared_ptr<const StateTask> task{};         ///< of the type state
+  std::vector<int> outcomes{};              ///< which of the lesson's it tests, from 1 (About::outcomes)
+  std::shared_ptr<const StateTask> task{};  ///< of the type state
 };
 
 using Block = std::variant<Prose, Equation, Claim, Callout, Ask, Footnote>;
