@@ -42,11 +42,11 @@ std::vector<std::string> faults_of(const std::string& formula) {
 }
 
 TEST(ComputedNumbers, StandInTextNotesCalloutsTablesCaptionsAndDisplays) {
-  EXPECT_THAT(
-      faults(lesson("a $\\live{T}$ here[^n]\n\n- $\\live{T}$\n\n[^n]: $\\live{T}$\n\n> [!note] $\\live{T}$\n\n"
-                    "| a |\n|---|\n| $\\live{T}$ |\n\n```math e\nT = \\live{T}\n```\n",
-                    "\n```scene\ncaption = '$\\live[unit={J}]{T}$'\n```\n")),
-      IsEmpty());
+  EXPECT_THAT(faults(lesson(
+                  "a $\\live{T}$ here[^n]\n\n- $\\live{T}$\n\n[^n]: $\\live{T}$\n\n> [!note] $\\live{T}$\n\n"
+                  "| a |\n|---|\n| $\\live{T}$ |\n\n```math e\nT = \\live{T}\n```\n",
+                  "\n```scene\ncaption = '$\\live[unit={J}]{T}$'\n```\n")),
+              IsEmpty());
   const char* kElsewhere =
       "a computed number stands in text, call-outs, footnotes, captions and displays only";
   for (const std::string& body : {std::string("```ask q\ntype = \"choice\"\nprompt = '$\\live{T}$'\nchoices "
