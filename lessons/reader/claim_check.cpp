@@ -320,11 +320,22 @@ class ClaimCheck {
     const auto read = read_equation((*named)->math, lesson_.notation, above);
     if (read)
       compare(claim, *read);
+    else if (hides_something(*(*named)->math.root))
+      report_.warning(claim.place, "a colour, or a space that goes back, may hide a part of this formula",
+                      "mark parts with \\term{id}{…}, and leave spaces to TeX");
     else if (says_no_equality(*(*named)->math.root))
       report_.warning(claim.place, "the formula has a sign that no claim stands for",
                       "claim what = < > \\le \\ge or \\approx says, and write the formula so");
     else if (!claim.in_other_words)
       compare_letters(claim, (*named)->math);
+  }
+
+  /// What a verdict stands below is to be seen as it is written.
+  static bool hides_something(const MathNode& node) {
+    constexpr double kThin = -0.17;  // em, of \!
+    if (node.kind == MathNode::Kind::color) return true;
+    if (node.kind == MathNode::Kind::space && node.amount < kThin) return true;
+    return std::any_of(node.children.begin(), node.children.end(), hides_something);
   }
 
   /// Whether it has ≠, ≡, → or another relation of which nothing is proved.

@@ -42,8 +42,34 @@ std::vector<Line> proved_lines_of(const Lesson& lesson) {
   return lines;
 }
 
+/// What textbooks say of symmetric, flat and heavy bodies: the lessons assume little.
+std::string lesson_under_assumptions() {
+  const auto claims = [](const std::string& kind, const std::string& lines) {
+    static int number = 0;
+    const std::string id = "e" + std::to_string(++number);
+    return "```math " + id + "\nT\n```\n```claim " + id + ' ' + kind + '\n' + lines + "```\n";
+  };
+  return "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n[constants]\nmgl = { value = 2, unit = \"N m\" "
+         "}\n[assume]\n"
+         "symmetric = \"I2 = I1\"\nsphere = [\"I2 = I1\", \"I3 = I1\"]\nflat = \"I3 = I1 + I2\"\n"
+         "steady = [\"w1 = 0\", \"w2 = 0\"]\nheavy = \"N = mgl*cross(ez, e3)\"\n+++\n# A {a}\n" +
+         claims("free given symmetric",
+                "I1*dw1 = (I1 - I3)*w2*w3\nI1*dw2 = (I3 - I1)*w1*w3\ndw3 = 0\n"
+                "I1*ddt(e3) = cross(L, e3)\nddt(w1^2 + w2^2) = 0\n") +
+         claims("identity given symmetric",
+                "L = I1*omega + (I3 - I1)*w3*e3\n2*T = I1*(w1^2 + w2^2) + I3*w3^2\ndot(cross(L, omega), e3) "
+                "= 0\n") +
+         claims("identity given sphere", "L = I1*omega\nnorm2(L) = 2*I1*T\n") +
+         claims("identity given flat", "2*T = I1*(w1^2 + w3^2) + I2*(w2^2 + w3^2)\n") +
+         claims("identity given steady", "L = I3*omega\ncross(omega, L) = 0\n2*T = dot(omega, I3*omega)\n") +
+         claims("motion given heavy", "ddt(T + mgl*dot(ez, e3)) = 0\nddt(dot(L, ez)) = 0\n") +
+         claims("motion given symmetric heavy", "I3*dw3 = 0\nddt(dot(L, e3)) = 0\n");
+}
+
 std::vector<Line> proved_lines_of_all_lessons() {
-  std::vector<Line> lines;
+  const LessonReading own = read_lesson(lesson_under_assumptions(), "a.md");
+  EXPECT_TRUE(own.lesson) << own.diagnostics.front().message;
+  std::vector<Line> lines = own.lesson ? proved_lines_of(*own.lesson) : std::vector<Line>();
   for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() / "lessons")) {
     if (entry.path().extension() != ".md" || entry.path().filename() == "FORMAT.md") continue;
     std::ostringstream text;

@@ -241,5 +241,20 @@ TEST(VerdictRow, NumbersOfAnApproximationAreNotMadeEqual) {
   EXPECT_FALSE(can_be_shown(claim, scene));
 }
 
+TEST(VerdictRow, SaysWhereTheMotionBesideItIsAnother) {
+  const auto note_under = [](const char* text, ClaimKind kind, Torque torque) {
+    Scene scene = spinning();
+    scene.torque = std::move(torque);
+    return verdict_row(claim_of(text, kind), &scene, nullptr).note;
+  };
+  const Torque body{BodyTorque{Vec3(0, 0, 1)}}, sink{EnergySink{0.1}};
+  EXPECT_EQ(note_under("ddt(L) = 0", ClaimKind::free, {}), "");
+  EXPECT_EQ(note_under("ddt(L) = 0", ClaimKind::free, body), "here one acts");
+  EXPECT_EQ(note_under("ddt(L) = N", ClaimKind::motion, body), "") << "true with any torque";
+  EXPECT_EQ(note_under("2*T = dot(omega, L)", ClaimKind::identity, sink), "") << "true without any law";
+  EXPECT_THAT(note_under("ddt(L) = N", ClaimKind::motion, sink), HasSubstr("not of this body"));
+  EXPECT_THAT(note_under("ddt(L) = 0", ClaimKind::free, sink), HasSubstr("not of this body"));
+}
+
 }  // namespace
 }  // namespace polhode

@@ -221,6 +221,15 @@ const FalseLine kFalseLines[] = {
     {"SymbolAsAnUprightDifferential", "Text.\n", "[define]\nx = { means = \"2*T\", tex = '\\mathrm{d}t' }\n"},
     {"RoleWithoutTex", "Text.\n", "[define]\nx = { means = \"2*T\", role = \"L\" }\n"},
     // What is printed is not what is read.
+    {"WhiteFactorAboveAClaim",
+     "```math a\n\\textcolor{white}{2}T = \\vec\\omega\\cdot\\vec L\n```\n```claim a identity\n2*T = "
+     "dot(omega, "
+     "L)\n```\n",
+     ""},
+    {"PrintedOverAboveAClaim",
+     "```math a\n2T = \\vec\\omega\\cdot\\vec L\\hspace{-2em}5T\n```\n```claim a identity\n2*T = dot(omega, "
+     "L)\n```\n",
+     ""},
     {"ChainOfThinSpaces", "```math a identity\n2T = 5\\!\\hspace{0.001em}\\!\\hspace{0.001em}\\!2T\n```\n",
      ""},
     {"LinesOverOneAnother",
