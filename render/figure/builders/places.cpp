@@ -12,6 +12,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <numbers>
 
 namespace polhode::builders {
@@ -26,18 +27,40 @@ bool flies(const Snapshot& m) {
   return m.view == View::space && drifts(m.model.scene) && !m.shows(Overlay::puck);
 }
 
+/// A driven motion may grow without end. It is held as far as it has no more than this of the size that it
+/// has had up to its still, which lengths are made for.
+constexpr double kMostGrowth = 1.3;
+
+double growth_up_to_still(const Snapshot& m, const std::function<double(double t_s)>& size_at) {
+  double most = 0.0;
+  for (int n = 0; n <= kSamples; ++n) {
+    const double size = size_at(still_time_s(m.model.scene) * n / kSamples);
+    if (std::isfinite(size)) most = std::max(most, size);
+  }
+  return kMostGrowth * most;
+}
+
+RigidBodyState state_at(const SceneModel& model, double t_s) {
+  RigidBodyState state{Quat::Identity(), model.scene.w0_B};
+  if (model.needs.attitude)
+    state = model.motion->at(t_s);
+  else if (model.needs.omega)
+    state.w_B = model.motion->w_B_at(t_s);
+  return state;
+}
+
 /// Of the motion, at even times over the span and at that of the still; at least one.
 std::vector<RigidBodyState> sampled_states(const Snapshot& m, std::vector<double>* times_s = nullptr) {
   const SceneModel& model = m.model;
+  const bool is_driven = !model.scene.torque.empty();
+  const double most =
+      is_driven ? growth_up_to_still(m, [&](double t_s) { return state_at(model, t_s).w_B.norm(); }) : 0.0;
   std::vector<RigidBodyState> states;
   for (int n = 0; n <= kSamples + 1; ++n) {
     const double t_s = n > kSamples ? still_time_s(model.scene) : model.span_s * n / kSamples;
-    RigidBodyState state{Quat::Identity(), model.scene.w0_B};
-    if (model.needs.attitude)
-      state = model.motion->at(t_s);
-    else if (model.needs.omega)
-      state.w_B = model.motion->w_B_at(t_s);
+    const RigidBodyState state = state_at(model, t_s);
     if (!state.w_B.allFinite() || !state.q_SB.coeffs().allFinite()) continue;
+    if (is_driven && state.w_B.norm() > most) continue;
     states.push_back(state);
     if (times_s != nullptr) times_s->push_back(t_s);
   }
@@ -280,8 +303,10 @@ void add_places_of_sums(const Snapshot& m, Places& places) {
     }
     if (m.shows(Overlay::terms) && model.longest_term > 0.0) {
       const EulerTerms terms = euler_terms_at(*model.motion, m.I(), model.scene.torque, t_s);
+      if (terms.largest() > kMostGrowth * model.longest_term) continue;
       const Vec3 at_B =
           m.shows(Overlay::L) ? m.L_drawn_B(angular_momentum_B(m.I(), state.w_B)) : Vec3(Vec3::Zero());
+      if (at_B.norm() > kMostGrowth * m.L_length) continue;
       for (const Vec3& side_B : {Vec3(Vec3::Zero()), terms.inertial_B, terms.gyroscopic_B, terms.N_B}) {
         const Vec3 tip_B = at_B + side_B / model.longest_term;
         hold(m.view == View::body ? tip_B : Vec3(state.q_SB * tip_B));

@@ -31,7 +31,8 @@ double letters_of(const std::string& tex);
 
 /// All that the scene shows in this view, names included. Without torque that is where an exact motion with
 /// its T and L can ever bring it, which needs no motion to be computed; of a motion that is driven or
-/// computed by steps, and of a lesson's own marks, it is sampled over the scene's span.
+/// computed by steps, and of a lesson's own marks, it is sampled over the scene's span; a driven
+/// one that grows, as far as its vectors are not longer by a third than up to the still.
 Places places_of(const Snapshot& m);
 
 /// Of a list about `center`.
