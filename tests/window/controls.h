@@ -16,7 +16,7 @@ inline constexpr Point kThirdStage{1100, 208};
 inline constexpr Point kFigureFrom{640, 10}, kFigureTo{1270, 500};
 inline constexpr Point kPlotsFrom{640, 530}, kPlotsTo{1270, 745};
 inline constexpr Point kInFigure{720, 440};
-inline constexpr Point kOmegaTip{934, 210};
+inline constexpr Point kOmegaTip{928, 178};
 /// ω in its text, and what is written there.
 inline constexpr Point kOmegaWord{239, 144}, kTextFrom{40, 40}, kTextTo{600, 200};
 /// The grab of the slider from fast to accurate, at its end: it is blue.
