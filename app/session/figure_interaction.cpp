@@ -161,7 +161,7 @@ CameraSpec orbited(CameraSpec camera, double dx, double dy, double height) {
   constexpr double kSteepest = 89.0 * kRadiansPerDegree;
   if (!(height > 0.0) || !std::isfinite(dx) || !std::isfinite(dy)) return camera;
   const double per_px = std::numbers::pi / height;
-  camera = turned_from_here(camera);
+  if (dx != 0.0 || dy != 0.0) camera = turned_from_here(camera);
   camera.azimuth_rad = std::remainder(camera.azimuth_rad - dx * per_px, 2.0 * std::numbers::pi);
   camera.elevation_rad = std::clamp(camera.elevation_rad + dy * per_px, -kSteepest, kSteepest);
   return camera;
@@ -220,7 +220,7 @@ std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const 
   OmegaSearch search(model, inset, pane, {x, y}, semi_axes, attitude);
   const auto w0_B = search.from(start);
   if (!w0_B) return std::nullopt;
-  return GrabbedOmega{*w0_B, attitude};
+  return GrabbedOmega{*w0_B, attitude, held_by_hand(model.scene)};
 }
 
 }  // namespace polhode

@@ -81,7 +81,12 @@ Scene edited(Scene scene, const SceneEdits& edits) {
 }
 
 CameraSpec camera_beside(const CameraSpec& lesson_camera, const CameraSpec& own, const CameraSpec& shown) {
-  return shown == lesson_camera || shown == writable(lesson_camera) ? own : shown;
+  CameraSpec turned = shown;
+  if (turned.fitted) turned.fitted->w0_B.reset();  // that is the other scene's
+  const bool stands = turned.fitted && turned.fitted->azimuth_rad == turned.azimuth_rad &&
+                      turned.fitted->elevation_rad == turned.elevation_rad;
+  if (stands) turned.fitted.reset();
+  return turned == lesson_camera || turned == writable(lesson_camera) ? own : turned;
 }
 
 void set_shown(SceneEdits& edits, const Scene& lesson_scene, Overlay overlay, bool is_shown) {
@@ -96,22 +101,24 @@ Result<Body> body_with_moments(const Vec3& moments) {
 }
 
 CameraSpec turned_from_here(CameraSpec camera) {
-  if (!camera.fitted) camera.fitted = CameraAngles{camera.azimuth_rad, camera.elevation_rad};
+  if (!camera.fitted) camera.fitted = CameraFit{camera.azimuth_rad, camera.elevation_rad};
   return camera;
 }
 
 CameraSpec writable(const CameraSpec& camera) {
-  const auto angles = [](const CameraAngles& from) -> CameraAngles {
+  const auto writable_angles = [](const CameraFit& from) -> CameraFit {
     const double azimuth_deg = whole_parts_of_degree(std::remainder(from.azimuth_rad, 2 * std::numbers::pi));
     const double elevation_deg =
         std::clamp(whole_parts_of_degree(from.elevation_rad), -kMostElevationDeg, kMostElevationDeg);
-    return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree};
+    return {std::remainder(azimuth_deg, 360.0) * kRadiansPerDegree, elevation_deg * kRadiansPerDegree,
+            from.w0_B};
   };
-  const CameraAngles own = angles({camera.azimuth_rad, camera.elevation_rad});
+  const CameraFit own = writable_angles({camera.azimuth_rad, camera.elevation_rad});
   CameraSpec made{own.azimuth_rad, own.elevation_rad,
                   std::clamp(camera.distance, kLeastCameraScale, kMostCameraScale),
                   std::clamp(camera.zoom, kLeastCameraScale, kMostCameraScale)};
-  if (camera.fitted) made.fitted = angles(*camera.fitted);
+  if (camera.fitted) made.fitted = writable_angles(*camera.fitted);
+  made.holds_still = camera.holds_still;
   return made;
 }
 

@@ -66,6 +66,7 @@ std::string FigureDrag::move(LessonSession& session, const Inset& inset) const {
   SceneEdits edits = session.edits();
   edits.w0_B = grabbed->w0_B;
   if (grabbed->attitude) edits.attitude = grabbed->attitude;
+  edits.camera = grabbed->camera;
   const Status made = session.set_edits(edits);
   return made ? "" : made.error();
 }

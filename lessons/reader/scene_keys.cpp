@@ -472,9 +472,19 @@ class SceneKeys {
                {"elevation_deg", [&](const TomlEntry& e) { elevation(e, camera.elevation_rad); }},
                {"distance", [&](const TomlEntry& e) { assign(camera.distance, scale(e)); }},
                {"zoom", [&](const TomlEntry& e) { assign(camera.zoom, scale(e)); }},
-               {"fitted", [&](const TomlEntry& e) { fitted(e, camera); }}},
+               {"fitted", [&](const TomlEntry& e) { fitted(e, camera); }},
+               {"hold", [&](const TomlEntry& e) { hold(e, camera); }}},
               report_);
     scene_.camera = camera;
+  }
+
+  void hold(const TomlEntry& entry, CameraSpec& camera) {
+    const auto text = read_text(entry, report_);
+    if (!text) return;
+    if (*text == "still" || *text == "film")
+      camera.holds_still = *text == "still";
+    else
+      report_.error(entry.value.place, "\"hold\" must be \"film\" or \"still\"");
   }
 
   void fitted(const TomlEntry& entry, CameraSpec& camera) {
@@ -484,12 +494,13 @@ class SceneKeys {
                     "write fitted = { azimuth_deg = 35, elevation_deg = 20 }");
       return;
     }
-    CameraAngles angles{CameraSpec{}.azimuth_rad, CameraSpec{}.elevation_rad};
+    CameraFit fit{CameraSpec{}.azimuth_rad, CameraSpec{}.elevation_rad};
     read_keys(*table, "the fitted camera",
-              {{"azimuth_deg", [&](const TomlEntry& e) { azimuth(e, angles.azimuth_rad); }},
-               {"elevation_deg", [&](const TomlEntry& e) { elevation(e, angles.elevation_rad); }}},
+              {{"azimuth_deg", [&](const TomlEntry& e) { azimuth(e, fit.azimuth_rad); }},
+               {"elevation_deg", [&](const TomlEntry& e) { elevation(e, fit.elevation_rad); }},
+               {"omega", [&](const TomlEntry& e) { fit.w0_B = read_vector(e, report_); }}},
               report_);
-    camera.fitted = angles;
+    camera.fitted = fit;
   }
 
   /// Of the camera: what lies outside shows nothing, and is most likely a slip.
@@ -746,12 +757,13 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        Row::Speaks::of_picture},
       {{"camera",
         fmt::format(
-            "`{{ azimuth_deg, elevation_deg, distance, zoom, fitted }}`: it stands at this angle from x "
-            "towards y (1 towards 2 where the body is at rest) and so far above, and what the scene shows"
-            " over its whole film fills the picture: the larger the distance (from 1.3), the less what is"
-            " near looks larger; zoom makes all larger than that; `fitted = {{ azimuth_deg, elevation_deg "
-            "}}` keeps the scale that fills the picture from there; elevation −{0} to {0}, distance and zoom"
-            " {1} to {2}",
+            "`{{ azimuth_deg, elevation_deg, distance, zoom, hold, fitted }}`: it stands at this angle"
+            " from x towards y (1 towards 2 where the body is at rest) and so far above, and what the scene"
+            " shows over its whole film fills the picture, or with `hold = \"still\"` what the still shows;"
+            " the larger the distance (from 1.3), the less what is near looks larger; zoom makes all larger"
+            " than that; `fitted = {{ azimuth_deg, elevation_deg, omega }}` keeps the frame that fills the"
+            " picture from there, of the scene that begins with that ω; elevation −{0} to {0}, distance and"
+            " zoom {1} to {2}",
             kMostElevationDeg, kLeastCameraScale, kMostCameraScale),
         "34°, 20°, 4.2, 1"},
        &SceneKeys::camera,

@@ -132,9 +132,11 @@ std::string text_of(const CameraSpec& camera) {
   std::string text =
       fmt::format("{{ {}, distance = {}, zoom = {}", angles(camera.azimuth_rad, camera.elevation_rad),
                   toml(camera.distance), toml(camera.zoom));
+  if (camera.holds_still) text += ", hold = \"still\"";
   if (camera.fitted)
     text +=
-        fmt::format(", fitted = {{ {} }}", angles(camera.fitted->azimuth_rad, camera.fitted->elevation_rad));
+        fmt::format(", fitted = {{ {}{} }}", angles(camera.fitted->azimuth_rad, camera.fitted->elevation_rad),
+                    camera.fitted->w0_B ? ", omega = " + toml(*camera.fitted->w0_B) : std::string());
   return text + " }";
 }
 

@@ -44,42 +44,27 @@ struct Sides {
   double plus, minus;
 };
 
-/// Slopes to the two sides that grow with a number.
-struct Slopes {
-  double plus, plus_per = 1.0, minus, minus_per = 1.0;
-};
-
 struct Held {
-  double number;  ///< the least with which both sides together hold all places
-  double middle;  ///< where they meet then: no other place in the middle of the screen holds them
+  double half_tan = 0;  ///< the least tangent of half the field of view that holds all places
+  double middle = 0;    ///< where the middle of the screen lies then: no other holds them
 };
 
-/// What is wanted is convex in the number and falls until it is reached, so that Newton's method comes to it
+/// What is wanted is convex in the tangent and falls until it is reached, so that Newton's method comes to it
 /// from below.
-Held least_that_holds(const Places& seen, int axis, const Slopes& slopes, double distance, double number) {
+Held least_that_holds(const Places& seen, const Sides& sides, double distance) {
   constexpr int kMostSteps = 30;
-  constexpr double kEnough = 1e-13;
+  constexpr double kEnough = 1e-12;
+  double half_tan = 0.0;
   for (int step = 0;; ++step) {
-    const double to_plus = slopes.plus + slopes.plus_per * number,
-                 to_minus = slopes.minus + slopes.minus_per * number;
-    const Reach plus = reach_at(seen, axis, 1.0, to_plus), minus = reach_at(seen, axis, -1.0, to_minus);
+    const double to_plus = sides.plus * half_tan, to_minus = sides.minus * half_tan;
+    const Reach plus = reach_at(seen, sides.axis, 1.0, to_plus),
+                minus = reach_at(seen, sides.axis, -1.0, to_minus);
     const double wanted = plus.reach + minus.reach - (to_plus + to_minus) * distance;
-    const double fall =
-        slopes.plus_per * (distance - plus.per_slope) + slopes.minus_per * (distance - minus.per_slope);
+    const double fall = sides.plus * (distance - plus.per_slope) + sides.minus * (distance - minus.per_slope);
     if (step == kMostSteps || !(wanted > kEnough * distance) || !(fall > 0.0))
-      return {number, 0.5 * ((plus.reach - to_plus * distance) - (minus.reach - to_minus * distance))};
-    number += wanted / fall;
+      return {half_tan, 0.5 * ((plus.reach - to_plus * distance) - (minus.reach - to_minus * distance))};
+    half_tan += wanted / fall;
   }
-}
-
-double least_half_tan(const Places& seen, const Sides& sides, double distance) {
-  return least_that_holds(seen, sides.axis, {0.0, sides.plus, 0.0, sides.minus}, distance, 0.0).number;
-}
-
-/// Where the middle of the screen lies, in this direction, so that as much is free on both sides.
-double middle_of(const Places& seen, const Sides& sides, double half_tan, double distance) {
-  const double plus = sides.plus * half_tan, minus = sides.minus * half_tan;
-  return least_that_holds(seen, sides.axis, {plus, 1.0, minus, 1.0}, distance, -std::max(plus, minus)).middle;
 }
 
 CameraSpec fitted_spec(const CameraSpec& spec) {
@@ -117,10 +102,10 @@ Frame frame_of(const Places& places, const CameraSpec& spec, double aspect, cons
   const double distance = radius * std::max(spec.distance, kNearest);
   const Sides across{0, aspect * (1.0 - 2.0 * margins.side), aspect * (1.0 - 2.0 * margins.side)};
   const Sides upright{1, 1.0 - 2.0 * margins.top, 1.0 - 2.0 * margins.bottom};
-  const double half_tan =
-      std::max(least_half_tan(seen, across, distance), least_half_tan(seen, upright, distance));
-  const Vec3 target(middle_of(seen, across, half_tan, distance), middle_of(seen, upright, half_tan, distance),
-                    middle.z());
+  const Held held_across = least_that_holds(seen, across, distance),
+             held_upright = least_that_holds(seen, upright, distance);
+  const double half_tan = std::max(held_across.half_tan, held_upright.half_tan);
+  const Vec3 target(held_across.middle, held_upright.middle, middle.z());
   return {axes.transpose() * target, radius, half_tan};
 }
 

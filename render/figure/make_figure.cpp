@@ -7,6 +7,7 @@
 #include "render/figure/builders/places.h"
 #include "render/figure/frame.h"
 #include "render/figure/omega_tip.h"
+#include "render/figure/orbit_camera.h"
 #include "render/scene/model/translation.h"
 
 #include <algorithm>
@@ -123,16 +124,60 @@ FrameMargins margins_of(const Snapshot& m) {
   return margins;
 }
 
+/// Of the still as it is drawn.
+builders::Places places_of_still(const Snapshot& m) {
+  const SceneModel& model = m.model;
+  const Snapshot still = builders::snapshot_at(model, still_time_s(model.scene), m.view);
+  DrawList list;
+  const Camera roughly = orbit(model.scene.camera, Vec3::Zero(), 1.0);
+  for (builders::Builder* const add : builders::kBuilders) add(still, roughly, list);
+  return builders::places_of_drawn(list, still.center_V);
+}
+
+/// Whether only the motion knows where what is drawn can come.
+bool frame_needs_motion(const SceneModel& model) {
+  const Scene& scene = model.scene;
+  return scene.camera.holds_still || drifts(scene) || model.needs.marks || !scene.torque.empty() ||
+         builders::is_computed(scene) || model.drawn.contains(Overlay::puck) ||
+         model.drawn.contains(Overlay::transport) || model.drawn.contains(Overlay::terms);
+}
+
+/// Of a free motion that begins with this ω, as far as its frame needs it.
+struct Beginning {
+  SceneModel model;  ///< no motion, no curves
+  RigidBodyState state;
+};
+Beginning beginning_of(const Scene& scene, const Vec3& w0_B) {
+  Beginning made;
+  made.model.scene = scene;
+  made.model.scene.w0_B = w0_B;
+  made.model.drawn = drawn_overlays(made.model.scene);
+  made.model.needs = requirements(made.model.scene);
+  made.state = {problem_of(made.model.scene).start.q_SB, w0_B};
+  made.model.q0_SB = made.state.q_SB;
+  made.model.L_reference = angular_momentum_B(scene.body.moments, w0_B).stableNorm();
+  return made;
+}
+
+builders::Places held_places(const Snapshot& m) {
+  const std::optional<CameraFit>& fitted = m.model.scene.camera.fitted;
+  if (fitted && fitted->w0_B && !m.turn && !frame_needs_motion(m.model)) {
+    const Beginning then = beginning_of(m.model.scene, *fitted->w0_B);
+    return builders::places_of(builders::snapshot_in(then.model, 0.0, m.view, then.state));
+  }
+  return m.model.scene.camera.holds_still && !m.turn ? places_of_still(m) : builders::places_of(m);
+}
+
 /// All that the scene shows over its film: nothing here depends on t, so that the camera stands still. Views
 /// side by side have one scale.
 Camera camera_for(const Snapshot& m, double aspect) {
   const CameraSpec& spec = m.model.scene.camera;
   const FrameMargins margins = margins_of(m);
-  const builders::Places places = builders::places_of(m);
+  const builders::Places places = held_places(m);
   Frame frame = frame_of(places, spec, aspect, margins);
   for (const View view : m.model.scene.views) {
     if (view == m.view || m.turn || drifts(m.model.scene)) continue;
-    const builders::Places others = builders::places_of(builders::snapshot_in(m.model, m.t_s, view, m.state));
+    const builders::Places others = held_places(builders::snapshot_in(m.model, m.t_s, view, m.state));
     const Frame other = frame_of(others, spec, aspect, margins, frame.radius);
     frame = frame_of(places, spec, aspect, margins, other.radius);
     frame.half_tan = std::max(frame.half_tan, other.half_tan);
@@ -209,17 +254,29 @@ std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::
   return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect / static_cast<double>(views.size()))};
 }
 
+CameraSpec held_by_hand(const Scene& scene) {
+  CameraSpec camera = scene.camera;
+  if (!camera.fitted) camera.fitted = CameraFit{camera.azimuth_rad, camera.elevation_rad};
+  if (!camera.fitted->w0_B) camera.fitted->w0_B = scene.w0_B;
+  return camera;
+}
+
 TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
                        const std::optional<AttitudeSpec>& attitude)
     : pane_(pane), aspect_(aspect) {
   trial_.scene = model.scene;
+  trial_.scene.camera = held_by_hand(model.scene);
   trial_.scene.at_s = 0.0;
   if (attitude) trial_.scene.attitude = attitude;
   trial_.drawn = drawn_overlays(trial_.scene);
   trial_.needs = requirements(trial_.scene);
-  is_remade_ = drifts(trial_.scene) || trial_.needs.marks || !trial_.scene.torque.empty() ||
-               builders::is_computed(trial_.scene) || trial_.drawn.contains(Overlay::puck) ||
-               trial_.drawn.contains(Overlay::transport) || trial_.drawn.contains(Overlay::terms);
+  is_remade_ = frame_needs_motion(trial_);
+  if (!is_remade_ && pane < trial_.scene.views.size()) {
+    const Beginning held = beginning_of(trial_.scene, *trial_.scene.camera.fitted->w0_B);
+    const auto count = static_cast<double>(trial_.scene.views.size());
+    camera_ = camera_for(builders::snapshot_in(held.model, 0.0, trial_.scene.views[pane], held.state),
+                         aspect / count);
+  }
 }
 
 std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
@@ -230,10 +287,8 @@ std::optional<DrawnOmega> TrialOmega::at(const Vec3& w0_B) {
     return std::nullopt;
   RigidBodyState start{Quat::Identity(), w0_B};
   if (trial_.needs.attitude) start.q_SB = problem_of(trial_.scene).start.q_SB;
-  trial_.q0_SB = start.q_SB;
-  trial_.L_reference = angular_momentum_B(trial_.scene.body.moments, w0_B).stableNorm();
   const builders::Snapshot m = builders::snapshot_in(trial_, 0.0, views[pane_], start);
-  return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect_ / static_cast<double>(views.size()))};
+  return DrawnOmega{m.omega_tip_V(), camera_};
 }
 
 }  // namespace polhode

@@ -20,9 +20,12 @@ struct DrawnOmega {
 /// no ω is drawn.
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect);
 
-/// Tries ω after ω without making models: what drawn_omega gives for the scene's model at t = 0 with this ω
-/// and, if it is given, this attitude. About 1 µs; some 20 µs where the centre of mass drifts, a millisecond
-/// with marks.
+/// The camera of a scene whose ω a hand takes: the frame stays, so that nothing but ω goes with the hand.
+CameraSpec held_by_hand(const Scene& scene);
+
+/// Tries ω after ω without making models: what drawn_omega gives for the scene's model at t = 0 with this ω,
+/// the camera held by hand and, if it is given, this attitude. About 1 µs; a millisecond where only the
+/// motion knows what the frame is: with marks, a torque, a path of the centre of mass, or a method of steps.
 class TrialOmega {
  public:
   TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
@@ -31,9 +34,10 @@ class TrialOmega {
 
  private:
   SceneModel trial_;  ///< no motion, no curves
+  Camera camera_;     ///< unless a model is needed
   std::size_t pane_;
   double aspect_;
-  bool is_remade_ = false;  ///< a model is needed: its camera holds a way, or marks
+  bool is_remade_ = false;  ///< a model is needed
 };
 
 }  // namespace polhode

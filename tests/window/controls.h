@@ -16,7 +16,7 @@ inline constexpr Point kThirdStage{1100, 408};
 inline constexpr Point kFigureFrom{640, 10}, kFigureTo{1270, 500};
 inline constexpr Point kPlotsFrom{640, 530}, kPlotsTo{1270, 745};
 inline constexpr Point kInFigure{720, 440};
-inline constexpr Point kOmegaTip{934, 210};
+inline constexpr Point kOmegaTip{928, 178};
 /// With the panel of its question: the tip of ω in steered.md, and the button that makes an answer of it.
 inline constexpr Point kSteeredTip{706, 336}, kCheckState{1114, 343};
 /// ω in its text, and what is written there.

@@ -9,7 +9,7 @@
 namespace polhode::diagrams {
 namespace {
 
-constexpr double kWidth = 42, kHeight = 30;
+const Vec2 kWide(42, 30), kTall(34, 33);
 constexpr double kLargestError = 10;  // beyond, a method has not followed the motion at all
 
 struct Sample {
@@ -60,7 +60,7 @@ std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double
   return all;
 }
 
-void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, DiagramPaper& paper) {
+void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, DiagramPaper& paper) {
   if (model.orders.empty()) return;
   const double t_s = model.orders.front().t_s;
   paper.plot({.title = "Error against steps, and the order measured",
@@ -70,13 +70,14 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement /*unused*/, Di
               .tolerance = {},
               .recommended = {},
               .recommended_label = {},
-              .note = "behind each name: log₂ of what halving the step does to the error",
-              .scale = 1.45},
-             {0, 0}, {kWidth, kHeight});
+              .note = "after each name: log₂ of what halving the step does to the error",
+              .names_at_end = true,
+              .scale = 1.6},
+             {0, 0}, arrangement == Arrangement::wide ? kWide : kTall);
 }
 
 }  // namespace
 
-const DiagramKind kOrderPlot{{kWidth, kHeight}, {kWidth, kHeight}, draw};
+const DiagramKind kOrderPlot{kWide, kTall, draw};
 
 }  // namespace polhode::diagrams

@@ -23,6 +23,7 @@ constexpr double kMargin = 72;
 constexpr double kTitleSize = 44, kNoteSize = 26, kAxisTitleSize = 27, kTickSize = 26;
 constexpr double kNameSize = 27, kQuietNameSize = 25, kExactNameSize = 32, kCalloutSize = 29;
 constexpr double kNameAir = 0.12;  // of the size of type, around a name
+constexpr double kEndGap = 56;     // from the frame to a column of names
 constexpr double kDecadeSpacing = 56;
 constexpr double kRingRadius = 27;
 constexpr LabelRules kNameRules{.starts = 8, .rounds = 3, .cost_covered = 0.5, .cost_crossed = 1.8};
@@ -135,7 +136,8 @@ class PlotLayout {
     double widest_name = 0.0;
     for (const PlotSeries& s : plot_.series)
       widest_name = std::max(widest_name, width_of(s.label, px(kNameSize)));
-    frame_.x1 -= std::min(0.75 * widest_name, 0.2 * width);
+    frame_.x1 -= plot_.names_at_end ? widest_name + px(kEndGap + kNameSize)
+                                    : std::min(0.75 * widest_name, 0.2 * width);
     if (shows_tolerance())
       frame_.x1 = std::min(frame_.x1, width - px(52) - width_of(tolerance_text(), px(kNameSize)));
     x_.start_px = frame_.x0;
@@ -308,6 +310,7 @@ class PlotLayout {
   /// What is named, and where: the recommended point first, then the curves at their ends, from the ones that
   /// matter most.
   void add_names() {
+    if (plot_.names_at_end) return add_names_at_end();
     std::vector<Name> names;
     std::vector<LabelRequest> requests;
     const auto request = [&](const Name& name, const Vec2& anchor, const Vec2& outward, double clear) {
@@ -335,6 +338,31 @@ class PlotLayout {
                   curves_[i].points[curves_[i].best], end_direction(curves_[i]), clear_of(i));
         }
     place_names(names, place_labels(requests, obstacles_, taken_, room_, kNameRules), requests);
+  }
+
+  void add_names_at_end() {
+    constexpr double kSpacing = 1.3;  // sizes of type
+    const double size = px(kNameSize), left = frame_.x1 + px(kEndGap);
+    std::vector<std::size_t> named;
+    std::vector<double> wanted;
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+      if (curves_[i].points.empty()) continue;
+      named.push_back(i);
+      wanted.push_back(curves_[i].points.back().y());
+    }
+    const std::vector<double> placed = spread_apart(wanted, kSpacing * size, frame_.y0, frame_.y1);
+    for (std::size_t k = 0; k < named.size(); ++k) {
+      const std::size_t i = named[k];
+      const Vec2 end = curves_[i].points.back() + Vec2(1.6 * mark_radius(i), 0.0), name(left, placed[k]);
+      if (end.x() < name.x() - px(12))
+        add_line(end, name - Vec2(px(6), 0.0), px(1.4), towards_paper(styles_[i].ink, 0.4F));
+      add_mark(sheet_, name + Vec2(0.4 * size, 0.0), px(7.5), styles_[i], kPaper);
+      const std::string& text = plot_.series[i].label;
+      sheet_.texts.push_back({.list = line_of(text, size, styles_[i].ink),
+                              .at = name + Vec2(0.95 * size, 0.35 * size),
+                              .halo = kPaperHalo,
+                              .text = text});
+    }
   }
 
   /// What lies around the point a curve is named at.

@@ -42,6 +42,9 @@ struct WorkPrecisionPlot {
   std::optional<std::pair<double, double>> recommended{};  ///< the point to mark
   std::string recommended_label{};                         ///< what is said of it
   std::string note{};                                      ///< one line under the title
+  /// Names stand in a column at the right, each at the height where its curve ends: where all curves end
+  /// there.
+  bool names_at_end = false;
   double scale = 1;  ///< of type, lines and marks, from what suits a picture of that size seen alone
 };
 

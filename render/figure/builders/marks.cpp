@@ -7,9 +7,7 @@
 #include "render/palette.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -369,30 +367,6 @@ class MarkBuilder {
 void add_marks(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   if (m.model.needs.marks) MarkBuilder(m, list).add_all();
 }
-
-namespace {
-
-/// Letters of a formula as it is set, roughly: commands with a backslash count as one, or as nothing where
-/// they only dress another.
-double letters_of(const std::string& tex) {
-  double letters = 0.0;
-  for (std::size_t i = 0; i < tex.size(); ++i) {
-    if (tex[i] == '\\') {
-      std::size_t end = i + 1;
-      while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])) != 0) ++end;
-      const std::string command = tex.substr(i + 1, end - i - 1);
-      const bool dresses = command == "vec" || command == "dot" || command == "hat" || command == "mathbf" ||
-                           command == "ddot" || command == "text" || command == "mathrm";
-      letters += dresses ? 0.0 : 1.0;
-      i = end - 1;
-    } else if (std::strchr("{}$_^ ", tex[i]) == nullptr && (tex[i] & 0xC0) != 0x80) {
-      letters += i > 0 && (tex[i - 1] == '_' || tex[i - 1] == '^') ? 0.6 : 1.0;
-    }
-  }
-  return letters;
-}
-
-}  // namespace
 
 void add_places_of_marks(const Snapshot& m, Places& places) {
   if (!m.model.needs.marks) return;

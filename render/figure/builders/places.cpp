@@ -9,7 +9,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <cstring>
+#include <functional>
+#include <numbers>
 
 namespace polhode::builders {
 namespace {
@@ -23,24 +27,80 @@ bool flies(const Snapshot& m) {
   return m.view == View::space && drifts(m.model.scene) && !m.shows(Overlay::puck);
 }
 
+/// A driven motion may grow without end. It is held as far as it has no more than this of the size that it
+/// has had up to its still, which lengths are made for.
+constexpr double kMostGrowth = 1.3;
+
+double growth_up_to_still(const Snapshot& m, const std::function<double(double t_s)>& size_at) {
+  double most = 0.0;
+  for (int n = 0; n <= kSamples; ++n) {
+    const double size = size_at(still_time_s(m.model.scene) * n / kSamples);
+    if (std::isfinite(size)) most = std::max(most, size);
+  }
+  return kMostGrowth * most;
+}
+
+RigidBodyState state_at(const SceneModel& model, double t_s) {
+  RigidBodyState state{Quat::Identity(), model.scene.w0_B};
+  if (model.needs.attitude)
+    state = model.motion->at(t_s);
+  else if (model.needs.omega)
+    state.w_B = model.motion->w_B_at(t_s);
+  return state;
+}
+
 /// Of the motion, at even times over the span and at that of the still; at least one.
 std::vector<RigidBodyState> sampled_states(const Snapshot& m, std::vector<double>* times_s = nullptr) {
   const SceneModel& model = m.model;
+  const bool is_driven = !model.scene.torque.empty();
+  const double most =
+      is_driven ? growth_up_to_still(m, [&](double t_s) { return state_at(model, t_s).w_B.norm(); }) : 0.0;
   std::vector<RigidBodyState> states;
   for (int n = 0; n <= kSamples + 1; ++n) {
     const double t_s = n > kSamples ? still_time_s(model.scene) : model.span_s * n / kSamples;
-    RigidBodyState state{Quat::Identity(), model.scene.w0_B};
-    if (model.needs.attitude)
-      state = model.motion->at(t_s);
-    else if (model.needs.omega)
-      state.w_B = model.motion->w_B_at(t_s);
+    const RigidBodyState state = state_at(model, t_s);
     if (!state.w_B.allFinite() || !state.q_SB.coeffs().allFinite()) continue;
+    if (is_driven && state.w_B.norm() > most) continue;
     states.push_back(state);
     if (times_s != nullptr) times_s->push_back(t_s);
   }
   if (!states.empty()) return states;
   if (times_s != nullptr) times_s->push_back(0.0);
   return {{model.q0_SB, model.scene.w0_B}};
+}
+
+/// Points of the polhode, its vertices among them; what chords cut off is less than the margins. With c the
+/// axis that it goes round, a and b the others: ω = (A cos φ, B sin φ, ...), and the rest of the energy along
+/// c (physics/geometry/poinsot.h), at a fraction of what a curve to be drawn costs.
+std::vector<Vec3> points_of_polhode(const PrincipalMoments& I, const Vec3& w_B) {
+  constexpr int kPoints = 16;
+  std::array<int, 3> axes = {0, 1, 2};
+  std::sort(axes.begin(), axes.end(), [&](int i, int k) { return I[i] < I[k]; });
+  const double size = norm_of(w_B);
+  const Vec3 w = w_B / size;
+  const auto [least, b, most] = axes;
+  const bool round_most = I[most] * (I[most] - I[b]) * w[most] * w[most] >=
+                          I[least] * (I[b] - I[least]) * w[least] * w[least];  // L² ≥ 2T I_b
+  const int c = round_most ? most : least, a = round_most ? least : most;
+  // 2T I_c − L², of which both amplitudes are parts, as a sum of terms of one sign.
+  const double of_a = I[a] * (I[c] - I[a]), of_b = I[b] * (I[c] - I[b]);
+  const auto amplitude = [](double own, double other, double ratio) {
+    return other == 0.0 || !std::isfinite(ratio) ? std::abs(own)
+                                                 : std::sqrt(own * own + ratio * other * other);
+  };
+  const double A = amplitude(w[a], w[b], of_b / of_a), B = amplitude(w[b], w[a], of_a / of_b);
+  const double two_T = I[a] * w[a] * w[a] + I[b] * w[b] * w[b] + I[c] * w[c] * w[c];
+  std::vector<Vec3> points;
+  for (int k = 0; k < kPoints; ++k) {
+    const double phi = 2.0 * std::numbers::pi * k / kPoints;
+    Vec3 point;
+    point[a] = A * std::cos(phi);
+    point[b] = B * std::sin(phi);
+    const double rest = two_T - I[a] * point[a] * point[a] - I[b] * point[b] * point[b];
+    point[c] = std::copysign(std::sqrt(std::max(0.0, rest) / I[c]), w[c]);
+    points.push_back(size * point);
+  }
+  return points;
 }
 
 /// How what is fixed in the body, in space, or to ω moves in the view.
@@ -59,10 +119,7 @@ class Film {
       states_.push_back({m.model.q0_SB, scene.w0_B});
       is_driven_ = true;  // by nothing: one state is all there is
     } else {
-      // Coarse: names and margins are wider than what a chord cuts off.
-      constexpr double kChord = 0.05;
-      const Curve polhode = polhode_curve(m.I(), scene.w0_B, kChord * norm_of(scene.w0_B));
-      for (const Vec3& w_B : polhode.points) states_.push_back({Quat::Identity(), w_B});
+      for (const Vec3& w_B : points_of_polhode(m.I(), scene.w0_B)) states_.push_back({Quat::Identity(), w_B});
       L_direction_V_ = m.model.q0_SB * angular_momentum_B(m.I(), scene.w0_B).stableNormalized();
     }
   }
@@ -246,8 +303,10 @@ void add_places_of_sums(const Snapshot& m, Places& places) {
     }
     if (m.shows(Overlay::terms) && model.longest_term > 0.0) {
       const EulerTerms terms = euler_terms_at(*model.motion, m.I(), model.scene.torque, t_s);
+      if (terms.largest() > kMostGrowth * model.longest_term) continue;
       const Vec3 at_B =
           m.shows(Overlay::L) ? m.L_drawn_B(angular_momentum_B(m.I(), state.w_B)) : Vec3(Vec3::Zero());
+      if (at_B.norm() > kMostGrowth * m.L_length) continue;
       for (const Vec3& side_B : {Vec3(Vec3::Zero()), terms.inertial_B, terms.gyroscopic_B, terms.N_B}) {
         const Vec3 tip_B = at_B + side_B / model.longest_term;
         hold(m.view == View::body ? tip_B : Vec3(state.q_SB * tip_B));
@@ -278,6 +337,25 @@ Places places_round_center(const Snapshot& m, const Film& film) {
 
 }  // namespace
 
+// Commands with a backslash count as one, or as nothing where they only dress another.
+double letters_of(const std::string& tex) {
+  double letters = 0.0;
+  for (std::size_t i = 0; i < tex.size(); ++i) {
+    if (tex[i] == '\\') {
+      std::size_t end = i + 1;
+      while (end < tex.size() && std::isalpha(static_cast<unsigned char>(tex[end])) != 0) ++end;
+      const std::string command = tex.substr(i + 1, end - i - 1);
+      const bool dresses = command == "vec" || command == "dot" || command == "hat" || command == "mathbf" ||
+                           command == "ddot" || command == "text" || command == "mathrm";
+      letters += dresses ? 0.0 : 1.0;
+      i = end - 1;
+    } else if (std::strchr("{}$_^ ", tex[i]) == nullptr && (tex[i] & 0xC0) != 0x80) {
+      letters += i > 0 && (tex[i - 1] == '_' || tex[i - 1] == '^') ? 0.6 : 1.0;
+    }
+  }
+  return letters;
+}
+
 bool is_computed(const Scene& scene) {
   return scene.motion.method && facts_of(*scene.motion.method).control != StepControl::none;
 }
@@ -289,6 +367,33 @@ Place name_beyond(const Vec3& tip, const Vec3& tail, double letters) {
   Place name = ball_at(length > 0.0 ? Vec3(tip + (kBeyond / length) * way) : tip, kHalfHeight);
   name.aside = kLetter * std::max(0.0, letters - 1.0);
   return name;
+}
+
+Places places_of_drawn(const DrawList& list, const Vec3& center) {
+  Places places;
+  const auto hold = [&](const Vec3& at, double radius) {
+    if (at.allFinite()) places.push_back(ball_at(center + at, radius));
+  };
+  for (const Tube& tube : list.tubes)
+    for (const Vec3& p : tube.points) hold(p, tube.radius);
+  for (const Arrow& arrow : list.arrows) {
+    hold(arrow.tail, arrow.radius);
+    hold(arrow.tip, kLine);
+  }
+  for (const Ball& ball : list.balls) hold(ball.center, ball.radius);
+  for (const Mesh& mesh : list.meshes)
+    for (const Vec3& p : mesh.positions) hold(p, 0.0);
+  for (const GlassEllipsoid& e : list.ellipsoids) {
+    const Mat3 q = e.rotation.toRotationMatrix();
+    places.push_back({center + e.center, q * e.semi_axes.asDiagonal() * q.transpose()});
+  }
+  for (const Label& label : list.labels) {
+    if (!label.anchor.allFinite() || (!list.floors.empty() && label.anchor.z() <= list.floors[0].z)) continue;
+    Place name = name_beyond(label.anchor, Vec3::Zero(), label.size * letters_of(label.text));
+    name.center += center;
+    places.push_back(name);
+  }
+  return places;
 }
 
 double reach_of(const Places& places) {

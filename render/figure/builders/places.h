@@ -5,6 +5,7 @@
 
 #include "render/figure/builders/builders.h"
 
+#include <string>
 #include <vector>
 
 namespace polhode::builders {
@@ -25,11 +26,17 @@ inline Place disc_at(const Vec3& center, const Vec3& normal, double radius) {
 }
 /// The name of an arrow that ends there and comes from `tail`; of so many letters.
 Place name_beyond(const Vec3& tip, const Vec3& tail, double letters = 1);
+/// Letters of a formula as it is set, roughly.
+double letters_of(const std::string& tex);
 
 /// All that the scene shows in this view, names included. Without torque that is where an exact motion with
 /// its T and L can ever bring it, which needs no motion to be computed; of a motion that is driven or
-/// computed by steps, and of a lesson's own marks, it is sampled over the scene's span.
+/// computed by steps, and of a lesson's own marks, it is sampled over the scene's span; a driven
+/// one that grows, as far as its vectors are not longer by a third than up to the still.
 Places places_of(const Snapshot& m);
+
+/// Of a list about `center`.
+Places places_of_drawn(const DrawList& list, const Vec3& center);
 
 /// Of the marks alone.
 void add_places_of_marks(const Snapshot& m, Places& places);

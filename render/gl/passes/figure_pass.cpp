@@ -407,7 +407,7 @@ void FigurePass::draw_near_glass(const Shown& shown) {
 
 /// Lines, solids and the glass in front of them: what hides one another.
 void FigurePass::draw_solids(const Shown& shown) {
-  const PaneGeometry geometry = make_geometry(shown.pane.list);
+  const PaneGeometry geometry = make_geometry(shown.pane.list, shown.at.eye);
   gl_.Enable(GL_DEPTH_TEST);
   const auto prepare = [&](const Program& p) {
     p.use();
@@ -417,9 +417,21 @@ void FigurePass::draw_solids(const Shown& shown) {
     set(p, "u_sunk_below", shown.from_below() ? kNowhere : shown.level());
   };
   prepare(programs_.mesh);
-  meshes_.draw(geometry.solid);
+  meshes_.draw(geometry.bodies);
   prepare(programs_.tube);
+  if (!geometry.bodies.indices.empty()) {  // faintly, what they hide: where arrows begin is to be seen
+    gl_.DepthFunc(GL_GREATER);
+    gl_.DepthMask(GL_FALSE);
+    tubes_.draw(geometry.arrows_in_bodies);
+    programs_.mesh.use();
+    meshes_.draw(geometry.balls_in_bodies);
+    programs_.tube.use();
+    gl_.DepthMask(GL_TRUE);
+    gl_.DepthFunc(GL_LESS);
+  }
   tubes_.draw(geometry.tubes);
+  programs_.mesh.use();
+  meshes_.draw(geometry.solid);
   draw_near_glass(shown);
   // Seen through, and hiding nothing: what is translucent comes last and leaves no depth.
   gl_.DepthMask(GL_FALSE);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/passes/geometry.h"
 
+#include "render/gl/passes/far_sides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +12,7 @@ namespace {
 
 constexpr int kConeSegments = 40;
 constexpr int kBallRows = 16;
+constexpr float kInBody = 0.42F;  // of the opacity of what is seen through a body
 
 std::array<float, 3> floats(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
@@ -110,6 +113,21 @@ void append_ball(const Ball& ball, Geometry<MeshVertex>& out) {
         out.indices.push_back(first + j * kRow + i + k);
 }
 
+Color faint(const Color& c, float part) { return {c.r, c.g, c.b, c.a * part}; }
+
+/// Shaft and head as one layer, for what lies over itself would be less faint there.
+void append_in_body(const Arrow& arrow, Geometry<TubeVertex>& out) {
+  const auto parts = parts_of(arrow);
+  if (!parts) return;
+  Tube shaft = parts->shaft;
+  shaft.points.back() = parts->head.base;
+  shaft.color = faint(shaft.color, kInBody);
+  append_tube(shaft, out);
+  const Cone& head = parts->head;
+  append_tube({.points = {head.base, head.tip}, .radius = head.radius, .color = shaft.color}, out);
+  for (std::size_t k = out.vertices.size() - 2; k < out.vertices.size(); ++k) out.vertices[k].shape[1] = 0.0F;
+}
+
 void append_mesh(const Mesh& mesh, Geometry<MeshVertex>& out) {
   const auto first = static_cast<std::uint32_t>(out.vertices.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i)
@@ -154,12 +172,20 @@ std::optional<ArrowParts> parts_of(const Arrow& arrow) {
   return parts;
 }
 
-PaneGeometry make_geometry(const DrawList& list) {
+PaneGeometry make_geometry(const DrawList& list, const Vec3& eye) {
   PaneGeometry out;
-  for (const Tube& tube : list.tubes) append_tube(tube, tube.fade_start < 1.0 ? out.faded_tubes : out.tubes);
+  for (const Tube& tube : with_faint_far_sides(list, eye))
+    append_tube(tube, tube.fade_start < 1.0 ? out.faded_tubes : out.tubes);
   for (const Arrow& arrow : list.arrows) append_arrow(arrow, out);
   for (const Ball& ball : list.balls) append_ball(ball, out.solid);
-  for (const Mesh& mesh : list.meshes) append_mesh(mesh, mesh.color.a < 1.0F ? out.translucent : out.solid);
+  for (const Mesh& mesh : list.meshes) append_mesh(mesh, mesh.color.a < 1.0F ? out.translucent : out.bodies);
+  if (out.bodies.indices.empty()) return out;
+  for (const Arrow& arrow : list.arrows) append_in_body(arrow, out.arrows_in_bodies);
+  const float one_side = 1.0F - std::sqrt(1.0F - kInBody);  // a ball is seen through twice
+  for (Ball ball : list.balls) {
+    ball.color = faint(ball.color, one_side);
+    append_ball(ball, out.balls_in_bodies);
+  }
   return out;
 }
 

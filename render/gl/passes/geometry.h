@@ -34,13 +34,18 @@ struct Geometry {
 };
 
 struct PaneGeometry {
+  Geometry<MeshVertex> bodies;  ///< opaque meshes
+  /// What shows faintly through bodies in front of it: arrows as flat as ribbons, and balls. Nothing where
+  /// there is no body.
+  Geometry<TubeVertex> arrows_in_bodies;
+  Geometry<MeshVertex> balls_in_bodies;
   Geometry<TubeVertex> tubes;
   Geometry<TubeVertex> faded_tubes;  ///< trails
-  Geometry<MeshVertex> solid;
+  Geometry<MeshVertex> solid;        ///< heads of arrows, balls
   Geometry<MeshVertex> translucent;
 };
 
-PaneGeometry make_geometry(const DrawList& list);
+PaneGeometry make_geometry(const DrawList& list, const Vec3& eye);
 
 /// What an arrow consists of: cones are closed by a disc at their base.
 struct Cone {

@@ -2,6 +2,7 @@
 #include "render/gl/passes/strokes.h"
 
 #include "render/gl/passes/curve_pieces.h"
+#include "render/gl/passes/far_sides.h"
 #include "render/gl/passes/viewpoint.h"
 
 #include <algorithm>
@@ -203,7 +204,7 @@ class Painter {
 
 Strokes make_strokes(const DrawList& list, const Vec3& eye) {
   Painter painter(eye, list.ellipsoids);
-  for (const Tube& tube : list.tubes) painter.add(tube);
+  for (const Tube& tube : with_faint_far_sides(list, eye)) painter.add(tube);
   for (const Arrow& arrow : list.arrows) painter.add(arrow);
   for (const Ball& ball : list.balls) painter.add(ball);
   return painter.take();

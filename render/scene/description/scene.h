@@ -35,23 +35,24 @@ struct MotionSpec {
   bool operator==(const MotionSpec&) const = default;
 };
 
-/// Where a camera stands. Angles in radians (degrees exist in lessons only); elevation is measured from the
-/// horizontal plane of the view.
-struct CameraAngles {
+/// Where a camera stood, and by which ω the scene began, when the picture was filled: what has been turned or
+/// taken by hand since keeps that frame.
+struct CameraFit {
   double azimuth_rad = 0, elevation_rad = 0;
-  bool operator==(const CameraAngles&) const = default;
+  std::optional<Vec3> w0_B = {};  ///< absent: that of the scene
+  bool operator==(const CameraFit&) const = default;
 };
 
-/// Camera about the middle of what the scene shows over its film, which fills the picture at zoom 1. The
-/// distance, in radii of that, says how much larger what is near looks than what is far.
+/// Camera about the middle of what the scene shows over its film, which fills the picture at zoom 1. Angles
+/// in radians (degrees exist in lessons only); elevation is measured from the horizontal plane of the view.
+/// The distance, in radii of that, says how much larger what is near looks than what is far.
 struct CameraSpec {
   double azimuth_rad = 0.6;
   double elevation_rad = 0.35;
   double distance = 4.2;
   double zoom = 1.0;
-  /// Where it fills the picture, of a camera that has been turned since: turning keeps the scale. Absent:
-  /// where the camera stands.
-  std::optional<CameraAngles> fitted = {};
+  std::optional<CameraFit> fitted = {};  ///< absent: the picture is filled as it is
+  bool holds_still = false;              ///< what fills the picture is the still; the film may leave it
   bool operator==(const CameraSpec&) const = default;
 };
 

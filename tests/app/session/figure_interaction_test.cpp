@@ -4,6 +4,7 @@
 #include "physics/body/euler.h"
 #include "physics/body/torque_text.h"
 #include "render/figure/make_figure.h"
+#include "render/figure/omega_tip.h"
 #include "render/figure/orbit_camera.h"
 
 #include <fmt/format.h>
@@ -32,6 +33,7 @@ std::vector<Inset> inset_of(const SceneModel& model, double t_s, const PixelRect
 Scene put(Scene scene, const GrabbedOmega& grabbed) {
   scene.w0_B = grabbed.w0_B;
   if (grabbed.attitude) scene.attitude = grabbed.attitude;
+  scene.camera = grabbed.camera;
   return scene;
 }
 
@@ -110,6 +112,7 @@ TEST(FigureHand, PutsTheTipWhereThePointerIs) {
       const auto insets = inset_of(model, t_s);
       const std::size_t pane = static_cast<std::size_t>(i) % c.views.size();
       Scene other = scene;
+      other.camera = held_by_hand(scene);
       other.w0_B = any_omega(scene, random);
       // Where the attitude is given it stays that of the moment.
       if (c.attitude && std::holds_alternative<Quat>(*c.attitude))
@@ -268,6 +271,14 @@ TEST(Orbit, GoesWithTheHand) {
   for (const double dy : {-1e6, 1e6})
     EXPECT_NEAR(std::abs(orbited(start, 0, dy, 600).elevation_rad), 89 * std::numbers::pi / 180, 1e-12);
   EXPECT_EQ(orbited(start, 5, 5, 0), start);
+}
+
+TEST(Orbit, KeepsTheScaleThatThePictureHadBefore) {
+  const CameraSpec start{.azimuth_rad = 0.3, .elevation_rad = 0.2};
+  const CameraSpec turned = orbited(orbited(start, 50, 10, 600), -20, 30, 600);
+  ASSERT_TRUE(turned.fitted);
+  EXPECT_EQ(*turned.fitted, (CameraFit{start.azimuth_rad, start.elevation_rad}));
+  EXPECT_EQ(zoomed(turned, 2).fitted, turned.fitted);
 }
 
 TEST(Zoom, IsATenthForANotchAndHasEnds) {

@@ -165,7 +165,12 @@ class Hand {
       if (once_in(6) && !is_diagram(static_cast<Overlay>(i)))
         set_shown(edits, scene, static_cast<Overlay>(i), once_in(2));
     if (once_in(2)) edits.views = views();
-    if (once_in(2)) edits.camera = CameraSpec{number(), 0.5 * number(), 4 + number(), 2 + 0.5 * number()};
+    if (once_in(2)) {
+      edits.camera = CameraSpec{number(), 0.5 * number(), 4 + number(), 2 + 0.5 * number()};
+      if (once_in(2)) edits.camera->fitted = CameraFit{number(), 0.5 * number()};
+      if (edits.camera->fitted && once_in(2)) edits.camera->fitted->w0_B = Vec3(number(), number(), number());
+      edits.camera->holds_still = once_in(3);
+    }
     if (once_in(2)) edits.quality = once_in(2) ? QualityLevel::draft : QualityLevel::fine;
     return edits;
   }

@@ -42,7 +42,8 @@ TEST(SceneKeys, ReadEveryKey) {
   const Scene scene = scene_from(
       "body = 'racket'\nomega = [1, 2, 3]\nattitude = 'L-up'\ntorque = ['space:1,2,3', 'damping:0.5']\n"
       "motion = 'symmetric'\nviews = ['body', 'space']\nshow = ['omega', 'trail-L']\n"
-      "camera = { azimuth_deg = 90, elevation_deg = -30, distance = 3, zoom = 2 }\nat = -1.5\nstill = "
+      "camera = { azimuth_deg = 90, elevation_deg = -30, distance = 3, zoom = 2, hold = 'still', fitted = { "
+      "azimuth_deg = 180, omega = [1, 2, 4] } }\nat = -1.5\nstill = "
       "2.5\nduration = 2\n"
       "velocity = [4, 5, 6]\nforce = [7, 8, 9]\narrow = 'free'\n"
       "rate = 0.5\nhighlight = ['turn', 'omega']\nquality = 'draft'\ncaption = 'A caption'\n"
@@ -64,6 +65,11 @@ TEST(SceneKeys, ReadEveryKey) {
   EXPECT_NEAR(scene.camera.elevation_rad, -std::numbers::pi / 6, 2 * kEpsilon);
   EXPECT_EQ(scene.camera.distance, 3);
   EXPECT_EQ(scene.camera.zoom, 2);
+  EXPECT_TRUE(scene.camera.holds_still);
+  ASSERT_TRUE(scene.camera.fitted);
+  EXPECT_NEAR(scene.camera.fitted->azimuth_rad, std::numbers::pi, 2 * kEpsilon * 4);
+  EXPECT_EQ(scene.camera.fitted->elevation_rad, CameraSpec{}.elevation_rad);
+  EXPECT_EQ(scene.camera.fitted->w0_B, Vec3(1, 2, 4));
   EXPECT_EQ(scene.at_s, -1.5);
   EXPECT_EQ(still_time_s(scene), 2.5);
   EXPECT_EQ(scene.duration_s, 2);
@@ -171,7 +177,8 @@ INSTANTIATE_TEST_SUITE_P(
         "motion = { method = 'dormand-prince-8', tolerance = nan }", "motion = { gost = true }",
         "velocity = 1", "velocity = [nan, 0, 0]", "force = [1, 2]", "arrow = 'side'", "arrow = 1",
         "views = 'side'", "views = []", "views = ['body', 'body']", "show = 'bars'", "show = [1]",
-        "camera = 'front'", "camera = { zoom = 0 }", "camera = { distance = -1 }",
+        "camera = 'front'", "camera = { zoom = 0 }", "camera = { hold = 'all' }", "camera = { fitted = 3 }",
+        "camera = { fitted = { elevation_deg = 91 } }", "camera = { distance = -1 }",
         "camera = { elevation_deg = 90.1 }", "camera = { azimuth_deg = nan }", "camera = { roll = 1 }",
         "at = inf", "duration = 0", "duration = nan", "rate = 0", "rate = '1'", "highlight = 'two words'",
         "highlight = ['a', 'b', 'c', 'd', 'e']", "quality = 'best'", "caption = 1", "color = 1"));

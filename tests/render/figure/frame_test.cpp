@@ -166,7 +166,8 @@ TEST(Frame, OfABallIsExact) {  // the outline of a ball that is not in the middl
                  upright = top + 1 - bottom - margins.top - margins.bottom;
     EXPECT_LT(std::min(across, upright), kSpacing) << "one direction is full";
     EXPECT_NEAR(left - margins.side, 1 - margins.side - right, kSpacing) << "as much is free on both sides";
-    EXPECT_NEAR(top - margins.top, 1 - margins.bottom - bottom, kSpacing);
+    EXPECT_NEAR((0.5 - top) / (0.5 - margins.top), (bottom - 0.5) / (0.5 - margins.bottom), kSpacing / 0.4)
+        << "of each half as large a part is filled";
   }
 }
 
@@ -178,7 +179,7 @@ double scale_of(const Camera& camera) {
 TEST(Frame, TurningTheCameraKeepsTheScale) {
   Scene scene = scene_with({O::shape, O::omega, O::L, O::axes_space, O::labels});
   const Camera before = make_figure(make_model(scene), 0.0, 1.2).panes[0].camera;
-  scene.camera.fitted = CameraAngles{scene.camera.azimuth_rad, scene.camera.elevation_rad};
+  scene.camera.fitted = CameraFit{scene.camera.azimuth_rad, scene.camera.elevation_rad};
   scene.camera.azimuth_rad += 1.0;
   scene.camera.elevation_rad = -0.6;
   const Camera turned = make_figure(make_model(scene), 0.0, 1.2).panes[0].camera;
@@ -206,6 +207,25 @@ TEST(Frame, ZoomIsOfTheFrameAndDistanceIsNot) {
   Seen seen;
   add_all(make_figure(make_model(scene), 0.0, 1.0).panes[0], 1.0, seen);
   EXPECT_TRUE(seen.lies_within(1.0, 0.0));
+}
+
+TEST(Frame, OfTheStillIsFilledByItAtAnyTime) {
+  Scene scene = scene_with({O::omega, O::L, O::axes_body, O::labels});
+  scene.at_s = 2.0;
+  const auto seen_at_still = [&] {
+    Seen seen;
+    add_all(make_figure(make_model(scene), scene.at_s, 1.0).panes[0], 1.0, seen);
+    return seen;
+  };
+  const double film = seen_at_still().filled(1.0);
+  scene.camera.holds_still = true;
+  EXPECT_TRUE(seen_at_still().lies_within(1.0, 0.01));
+  EXPECT_GT(seen_at_still().filled(1.0), 1.1 * film);
+  const SceneModel model = make_model(scene);
+  const Camera still = make_figure(model, scene.at_s, 1.0).panes[0].camera,
+               later = make_figure(model, scene.at_s + 1.3, 1.0).panes[0].camera;
+  EXPECT_EQ(later.eye, still.eye);
+  EXPECT_EQ(later.fov_y_rad, still.fov_y_rad);
 }
 
 TEST(Frame, ViewsBesideOneAnotherHaveOneScale) {

@@ -66,6 +66,7 @@ TEST(OmegaTip, OfATrialIsThatOfTheModel) {
     for (const auto& attitude : {std::optional<AttitudeSpec>(), std::optional<AttitudeSpec>(turned)}) {
       Scene changed = scene;
       changed.w0_B = other;
+      changed.camera = held_by_hand(scene);  // the frame stays while a hand has ω
       if (attitude) changed.attitude = attitude;
       const SceneModel model = make_model(scene), remade = make_model(changed);
       for (std::size_t pane = 0; pane < scene.views.size(); ++pane) {

@@ -135,5 +135,64 @@ TEST(FigurePass, AnEyeInThePlaneOrInTheGlassSeesWhatIsThere) {
   EXPECT_LT(pixels_off(draw(drawn, figure), draw(drawn, figure, kBySamples), 12), all / 10);
 }
 
+/// A square across the line of sight, in front of the middle by so much.
+Mesh wall(double towards_eye) {
+  Mesh mesh;
+  mesh.color = {0.8F, 0.8F, 0.8F, 1.0F};
+  for (const double y : {-0.5, 0.5})
+    for (const double z : {-0.5, 0.5}) {
+      mesh.positions.emplace_back(towards_eye, y, z);
+      mesh.normals.push_back(Vec3::UnitX());
+    }
+  mesh.triangles = {0, 1, 2, 2, 1, 3};
+  return mesh;
+}
+
+/// How red a picture is at a point, from 0 to 255.
+int redness(const Image& image, const Camera& camera, const Vec3& point) {
+  const auto at = project(camera, point, kSize.width, kSize.height);
+  const std::uint8_t* p = image.pixel(static_cast<int>(at->x()), static_cast<int>(at->y()));
+  return p[0] - (p[1] + p[2]) / 2;
+}
+
+TEST(FigurePass, AnArrowShowsFaintlyThroughABody) {
+  Drawn drawn;
+  Figure figure{{Pane{}}, 0};
+  Pane& pane = figure.panes[0];
+  pane.camera = orbit({.azimuth_rad = 0.0, .elevation_rad = 0.0}, Vec3::Zero(), 1.0);
+  pane.list.arrows.push_back(
+      {.tail = Vec3::Zero(), .tip = {0.0, 0.0, 0.9}, .radius = 0.03, .color = {0.9F, 0.0F, 0.0F, 1.0F}});
+  const Vec3 hidden(0.0, 0.0, 0.25), open(0.0, 0.0, 0.6);
+  for (const Quality& quality : {Quality{}, kBySamples}) {
+    pane.list.meshes = {wall(0.3)};
+    const Image in_front = draw(drawn, figure, quality);
+    const int faint = redness(in_front, pane.camera, hidden), full = redness(in_front, pane.camera, open);
+    EXPECT_GT(faint, full / 5);
+    EXPECT_LT(faint, full * 3 / 5);
+    pane.list.meshes = {wall(-0.3)};
+    EXPECT_GT(redness(draw(drawn, figure, quality), pane.camera, hidden), full * 4 / 5) << "before the body";
+    Figure without = figure;
+    without.panes[0].list.arrows.clear();
+    without.panes[0].list.meshes = {wall(0.3)};
+    EXPECT_LT(redness(draw(drawn, without, quality), pane.camera, hidden), full / 20);
+  }
+}
+
+TEST(FigurePass, AnArrowBehindAnotherDoesNotShowThroughIt) {
+  Drawn drawn;
+  Figure figure{{Pane{}}, 0};
+  Pane& pane = figure.panes[0];
+  pane.camera = orbit({.azimuth_rad = 0.0, .elevation_rad = 0.0}, Vec3::Zero(), 1.0);
+  const Vec3 up(0.0, 0.0, 0.9), nearer(0.2, 0.0, 0.0);
+  pane.list.meshes = {wall(-0.4)};  // there is a body, and it hides nothing
+  pane.list.arrows.push_back(
+      {.tail = nearer, .tip = nearer + up, .radius = 0.05, .color = {0.3F, 0.3F, 0.3F, 1.0F}});
+  const Image alone = draw(drawn, figure);
+  pane.list.arrows.push_back(
+      {.tail = Vec3::Zero(), .tip = up, .radius = 0.02, .color = {0.9F, 0.0F, 0.0F, 1.0F}});
+  const Vec3 on_both(0.0, 0.0, 0.3);
+  EXPECT_EQ(redness(draw(drawn, figure), pane.camera, on_both), redness(alone, pane.camera, on_both));
+}
+
 }  // namespace
 }  // namespace polhode
