@@ -162,16 +162,16 @@ Command answer_command() {
           {{"LESSON", &options->lesson, "Lesson file or id", "", true},
            {"STAGE", &options->stage, "Id of the stage", "", true},
            {"ASK", &options->ask, "Id of the question", "", true},
-           {"ANSWER", &options->answer,
-            fmt::format("An expression, \"{}\"; a choice, B or 2; an order, \"{}\"; a number, \"4.2 mJ\"; a "
-                        "state, \"{}\"",
-                        form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order),
-                        form_of_answer(Ask::Type::state))},
+           {"ANSWER", &options->answer, "What is answered, as its type wants it"},
            {"--hint", &options->hint, "Show the next hint instead; behind the last, the answer"},
            {"--reset", &options->reset, "Forget what was answered to the question, and its hints"},
            {"--json", &options->json, "verdict, reason, tag, reply, column, counterexample as JSON"}},
-          "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
-          "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.",
+          fmt::format("An expression is written as \"{}\", a choice as B or 2, an order as \"{}\",\n"
+                      "a number as \"4.2 mJ\", a state as \"{}\".\n",
+                      form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order),
+                      form_of_answer(Ask::Type::state)) +
+              "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
+              "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.",
           [options](const CommandWords&) { return answer(*options); },
           true};
 }

@@ -116,7 +116,7 @@ ExitCode answers(const Options& options) {
 Command answers_command() {
   const auto options = std::make_shared<Options>();
   return {"answers",
-          "Show, forget or hand in the answers to a lesson; collect those of a class",
+          "Show, forget or hand in answers to a lesson; collect those of a class",
           {{"LESSON", &options->words, "Lesson file or id; or collect, and the reports of a class",
             "LESSON | collect FILE...", true},
            {"--report", &options->report, "Write a report to hand in; - is stdout", "FILE"},

@@ -34,8 +34,8 @@ TEST(Help, NamesEveryCommand) {
 
 TEST(Help, FitsAHundredColumns) {
   Words lines;
-  for (std::string command :
-       {"", "play", "list", "export", "verify", "lint", "info", "answer", "trace", "measure", "compare"}) {
+  for (std::string command : {"", "play", "list", "export", "verify", "lint", "info", "answer", "answers",
+                              "derive", "trace", "measure", "compare"}) {
     const ProgramRun run = command.empty() ? polhode({"--help"}) : polhode({command, "--help"});
     EXPECT_EQ(run.code, 0) << command;
     EXPECT_THAT(run.err, IsEmpty());

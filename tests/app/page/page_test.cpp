@@ -394,16 +394,18 @@ TEST(Page, AStepThatNoPageHoldsIsRefusedWithItsStage) {
 }
 
 TEST(Page, DependsOnItsRequestAlone) {
-  const Stage* stage = nullptr;
-  for (const Stage& s : lecture().stages)
-    if (!stage && s.steps.back().scene && !s.steps.back().scene->meters.empty()) stage = &s;
-  ASSERT_NE(stage, nullptr);
-  const Scene& scene = *stage->steps.back().scene;
+  const auto plots = [](const Step& step) { return step.scene && !step.scene->meters.empty(); };
+  const auto& stages = lecture().stages;
+  const auto stage =
+      std::ranges::find_if(stages, [&](const Stage& s) { return std::ranges::any_of(s.steps, plots); });
+  ASSERT_NE(stage, stages.end());
+  const auto step = std::ranges::find_if(stage->steps, plots);
+  const Scene& scene = *step->scene;
   const SceneModel model = make_model(scene, Product::page);
   PageRequest request{.lesson = lecture(),
                       .stage = *stage,
                       .number = 3,
-                      .step = static_cast<int>(stage->steps.size()),
+                      .step = static_cast<int>(step - stage->steps.begin()) + 1,
                       .model = &model,
                       .t_s = scene.at_s,
                       .size = {1024, 768},
