@@ -373,7 +373,14 @@ std::vector<std::string> SpeechText::marks_in_words(const Scene& scene) const {
   for (const AngleMark& angle : scene.marks.angles)
     all.push_back(fmt::format("the angle {}from {} to {}",
                               angle.tex.empty() ? "" : words_of_tex(angle.tex) + ' ', name(angle.from),
-                              name(angle.to)));
+                              name(angle.to)) +
+                  at_tip(angle.at, "at"));
+  for (const AreaMark& area : scene.marks.areas)
+    all.push_back(fmt::format("the parallelogram {}of {} and {}",
+                              area.tex.empty() ? "" : words_of_tex(area.tex) + ' ', name(area.from),
+                              name(area.to)));
+  for (const LineMark& line : scene.marks.lines)
+    all.push_back(fmt::format("a line from the tip of {} to the tip of {}", name(line.from), name(line.to)));
   for (const PlaneMark& plane : scene.marks.planes)
     all.push_back(
         fmt::format("the plane normal to {}{}", name(plane.normal), at_tip(plane.through, "through")));

@@ -12,6 +12,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace polhode {
@@ -238,6 +239,21 @@ class ArrowReader {
   const TomlTable& table_;
 };
 
+/// The two vectors of what lies between them, and the keys that it has besides.
+std::optional<std::pair<MarkVector, MarkVector>> read_ends(MarkReader& reader, SourcePlace place,
+                                                           const TomlTable& table, const char* lies,
+                                                           std::vector<KeyHandler> handlers) {
+  std::optional<MarkVector> from, to;
+  handlers.insert(handlers.begin(), {reader.vector("from", from), reader.vector("to", to)});
+  if (!reader.read_table(place, table, handlers, {"from", "to"}) || !from || !to) return std::nullopt;
+  if (from->quantity.fingerprint != to->quantity.fingerprint)
+    return std::pair(std::move(*from), std::move(*to));
+  reader.report().error(
+      table.find("to")->value.place,
+      std::string(lies) + " between two vectors, and both are " + in_quotes(to->quantity.text));
+  return std::nullopt;
+}
+
 using Keys = std::vector<std::pair<std::string, std::string>>;  ///< with their values as TOML
 
 std::string table_text(const Keys& keys) {
@@ -295,22 +311,42 @@ RichText read_angles(const TomlEntry& entry, const SceneWords& words, Marks& mar
   MarkReader reader({"an angle", "{ from = \"ez\", to = \"e3\", tex = '\\theta' }"}, words, texts);
   std::vector<AngleMark> angles;
   const bool is_list = reader.read_list(entry, [&](SourcePlace place, const TomlTable& table) {
-    std::optional<MarkVector> from, to;
     std::string tex;
-    const auto name = [&](const TomlEntry& e) { tex = reader.read_name(e).value_or(""); };
-    if (!reader.read_table(place, table,
-                           {reader.vector("from", from), reader.vector("to", to), {"tex", name}},
-                           {"from", "to"}) ||
-        !from || !to)
-      return;
-    if (from->quantity.fingerprint == to->quantity.fingerprint)
-      reader.report().error(
-          table.find("to")->value.place,
-          "an angle lies between two vectors, and both are " + in_quotes(to->quantity.text));
-    else
-      angles.push_back({std::move(*from), std::move(*to), std::move(tex)});
+    std::optional<MarkVector> at;
+    auto ends = read_ends(reader, place, table, "an angle lies",
+                          {{"tex", [&](const TomlEntry& e) { tex = reader.read_name(e).value_or(""); }},
+                           reader.vector("at", at)});
+    if (ends && is_read(table, "at", at.has_value()))
+      angles.push_back({std::move(ends->first), std::move(ends->second), std::move(tex), std::move(at)});
   });
   if (is_list) marks.angles = std::move(angles);
+  return reader.take();
+}
+
+RichText read_areas(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts) {
+  MarkReader reader({"an area", "{ from = \"omega\", to = \"L\" }"}, words, texts);
+  std::vector<AreaMark> areas;
+  const bool is_list = reader.read_list(entry, [&](SourcePlace place, const TomlTable& table) {
+    AreaMark area;
+    auto ends = read_ends(reader, place, table, "an area lies",
+                          {{"tex", [&](const TomlEntry& e) { area.tex = reader.read_name(e).value_or(""); }},
+                           {"role", [&](const TomlEntry& e) { area.role = reader.read_role(e); }}});
+    if (!ends) return;
+    std::tie(area.from, area.to) = std::move(*ends);
+    areas.push_back(std::move(area));
+  });
+  if (is_list) marks.areas = std::move(areas);
+  return reader.take();
+}
+
+RichText read_lines(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts) {
+  MarkReader reader({"a line", "{ from = \"omega\", to = \"e3\" }"}, words, texts);
+  std::vector<LineMark> lines;
+  const bool is_list = reader.read_list(entry, [&](SourcePlace place, const TomlTable& table) {
+    if (auto ends = read_ends(reader, place, table, "a line lies", {}))
+      lines.push_back({std::move(ends->first), std::move(ends->second)});
+  });
+  if (is_list) marks.lines = std::move(lines);
   return reader.take();
 }
 
@@ -368,7 +404,23 @@ std::string text_of(const std::vector<AngleMark>& angles) {
   return list_text(angles, [](const AngleMark& angle) {
     Keys keys{{"from", toml_of(angle.from)}, {"to", toml_of(angle.to)}};
     if (!angle.tex.empty()) keys.emplace_back("tex", toml(angle.tex));
+    add_if(keys, "at", angle.at);
     return keys;
+  });
+}
+
+std::string text_of(const std::vector<AreaMark>& areas) {
+  return list_text(areas, [](const AreaMark& area) {
+    Keys keys{{"from", toml_of(area.from)}, {"to", toml_of(area.to)}};
+    if (!area.tex.empty()) keys.emplace_back("tex", toml(area.tex));
+    if (!area.role.empty()) keys.emplace_back("role", toml(area.role));
+    return keys;
+  });
+}
+
+std::string text_of(const std::vector<LineMark>& lines) {
+  return list_text(lines, [](const LineMark& line) {
+    return Keys{{"from", toml_of(line.from)}, {"to", toml_of(line.to)}};
   });
 }
 

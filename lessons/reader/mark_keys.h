@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keys `trails`, `arrows`, `angles`, `planes` and `notes` of a scene: what a lesson draws of vectors of
-// its own.
+// The keys `trails`, `arrows`, `angles`, `areas`, `lines`, `planes` and `notes` of a scene: what a lesson
+// draws of vectors of its own.
 #pragma once
 
 #include "lessons/reader/quantity_key.h"
@@ -21,6 +21,8 @@ inline constexpr int kMaxNoteCharacters = 60;
 RichText read_trails(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts);
 RichText read_arrows(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts);
 RichText read_angles(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts);
+RichText read_areas(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts);
+RichText read_lines(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts);
 RichText read_planes(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts);
 RichText read_notes(const TomlEntry& entry, const SceneWords& words, Marks& marks, TextReader& texts);
 
@@ -28,6 +30,8 @@ RichText read_notes(const TomlEntry& entry, const SceneWords& words, Marks& mark
 std::string text_of(const std::vector<TrailMark>& trails);
 std::string text_of(const std::vector<ArrowMark>& arrows);
 std::string text_of(const std::vector<AngleMark>& angles);
+std::string text_of(const std::vector<AreaMark>& areas);
+std::string text_of(const std::vector<LineMark>& lines);
 std::string text_of(const std::vector<PlaneMark>& planes);
 std::string text_of(const std::vector<NoteMark>& notes);
 

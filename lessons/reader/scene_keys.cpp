@@ -414,6 +414,8 @@ class SceneKeys {
   void trails(const TomlEntry& entry) { marks(entry, read_trails); }
   void arrows(const TomlEntry& entry) { marks(entry, read_arrows); }
   void angles(const TomlEntry& entry) { marks(entry, read_angles); }
+  void areas(const TomlEntry& entry) { marks(entry, read_areas); }
+  void lines(const TomlEntry& entry) { marks(entry, read_lines); }
   void planes(const TomlEntry& entry) { marks(entry, read_planes); }
   void notes(const TomlEntry& entry) { marks(entry, read_notes); }
   void poses(const TomlEntry& entry) {
@@ -730,9 +732,17 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::arrows,
        [](const Scene& scene) { return text_of(scene.marks.arrows); },
        Row::Speaks::of_picture},
-      {{"angles", R"(arcs: `[{ from = "ez", to = "e3", tex = '\theta' }]` (Marks))", "none"},
+      {{"angles", R"(arcs: `[{ from = "ez", to = "e3", tex = '\theta', at }]` (Marks))", "none"},
        &SceneKeys::angles,
        [](const Scene& scene) { return text_of(scene.marks.angles); },
+       Row::Speaks::of_picture},
+      {{"areas", R"(parallelograms: `[{ from = "omega", to = "L", tex, role }]` (Marks))", "none"},
+       &SceneKeys::areas,
+       [](const Scene& scene) { return text_of(scene.marks.areas); },
+       Row::Speaks::of_picture},
+      {{"lines", R"(dashed lines: `[{ from = "omega", to = "e3" }]` (Marks))", "none"},
+       &SceneKeys::lines,
+       [](const Scene& scene) { return text_of(scene.marks.lines); },
        Row::Speaks::of_picture},
       {{"planes", R"(discs: `[{ normal = "L", through = "omega" }]` (Marks))", "none"},
        &SceneKeys::planes,

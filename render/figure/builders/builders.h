@@ -19,6 +19,7 @@ inline constexpr double kTriadLength = 1.28;  ///< of the axes of both frames, s
 inline constexpr double kPolhodeRadius = 0.0135;
 inline constexpr double kHerpolhodeRadius = 0.0085;
 inline constexpr double kTrailRadius = 0.011;
+inline constexpr double kOldestOfTrail = 0.4;  ///< of its colour: loops of long ago are to be seen
 inline constexpr double kArrowRadius = 0.021;
 inline constexpr double kTorqueLength = 0.62;  ///< of the arrow of N, scene units
 inline constexpr double kArrowDash = 0.045;    ///< of the arrow of N, and of others that are told apart by it
@@ -122,5 +123,7 @@ double scale_place(const PrincipalMoments& I, double L2_over_2T);
 
 /// Height of the invariable plane below the centre in an L-down space view, scene units (negative).
 double plane_z(const Snapshot& m);
+/// What lifts a tube of ω's path in space from the middle of that plane onto it; 0 where none is drawn.
+Vec3 onto_plane(const Snapshot& m, const Tube& tube);
 
 }  // namespace polhode::builders

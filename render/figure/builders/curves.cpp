@@ -56,7 +56,8 @@ void add_herpolhode(const Snapshot& m, DrawList& list) {
             .closed = curve_S->closed,
             .radius = kHerpolhodeRadius * m.thickness * m.emphasis(Overlay::herpolhode),
             .color = kHerpolhodeRole.paint};
-  for (const Vec3& w_S : curve_S->points) tube.points.push_back(m.q_VS * (w_S * m.omega_scale));
+  const Vec3 lift = onto_plane(m, tube);
+  for (const Vec3& w_S : curve_S->points) tube.points.push_back(m.q_VS * (w_S * m.omega_scale) + lift);
   if (tube.points.size() > 1) list.tubes.push_back(std::move(tube));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a lesson draws of vectors of its own: trails, arrows, angles, planes, notes.
+// What a lesson draws of vectors of its own: trails, arrows, angles, areas, lines, planes, notes.
 #include "physics/body/euler.h"
 #include "physics/geometry/curve_sampling.h"
 #include "render/figure/builders/builders.h"
@@ -7,6 +7,7 @@
 #include "render/palette.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -68,6 +69,16 @@ class DrawnVectors {
   }
   std::optional<Vec3> tip_V(const MarkVector& vector) const { return tip_V(vector, m_.t_s, m_.state); }
 
+  /// The corners of the parallelogram of two vectors as they are drawn, in order: its tail, the tip of the
+  /// first, the far corner, the end of the second. Nothing where they span none.
+  std::optional<std::array<Vec3, 4>> corners_V(const AreaMark& area, double t_s,
+                                               const RigidBodyState& then) const {
+    const auto from = own_along_V(area.from, t_s, then), to = own_along_V(area.to, t_s, then);
+    const auto tip = tip_V(area.from, t_s, then);
+    if (!from || !to || !tip || !span_area(*from, *to)) return std::nullopt;
+    return std::array<Vec3, 4>{*tip - *from, *tip, *tip + *to, *tip - *from + *to};
+  }
+
   /// How far from the centre the tip gets over the span.
   double reach(const MarkVector& vector) const {
     double reach = 0.0;
@@ -102,6 +113,11 @@ class DrawnVectors {
  private:
   Vec3 to_view(const Vec3& v_S, const RigidBodyState& then) const {
     return m_.view == View::space ? v_S : Vec3(then.q_SB.conjugate() * v_S);
+  }
+
+  std::optional<Vec3> own_along_V(const MarkVector& vector, double t_s, const RigidBodyState& then) const {
+    const std::size_t index = find_arrow(vector, arrows_.size());
+    return along_V(vector, index < arrows_.size() ? &arrows_[index] : nullptr, t_s, then);
   }
 
   std::size_t find_arrow(const MarkVector& vector, std::size_t count) const {
@@ -214,11 +230,12 @@ Mesh fan(const Vec3& center, const std::vector<Vec3>& rim, const Vec3& normal, c
   return mesh;
 }
 
-constexpr float kPlaneAlpha = 0.16F, kSectorAlpha = 0.20F;
+constexpr float kPlaneAlpha = 0.16F, kSectorAlpha = 0.20F, kAreaAlpha = 0.34F;
 
-/// Angles stand about the centre, each outside the one before; outside a body that lies there.
+/// Angles about the centre stand each outside the one before; outside a body that lies there.
 double radius_of_angle(const Snapshot& m, std::size_t index) {
-  constexpr double kFirst = 0.42, kApart = 0.12, kOutside = 0.99, kCloser = 0.07;
+  constexpr double kFirst = 0.42, kApart = 0.12, kOutside = 0.99, kCloser = 0.07, kAtTip = 0.2;
+  if (m.model.scene.marks.angles[index].at) return kAtTip;
   const bool is_in_body = m.model.needs.solid && !m.shows(Overlay::pivot);
   const auto before = static_cast<double>(index);
   return is_in_body ? kOutside + kCloser * before : kFirst + kApart * before;
@@ -246,6 +263,8 @@ class MarkBuilder {
                     [](const TrailMark& trail) { return trail.on_sphere; }))
       list_.ellipsoids.push_back({.rotation = m_.q_VS, .tint = kUnitSphereTint});
     for (const PlaneMark& plane : marks_.planes) add(plane);
+    for (const AreaMark& area : marks_.areas) add(area);
+    for (const LineMark& line : marks_.lines) add(line);
     for (const TrailMark& trail : marks_.trails) add(trail);
     for (std::size_t i = 0; i < marks_.arrows.size(); ++i) add_arrow(i);
     for (std::size_t i = 0; i < marks_.angles.size(); ++i) add_angle(i);
@@ -256,7 +275,6 @@ class MarkBuilder {
   void add(const TrailMark& trail) {
     constexpr double kLeastPieces = 64, kMostPieces = 512, kTurn_rad = 0.5;
     constexpr std::size_t kMostPoints = 2048;
-    constexpr double kOldest = 0.3;  // of its colour: loops of long ago are to be seen
     const auto tip_at = [&](double t_s) -> Vec3 {
       const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
       const RigidBodyState then = m_.model.motion->at(t_s);
@@ -274,7 +292,7 @@ class MarkBuilder {
                    .max_points = kMostPoints}),
               .radius = kTrailRadius * m_.thickness,
               .color = look.role.paint,
-              .fade_start = kOldest,
+              .fade_start = kOldestOfTrail,
               .dash = look.is_dashed ? kArrowDash : 0.0};
     if (tube.points.size() < 2) return;
     const Vec3 now = tube.points.back();
@@ -312,17 +330,44 @@ class MarkBuilder {
     const auto angle_rad = from && to ? arc_between(*from, *to) : std::nullopt;
     if (!angle_rad) return;
     const Vec3 u = from->stableNormalized(), v = to->stableNormalized(), axis = u.cross(v).normalized();
+    const auto center = mark.at ? vectors_.tip_V(*mark.at) : Vec3(Vec3::Zero());
+    if (!center) return;
     const double radius = radius_of_angle(m_, index);
     const auto at = [&](double part) -> Vec3 { return Eigen::AngleAxisd(part * *angle_rad, axis) * u; };
     Tube arc{.points = {}, .radius = kArcRadius * m_.thickness, .color = kTRole.paint};
-    for (int n = 0; n <= kPoints; ++n) arc.points.push_back(radius * at(static_cast<double>(n) / kPoints));
-    list_.meshes.push_back(fan(Vec3::Zero(), arc.points, axis, translucent(kTRole.paint, kSectorAlpha)));
+    for (int n = 0; n <= kPoints; ++n)
+      arc.points.push_back(*center + radius * at(static_cast<double>(n) / kPoints));
+    list_.meshes.push_back(fan(*center, arc.points, axis, translucent(kTRole.paint, kSectorAlpha)));
     list_.tubes.push_back(std::move(arc));
     for (const Vec3& leg : {u, v})
-      list_.tubes.push_back({.points = {Vec3::Zero(), (radius + kGuide) * leg},
+      list_.tubes.push_back({.points = {*center, *center + (radius + kGuide) * leg},
                              .radius = kGuideRadius * m_.thickness,
                              .color = kTRole.paint});
-    add_name(mark.tex, (radius + kNameBeyond) * at(0.5), kTRole.ink, list_);
+    add_name(mark.tex, *center + (radius + kNameBeyond) * at(0.5), kTRole.ink, list_);
+  }
+
+  void add(const AreaMark& area) {
+    constexpr double kRimRadius = 0.006;
+    const auto corners = vectors_.corners_V(area, m_.t_s, m_.state);
+    if (!corners) return;
+    const auto& [tail, from, far, to] = *corners;
+    const Role role = role_from(area.role).value_or(kAxesRole);
+    const Vec3 center = 0.5 * (tail + far), normal = (from - tail).cross(to - tail).stableNormalized();
+    list_.meshes.push_back(
+        fan(center, {tail, from, far, to, tail}, normal, translucent(role.paint, kAreaAlpha)));
+    list_.tubes.push_back(
+        {.points = {from, far, to}, .radius = kRimRadius * m_.thickness, .color = role.paint});
+    add_name(area.tex, center, role.ink, list_);
+  }
+
+  void add(const LineMark& line) {
+    constexpr double kLineRadius = 0.006;
+    const auto from = vectors_.tip_V(line.from), to = vectors_.tip_V(line.to);
+    if (!from || !to || !((*to - *from).norm() > kTooShort)) return;
+    list_.tubes.push_back({.points = {*from, *to},
+                           .radius = kLineRadius * m_.thickness,
+                           .color = kAxesRole.ink,
+                           .dash = kArrowDash});
   }
 
   void add(const PlaneMark& plane) {
@@ -394,6 +439,13 @@ void add_places_of_marks(const Snapshot& m, Places& places) {
     }
     for (const TrailMark& trail : marks.trails)
       if (!trail.on_sphere) hold(vectors.place_V(trail.of, step, then), kLine);
+    for (const AreaMark& area : marks.areas)
+      if (const auto corners = vectors.corners_V(area, t_s, then))
+        for (const Vec3& corner : *corners) hold(corner, kLine);
+    for (const LineMark& line : marks.lines) {
+      hold(vectors.place_V(line.from, step, then), kLine);
+      hold(vectors.place_V(line.to, step, then), kLine);
+    }
     for (const NoteMark& note : marks.notes) {
       constexpr double kHalfHeight = 0.06, kLetter = 0.035;
       Place name = ball_at(vectors.place_V(note.at, step, then), kHalfHeight);
@@ -405,9 +457,11 @@ void add_places_of_marks(const Snapshot& m, Places& places) {
       const double radius = radius_of_angle(m, i);
       const Vec3 from = vectors.direction_V(marks.angles[i].from, step, then),
                  to = vectors.direction_V(marks.angles[i].to, step, then);
-      hold(radius * from, kLabel);
-      hold(radius * to, kLabel);
-      hold((radius + kLabel) * (from + to).stableNormalized(), kName);
+      const auto& at = marks.angles[i].at;
+      const Vec3 center = at ? vectors.place_V(*at, step, then) : Vec3(Vec3::Zero());
+      hold(center + radius * from, kLabel);
+      hold(center + radius * to, kLabel);
+      hold(center + (radius + kLabel) * (from + to).stableNormalized(), kName);
     }
     for (const PlaneMark& plane : marks.planes) {
       const Vec3 normal = vectors.direction_V(plane.normal, step, then);

@@ -61,6 +61,11 @@ const Vec3& w_B_of_surfaces(const Snapshot& m) {
   return m.model.scene.torque.empty() ? m.model.scene.w0_B : m.state.w_B;
 }
 
+Vec3 onto_plane(const Snapshot& m, const Tube& tube) {
+  const bool is_drawn = m.shows(Overlay::plane) && m.view == View::space;
+  return is_drawn ? Vec3(0.0, 0.0, tube.radius) : Vec3(Vec3::Zero());
+}
+
 void add_surfaces(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const Vec3& w_B = w_B_of_surfaces(m);
   if (w_B.isZero(0.0)) return;

@@ -46,7 +46,8 @@ void add_trail(const Snapshot& m, Overlay overlay, const Role& role, TipAt tip_a
              .closed = false,
              .radius = m.thickness * trail_radius(m, overlay),
              .color = role.paint,
-             .fade_start = 0.0};
+             .fade_start = kOldestOfTrail};
+  const Vec3 lift = overlay == Overlay::trail_omega ? onto_plane(m, trail) : Vec3(Vec3::Zero());
   const double start_s = trail_start_s(m);
   for (int n = 0; n <= kTrailPoints; ++n) {
     const double t_s = std::lerp(start_s, m.t_s, static_cast<double>(n) / kTrailPoints);
@@ -55,7 +56,7 @@ void add_trail(const Snapshot& m, Overlay overlay, const Role& role, TipAt tip_a
       then = m.model.motion->at(t_s);
     else
       then.w_B = m.model.motion->w_B_at(t_s);
-    trail.points.push_back(tip_at(then));
+    trail.points.push_back(tip_at(then) + lift);
   }
   end_behind_tip(trail);
   list.tubes.push_back(std::move(trail));

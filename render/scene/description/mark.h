@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Marks: trails, arrows, angles, planes and notes that a lesson draws in space of vectors of its own.
-// Each kind has a key in lessons/reader/scene_keys.cpp, which mark_keys.cpp reads; it is drawn by
+// Marks: trails, arrows, angles, areas, lines, planes and notes that a lesson draws in space of vectors of
+// its own. Each kind has a key in lessons/reader/scene_keys.cpp, which mark_keys.cpp reads; it is drawn by
 // render/figure/builders/marks.cpp where it shows anything (drawn_marks.h), and told in words by
 // app/narration/speech_text.cpp.
 #pragma once
@@ -48,11 +48,26 @@ struct ArrowMark {
 inline constexpr double kArrowLength = 0.6;
 inline constexpr double kLeastArrowLength = 0.1, kMostArrowLength = 3;
 
-/// The arc from one vector to another about the centre.
+/// The arc from one vector to another, about the centre or the tip of a vector.
 struct AngleMark {
   MarkVector from, to;
-  std::string tex = {};  ///< its name; empty: none
+  std::string tex = {};               ///< its name; empty: none
+  std::optional<MarkVector> at = {};  ///< its vertex is the tip of that; absent: the centre
   bool operator==(const AngleMark&) const = default;
+};
+
+/// The parallelogram that two vectors span as they are drawn, from where the arrow of the first begins.
+struct AreaMark {
+  MarkVector from, to;
+  std::string tex = {};   ///< its name; empty: none
+  std::string role = {};  ///< of its colour; empty: that of axes
+  bool operator==(const AreaMark&) const = default;
+};
+
+/// A dashed line from the tip of one vector to the tip of another.
+struct LineMark {
+  MarkVector from, to;
+  bool operator==(const LineMark&) const = default;
 };
 
 /// A disc with a normal, about the centre or through the tip of a vector.
@@ -82,11 +97,14 @@ struct Marks {
   std::vector<TrailMark> trails = {};
   std::vector<ArrowMark> arrows = {};
   std::vector<AngleMark> angles = {};
+  std::vector<AreaMark> areas = {};
+  std::vector<LineMark> lines = {};
   std::vector<PlaneMark> planes = {};
   std::vector<NoteMark> notes = {};
 
   bool empty() const {
-    return trails.empty() && arrows.empty() && angles.empty() && planes.empty() && notes.empty();
+    return trails.empty() && arrows.empty() && angles.empty() && areas.empty() && lines.empty() &&
+           planes.empty() && notes.empty();
   }
   bool operator==(const Marks&) const = default;
 };

@@ -26,7 +26,7 @@ struct Requirements {
   bool ghost = false;    ///< the exact motion beside the computed one
   bool methods = false;  ///< the table of methods
   bool orders = false;   ///< the same at shorter and shorter steps
-  bool marks = false;    ///< trails, arrows, angles, planes and notes of the lesson's own
+  bool marks = false;    ///< trails, arrows, angles, areas, lines, planes and notes of the lesson's own
   bool operator==(const Requirements&) const = default;
 };
 

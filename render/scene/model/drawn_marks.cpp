@@ -27,6 +27,15 @@ void for_each_vector(const Marks& marks, const Take& take) {
   for (const AngleMark& angle : marks.angles) {
     take(angle.from);
     take(angle.to);
+    take_if(angle.at);
+  }
+  for (const AreaMark& area : marks.areas) {
+    take(area.from);
+    take(area.to);
+  }
+  for (const LineMark& line : marks.lines) {
+    take(line.from);
+    take(line.to);
   }
   for (const PlaneMark& plane : marks.planes) {
     take(plane.normal);
@@ -53,10 +62,21 @@ class Unseen {
   void angle(const AngleMark& mark) {
     const std::string what = "the angle from " + quoted(mark.from) + " to " + quoted(mark.to);
     if (says_why(what, mark.from) || says_why(what, mark.to)) return;
+    if (mark.at && says_why(what, *mark.at, true)) return;
     const std::vector<Vec3>&from_S = model_.courses.at(mark.from.quantity.fingerprint).values_S,
           &to_S = model_.courses.at(mark.to.quantity.fingerprint).values_S;
     for (std::size_t n = 0; n < from_S.size(); ++n)
       if (from_S[n].allFinite() && to_S[n].allFinite() && arc_between(from_S[n], to_S[n])) return;
+    found_.push_back(what + " shows nothing: they are parallel throughout");
+  }
+
+  void area(const AreaMark& mark) {
+    const std::string what = "the area from " + quoted(mark.from) + " to " + quoted(mark.to);
+    if (says_why(what, mark.from) || says_why(what, mark.to)) return;
+    const std::vector<Vec3>&from_S = model_.courses.at(mark.from.quantity.fingerprint).values_S,
+          &to_S = model_.courses.at(mark.to.quantity.fingerprint).values_S;
+    for (std::size_t n = 0; n < from_S.size(); ++n)
+      if (from_S[n].allFinite() && to_S[n].allFinite() && span_area(from_S[n], to_S[n])) return;
     found_.push_back(what + " shows nothing: they are parallel throughout");
   }
 
@@ -78,6 +98,11 @@ std::optional<double> arc_between(const Vec3& a, const Vec3& b) {
   constexpr double kNoPlane = 1e-6;  // of opposite vectors
   const bool is_seen = angle_rad >= kLeast && u.cross(v).norm() > kNoPlane;
   return is_seen ? std::optional(angle_rad) : std::nullopt;
+}
+
+bool span_area(const Vec3& a, const Vec3& b) {
+  constexpr double kLeast = 1e-6;  // the sine of their angle
+  return !a.isZero(0.0) && !b.isZero(0.0) && a.stableNormalized().cross(b.stableNormalized()).norm() > kLeast;
 }
 
 bool draws_marks(const Scene& scene) {
@@ -118,8 +143,9 @@ std::vector<std::string> unseen_marks(const SceneModel& model) {
   if (marks.empty()) return {};
   if (!draws_marks(model.scene))
     return {
-        "trails, arrows, angles, planes and notes show nothing beside turn-orders: that body is turned by "
-        "hand, and has no motion"};
+        "trails, arrows, angles, areas, lines, planes and notes show nothing beside turn-orders: that body "
+        "is "
+        "turned by hand, and has no motion"};
   Unseen unseen(model);
   for (const TrailMark& trail : marks.trails)
     unseen.says_why("the trail of " + unseen.quoted(trail.of), trail.of);
@@ -128,6 +154,11 @@ std::vector<std::string> unseen_marks(const SceneModel& model) {
     if (!unseen.says_why(what, arrow.of) && arrow.at) unseen.says_why(what, *arrow.at, true);
   }
   for (const AngleMark& angle : marks.angles) unseen.angle(angle);
+  for (const AreaMark& area : marks.areas) unseen.area(area);
+  for (const LineMark& line : marks.lines) {
+    const std::string what = "the line from " + unseen.quoted(line.from) + " to " + unseen.quoted(line.to);
+    if (!unseen.says_why(what, line.from, true)) unseen.says_why(what, line.to, true);
+  }
   for (const PlaneMark& plane : marks.planes) {
     const std::string what = "the plane normal to " + unseen.quoted(plane.normal);
     if (!unseen.says_why(what, plane.normal) && plane.through) unseen.says_why(what, *plane.through, true);

@@ -26,6 +26,9 @@ bool draws_poses(const Scene& scene);
 /// of them is 0, or they are parallel.
 std::optional<double> arc_between(const Vec3& a, const Vec3& b);
 
+/// Whether they span a parallelogram: neither is 0, and they are not parallel.
+bool span_area(const Vec3& a, const Vec3& b);
+
 /// A vector over the model's span: at even times from 0 to the end, SI, components in space; NaN where it has
 /// no value.
 struct VectorCourse {

@@ -240,7 +240,7 @@ TEST(MarkKeys, AreAsTheFormatSays) {
     scene.marks = marks;
     EXPECT_THAT(unseen_marks(make_model(scene)), IsEmpty()) << section.substr(first, last - first);
   }
-  EXPECT_EQ(examples, 9);
+  EXPECT_EQ(examples, 11);
 }
 
 }  // namespace

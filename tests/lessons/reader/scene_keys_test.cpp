@@ -287,6 +287,8 @@ constexpr KeyEffect kEffects[] = {
     {"trails", "[{ of = 'e3' }]", Effect::other_look},
     {"arrows", "[{ of = 'e3' }]", Effect::other_look},
     {"angles", "[{ from = 'ez', to = 'e3' }]", Effect::other_look},
+    {"areas", "[{ from = 'omega', to = 'e3' }]", Effect::other_look},
+    {"lines", "[{ from = 'omega', to = 'e3' }]", Effect::other_look},
     {"planes", "[{ normal = 'L', through = 'omega' }]", Effect::other_look},
     {"notes", "[{ text = 'tip', at = 'e3' }]", Effect::other_look},
     {"poses", "{ count = 5, over = 0.8 }", Effect::other_look},

@@ -178,6 +178,8 @@ TEST(Marks, WhatIsZeroOrNothingDrawsNothing) {
     const Scene scene = scene_with({.trails = {{vector, true}},
                                     .arrows = {{.of = vector}, {.of = vector, .length = 2.0}},
                                     .angles = {{vector, body_axis(0), "a"}, {body_axis(0), vector, "a"}},
+                                    .areas = {{vector, body_axis(0)}, {body_axis(0), vector}},
+                                    .lines = {{vector, vector}},
                                     .planes = {{.normal = vector}}});
     const DrawList list = list_of(scene, 0.5);
     EXPECT_TRUE(list.arrows.empty() && list.tubes.empty() && list.meshes.empty() && list.labels.empty() &&
@@ -185,10 +187,62 @@ TEST(Marks, WhatIsZeroOrNothingDrawsNothing) {
         << vector.quantity.text;
   }
   const DrawList list = list_of(scene_with({.arrows = {{.of = body_axis(0), .at = none}},
+                                            .angles = {{body_axis(0), body_axis(1), "a", none}},
+                                            .lines = {{body_axis(0), none}},
                                             .planes = {{.normal = body_axis(0), .through = none}},
                                             .notes = {{"nowhere", none}}}),
                                 0.5);
   EXPECT_TRUE(list.arrows.empty() && list.meshes.empty() && list.labels.empty());
+}
+
+// An area has the sides that its arrows show, and stands where the first of them does.
+TEST(Marks, AnAreaIsSpannedByTheArrowsAsTheyAreDrawn) {
+  const Scene scene =
+      scene_with({.arrows = {{.of = body_axis(0), .length = 0.5},
+                             {.of = body_axis(1), .at = body_axis(0)},
+                             {.of = body_axis(2), .length = 2.0}},
+                  .areas = {{body_axis(0), body_axis(2), "a"}, {body_axis(1), body_axis(2)}}});
+  const DrawList list = list_of(scene, 0.4);
+  const Mat3 R = state_of(scene, 0.4).q_SB.toRotationMatrix();
+  const Vec3 first[] = {Vec3::Zero(), Vec3(0.5, 0, 0), Vec3(0.5, 0, 2), Vec3(0, 0, 2), Vec3::Zero()},
+             second[] = {Vec3(0.5, 0, 0), Vec3(0.5, 1, 0), Vec3(0.5, 1, 2), Vec3(0.5, 0, 2), Vec3(0.5, 0, 0)};
+  ASSERT_EQ(list.meshes.size(), 2U);
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_LT((list.meshes[0].positions[k + 1] - R * first[k]).norm(), kRounding) << k;
+    EXPECT_LT((list.meshes[1].positions[k + 1] - R * second[k]).norm(), kRounding) << k;
+  }
+  const auto name = std::find_if(list.labels.begin(), list.labels.end(),
+                                 [](const Label& label) { return label.text == "$a$"; });
+  ASSERT_NE(name, list.labels.end());
+  EXPECT_LT((name->anchor - R * Vec3(0.25, 0, 1)).norm(), kRounding);
+  const auto colored = scene_with({.areas = {{body_axis(0), body_axis(1), "", "violet"}}});
+  EXPECT_NE(list_of(colored, 0.4).meshes[0].color, list.meshes[0].color);
+}
+
+TEST(Marks, ALineGoesFromTipToTip) {
+  const Scene scene =
+      scene_with({.arrows = {{.of = body_axis(0), .length = 0.5}}, .lines = {{body_axis(0), body_axis(2)}}});
+  const DrawList list = list_of(scene, 0.4);
+  const Quat q_SB = state_of(scene, 0.4).q_SB;
+  ASSERT_EQ(list.tubes.size(), 1U);
+  ASSERT_EQ(list.tubes[0].points.size(), 2U);
+  EXPECT_LT((list.tubes[0].points[0] - q_SB * Vec3(0.5, 0, 0)).norm(), kRounding);
+  EXPECT_LT((list.tubes[0].points[1] - q_SB * Vec3(0, 0, 1)).norm(), kRounding);
+  EXPECT_GT(list.tubes[0].dash, 0.0);
+}
+
+TEST(Marks, AnAngleStandsAtTheTipThatItNames) {
+  const Scene centred = scene_with({.angles = {{body_axis(0), body_axis(1), "a"}}});
+  const Scene moved = scene_with({.angles = {{body_axis(0), body_axis(1), "a", body_axis(2)}}});
+  const DrawList there = list_of(moved, 0.4), here = list_of(centred, 0.4);
+  const Vec3 tip = state_of(moved, 0.4).q_SB * Vec3(0, 0, 1);
+  ASSERT_EQ(there.meshes.size(), 1U);
+  EXPECT_LT((there.meshes[0].positions[0] - tip).norm(), kRounding);
+  const auto from_corner = [](const DrawList& list, std::size_t k) {
+    return Vec3((list.meshes[0].positions[k] - list.meshes[0].positions[0]).normalized());
+  };
+  for (std::size_t k = 1; k < there.meshes[0].positions.size(); ++k)
+    EXPECT_LT((from_corner(there, k) - from_corner(here, k)).norm(), kRounding) << k;
 }
 
 TEST(Marks, ATrailOnTheSphereIsThePathOfTheDirection) {

@@ -63,6 +63,8 @@ TEST(DrawnMarks, ThatShowNothingAreSaid) {
                                                           [](const RigidBodyState& s) {
                                                             return Vec3(s.q_SB * Vec3(0, -2, 0));
                                                           })}},
+                    .areas = {{kZero, body_axis(0)}, {body_axis(0), body_axis(0)}},
+                    .lines = {{body_axis(0), kNone}},
                     .planes = {{.normal = kZero}, {.normal = body_axis(0), .through = kNone}},
                     .notes = {{"lost", kNone}}};
   EXPECT_THAT(
@@ -71,12 +73,17 @@ TEST(DrawnMarks, ThatShowNothingAreSaid) {
                   "the arrow of \"zero\" shows nothing: \"zero\" is 0 throughout",
                   "the arrow of \"e_1\" shows nothing: \"none\" has no value on this motion",
                   "the angle from \"e_2\" to \"minus e2\" shows nothing: they are parallel throughout",
+                  "the area from \"zero\" to \"e_1\" shows nothing: \"zero\" is 0 throughout",
+                  "the area from \"e_1\" to \"e_1\" shows nothing: they are parallel throughout",
+                  "the line from \"e_1\" to \"none\" shows nothing: \"none\" has no value on this motion",
                   "the plane normal to \"zero\" shows nothing: \"zero\" is 0 throughout",
                   "the plane normal to \"e_1\" shows nothing: \"none\" has no value on this motion",
                   "the note \"lost\" shows nothing: \"none\" has no value on this motion"));
   const Marks seen{.trails = {{body_axis(0), true}},
                    .arrows = {{.of = body_axis(0), .at = kZero}},
                    .angles = {{body_axis(0), body_axis(1)}},
+                   .areas = {{body_axis(0), body_axis(1)}},
+                   .lines = {{body_axis(0), kZero}},
                    .planes = {{.normal = body_axis(0), .through = kZero}},
                    .notes = {{"centre", kZero}}};
   EXPECT_THAT(unseen_marks(make_model(scene_with(seen))), IsEmpty()) << "the tip of 0 is the centre";
