@@ -6,6 +6,7 @@
 #include "app/session/lesson_session.h"
 #include "app/session/save_as.h"
 #include "app/window/controls/control_style.h"
+#include "app/window/controls/lesson_texts.h"
 
 #include <optional>
 #include <string>
@@ -30,6 +31,7 @@ struct Region {
 struct PanelContext {
   LessonSession& session;
   const SpeechText& speech;
+  LessonTexts& texts;
   const ControlSizes& sizes;
   WindowRequests& requests;
   double frame_ms = 0;      ///< wall time of the last frame in which a page was drawn
