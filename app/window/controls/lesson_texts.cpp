@@ -16,7 +16,7 @@ namespace {
 
 // Dear ImGui's sizes are from the highest to the lowest point of a face. So large is Heros' em then, and
 // there its baseline, in lines that stand beside those of controls.
-constexpr double kTypeSize = 0.76, kAscent = 0.74, kDepth = 0.26;
+constexpr double kTypeSize = 0.73, kAscent = 0.74, kDepth = 0.26;
 constexpr double kMargin = 2;  ///< px, for ink that leaves its box
 
 /// Whatever of a text decides how it looks.
@@ -92,7 +92,11 @@ Result<DisplayList> LessonTexts::set(const RichText& text, TextInk ink, int widt
   style.leading = 1.4;
   style.between = 0.3;
   style.width = width;
-  style.symbols = &symbols_;
+  // Symbols without a colour of their own are as quiet as the rest.
+  std::vector<MathSymbol> symbols = symbols_;
+  for (MathSymbol& symbol : symbols)
+    if (symbol.color == colors_of(theme_).ink) symbol.color = style.color;
+  style.symbols = &symbols;
   constexpr int kMostTries = 4;
   for (int i = 0;; ++i) {
     auto list = set_text(text, style, renderer_.fonts());

@@ -176,11 +176,13 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
       context.texts.show(text_after(ask, answer->judgement));
     }
     const bool is_right = answer != nullptr && answer->judgement.mark == Mark::right;
-    is_settled = is_right && !context.session.is_awaited(ask);
+    is_settled = is_right;
     show_known(context, ask);
   }
-  if (!ask.derivation) show_hints(context, ask, is_settled);
-  draw_forget(context, ask);
+  if (!context.session.is_awaited(ask)) {
+    if (!ask.derivation) show_hints(context, ask, is_settled);
+    draw_forget(context, ask);
+  }
   ImGui::PopID();
 }
 
@@ -220,7 +222,7 @@ void QuestionsPanel::draw(PanelContext& context) {
     heading("How to write it");
     quiet_words(std::string(derives ? kWordsOfDerivations : kWordsOfAnswers));
   }
-  draw_earlier(context, questions.empty() && !is_end);
+  if (!is_end) draw_earlier(context, questions.empty());
 }
 
 }  // namespace polhode
