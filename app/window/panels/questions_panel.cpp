@@ -128,15 +128,16 @@ void QuestionsPanel::draw_forget(PanelContext& context, const Ask& ask) {
     if (ImGui::Button("Forget my answers…")) forgetting_ = name;
     return;
   }
-  const char* of = ask.derivation ? "line" : "answer";
-  plain_words("Forget " + (record->tries > 0 ? amount(record->tries, of) : amount(record->hints, "hint")) +
-              '?');
-  if (ImGui::Button("Yes, forget")) {
+  const int count = record->tries > 0 ? record->tries : record->hints;
+  const char* of = record->tries == 0 ? "hint" : ask.derivation ? "line" : "answer";
+  plain_words(fmt::format("Forget {}?", amount(count, of)));
+  const bool is_one = count == 1;
+  if (ImGui::Button(is_one ? "Yes, forget it" : "Yes, forget them")) {
     context.session.forget_answer(ask);
     forgetting_.clear();
   }
   ImGui::SameLine();
-  if (ImGui::Button("Keep")) forgetting_.clear();
+  if (ImGui::Button(is_one ? "Keep it" : "Keep them")) forgetting_.clear();
 }
 
 void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::size_t number,

@@ -14,7 +14,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <cmath>
 
 namespace polhode {
 
@@ -43,10 +43,9 @@ bool slider(PanelContext& context, const Name& name, double& value, double from,
   ImGui::PopID();
   ImGui::SameLine(0, gap);
   ImGui::AlignTextToFramePadding();
-  char number[32];
-  std::snprintf(number, sizeof number, format, value);
-  ImGui::TextUnformatted(
-      fmt::format("{}{}{}", value < 0 ? "−" : "", number + (*number == '-'), name.unit).c_str());
+  const std::string number = fmt::format(fmt::runtime(format), std::abs(value));
+  const bool is_zero = number.find_first_not_of("0.") == number.npos;
+  ImGui::TextUnformatted(fmt::format("{}{}{}", value < 0 && !is_zero ? "−" : "", number, name.unit).c_str());
   return is_moved;
 }
 
@@ -88,7 +87,7 @@ class Controls {
   void omega() {
     Vec3 w0_B = now_.w0_B;
     const double most = lesson_.w0_B.isZero(0) ? 1 : 2 * lesson_.w0_B.norm();
-    if (!sliders(context_, kOmegas, w0_B, -most, most, "%.4f")) return;
+    if (!sliders(context_, kOmegas, w0_B, -most, most, "{:.3f}")) return;
     edits_.w0_B = w0_B;
     changed_ = true;
   }
@@ -96,7 +95,7 @@ class Controls {
   void moments() {
     Vec3 I = now_.body.moments.vector();
     const double largest = lesson_.body.moments.vector().maxCoeff();
-    if (!sliders(context_, kMoments, I, 0.01 * largest, 2 * largest, "%.4g")) return;
+    if (!sliders(context_, kMoments, I, 0.01 * largest, 2 * largest, "{:.4g}")) return;
     const auto body = body_with_moments(I);
     if (!body) return;  // the slider springs back to what can be
     edits_.body = *body;
@@ -105,7 +104,7 @@ class Controls {
 
   void attitude() {
     Vec3 angles = euler_angles(problem_of(now_).start.q_SB) / kRadiansPerDegree;
-    if (!sliders(context_, kAngles, angles, -180, 180, "%.1f")) return;
+    if (!sliders(context_, kAngles, angles, -180, 180, "{:.1f}")) return;
     angles[1] = std::clamp(angles[1], 0.0, 180.0);
     edits_.attitude = attitude_of(angles * kRadiansPerDegree);
     changed_ = true;
@@ -120,7 +119,7 @@ class Controls {
     const double most = std::max({2 * lesson_.w0_B.cross(L_B).norm(),
                                   2 * components_of(constant_torque(lesson_.torque)).norm(),
                                   0.1 * lesson_.w0_B.dot(L_B), 1e-6});
-    if (!sliders(context_, in_space ? kTorquesInSpace : kTorques, N, -most, most, "%.4g")) return;
+    if (!sliders(context_, in_space ? kTorquesInSpace : kTorques, N, -most, most, "{:.4g}")) return;
     edits_.torque =
         with_constant(now_.torque, in_space ? TorqueTerm(SpaceTorque{N}) : TorqueTerm(BodyTorque{N}));
     changed_ = true;
@@ -129,7 +128,7 @@ class Controls {
   void time() {
     const LessonSession::Interval line = context_.session.time_line();
     double t_s = context_.session.t_s();
-    if (!slider(context_, {"t", " s"}, t_s, line.from_s, line.to_s, "%.3f")) return;
+    if (!slider(context_, {"t", " s"}, t_s, line.from_s, line.to_s, "{:.3f}")) return;
     context_.session.set_playing(false);
     context_.session.scrub_to(t_s);
   }
@@ -151,7 +150,8 @@ RichText given(const Scene& now, const StateTask& task) {
     if (!components_of(constant).isZero(0)) state.torque = constant;
   }
   const std::string line = line_of(state);
-  return line.empty() ? RichText() : line_text("Given, at $t = 0$: " + line + '.');
+  if (line.empty()) return {};
+  return line_text((state.w0_B ? "Given, at $t = 0$: " : "Given: ") + line + '.');
 }
 
 RichText words_of_goal(const Lesson& lesson, const StateGoal& goal) {
