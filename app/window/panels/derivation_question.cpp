@@ -15,12 +15,15 @@ namespace {
 
 using Mark = LineJudgement::Mark;
 
+/// With fractions as large as on the page.
+RichText line_of_tex(const std::string& tex) { return formula_text("\\displaystyle " + tex); }
+
 /// As it is set, or as it was typed where it cannot be read.
 RichText numbered(std::size_t number, const DerivationWork::TypedLine& line) {
   const std::string opening = fmt::format("{}   ", number);
   const std::string& tex = line.judgement.tex;
   const bool is_read = line.judgement.mark != Mark::unreadable && !tex.empty();
-  return is_read ? opened_by(opening, formula_text(tex)) : words_text(opening + line.text);
+  return is_read ? opened_by(opening, line_of_tex(tex)) : words_text(opening + line.text);
 }
 
 void show_line(PanelContext& context, const DerivationWork::TypedLine& line, std::size_t number,
@@ -61,8 +64,8 @@ void ask_for_line(PanelContext& context, const Ask& ask, DerivationWork& work, s
 
 void ask_for_derivation(PanelContext& context, const Ask& ask, std::string& typed) {
   DerivationWork& work = context.session.derivation(ask);
-  context.texts.show(opened_by("From  ", formula_text(work.derivation().start.tex)), TextInk::quiet);
-  context.texts.show(opened_by("To  ", formula_text(work.derivation().goal.tex)), TextInk::quiet);
+  context.texts.show(opened_by("From  ", line_of_tex(work.derivation().start.tex)), TextInk::quiet);
+  context.texts.show(opened_by("To  ", line_of_tex(work.derivation().goal.tex)), TextInk::quiet);
   for (std::size_t i = 0; i < work.lines().size(); ++i) {
     const Mark mark = work.lines()[i].judgement.mark;
     show_line(context, work.lines()[i], i + 1,
