@@ -42,7 +42,7 @@ RichText block_of(std::vector<TextSpan> spans) {
 
 /// "1.5", "2\cdot 10^{-5}"
 std::string short_tex(double value) {
-  const std::string text = fmt::format("{:.{}g}", value, kDigits);
+  std::string text = fmt::format("{:.{}g}", value, kDigits);
   const std::size_t e = text.find('e');
   if (e == text.npos) return text;
   return fmt::format("{}{{\\cdot}}10^{{{}}}", text.substr(0, e), std::stoi(text.substr(e + 1)));

@@ -28,8 +28,9 @@ bool text_field(PanelContext& context, const char* id, const char* form, const c
   return entered && !typed.empty();
 }
 
-void say_who_has_keys() {
+void say_who_has_keys(const PanelContext& context) {
   quiet_words(ImGui::GetIO().WantTextInput ? "Keys go to the answer. Escape: back to the page."
+              : context.has_keys           ? "Keys go to this panel. F6: back to the page."
                                            : "Keys go to the page: ← → walk, Space plays.");
 }
 

@@ -15,8 +15,8 @@ bool text_field(PanelContext& context, const char* id, const char* form, const c
                 std::string& typed);
 /// Behind a field that took Enter: it keeps the keyboard for another try, or lets go of it.
 void keep_typing(bool is_wanted);
-/// Below the last field of a question: whether keys go to it or to the page. Takes the same room either way.
-void say_who_has_keys();
+/// Below a field: whether keys go to it, to the panel or to the page. Takes the same room in each case.
+void say_who_has_keys(const PanelContext& context);
 
 /// A button that puts the body of a counterexample into the figure; nothing where it has none to show.
 void show_it_button(PanelContext& context, const Counterexample& counter);

@@ -57,7 +57,7 @@ void ask_for_line(PanelContext& context, const Ask& ask, DerivationWork& work, s
   work.type(typed);
   ImGui::SameLine();
   if (ImGui::Button("Next") && !typed.empty()) next();
-  say_who_has_keys();
+  say_who_has_keys(context);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ void Panels::draw(PanelContext& context, const Region& region) {
   takes_keys_ = takes_keys_ && is_focused;
   has_focus_ = is_focused && (context.session.panel != Panel::question || takes_keys_ ||
                               ImGui::GetIO().NavVisible || ImGui::GetIO().WantTextInput);
+  context.has_keys = has_focus_;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRectFullScreen();
   list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},

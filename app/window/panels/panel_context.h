@@ -37,6 +37,7 @@ struct PanelContext {
   double frame_ms = 0;      ///< wall time of the last frame in which a page was drawn
   double clock_s = 0;       ///< since the window opened
   bool take_focus = false;  ///< the panel was just opened by a key
+  bool has_keys = false;    ///< keys are for the panel (Panels::has_focus)
 };
 
 /// Of the bar in a window of this width: narrow ones have two rows.

@@ -43,7 +43,7 @@ void ask_for_words(PanelContext& context, const Ask& ask, std::string& typed) {
     keep_typing(context.session.answer(ask, typed).mark != Mark::right);
   ImGui::SameLine();
   if (ImGui::Button("Check") && !typed.empty()) context.session.answer(ask, typed);
-  say_who_has_keys();
+  say_who_has_keys(context);
 }
 
 /// What is said of a pick stands below it.
