@@ -381,6 +381,27 @@ bool states_something(const MathNode& words) {
   return std::any_of(words.children.begin(), words.children.end(), states_something);
 }
 
+std::optional<Relation> relation_of(const TexItem& item) {
+  switch (item.character) {
+    case U'=':
+      return Relation::equal;
+    case U'<':
+      return Relation::less;
+    case U'>':
+      return Relation::greater;
+    case U'≤':
+    case U'⩽':
+      return Relation::less_or_equal;
+    case U'≥':
+    case U'⩾':
+      return Relation::greater_or_equal;
+    case U'≈':
+      return Relation::approximate;
+    default:
+      return std::nullopt;
+  }
+}
+
 SourceSpan joined_span(SourceSpan first, SourceSpan last) {
   return {std::min(first.begin, last.begin), std::max(first.end, last.end)};
 }

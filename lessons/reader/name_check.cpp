@@ -3,7 +3,7 @@
 
 #include "lessons/claims/dimension.h"
 #include "lessons/claims/live_claims.h"
-#include "lessons/notation/tex_numbers.h"
+#include "lessons/notation/tex_sides.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,9 @@
 #include "lessons/reader/number_check.h"
 
 #include "base/numbers.h"
+#include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof.h"
+#include "lessons/reader/text_units.h"
 
 #include <fmt/format.h>
 
@@ -55,80 +57,6 @@ bool has_typed(const Math& math) {
                      [](const LiveNumber& n) { return !n.typed.empty(); });
 }
 
-bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> signs) {
-  return std::any_of(signs.begin(), signs.end(), [&](std::string_view s) { return text.starts_with(s); });
-}
-bool ends_with_any(std::string_view text, std::initializer_list<std::string_view> signs) {
-  return std::any_of(signs.begin(), signs.end(), [&](std::string_view s) { return text.ends_with(s); });
-}
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-/// A blank, also one that no line breaks at, cut off in front or behind.
-constexpr std::array<std::string_view, 5> kBlanks = {" ", "\n", "\u00A0", "\u2009", "\u202F"};
-bool take_blank(std::string_view& text) {
-  for (const std::string_view blank : kBlanks)
-    if (text.starts_with(blank)) return text.remove_prefix(blank.size()), true;
-  return false;
-}
-bool take_last_blank(std::string_view& text) {
-  for (const std::string_view blank : kBlanks)
-    if (text.ends_with(blank)) return text.remove_suffix(blank.size()), true;
-  return false;
-}
-
-/// "kJ" of "kilojoules"; other words as they are.
-std::string unit_in_short(std::string_view word) {
-  using Names = std::pair<std::string_view, std::string_view>;
-  constexpr std::array<Names, 10> kUnits{{{"joule", "J"},
-                                          {"watt", "W"},
-                                          {"newton", "N"},
-                                          {"metre", "m"},
-                                          {"meter", "m"},
-                                          {"second", "s"},
-                                          {"gram", "g"},
-                                          {"degree", "deg"},
-                                          {"radian", "rad"},
-                                          {"hertz", "Hz"}}};
-  constexpr std::array<Names, 6> kPrefixes{
-      {{"", ""}, {"kilo", "k"}, {"milli", "m"}, {"mega", "M"}, {"micro", "µ"}, {"centi", "c"}}};
-  for (const auto& [prefix, p] : kPrefixes)
-    for (const auto& [unit, u] : kUnits) {
-      const std::string name = std::string(prefix) + std::string(unit);
-      if (word == name || word == name + 's') return std::string(p) + std::string(u);
-    }
-  return std::string(word);
-}
-
-/// The unit that a text begins with, up to four words of it: "kg m²/s", "radians per second".
-std::string unit_at_start(std::string_view text) {
-  std::string unit, found;
-  for (int words = 0; words < 4 && !text.empty(); ++words) {
-    std::size_t end = 0;
-    const auto is_blank_at = [&](std::size_t at) {
-      std::string_view rest = text.substr(at);
-      return take_blank(rest);
-    };
-    while (end < text.size() && !is_blank_at(end)) ++end;
-    std::string_view word = text.substr(0, end);
-    bool is_last = false;
-    while (!word.empty() && std::string_view(",.;:!?)]\"'").find(word.back()) != std::string_view::npos) {
-      word.remove_suffix(1);
-      is_last = true;
-    }
-    if (word == "per" && !unit.empty())
-      unit += '/';
-    else
-      unit += (unit.empty() || unit.back() == '/' ? "" : " ") + unit_in_short(word);
-    const bool has_sign =
-        std::any_of(unit.begin(), unit.end(), [](char c) { return is_letter(c); }) || unit.starts_with("°");
-    if (has_sign && !word.empty() && scaled_unit(unit)) found = unit;
-    text.remove_prefix(end);
-    if (is_last || !take_blank(text)) break;
-  }
-  return found;
-}
-
 }  // namespace
 
 /// What the head of a column, or of a row, says that its numbers are.
@@ -156,6 +84,9 @@ void NumberCheck::refuse(const ComputedNumber& number, const std::string& messag
 void NumberCheck::check_formula(const Math& math, const Math* above, const NumbersMotion& motion,
                                 bool is_proved) {
   if (math.live.empty() || !math.root) return;
+  if (!math.tag.empty() && scaled_unit(math.tag) && is_letter(math.tag.back()))
+    refuse(number(math, 0), "the tag of this formula reads as a unit of its number: " + in_quotes(math.tag),
+           "take a number, or letters that are no unit");
   const auto read = read_equation(math, lesson_.notation, above);
   if (!read || read->is_part) return check_apart(math, above, motion);
   std::vector<const EquationLink*> links;
@@ -200,6 +131,11 @@ void NumberCheck::check_apart(const Math& math, const Math* above, const Numbers
     return refuse(number(math, at), read.error().reason, read.error().hint);
   }
   for (const PrintedUnit& unit : read->units) check_unit(number(math, unit.number), unit.unit);
+  for (const NumberName& name : read->names)
+    if (const ComputedNumber& one = number(math, name.number);
+        !can_have(dimensions_of_letter(name.letter), one.dimension))
+      refuse(one, "this number is " + to_string(*one.dimension) + ", and stands for a letter of another quantity",
+             "take another letter, or write what the letter is");
   for (const NumberStatement& statement : read->statements)
     if (!check_statement(math, statement, motion)) return;
   for (const ComponentsStatement& components : read->components) check_components(math, components, motion);

@@ -5,6 +5,7 @@
 
 #include "lessons/diagnostics/report.h"
 #include "lessons/notation/tex_numbers.h"
+#include "lessons/notation/tex_sides.h"
 #include "lessons/reader/lesson.h"
 
 #include <optional>
