@@ -58,7 +58,7 @@ constexpr std::array<Words, 23> kWords{{{"angular velocity", kRate},
                                         {"distance", kLength}}};
 
 /// What may stand before a name without making it another.
-constexpr std::array<std::string_view, 9> kBefore{"the ",   "its ",   "an ",      "a ",       "total ",
+constexpr std::array<std::string_view, 9> kBefore{"the ",   "its ",    "an ",       "a ",       "total ",
                                                   "whole ", "body's ", "constant ", "external "};
 
 }  // namespace

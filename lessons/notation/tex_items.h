@@ -65,6 +65,9 @@ bool has_proved_part(const MathNode& root);
 /// something vanishes, is constant, the half. Nobody proves words: they are to name what they stand at.
 bool states_something(const MathNode& words);
 
+/// The words of \text, one behind the other; empty of what is more than words.
+std::string words_of(const MathNode& node);
+
 /// Nothing of \sim, arrows and others, of which nothing is proved.
 std::optional<Relation> relation_of(const TexItem& item);
 

@@ -136,9 +136,11 @@ class NumberReader {
     const std::string& text = item.node->text;
     const std::size_t begin = text.find_first_not_of(" ,");
     if (begin == text.npos) return true;
-    const std::string_view words = std::string_view(text).substr(begin, text.find_last_not_of(" ,") + 1 - begin);
-    constexpr std::array<std::string_view, 12> kJoining{"and",  "so",    "hence", "thus",      "therefore", "with",
-                                                        "also", "where", "while", "that is", "i.e.",      "but"};
+    const std::string_view words =
+        std::string_view(text).substr(begin, text.find_last_not_of(" ,") + 1 - begin);
+    constexpr std::array<std::string_view, 12> kJoining{"and",       "so",      "hence", "thus",
+                                                        "therefore", "with",    "also",  "where",
+                                                        "while",     "that is", "i.e.",  "but"};
     return std::find(kJoining.begin(), kJoining.end(), words) != kJoining.end();
   }
 
@@ -261,16 +263,15 @@ class NumberReader {
     const char32_t letter = letter_of_name(side.items);
     if (letter == 0 && has_unknown(side.items)) return;
     if (letter == 0)
-      throw TexFault(place_of(side),
-                     "the other side of a computed number is not read" +
-                         (side.why_unread.empty() ? std::string() : ": " + side.why_unread),
-                     side.hint.empty() ? "write what is read, or say it in words outside of the formula"
-                                       : side.hint);
+      throw TexFault(
+          place_of(side),
+          "the other side of a computed number is not read" +
+              (side.why_unread.empty() ? std::string() : ": " + side.why_unread),
+          side.hint.empty() ? "write what is read, or say it in words outside of the formula" : side.hint);
     const auto is_read = [](const Side& other) { return other.value && !other.items.empty(); };
     const bool is_told = std::count_if(chain.sides.begin(), chain.sides.end(), is_read) > 1 &&
-                         std::all_of(chain.relations.begin(), chain.relations.end(), [](const TexItem* r) {
-                           return relation_of(*r) == Relation::equal;
-                         });
+                         std::all_of(chain.relations.begin(), chain.relations.end(),
+                                     [](const TexItem* r) { return relation_of(*r) == Relation::equal; });
     if (is_letter_of_claims(letter) && !is_told)
       throw TexFault(place_of(side),
                      "nothing says what this is, and it looks like a quantity of the motion" +
@@ -459,8 +460,7 @@ class NumberReader {
     for (const Side& side : chain.sides) {
       if (!side.is_list) continue;
       for (const TexItem* relation : chain.relations)
-        if (is_order(*relation_of(*relation)))
-          throw TexFault(relation->span, "of lists none is the greater");
+        if (is_order(*relation_of(*relation))) throw TexFault(relation->span, "of lists none is the greater");
       for (const Side& other : chain.sides) {
         if (&other == &side || (other.is_list && &other < &side)) continue;
         if (other.whole)
@@ -512,13 +512,12 @@ class NumberReader {
         const auto axis = [&](std::size_t k) {
           return atom_value(std::string("e") + axes[k], TexValue::Type::vector, part.span);
         };
-        const TexValue vector =
-            whole.is_tensor() ? applied(*whole.tensor, axis(column), part.span) : whole;
+        const TexValue vector = whole.is_tensor() ? applied(*whole.tensor, axis(column), part.span) : whole;
         const TexValue on_row = axis(row);
         const TexValue component = called("dot", vector, &on_row, TexValue::Type::scalar, part.span);
         (axes[0] == '1' ? statement.on_body : statement.on_space)
-            .push_back({expression_of(component, notation_.vocabulary),
-                        expression_of(part, notation_.vocabulary)});
+            .push_back(
+                {expression_of(component, notation_.vocabulary), expression_of(part, notation_.vocabulary)});
       }
     }
     result_.components.push_back(std::move(statement));

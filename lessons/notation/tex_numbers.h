@@ -8,8 +8,8 @@
 // another side of the chain. Or it stands alone as the exponent of e in a formula of nothing else.
 //
 // Another side is read, as an expression, a number with its unit, a vector or a list; or it is a single name
-// of which nothing is known, such as α or Δt, and the number says what it is. All else is refused: a factor, a
-// sign, a power or words beside a number would make it another, and what is not read may be anything.
+// of which nothing is known, such as α or Δt, and the number says what it is. All else is refused: a factor,
+// a sign, a power or words beside a number would make it another, and what is not read may be anything.
 #pragma once
 
 #include "lessons/notation/tex_equation.h"

@@ -31,6 +31,7 @@ std::optional<Expression> read_side(const Math& math, const EquationNotation& no
   if (!math.root || !math.live.empty()) return std::nullopt;
   try {
     TexTerms terms(math, notation);
+    terms.has_pi = true;
     terms.any_inertia = has_tensor_component(*math.root);
     const TexItems items = items_of(*math.root, kMaxEquationNesting);
     const TexValue value = terms.side(items);
@@ -83,6 +84,8 @@ std::vector<TypedStatement> typed_statements(const Math& math, const EquationNot
   }
   return statements;
 }
+
+std::string words_of_formula(const Math& math) { return math.root ? words_of(*math.root) : ""; }
 
 char32_t letter_of_name(const Math& math) {
   if (!math.root || !math.live.empty()) return 0;

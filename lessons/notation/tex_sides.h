@@ -41,6 +41,9 @@ std::optional<std::pair<Expression, std::string>> read_in_unit(const Math& math,
 /// A unit that a formula prints and nothing else, "\text{kg m}^2/\text{s}"; nothing if it is none.
 std::optional<std::string> read_unit_formula(const Math& math);
 
+/// The words of a formula that is words alone, "\text{angular momentum}"; empty of others.
+std::string words_of_formula(const Math& math);
+
 /// The letter of a name that is no quantity of the language of claims, as it is printed without its arrow
 /// and its index: U'E' of "E_0", U'α'; of "\Delta t" U't'. 0 of all else, among it letters that stand for one
 /// number or for an operation: e, i, d, π.

@@ -96,8 +96,8 @@ std::optional<TypedNumber> typed_number(Items items) {
     const TexItem& item = items[0];
     const bool is_point =
         is_symbol(item, U'.') && !has_point && items.size() > 1 && is_digit(items[1]) && is_plain(item);
-    const bool is_raised = is_digit(item) && item.sub == nullptr && item.sup != nullptr &&
-                           is_symbol(plain(*item.sup), U'∘');
+    const bool is_raised =
+        is_digit(item) && item.sub == nullptr && item.sup != nullptr && is_symbol(plain(*item.sup), U'∘');
     if (!is_point && !is_raised && !(is_digit(item) && is_plain(item))) break;
     if (has_digit && item.span.begin > end) return std::nullopt;  // digits in groups
     end = item.span.end;
@@ -150,8 +150,7 @@ char32_t letter_of_name(Items items) {
   const TexItem& item = items[0];
   constexpr char32_t kDot = 0x0307, kTwoDots = 0x0308;
   const MathNode* node = item.node;
-  const bool is_rate =
-      node->kind == Kind::accent && (node->character == kDot || node->character == kTwoDots);
+  const bool is_rate = node->kind == Kind::accent && (node->character == kDot || node->character == kTwoDots);
   if (is_rate) return 0;
   while ((node->kind == Kind::accent || node->kind == Kind::bar || node->kind == Kind::row ||
           node->kind == Kind::alphabet) &&

@@ -95,70 +95,101 @@ std::string unit_at_start(std::string_view text) {
   return found;
 }
 
+std::string unit_behind(std::string_view text) {
+  while (take_blank(text)) {
+  }
+  return unit_at_start(text);
+}
+
+std::string whole_unit(std::string_view text) {
+  std::string unit;
+  for (text = without_blanks(text); !text.empty(); text = without_blanks(text)) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    if (word == "per" && !unit.empty())
+      unit += '/';
+    else
+      unit += (unit.empty() || unit.back() == '/' ? "" : " ") + unit_in_short(word);
+    text.remove_prefix(end);
+  }
+  const bool is_unit = (has_letter(unit) || unit.starts_with("°")) && scaled_unit(unit);
+  return is_unit ? unit : "";
+}
+
 std::string take_unit_at_end(std::string& text) {
-  const std::string_view whole = without_blanks(text);
-  const auto take = [&](std::size_t end_of_words, std::string_view unit) -> std::string {
-    unit = without_blanks(unit);
-    if (!has_letter(unit) && unit != "°") return "";
-    const std::string read = unit_at_start(unit);
-    if (read.empty() || (!scaled_unit(unit) && unit.find(' ') != unit.npos && read.find(' ') == read.npos &&
-                         read.find('/') == read.npos))
-      return "";
-    std::string found = read;
-    text.erase(end_of_words);
-    return found;
+  const auto take = [&](std::size_t end_of_words, std::size_t begin, std::size_t end) {
+    std::string unit = whole_unit(std::string_view(text).substr(begin, end - begin));
+    if (!unit.empty()) text.erase(end_of_words);
+    return unit;
   };
-  const auto offset_of = [&](std::size_t at) {
-    return static_cast<std::size_t>(whole.data() - text.data()) + at;
-  };
+  const std::size_t last = text.find_last_not_of(' ');
+  if (last == text.npos) return "";
   for (const auto& [open, close] : {std::pair('(', ')'), std::pair('[', ']')})
-    if (!whole.empty() && whole.back() == close) {
-      const std::size_t at = whole.rfind(open);
-      return at == whole.npos ? "" : take(offset_of(at), whole.substr(at + 1, whole.size() - at - 2));
+    if (text[last] == close) {
+      const std::size_t at = text.rfind(open);
+      return at == text.npos ? "" : take(at, at + 1, last);
     }
   for (const std::string_view sign : {", ", " in ", "/ "}) {
-    const std::size_t at = whole.rfind(sign);
-    if (at == whole.npos) continue;
-    if (std::string unit = take(offset_of(at), whole.substr(at + sign.size())); !unit.empty()) return unit;
+    const std::size_t at = text.rfind(sign);
+    if (at == text.npos) continue;
+    if (std::string unit = take(at, at + sign.size(), last + 1); !unit.empty()) return unit;
   }
-  // "energy/kJ"; of "rad/s" the stroke is its own.
-  const std::size_t stroke = whole.find('/');
-  if (stroke != whole.npos && stroke > 0)
-    return take(offset_of(stroke), whole.substr(stroke + 1));
-  return "";
+  // "energy/kJ"; in "rad/s" alone the stroke belongs to the unit.
+  const std::size_t stroke = text.find('/');
+  return stroke != text.npos && stroke > 0 && whole_unit(text).empty() ? take(stroke, stroke + 1, last + 1)
+                                                                       : "";
 }
 
 std::string unit_said_before(std::string_view text) {
+  text = without_blanks(text);
   const std::size_t in = text.rfind("in ");
   if (in == text.npos || (in > 0 && is_letter(text[in - 1]))) return "";
-  const std::string_view behind = text.substr(in + 3);
-  const std::string unit = unit_at_start(behind);
-  if (unit.empty()) return "";
-  // Behind the unit there is a verb, or a colon.
-  std::string_view rest = behind.substr(std::min(behind.find_first_of(" :,"), behind.size()));
-  const std::string_view last = without_blanks(rest);
-  if (last == ":" || last == "," || last.empty()) return last == "," ? "" : unit;
-  return ends_with_any(last, {" is", " are", " was", " of", "is", ":", "about", "comes to"}) &&
-                 std::count(last.begin(), last.end(), ' ') < 3
-             ? unit
-             : "";
-}
-
-std::string_view factor_before(std::string_view text) {
-  constexpr std::array<std::string_view, 12> kFactors{"minus",  "plus", "twice",  "thrice", "half",     "double",
-                                                      "triple", "times", "negative", "half of", "a third of",
-                                                      "a quarter of"};
-  text = without_blanks(text);
-  for (const std::string_view factor : kFactors)
-    if (text.ends_with(factor) &&
-        (text.size() == factor.size() || !is_letter(text[text.size() - factor.size() - 1])))
-      return factor;
+  std::string_view unit = text.substr(in + 3);
+  for (const std::string_view verb : {" is about", " is", " are", " was", " comes to", ":"})
+    if (unit.ends_with(verb)) {
+      unit.remove_suffix(verb.size());
+      return whole_unit(unit);
+    }
   return "";
 }
 
+std::string_view name_said_before(std::string_view text) {
+  text = without_blanks(text);
+  for (const std::string_view verb : {" is now", " is about", " is", " are", " was", " comes to", " of", ":"})
+    if (text.ends_with(verb)) {
+      text.remove_suffix(verb.size());
+      const std::size_t before = text.find_last_of(".,;:!?(");
+      return without_blanks(before == text.npos ? text : text.substr(before + 1));
+    }
+  return "";
+}
+
+std::optional<Relation> relation_said(std::string_view words) {
+  words = without_blanks(words);
+  for (const std::string_view verb : {"is", "equals", "is now", "comes to"})
+    if (words == verb) return Relation::equal;
+  for (const std::string_view verb : {"is about", "is nearly"})
+    if (words == verb) return Relation::approximate;
+  if (words == "is more than" || words == "is greater than") return Relation::greater;
+  if (words == "is less than" || words == "is smaller than") return Relation::less;
+  return std::nullopt;
+}
+
+std::string_view factor_before(std::string_view text) {
+  constexpr std::array<std::string_view, 9> kFactors{
+      "minus", "negative", "twice", "thrice", "half", "double", "triple", "a third of", "a quarter of"};
+  text = without_blanks(text);
+  for (const std::string_view factor : kFactors) {
+    const bool is_word = text.size() == factor.size() ||
+                         (text.size() > factor.size() && !is_letter(text[text.size() - factor.size() - 1]));
+    if (is_word && text.ends_with(factor)) return factor;
+  }
+  return text.ends_with(" times") ? "times" : "";
+}
+
 std::string_view factor_behind(std::string_view text) {
-  constexpr std::array<std::string_view, 8> kFactors{"dozen",   "hundred", "thousand", "million",
-                                                     "billion", "squared", "cubed",    "times "};
+  constexpr std::array<std::string_view, 7> kFactors{"dozen",   "hundred", "thousand", "million",
+                                                     "billion", "squared", "cubed"};
   for (const std::string_view factor : kFactors)
     if (text.starts_with(factor)) return factor;
   return "";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_numbers.h"
+
 #include "lessons/notation/tex_sides.h"
 
 #include <gmock/gmock.h>

@@ -9,9 +9,9 @@
 namespace polhode {
 namespace {
 
+using testing::complaints_of;
 using ::testing::IsEmpty;
 using ::testing::Not;
-using testing::complaints_of;
 
 constexpr const char* kScene = "```scene\nshow = [\"omega\"]\n```\n";
 
@@ -29,8 +29,8 @@ TEST(FalseNumbers, HaveNothingBesideThemThatStatesNothing) {
        {R"(T = \live{T}\quad\mathrm{kJ})", R"(T = \live{T}\quad k J)", R"(T = \live{T},\ \mathrm{kJ})",
         R"(T = \live{T}, \quad \text{in kJ})", R"(T = \live{T}\quad 10^3)", R"(T = \live{T},\; \cdot 10^3)",
         R"(- , T = \live{T})", R"(2\quad T = \live{T})", R"(2, T = \live{T})", R"(\lnot\quad T = \live{T})",
-        R"(\text{not:}\quad T = \live{T})", R"(\text{per hour: } T = \live{T})",
-        R"(T \quad \live{w3})", R"(T, \live{w3})", R"(T; \live{w3})"})
+        R"(\text{not:}\quad T = \live{T})", R"(\text{per hour: } T = \live{T})", R"(T \quad \live{w3})",
+        R"(T, \live{w3})", R"(T; \live{w3})"})
     expect_refused(tex);
   for (const char* tex :
        {R"(\begin{gathered}T = \live{T}\\ \times 10^{3}\end{gathered})",
@@ -46,21 +46,52 @@ TEST(FalseNumbers, HaveBothSidesOfTheirSigns) {
 }
 
 TEST(FalseNumbers, AreThoseOfAnotherSideThatIsDefinite) {
-  for (const char* tex :
-       {R"(\pi = \live{w3})", R"(2\pi = \live{w3})", R"(\frac{\pi}{2} = \live{w3})", R"(5! = \live{w3})",
-        R"(e = \live{w3})", R"(\infty = \live{w3})", R"(7\times2 = \live{w3})", R"(7\,2 = \live{w3})",
-        R"(90^\circ = \live[unit={deg}]{atan2(w1,w2)})", R"(5\,\mathrm{J} = \live{2*T})",
-        R"(\live{T} > 100\,\mathrm{MJ})", R"(45\,\text{J} < \live{T} < 45.1\,\text{J})", R"(\live{w3} > 10\pi)",
-        R"(\live{w3} > \tan 1.57)", R"(t = \live{T})", R"(t > \live{T})", R"(T(0) = \live{w3})",
-        R"(T(t) = \live{w3})", R"(\ln T = \live{T})", R"(\max T = \live{w3})", R"(\int T\,dt = \live{T})",
-        R"(|\omega_1| = \live{w3})", R"(\sqrt[3]{T} = \live{T})", R"(\overline{T} = \live{w3})",
-        R"(\mathrm{T} = \live{w3})", R"(\mathbf{T} = \live{w3})", R"(\operatorname{T} = \live{w3})",
-        R"(T_0 = \live{w3})", R"(T_{\text{kin}} = \live{w1})", R"(\Delta T = \live{w3})",
-        R"(\omega_z = \live{w1})", R"(L_x = \live{w1})", R"(\omega = \live{T})", R"(\omega^2 = \live{w1})",
-        R"(L = \live{w1})", R"(\frac12 L = \live{w1})", R"(I = \live{T})", R"(E = \live{w1})",
-        R"(\theta = \live{T})", R"(\text{energy} = \live{w1})", R"(\omega_3\,\mathrm{s} = \live{w1})",
-        R"(\vec\omega\bullet\vec L = \live{w1})", R"(\vec L = \live{w1})", R"(\dddot\omega_1 = \live{w3})",
-        R"(T_{t=5} = \live{w3})", R"(3\sqrt{2}\,\text{J} = \live{T})"})
+  for (const char* tex : {R"(\pi = \live{w3})",
+                          R"(2\pi = \live{w3})",
+                          R"(\frac{\pi}{2} = \live{w3})",
+                          R"(5! = \live{w3})",
+                          R"(e = \live{w3})",
+                          R"(\infty = \live{w3})",
+                          R"(7\times2 = \live{w3})",
+                          R"(7\,2 = \live{w3})",
+                          R"(90^\circ = \live[unit={deg}]{atan2(w1,w2)})",
+                          R"(5\,\mathrm{J} = \live{2*T})",
+                          R"(\live{T} > 100\,\mathrm{MJ})",
+                          R"(45\,\text{J} < \live{T} < 45.1\,\text{J})",
+                          R"(\live{w3} > 10\pi)",
+                          R"(\live{w3} > \tan 1.57)",
+                          R"(t = \live{T})",
+                          R"(t > \live{T})",
+                          R"(T(0) = \live{w3})",
+                          R"(T(t) = \live{w3})",
+                          R"(\ln T = \live{T})",
+                          R"(\max T = \live{w3})",
+                          R"(\int T\,dt = \live{T})",
+                          R"(|\omega_1| = \live{w3})",
+                          R"(\sqrt[3]{T} = \live{T})",
+                          R"(\overline{T} = \live{w3})",
+                          R"(\mathrm{T} = \live{w3})",
+                          R"(\mathbf{T} = \live{w3})",
+                          R"(\operatorname{T} = \live{w3})",
+                          R"(T_0 = \live{w3})",
+                          R"(T_{\text{kin}} = \live{w1})",
+                          R"(\Delta T = \live{w3})",
+                          R"(\omega_z = \live{w1})",
+                          R"(L_x = \live{w1})",
+                          R"(\omega = \live{T})",
+                          R"(\omega^2 = \live{w1})",
+                          R"(L = \live{w1})",
+                          R"(\frac12 L = \live{w1})",
+                          R"(I = \live{T})",
+                          R"(E = \live{w1})",
+                          R"(\theta = \live{T})",
+                          R"(\text{energy} = \live{w1})",
+                          R"(\omega_3\,\mathrm{s} = \live{w1})",
+                          R"(\vec\omega\bullet\vec L = \live{w1})",
+                          R"(\vec L = \live{w1})",
+                          R"(\dddot\omega_1 = \live{w3})",
+                          R"(T_{t=5} = \live{w3})",
+                          R"(3\sqrt{2}\,\text{J} = \live{T})"})
     expect_refused(tex);
 }
 
@@ -82,7 +113,8 @@ TEST(TrueNumbers, AreAcceptedBesideWhatIsReadOrNothingKnown) {
         R"(E_0 = \live[unit={J}]{T})", R"(\frac{1}{\sigma} = \live{I1/I3})",
         R"((T, \omega_1) = (\live{T}, \live{w1}))", R"(\vec r = (\live{w1}, \live{w2}, \live{w3}))",
         R"(\omega_1 = \live{w1},\quad \omega_2 = \live{w2} \quad\text{and}\quad \omega_3 = \live{w3})",
-        R"(\live{w1},\; \live{w2},\; \live{w3})", R"(\vec L = [\live{comp(L, 1)}, \live{comp(L, 2)}, \live{comp(L, 3)}])",
+        R"(\live{w1},\; \live{w2},\; \live{w3})",
+        R"(\vec L = [\live{comp(L, 1)}, \live{comp(L, 2)}, \live{comp(L, 3)}])",
         R"(0 \le \live[unit={deg}]{acos(dot(ez, e3))} \le 180^\circ)"})
     expect_accepted(tex);
 }
