@@ -15,10 +15,12 @@ struct Letters {
   std::u32string_view letters;
   Dimension dimension;
 };
-/// A letter of several rows can be each of them. A torque is measured in units of energy.
-constexpr std::array<Letters, 12> kLetters{{{U"TEHUK", kEnergy},
+/// A letter of several rows can be each of them. A torque is measured in units of energy; what is last are
+/// letters of ratios and counts, too.
+constexpr std::array<Letters, 15> kLetters{{{U"TEHUK", kEnergy},
                                             {U"NMτ", kEnergy},
-                                            {U"tτ", kTime},
+                                            {U"H", kAngularMomentum},
+                                            {U"tτP", kTime},
                                             {U"θϑφϕψ", kNumber},
                                             {U"ωΩ", kRate},
                                             {U"L", kAngularMomentum},
@@ -26,14 +28,16 @@ constexpr std::array<Letters, 12> kLetters{{{U"TEHUK", kEnergy},
                                             {U"mM", kMass},
                                             {U"p", kMomentum},
                                             {U"v", kVelocity},
+                                            {U"v", kRate},
                                             {U"F", kForce},
-                                            {U"P", kPower}}};
+                                            {U"P", kPower},
+                                            {U"NpvFMUPK", kNumber}}};
 
 struct Words {
   std::string_view words;
   Dimension dimension;
 };
-constexpr std::array<Words, 23> kWords{{{"angular velocity", kRate},
+constexpr std::array<Words, 22> kWords{{{"angular velocity", kRate},
                                         {"angular momentum", kAngularMomentum},
                                         {"angular acceleration", {0, 0, -2}},
                                         {"energy", kEnergy},
@@ -54,7 +58,6 @@ constexpr std::array<Words, 23> kWords{{{"angular velocity", kRate},
                                         {"time", kTime},
                                         {"period", kTime},
                                         {"angle", kNumber},
-                                        {"length", kLength},
                                         {"distance", kLength}}};
 
 /// What may stand before a name without making it another.

@@ -116,7 +116,7 @@ class NumberReader {
     if (!is_whole || chains.empty()) return;
     // "T = 3.8, 10^3": what is no statement would be read with the number.
     for (const Chain& chain : chains)
-      if (chain.relations.empty() && chain.sides.front().numbers == 0)
+      if (chain.relations.empty() && chain.sides.front().numbers == 0 && !is_dots(chain.sides.front().items))
         throw TexFault(place_of(chain.sides.front()),
                        "this stands beside a number that is computed, and states nothing itself", kAlone);
     const Side &first = chains.front().sides.front(), &last = chains.back().sides.back();
@@ -129,6 +129,12 @@ class NumberReader {
     // "= 3.8": what it is said of stands before the formula.
     const Chain& chain = chains.front();
     if (first.items.empty() && chain.sides.size() > 1) result_.first = chain.sides[1].alone;
+  }
+
+  /// "1, 2, …, 7"
+  static bool is_dots(Items items) {
+    return items.size() == 1 && (is_symbol(items[0], U'…') || is_symbol(items[0], U'⋯')) &&
+           is_plain(items[0]);
   }
 
   /// "and", "so" part what is said of two things, and say nothing of either.
@@ -200,7 +206,7 @@ class NumberReader {
         continue;
       }
       const char32_t letter = letter_of_name({&item, 1});
-      const bool is_own = !is_letter_of_claims(letter) || (item.sub != nullptr && has_words(*item.sub));
+      const bool is_own = !is_letter_of_rotation(letter) || (item.sub != nullptr && has_words(*item.sub));
       if (letter != 0 && letter != U't' && is_own && !is_upright(item)) return true;
       if (letter != 0) continue;
       for (const MathNode& child : item.node->children)
@@ -272,7 +278,7 @@ class NumberReader {
     const bool is_told = std::count_if(chain.sides.begin(), chain.sides.end(), is_read) > 1 &&
                          std::all_of(chain.relations.begin(), chain.relations.end(),
                                      [](const TexItem* r) { return relation_of(*r) == Relation::equal; });
-    if (is_letter_of_claims(letter) && !is_told)
+    if (is_letter_of_rotation(letter) && !is_told)
       throw TexFault(place_of(side),
                      "nothing says what this is, and it looks like a quantity of the motion" +
                          (side.why_unread.empty() ? std::string() : ": " + side.why_unread),
@@ -307,7 +313,7 @@ class NumberReader {
         side.whole = std::move(value);
     } catch (const TexFault& fault) {
       const char32_t letter = letter_of_name(items);
-      if (letter == 0 || is_letter_of_claims(letter))
+      if (letter == 0 || is_letter_of_rotation(letter))
         throw TexFault(math_.root->span, std::string(kUnread) + ": " + fault.what(), kHint);
     }
   }

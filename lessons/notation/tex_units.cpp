@@ -168,8 +168,8 @@ char32_t letter_of_name(Items items) {
   return is_letter && kNoNames.find(c) == kNoNames.npos ? c : U'\0';
 }
 
-bool is_letter_of_claims(char32_t letter) {
-  return std::u32string_view(U"TIωLNmpvFA").find(letter) != std::u32string_view::npos;
+bool is_letter_of_rotation(char32_t letter) {
+  return std::u32string_view(U"TIωL").find(letter) != std::u32string_view::npos;
 }
 
 }  // namespace polhode

@@ -23,7 +23,7 @@ std::string in_si(const TypedNumber& number);
 /// See tex_sides.h.
 char32_t letter_of_name(std::span<const TexItem> items);
 
-/// Whether quantities of the language of claims have this letter.
-bool is_letter_of_claims(char32_t letter);
+/// T, I, ω and L: whatever index one has, it is read as what every body has that turns.
+bool is_letter_of_rotation(char32_t letter);
 
 }  // namespace polhode

@@ -332,9 +332,11 @@ void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t a
     text.remove_prefix(1);
     if (text.empty() || take_blank(text)) return;
   }
+  const bool is_factorial = text.starts_with("!") && !has_unit;
   const bool is_sign =
-      starts_with_any(text, {"=", "<", ">", "≤", "≥", "≈", "≠", "±", "×", "·", "+", "−", "*", "^",
-                             "/", "²", "³", "⁴", "⁻", "¹", "~", "∼", "≡", "½", "¼", "¾", "!"}) ||
+      is_factorial ||
+      starts_with_any(text, {"=", "<", ">", "≤", "≥", "≈", "≠", "±", "×", "·", "+", "−", "*",
+                             "^", "/", "²", "³", "⁴", "⁻", "¹", "~", "∼", "≡", "½", "¼", "¾"}) ||
       (!has_blank && text.size() > 1 && std::string_view("-–.,").find(text[0]) != std::string_view::npos &&
        is_digit(text[1]));
   if (is_sign) return refuse(number, "a sign stands behind this number, outside of its formula", kOneFormula);
@@ -392,10 +394,36 @@ void NumberCheck::check_shared(const std::vector<int>& ids, const std::vector<co
   }
 }
 
+namespace {
+
+/// "T = 3 kJ" in plain words, as a formula.
+std::optional<Math> statement_in_words(const std::string& text) {
+  constexpr std::string_view kEquals = " = ";
+  const std::size_t at = text.find(kEquals);
+  if (at == text.npos || at == 0) return std::nullopt;
+  const std::size_t before = text.find_last_of(" (,;", at - 1);
+  const std::string name =
+      text.substr(before == text.npos ? 0 : before + 1, at - (before == text.npos ? 0 : before + 1));
+  const std::size_t begin = at + kEquals.size();
+  std::size_t end = begin;
+  while (end < text.size() && (is_digit(text[end]) || text[end] == '-' ||
+                               (text[end] == '.' && end + 1 < text.size() && is_digit(text[end + 1]))))
+    ++end;
+  if (name.size() != 1 || !is_letter(name.front()) || end == begin) return std::nullopt;
+  const std::string unit = unit_behind(std::string_view(text).substr(end));
+  auto math = parse_math(name + " = " + text.substr(begin, end - begin) +
+                         (unit.empty() ? "" : "\\,\\text{" + unit + '}'));
+  return math ? std::optional(std::move(*math)) : std::nullopt;
+}
+
+}  // namespace
+
 bool NumberCheck::has_typed_numbers(const RichText& text) const {
   for (const TextBlock& block : text)
     for (const TextSpan& span : block.spans)
-      if (span.kind == TextSpan::Kind::math && !typed_statements(span.math, notation_).empty()) return true;
+      if ((span.kind == TextSpan::Kind::math && !typed_statements(span.math, notation_).empty()) ||
+          (span.kind == TextSpan::Kind::text && statement_in_words(span.text)))
+        return true;
   return false;
 }
 
@@ -404,14 +432,16 @@ void NumberCheck::check_typed(const RichText& text, const SceneModel& model, dou
   for (const TextBlock& block : text)
     for (std::size_t i = 0; i < block.spans.size(); ++i) {
       const TextSpan& span = block.spans[i];
-      if (span.kind != TextSpan::Kind::math) continue;
-      for (TypedStatement& statement : typed_statements(span.math, notation_)) {
+      const auto in_words = span.kind == TextSpan::Kind::text ? statement_in_words(span.text) : std::nullopt;
+      const Math* math = span.kind == TextSpan::Kind::math ? &span.math : in_words ? &*in_words : nullptr;
+      if (math == nullptr) continue;
+      for (TypedStatement& statement : typed_statements(*math, notation_)) {
         if (statement.number.unit.empty() && i + 1 < block.spans.size() && !span.break_after)
           statement.number.unit = unit_behind(block.spans[i + 1].text);
         const auto wrong = wrong_value(statement, model, {still_s, 0});
         if (wrong)
           return report_.error(place,
-                               "a caption says $" + span.text + "$, and on its motion that is " +
+                               "a caption says " + in_quotes(span.text) + ", and on its motion that is " +
                                    digits(*wrong, kDigitsOfHint) + " at t = " + digits(still_s, 3) + " s",
                                "write the number as \\value{…}{…}, or leave it out");
       }

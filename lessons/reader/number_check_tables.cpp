@@ -64,7 +64,7 @@ NumberCheck::Head NumberCheck::head_of(const TextTable::Cell& cell) const {
   if (is_letter_alone)
     if (const auto math = parse_math(rest)) {
       head.is = read_side(*math, notation_);
-      if (!head.is && head.unit.empty()) head.unit = whole_unit(rest);
+      if (!head.is && head.unit.empty() && rest != "N") head.unit = whole_unit(rest);  // N counts, too
       if (!head.is && head.unit.empty() && rest.size() == 1)
         head.dimensions = dimensions_of_letter(letter_of_name(*math));
     }

@@ -184,7 +184,15 @@ std::string_view factor_before(std::string_view text) {
                          (text.size() > factor.size() && !is_letter(text[text.size() - factor.size() - 1]));
     if (is_word && text.ends_with(factor)) return factor;
   }
-  return text.ends_with(" times") ? "times" : "";
+  // "three times", not "at times".
+  if (!text.ends_with(" times")) return "";
+  text.remove_suffix(std::string_view(" times").size());
+  constexpr std::array<std::string_view, 15> kCounts{"two",   "three", "four",    "five",     "six",
+                                                     "seven", "eight", "nine",    "ten",      "hundred",
+                                                     "many",  "dozen", "million", "thousand", "billion"};
+  const bool is_count = std::any_of(kCounts.begin(), kCounts.end(),
+                                    [&](std::string_view count) { return text.ends_with(count); });
+  return is_count || (!text.empty() && is_digit(text.back())) ? "times" : "";
 }
 
 std::string_view factor_behind(std::string_view text) {

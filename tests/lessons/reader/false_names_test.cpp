@@ -157,13 +157,13 @@ TEST(FalseWords, AroundNumbers) {
            "It is " + in_joules + " per turn.", "It is " + number + " (J).",
            "The energy in J is " + number + ".", "The energy $T$ is " + number + " J.",
            "The kinetic energy is " + in_joules + ".", "It turns $\\live{w1/(2*pi)}$ times per second.",
-           "$2T$ is more than " + number + "."})
+           "$2T$ is more than " + number + ".", "At times " + in_joules + "!"})
     expect_accepted(text + "\n");
 }
 
 TEST(FalseCaptions, OfOnePictureOrOfSeveral) {
   for (const char* keys :
-       {R"(caption = '$T = 3$')", R"(caption = '$\omega_3 = 4$ rad/s')",
+       {R"(caption = '$T = 3$')", R"(caption = "T = 3 kJ")", R"(caption = '$\omega_3 = 4$ rad/s')",
         "vary = { omega3 = { from = 1, to = 9 } }\ncaption = '$\\omega_3 = 3$'",
         "scenes = [{ omega = [1, 0, 0] }, { omega = [2, 0, 0] }]\ncaption = '$\\omega_1 = 1$'",
         "scenes = [{ omega = [1, 0, 0] }, { omega = [0, 0, 2], caption = '$\\omega_3 = 9$' }]"})

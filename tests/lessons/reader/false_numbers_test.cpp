@@ -113,7 +113,8 @@ TEST(TrueNumbers, AreAcceptedBesideWhatIsReadOrNothingKnown) {
         R"(E_0 = \live[unit={J}]{T})", R"(\frac{1}{\sigma} = \live{I1/I3})",
         R"((T, \omega_1) = (\live{T}, \live{w1}))", R"(\vec r = (\live{w1}, \live{w2}, \live{w3}))",
         R"(\omega_1 = \live{w1},\quad \omega_2 = \live{w2} \quad\text{and}\quad \omega_3 = \live{w3})",
-        R"(\live{w1},\; \live{w2},\; \live{w3})",
+        R"(\live{w1},\; \live{w2},\; \live{w3})", R"(\live{w1}, \ldots, \live{w3})",
+        R"(P = \live[unit={s}]{1/w3})", R"(p = \live{I3/I1})", R"(\dot\varphi = \live{w3})",
         R"(\vec L = [\live{comp(L, 1)}, \live{comp(L, 2)}, \live{comp(L, 3)}])",
         R"(0 \le \live[unit={deg}]{acos(dot(ez, e3))} \le 180^\circ)"})
     expect_accepted(tex);
