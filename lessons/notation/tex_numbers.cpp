@@ -2,6 +2,7 @@
 #include "lessons/notation/tex_numbers.h"
 
 #include "lessons/notation/tex_atoms.h"
+#include "lessons/notation/tex_number_parts.h"
 #include "lessons/notation/tex_terms.h"
 #include "lessons/notation/tex_units.h"
 
@@ -16,42 +17,6 @@ namespace {
 using Kind = MathNode::Kind;
 using ItemKind = TexItem::Kind;
 using Items = TexTerms::Items;
-
-std::size_t numbers_below(const MathNode& node) {
-  if (index_of_live(node)) return 1;
-  std::size_t count = 0;
-  for (const MathNode& child : node.children) count += numbers_below(child);
-  return count;
-}
-
-std::size_t numbers_in(const TexItem& item) {
-  if (item.kind == ItemKind::group && item.open != U'⏟') {
-    std::size_t count = 0;
-    for (const TexItem& inner : item.inside) count += numbers_in(inner);
-    for (const MathNode* script : {item.sub, item.sup})
-      if (script != nullptr) count += numbers_below(*script);
-    return count;
-  }
-  std::size_t count = 0;
-  for (const MathNode* part : {item.node, item.sub, item.sup, item.label})
-    if (part != nullptr) count += numbers_below(*part);
-  return count;
-}
-
-std::size_t numbers_in(Items items) {
-  std::size_t count = 0;
-  for (const TexItem& item : items) count += numbers_in(item);
-  return count;
-}
-
-std::optional<std::size_t> number_of(const TexItem& item) {
-  if (item.kind != ItemKind::operand || item.node == nullptr) return std::nullopt;
-  return index_of_live(*item.node);
-}
-
-bool is_break(const TexItem& item) {
-  return item.kind == ItemKind::comma || item.kind == ItemKind::gap || item.kind == ItemKind::line;
-}
 
 constexpr const char* kAlone =
     "let it stand alone between = and commas, its unit within: \\live[unit={kJ}]{T}; write factors and signs "
@@ -131,25 +96,6 @@ class NumberReader {
     if (first.items.empty() && chain.sides.size() > 1) result_.first = chain.sides[1].alone;
   }
 
-  /// "1, 2, …, 7"
-  static bool is_dots(Items items) {
-    return items.size() == 1 && (is_symbol(items[0], U'…') || is_symbol(items[0], U'⋯')) &&
-           is_plain(items[0]);
-  }
-
-  /// "and", "so" part what is said of two things, and say nothing of either.
-  static bool joins_sentences(const TexItem& item) {
-    const std::string& text = item.node->text;
-    const std::size_t begin = text.find_first_not_of(" ,");
-    if (begin == text.npos) return true;
-    const std::string_view words =
-        std::string_view(text).substr(begin, text.find_last_not_of(" ,") + 1 - begin);
-    constexpr std::array<std::string_view, 12> kJoining{"and",       "so",      "hence", "thus",
-                                                        "therefore", "with",    "also",  "where",
-                                                        "while",     "that is", "i.e.",  "but"};
-    return std::find(kJoining.begin(), kJoining.end(), words) != kJoining.end();
-  }
-
   /// Whether words go on with what stands before them as a unit behind a number does.
   bool is_in_unit(Items items, std::size_t at) const {
     if (joins_sentences(items[at]) && items[at].node->text.find_first_not_of(' ') != std::string::npos)
@@ -205,7 +151,9 @@ class NumberReader {
         if (known->uses(Quantity::h) || known->uses(Quantity::k)) return true;  // any numbers
         continue;
       }
-      const char32_t letter = letter_of_name({&item, 1});
+      TexItem base = item;
+      base.sup = nullptr;
+      const char32_t letter = letter_of_name({&base, 1});
       const bool is_own = !is_letter_of_rotation(letter) || (item.sub != nullptr && has_words(*item.sub));
       if (letter != 0 && letter != U't' && is_own && !is_upright(item)) return true;
       if (letter != 0) continue;
@@ -223,15 +171,6 @@ class NumberReader {
     } catch (const TexFault&) {
       return std::nullopt;
     }
-  }
-
-  static bool has_words(const MathNode& node) {
-    return node.kind == Kind::text || std::any_of(node.children.begin(), node.children.end(), has_words);
-  }
-
-  /// As units are.
-  static bool is_upright(const TexItem& item) {
-    return item.node->kind == Kind::symbol && item.node->alphabet == Alphabet::upright;
   }
 
   /// "3\sqrt{2}\,\text{s}^{-1}": what is made of numbers alone, and a unit. Nothing of other sides.
@@ -265,7 +204,7 @@ class NumberReader {
     if (side.whole && !has_list)
       throw TexFault(place_of(side), "this is no number, and stands beside one that is computed",
                      "write a component, or the length |\\vec a|");
-    if (side.value || side.whole || (has_list && !cells_of(side).empty())) return;
+    if (side.value || side.whole || (has_list && !cells_of(side.items).empty())) return;
     const char32_t letter = letter_of_name(side.items);
     if (letter == 0 && has_unknown(side.items)) return;
     if (letter == 0)
@@ -394,15 +333,6 @@ class NumberReader {
     return true;
   }
 
-  void collect(const TexItem& item, std::vector<std::size_t>& numbers) const {
-    const auto below = [&](const auto& self, const MathNode& node) -> void {
-      if (const auto index = index_of_live(node)) numbers.push_back(*index);
-      for (const MathNode& child : node.children) self(self, child);
-    };
-    if (item.node != nullptr && item.kind == ItemKind::operand) below(below, *item.node);
-    for (const TexItem& inner : item.inside) collect(inner, numbers);
-  }
-
   bool is_exponential(const Side& side) {
     if (side.items.size() != 1 || side.items[0].sup == nullptr || side.items[0].sub != nullptr) return false;
     const TexItem& e = side.items[0];
@@ -430,26 +360,6 @@ class NumberReader {
     }
   }
 
-  /// What stands between brackets with commas, or in the cells of a matrix; empty of what is neither.
-  static std::vector<TexItems> cells_of(const Side& side) {
-    std::vector<TexItems> cells;
-    if (side.items.empty()) return cells;
-    const TexItem& first = side.items.front();
-    if (first.kind == ItemKind::group && first.open != U'|' && first.open != U'⏟') {
-      cells.emplace_back();
-      for (const TexItem& item : first.inside) {
-        if (item.kind == ItemKind::comma)
-          cells.emplace_back();
-        else if (item.kind != ItemKind::gap)
-          cells.back().push_back(item);
-      }
-    } else if (first.kind == ItemKind::operand && first.node->kind == Kind::grid) {
-      for (const MathNode& cell : first.node->children)
-        cells.push_back(items_of(cell, kMaxEquationNesting - 1));
-    }
-    return cells;
-  }
-
   /// A number, or what is read.
   TexValue value_of_cell(const TexItems& cell, std::optional<std::size_t>& number) {
     bool has_unit = false;
@@ -471,14 +381,14 @@ class NumberReader {
         if (&other == &side || (other.is_list && &other < &side)) continue;
         if (other.whole)
           compare_components(*other.whole, side);
-        else if (!other.items.empty() && (other.value || !cells_of(other).empty()))
+        else if (!other.items.empty() && (other.value || !cells_of(other.items).empty()))
           compare_cells(other, side);
       }
     }
   }
 
   void compare_cells(const Side& left, const Side& right) {
-    const std::vector<TexItems> a = cells_of(left), b = cells_of(right);
+    const std::vector<TexItems> a = cells_of(left.items), b = cells_of(right.items);
     if (a.size() != b.size())
       throw TexFault(place_of(right), "the two sides of this list have not as many entries",
                      "write a number for each");
@@ -498,7 +408,7 @@ class NumberReader {
 
   /// A vector has three components, a tensor nine.
   void compare_components(const TexValue& whole, const Side& side) {
-    const std::vector<TexItems> cells = cells_of(side);
+    const std::vector<TexItems> cells = cells_of(side.items);
     const bool is_square = side.items.front().kind == ItemKind::group ||
                            side.items.front().node->grid->columns == (whole.is_tensor() ? 3 : 1) ||
                            (!whole.is_tensor() && side.items.front().node->grid->columns == 3);

@@ -6,6 +6,7 @@
 #include "lessons/claims/proof.h"
 #include "lessons/derivation/derivation.h"
 #include "lessons/diagnostics/report.h"
+#include "lessons/reader/formula_signs.h"
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/name_check.h"
 #include "lessons/reader/number_check.h"
@@ -344,23 +345,6 @@ class ClaimCheck {
       compare_letters(claim, (*named)->math);
   }
 
-  /// What a verdict stands below is to be seen as it is written.
-  static bool hides_something(const MathNode& node) {
-    constexpr double kThin = -0.17;  // em, of \!
-    if (node.kind == MathNode::Kind::color) return true;
-    if (node.kind == MathNode::Kind::space && node.amount < kThin) return true;
-    return std::any_of(node.children.begin(), node.children.end(), hides_something);
-  }
-
-  /// Whether it has ≠, ≡, → or another relation of which nothing is proved.
-  static bool says_no_equality(const MathNode& node) {
-    if (node.kind == MathNode::Kind::cancel && node.character == U'n') return true;
-    const bool is_relation = node.kind == MathNode::Kind::symbol && node.atom == MathClass::relation;
-    if (is_relation && std::u32string_view(U"=<>≤≥⩽⩾≈:⇒⟹⇏").find(node.character) == std::u32string_view::npos)
-      return true;
-    return std::any_of(node.children.begin(), node.children.end(), says_no_equality);
-  }
-
   void compare(const Claim& claim, const ReadEquation& formula) {
     std::vector<const EquationLink*> links;
     for (const EquationSentence& sentence : formula.sentences)
@@ -440,20 +424,6 @@ class ClaimCheck {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
     return text;
-  }
-
-  /// Functions and signs that no claim has: sinh, ∫.
-  static std::set<std::string> operators_in(const MathNode& node) {
-    std::set<std::string> found;
-    if (node.atom == MathClass::large && node.kind == MathNode::Kind::text && node.text != "tr") {
-      static const std::set<std::string, std::less<>> kRead = {"sin", "cos", "arccos", "arctan", "det"};
-      if (!kRead.contains(node.text)) found.insert(node.text);
-    } else if (node.atom == MathClass::large && node.kind == MathNode::Kind::symbol &&
-               node.character != U'∑') {
-      found.insert("an integral or another large sign");
-    }
-    for (const MathNode& child : node.children) found.merge(operators_in(child));
-    return found;
   }
 
   void check_measured(const Claim& claim, const ClaimLine& line, const Step& step) {

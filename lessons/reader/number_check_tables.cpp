@@ -68,6 +68,11 @@ NumberCheck::Head NumberCheck::head_of(const TextTable::Cell& cell) const {
       if (!head.is && head.unit.empty() && rest.size() == 1)
         head.dimensions = dimensions_of_letter(letter_of_name(*math));
     }
+  // "3" is how a row or a column is called, and no value.
+  const auto is_measured = [](const ExpressionNode& node) {
+    return node.operation == Operation::quantity || node.operation == Operation::constant;
+  };
+  if (head.is && std::none_of(head.is->nodes.begin(), head.is->nodes.end(), is_measured)) head.is.reset();
   return head;
 }
 
@@ -79,7 +84,7 @@ void NumberCheck::check_head(const Head& head, const ComputedNumber& number,
                   "the head " + in_quotes(head.text) + " has a unit, and that of the column stands behind it",
                   "leave the one in the head out");
   // "180/pi*acos(…)" is in degrees by itself.
-  const bool is_converted = head.unit == "°" && number.expression.uses(Operation::pi);
+  const bool is_converted = starts_with_any(head.unit, {"°", "deg"}) && number.expression.uses(Operation::pi);
   if (!head.unit.empty() && !is_converted) check_unit(number, head.unit);
   if (!head.is && !can_have(head.dimensions, number.dimension))
     return refuse(

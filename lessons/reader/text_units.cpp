@@ -134,10 +134,15 @@ std::string take_unit_at_end(std::string& text) {
     if (at == text.npos) continue;
     if (std::string unit = take(at, at + sign.size(), last + 1); !unit.empty()) return unit;
   }
-  // "energy/kJ"; in "rad/s" alone the stroke belongs to the unit.
+  if (text.starts_with("in ")) return take(0, 3, last + 1);
+  // "energy/kJ"; the stroke of "rad/s" belongs to the unit.
   const std::size_t stroke = text.find('/');
-  return stroke != text.npos && stroke > 0 && whole_unit(text).empty() ? take(stroke, stroke + 1, last + 1)
-                                                                       : "";
+  if (stroke == text.npos || stroke == 0) return "";
+  const std::size_t word = text.find_last_of(" (", stroke - 1);
+  const std::size_t begin = word == text.npos ? 0 : word + 1;
+  return whole_unit(std::string_view(text).substr(begin, stroke - begin)).empty()
+             ? take(stroke, stroke + 1, last + 1)
+             : "";
 }
 
 std::string unit_said_before(std::string_view text) {

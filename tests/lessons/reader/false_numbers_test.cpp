@@ -114,8 +114,8 @@ TEST(TrueNumbers, AreAcceptedBesideWhatIsReadOrNothingKnown) {
         R"((T, \omega_1) = (\live{T}, \live{w1}))", R"(\vec r = (\live{w1}, \live{w2}, \live{w3}))",
         R"(\omega_1 = \live{w1},\quad \omega_2 = \live{w2} \quad\text{and}\quad \omega_3 = \live{w3})",
         R"(\live{w1},\; \live{w2},\; \live{w3})", R"(\live{w1}, \ldots, \live{w3})",
-        R"(P = \live[unit={s}]{1/w3})", R"(p = \live{I3/I1})", R"(\dot\varphi = \live{w3})",
-        R"(\vec L = [\live{comp(L, 1)}, \live{comp(L, 2)}, \live{comp(L, 3)}])",
+        R"(P = \live[unit={s}]{1/w3})", R"(p = \live{I3/I1})", R"(m\,v^2 = \live[unit={J}]{T})",
+        R"(\dot\varphi = \live{w3})", R"(\vec L = [\live{comp(L, 1)}, \live{comp(L, 2)}, \live{comp(L, 3)}])",
         R"(0 \le \live[unit={deg}]{acos(dot(ez, e3))} \le 180^\circ)"})
     expect_accepted(tex);
 }
