@@ -270,7 +270,9 @@ class NumberReader {
     try {
       std::vector<std::pair<TexValue, TexValue>> labels;
       terms_.labels = &labels;
-      const TexValue value = terms_.side(side.alone ? side.items.first(1) : side.items);
+      TexValue value = terms_.side(side.alone ? side.items.first(1) : side.items);
+      if (side.alone && is_percent(*side.alone))
+        value = multiplied(value, atom_value("0.01", TexValue::Type::scalar, value.span), value.span);
       terms_.labels = nullptr;
       if (value.is_scalar() && labels.empty()) side.value = expression_of(value, notation_.vocabulary);
       if (!value.is_scalar() && labels.empty() && side.numbers == 0) side.whole = value;
@@ -281,6 +283,12 @@ class NumberReader {
       side.hint = fault.hint;
       if (side.numbers == 0) side.value = number_with_unit(side.items);
     }
+  }
+
+  /// Of what is typed its author writes what is printed.
+  bool is_percent(std::size_t number) const {
+    return math_.live[number].typed.empty() && !result_.units.empty() &&
+           result_.units.back().number == number && result_.units.back().unit == "%";
   }
 
   /// A number and its unit.

@@ -351,6 +351,10 @@ void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t a
     if (!unit.empty()) return check_behind_unit("1/" + unit);
   }
   if (const std::string unit = unit_at_start(text); !unit.empty()) return check_behind_unit(unit);
+  for (const std::string_view before : {"in ", ", in "})
+    if (text.starts_with(before) && !has_unit)
+      if (const std::string unit = unit_at_start(text.substr(before.size())); !unit.empty())
+        return check_unit(number, unit);
   if (!has_blank && is_letter(text.front()))
     refuse(number, "a letter stands directly behind this number", "put a blank between them");
 }

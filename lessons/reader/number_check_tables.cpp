@@ -85,7 +85,7 @@ void NumberCheck::check_head(const Head& head, const ComputedNumber& number,
                   "leave the one in the head out");
   // "180/pi*acos(…)" is in degrees by itself.
   const bool is_converted = starts_with_any(head.unit, {"°", "deg"}) && number.expression.uses(Operation::pi);
-  if (!head.unit.empty() && !is_converted) check_unit(number, head.unit);
+  if (!head.unit.empty() && !is_converted && head.unit != number.written.unit) check_unit(number, head.unit);
   if (!head.is && !can_have(head.dimensions, number.dimension))
     return refuse(
         number,
@@ -99,8 +99,10 @@ void NumberCheck::check_head(const Head& head, const ComputedNumber& number,
   const Equality sides{*head.is, number.expression};
   if (is_provable(sides) && Prover().settle(sides, Assumption::identity) == Verdict::holds) return;
   for (MotionNumbers* motion : motions) {
-    const auto said = motion->value_of(*head.is), shown = motion->value_of(number.expression);
+    auto said = motion->value_of(*head.is);
+    const auto shown = motion->value_of(number.expression);
     if (!said || !shown) continue;
+    if (is_converted) *said /= scaled_unit(head.unit)->size;
     constexpr double kRounding = 1e-9;
     if (std::abs(*said - *shown) <= kRounding * (std::abs(*said) + std::abs(*shown))) continue;
     return refuse(

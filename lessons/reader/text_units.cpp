@@ -14,6 +14,10 @@ constexpr std::array<std::string_view, 5> kBlanks = {" ", "\n", "\u00A0", "\u200
 
 /// "kJ" of "kilojoules"; other words as they are.
 std::string unit_in_short(std::string_view word) {
+  // "Kilo-Joules"
+  std::string plain;
+  for (const char c : word)
+    if (c != '-') plain += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
   using Names = std::pair<std::string_view, std::string_view>;
   constexpr std::array<Names, 10> kUnits{{{"joule", "J"},
                                           {"watt", "W"},
@@ -30,7 +34,7 @@ std::string unit_in_short(std::string_view word) {
   for (const auto& [prefix, p] : kPrefixes)
     for (const auto& [unit, u] : kUnits) {
       const std::string name = std::string(prefix) + std::string(unit);
-      if (word == name || word == name + 's') return std::string(p) + std::string(u);
+      if (plain == name || plain == name + 's') return std::string(p) + std::string(u);
     }
   return std::string(word);
 }
@@ -160,7 +164,8 @@ std::string unit_said_before(std::string_view text) {
 
 std::string_view name_said_before(std::string_view text) {
   text = without_blanks(text);
-  for (const std::string_view verb : {" is now", " is about", " is", " are", " was", " comes to", " of", ":"})
+  for (const std::string_view verb :
+       {" is now", " is about", " is only", " is", " are", " was", " comes to", " amounts to", " of", ":"})
     if (text.ends_with(verb)) {
       text.remove_suffix(verb.size());
       const std::size_t before = text.find_last_of(".,;:!?(");
@@ -171,7 +176,8 @@ std::string_view name_said_before(std::string_view text) {
 
 std::optional<Relation> relation_said(std::string_view words) {
   words = without_blanks(words);
-  for (const std::string_view verb : {"is", "equals", "is now", "comes to"})
+  for (const std::string_view verb :
+       {"is", "was", "equals", "is now", "is only", "comes to", "amounts to", ":"})
     if (words == verb) return Relation::equal;
   for (const std::string_view verb : {"is about", "is nearly"})
     if (words == verb) return Relation::approximate;

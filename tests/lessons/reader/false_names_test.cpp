@@ -143,21 +143,33 @@ TEST(FalseTables, InTheHeadsOfTheirRows) {
 
 TEST(FalseWords, AroundNumbers) {
   const std::string number = "$\\live{T}$", in_joules = "$\\live[unit={J}]{T}$";
-  for (const std::string& text : std::vector<std::string>{
-           "It is " + in_joules + " per second.", "It is " + in_joules + "/s.",
-           "It is " + in_joules + " $\\text{/s}$.", "It is " + number + " (kJ).",
-           "It is " + number + "\\\nkJ.", "It is " + number + " percent.", "It is minus " + number + ".",
-           "It is twice " + number + ".", "It is one million times " + number + ".",
-           "The energy in kJ is " + number + ".", "The energy in mJ: " + number + ".",
-           "The momentum $|\\vec L|$ is " + number + ".", "The angular momentum $L$ is " + number + ".",
-           "The angular momentum is " + in_joules + ".", "$\\theta$ is " + in_joules + ".",
-           "$2T$ is " + number + ".", "$T$ is more than $\\live{2*T}$."})
+  for (const std::string& text : std::vector<std::string>{"It is " + in_joules + " per second.",
+                                                          "It is " + in_joules + "/s.",
+                                                          "It is " + in_joules + " $\\text{/s}$.",
+                                                          "It is " + number + " (kJ).",
+                                                          "It is " + number + "\\\nkJ.",
+                                                          "It is " + number + " percent.",
+                                                          "It is minus " + number + ".",
+                                                          "It is twice " + number + ".",
+                                                          "It is one million times " + number + ".",
+                                                          "The energy in kJ is " + number + ".",
+                                                          "The energy in mJ: " + number + ".",
+                                                          "The momentum $|\\vec L|$ is " + number + ".",
+                                                          "The angular momentum $L$ is " + number + ".",
+                                                          "The angular momentum is " + in_joules + ".",
+                                                          "$\\theta$ is " + in_joules + ".",
+                                                          "$2T$ is " + number + ".",
+                                                          "$2T$: " + number + ".",
+                                                          "It is " + number + " Kilo-Joules.",
+                                                          "It is " + number + ", in kJ.",
+                                                          "$T$ is more than $\\live{2*T}$."})
     expect_refused(text + "\n");
   for (const std::string& text : std::vector<std::string>{
            "It is " + in_joules + " per turn.", "It is " + number + " (J).",
            "The energy in J is " + number + ".", "The energy $T$ is " + number + " J.",
            "The kinetic energy is " + in_joules + ".", "It turns $\\live{w1/(2*pi)}$ times per second.",
-           "$2T$ is more than " + number + ".", "At times " + in_joules + "!"})
+           "$2T$ is more than " + number + ".", "At times " + in_joules + "!",
+           "It is " + number + " in Joule."})
     expect_accepted(text + "\n");
 }
 

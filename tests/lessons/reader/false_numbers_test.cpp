@@ -50,6 +50,7 @@ TEST(FalseNumbers, AreThoseOfAnotherSideThatIsDefinite) {
                           R"(2\pi = \live{w3})",
                           R"(\frac{\pi}{2} = \live{w3})",
                           R"(5! = \live{w3})",
+                          R"(1 = \live{T/T}\,\%)",
                           R"(e = \live{w3})",
                           R"(\infty = \live{w3})",
                           R"(7\times2 = \live{w3})",
