@@ -171,7 +171,7 @@ std::optional<std::vector<int>> read_choices(std::string_view text, std::size_t 
   std::vector<int> choices;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
-    if (std::string_view(" ,\t.);>").find(c) != std::string_view::npos) {
+    if (std::string_view(" ,\t.();>").find(c) != std::string_view::npos) {
       ++i;
       continue;
     }
@@ -202,7 +202,7 @@ AnswerJudgement judge_choice(const Question& question, std::string_view text) {
   AnswerJudgement judgement = right();
   if (*choices != question.answers) {
     const std::string letter(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1)));
-    judgement = wrong("choice-" + letter, letter + " is not it");
+    judgement = wrong("choice-" + letter, letter + " is not right");
   }
   judgement.choice = choices->front();
   return judgement;

@@ -127,7 +127,7 @@ TEST_F(Answer, WithoutHintsItIsToldToWhoHasTried) {
 TEST_F(Answer, AChoiceGetsItsReply) {
   const ProgramRun wrong = answer("listed", {"A"});
   EXPECT_EQ(wrong.code, 4);
-  EXPECT_EQ(wrong.out, "wrong: A is not it\nThe omega sub 1 there is small.\n");
+  EXPECT_EQ(wrong.out, "wrong: A is not right\nThe omega sub 1 there is small.\n");
   EXPECT_EQ(answer("listed", {"B"}).out, "right\nSo it is.\n");
   const Json json = Json::parse(answer("listed", {"A", "--json"}).out);
   EXPECT_EQ(json["reply"], "The omega sub 1 there is small.");
