@@ -21,7 +21,11 @@ void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
   const bool right = verdict.mark == Mark::right;
   const std::string word = verdict.mark == Mark::wrong ? "Not right" : "Cannot be read";
   if (right) return right_words("Right.");
-  warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
+  // Of a choice the reason is the whole sentence: "A is not right".
+  const bool is_sentence = verdict.choice > 0;
+  warning_words(verdict.reason.empty() ? word + "."
+                : is_sentence          ? verdict.reason + '.'
+                                       : fmt::format("{}: {}.", word, verdict.reason));
   if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
   if (!verdict.hint.empty()) quiet_words(verdict.hint);
   if (const auto& counter = verdict.counterexample) {
@@ -165,7 +169,7 @@ void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
   for (std::size_t i = 0; i < shown; ++i)
     quiet_words(fmt::format("Hint {}: {}", i + 1, context.speech.words(ask.hint_texts[i])));
   if (!is_settled && is_told(known, ask.hints.size()))
-    plain_words("The answer: " + context.speech.words_of_answer(ask));
+    plain_words("The answer is " + context.speech.words_of_answer(ask));
   AnswerRecord after = known;
   if (!is_settled && note_help(after, ask.hints.size())) {
     const char* words = shown == ask.hints.size() ? "Show the answer"
@@ -228,7 +232,7 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
 void QuestionsPanel::draw(PanelContext& context) {
   const std::vector<const Ask*> questions = context.session.questions();
   const bool is_end = !context.session.next_place();
-  if (questions.empty() && !is_end) return quiet_words("This step asks nothing.");
+  if (questions.empty() && !is_end) return quiet_words("There is no question on this step.");
   for (std::size_t i = 0; i < questions.size(); ++i) {
     draw_question(context, *questions[i], i + 1, questions.size());
     context.take_focus = false;
