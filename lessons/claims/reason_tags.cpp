@@ -16,7 +16,7 @@ constexpr std::string_view kChoice = "choice-", kPlace = "place-";
 
 /// Those of answers (lessons/claims/answers.h, number_answer.h) and of lines of derivations (Slip, whose
 /// names they are).
-constexpr std::array<Row, 24> kReasons{{
+constexpr std::array<Row, 25> kReasons{{
     {"degrees", "degrees and radians are mixed up"},
     {"derivative", "a derivative is left in the answer"},
     {"extra", "a term is too many"},
@@ -28,6 +28,7 @@ constexpr std::array<Row, 24> kReasons{{
     {"inertia", "a moment of inertia is missing or misplaced"},
     {"kind", "a vector stands where a number belongs, or a number where a vector does"},
     {"law", "Euler's law is used where it is not given"},
+    {"letters", "it is written with letters that are not asked for"},
     {"missing", "a term is missing"},
     {"other", "another reason"},
     {"power", "a square or a factor is missing or too many"},

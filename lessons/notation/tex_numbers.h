@@ -57,6 +57,8 @@ Result<NumbersInFormula, UnreadableEquation> read_numbers(const Math& math, cons
 
 /// A formula that is one side alone, as an expression; nothing if it cannot be read, or shows a number.
 std::optional<Expression> read_side(const Math& math, const EquationNotation& notation);
+/// The same, and why it cannot be read.
+Result<Expression, UnreadableEquation> read_one_side(const Math& math, const EquationNotation& notation);
 
 /// "T/\text{kJ}": what it is, and the unit; nothing of other formulas.
 std::optional<std::pair<Expression, std::string>> read_in_unit(const Math& math,
