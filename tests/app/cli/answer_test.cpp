@@ -81,7 +81,7 @@ TEST_F(Answer, UnreadableIsTwoWithItsColumn) {
   const ProgramRun run = answer("sign", {"w1*w9"});
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.out, "  w1*w9\n     ^\n");
-  EXPECT_THAT(run.err, HasSubstr("unknown symbol \"w9\""));
+  EXPECT_THAT(run.err, HasSubstr("there is no \"w9\" here"));
   EXPECT_FALSE(std::filesystem::exists(log())) << "it was no try";
 }
 
@@ -214,7 +214,7 @@ TEST_F(Answer, NobodyWaitsForTheVerdictWhileAnotherHoldsTheLog) {
     const auto patience = std::chrono::steady_clock::now() + kAnswerPatience / 2;
     while (text_of(options.stdout_to).empty() && std::chrono::steady_clock::now() < patience)
       std::this_thread::sleep_for(10ms);
-    EXPECT_EQ(text_of(options.stdout_to).substr(0, 7), "wrong: ") << "before the lock was given back";
+    EXPECT_EQ(text_of(options.stdout_to).substr(0, 7), "A is no") << "before the lock was given back";
     held.reset();
   };
   const ProgramRun run = answer("which", {"A"}, options);
