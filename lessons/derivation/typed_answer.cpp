@@ -3,7 +3,7 @@
 
 #include "base/utf8.h"
 #include "lessons/diagnostics/report.h"
-#include "lessons/notation/tex_numbers.h"
+#include "lessons/notation/tex_sides.h"
 
 #include <array>
 

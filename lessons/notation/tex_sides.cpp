@@ -27,19 +27,28 @@ std::optional<Expression> scalar_of(TexTerms& terms, Items items, const Equation
 
 }  // namespace
 
-std::optional<Expression> read_side(const Math& math, const EquationNotation& notation) {
-  if (!math.root || !math.live.empty()) return std::nullopt;
+Result<Expression, UnreadableEquation> read_one_side(const Math& math, const EquationNotation& notation) {
+  if (!math.root) return Failure<UnreadableEquation>{{{}, "there is no formula here", ""}};
+  if (!math.live.empty()) return Failure<UnreadableEquation>{{{}, "a computed number stands in it", ""}};
   try {
     TexTerms terms(math, notation);
     terms.has_pi = true;
     terms.any_inertia = has_tensor_component(*math.root);
     const TexItems items = items_of(*math.root, kMaxEquationNesting);
     const TexValue value = terms.side(items);
-    if (value.is_tensor()) return std::nullopt;
+    if (value.is_tensor())
+      return Failure<UnreadableEquation>{{value.span, "this is a tensor, no number and no vector", "", true}};
     return expression_of(value, notation.vocabulary);
-  } catch (const TexFault&) {
-    return std::nullopt;
+  } catch (const TexKindFault& fault) {
+    return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint, true}};
+  } catch (const TexFault& fault) {
+    return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint}};
   }
+}
+
+std::optional<Expression> read_side(const Math& math, const EquationNotation& notation) {
+  auto read = read_one_side(math, notation);
+  return read ? std::optional(std::move(*read)) : std::nullopt;
 }
 
 std::optional<TypedNumber> read_typed(const Math& math) {

@@ -30,6 +30,8 @@ std::vector<TypedStatement> typed_statements(const Math& math, const EquationNot
 
 /// A formula that is one side alone, as an expression; nothing if it cannot be read, or shows a number.
 std::optional<Expression> read_side(const Math& math, const EquationNotation& notation);
+/// The same, and why it cannot be read.
+Result<Expression, UnreadableEquation> read_one_side(const Math& math, const EquationNotation& notation);
 
 /// The number that a formula is, and nothing else.
 std::optional<TypedNumber> read_typed(const Math& math);
