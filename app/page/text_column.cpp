@@ -176,7 +176,7 @@ Result<ColumnPiece> TextColumn::prose(const RichText& text) const {
   return piece_of(set(text, style(size_, colors().ink, width_)), size_, kParagraphGap * size_);
 }
 
-/// As large as it can be within `room`: broken first, then smaller.
+/// As large as it can be within `room`: a little smaller on one line before it is broken, then smaller.
 Result<TextColumn::Formula> TextColumn::formula(const Equation& equation, double size, double room) const {
   MathStyle style{.size = size,
                   .display = true,
@@ -186,6 +186,15 @@ Result<TextColumn::Formula> TextColumn::formula(const Equation& equation, double
                   .symbols = &symbols_};
   const Math math = numbers_.put_into(equation.math);
   Result<DisplayList> list = or_why_not(set_math(math, style, fonts_));
+  // "= 0" alone on a second line would read as a formula of its own.
+  constexpr double kLeastUnbroken = 0.88;
+  MathStyle whole = style;
+  whole.line_width = 0;
+  if (const auto unbroken = or_why_not(set_math(math, whole, fonts_));
+      unbroken && unbroken->width > room && unbroken->width * kLeastUnbroken <= room) {
+    style = whole;
+    list = unbroken;
+  }
   constexpr int kMostTries = 8;  // a smaller formula may be broken elsewhere
   for (int i = 0; i < kMostTries && list && list->width > room; ++i) {
     style.size *= 0.999 * room / list->width;

@@ -278,6 +278,14 @@ const std::vector<double>& LessonSession::flips() const {
   return flips_.times_s;
 }
 
+std::vector<double> LessonSession::shown_flips() const {
+  std::vector<double> shown = flips();
+  if (!is_predicting()) return shown;
+  const double known_s = still_time_s(lesson_scene());
+  std::erase_if(shown, [=](double t_s) { return t_s > known_s; });
+  return shown;
+}
+
 // The scene.
 
 Status LessonSession::set_edits(const SceneEdits& edits) {
@@ -418,6 +426,15 @@ void LessonSession::end_play() {
   awaited_.reset();
 }
 
+bool LessonSession::is_predicting() const {
+  const std::vector<const Ask*> asked = questions();
+  return std::any_of(asked.begin(), asked.end(), [this](const Ask* ask) {
+    if (ask->type != Ask::Type::predict) return false;
+    const AnswerRecord* known = record(*ask);
+    return is_awaited(*ask) || known == nullptr || (known->tries == 0 && !is_told(*known, ask->hints.size()));
+  });
+}
+
 const JudgedAnswer* LessonSession::judged(const Ask& ask) const {
   const auto found = judged_.find(ask.id);
   return found == judged_.end() ? nullptr : &found->second;
@@ -471,6 +488,10 @@ ShownDerivation LessonSession::shown_derivation() const {
     ShownDerivation shown{ask, {}};
     for (const DerivationWork::TypedLine& line : work->second.lines())
       shown.lines.push_back(shown_line(line.judgement));
+    if (work->second.is_too_short()) {  // it is true, and not yet shown
+      shown.lines.back().word = "the goal itself: show the way";
+      shown.lines.back().certainty = Certainty::open;
+    }
     const std::string typing = work->second.typed_tex();
     if (!typing.empty() && (shown.lines.empty() || shown.lines.back().tex != typing))
       shown.lines.push_back({typing, "", Certainty::stated});

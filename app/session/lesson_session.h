@@ -114,6 +114,8 @@ class LessonSession {
   /// Times of flips (physics/geometry/flips.h) in the interval of the time line; none where the scene needs
   /// no ω.
   const std::vector<double>& flips() const;
+  /// Those that may be seen: while something is to be predicted, none behind the scene's still.
+  std::vector<double> shown_flips() const;
 
   // The scene of the step with what was changed.
   bool has_scene() const { return step().scene != nullptr; }
@@ -170,7 +172,10 @@ class LessonSession {
   /// Whether the motion is to answer a prediction first (Ask::plays): it was made, and what it is held
   /// against is not over. Then nothing is to be said of it.
   bool is_awaited(const Ask& ask) const { return awaited_ && awaited_->ask == ask.id; }
-  void end_play();                 ///< says it now
+  void end_play();  ///< says it now
+  /// Whether a question of this step asks what will happen, and nobody has said so yet, or it is being
+  /// played: then nothing is to be shown of what comes.
+  bool is_predicting() const;
   void show_hint(const Ask& ask);  ///< one more, if there is one, and then the answer
   void forget_answer(const Ask& ask);
   /// The derivation that a question of the type derive asks for, as far as it goes; as it was left, where

@@ -9,12 +9,17 @@ namespace polhode {
 
 std::vector<PlacedAsk> questions_of(const Lesson& lesson) {
   std::vector<PlacedAsk> questions;
-  for (std::size_t s = 0; s < lesson.stages.size(); ++s) {
-    const Stage& stage = lesson.stages[s];
-    for (std::size_t i = 0; i < stage.steps.size(); ++i)
-      for (const Ask* ask : blocks_of<Ask>(stage.steps[i]))
-        questions.push_back({ask, answer_name(stage.id, ask->id), {s, i}});
-  }
+  for (std::size_t s = 0; s < lesson.stages.size(); ++s)
+    for (PlacedAsk& question : questions_of_stage(lesson, s)) questions.push_back(std::move(question));
+  return questions;
+}
+
+std::vector<PlacedAsk> questions_of_stage(const Lesson& lesson, std::size_t stage) {
+  std::vector<PlacedAsk> questions;
+  const Stage& asks = lesson.stages[stage];
+  for (std::size_t i = 0; i < asks.steps.size(); ++i)
+    for (const Ask* ask : blocks_of<Ask>(asks.steps[i]))
+      questions.push_back({ask, answer_name(asks.id, ask->id), {stage, i}});
   return questions;
 }
 

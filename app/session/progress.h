@@ -18,6 +18,8 @@ struct PlacedAsk {
 };
 /// All questions, in the order in which they are asked.
 std::vector<PlacedAsk> questions_of(const Lesson& lesson);
+/// Those of one stage.
+std::vector<PlacedAsk> questions_of_stage(const Lesson& lesson, std::size_t stage);
 
 struct QuestionCount {
   int right = 0, answered = 0, asked = 0;

@@ -10,10 +10,19 @@ namespace {
 
 Vec3 vector(const std::array<double, 3>& x) { return {x[0], x[1], x[2]}; }
 
+/// "…, N = (0, 1, 0)", or "N = 0" where the question is about a free body.
+bool says_torque(const Counterexample& counter) { return counter.state.find("N = ") != std::string::npos; }
+
+Torque torque_of(const CounterBody& body) {
+  const Vec3 N_B = vector(body.N);
+  return N_B.isZero(0) ? Torque{} : Torque{BodyTorque{N_B}};
+}
+
 }  // namespace
 
 /// The numbers stay as they are, so that what is said of them is true of the figure; what is small or slow is
-/// shown by a clock of its own. Where the attitude is not said, L stands as in the lesson's scene.
+/// shown by a clock of its own. What is not said stays as in the lesson's scene: the torque, with its arrow,
+/// and that L points up or down.
 Status LessonSession::show_counterexample(const Counterexample& counter) {
   if (!counter.body) return failure("this counterexample has no body to be shown");
   const CounterBody& shown = *counter.body;
@@ -26,9 +35,8 @@ Status LessonSession::show_counterexample(const Counterexample& counter) {
   edits.body = *body;
   edits.w0_B = vector(shown.w);
   edits.motion = MotionSpec{};
-  edits.torque = Torque{};
-  const Vec3 N_B = vector(shown.N);
-  if (!N_B.isZero(0)) edits.torque->push_back(BodyTorque{N_B});
+  edits.torque.reset();
+  if (says_torque(counter)) edits.torque = torque_of(shown);
   const auto& [w, x, y, z] = shown.q;
   const bool is_turned = x != 0 || y != 0 || z != 0;
   edits.attitude.reset();

@@ -65,7 +65,8 @@ Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
       controls_(std::move(controls)),
       imgui_(imgui),
       page_(std::make_unique<PageView>(*gl_, *renderer_)),
-      preview_(std::make_unique<PageView>(*gl_, *renderer_)) {
+      preview_(std::make_unique<PageView>(*gl_, *renderer_)),
+      texts_(std::make_unique<LessonTexts>(*gl_, *renderer_)) {
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;
   io.LogFilename = nullptr;
@@ -115,8 +116,11 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
       "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
       "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
   const bool typing = ImGui::GetIO().WantTextInput;
-  if (typing && key != "Escape" && !key.starts_with("Ctrl+") && !(key.size() > 1 && key[0] == 'F'))
-    return false;
+  if (typing && key == "Escape") {  // of the field alone: the panel stays
+    ImGui::SetWindowFocus(nullptr);
+    return true;
+  }
+  if (typing && !key.starts_with("Ctrl+") && !(key.size() > 1 && key[0] == 'F')) return false;
   if (typing && key.starts_with("Ctrl+") && key != "Ctrl+S") return false;
   if (panels_.has_focus() && std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end())
     return false;
@@ -135,7 +139,12 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   }
   switch (*command) {
     case Command::switch_focus:
-      ImGui::SetWindowFocus(panels_.has_focus() || session.panel == Panel::none ? nullptr : "panel");
+      if (panels_.has_focus() || session.panel == Panel::none) {
+        ImGui::SetWindowFocus(nullptr);
+      } else {
+        panels_.take_keys();
+        ImGui::SetWindowFocus("panel");
+      }
       break;
     case Command::next_symbol:
       symbols_.move(session, page_->symbols(), 1);
@@ -244,12 +253,14 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
   const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
   PanelContext context{.session = session,
                        .speech = *speech_,
+                       .texts = *texts_,
                        .sizes = *sizes_,
                        .requests = requests_,
                        .frame_ms = 1e3 * page_s_,
                        .clock_s = clock_s_,
                        .take_focus = std::exchange(panel_takes_focus_, false)};
   panels_.begin_frame();
+  texts_->begin_frame(session.lesson(), session.step(), session.preferences.theme, sizes_->em);
   if (session.is_presenting()) {
     if (session.are_notes_shown()) draw_notes(context, page, size);
     return;

@@ -60,6 +60,7 @@ class Screen {
   const std::string& notice() const { return notices_.told(); }  ///< told last
   const PageView& page() const { return *page_; }                ///< with the places of the last frame
   Renderer& renderer() { return *renderer_; }
+  const LessonTexts& texts() const { return *texts_; }                            ///< in the panels
   void set_folder(const std::string& folder) { panels_.save().folder = folder; }  ///< where things are saved
 
  private:
@@ -90,6 +91,7 @@ class Screen {
   bool varies_ = false;  ///< a number, by a slider that is held
   Notices notices_;
   std::unique_ptr<SpeechText> speech_;
+  std::unique_ptr<LessonTexts> texts_;
   const Lesson* spoken_ = nullptr;  ///< the lesson of speech_
   std::optional<ControlSizes> sizes_;
   std::optional<Theme> theme_;

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -104,7 +105,130 @@ bool has_spin(const Expression& expression) {
 
 }  // namespace
 
+namespace {
+
+/// How a number counts turns: by which power of π it is more than one that counts radians. 0 of ω and of
+/// 2π/period, −1 of ω/2π and of 1/period, which are turns per second.
+struct Turns {
+  std::optional<double> power;  ///< nothing: it cannot be told
+  bool is_rate = false;         ///< ω or a period is in it
+};
+
+/// Of the whole expression, or nothing where turns are added to radians.
+std::optional<Turns> turns_of(const Expression& expression) {
+  using O = Operation;
+  std::vector<Turns> known;
+  const auto at = [&](int index) -> const Turns& { return known[static_cast<std::size_t>(index)]; };
+  for (const ExpressionNode& n : expression.nodes) {
+    Turns made{0.0, false};
+    const auto join = [&](double sign) {
+      const Turns &a = at(n.a), &b = at(n.b);
+      made.is_rate = a.is_rate || b.is_rate;
+      made.power = a.power && b.power ? std::optional(*a.power + sign * *b.power) : std::nullopt;
+    };
+    switch (n.operation) {
+      case O::pi:
+        made.power = 1;
+        break;
+      case O::quantity:
+        made.is_rate = n.quantity == Quantity::omega || n.quantity == Quantity::w1 ||
+                       n.quantity == Quantity::w2 || n.quantity == Quantity::w3;
+        break;
+      case O::constant:
+        if (!is_motion_word(n)) {
+          made.power.reset();
+        } else {
+          const std::string& name = (*expression.constants)[static_cast<std::size_t>(n.integer)];
+          const auto word =
+              std::find_if(kWords.begin(), kWords.end(), [&](const MotionWord& w) { return w.name == name; });
+          if (word->unit == "s") made = {1.0, true};  // so long is a turn
+        }
+        break;
+      case O::multiply:
+      case O::dot:
+      case O::cross:
+        join(1);
+        break;
+      case O::divide:
+        join(-1);
+        break;
+      case O::add:
+      case O::subtract: {
+        const Turns &a = at(n.a), &b = at(n.b);
+        const bool differ = a.power && b.power && *a.power != *b.power;
+        if (differ && a.is_rate && b.is_rate) return std::nullopt;
+        made = {differ ? std::nullopt : a.power ? a.power : b.power, a.is_rate || b.is_rate};
+        break;
+      }
+      case O::power:
+        made = at(n.a);
+        if (made.power) *made.power *= n.integer;
+        break;
+      case O::norm2:
+        made = at(n.a);
+        if (made.power) *made.power *= 2;
+        break;
+      case O::sqrt:
+        made = at(n.a);
+        if (made.power) *made.power /= 2;
+        break;
+      case O::acos:
+      case O::atan2:
+        made.power.reset();  // an angle, in what it is counted in
+        break;
+      case O::negate:
+      case O::norm:
+      case O::comp:
+      case O::inertia:
+      case O::apply:
+      case O::star:
+      case O::ddt:
+        made = at(n.a);
+        break;
+      case O::number:
+      case O::trace:
+      case O::sin:
+      case O::cos:
+        break;
+    }
+    known.push_back(made);
+  }
+  return known.back();
+}
+
+/// What is wrong with the turns or radians that it counts.
+std::string why_not_turns(const Expression& expression, std::string_view unit) {
+  const auto turns = turns_of(expression);
+  if (!turns) return "turns per second and radians per second are added";
+  if (!turns->power || !turns->is_rate) return "";
+  if (unit.find("Hz") != unit.npos && *turns->power == 0)
+    return "a rate of radians is in rad/s; turns per second are that by 2*pi, in Hz";
+  if (unit.find("Hz") != unit.npos && *turns->power != -1)
+    return "this does not count turns per second, and Hz does: |ω|/(2*pi), 1/period";
+  const bool in_angles = unit == "rad/s" || unit == "deg/s" || unit == "°/s";
+  if (in_angles && *turns->power != 0)
+    return "this does not count radians per second: turns per second are in Hz, and 2*pi as many radians";
+  return "";
+}
+
+/// Radians are of angles alone: J/rad would be a joule.
+bool is_unit_of_angles(std::string_view unit) {
+  const auto read = scaled_unit(unit);
+  const bool is_squared = unit.find("rad²") != unit.npos || unit.find("rad^") != unit.npos;
+  return read && read->dimension[0] == 0 && read->dimension[1] == 0 && read->dimension[2] <= 0 &&
+         (!is_squared || read->dimension[2] == -2);
+}
+
+}  // namespace
+
 std::string why_not_in(const Expression& expression, std::string_view unit) {
+  if (const std::string why = why_not_turns(expression, unit); !why.empty()) return why;
+  if (unit.find("rad") != unit.npos && !is_unit_of_angles(unit))
+    return "radians are of angles and their rates: rad, rad/s, rad/s², rad²/s²";
+  const bool is_ratio = expression.type() == ExpressionType::scalar && !expression.uses(Operation::acos) &&
+                        !expression.uses(Operation::atan2) && !expression.uses(Operation::pi) &&
+                        !has_word_in(expression, "rad") && !has_spin(expression);
+  if (unit == "rad" && is_ratio) return "this is no angle, and radians are of angles: acos(…), atan2(…)";
   const bool has_pi = expression.uses(Operation::pi);
   const bool is_angle = expression.uses(Operation::acos) || expression.uses(Operation::atan2);
   if (unit.find("Hz") != unit.npos && !has_pi && !has_word_in(expression, "s"))

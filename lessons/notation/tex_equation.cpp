@@ -361,7 +361,7 @@ class EquationReader {
       terms_.may_be_live = false;
       if (left) {
         const std::size_t first = read.links.size();
-        const Relation relation = relation_of(items[begin - 1]);
+        const Relation relation = proved_relation(items[begin - 1]);
         if (is_number && is_order(relation))
           throw TexFault(right.span, "a rounded number is neither the greater nor the less",
                          "compare what it is the number of, and let the number end a chain of =");
@@ -380,26 +380,10 @@ class EquationReader {
     result_.sentences.push_back(std::move(read));
   }
 
-  static Relation relation_of(const TexItem& item) {
-    switch (item.character) {
-      case U'=':
-        return Relation::equal;
-      case U'<':
-        return Relation::less;
-      case U'>':
-        return Relation::greater;
-      case U'≤':
-      case U'⩽':
-        return Relation::less_or_equal;
-      case U'≥':
-      case U'⩾':
-        return Relation::greater_or_equal;
-      case U'≈':
-        return Relation::approximate;
-      default:
-        throw TexFault(item.span, "only = < > \\le \\ge \\approx are proved",
-                       "keep a claim for what can be proved");
-    }
+  static Relation proved_relation(const TexItem& item) {
+    if (const auto relation = relation_of(item)) return *relation;
+    throw TexFault(item.span, "only = < > \\le \\ge \\approx are proved",
+                   "keep a claim for what can be proved");
   }
 
   void link(EquationSentence& sentence, const TexValue& left, const TexValue& right, Relation relation) {

@@ -381,6 +381,39 @@ bool states_something(const MathNode& words) {
   return std::any_of(words.children.begin(), words.children.end(), states_something);
 }
 
+std::string words_of(const MathNode& node) {
+  const MathNode& whole = without_groups(node);
+  if (whole.kind == Kind::text) return whole.text;
+  std::string words;
+  if (whole.kind != Kind::row) return words;
+  for (const MathNode& part : whole.children) {
+    if (part.kind != Kind::text && part.kind != Kind::space) return "";
+    words += part.kind == Kind::text ? part.text : " ";
+  }
+  return words;
+}
+
+std::optional<Relation> relation_of(const TexItem& item) {
+  switch (item.character) {
+    case U'=':
+      return Relation::equal;
+    case U'<':
+      return Relation::less;
+    case U'>':
+      return Relation::greater;
+    case U'≤':
+    case U'⩽':
+      return Relation::less_or_equal;
+    case U'≥':
+    case U'⩾':
+      return Relation::greater_or_equal;
+    case U'≈':
+      return Relation::approximate;
+    default:
+      return std::nullopt;
+  }
+}
+
 SourceSpan joined_span(SourceSpan first, SourceSpan last) {
   return {std::min(first.begin, last.begin), std::max(first.end, last.end)};
 }

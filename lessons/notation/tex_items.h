@@ -3,8 +3,10 @@
 // lessons/notation/ (tex_equation.h).
 #pragma once
 
+#include "lessons/claims/relation.h"
 #include "render/typeset/math/tree.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,6 +64,12 @@ bool has_proved_part(const MathNode& root);
 /// Whether words in a formula, such as the label of a brace, state something: digits, a relation, or that
 /// something vanishes, is constant, the half. Nobody proves words: they are to name what they stand at.
 bool states_something(const MathNode& words);
+
+/// The words of \text, one behind the other; empty of what is more than words.
+std::string words_of(const MathNode& node);
+
+/// Nothing of \sim, arrows and others, of which nothing is proved.
+std::optional<Relation> relation_of(const TexItem& item);
 
 /// `first` to `last`.
 SourceSpan joined_span(SourceSpan first, SourceSpan last);

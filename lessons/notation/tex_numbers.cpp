@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_numbers.h"
 
-#include "lessons/claims/dimension.h"
 #include "lessons/notation/tex_atoms.h"
+#include "lessons/notation/tex_number_parts.h"
 #include "lessons/notation/tex_terms.h"
+#include "lessons/notation/tex_units.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
@@ -16,104 +18,6 @@ using Kind = MathNode::Kind;
 using ItemKind = TexItem::Kind;
 using Items = TexTerms::Items;
 
-std::size_t numbers_below(const MathNode& node) {
-  if (index_of_live(node)) return 1;
-  std::size_t count = 0;
-  for (const MathNode& child : node.children) count += numbers_below(child);
-  return count;
-}
-
-std::size_t numbers_in(const TexItem& item) {
-  if (item.kind == ItemKind::group && item.open != U'⏟') {
-    std::size_t count = 0;
-    for (const TexItem& inner : item.inside) count += numbers_in(inner);
-    for (const MathNode* script : {item.sub, item.sup})
-      if (script != nullptr) count += numbers_below(*script);
-    return count;
-  }
-  std::size_t count = 0;
-  for (const MathNode* part : {item.node, item.sub, item.sup, item.label})
-    if (part != nullptr) count += numbers_below(*part);
-  return count;
-}
-
-std::size_t numbers_in(Items items) {
-  std::size_t count = 0;
-  for (const TexItem& item : items) count += numbers_in(item);
-  return count;
-}
-
-std::optional<std::size_t> number_of(const TexItem& item) {
-  if (item.kind != ItemKind::operand || item.node == nullptr) return std::nullopt;
-  return index_of_live(*item.node);
-}
-
-/// "2" or "-1" of a power that units have; nothing of another.
-std::optional<int> power_of(const MathNode* sup) {
-  if (sup == nullptr) return 1;
-  const TexItems items = items_of(*sup, kMaxEquationNesting);
-  const bool minus = items.size() == 2 && items[0].is(ItemKind::sign, U'−');
-  if (items.size() != 1 && !minus) return std::nullopt;
-  const TexItem& digit = items.back();
-  if (!is_digit(digit) || !is_plain(digit)) return std::nullopt;
-  const int power = static_cast<int>(digit.node->character - U'0');
-  return minus ? -power : power;
-}
-
-/// The unit that words and upright letters make, "kg m^2/s"; empty if they make none.
-std::string unit_of(Items items) {
-  std::string above, below, word;
-  bool is_below = false;
-  const auto end_word = [&](int power) {
-    if (word.empty()) return true;
-    std::string& into = (power < 0) != is_below ? below : above;
-    const std::string raised = std::abs(power) == 1 ? "" : '^' + std::to_string(std::abs(power));
-    const std::size_t slash = word.find('/');
-    if (slash != word.npos && (power != 1 || is_below)) return false;
-    into += (into.empty() ? "" : " ") + word.substr(0, slash) + raised;
-    if (slash != word.npos) below += (below.empty() ? "" : " ") + word.substr(slash + 1);
-    word.clear();
-    return true;
-  };
-  std::uint32_t end = 0;
-  for (const TexItem& item : items) {
-    const bool is_letter = item.kind == ItemKind::operand && item.node != nullptr &&
-                           item.node->kind == Kind::symbol && item.node->alphabet == Alphabet::upright;
-    if (item.sub != nullptr || item.struck) return "";
-    if (item.is(ItemKind::times, U'/') || item.is(ItemKind::times, U'⋅')) {
-      if (!end_word(1) || (item.character == U'/' && is_below)) return "";
-      is_below = is_below || item.character == U'/';
-      continue;
-    }
-    const auto power = power_of(item.sup);
-    if (!power || *power == 0) return "";
-    if (item.kind == ItemKind::text) {
-      const std::string& text = item.node->text;
-      const std::size_t first = text.find_first_not_of(' ');
-      if (!end_word(1)) return "";
-      if (first == text.npos) continue;
-      word = text.substr(first, text.find_last_not_of(' ') - first + 1);
-    } else if (is_letter && item.node->character < 0x80) {
-      if (item.span.begin > end && !end_word(1)) return "";
-      word += static_cast<char>(item.node->character);
-    } else if (is_symbol(item, U'°')) {
-      if (!end_word(1)) return "";
-      word = "°";
-    } else {
-      return "";
-    }
-    end = item.span.end;
-    if ((item.sup != nullptr || item.kind == ItemKind::text) && !end_word(*power)) return "";
-  }
-  if (!end_word(1) || (above.empty() && below.empty())) return "";
-  const std::string unit = (above.empty() ? "1" : above) + (below.empty() ? "" : '/' + below);
-  return scaled_unit(unit) ? unit : "";
-}
-
-bool is_break(const TexItem& item) {
-  return item.kind == ItemKind::comma || item.kind == ItemKind::gap || item.kind == ItemKind::line;
-}
-
 constexpr const char* kAlone =
     "let it stand alone between = and commas, its unit within: \\live[unit={kJ}]{T}; write factors and signs "
     "into its expression, words outside of the formula";
@@ -123,7 +27,7 @@ class NumberReader {
   NumberReader(const Math& math, const EquationNotation& notation, const Math* above)
       : math_(math), notation_(notation), above_(above), terms_(math, notation) {
     terms_.any_inertia = has_tensor_component(*math.root);
-    terms_.may_be_live = true;
+    terms_.may_be_live = terms_.has_pi = true;
   }
 
   NumbersInFormula read() {
@@ -139,10 +43,10 @@ class NumberReader {
     Items items;
     std::size_t numbers = 0;
     std::optional<std::size_t> alone;
-    bool has_unit = false;
+    bool has_unit = false, is_list = false;
     std::optional<Expression> value;
     std::optional<TexValue> whole;  ///< a vector, or a tensor
-    std::string why_unread;
+    std::string why_unread, hint;
   };
   struct Chain {
     std::vector<Side> sides;
@@ -163,7 +67,8 @@ class NumberReader {
         end_side(i);
         chains.back().relations.push_back(&item);
       } else if (is_break(item) || (item.kind == ItemKind::text && !is_in_unit(items, i))) {
-        if (item.kind == ItemKind::text) check_words(items, i);
+        if (item.kind == ItemKind::text && !joins_sentences(item))
+          throw TexFault(item.span, "words stand in the formula of a number that is computed", kAlone);
         end_side(i);
         chains.emplace_back();
       }
@@ -174,9 +79,17 @@ class NumberReader {
     });
     for (Chain& chain : chains) read_chain(chain, is_whole && &chain == &chains.front());
     if (!is_whole || chains.empty()) return;
+    // "T = 3.8, 10^3": what is no statement would be read with the number.
+    for (const Chain& chain : chains)
+      if (chain.relations.empty() && chain.sides.front().numbers == 0 && !is_dots(chain.sides.front().items))
+        throw TexFault(place_of(chain.sides.front()),
+                       "this stands beside a number that is computed, and states nothing itself", kAlone);
     const Side &first = chains.front().sides.front(), &last = chains.back().sides.back();
     const bool is_bare = !items.empty() && !is_break(items.back());
-    if (last.alone && !last.has_unit && is_bare) result_.last = last.alone;
+    if (last.alone && is_bare) {
+      result_.last = last.alone;
+      result_.last_has_unit = last.has_unit;
+    }
     if (first.alone) result_.first = first.alone;
     // "= 3.8": what it is said of stands before the formula.
     const Chain& chain = chains.front();
@@ -185,21 +98,22 @@ class NumberReader {
 
   /// Whether words go on with what stands before them as a unit behind a number does.
   bool is_in_unit(Items items, std::size_t at) const {
+    if (joins_sentences(items[at]) && items[at].node->text.find_first_not_of(' ') != std::string::npos)
+      return false;
     while (at > 0 && !is_break(items[at - 1]) && items[at - 1].kind != ItemKind::relation) {
       --at;
-      if (numbers_in(items[at]) > 0) return true;
+      if (numbers_in(items[at]) > 0 || is_digit(items[at])) return true;
     }
     return false;
-  }
-
-  void check_words(Items items, std::size_t at) const {
-    const bool before = at + 1 < items.size() && numbers_in(items[at + 1]) > 0;
-    if (before) throw TexFault(items[at].span, "words stand beside a number that is computed", kAlone);
   }
 
   void read_chain(Chain& chain, bool may_go_on) {
     std::size_t numbers = 0;
     for (Side& side : chain.sides) numbers += side.numbers = numbers_in(side.items);
+    for (std::size_t i = may_go_on ? 1 : 0; i < chain.sides.size(); ++i)
+      if (chain.sides[i].items.empty())
+        throw TexFault(chain.relations[i == 0 ? 0 : i - 1]->span, "a side is missing beside this sign",
+                       "write both sides in one line, without a comma or a wide space at the sign");
     if (numbers == 0) return;
     seen_ += numbers;
     for (const TexItem* relation : chain.relations)
@@ -211,8 +125,8 @@ class NumberReader {
     if (may_go_on && chain.sides.front().items.empty() && above_ != nullptr) take_above(chain.sides.front());
     const auto is_read = [](const Side& side) { return side.value.has_value(); };
     const bool is_compared = std::count_if(chain.sides.begin(), chain.sides.end(), is_read) > 1;
-    for (const Side& side : chain.sides) {
-      if (side.numbers == 0 || side.alone || is_list(side)) continue;
+    for (Side& side : chain.sides) {
+      if (side.numbers == 0 || side.alone || (side.is_list = is_list(side))) continue;
       if (is_exponential(side) && chain.relations.empty()) continue;
       if (side.value && is_compared) continue;
       throw TexFault(place_of(side),
@@ -221,26 +135,125 @@ class NumberReader {
                          : "what stands beside this computed number is not read: " + side.why_unread,
                      kAlone);
     }
+    for (const Side& side : chain.sides)
+      if (side.numbers == 0 && !side.items.empty()) check_other(side, chain);
     compare(chain);
-    compare_components(chain);
+    compare_lists(chain);
   }
 
-  /// The last side of the formula above, if it can be read.
-  void take_above(Side& side) const {
-    if (!above_->root || !above_->live.empty()) return;
+  /// Whether a letter of which nothing is known stands in it: the whole then says something of that letter.
+  bool has_unknown(Items items, int depth = 0) {
+    if (depth > kMaxEquationNesting) return false;
+    for (const TexItem& item : items) {
+      if (has_unknown(item.inside, depth + 1)) return true;
+      if (item.kind != ItemKind::operand) continue;
+      if (const auto known = read_item(item)) {
+        if (known->uses(Quantity::h) || known->uses(Quantity::k)) return true;  // any numbers
+        continue;
+      }
+      TexItem base = item;
+      base.sup = nullptr;
+      const char32_t letter = letter_of_name({&base, 1});
+      const bool is_own = !is_letter_of_rotation(letter) || (item.sub != nullptr && has_words(*item.sub));
+      if (letter != 0 && letter != U't' && is_own && !is_upright(item)) return true;
+      if (letter != 0) continue;
+      for (const MathNode& child : item.node->children)
+        if (has_unknown(items_of(child, kMaxEquationNesting), depth + 1)) return true;
+    }
+    return false;
+  }
+
+  /// Nothing of what is not read; of vectors and tensors the number 0.
+  std::optional<Expression> read_item(const TexItem& item) {
     try {
-      const TexItems items = whole_formula(*above_->root, kMaxEquationNesting);
+      const TexValue value = terms_.side({&item, 1});
+      return value.is_scalar() ? expression_of(value, notation_.vocabulary) : zero_expression();
+    } catch (const TexFault&) {
+      return std::nullopt;
+    }
+  }
+
+  /// "3\sqrt{2}\,\text{s}^{-1}": what is made of numbers alone, and a unit. Nothing of other sides.
+  std::optional<Expression> number_with_unit(Items items) {
+    if (const auto typed = typed_number(items))
+      return expression_of(atom_value(in_si(*typed), TexValue::Type::scalar, items.front().span),
+                           notation_.vocabulary);
+    for (std::size_t k = 1; k < items.size(); ++k) {
+      const std::string unit = unit_of(items.subspan(k));
+      if (unit.empty()) continue;
+      try {
+        const TexValue size = atom_value(in_si({1, 1, unit}), TexValue::Type::scalar, items[k].span);
+        const TexValue value = multiplied(terms_.side(items.first(k)), size, items[k].span);
+        Expression whole = expression_of(value, notation_.vocabulary);
+        const bool has_quantity = std::any_of(whole.nodes.begin(), whole.nodes.end(), [](const auto& node) {
+          return node.operation == Operation::quantity || node.operation == Operation::constant;
+        });
+        return has_quantity ? std::nullopt : std::optional(std::move(whole));
+      } catch (const TexFault&) {
+        continue;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// What stands on the other side of a number is read; or a name of which nothing is known stands in it, and
+  /// something is said of that here.
+  void check_other(const Side& side, const Chain& chain) {
+    const auto is_list = [](const Side& other) { return other.is_list; };
+    const bool has_list = std::any_of(chain.sides.begin(), chain.sides.end(), is_list);
+    if (side.whole && !has_list)
+      throw TexFault(place_of(side), "this is no number, and stands beside one that is computed",
+                     "write a component, or the length |\\vec a|");
+    if (side.value || side.whole || (has_list && !cells_of(side.items).empty())) return;
+    const char32_t letter = letter_of_name(side.items);
+    if (letter == 0 && has_unknown(side.items)) return;
+    if (letter == 0)
+      throw TexFault(
+          place_of(side),
+          "the other side of a computed number is not read" +
+              (side.why_unread.empty() ? std::string() : ": " + side.why_unread),
+          side.hint.empty() ? "write what is read, or say it in words outside of the formula" : side.hint);
+    const auto is_read = [](const Side& other) { return other.value && !other.items.empty(); };
+    const bool is_told = std::count_if(chain.sides.begin(), chain.sides.end(), is_read) > 1 &&
+                         std::all_of(chain.relations.begin(), chain.relations.end(),
+                                     [](const TexItem* r) { return relation_of(*r) == Relation::equal; });
+    if (is_letter_of_rotation(letter) && !is_told)
+      throw TexFault(place_of(side),
+                     "nothing says what this is, and it looks like a quantity of the motion" +
+                         (side.why_unread.empty() ? std::string() : ": " + side.why_unread),
+                     "write the quantity itself, or give the lesson a symbol with `means`" +
+                         (side.hint.empty() ? std::string() : "; " + side.hint));
+    for (const Side& other : chain.sides) {
+      std::vector<std::size_t> numbers;
+      if (other.alone || other.is_list) collect(other.items.front(), numbers);
+      for (const std::size_t number : numbers) result_.names.push_back({number, letter});
+    }
+  }
+
+  /// The last side of the formula above.
+  void take_above(Side& side) const {
+    const char* kUnread = "the side that this goes on with, in the formula above, is not read";
+    const char* kHint = "write both sides into one formula";
+    if (!above_->root) return;
+    if (!above_->live.empty()) throw TexFault(math_.root->span, kUnread, kHint);
+    TexItems items;
+    try {
+      items = whole_formula(*above_->root, kMaxEquationNesting);
       std::size_t begin = items.size();
       while (begin > 0 && items[begin - 1].kind != ItemKind::relation) --begin;
+      items.erase(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(begin));
       TexTerms terms(*above_, notation_);
+      terms.has_pi = true;
       terms.any_inertia = has_tensor_component(*above_->root);
-      TexValue value = terms.side(Items(items).subspan(begin));
+      TexValue value = terms.side(items);
       if (value.is_scalar())
         side.value = expression_of(value, notation_.vocabulary);
       else
         side.whole = std::move(value);
-    } catch (const TexFault&) {
-      return;
+    } catch (const TexFault& fault) {
+      const char32_t letter = letter_of_name(items);
+      if (letter == 0 || is_letter_of_rotation(letter))
+        throw TexFault(math_.root->span, std::string(kUnread) + ": " + fault.what(), kHint);
     }
   }
 
@@ -248,36 +261,18 @@ class NumberReader {
     return joined_span(side.items.front().span, side.items.back().span);
   }
 
-  static std::optional<Relation> relation_of(const TexItem& item) {
-    switch (item.character) {
-      case U'=':
-        return Relation::equal;
-      case U'<':
-        return Relation::less;
-      case U'>':
-        return Relation::greater;
-      case U'≤':
-      case U'⩽':
-        return Relation::less_or_equal;
-      case U'≥':
-      case U'⩾':
-        return Relation::greater_or_equal;
-      case U'≈':
-        return Relation::approximate;
-      default:
-        return std::nullopt;
-    }
-  }
-
   void read_side(Side& side) {
     for (const TexItem& item : side.items)
       if (side.numbers > 0 && item.struck)
         throw TexFault(item.span, "a number that is computed is not struck out");
     side.alone = alone(side.items, side.has_unit);
+    if (side.items.empty()) return;
     try {
       std::vector<std::pair<TexValue, TexValue>> labels;
       terms_.labels = &labels;
-      const TexValue value = terms_.side(side.alone ? side.items.first(1) : side.items);
+      TexValue value = terms_.side(side.alone ? side.items.first(1) : side.items);
+      if (side.alone && is_percent(*side.alone))
+        value = multiplied(value, atom_value("0.01", TexValue::Type::scalar, value.span), value.span);
       terms_.labels = nullptr;
       if (value.is_scalar() && labels.empty()) side.value = expression_of(value, notation_.vocabulary);
       if (!value.is_scalar() && labels.empty() && side.numbers == 0) side.whole = value;
@@ -285,7 +280,15 @@ class NumberReader {
     } catch (const TexFault& fault) {
       terms_.labels = nullptr;
       side.why_unread = fault.what();
+      side.hint = fault.hint;
+      if (side.numbers == 0) side.value = number_with_unit(side.items);
     }
+  }
+
+  /// Of what is typed its author writes what is printed.
+  bool is_percent(std::size_t number) const {
+    return math_.live[number].typed.empty() && !result_.units.empty() &&
+           result_.units.back().number == number && result_.units.back().unit == "%";
   }
 
   /// A number and its unit.
@@ -329,22 +332,13 @@ class NumberReader {
     }
     if (first.kind != ItemKind::operand || first.node->kind != Kind::grid) return false;
     const MathGrid& grid = *first.node->grid;
-    if (grid.left == U'|' || grid.right == U'|' || grid.kind == MathGrid::Kind::cases) return false;
+    if ((grid.left != U'(' && grid.left != U'[') || grid.kind == MathGrid::Kind::cases) return false;
     seen_ -= side.numbers;
     for (const MathNode& cell : first.node->children) {
       const TexItems items = items_of(cell, kMaxEquationNesting - 1);
       read_row(items, false);
     }
     return true;
-  }
-
-  void collect(const TexItem& item, std::vector<std::size_t>& numbers) const {
-    const auto below = [&](const auto& self, const MathNode& node) -> void {
-      if (const auto index = index_of_live(node)) numbers.push_back(*index);
-      for (const MathNode& child : node.children) self(self, child);
-    };
-    if (item.node != nullptr && item.kind == ItemKind::operand) below(below, *item.node);
-    for (const TexItem& inner : item.inside) collect(inner, numbers);
   }
 
   bool is_exponential(const Side& side) {
@@ -374,70 +368,83 @@ class NumberReader {
     }
   }
 
-  /// The scalars between the brackets or in the cells of a side; empty if it is no list of 3, or matrix of 9.
-  std::vector<TexValue> components_of(const Side& side) {
-    std::vector<TexValue> parts;
-    const TexItem& first = side.items.front();
-    std::vector<TexItems> cells;
-    if (first.kind == ItemKind::group && first.open == U'(') {
-      cells.emplace_back();
-      for (const TexItem& item : first.inside) {
-        if (item.kind == ItemKind::comma)
-          cells.emplace_back();
-        else if (item.kind != ItemKind::gap)
-          cells.back().push_back(item);
-      }
-    } else if (first.kind == ItemKind::operand && first.node->kind == Kind::grid) {
-      const int columns = first.node->grid->columns;
-      if (columns != 1 && columns != 3) return {};
-      for (const MathNode& cell : first.node->children)
-        cells.push_back(items_of(cell, kMaxEquationNesting - 1));
-    }
-    if (cells.size() != 3 && cells.size() != 9) return {};
-    for (const TexItems& cell : cells) {
-      bool has_unit = false;
-      const bool is_alone = alone(cell, has_unit).has_value();
-      parts.push_back(terms_.side(is_alone ? Items(cell).first(1) : Items(cell)));
-      if (!parts.back().is_scalar()) return {};
-    }
-    return parts;
+  /// A number, or what is read.
+  TexValue value_of_cell(const TexItems& cell, std::optional<std::size_t>& number) {
+    bool has_unit = false;
+    number = alone(cell, has_unit);
+    const auto typed = number ? std::nullopt : typed_number(cell);
+    if (typed) return atom_value(in_si(*typed), TexValue::Type::scalar, cell.front().span);
+    return terms_.side(number ? Items(cell).first(1) : Items(cell));
   }
 
-  /// Of what a list of components is said to be, where that is a vector or tensor that can be read.
-  void compare_components(const Chain& chain) {
-    const auto whole = std::find_if(chain.sides.begin(), chain.sides.end(),
-                                    [](const Side& side) { return side.whole.has_value(); });
-    if (whole == chain.sides.end()) return;
+  /// Lists of numbers: what they are said to be is a vector or tensor that is read, another list, or a name
+  /// of which nothing is known.
+  void compare_lists(const Chain& chain) {
+    if (chain.relations.empty()) return;
     for (const Side& side : chain.sides) {
-      if (side.numbers == 0 || side.items.empty()) continue;
-      try {
-        const std::vector<TexValue> parts = components_of(side);
-        if (parts.empty() || (parts.size() == 9) != whole->whole->is_tensor()) continue;
-        ComponentsStatement statement;
-        std::vector<std::size_t> numbers;
-        collect(side.items.front(), numbers);
-        statement.number = numbers.front();
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-          const std::size_t row = parts.size() == 9 ? i / 3 : i, column = i % 3;
-          for (const char* axes : {"123", "xyz"}) {
-            const auto axis = [&](std::size_t k) {
-              return atom_value(std::string("e") + axes[k], TexValue::Type::vector, parts[i].span);
-            };
-            const TexValue vector = parts.size() == 9
-                                        ? applied(*whole->whole->tensor, axis(column), parts[i].span)
-                                        : *whole->whole;
-            const TexValue on_row = axis(row);
-            const TexValue component = called("dot", vector, &on_row, TexValue::Type::scalar, parts[i].span);
-            (axes[0] == '1' ? statement.on_body : statement.on_space)
-                .push_back({expression_of(component, notation_.vocabulary),
-                            expression_of(parts[i], notation_.vocabulary)});
-          }
-        }
-        result_.components.push_back(std::move(statement));
-      } catch (const TexFault&) {
-        continue;  // components that are not read are only shown
+      if (!side.is_list) continue;
+      for (const TexItem* relation : chain.relations)
+        if (is_order(*relation_of(*relation))) throw TexFault(relation->span, "of lists none is the greater");
+      for (const Side& other : chain.sides) {
+        if (&other == &side || (other.is_list && &other < &side)) continue;
+        if (other.whole)
+          compare_components(*other.whole, side);
+        else if (!other.items.empty() && (other.value || !cells_of(other.items).empty()))
+          compare_cells(other, side);
       }
     }
+  }
+
+  void compare_cells(const Side& left, const Side& right) {
+    const std::vector<TexItems> a = cells_of(left.items), b = cells_of(right.items);
+    if (a.size() != b.size())
+      throw TexFault(place_of(right), "the two sides of this list have not as many entries",
+                     "write a number for each");
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      std::optional<std::size_t> in_a, in_b;
+      const TexValue of_a = value_of_cell(a[i], in_a), of_b = value_of_cell(b[i], in_b);
+      if (!in_a && !in_b) continue;
+      if (!of_a.is_scalar() || !of_b.is_scalar())
+        throw TexFault(place_of(right), "an entry of this list is no number");
+      result_.statements.push_back(
+          {{expression_of(of_a, notation_.vocabulary), expression_of(of_b, notation_.vocabulary)},
+           Relation::equal,
+           in_a,
+           in_b});
+    }
+  }
+
+  /// A vector has three components, a tensor nine.
+  void compare_components(const TexValue& whole, const Side& side) {
+    const std::vector<TexItems> cells = cells_of(side.items);
+    const bool is_square = side.items.front().kind == ItemKind::group ||
+                           side.items.front().node->grid->columns == (whole.is_tensor() ? 3 : 1) ||
+                           (!whole.is_tensor() && side.items.front().node->grid->columns == 3);
+    if (cells.size() != (whole.is_tensor() ? 9U : 3U) || !is_square)
+      throw TexFault(place_of(side), whole.is_tensor() ? "a tensor has three rows of three components"
+                                                       : "a vector has three components");
+    ComponentsStatement statement;
+    std::vector<std::size_t> numbers;
+    collect(side.items.front(), numbers);
+    statement.number = numbers.front();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      std::optional<std::size_t> number;
+      const TexValue part = value_of_cell(cells[i], number);
+      if (!part.is_scalar()) throw TexFault(place_of(side), "a component is a number");
+      const std::size_t row = cells.size() == 9 ? i / 3 : i, column = i % 3;
+      for (const char* axes : {"123", "xyz"}) {
+        const auto axis = [&](std::size_t k) {
+          return atom_value(std::string("e") + axes[k], TexValue::Type::vector, part.span);
+        };
+        const TexValue vector = whole.is_tensor() ? applied(*whole.tensor, axis(column), part.span) : whole;
+        const TexValue on_row = axis(row);
+        const TexValue component = called("dot", vector, &on_row, TexValue::Type::scalar, part.span);
+        (axes[0] == '1' ? statement.on_body : statement.on_space)
+            .push_back(
+                {expression_of(component, notation_.vocabulary), expression_of(part, notation_.vocabulary)});
+      }
+    }
+    result_.components.push_back(std::move(statement));
   }
 
   const Math& math_;
@@ -457,54 +464,6 @@ Result<NumbersInFormula, UnreadableEquation> read_numbers(const Math& math, cons
     return NumberReader(math, notation, above).read();
   } catch (const TexFault& fault) {
     return Failure<UnreadableEquation>{{fault.place, fault.what(), fault.hint}};
-  }
-}
-
-std::optional<Expression> read_side(const Math& math, const EquationNotation& notation) {
-  if (!math.root || !math.live.empty()) return std::nullopt;
-  try {
-    TexTerms terms(math, notation);
-    terms.any_inertia = has_tensor_component(*math.root);
-    const TexItems items = items_of(*math.root, kMaxEquationNesting);
-    const TexValue value = terms.side(items);
-    if (value.is_tensor()) return std::nullopt;
-    return expression_of(value, notation.vocabulary);
-  } catch (const TexFault&) {
-    return std::nullopt;
-  }
-}
-
-std::optional<std::pair<Expression, std::string>> read_in_unit(const Math& math,
-                                                               const EquationNotation& notation) {
-  if (!math.root || !math.live.empty()) return std::nullopt;
-  try {
-    const TexItems items = items_of(*math.root, kMaxEquationNesting);
-    const auto slash = std::find_if(items.begin(), items.end(),
-                                    [](const TexItem& item) { return item.is(ItemKind::times, U'/'); });
-    if (slash == items.end()) return std::nullopt;
-    const auto at = static_cast<std::size_t>(slash - items.begin());
-    Items behind = Items(items).subspan(at + 1);
-    if (behind.size() == 1 && behind[0].kind == ItemKind::group && behind[0].open == U'(')
-      behind = behind[0].inside;
-    std::string unit = unit_of(behind);
-    if (unit.empty()) return std::nullopt;
-    TexTerms terms(math, notation);
-    const TexValue value = terms.side(Items(items).first(at));
-    if (value.is_tensor()) return std::nullopt;
-    return std::pair(expression_of(value, notation.vocabulary), std::move(unit));
-  } catch (const TexFault&) {
-    return std::nullopt;
-  }
-}
-
-std::optional<std::string> read_unit_formula(const Math& math) {
-  if (!math.root) return std::nullopt;
-  try {
-    const TexItems items = items_of(*math.root, kMaxEquationNesting);
-    std::string unit = unit_of(items);
-    return unit.empty() ? std::nullopt : std::optional(std::move(unit));
-  } catch (const TexFault&) {
-    return std::nullopt;
   }
 }
 

@@ -3,10 +3,13 @@
 // read as a whole: a label, a line of prose, a caption, a cell of a table.
 //
 // A number stands alone on its side of = < > \le \ge \approx, between commas, in a cell of a matrix or in
-// brackets, with its unit behind it and nothing else: then it is what it is printed as, and what other sides
-// of its chain can be read have to be the same. Or its side can be read, the number for its expression, and
-// so can another side of the chain. Or it stands alone as the exponent of e in a formula of nothing else. All
-// else is refused: a factor, a sign, a power or words beside a number would make it another.
+// brackets, with its unit behind it and nothing else: then it is what it is printed as, and the other sides
+// of its chain have to be the same. Or its side can be read, the number for its expression, and so can
+// another side of the chain. Or it stands alone as the exponent of e in a formula of nothing else.
+//
+// Another side is read, as an expression, a number with its unit, a vector or a list; or it is a single name
+// of which nothing is known, such as α or Δt, and the number says what it is. All else is refused: a factor,
+// a sign, a power or words beside a number would make it another, and what is not read may be anything.
 #pragma once
 
 #include "lessons/notation/tex_equation.h"
@@ -14,7 +17,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -40,12 +42,20 @@ struct PrintedUnit {
   std::string unit;
 };
 
+/// A letter that is nothing known, such as U'E' of "E_0", and the number that it is said to be.
+struct NumberName {
+  std::size_t number = 0;  ///< in Math::live
+  char32_t letter = 0;
+};
+
 struct NumbersInFormula {
   std::vector<NumberStatement> statements;
   std::vector<ComponentsStatement> components;
   std::vector<PrintedUnit> units;
-  /// The number that all of the formula is, or that its last side is, with no unit behind it.
+  std::vector<NumberName> names;
+  /// The number that all of the formula is, or that its last side is; and whether a unit stands behind it.
   std::optional<std::size_t> last;
+  bool last_has_unit = false;
   /// The same of the first side: nothing stands before it, or a sign of relation alone.
   std::optional<std::size_t> first;
 };
@@ -54,15 +64,5 @@ struct NumbersInFormula {
 /// be read. Linear in the formula, up to the limits of read_equation.
 Result<NumbersInFormula, UnreadableEquation> read_numbers(const Math& math, const EquationNotation& notation,
                                                           const Math* above = nullptr);
-
-/// A formula that is one side alone, as an expression; nothing if it cannot be read, or shows a number.
-std::optional<Expression> read_side(const Math& math, const EquationNotation& notation);
-
-/// "T/\text{kJ}": what it is, and the unit; nothing of other formulas.
-std::optional<std::pair<Expression, std::string>> read_in_unit(const Math& math,
-                                                               const EquationNotation& notation);
-
-/// A unit that a formula prints and nothing else, "\text{kg m}^2/\text{s}"; nothing if it is none.
-std::optional<std::string> read_unit_formula(const Math& math);
 
 }  // namespace polhode

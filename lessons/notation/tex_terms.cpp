@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_terms.h"
 
+#include "lessons/claims/customary_names.h"
+#include "lessons/claims/dimension.h"
 #include "lessons/notation/tex_atoms.h"
 
 #include <algorithm>
@@ -409,6 +411,11 @@ TexValue TexTerms::group(const TexItem& item) {
     if (words && states_something(label))
       throw TexFault(item.label->span, "words under a brace are not proved, and these state something",
                      "write it as a formula: \\underbrace{a}_{0}");
+    if (words && !value.is_tensor() &&
+        !can_have(dimensions_of_words(words_of(label)),
+                  dimension_of(expression_of(value, notation_.vocabulary), {}).dimension))
+      throw TexFault(item.label->span, "words under a brace name another quantity than it holds",
+                     "say what it holds");
     if (!words) {
       const TexItems items = items_of(*item.label, kMaxEquationNesting);
       TexValue said = sum(items, item.label->span);

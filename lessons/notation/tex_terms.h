@@ -44,6 +44,8 @@ class TexTerms {
   std::vector<std::pair<TexValue, TexValue>>* labels = nullptr;
   /// Numbers of \live are read, as their expressions.
   bool may_be_live = false;
+  /// π is read: of what is computed, for no proof has it.
+  bool has_pi = false;
   /// A rate as seen from the body was read; any rate; 𝐈_S; 𝐈 without an index; a tensor by its components.
   bool has_body_rate = false, has_rate = false, has_space_inertia = false, has_inertia = false,
        has_matrix = false;

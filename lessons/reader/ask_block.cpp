@@ -216,27 +216,22 @@ class AskReader {
     ask_.task = std::make_shared<const StateTask>(std::move(*task));
   }
 
-  /// Behind what is asked: "From: … Goal: … You may use: …".
+  /// Behind what is asked, a line each: "From: … To: … Use: …".
   void say_what_leads_where(const Derivation& derivation) {
-    const auto add = [&](const std::string& words, const std::vector<const DerivedLine*>& lines) {
+    const auto add = [&](const std::string& words, const DerivedLine& line) {
       TextBlock block;
-      TextSpan& text = block.spans.emplace_back();
-      text.text = words;
-      for (const DerivedLine* line : lines) {
-        if (line != lines.front()) block.spans.emplace_back().text = ", ";
-        auto math = parse_math(line->tex, texts_.macros());
-        TextSpan& span = block.spans.emplace_back();
-        span.kind = TextSpan::Kind::math;
-        if (math) span.math = std::move(*math);
-        span.text = line->tex;
-      }
+      if (!words.empty()) block.spans.emplace_back().text = words;
+      auto math = parse_math(line.tex, texts_.macros());
+      TextSpan& span = block.spans.emplace_back();
+      span.kind = TextSpan::Kind::math;
+      if (math) span.math = std::move(*math);
+      span.text = line.tex;
       ask_.prompt_text.push_back(std::move(block));
     };
-    add("From: ", {&derivation.start});
-    add("To: ", {&derivation.goal});
-    std::vector<const DerivedLine*> facts;
-    for (const DerivedLine& fact : derivation.facts) facts.push_back(&fact);
-    if (!facts.empty()) add("You may use ", facts);
+    add("From: ", derivation.start);
+    add("To: ", derivation.goal);
+    for (const DerivedLine& fact : derivation.facts)
+      add(&fact == &derivation.facts.front() ? "You may use: " : "", fact);
   }
 
   // The name of an assumption, or a list of some.

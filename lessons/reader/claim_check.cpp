@@ -6,6 +6,7 @@
 #include "lessons/claims/proof.h"
 #include "lessons/derivation/derivation.h"
 #include "lessons/diagnostics/report.h"
+#include "lessons/reader/formula_signs.h"
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/name_check.h"
 #include "lessons/reader/number_check.h"
@@ -172,6 +173,7 @@ class ClaimCheck {
       check_numbers(numbers_in(*first), step);
       check_text(*first, step);
     }
+    check_typed_captions(step, shown);
     std::vector<SceneModel> models;
     models.reserve(shown.size());
     const bool is_shared = shown.size() > 1 && std::all_of(shown.begin(), shown.end(), [&](const Scene* one) {
@@ -194,6 +196,19 @@ class ClaimCheck {
     std::vector<const SceneModel*> of_all;
     for (const SceneModel& model : models) of_all.push_back(&model);
     number_check_.check_shared(numbers_in(*first), of_all);
+  }
+
+  /// Numbers that an author typed into the captions, on the motions that they stand below.
+  void check_typed_captions(const Step& step, const std::vector<const Scene*>& shown) {
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      const RichText* caption = caption_of(step, i);
+      if (caption == nullptr || !number_check_.has_typed_numbers(*caption)) continue;
+      Scene alone = *shown[i];
+      alone.beside.clear();
+      alone.before = 0;
+      const SceneModel model = make_model(alone, Product::figure, effort_);
+      number_check_.check_typed(*caption, model, still_time_s(*step.scene), step.place);
+    }
   }
 
   /// Of the scene's marks and plots, and of those beside it.
@@ -330,23 +345,6 @@ class ClaimCheck {
       compare_letters(claim, (*named)->math);
   }
 
-  /// What a verdict stands below is to be seen as it is written.
-  static bool hides_something(const MathNode& node) {
-    constexpr double kThin = -0.17;  // em, of \!
-    if (node.kind == MathNode::Kind::color) return true;
-    if (node.kind == MathNode::Kind::space && node.amount < kThin) return true;
-    return std::any_of(node.children.begin(), node.children.end(), hides_something);
-  }
-
-  /// Whether it has ≠, ≡, → or another relation of which nothing is proved.
-  static bool says_no_equality(const MathNode& node) {
-    if (node.kind == MathNode::Kind::cancel && node.character == U'n') return true;
-    const bool is_relation = node.kind == MathNode::Kind::symbol && node.atom == MathClass::relation;
-    if (is_relation && std::u32string_view(U"=<>≤≥⩽⩾≈:⇒⟹⇏").find(node.character) == std::u32string_view::npos)
-      return true;
-    return std::any_of(node.children.begin(), node.children.end(), says_no_equality);
-  }
-
   void compare(const Claim& claim, const ReadEquation& formula) {
     std::vector<const EquationLink*> links;
     for (const EquationSentence& sentence : formula.sentences)
@@ -396,22 +394,36 @@ class ClaimCheck {
 
   void compare_letters(const Claim& claim, const Math& formula) {
     const std::set<std::string> shown = letters_in(formula, lesson_.notation);
-    std::set<std::string> unseen;
+    std::set<std::string> unseen, claimed;
     const auto look = [&](const Equality& equality) {
       for (const Expression* side : {&equality.left, &equality.right})
-        for (const std::string& letter : letters_in(*side))
+        for (const std::string& letter : letters_in(*side)) {
+          claimed.insert(letter);
           if (!shown.contains(letter)) unseen.insert(letter);
+        }
     };
     for (const ClaimLine& line : claim.lines) {
       look(line.equality);
       if (line.conclusion) look(*line.conclusion);
     }
     check_is_not_empty(claim);
-    if (unseen.empty()) return;
-    std::string names;
-    for (const std::string& name : unseen) names += (names.empty() ? "" : ", ") + name;
-    report_.warning(claim.place, "the claim speaks of " + names + ", which the formula does not show",
-                    "claim what is printed, or end the fence's line with in-other-words");
+    constexpr const char* kHint = "claim what is printed, or end the fence's line with in-other-words";
+    if (!unseen.empty())
+      return report_.warning(
+          claim.place, "the claim speaks of " + joined(unseen) + ", which the formula does not show", kHint);
+    std::set<std::string> unclaimed = shown;
+    for (const std::string& letter : claimed) unclaimed.erase(letter);
+    unclaimed.merge(operators_in(*formula.root));
+    if (!unclaimed.empty())
+      report_.warning(claim.place,
+                      "the formula shows " + joined(unclaimed) + ", of which the claim does not speak",
+                      kHint);
+  }
+
+  static std::string joined(const std::set<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
   }
 
   void check_measured(const Claim& claim, const ClaimLine& line, const Step& step) {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/name_check.h"
 
+#include "lessons/claims/customary_names.h"
 #include "lessons/claims/dimension.h"
 #include "lessons/claims/live_claims.h"
-#include "lessons/notation/tex_numbers.h"
+#include "lessons/notation/tex_sides.h"
+#include "lessons/reader/text_units.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -32,18 +33,38 @@ class NameCheck {
   }
 
   void check_curve(const SceneQuantity& curve, const std::string& tex) {
-    if (const auto shown = named(curve)) check_scalar(*shown, curve.text, tex);
+    const auto said = read_any(tex);
+    const bool is_name = said && has_name(*said);
+    if (const auto shown = said && !is_name ? expression_of(curve) : named(curve))
+      check_scalar(*shown, curve.text, tex);
+    const auto of_said = is_name ? dimension_of(*said, {}).dimension : std::nullopt;
+    if (of_said && !can_have({*of_said}, dimension(curve))) return refuse("the curve of", curve.text, tex);
+    check_kind(curve, tex, "the curve of");
   }
 
   void check_scalar(const Expression& shown, const std::string& text, const std::string& tex) {
-    const auto said = read(tex);
+    const auto said = read_any(tex);
     if (!said || said->type() == ExpressionType::vector) return;
-    for (const LiveState& live : states_) {
-      const auto a = live_number(*said, live), b = live_number(shown, live);
-      if (a && b && std::abs(*a - *b) > kNear * (std::abs(*a) + std::abs(*b)) &&
-          is_more_than_rounding(*a, *b))
-        return refuse("the curve of", text, tex);
+    if (differs(*said, shown)) refuse("the curve of", text, tex);
+  }
+
+  /// A title that begins with a formula, "$\omega_3$ over time", or is the name of a quantity.
+  void check_title_of(const OwnPlot& plot) {
+    const std::size_t end = plot.title.size() > 1 && plot.title[0] == '$' ? plot.title.find('$', 1) : 0;
+    if (end != 0 && end != plot.title.npos) {
+      const std::string tex = plot.title.substr(1, end - 1);
+      const auto said = read_any(tex);
+      if (!said || said->type() == ExpressionType::vector) return;
+      const bool is_some = std::any_of(plot.curves.begin(), plot.curves.end(), [&](const SceneQuantity& one) {
+        const auto shown = has_name(*said) && !named(one) ? std::nullopt : expression_of(one);
+        return !shown || !differs(*said, *shown);
+      });
+      if (!is_some && !plot.curves.empty()) refuse("the plot of", plot.curves.front().text, tex);
+      return;
     }
+    std::string words = plot.title;
+    take_unit_at_end(words);
+    if (plot.curves.size() == 1) check_words(plot.curves.front(), words, "the plot of");
   }
 
   /// Where x is what it stands for on the motion, a function has the value of the quantity that it is named
@@ -61,14 +82,10 @@ class NameCheck {
 
   /// "T in kJ" above an axis of J.
   void check_title(const OwnPlot& plot) {
-    const std::size_t in = plot.title.rfind(" in "), open = plot.title.rfind('(');
-    std::string unit;
-    if (in != plot.title.npos) unit = plot.title.substr(in + 4);
-    if (open != plot.title.npos && plot.title.back() == ')')
-      unit = plot.title.substr(open + 1, plot.title.size() - open - 2);
-    const bool has_letter =
-        std::any_of(unit.begin(), unit.end(), [](unsigned char c) { return std::isalpha(c); });
-    const auto said = has_letter ? scaled_unit(unit) : std::nullopt, shown = scaled_unit(plot.y.unit);
+    std::string words = plot.title;
+    const std::string unit = take_unit_at_end(words);
+    const auto said = unit.empty() ? std::nullopt : scaled_unit(unit);
+    const auto shown = scaled_unit(plot.y.unit);
     if (said && shown && (said->dimension != shown->dimension || said->size != shown->size))
       report_.error(place_,
                     "the title of a plot says " + in_quotes(unit) + ", and its axis is in " +
@@ -78,7 +95,15 @@ class NameCheck {
 
   void check_arrow(const SceneQuantity& of, const std::string& tex) {
     const auto said = read(tex), shown = expression_of(of);
+    if (const auto math = parse_math(tex)) check_words(of, words_of_formula(*math), "the tip of");
     if (lesson_.notation.vocabulary.find(of.text) != nullptr) return;  // called as the lesson likes
+    if (named(of)) {
+      check_kind(of, tex, "the tip of");
+      const auto of_said = said ? dimension_of(*said, {}).dimension : std::nullopt;
+      if (of_said && shown && !can_have({*of_said}, dimension_of(*shown, {}).dimension))
+        return refuse("the tip of", of.text, tex);
+    }
+    check_multiple(of, tex);
     if (!said || !shown || said->type() != ExpressionType::vector) return;
     for (const LiveState& live : states_) {
       const auto a = live_quantity(*said, live, View::space), b = live_quantity(*shown, live, View::space);
@@ -91,8 +116,31 @@ class NameCheck {
     }
   }
 
+  /// "2\vec L" at the tip of L.
+  void check_multiple(const SceneQuantity& of, const std::string& tex) {
+    const auto said = read_any(tex), shown = named(of);
+    if (!said || !shown || has_name(*said) || said->type() != ExpressionType::vector) return;
+    for (const LiveState& live : states_) {
+      const auto a = live_quantity(*said, live, View::space), b = live_quantity(*shown, live, View::space);
+      if (!a || !b) continue;
+      const double size = std::sqrt(dot(a->components, a->components) + dot(b->components, b->components));
+      Components off{};
+      for (std::size_t i = 0; i < off.size(); ++i) off[i] = a->components[i] - b->components[i];
+      if (std::sqrt(dot(off, off)) > kNear * size) return refuse("the tip of", of.text, tex);
+    }
+  }
+
   void check_angle(const SceneQuantity& from, const SceneQuantity& to, const std::string& tex) {
-    const auto said = read(tex), first = expression_of(from), second = expression_of(to);
+    const auto math = parse_math(tex);
+    const auto typed = math ? read_typed(*math) : std::nullopt;
+    auto said = read_any(tex);
+    if (said && !has_name(*said) && !typed && !said->uses(Operation::pi)) said.reset();
+    const auto first = expression_of(from), second = expression_of(to);
+    if (math && !said && !can_have(dimensions_of_letter(letter_of_name(*math)), kNumber))
+      return refuse("the angle from " + from.text + " to", to.text, tex);
+    if (math && !can_have(dimensions_of_words(words_of_formula(*math)), kNumber))
+      return refuse("the angle from " + from.text + " to", to.text, tex);
+    if (typed && first && second) return check_typed_angle(*first, *second, *typed, from.text, to.text, tex);
     if (!said || !first || !second || said->type() == ExpressionType::vector) return;
     for (const LiveState& live : states_) {
       const auto a = live_quantity(*first, live, View::space), b = live_quantity(*second, live, View::space);
@@ -105,16 +153,71 @@ class NameCheck {
   }
 
  private:
+  /// "90^\circ", to half a unit of its last digit, at the still.
+  void check_typed_angle(const Expression& first, const Expression& second, const TypedNumber& typed,
+                         const std::string& from, const std::string& to, const std::string& tex) {
+    const auto unit = scaled_unit(typed.unit);
+    const double size = unit ? unit->size : 1;
+    if (states_.empty()) return;
+    const LiveState& still = states_.front();
+    const auto a = live_quantity(first, still, View::space), b = live_quantity(second, still, View::space);
+    if (!a || !b) return;
+    const double lengths = std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
+    if (lengths == 0) return;
+    const double angle = std::acos(std::clamp(dot(a->components, b->components) / lengths, -1.0, 1.0));
+    if (std::abs(angle / size - typed.value) > 0.5 * typed.last_digit)
+      refuse("the angle from " + from + " to", to, tex);
+  }
+
+  /// Whether both have other values somewhere.
+  bool differs(const Expression& said, const Expression& shown) const {
+    return std::any_of(states_.begin(), states_.end(), [&](const LiveState& live) {
+      const auto a = live_number(said, live), b = live_number(shown, live);
+      return a && b && std::abs(*a - *b) > kNear * (std::abs(*a) + std::abs(*b)) &&
+             is_more_than_rounding(*a, *b);
+    });
+  }
+
+  /// A letter that is not read, or words, of another kind of quantity.
+  void check_kind(const SceneQuantity& of, const std::string& tex, const char* what) {
+    const auto math = parse_math(tex);
+    if (!math) return;
+    check_words(of, words_of_formula(*math), what);
+    if (!read_any(tex) && !can_have(dimensions_of_letter(letter_of_name(*math)), dimension(of)))
+      refuse(what, of.text, tex);
+  }
+
+  void check_words(const SceneQuantity& of, const std::string& words, const char* what) {
+    if (!can_have(dimensions_of_words(words), dimension(of))) refuse(what, of.text, words);
+  }
+
+  /// Nothing where it cannot be told.
+  std::optional<Dimension> dimension(const SceneQuantity& of) const {
+    if (!of.unit.empty()) return dimension_of_unit(of.unit);
+    const auto expression = expression_of(of);
+    return expression ? dimension_of(*expression, {}).dimension : std::nullopt;
+  }
+
   /// Both are 0 on this motion, but for rounding.
   static bool is_more_than_rounding(double a, double b) {
     constexpr double kNothing = 1e-9;
     return std::max(std::abs(a), std::abs(b)) > kNothing;
   }
 
-  std::optional<Expression> read(const std::string& tex) const {
+  std::optional<Expression> read_any(const std::string& tex) const {
     if (tex.empty()) return std::nullopt;
     const auto math = parse_math(tex);
     auto said = math ? read_side(*math, lesson_.notation) : std::nullopt;
+    // "(10)" is the number of an equation.
+    const bool is_number = said && std::none_of(said->nodes.begin(), said->nodes.end(), [](const auto& node) {
+                             return node.operation == Operation::quantity ||
+                                    node.operation == Operation::constant || node.operation == Operation::pi;
+                           });
+    return is_number ? std::nullopt : said;
+  }
+
+  std::optional<Expression> read(const std::string& tex) const {
+    auto said = read_any(tex);
     return said && has_name(*said) ? said : std::nullopt;
   }
 
@@ -154,10 +257,12 @@ class NameCheck {
   std::vector<LiveState> states_;
 };
 
-/// The TeX of a line that is a formula and nothing else; empty of another.
-std::string formula_alone(const std::string& line) {
-  const bool is_alone = line.size() > 2 && line.front() == '$' && line.find('$', 1) == line.size() - 1;
-  return is_alone ? line.substr(1, line.size() - 2) : "";
+/// The TeX of the formula that a line begins with, or "tip of" one; empty of another.
+std::string formula_at_start(std::string line) {
+  for (const std::string_view before : {"the tip of ", "tip of "})
+    if (line.starts_with(before)) line.erase(0, before.size());
+  const std::size_t end = line.size() > 1 && line[0] == '$' ? line.find('$', 1) : line.npos;
+  return end == line.npos ? "" : line.substr(1, end - 1);
 }
 
 }  // namespace
@@ -184,14 +289,15 @@ void check_names(const Lesson& lesson, const SceneModel& model, SourcePlace plac
       check.check_curve(own->curves[i], own->tex[i]);
     if (own->function && !own->tex.empty()) check.check_function(*own->function, own->tex.front());
     check.check_title(*own);
-    if (own->curves.size() == 1) check.check_curve(own->curves.front(), formula_alone(own->title));
+    if (own->function || own->against) continue;
+    check.check_title_of(*own);
   }
   for (const ArrowMark& arrow : model.scene.marks.arrows)
     if (arrow.tex) check.check_arrow(arrow.of.quantity, *arrow.tex);
   for (const AngleMark& angle : model.scene.marks.angles)
     if (!angle.tex.empty()) check.check_angle(angle.from.quantity, angle.to.quantity, angle.tex);
   for (const NoteMark& note : model.scene.marks.notes)
-    check.check_arrow(note.at.quantity, formula_alone(note.text));
+    check.check_arrow(note.at.quantity, formula_at_start(note.text));
 }
 
 }  // namespace polhode

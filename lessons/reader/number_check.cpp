@@ -2,7 +2,9 @@
 #include "lessons/reader/number_check.h"
 
 #include "base/numbers.h"
+#include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof.h"
+#include "lessons/reader/text_units.h"
 
 #include <fmt/format.h>
 
@@ -10,13 +12,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 namespace polhode {
 namespace {
 
-constexpr int kDigitsOfHint = 6;
 constexpr const char* kOneFormula = "write both into one formula, in which they are compared";
 
 /// As = or ≈ says. What is proved differs only where a method errs: then the number is not what it should
@@ -55,89 +55,7 @@ bool has_typed(const Math& math) {
                      [](const LiveNumber& n) { return !n.typed.empty(); });
 }
 
-bool starts_with_any(std::string_view text, std::initializer_list<std::string_view> signs) {
-  return std::any_of(signs.begin(), signs.end(), [&](std::string_view s) { return text.starts_with(s); });
-}
-bool ends_with_any(std::string_view text, std::initializer_list<std::string_view> signs) {
-  return std::any_of(signs.begin(), signs.end(), [&](std::string_view s) { return text.ends_with(s); });
-}
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-/// A blank, also one that no line breaks at, cut off in front or behind.
-constexpr std::array<std::string_view, 5> kBlanks = {" ", "\n", "\u00A0", "\u2009", "\u202F"};
-bool take_blank(std::string_view& text) {
-  for (const std::string_view blank : kBlanks)
-    if (text.starts_with(blank)) return text.remove_prefix(blank.size()), true;
-  return false;
-}
-bool take_last_blank(std::string_view& text) {
-  for (const std::string_view blank : kBlanks)
-    if (text.ends_with(blank)) return text.remove_suffix(blank.size()), true;
-  return false;
-}
-
-/// "kJ" of "kilojoules"; other words as they are.
-std::string unit_in_short(std::string_view word) {
-  using Names = std::pair<std::string_view, std::string_view>;
-  constexpr std::array<Names, 10> kUnits{{{"joule", "J"},
-                                          {"watt", "W"},
-                                          {"newton", "N"},
-                                          {"metre", "m"},
-                                          {"meter", "m"},
-                                          {"second", "s"},
-                                          {"gram", "g"},
-                                          {"degree", "deg"},
-                                          {"radian", "rad"},
-                                          {"hertz", "Hz"}}};
-  constexpr std::array<Names, 6> kPrefixes{
-      {{"", ""}, {"kilo", "k"}, {"milli", "m"}, {"mega", "M"}, {"micro", "µ"}, {"centi", "c"}}};
-  for (const auto& [prefix, p] : kPrefixes)
-    for (const auto& [unit, u] : kUnits) {
-      const std::string name = std::string(prefix) + std::string(unit);
-      if (word == name || word == name + 's') return std::string(p) + std::string(u);
-    }
-  return std::string(word);
-}
-
-/// The unit that a text begins with, up to four words of it: "kg m²/s", "radians per second".
-std::string unit_at_start(std::string_view text) {
-  std::string unit, found;
-  for (int words = 0; words < 4 && !text.empty(); ++words) {
-    std::size_t end = 0;
-    const auto is_blank_at = [&](std::size_t at) {
-      std::string_view rest = text.substr(at);
-      return take_blank(rest);
-    };
-    while (end < text.size() && !is_blank_at(end)) ++end;
-    std::string_view word = text.substr(0, end);
-    bool is_last = false;
-    while (!word.empty() && std::string_view(",.;:!?)]\"'").find(word.back()) != std::string_view::npos) {
-      word.remove_suffix(1);
-      is_last = true;
-    }
-    if (word == "per" && !unit.empty())
-      unit += '/';
-    else
-      unit += (unit.empty() || unit.back() == '/' ? "" : " ") + unit_in_short(word);
-    const bool has_sign =
-        std::any_of(unit.begin(), unit.end(), [](char c) { return is_letter(c); }) || unit.starts_with("°");
-    if (has_sign && !word.empty() && scaled_unit(unit)) found = unit;
-    text.remove_prefix(end);
-    if (is_last || !take_blank(text)) break;
-  }
-  return found;
-}
-
 }  // namespace
-
-/// What the head of a column, or of a row, says that its numbers are.
-struct NumberCheck::Head {
-  std::string text;              ///< for messages
-  std::optional<Expression> is;  ///< a formula, or a letter, that can be read
-  std::string unit;              ///< in brackets behind it, by the author
-  bool has_column_unit = false;  ///< that of a computed column stands behind it
-};
 
 NumberCheck::NumberCheck(const Lesson& lesson, Report& report, const Effort& effort)
     : lesson_(lesson), report_(report), effort_(effort), notation_(lesson.notation) {
@@ -156,6 +74,9 @@ void NumberCheck::refuse(const ComputedNumber& number, const std::string& messag
 void NumberCheck::check_formula(const Math& math, const Math* above, const NumbersMotion& motion,
                                 bool is_proved) {
   if (math.live.empty() || !math.root) return;
+  if (!math.tag.empty() && scaled_unit(math.tag) && is_letter(math.tag.back()))
+    refuse(number(math, 0), "the tag of this formula reads as a unit of its number: " + in_quotes(math.tag),
+           "take a number, or letters that are no unit");
   const auto read = read_equation(math, lesson_.notation, above);
   if (!read || read->is_part) return check_apart(math, above, motion);
   std::vector<const EquationLink*> links;
@@ -200,6 +121,12 @@ void NumberCheck::check_apart(const Math& math, const Math* above, const Numbers
     return refuse(number(math, at), read.error().reason, read.error().hint);
   }
   for (const PrintedUnit& unit : read->units) check_unit(number(math, unit.number), unit.unit);
+  for (const NumberName& name : read->names)
+    if (const ComputedNumber& one = number(math, name.number);
+        !can_have(dimensions_of_letter(name.letter), one.dimension))
+      refuse(one,
+             "this number is " + to_string(*one.dimension) + ", and stands for a letter of another quantity",
+             "take another letter, or write what the letter is");
   for (const NumberStatement& statement : read->statements)
     if (!check_statement(math, statement, motion)) return;
   for (const ComponentsStatement& components : read->components) check_components(math, components, motion);
@@ -302,14 +229,15 @@ void NumberCheck::check_spans(const std::vector<TextSpan>& spans, const NumbersM
     check_formula(math, nullptr, motion, false);
     const auto read = read_numbers(math, notation_);
     if (!read) continue;
-    if (read->first) check_before(spans, i, number(math, *read->first));
-    if (read->last) check_behind(spans, i, number(math, *read->last));
+    if (read->first) check_before(spans, i, *read->first, motion);
+    if (read->last) check_behind(spans, i, number(math, *read->last), read->last_has_unit);
   }
 }
 
 /// What stands before a formula that a number begins.
-void NumberCheck::check_before(const std::vector<TextSpan>& spans, std::size_t at,
-                               const ComputedNumber& number) {
+void NumberCheck::check_before(const std::vector<TextSpan>& spans, std::size_t at, std::size_t index,
+                               const NumbersMotion& motion) {
+  const ComputedNumber& number = this->number(spans[at].math, index);
   std::string before;
   std::size_t k = at;
   while (k > 0 && spans[k - 1].kind == TextSpan::Kind::text && !spans[k - 1].break_after)
@@ -317,9 +245,10 @@ void NumberCheck::check_before(const std::vector<TextSpan>& spans, std::size_t a
   std::string_view text(before);
   bool has_blank = false;
   while (take_last_blank(text)) has_blank = true;
+  const bool is_behind_formula =
+      k > 0 && spans[k - 1].kind == TextSpan::Kind::math && !spans[k - 1].break_after;
   if (text.empty()) {
-    if (k > 0 && spans[k - 1].kind == TextSpan::Kind::math && !spans[k - 1].break_after)
-      refuse(number, "another formula stands directly before this number", kOneFormula);
+    if (is_behind_formula) refuse(number, "another formula stands directly before this number", kOneFormula);
     return;
   }
   // What stands before a bracket that it is in, directly.
@@ -334,16 +263,39 @@ void NumberCheck::check_before(const std::vector<TextSpan>& spans, std::size_t a
   const bool is_figure =
       is_digit(text.back()) || (!has_blank && text.size() > 1 && (text.back() == '.' || text.back() == ',') &&
                                 is_digit(text[text.size() - 2]));
-  if (is_figure) refuse(number, "another number stands directly before this one", kOneFormula);
+  if (is_figure) return refuse(number, "another number stands directly before this one", kOneFormula);
+  if (const std::string_view factor = factor_before(text); !factor.empty())
+    return refuse(number, in_quotes(factor) + " before this number makes it another",
+                  "write it into the expression of the number");
+  if (const std::string unit = unit_said_before(text); !unit.empty() && number.written.unit != unit)
+    return check_unit(number, unit);
+  const auto relation = is_behind_formula ? relation_said(text) : std::nullopt;
+  if (relation) return check_said(spans[k - 1].math, *relation, spans[at].math, index, motion);
+  if (!can_have(dimensions_of_words(name_said_before(text)), number.dimension))
+    refuse(number,
+           "this number is " + to_string(*number.dimension) + ", and " + in_quotes(name_said_before(text)) +
+               " is said of it",
+           "say what it is, or show what is said");
 }
 
-/// What stands behind a formula that a number ends, without a unit of its own.
+/// "$T$ is $3.8$": what stands before the verb.
+void NumberCheck::check_said(const Math& said, Relation relation, const Math& math, std::size_t index,
+                             const NumbersMotion& motion) {
+  const ComputedNumber& shown = number(math, index);
+  const auto is = read_side(said, notation_);
+  const auto of_letter = is ? std::vector<Dimension>() : dimensions_of_letter(letter_of_name(said));
+  if (!can_have(of_letter, shown.dimension) || (is && is->type() == ExpressionType::vector))
+    return refuse(shown, "this number is no value of the formula before it", "show what is said");
+  if (is) check_statement(math, {{*is, shown.expression}, relation, std::nullopt, index}, motion);
+}
+
+/// What stands behind a formula that a number ends.
 void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t at,
-                               const ComputedNumber& number) {
-  if (spans[at].break_after) return;
+                               const ComputedNumber& number, bool has_unit) {
   std::string behind;
   std::size_t k = at + 1;
-  if (k < spans.size() && lesson_.source.compare(spans[k].source.begin, 2, "[^") == 0)
+  if (!spans[at].break_after && k < spans.size() &&
+      lesson_.source.compare(spans[k].source.begin, 2, "[^") == 0)
     return refuse(number, "the mark of a footnote reads as a power of this number",
                   "put it behind a word: $…$ J[^note]");
   for (; k < spans.size() && spans[k].kind == TextSpan::Kind::text; ++k) {
@@ -353,166 +305,58 @@ void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t a
   std::string_view text(behind);
   bool has_blank = false;
   while (take_blank(text)) has_blank = true;
+  const auto check_behind_unit = [&](const std::string& unit) {
+    if (has_unit && number.written.unit.empty())
+      return refuse(number, "two units stand behind this number, one of them outside of its formula",
+                    "leave one out");
+    check_unit(number, unit);
+  };
+  if (spans[at].break_after) {
+    // A unit alone on the next line goes on with the number.
+    while (!text.empty() && (text.back() == '.' || text.back() == ',')) text.remove_suffix(1);
+    if (const std::string unit = whole_unit(text); !unit.empty()) check_behind_unit(unit);
+    return;
+  }
   if (text.empty()) {
     if (k < spans.size() && spans[k].kind == TextSpan::Kind::math)
       refuse(number, "another formula stands directly behind this number", kOneFormula);
+    return;
+  }
+  if (has_blank && starts_with_any(text, {"(", "["})) {
+    const std::size_t close = text.find_first_of(")]");
+    const std::string unit = whole_unit(text.substr(1, std::min(close, text.size()) - 1));
+    if (close != text.npos && !unit.empty() && unit != number.written.unit) check_behind_unit(unit);
     return;
   }
   while (!has_blank && starts_with_any(text, {")", "]"})) {
     text.remove_prefix(1);
     if (text.empty() || take_blank(text)) return;
   }
+  const bool is_factorial = text.starts_with("!") && !has_unit;
   const bool is_sign =
-      starts_with_any(text, {"=", "<", ">", "≤", "≥", "≈", "≠", "±", "×", "·", "+", "−", "*", "^",
-                             "/", "²", "³", "⁴", "⁻", "¹", "~", "∼", "≡", "½", "¼", "¾", "!"}) ||
+      is_factorial ||
+      starts_with_any(text, {"=", "<", ">", "≤", "≥", "≈", "≠", "±", "×", "·", "+", "−", "*",
+                             "^", "/", "²", "³", "⁴", "⁻", "¹", "~", "∼", "≡", "½", "¼", "¾"}) ||
       (!has_blank && text.size() > 1 && std::string_view("-–.,").find(text[0]) != std::string_view::npos &&
        is_digit(text[1]));
   if (is_sign) return refuse(number, "a sign stands behind this number, outside of its formula", kOneFormula);
   if (is_digit(text.front()))
     return refuse(number, "another number stands directly behind this one", kOneFormula);
-  for (const std::string_view word : {"dozen", "hundred", "thousand", "million", "billion"})
-    if (text.starts_with(word))
-      return refuse(number, "this number is not that many " + std::string(word) + "s: it is printed as it is",
-                    "write the power of ten as a unit, or leave it out");
-  if (text.starts_with("%")) return check_unit(number, "%");
-  if (const std::string unit = unit_at_start(text); !unit.empty()) return check_unit(number, unit);
+  if (const std::string_view word = factor_behind(text); !word.empty())
+    return refuse(number, in_quotes(word) + " behind this number makes it another: it is printed as it is",
+                  "write the power of ten as a unit, or leave it out");
+  if (starts_with_any(text, {"%", "percent", "per cent"})) return check_behind_unit("%");
+  if (text.starts_with("per ")) {
+    const std::string unit = unit_at_start(text.substr(4));
+    if (!unit.empty()) return check_behind_unit("1/" + unit);
+  }
+  if (const std::string unit = unit_at_start(text); !unit.empty()) return check_behind_unit(unit);
+  for (const std::string_view before : {"in ", ", in "})
+    if (text.starts_with(before) && !has_unit)
+      if (const std::string unit = unit_at_start(text.substr(before.size())); !unit.empty())
+        return check_unit(number, unit);
   if (!has_blank && is_letter(text.front()))
     refuse(number, "a letter stands directly behind this number", "put a blank between them");
-}
-
-NumberCheck::Head NumberCheck::head_of(const TextTable::Cell& cell) const {
-  Head head;
-  const Math* formula = nullptr;
-  std::string words;
-  std::size_t formulas = 0, end = cell.size();
-  // The unit of a computed column is added behind what its author wrote.
-  if (end >= 3 && cell[end - 3].text == " (" && cell[end - 1].text == ")" &&
-      cell[end - 2].kind == TextSpan::Kind::math && read_unit_formula(cell[end - 2].math)) {
-    head.has_column_unit = true;
-    end -= 3;
-  }
-  for (std::size_t i = 0; i < end; ++i) {
-    if (cell[i].kind == TextSpan::Kind::math) {
-      formula = &cell[i].math;
-      ++formulas;
-      head.text += cell[i].text;
-    } else {
-      words += cell[i].text;
-      head.text += cell[i].text;
-    }
-  }
-  const std::size_t bracket = words.rfind('(');
-  const std::size_t close = words.find_last_not_of(' ');
-  if (bracket != words.npos && close != words.npos && words[close] == ')') {
-    const std::string unit = words.substr(bracket + 1, close - bracket - 1);
-    if (std::any_of(unit.begin(), unit.end(), [](char c) { return is_letter(c); }) && scaled_unit(unit))
-      head.unit = unit;
-    if (!head.unit.empty()) words.erase(bracket);
-  }
-  // "energy in kJ"
-  const std::size_t in = words.rfind(" in ");
-  if (head.unit.empty() && in != words.npos) {
-    const std::string unit = words.substr(in + 4);
-    if (unit == unit_at_start(unit)) head.unit = unit;
-    if (!head.unit.empty()) words.erase(in);
-  }
-  std::string_view rest(words);
-  while (take_blank(rest)) {
-  }
-  while (take_last_blank(rest)) {
-  }
-  if (formulas == 1 && rest.empty()) {
-    head.is = read_side(*formula, notation_);
-    auto in_unit = head.is ? std::nullopt : read_in_unit(*formula, notation_);
-    if (in_unit)
-      std::tie(head.is, head.unit) = std::pair(std::move(in_unit->first), std::move(in_unit->second));
-  }
-  const bool is_letter_alone = formulas == 0 && !rest.empty() && rest.find(' ') == rest.npos;
-  if (is_letter_alone)
-    if (const auto math = parse_math(rest)) head.is = read_side(*math, notation_);
-  return head;
-}
-
-/// A column, or a row, of what its head says; `motions` are those of its numbers.
-void NumberCheck::check_head(const Head& head, const ComputedNumber& number,
-                             const std::vector<MotionNumbers*>& motions) {
-  if (!head.unit.empty() && head.has_column_unit)
-    return refuse(number,
-                  "the head " + in_quotes(head.text) + " has a unit, and that of the column stands behind it",
-                  "leave the one in the head out");
-  if (!head.unit.empty()) check_unit(number, head.unit);
-  if (!head.is) return;
-  const std::string other = "the head says " + in_quotes(head.text) + ", and the numbers are " +
-                            in_quotes(number.written.expression);
-  const std::string hint = "write a head in words, or show what it says";
-  if (head.is->type() == ExpressionType::vector) return refuse(number, other, hint);
-  const Equality sides{*head.is, number.expression};
-  if (is_provable(sides) && Prover().settle(sides, Assumption::identity) == Verdict::holds) return;
-  for (MotionNumbers* motion : motions) {
-    const auto said = motion->value_of(*head.is), shown = motion->value_of(number.expression);
-    if (!said || !shown) continue;
-    constexpr double kRounding = 1e-9;
-    if (std::abs(*said - *shown) <= kRounding * (std::abs(*said) + std::abs(*shown))) continue;
-    return refuse(
-        number, other + ": " + digits(*said, kDigitsOfHint) + " and " + digits(*shown, kDigitsOfHint), hint);
-  }
-}
-
-/// A table in Markdown: its numbers are of one motion.
-void NumberCheck::check_table(const TextTable& table, const NumbersMotion& motion) {
-  const auto alone = [&](const TextTable::Cell& cell) -> const ComputedNumber* {
-    if (cell.size() != 1 || cell[0].math.live.size() != 1 || number(cell[0].math, 0).row) return nullptr;
-    const auto read = read_numbers(cell[0].math, notation_);
-    return read && read->first && read->statements.empty() ? &number(cell[0].math, *read->first) : nullptr;
-  };
-  std::vector<Head> heads;
-  for (const TextTable::Cell& cell : table.rows.front()) heads.push_back(head_of(cell));
-  for (std::size_t r = 1; r < table.rows.size(); ++r) {
-    std::vector<const ComputedNumber*> numbers;
-    for (std::size_t c = 0; c < table.rows[r].size(); ++c) {
-      const ComputedNumber* shown = alone(table.rows[r][c]);
-      if (shown == nullptr) continue;
-      numbers.push_back(shown);
-      check_head(heads[c], *shown, {&motion.still});
-      // Of a row with one number its first cell says what that is, where the column does not.
-      if (c > 0 && !heads[c].is && numbers.size() == 1) {
-        const auto is_number = [&](const TextTable::Cell& cell) { return alone(cell) != nullptr; };
-        if (std::count_if(table.rows[r].begin(), table.rows[r].end(), is_number) == 1)
-          check_head(head_of(table.rows[r].front()), *shown, {&motion.still});
-      }
-    }
-  }
-}
-
-void NumberCheck::check_computed_tables(const RichText& text) {
-  for (const TextBlock& block : text) {
-    if (!block.is_table()) continue;
-    for (std::size_t c = 0; c < block.table.columns.size(); ++c) {
-      std::vector<const ComputedNumber*> numbers;
-      for (std::size_t r = 1; r < block.table.rows.size(); ++r)
-        for (const TextSpan& span : block.table.rows[r][c])
-          if (span.math.live.size() == 1 && number(span.math, 0).row)
-            numbers.push_back(&number(span.math, 0));
-      if (numbers.empty()) continue;
-      const Head head = head_of(block.table.rows.front()[c]);
-      const Equality sides{head.is.value_or(numbers.front()->expression), numbers.front()->expression};
-      const bool is_same = is_provable(sides) && fit(sides.left.type(), sides.right.type()) &&
-                           Prover().settle(sides, Assumption::identity) == Verdict::holds;
-      std::vector<SceneModel> models;
-      std::vector<MotionNumbers> motions;
-      std::vector<MotionNumbers*> of_rows;
-      if (!is_same) {
-        models.reserve(numbers.size());
-        motions.reserve(numbers.size());
-        for (const ComputedNumber* one : numbers) {
-          models.push_back(make_model(one->row->scene, Product::numbers, effort_));
-          motions.emplace_back(models.back(), one->row->scene.at_s, effort_);
-          of_rows.push_back(&motions.back());
-        }
-      }
-      check_head(head, *numbers.front(), of_rows);
-    }
-  }
 }
 
 void NumberCheck::check_shared(const std::vector<int>& ids, const std::vector<const SceneModel*>& models) {
@@ -552,6 +396,60 @@ void NumberCheck::check_shared(const std::vector<int>& ids, const std::vector<co
       break;
     }
   }
+}
+
+namespace {
+
+/// "T = 3 kJ" in plain words, as a formula.
+std::optional<Math> statement_in_words(const std::string& text) {
+  constexpr std::string_view kEquals = " = ";
+  const std::size_t at = text.find(kEquals);
+  if (at == text.npos || at == 0) return std::nullopt;
+  const std::size_t before = text.find_last_of(" (,;", at - 1);
+  const std::string name =
+      text.substr(before == text.npos ? 0 : before + 1, at - (before == text.npos ? 0 : before + 1));
+  const std::size_t begin = at + kEquals.size();
+  std::size_t end = begin;
+  while (end < text.size() && (is_digit(text[end]) || text[end] == '-' ||
+                               (text[end] == '.' && end + 1 < text.size() && is_digit(text[end + 1]))))
+    ++end;
+  if (name.size() != 1 || !is_letter(name.front()) || end == begin) return std::nullopt;
+  const std::string unit = unit_behind(std::string_view(text).substr(end));
+  auto math = parse_math(name + " = " + text.substr(begin, end - begin) +
+                         (unit.empty() ? "" : "\\,\\text{" + unit + '}'));
+  return math ? std::optional(std::move(*math)) : std::nullopt;
+}
+
+}  // namespace
+
+bool NumberCheck::has_typed_numbers(const RichText& text) const {
+  for (const TextBlock& block : text)
+    for (const TextSpan& span : block.spans)
+      if ((span.kind == TextSpan::Kind::math && !typed_statements(span.math, notation_).empty()) ||
+          (span.kind == TextSpan::Kind::text && statement_in_words(span.text)))
+        return true;
+  return false;
+}
+
+void NumberCheck::check_typed(const RichText& text, const SceneModel& model, double still_s,
+                              SourcePlace place) {
+  for (const TextBlock& block : text)
+    for (std::size_t i = 0; i < block.spans.size(); ++i) {
+      const TextSpan& span = block.spans[i];
+      const auto in_words = span.kind == TextSpan::Kind::text ? statement_in_words(span.text) : std::nullopt;
+      const Math* math = span.kind == TextSpan::Kind::math ? &span.math : in_words ? &*in_words : nullptr;
+      if (math == nullptr) continue;
+      for (TypedStatement& statement : typed_statements(*math, notation_)) {
+        if (statement.number.unit.empty() && i + 1 < block.spans.size() && !span.break_after)
+          statement.number.unit = unit_behind(block.spans[i + 1].text);
+        const auto wrong = wrong_value(statement, model, {still_s, 0});
+        if (wrong)
+          return report_.error(place,
+                               "a caption says " + in_quotes(span.text) + ", and on its motion that is " +
+                                   digits(*wrong, kDigitsOfHint) + " at t = " + digits(still_s, 3) + " s",
+                               "write the number as \\value{…}{…}, or leave it out");
+      }
+    }
 }
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 
 #include "lessons/diagnostics/report.h"
 #include "lessons/notation/tex_numbers.h"
+#include "lessons/notation/tex_sides.h"
 #include "lessons/reader/lesson.h"
 
 #include <optional>
@@ -35,18 +36,31 @@ class NumberCheck {
   void check_computed_tables(const RichText& text);
   /// Numbers of a caption that stands once below the pictures of these motions.
   void check_shared(const std::vector<int>& ids, const std::vector<const SceneModel*>& models);
+  /// What an author typed into a caption, "$\omega_3 = 5$ rad/s", is so at the still, or as
+  /// the motion began.
+  void check_typed(const RichText& text, const SceneModel& model, double still_s, SourcePlace place);
+  /// Whether it has such numbers.
+  bool has_typed_numbers(const RichText& text) const;
 
  private:
   struct Head;
+  static constexpr int kDigitsOfHint = 6;
   const ComputedNumber& number(const Math& math, std::size_t index) const;
   void check_apart(const Math& math, const Math* above, const NumbersMotion& motion);
   void check_components(const Math& math, const ComponentsStatement& statement, const NumbersMotion& motion);
   bool check_statement(const Math& math, const NumberStatement& statement, const NumbersMotion& motion);
   void check_unit(const ComputedNumber& number, const std::string& unit);
   void check_spans(const std::vector<TextSpan>& spans, const NumbersMotion& motion);
-  void check_before(const std::vector<TextSpan>& spans, std::size_t at, const ComputedNumber& number);
-  void check_behind(const std::vector<TextSpan>& spans, std::size_t at, const ComputedNumber& number);
+  void check_before(const std::vector<TextSpan>& spans, std::size_t at, std::size_t index,
+                    const NumbersMotion& motion);
+  void check_said(const Math& said, Relation relation, const Math& math, std::size_t index,
+                  const NumbersMotion& motion);
+  void check_behind(const std::vector<TextSpan>& spans, std::size_t at, const ComputedNumber& number,
+                    bool has_unit);
+  // Of tables: number_check_tables.cpp.
   void check_table(const TextTable& table, const NumbersMotion& motion);
+  void check_unit_beside(const TextTable::Cell& cell, const ComputedNumber& number);
+  void check_row_heads(const TextTable& table);
   Head head_of(const TextTable::Cell& cell) const;
   void check_head(const Head& head, const ComputedNumber& number, const std::vector<MotionNumbers*>& motions);
   void refuse(const ComputedNumber& number, const std::string& message, const std::string& hint = "");
@@ -56,5 +70,10 @@ class NumberCheck {
   const Effort& effort_;
   EquationNotation notation_;  ///< with the words of motions as a whole
 };
+
+/// What a typed statement's number should be, in its unit, where it is off by more than half a unit of its
+/// last digit at each of these times; nothing where it is right, or cannot be told.
+std::optional<double> wrong_value(const TypedStatement& statement, const SceneModel& model,
+                                  const std::vector<double>& times_s);
 
 }  // namespace polhode

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/lessons/support.h"
 
+#include "lessons/reader/claim_check.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,6 +28,18 @@ std::vector<std::string> lines_of(const std::vector<Diagnostic>& diagnostics) {
 
 std::vector<std::string> complaints(const std::string& text) {
   return lines_of(read_lesson(text, "sample.md").diagnostics);
+}
+
+std::vector<std::string> complaints_of(const std::string& body, const std::string& tables) {
+  std::string text = lesson_with(body);
+  const std::size_t end = text.find("+++", 3);
+  text.insert(end, tables);
+  LessonReading reading = read_lesson(text, "a.md");
+  std::vector<std::string> lines = lines_of(reading.diagnostics);
+  if (!reading.lesson) return lines;
+  if (prove_claims(*reading.lesson)) lines.push_back("too long");
+  for (const std::string& line : lines_of(check_claims(*reading.lesson, "a.md"))) lines.push_back(line);
+  return lines;
 }
 
 Equality equality(const std::string& left, const std::string& right) {

@@ -27,6 +27,9 @@ std::vector<std::string> lines_of(const std::vector<Diagnostic>& diagnostics);
 /// What read_lesson says of a text.
 std::vector<std::string> complaints(const std::string& text);
 
+/// The same, and what its proofs and checks say, of a lesson_with whose front matter has `tables` too.
+std::vector<std::string> complaints_of(const std::string& body, const std::string& tables = "");
+
 /// A report on its own text, and the lines it holds.
 struct TextReport {
   explicit TextReport(std::string the_text)

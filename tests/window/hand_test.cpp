@@ -124,6 +124,8 @@ TEST_F(Hand, AnswersAQuestionWrongAndRight) {
   lesson.picture();
   EXPECT_TRUE(lesson.changes_from(wrong));
   EXPECT_EQ(lesson.place().stage, 2) << "letters and Enter are for the question";
+  lesson.press({"Left"});
+  EXPECT_TRUE(eventually([&] { return lesson.place().stage == 1; })) << "what is right needs no other try";
 }
 
 // The tip is dragged to where the goal is reached; only Check makes an answer of it, which is the state

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace polhode {
 
@@ -29,11 +30,13 @@ void main() {
 constexpr std::string_view kFragment = R"(
 in vec2 v_place;
 in vec4 v_color;
-uniform sampler2D u_atlas;  // coverage
+uniform sampler2D u_texture;  // coverage in red; or a picture, premultiplied
+uniform float u_is_picture;
 out vec4 o_color;
 void main() {
-  float alpha = v_color.a * texture(u_atlas, v_place).r;
-  o_color = vec4(v_color.rgb * alpha, alpha);
+  vec4 texel = texture(u_texture, v_place);
+  float alpha = v_color.a * texel.r;
+  o_color = u_is_picture > 0.5 ? v_color.a * texel : vec4(v_color.rgb * alpha, alpha);
 }
 )";
 
@@ -60,7 +63,13 @@ Geometry<ControlVertex> geometry_of(const ImDrawList& list) {
   return geometry;
 }
 
+/// Nothing of what has no name: that is the atlas.
+GLuint texture_of(ImTextureID name) { return static_cast<GLuint>((std::uintptr_t)name); }
+
 }  // namespace
+
+// A pointer or a whole number, as the version has it.
+ImTextureID control_texture(GLuint texture) { return (ImTextureID) static_cast<std::uintptr_t>(texture); }
 
 Result<std::unique_ptr<ControlPass>> ControlPass::create(const Gl& gl) {
   auto program = Program::create(gl, "controls", {kVertex}, {kFragment});
@@ -97,9 +106,8 @@ void ControlPass::draw(const ImDrawData& data, const Framebuffer& onto) const {
   gl_.BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.ActiveTexture(GL_TEXTURE0);
-  gl_.BindTexture(GL_TEXTURE_2D, atlas_);
   program_.use();
-  program_.set("u_atlas", 0);
+  program_.set("u_texture", 0);
   program_.set("u_display", data.DisplayPos.x, data.DisplayPos.y, data.DisplaySize.x, data.DisplaySize.y);
   for (int i = 0; i < data.CmdListsCount; ++i) {
     const ImDrawList& list = *data.CmdLists[i];
@@ -115,6 +123,9 @@ void ControlPass::draw(const ImDrawData& data, const Framebuffer& onto) const {
       const int y0 = std::max(0, px(command.ClipRect.y, at.y, scale.y)),
                 y1 = px(command.ClipRect.w, at.y, scale.y);
       if (x0 < x1 && y0 < y1) {
+        const GLuint picture = texture_of(command.GetTexID());
+        gl_.BindTexture(GL_TEXTURE_2D, picture != 0 ? picture : atlas_);
+        program_.set("u_is_picture", picture != 0 ? 1.0F : 0.0F);
         gl_.Scissor(x0, onto.size().height - y1, x1 - x0, y1 - y0);
         stream_.draw_range(first, command.ElemCount);
       }

@@ -7,11 +7,15 @@
 #include "render/gl/shader.h"
 #include "render/gl/stream.h"
 
+#include <imgui.h>
+
 #include <memory>
 
-struct ImDrawData;
-
 namespace polhode {
+
+/// Names a texture of the context to Dear ImGui: an RGBA picture, premultiplied, of one pixel for each of the
+/// window's. The atlas of the fonts has no name.
+ImTextureID control_texture(GLuint texture);
 
 /// `gl` must outlive it, and its context be current wherever it is used or destroyed.
 class ControlPass {
@@ -32,7 +36,7 @@ class ControlPass {
   const Gl& gl_;
   Program program_;
   VertexStream stream_;
-  GLuint atlas_ = 0;
+  GLuint atlas_ = 0;  ///< of the fonts
 };
 
 }  // namespace polhode

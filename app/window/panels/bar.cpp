@@ -64,7 +64,8 @@ void draw_time(PanelContext& context, float width) {
     session.step_frames(1);
   ImGui::SameLine();
   const float line = width - 4 * icon - 0.9F * gap - number - speed - 3 * gap;
-  if (const auto t = time_line(session.time_line(), session.t_s(), session.flips(), std::max(4 * em, line))) {
+  if (const auto t =
+          time_line(session.time_line(), session.t_s(), session.shown_flips(), std::max(4 * em, line))) {
     session.set_playing(false);
     session.scrub_to(*t);
   }
@@ -77,12 +78,22 @@ void draw_time(PanelContext& context, float width) {
   draw_speed(session, speed);
 }
 
-bool waits_for_answer(const LessonSession& session) {
+/// There is a question that nobody has tried yet. Whether an answer was right is said in the panel alone, and
+/// not before the motion has shown it.
+bool asks_something(const LessonSession& session) {
   const std::vector<const Ask*> questions = session.questions();
   return std::any_of(questions.begin(), questions.end(), [&](const Ask* ask) {
     const AnswerRecord* record = session.record(*ask);
-    return !record || !record->right;
+    return !record || record->tries == 0;
   });
+}
+
+/// This step, or one before it in its stage; and the end has its summary there.
+bool has_questions(const LessonSession& session) {
+  if (!session.next_place()) return true;
+  const std::vector<Step>& steps = session.stage().steps;
+  return std::any_of(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(session.place().step) + 1,
+                     [](const Step& step) { return !blocks_of<Ask>(step).empty(); });
 }
 
 /// A dot on the corner of the last item.
@@ -100,12 +111,13 @@ void draw_panel_buttons(PanelContext& context) {
     if (!first) ImGui::SameLine(0, 0.5F * ImGui::GetStyle().ItemSpacing.x);
     first = false;
     const bool is_on = session.panel == facts.panel;
-    const bool asks = !session.questions().empty() || !session.next_place();  // the end has its summary there
-    ImGui::BeginDisabled(facts.panel == Panel::question && !asks);
-    if (toggle_button(facts.name, is_on, told(facts.command)))
-      session.panel = is_on ? Panel::none : facts.panel;
+    const bool is_of_questions = facts.panel == Panel::question,
+               is_marked = is_of_questions && asks_something(session);
+    ImGui::BeginDisabled(is_of_questions && !has_questions(session));
+    const std::string tooltip = is_marked ? "There is a question here (Q)" : told(facts.command);
+    if (toggle_button(facts.name, is_on, tooltip)) session.panel = is_on ? Panel::none : facts.panel;
     ImGui::EndDisabled();
-    if (facts.panel == Panel::question && waits_for_answer(session)) mark_last();
+    if (is_marked) mark_last();
   }
 }
 

@@ -68,7 +68,11 @@ void Panels::draw(PanelContext& context, const Region& region) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
-  has_focus_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  const bool is_focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  takes_keys_ = takes_keys_ && is_focused;
+  has_focus_ = is_focused && (context.session.panel != Panel::question || takes_keys_ ||
+                              ImGui::GetIO().NavVisible || ImGui::GetIO().WantTextInput);
+  context.has_keys = has_focus_;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRectFullScreen();
   list.AddLine({region.x + 0.5F, region.y}, {region.x + 0.5F, region.y + region.height},

@@ -6,6 +6,7 @@
 #include "app/session/lesson_session.h"
 #include "app/session/save_as.h"
 #include "app/window/controls/control_style.h"
+#include "app/window/controls/lesson_texts.h"
 
 #include <optional>
 #include <string>
@@ -30,11 +31,13 @@ struct Region {
 struct PanelContext {
   LessonSession& session;
   const SpeechText& speech;
+  LessonTexts& texts;
   const ControlSizes& sizes;
   WindowRequests& requests;
   double frame_ms = 0;      ///< wall time of the last frame in which a page was drawn
   double clock_s = 0;       ///< since the window opened
   bool take_focus = false;  ///< the panel was just opened by a key
+  bool has_keys = false;    ///< keys are for the panel (Panels::has_focus)
 };
 
 /// Of the bar in a window of this width: narrow ones have two rows.

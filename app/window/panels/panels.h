@@ -67,8 +67,11 @@ class QuestionsPanel {
 
  private:
   void draw_question(PanelContext& context, const Ask& ask, std::size_t number, std::size_t count);
+  void draw_forget(PanelContext& context, const Ask& ask);
+  void draw_earlier(PanelContext& context, bool is_alone);
 
   std::map<std::string, std::string> typed_;  ///< by "stage/question"
+  std::string forgetting_;                    ///< the one of which that is asked; empty: none
 };
 
 class SavePanel {
@@ -89,8 +92,11 @@ class Panels {
   void draw(PanelContext& context, const Region& region);
   /// Before a frame: none has the focus unless it says so.
   void begin_frame();
-  /// Whether keys are for the panel.
+  /// Whether all keys are for the panel: one that was opened or chosen by a key. Those that walk and play
+  /// stay with the page beside questions, until a control is chosen by keys or a text is typed.
   bool has_focus() const { return has_focus_; }
+  /// F6: from now on until the focus goes elsewhere they are for the panel of questions too.
+  void take_keys() { takes_keys_ = true; }
   std::optional<double> seconds_to_wake() const { return method_.seconds_to_wake(); }
   SavePanel& save() { return save_; }
 
@@ -107,6 +113,7 @@ class Panels {
   std::pair<Panel, Place> shown_{};  ///< panel and place of the frame before
   std::string refusal_;              ///< why the last edit was not made; empty: it was
   bool has_focus_ = false;
+  bool takes_keys_ = false;
 };
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels/progress_table.h"
 
+#include "app/session/answer_text.h"
 #include "app/session/progress.h"
 #include "app/window/controls/widgets.h"
 
@@ -60,17 +61,20 @@ void draw_summary(PanelContext& context) {
   if (!open.empty()) {
     heading("Not yet answered right");
     std::optional<Place> chosen;
-    for (const PlacedAsk& question : open) {
-      std::string title = context.speech.words_of_title(session.lesson().stages[question.place.stage]);
-      if (title.ends_with('.')) title.pop_back();
-      const std::string words = fmt::format("{}: {}##{}", title, question.ask->id, question.name);
-      if (ImGui::Selectable(words.c_str())) chosen = Place{question.place.stage, question.place.step};
+    for (std::size_t i = 0; i < open.size();) {
+      const StepPlace first = open[i].place;
+      std::size_t count = 0;
+      for (; i < open.size() && open[i].place.stage == first.stage; ++i) ++count;
+      const Stage& stage = session.lesson().stages[first.stage];
+      RichText title = stage.title_text;
+      if (count > 1) title = in_a_row(std::move(title), words_text(fmt::format(" ({} questions)", count)));
+      if (context.texts.row(stage.id.c_str(), title)) chosen = Place{first.stage, first.step};
     }
     if (chosen) session.go_to(*chosen);
   }
   ImGui::Spacing();
   if (const std::string& next = session.lesson().about.next; !next.empty())
-    quiet_words(fmt::format("The lesson to go on with: {}", next));
+    quiet_words(fmt::format("To go on: polhode play {}", next));
 }
 
 }  // namespace polhode

@@ -10,7 +10,8 @@ namespace polhode {
 /// Nothing where the lesson asks nothing.
 void draw_progress(const PanelContext& context);
 
-/// At the end of the lesson: that, what was not answered right, to be clicked, and the lesson to go on with.
+/// At the end of the lesson: that, the stages with questions that were not answered right, to be clicked, and
+/// the lesson to go on with.
 void draw_summary(PanelContext& context);
 
 }  // namespace polhode

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include "app/session/answer_text.h"
+#include "app/session/progress.h"
 #include "app/window/controls/widgets.h"
+#include "app/window/panels/answer_controls.h"
+#include "app/window/panels/derivation_question.h"
 #include "app/window/panels/panels.h"
 #include "app/window/panels/progress_table.h"
 #include "app/window/panels/state_question.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 
@@ -14,13 +17,13 @@ namespace polhode {
 
 namespace {
 
+using Mark = AnswerJudgement::Mark;
+
 /// Of the answer that was judged, whatever is typed since.
 void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
-  using Mark = AnswerJudgement::Mark;
-  const bool right = verdict.mark == Mark::right;
   const std::string word = verdict.mark == Mark::wrong ? "Not right" : "Cannot be read";
-  if (right) return right_words("Right.");
+  if (verdict.mark == Mark::right) return right_words("Right.");
   warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
   if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
   if (!verdict.hint.empty()) quiet_words(verdict.hint);
@@ -31,98 +34,16 @@ void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
   }
 }
 
-/// Typed, and checked with Enter or the button.
+/// Typed, and checked with Enter or the button. What is right needs no other try.
 void ask_for_words(PanelContext& context, const Ask& ask, std::string& typed) {
-  const float check = ImGui::CalcTextSize("Check").x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - check - ImGui::GetStyle().ItemSpacing.x);
-  if (context.take_focus) ImGui::SetKeyboardFocusHere();
   const std::string form = ask.number
                                ? "a number" + (ask.number->unit.empty() ? "" : " in " + ask.number->unit)
                                : fmt::format("such as {}", form_of_answer(ask.type));
-  const bool entered =
-      ImGui::InputTextWithHint("##answer", form.c_str(), &typed, ImGuiInputTextFlags_EnterReturnsTrue);
-  if (entered) ImGui::SetKeyboardFocusHere(-1);  // for another try
+  if (text_field(context, "##answer", form.c_str(), "Check", typed))
+    keep_typing(context.session.answer(ask, typed).mark != Mark::right);
   ImGui::SameLine();
-  if ((ImGui::Button("Check") || entered) && !typed.empty()) context.session.answer(ask, typed);
-}
-
-void show_line(PanelContext& context, const DerivationWork::TypedLine& line, std::size_t number) {
-  using Mark = LineJudgement::Mark;
-  const LineJudgement& verdict = line.judgement;
-  const std::string words = fmt::format("{}   {}", number, line.text);
-  if (verdict.mark == Mark::goal || verdict.mark == Mark::holds) return right_words(words.c_str());
-  warning_words(words);
-  const std::string what = verdict.mark == Mark::away    ? ""
-                           : verdict.mark == Mark::wrong ? "Not right: "
-                                                         : "Cannot be read: ";
-  quiet_words(fmt::format("{}{}.{}", what, verdict.reason, verdict.hint.empty() ? "" : " " + verdict.hint));
-  if (verdict.column > 0) quiet_words(fmt::format("at column {}", verdict.column));
-  if (const auto& counter = verdict.counterexample) {
-    quiet_words(fmt::format("At {} the left side is {}, the right side {}.", counter->state, counter->left,
-                            counter->right));
-    show_it_button(context, *counter);
-  }
-}
-
-/// Line after line, each judged as it is entered; the goal stays in sight.
-void derive(PanelContext& context, const Ask& ask, std::string& typed) {
-  DerivationWork& work = context.session.derivation(ask);
-  quiet_words(fmt::format("From  {}", work.derivation().start.typed));
-  quiet_words(fmt::format("To    {}", work.derivation().goal.typed));
-  for (std::size_t i = 0; i < work.lines().size(); ++i) show_line(context, work.lines()[i], i + 1);
-  if (work.is_done()) right_words("The goal is reached.");
-  if (work.is_too_short())
-    warning_words(fmt::format("That is the goal itself: show how you get there, in at least {} lines.",
-                              work.derivation().least_lines));
-  if (!work.is_done()) {
-    const float check = ImGui::CalcTextSize("Next").x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - check - ImGui::GetStyle().ItemSpacing.x);
-    if (context.take_focus) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputTextWithHint("##line", "the next line, such as a = b + c", &typed,
-                                                  ImGuiInputTextFlags_EnterReturnsTrue);
-    if (entered) ImGui::SetKeyboardFocusHere(-1);
-    work.type(typed);
-    ImGui::SameLine();
-    if ((ImGui::Button("Next") || entered) && !typed.empty()) {
-      context.session.derive(ask, typed);
-      const auto mark = work.lines().back().judgement.mark;
-      if (mark == LineJudgement::Mark::holds || mark == LineJudgement::Mark::goal) typed.clear();
-    }
-  }
-  if (!work.lines().empty() && ImGui::Button("Take back the last line"))
-    context.session.undo_derived_line(ask);
-}
-
-/// What to use, how, and the line itself: one after the other, for the step that comes next.
-void show_next_step(PanelContext& context, const Ask& ask) {
-  const DerivationWork& work = context.session.derivation(ask);
-  const AnswerRecord* record = context.session.record(ask);
-  const int shown = record == nullptr ? 0 : record->hints;
-  if (!work.is_done()) {
-    if (shown > 0)
-      if (const std::string hint = work.hint(shown); !hint.empty())
-        quiet_words("Hint: " + context.speech.words_of_line(hint));
-    if (shown < DerivationWork::kMostHints) {
-      if (ImGui::Button(shown == 0 ? "A hint" : shown == 1 ? "How?" : "Show the line"))
-        context.session.show_hint(ask);
-      if (record) ImGui::SameLine();
-    }
-  }
-  if (record && ImGui::Button("Begin again")) context.session.forget_answer(ask);
-}
-
-/// The words of a choice beside its letter, which a click picks as well. Formulas are said: controls set
-/// none.
-bool choice_words(const std::string& words) {
-  const ImVec2 at = ImGui::GetCursorPos();
-  const float width = ImGui::GetContentRegionAvail().x, padding = ImGui::GetStyle().FramePadding.y;
-  const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y + 2 * padding;
-  const bool is_picked = ImGui::Selectable("##words", false, 0, {width, height});
-  const ImVec2 below = ImGui::GetCursorPos();
-  ImGui::SetCursorPos({at.x, at.y + padding});
-  plain_words(words);
-  ImGui::SetCursorPos(below);
-  return is_picked;
+  if (ImGui::Button("Check") && !typed.empty()) context.session.answer(ask, typed);
+  say_who_has_keys(context);
 }
 
 /// What is said of a pick stands below it.
@@ -135,7 +56,7 @@ void show_reply(PanelContext& context, const Ask& ask, const JudgedAnswer& answe
     if (ImGui::Button("Skip to the verdict")) context.session.end_play();
   } else {
     show_verdict(context, answer);
-    plain_words(context.speech.words_after(ask, answer.judgement));
+    context.texts.show(text_after(ask, answer.judgement));
   }
   ImGui::Unindent(indent);
 }
@@ -147,14 +68,18 @@ void ask_for_choice(PanelContext& context, const Ask& ask) {
   for (std::size_t i = 0; i < ask.choices.size(); ++i) {
     const std::string letter(1, letter_of_choice(i));
     const bool is_picked = picked_before == static_cast<int>(i) + 1;
-    ImGui::PushID(letter.c_str());
     if (toggle_button(letter.c_str(), is_picked, "")) picked = letter;
     ImGui::SameLine();
-    if (choice_words(context.speech.words(ask.choice_texts[i]))) picked = letter;
-    ImGui::PopID();
+    if (context.texts.row(letter.c_str(), ask.choice_texts[i])) picked = letter;
     if (is_picked) show_reply(context, ask, *judged);
   }
   if (!picked.empty()) context.session.answer(ask, picked);
+}
+
+/// The choices by their letters, to be put in order.
+void show_letters(PanelContext& context, const Ask& ask) {
+  for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
+    context.texts.show(opened_by(fmt::format("{}.  ", letter_of_choice(i)), ask.choice_texts[i]));
 }
 
 /// Hints, and behind the last one the answer; none is offered to who has it.
@@ -163,21 +88,57 @@ void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
   const AnswerRecord known = record != nullptr ? *record : AnswerRecord();
   const auto shown = std::min(static_cast<std::size_t>(std::max(0, known.hints)), ask.hint_texts.size());
   for (std::size_t i = 0; i < shown; ++i)
-    quiet_words(fmt::format("Hint {}: {}", i + 1, context.speech.words(ask.hint_texts[i])));
+    context.texts.show(opened_by(fmt::format("Hint {}: ", i + 1), ask.hint_texts[i]), TextInk::quiet);
   if (!is_settled && is_told(known, ask.hints.size()))
-    plain_words("The answer: " + context.speech.words_of_answer(ask));
+    context.texts.show(opened_by("The answer: ", answer_text(context.session.lesson(), ask)));
   AnswerRecord after = known;
-  if (!is_settled && note_help(after, ask.hints.size())) {
-    const char* words = shown == ask.hints.size() ? "Show the answer"
-                        : shown == 0              ? "A hint"
-                                                  : "Another hint";
-    if (ImGui::Button(words)) context.session.show_hint(ask);
-    if (record != nullptr) ImGui::SameLine();
-  }
-  if (record != nullptr && ImGui::Button("Forget my answers")) context.session.forget_answer(ask);
+  if (is_settled || !note_help(after, ask.hints.size())) return;
+  const char* words = shown == ask.hints.size() ? "Show the answer" : shown == 0 ? "A hint" : "Another hint";
+  if (ImGui::Button(words)) context.session.show_hint(ask);
+}
+
+/// Who has answered it right before, and comes back.
+void show_known(PanelContext& context, const Ask& ask) {
+  const AnswerRecord* record = context.session.record(ask);
+  if (context.session.judged(ask) != nullptr || record == nullptr || record->right == 0) return;
+  quiet_words("You have answered this one right.");
+  context.texts.show(ask.because, TextInk::quiet);
+}
+
+/// "3 answers"
+std::string amount(int count, const char* of) {
+  return fmt::format("{} {}{}", count, of, count == 1 ? "" : "s");
+}
+
+/// "Answered right", or what else is known of a question.
+std::string standing_of(const LessonSession& session, const PlacedAsk& question) {
+  const auto record = session.answers().find(question.name);
+  if (record == session.answers().end() || record->second.tries == 0) return "not answered";
+  return record->second.right > 0 ? "answered right" : "not yet right";
 }
 
 }  // namespace
+
+/// Asks once: what is forgotten does not come back.
+void QuestionsPanel::draw_forget(PanelContext& context, const Ask& ask) {
+  const AnswerRecord* record = context.session.record(ask);
+  if (record == nullptr) return;
+  const std::string name = context.session.stage().id + '/' + ask.id;
+  if (forgetting_ != name) {
+    if (ImGui::Button("Forget my answers…")) forgetting_ = name;
+    return;
+  }
+  const int count = record->tries > 0 ? record->tries : record->hints;
+  const char* of = record->tries == 0 ? "hint" : ask.derivation ? "line" : "answer";
+  plain_words(fmt::format("Forget {}?", amount(count, of)));
+  const bool is_one = count == 1;
+  if (ImGui::Button(is_one ? "Yes, forget it" : "Yes, forget them")) {
+    context.session.forget_answer(ask);
+    forgetting_.clear();
+  }
+  ImGui::SameLine();
+  if (ImGui::Button(is_one ? "Keep it" : "Keep them")) forgetting_.clear();
+}
 
 void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::size_t number,
                                    std::size_t count) {
@@ -185,16 +146,16 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
   heading(count > 1 ? fmt::format("Question {} of {}", number, count).c_str() : "Question");
   // What leads where in a derivation stands below, as it is typed; and goals with how far they are.
   const bool has_more_below = ask.derivation || ask.task;
-  const RichText words = has_more_below ? RichText{ask.prompt_text.front()} : ask.prompt_text;
-  plain_words(context.speech.words(words));
+  context.texts.show(has_more_below ? RichText{ask.prompt_text.front()} : ask.prompt_text);
   std::string& typed = typed_[context.session.stage().id + '/' + ask.id];
+  bool is_settled = false;
   switch (ask.type) {
+    case Ask::Type::order:
+      show_letters(context, ask);
+      quiet_words("Put the letters in order.");
+      [[fallthrough]];
     case Ask::Type::expression:
     case Ask::Type::number:
-      ask_for_words(context, ask, typed);
-      break;
-    case Ask::Type::order:
-      quiet_words("Put the letters in order.");
       ask_for_words(context, ask, typed);
       break;
     case Ask::Type::choice:
@@ -203,45 +164,66 @@ void QuestionsPanel::draw_question(PanelContext& context, const Ask& ask, std::s
       break;
     case Ask::Type::state:
       ask_for_state(context, ask);
-      show_hints(context, ask, false);
-      ImGui::PopID();
-      return;
+      break;
     case Ask::Type::derive:
-      derive(context, ask, typed);
+      ask_for_derivation(context, ask, typed);
       show_next_step(context, ask);
-      ImGui::PopID();
-      return;
+      break;
   }
   const JudgedAnswer* answer = context.session.judged(ask);
-  const AnswerRecord* record = context.session.record(ask);
-  if (answer != nullptr && answer->judgement.choice == 0) {
-    show_verdict(context, *answer);
-    plain_words(context.speech.words_after(ask, answer->judgement));
+  if (!ask.derivation && !ask.task) {
+    if (answer != nullptr && answer->judgement.choice == 0) {
+      show_verdict(context, *answer);
+      context.texts.show(text_after(ask, answer->judgement));
+    }
+    const bool is_right = answer != nullptr && answer->judgement.mark == Mark::right;
+    is_settled = is_right;
+    show_known(context, ask);
   }
-  if (answer == nullptr && record != nullptr && record->right > 0)
-    quiet_words("You have answered this one right.");
-  const bool is_right = answer != nullptr && answer->judgement.mark == AnswerJudgement::Mark::right;
-  show_hints(context, ask, is_right && !context.session.is_awaited(ask));
+  if (!context.session.is_awaited(ask)) {
+    if (!ask.derivation) show_hints(context, ask, is_settled);
+    draw_forget(context, ask);
+  }
   ImGui::PopID();
+}
+
+/// Those of the stage that stand on steps before this one, to go back to.
+void QuestionsPanel::draw_earlier(PanelContext& context, bool is_alone) {
+  LessonSession& session = context.session;
+  const Place here = session.place();
+  std::vector<PlacedAsk> earlier = questions_of_stage(session.lesson(), here.stage);
+  std::erase_if(earlier, [&](const PlacedAsk& question) { return question.place.step >= here.step; });
+  if (is_alone) quiet_words("This step asks nothing.");
+  if (earlier.empty()) return;
+  heading("Earlier in this stage");
+  std::optional<Place> chosen;
+  for (const PlacedAsk& question : earlier) {
+    const std::string opening =
+        fmt::format("Step {}, {}: ", question.place.step + 1, standing_of(session, question));
+    const RichText words = opened_by(opening, {question.ask->prompt_text.front()});
+    if (context.texts.row(question.name.c_str(), words, TextInk::quiet))
+      chosen = Place{question.place.stage, question.place.step};
+  }
+  if (chosen) session.go_to(*chosen);
 }
 
 void QuestionsPanel::draw(PanelContext& context) {
   const std::vector<const Ask*> questions = context.session.questions();
   const bool is_end = !context.session.next_place();
-  if (questions.empty() && !is_end) return quiet_words("This step asks nothing.");
   for (std::size_t i = 0; i < questions.size(); ++i) {
     draw_question(context, *questions[i], i + 1, questions.size());
     context.take_focus = false;
   }
   if (is_end) draw_summary(context);
-  if (questions.empty()) return;
   const auto asks_for = [&](Ask::Type type) {
     return std::any_of(questions.begin(), questions.end(), [=](const Ask* ask) { return ask->type == type; });
   };
   const bool derives = asks_for(Ask::Type::derive);
-  if (!derives && !asks_for(Ask::Type::expression)) return;  // choices are picked, not written
-  heading("How to write it");
-  quiet_words(std::string(derives ? kWordsOfDerivations : kWordsOfAnswers));
+  if (derives || asks_for(Ask::Type::expression)) {  // choices are picked, not written
+    heading("How to write it");
+    quiet_words(std::string(derives ? kWordsOfDerivations : kWordsOfAnswers));
+  }
+  if (!is_end) draw_earlier(context, questions.empty());
 }
 
 }  // namespace polhode

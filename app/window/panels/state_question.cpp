@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels/state_question.h"
 
+#include "app/session/answer_text.h"
 #include "app/session/steering.h"
 #include "app/window/controls/widgets.h"
 #include "base/angles.h"
+#include "lessons/claims/expression_tex.h"
 #include "physics/body/euler.h"
 #include "render/scene/model/scene_problem.h"
 
@@ -12,26 +14,55 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace polhode {
 
 namespace {
 
-/// A slider with its name behind it. True while it is moved.
-bool slider(const char* name, double& value, double from, double to, const char* format) {
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
-  return ImGui::SliderScalar(name, ImGuiDataType_Double, &value, &from, &to, format);
-}
+/// What a slider changes: its name as it is set, and its unit.
+struct Name {
+  const char* tex;
+  const char* unit;
+};
+using Names = std::array<Name, 3>;
 
-using Names = std::array<const char*, 3>;
+/// Between its name and its number, which the thumb would hide. True while it is moved.
+bool slider(PanelContext& context, const Name& name, double& value, double from, double to,
+            const char* format) {
+  const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float left = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
+  const float of_name = 1.6F * em, of_number = 6.6F * em;
+  ImGui::PushID(name.tex);
+  const float top = ImGui::GetCursorPosY(), above = ImGui::GetStyle().FramePadding.y;
+  ImGui::SetCursorPosY(top + above);
+  context.texts.show(formula_text(name.tex));
+  ImGui::SetCursorPos({left + of_name, top});
+  ImGui::SetNextItemWidth(room - of_name - of_number - gap);
+  const bool is_moved = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &from, &to, "");
+  ImGui::PopID();
+  ImGui::SameLine(0, gap);
+  ImGui::AlignTextToFramePadding();
+  const std::string number = fmt::format(fmt::runtime(format), std::abs(value));
+  const bool is_zero = number.find_first_not_of("0.") == number.npos;
+  ImGui::TextUnformatted(fmt::format("{}{}{}", value < 0 && !is_zero ? "−" : "", number, name.unit).c_str());
+  return is_moved;
+}
 
 /// Three of them; true while one is moved.
-bool sliders(const Names& names, Vec3& values, double from, double to, const char* format) {
+bool sliders(PanelContext& context, const Names& names, Vec3& values, double from, double to,
+             const char* format) {
   bool moved = false;
   for (int i = 0; i < 3; ++i)
-    moved = slider(names[static_cast<std::size_t>(i)], values[i], from, to, format) || moved;
+    moved = slider(context, names[static_cast<std::size_t>(i)], values[i], from, to, format) || moved;
   return moved;
 }
+
+constexpr Names kOmegas = {{{"\\omega_1", " rad/s"}, {"\\omega_2", " rad/s"}, {"\\omega_3", " rad/s"}}};
+constexpr Names kMoments = {{{"I_1", " kg m²"}, {"I_2", " kg m²"}, {"I_3", " kg m²"}}};
+constexpr Names kAngles = {{{"\\varphi", "°"}, {"\\theta", "°"}, {"\\psi", "°"}}};
+constexpr Names kTorques = {{{"N_1", " N m"}, {"N_2", " N m"}, {"N_3", " N m"}}};
+constexpr Names kTorquesInSpace = {{{"N_x", " N m"}, {"N_y", " N m"}, {"N_z", " N m"}}};
 
 /// The ends of a slider stand while the reader changes the scene: they are of the lesson's.
 class Controls {
@@ -56,7 +87,7 @@ class Controls {
   void omega() {
     Vec3 w0_B = now_.w0_B;
     const double most = lesson_.w0_B.isZero(0) ? 1 : 2 * lesson_.w0_B.norm();
-    if (!sliders({"ω₁ rad/s", "ω₂ rad/s", "ω₃ rad/s"}, w0_B, -most, most, "%.4f")) return;
+    if (!sliders(context_, kOmegas, w0_B, -most, most, "{:.3f}")) return;
     edits_.w0_B = w0_B;
     changed_ = true;
   }
@@ -64,7 +95,7 @@ class Controls {
   void moments() {
     Vec3 I = now_.body.moments.vector();
     const double largest = lesson_.body.moments.vector().maxCoeff();
-    if (!sliders({"I₁ kg m²", "I₂ kg m²", "I₃ kg m²"}, I, 0.01 * largest, 2 * largest, "%.4g")) return;
+    if (!sliders(context_, kMoments, I, 0.01 * largest, 2 * largest, "{:.4g}")) return;
     const auto body = body_with_moments(I);
     if (!body) return;  // the slider springs back to what can be
     edits_.body = *body;
@@ -73,7 +104,7 @@ class Controls {
 
   void attitude() {
     Vec3 angles = euler_angles(problem_of(now_).start.q_SB) / kRadiansPerDegree;
-    if (!sliders({"φ °", "θ °", "ψ °"}, angles, -180, 180, "%.1f")) return;
+    if (!sliders(context_, kAngles, angles, -180, 180, "{:.1f}")) return;
     angles[1] = std::clamp(angles[1], 0.0, 180.0);
     edits_.attitude = attitude_of(angles * kRadiansPerDegree);
     changed_ = true;
@@ -88,9 +119,7 @@ class Controls {
     const double most = std::max({2 * lesson_.w0_B.cross(L_B).norm(),
                                   2 * components_of(constant_torque(lesson_.torque)).norm(),
                                   0.1 * lesson_.w0_B.dot(L_B), 1e-6});
-    const Names names =
-        in_space ? Names{"N x N m", "N y N m", "N z N m"} : Names{"N₁ N m", "N₂ N m", "N₃ N m"};
-    if (!sliders(names, N, -most, most, "%.4g")) return;
+    if (!sliders(context_, in_space ? kTorquesInSpace : kTorques, N, -most, most, "{:.4g}")) return;
     edits_.torque =
         with_constant(now_.torque, in_space ? TorqueTerm(SpaceTorque{N}) : TorqueTerm(BodyTorque{N}));
     changed_ = true;
@@ -99,7 +128,7 @@ class Controls {
   void time() {
     const LessonSession::Interval line = context_.session.time_line();
     double t_s = context_.session.t_s();
-    if (!slider("t s", t_s, line.from_s, line.to_s, "%.3f")) return;
+    if (!slider(context_, {"t", " s"}, t_s, line.from_s, line.to_s, "{:.3f}")) return;
     context_.session.set_playing(false);
     context_.session.scrub_to(t_s);
   }
@@ -111,12 +140,33 @@ class Controls {
   bool changed_ = false;
 };
 
-void show_goal(const StateGoal& goal, const GoalReading& reading) {
-  quiet_words(fmt::format("Goal: {} {}{}", goal.words(), goal.is ? "= " : "", range_of(goal)));
-  if (reading.is_reached) return right_words("Reached: now " + words_of(goal, reading) + ".");
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(("Now " + words_of(goal, reading) + ".").c_str());
-  ImGui::PopTextWrapPos();
+/// What is given of the motion that is shown: all that the reader does not change.
+RichText given(const Scene& now, const StateTask& task) {
+  SteeredState state;
+  if (!task.change.contains(Steered::omega)) state.w0_B = now.w0_B;
+  if (!task.change.contains(Steered::moments)) state.moments = now.body.moments.vector();
+  if (!task.change.contains(Steered::torque) && !now.torque.empty()) {
+    const TorqueTerm constant = constant_torque(now.torque);
+    if (!components_of(constant).isZero(0)) state.torque = constant;
+  }
+  const std::string line = line_of(state);
+  if (line.empty()) return {};
+  return line_text((state.w0_B ? "Given, at $t = 0$: " : "Given: ") + line + '.');
+}
+
+RichText words_of_goal(const Lesson& lesson, const StateGoal& goal) {
+  RichText words = goal.say.empty()
+                       ? formula_text(tex_of(goal.number.expression, &lesson.notation.vocabulary))
+                       : line_text(goal.say);
+  words = in_a_row(std::move(words), words_text((goal.is ? " = " : " ") + range_of(goal)));
+  return opened_by("Goal: ", std::move(words));
+}
+
+/// `when` says at which time the motion is looked at, as the page beside may show another.
+void show_goal(PanelContext& context, const StateGoal& goal, const GoalReading& reading, const char* when) {
+  context.texts.show(words_of_goal(context.session.lesson(), goal), TextInk::quiet);
+  if (reading.is_reached) return right_words(fmt::format("Reached: {}{}.", when, words_of(goal, reading)));
+  plain_words(fmt::format("Now {}{}.", when, words_of(goal, reading)));
 }
 
 /// The verdict stands as long as the motion is the one that was judged.
@@ -130,11 +180,12 @@ void check(PanelContext& context, const Ask& ask, const Steering& steering) {
   const AnswerRecord* record = context.session.record(ask);
   if (judged != nullptr && judged->text == state && judged->judgement.mark == Mark::right) {
     right_words("Right.");
-    plain_words(context.speech.words_after(ask, judged->judgement));
+    context.texts.show(text_after(ask, judged->judgement));
   } else if (judged != nullptr && judged->text == state) {
     warning_words(fmt::format("Not right: {}.", judged->judgement.reason));
   } else if (record != nullptr && record->right > 0) {
     quiet_words("You have answered this one right.");
+    context.texts.show(ask.because, TextInk::quiet);
   }
 }
 
@@ -145,8 +196,10 @@ void ask_for_state(PanelContext& context, const Ask& ask) {
   const StateTask& task = *ask.task;
   if (session.is_aside()) return quiet_words("The figure shows another body. Go back to this one first.");
   const Steering steering = steering_of(session, task);
-  for (std::size_t i = 0; i < task.goals.size(); ++i) show_goal(task.goals[i], steering.goals[i]);
-  if (!task.change.contains(Steered::t)) quiet_words("At t = 0, as the motion is set going.");
+  const char* const when = task.change.contains(Steered::t) ? "" : "at t = 0 it is ";
+  for (std::size_t i = 0; i < task.goals.size(); ++i)
+    show_goal(context, task.goals[i], steering.goals[i], when);
+  context.texts.show(given(session.model()->scene, task));
   if (!steering.elsewhere.empty()) {
     warning_words(fmt::format("Changed too: {}. This question is about the lesson's.", steering.elsewhere));
     if (ImGui::Button("Put it back", {-1, 0})) context.requests.edits = put_back(session.edits(), task);
@@ -159,16 +212,6 @@ void ask_for_state(PanelContext& context, const Ask& ask) {
   if (ImGui::Button("Back to the lesson's scene", {-1, 0})) session.reset_edits();
   ImGui::EndDisabled();
   tooltip_of_last(told(Command::reset_scene));
-}
-
-void show_it_button(PanelContext& context, const Counterexample& counter) {
-  if (!counter.body || !context.session.has_scene()) return;
-  const Counterexample* shown = context.session.counterexample();
-  const bool is_shown = shown != nullptr && shown->state == counter.state;
-  ImGui::BeginDisabled(is_shown);
-  if (ImGui::Button(is_shown ? "It is in the figure" : "Show it in the figure"))
-    context.requests.counterexample = counter;
-  ImGui::EndDisabled();
 }
 
 }  // namespace polhode

@@ -10,7 +10,4 @@ namespace polhode {
 /// The answer is given by the button Check: reaching a goal on the way to somewhere else is none.
 void ask_for_state(PanelContext& context, const Ask& ask);
 
-/// A button that puts the body of a counterexample into the figure; nothing where it has none to show.
-void show_it_button(PanelContext& context, const Counterexample& counter);
-
 }  // namespace polhode

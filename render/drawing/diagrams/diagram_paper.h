@@ -5,6 +5,7 @@
 
 #include "render/drawing/diagrams/diagrams.h"
 #include "render/drawing/plots/plot.h"
+#include "render/palette.h"
 #include "render/typeset/math/math.h"
 
 #include <array>
@@ -13,11 +14,6 @@
 #include <string>
 
 namespace polhode::diagrams {
-
-/// Paints of what belongs to the indices 1, 2, 3 of components: of no quantity's role, and told apart by
-/// lightness too. Axes in space have kBodyAxisRoles.
-inline constexpr std::array<Color, 3> kIndexPaint = {color_from_hex(0xE69F00), color_from_hex(0x56B4E9),
-                                                     color_from_hex(0x6F5B9E)};
 
 /// A diagram's numbers of one kind: multiples of one power of ten, with the same decimals.
 class NumberForm {
@@ -67,7 +63,7 @@ class DiagramPaper {
   Color ink_of(const Role& role) const { return on_its_paper(role.ink); }
   Color paint_of(const Role& role) const { return on_its_paper(role.paint); }
   /// Of what belongs to axis i = 0, 1, 2.
-  Color paint_of_axis(int i) const { return on_its_paper(kIndexPaint[static_cast<std::size_t>(i)]); }
+  Color paint_of_axis(int i) const { return on_its_paper(kBodyAxisRoles[static_cast<std::size_t>(i)].paint); }
 
   struct Type {
     double align = 0;  ///< 0: `at` is the left end of the baseline, 0.5: its middle, 1: its right end

@@ -10,8 +10,8 @@
 namespace polhode::diagrams {
 namespace {
 
-constexpr double kWidth = 36.0;
-constexpr double kLabel = 0.4, kZero = 21.4, kReach = 7.2, kNumberEnd = 35.4;
+constexpr double kWidth = 30.0;
+constexpr double kLabel = 0.4, kZero = 18.6, kReach = 5.4, kNumberEnd = 29.4;
 constexpr double kHead = 2.1, kRow = 2.0, kSum = 2.2;  // heights
 constexpr double kBlock = kHead + 3.0 * kRow + kSum;
 constexpr double kBetween = 1.0;  // the blocks

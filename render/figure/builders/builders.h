@@ -84,7 +84,8 @@ inline constexpr std::array kBuilders = {
 void add_values(const Snapshot& m, DrawList& list);
 void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list);
 
-/// From when on a trail shows the past. Torque-free motion has no beginning; a driven one starts at t = 0.
+/// From when on a trail shows the past. A free motion in closed form has no beginning; a driven one, and one
+/// that a method computes step by step, starts at t = 0.
 double trail_start_s(const Snapshot& m);
 /// The arrow's tip ends the trail, whose blunt end would stick out: its axis ends one radius behind.
 void end_behind_tip(Tube& trail);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Arrows of ω, L and N, the triads of both frames, the trails of the tips.
 #include "physics/body/euler.h"
+#include "physics/method_facts.h"
 #include "render/figure/builders/builders.h"
 #include "render/palette.h"
 
@@ -66,7 +67,10 @@ void add_trail(const Snapshot& m, Overlay overlay, const Role& role, TipAt tip_a
 
 double trail_start_s(const Snapshot& m) {
   const double start = m.t_s - m.model.span_s;
-  return m.model.scene.torque.empty() ? start : std::max(0.0, start);
+  const auto& method = m.model.scene.motion.method;
+  const bool is_closed = !method || facts_of(*method).control == StepControl::none;
+  const bool has_past = m.model.scene.torque.empty() && is_closed;
+  return has_past ? start : std::max(0.0, start);
 }
 
 void end_behind_tip(Tube& trail) {

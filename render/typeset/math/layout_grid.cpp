@@ -18,8 +18,10 @@ MathLayout::Spacing MathLayout::spacing_of(const MathGrid& grid) {
       return {0, 0, 0, 0.2, 0.36, grid.columns > 1 ? 0.22 : 0.0};
     case MathGrid::Kind::array:
       return {0.84, 0.36, 0, 0.12, 1.0, 0.5};
-    default:
-      return {0.84, 0.36, 0, 0.12, 1.0, 0};
+    default: {
+      const bool has_bars = grid.left == U'|' || grid.left == U'‖';  // straight, so that entries touch them
+      return {0.84, 0.36, 0, 0.12, 1.0, has_bars ? 0.14 : 0.0};
+    }
   }
 }
 

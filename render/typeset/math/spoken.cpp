@@ -288,6 +288,7 @@ class FormulaSpeaker {
       constexpr std::u32string_view kMarks = U"∗⊤†′″‴";
       if (c == U'2') return word("squared");
       if (c == U'3') return word("cubed");
+      if (c == U'∘') return word("degrees");  // 90^\circ
       if (kMarks.find(c) != std::u32string_view::npos) return symbol(power);
     }
     if (power.kind == Kind::row && power.children.size() == 2 && power.children[0].character == U'−' &&

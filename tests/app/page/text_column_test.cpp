@@ -124,6 +124,26 @@ TEST_P(Column, PiecesKeepToTheirHeightAndTheColumn) {
   }
 }
 
+// A formula that is a little too long is set smaller on one line; a longer one is broken at full size.
+TEST_P(Column, AFormulaIsBrokenOnlyWhereItWouldBecomeSmall) {
+  const TextColumn wide{1e4, em(), Theme::paper, Profile::page, symbols_, numbers_, test_fonts()};
+  Equation equation = blocks_of<Equation>()[0];
+  equation.tag.clear();
+  const double whole = wide.equation(equation, Focus::none, {}).value().sheet.texts.front().list.width;
+  const auto in = [&](double part) {
+    const TextColumn column{part * whole, em(),     Theme::paper, Profile::page,
+                            symbols_,     numbers_, test_fonts()};
+    return column.equation(equation, Focus::none, {}).value();
+  };
+  EXPECT_EQ(in(1.01).formula_scale, 1.0);
+  const ColumnPiece smaller = in(0.92), broken = in(0.8);
+  constexpr double kHinting = 0.02;  // of widths that are not quite in proportion to the size
+  EXPECT_NEAR(smaller.formula_scale, 0.92, kHinting);
+  EXPECT_LT(smaller.height, 1.1 * in(1.01).height) << "one line";
+  EXPECT_EQ(broken.formula_scale, 1.0);
+  EXPECT_GT(broken.height, 1.3 * in(1.01).height) << "two lines";
+}
+
 TEST_P(Column, StackedPiecesDoNotOverlap) {
   const std::vector<ColumnPiece> pieces = all();
   std::vector<const ColumnPiece*> refs;

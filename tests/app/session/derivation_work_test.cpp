@@ -2,6 +2,7 @@
 #include "app/session/derivation_work.h"
 
 #include "app/session/lesson_session.h"
+#include "app/session/progress.h"
 #include "tests/app/session/example_lesson.h"
 
 #include <gmock/gmock.h>
@@ -71,6 +72,20 @@ TEST(DerivationWork, TheGoalAloneIsNoDerivation) {
   EXPECT_THAT(work.hint(1), HasSubstr("change")) << "of the first line, for there is none yet";
   EXPECT_EQ(work.add("T' = I1 w1 w1' + I2 w2 w2' + I3 w3 w3'").mark, Mark::holds);
   EXPECT_EQ(work.count(), 1u);
+}
+
+// The page says of it what the panel does: it is no goal that was reached.
+TEST(LessonSession, AGoalWithoutAWayIsNotShownAsReached) {
+  LessonSession session(test::loaded_lesson("euler-equations"));
+  const Ask* ask = nullptr;
+  for (const PlacedAsk& question : questions_of(session.lesson()))
+    if (question.ask->id == "derive-energy")
+      session.go_to({question.place.stage, question.place.step}), ask = question.ask;
+  ASSERT_NE(ask, nullptr);
+  session.derive(*ask, "dT/dt = 0");
+  ASSERT_EQ(session.shown_derivation().lines.size(), 1u);
+  EXPECT_EQ(session.shown_derivation().lines[0].certainty, Certainty::open);
+  EXPECT_NE(session.shown_derivation().lines[0].word, name_of(LineJudgement::Mark::goal));
 }
 
 TEST(DerivationWork, WhatIsKeptIsReadAgain) {

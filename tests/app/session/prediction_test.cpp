@@ -67,6 +67,30 @@ TEST(Prediction, IsJudgedAtOnceWhereNothingPlaysByItself) {
   EXPECT_EQ(session.t_s(), 2) << "what it comes to is seen";
 }
 
+// What comes is not given away: a flip behind the still has no mark before the verdict.
+TEST(Prediction, HidesWhatComesUntilItsVerdict) {
+  const auto flipping = test::loaded_text(
+      "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n[scene]\nbody = \"textbook\"\nomega = [0.1, 3.0, 0.1]\n"
+      "+++\n# S {s}\n```scene\nshow = [\"omega\"]\nat = 0.5\nduration = 8\nrate = 1\n```\n"
+      "```ask p\ntype = 'predict'\nprompt = 'p'\nplays = [0.5, 6]\nshuffle = false\n"
+      "- [x] this\n- [ ] that\n  No.\n```\n---\nMore.\n");
+  LessonSession session(flipping);
+  const Ask& ask = *session.questions().front();
+  ASSERT_FALSE(session.flips().empty());
+  ASSERT_GT(session.flips().back(), 0.5);
+  EXPECT_TRUE(session.is_predicting());
+  for (const double t_s : session.shown_flips()) EXPECT_LE(t_s, 0.5);
+  session.answer(ask, "A");
+  EXPECT_TRUE(session.is_predicting()) << "it is still to be seen";
+  session.end_play();
+  EXPECT_FALSE(session.is_predicting());
+  EXPECT_EQ(session.shown_flips(), session.flips());
+  session.forget_answer(ask);
+  EXPECT_TRUE(session.is_predicting());
+  session.next_step();
+  EXPECT_FALSE(session.is_predicting()) << "nothing is asked here";
+}
+
 TEST(Prediction, IsNotAwaitedElsewhereNorWhenForgottenNorUnread) {
   Predicting left;
   left.session.next_step();

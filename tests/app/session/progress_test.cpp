@@ -30,6 +30,9 @@ TEST(Questions, StandInTheOrderInWhichTheyAreAsked) {
   for (const PlacedAsk& question : questions_of(test::quiz()->lesson)) names.push_back(question.name);
   EXPECT_THAT(names, ElementsAre("first/sign", "first/which", "first/order", "second/derive"));
   EXPECT_EQ(questions_of(test::quiz()->lesson).back().place, (StepPlace{1, 1}));
+  const std::vector<PlacedAsk> second = questions_of_stage(test::quiz()->lesson, 1);
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_EQ(second.front().name, "second/derive");
 }
 
 }  // namespace

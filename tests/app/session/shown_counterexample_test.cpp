@@ -76,8 +76,25 @@ TEST(ShownCounterexample, TurnsUnderTheTorqueThatIsSaid) {
   counter.body->N = {0, 1, 0};
   ASSERT_TRUE(session.show_counterexample(counter));
   EXPECT_EQ(session.model()->scene.torque, Torque{BodyTorque{Vec3(0, 1, 0)}});
+  counter.state = "I = (2, 3, 4), ω = (1, 0, 0), N = 0";
+  counter.body->N = {0, 0, 0};
+  ASSERT_TRUE(session.show_counterexample(counter));
+  EXPECT_EQ(session.model()->scene.torque, Torque{});
   counter.body.reset();
   EXPECT_FALSE(session.show_counterexample(counter).ok());
+}
+
+// A question about a torque keeps its arrow.
+TEST(ShownCounterexample, KeepsTheTorqueOfWhichItSaysNothing) {
+  LessonSession session(test::loaded_text(
+      "+++\nformat = 1\nid = \"driven\"\ntitle = \"Driven\"\n+++\n# Asked {asked}\nText.\n\n"
+      "```scene\nomega = [0, 12, 0.1]\ntorque = \"body:0.1,0.2,0\"\nshow = [\"omega\"]\n```\n"
+      "```ask a\ntype = \"expression\"\nprompt = \"What?\"\nanswer = \"w1*w2*(I2 - I1)\"\n```\n"));
+  const Torque lessons = session.model()->scene.torque;
+  const AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  ASSERT_TRUE(judged.counterexample);
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample));
+  EXPECT_EQ(session.model()->scene.torque, lessons);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_numbers.h"
 
+#include "lessons/notation/tex_sides.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -223,8 +223,10 @@ TEST(AClaimBesideAFormula, OfAPartSaysSo) {
 
 TEST(AClaimBesideAFormula, MayUseOtherWordsIfTheAuthorSaysSo) {
   EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity in-other-words", "e1 = e1"), IsEmpty());
-  EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity", "2*L = L + L"), IsEmpty())
-      << "no other letter";
+  EXPECT_THAT(remarks("\\vec L = \\vec r\\bullet\\vec L", "identity", "2*L = L + L"), IsEmpty())
+      << "no other letter that is known";
+  EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity", "2*L = L + L"),
+              ElementsAre(HasSubstr("shows m, of which")));
   EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity", "cross(e1, e2) = e3"),
               ElementsAre(HasSubstr("speaks of e, which")));
 }

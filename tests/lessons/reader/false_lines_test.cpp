@@ -9,19 +9,7 @@
 namespace polhode {
 namespace {
 
-/// Errors and warnings of a lesson whose front matter has `tables` too.
-std::vector<std::string> complaints_of(const std::string& body, const std::string& tables = "") {
-  std::string text = testing::lesson_with(body);
-  const std::size_t end = text.find("+++", 3);
-  text.insert(end, tables);
-  LessonReading reading = read_lesson(text, "a.md");
-  std::vector<std::string> lines = testing::lines_of(reading.diagnostics);
-  if (!reading.lesson) return lines;
-  if (prove_claims(*reading.lesson)) lines.push_back("too long");
-  for (const std::string& line : testing::lines_of(check_claims(*reading.lesson, "a.md")))
-    lines.push_back(line);
-  return lines;
-}
+using testing::complaints_of;
 
 std::string math(const std::string& kind, const std::string& tex) {
   return "```math a " + kind + "\n" + tex + "\n```\n";

@@ -108,7 +108,7 @@ TEST(FrontMatter, ASymbolThatMeansSomethingMeansNothingElse) {
     EXPECT_THAT(complaint("a = { tex = '" + std::string(sign) + "', means = 'm' }"),
                 ::testing::HasSubstr("has a sign that formulas use otherwise"))
         << sign;
-  EXPECT_THAT(complaint("a = { tex = 'E', means = 'm' }\nb = { tex = '{E}', means = 'T' }"),
+  EXPECT_THAT(complaint("a = { tex = 'Q', means = 'm' }\nb = { tex = '{Q}', means = 'T' }"),
               ::testing::HasSubstr("looks like symbol \"a\""));
   EXPECT_THAT(complaint("L = { tex = '\\vec N' }"), ::testing::HasSubstr("has the name of another quantity"));
   EXPECT_EQ(

@@ -143,6 +143,24 @@ TEST(Figure, AMethodThatDoesNotKeepTheEnergyLeavesTheSurfaces) {  // 2026-11-22:
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(later.ellipsoids[i].semi_axes, start.ellipsoids[i].semi_axes);
 }
 
+TEST(Figure, ATrailOfAComputedMotionBeginsWithIt) {  // 2026-11-23: it showed what the method does backwards
+  Scene scene = poinsot_scene();
+  scene.views = {View::body};
+  scene.show = {O::omega, O::trail_omega};
+  const double t_s = 0.3;
+  const auto begins_at = [&] {
+    const DrawList list = make_figure(make_model(scene), t_s, 1.5).panes[0].list;
+    return tube_of(list, kOmegaRole).points.front();
+  };
+  const SceneModel model = make_model(scene);
+  const auto tip_at = [&](double s) {
+    return arrow_of(make_figure(model, s, 1.5).panes[0].list, kOmegaRole).tip;
+  };
+  EXPECT_LT((begins_at() - tip_at(t_s - model.span_s)).norm(), kMotionTolerance);
+  scene.motion = {.method = Method::explicit_euler, .step_s = 0.01};
+  EXPECT_LT((begins_at() - tip_at(0.0)).norm(), kMotionTolerance);
+}
+
 TEST(Figure, ATrailEndsAtItsArrowsTipAndOverItsCurve) {  // 2026-11-22: it ended up to a sample short of it
   Scene scene = poinsot_scene();
   scene.views = {View::body};

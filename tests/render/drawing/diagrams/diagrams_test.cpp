@@ -180,8 +180,9 @@ TEST(Diagrams, RowsEndWhereTheyBegan) {
     const Sheet sheet = sheet_of(scene_of(diagram), 1.3);
     std::vector<std::pair<double, double>> chain;
     for (int block = 0; block < 2; ++block)
-      for (const Color& paint : diagrams::kIndexPaint)
-        chain.push_back(bars_of(sheet, paint)[static_cast<std::size_t>(2 * block + 1)]);  // after the swatch
+      for (const Role& axis : kBodyAxisRoles)
+        chain.push_back(
+            bars_of(sheet, axis.paint)[static_cast<std::size_t>(2 * block + 1)]);  // after the swatch
     // Rounding: of ω̇ 1e-11, drawn some hundred pixels long.
     constexpr double kTolerance = 1e-8;
     for (std::size_t first : {0u, 3u}) {

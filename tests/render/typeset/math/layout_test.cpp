@@ -424,6 +424,7 @@ TEST(SpokenMath, IsWhatAReaderWouldSay) {
   EXPECT_EQ(said("\\dot{\\vec\\omega}"), "omega vector dot");
   EXPECT_EQ(said("x^2 + y^3 = 12.5"), "x squared plus y cubed equals 12.5");
   EXPECT_EQ(said("\\vec F"), "vector F");
+  EXPECT_EQ(said("x = 90^\\circ"), "x equals 90 degrees");
   EXPECT_EQ(said("|\\vec L|^2"), "the magnitude of angular momentum squared");
   EXPECT_EQ(said("|x|_2^2"), "the magnitude of x sub 2 squared");
   EXPECT_EQ(said("a \\xrightarrow[b]{c} d"), "a goes to by c with below b d");

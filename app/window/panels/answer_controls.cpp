@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/panels/answer_controls.h"
+
+#include "app/window/controls/widgets.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <utility>
+
+namespace polhode {
+
+void keep_typing(bool is_wanted) {
+  if (is_wanted)
+    ImGui::SetKeyboardFocusHere(-1);
+  else
+    ImGui::SetWindowFocus(nullptr);
+}
+
+bool text_field(PanelContext& context, const char* id, const char* form, const char* button,
+                std::string& typed) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float behind = ImGui::CalcTextSize(button).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - behind);
+  if (std::exchange(context.take_focus, false)) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputTextWithHint(id, form, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (entered && typed.empty()) keep_typing(true);
+  return entered && !typed.empty();
+}
+
+void say_who_has_keys(const PanelContext& context) {
+  quiet_words(ImGui::GetIO().WantTextInput ? "Keys go to the answer. Escape: back to the page."
+              : context.has_keys           ? "Keys go to this panel. F6: back to the page."
+                                           : "Keys go to the page: ← → walk, Space plays.");
+}
+
+void show_it_button(PanelContext& context, const Counterexample& counter) {
+  if (!counter.body || !context.session.has_scene()) return;
+  const Counterexample* shown = context.session.counterexample();
+  const bool is_shown = shown != nullptr && shown->state == counter.state;
+  ImGui::BeginDisabled(is_shown);
+  if (ImGui::Button(is_shown ? "It is in the figure" : "Show it in the figure"))
+    context.requests.counterexample = counter;
+  ImGui::EndDisabled();
+}
+
+}  // namespace polhode

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What a formula that cannot be read shows above a claim, though no claim says it.
+#pragma once
+
+#include "render/typeset/math/tree.h"
+
+#include <set>
+#include <string>
+
+namespace polhode {
+
+/// What a verdict stands below is to be seen as it is written: no colours, no spaces that go back.
+bool hides_something(const MathNode& node);
+/// Whether it has ≠, ≡, → or another relation of which nothing is proved.
+bool says_no_equality(const MathNode& node);
+/// Functions and signs that no claim has: sinh, ∫.
+std::set<std::string> operators_in(const MathNode& node);
+
+}  // namespace polhode

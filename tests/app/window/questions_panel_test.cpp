@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// The panel of questions: its formulas, and whose the keys are beside it.
+#include "app/session/answer_log.h"
+#include "tests/app/window/screen_harness.h"
+
+#include <algorithm>
+
+namespace polhode {
+namespace {
+
+class QuestionsPanelTest : public ScreenTest {
+ protected:
+  /// To the step that asks this.
+  const Ask& go_to_question(std::string_view id) {
+    const auto& stages = session.lesson().stages;
+    for (std::size_t stage = 0; stage < stages.size(); ++stage)
+      for (std::size_t step = 0; step < stages[stage].steps.size(); ++step)
+        for (const Ask* ask : blocks_of<Ask>(stages[stage].steps[step]))
+          if (ask->id == id) {
+            session.go_to({stage, step});
+            return *ask;
+          }
+    throw std::runtime_error("no such question");
+  }
+};
+
+TEST_F(QuestionsPanelTest, KeysThatWalkAndPlayAreThePages) {
+  go_to_question("no-torque");
+  screen->press(session, "Q");
+  frame(4);
+  ASSERT_EQ(session.panel, Panel::question);
+  EXPECT_TRUE(screen->press(session, "Space"));
+  EXPECT_TRUE(session.is_playing());
+  session.set_playing(false);
+  const Place asked = session.place();
+  for (const char* key : {"Right", "PageDown"}) {
+    session.go_to(asked);
+    frame(3);
+    EXPECT_TRUE(screen->press(session, key));
+    EXPECT_EQ(session.place(), (Place{asked.stage, asked.step + 1})) << key;
+  }
+  EXPECT_EQ(session.panel, Panel::question) << "it stays open";
+  screen->press(session, "F6");
+  frame(3);
+  EXPECT_FALSE(screen->press(session, "Right")) << "asked for by a key";
+  screen->press(session, "F6");
+  frame(3);
+  EXPECT_TRUE(screen->press(session, "Left"));
+}
+
+TEST_F(QuestionsPanelTest, AFieldGivesTheKeyboardBackAtEscape) {
+  go_to_question("hold-steady");
+  const Place asked = session.place();
+  screen->press(session, "Q");
+  frame(5);
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput) << "one may type at once";
+  EXPECT_FALSE(screen->press(session, "Right"));
+  EXPECT_FALSE(screen->press(session, "Space"));
+  EXPECT_TRUE(screen->press(session, "Escape"));
+  frame(3);
+  EXPECT_EQ(session.panel, Panel::question) << "of the field alone";
+  EXPECT_TRUE(screen->press(session, "Left"));
+  EXPECT_NE(session.place(), asked);
+  EXPECT_TRUE(screen->press(session, "Escape"));
+  EXPECT_EQ(session.panel, Panel::none);
+}
+
+// What was set once is drawn, not set again: at rest, while the motion plays, and beside another answer.
+TEST_F(QuestionsPanelTest, TextsAreSetWhenTheyChange) {
+  const Ask& ask = go_to_question("no-torque");
+  session.panel = Panel::question;
+  frame(4);
+  const int set = screen->texts().count();
+  EXPECT_EQ(set, 1 + static_cast<int>(ask.choices.size())) << "the prompt and its choices";
+  session.scrub_to(session.t_s() + 0.1);
+  frame(4);
+  EXPECT_EQ(screen->texts().count(), set);
+  session.show_hint(ask);
+  frame(4);
+  EXPECT_EQ(screen->texts().count(), set + 1);
+  session.preferences.theme = Theme::dark;
+  frame(4);
+  EXPECT_EQ(screen->texts().count(), 2 * (set + 1));
+}
+
+/// How many triangles of letters, pictures and frames reach to the right of what is seen of them, by more
+/// than the margin of a text. Lines do, on purpose.
+int cut_at_right() {
+  constexpr float kMargin = 3, kHighestLine = 5;
+  int cut = 0;
+  const ImDrawData& drawn = *ImGui::GetDrawData();
+  for (int i = 0; i < drawn.CmdListsCount; ++i) {
+    const ImDrawList& list = *drawn.CmdLists[i];
+    for (const ImDrawCmd& command : list.CmdBuffer)
+      for (unsigned k = 0; k + 2 < command.ElemCount; k += 3) {
+        const auto corner = [&](unsigned n) {
+          const ImDrawIdx index = list.IdxBuffer[static_cast<int>(command.IdxOffset + k + n)];
+          return list.VtxBuffer[static_cast<int>(command.VtxOffset + index)].pos;
+        };
+        const auto [low, high] = std::minmax({corner(0).y, corner(1).y, corner(2).y});
+        const float right = std::max({corner(0).x, corner(1).x, corner(2).x});
+        cut += high - low > kHighestLine && right > command.ClipRect.z + kMargin;
+      }
+  }
+  return cut;
+}
+
+TEST_F(QuestionsPanelTest, NothingIsCutAtItsEdge) {
+  for (const double scale : {1.0, 1.5}) {
+    session.preferences.text_scale = scale;
+    const auto& stages = session.lesson().stages;
+    session.go_to({stages.size() - 1, stages.back().steps.size() - 1});  // the end, with its summary
+    session.panel = Panel::question;
+    frame(4);
+    EXPECT_EQ(cut_at_right(), 0) << scale;
+    for (const char* id : {"hold-steady", "apart", "derive-six", "cards", "no-torque"}) {
+      const Ask& ask = go_to_question(id);
+      while (!ask.derivation &&
+             !is_told(session.record(ask) ? *session.record(ask) : AnswerRecord(), ask.hints.size()))
+        session.show_hint(ask);
+      frame(4);
+      EXPECT_EQ(cut_at_right(), 0) << id << " " << scale;
+    }
+  }
+}
+
+TEST_F(QuestionsPanelTest, WhatWasAskedBeforeCanBeGoneBackTo) {
+  go_to_question("no-torque");
+  const Place asked = session.place();
+  ASSERT_TRUE(session.next_step());
+  ASSERT_TRUE(session.questions().empty());
+  session.panel = Panel::question;
+  frame(4);
+  for (int row = 60; row < 200 && session.place() != asked; row += 12) click(1100, row);
+  EXPECT_EQ(session.place(), asked);
+  EXPECT_EQ(session.panel, Panel::question);
+}
+
+}  // namespace
+}  // namespace polhode
