@@ -15,6 +15,7 @@
 #include "base/utf8.h"
 #include "lessons/derivation/answer_reasons.h"
 #include "lessons/diagnostics/source_text.h"
+#include "lessons/reader/ask_block.h"
 #include "lessons/reader/state_task.h"
 
 #include <fmt/format.h>
@@ -69,8 +70,11 @@ void print_place(const std::string& answer, int column) {
 
 void print_verdict(const AnswerJudgement& judgement, const std::string& answer, const std::string& reply) {
   if (judgement.mark == Mark::unreadable) return;
-  fmt::print("{}{}{}\n", word_of(judgement.mark), judgement.reason.empty() ? "" : ": ",
-             printable_line(judgement.reason));
+  if (judgement.mark == Mark::wrong && judgement.choice > 0)
+    fmt::print("{}.\n", judgement.reason);  // the whole sentence: "A is not right"
+  else
+    fmt::print("{}{}{}\n", word_of(judgement.mark), judgement.reason.empty() ? "" : ": ",
+               printable_line(judgement.reason));
   print_place(answer, judgement.column);
   if (const auto& counter = judgement.counterexample)
     fmt::print("At {} yours is {}, right is {}.\n", counter->state, counter->left, counter->right);
@@ -99,7 +103,7 @@ ExitCode show_hint(const Ask& ask, const SpeechText& speech, const KeptAnswers& 
     fmt::print("There is no hint. Try an answer: after it --hint tells the right one.\n");
     return ExitCode::done;
   }
-  fmt::print("{}", wrapped("The answer: " + printable_line(speech.words_of_answer(ask)), ""));
+  fmt::print("{}", wrapped("The answer is " + printable_line(speech.words_of_answer(ask)), ""));
   return ExitCode::done;
 }
 
@@ -110,10 +114,10 @@ void offer_hint(const Options& options) {
   if (shows_as_it_is(command)) fmt::print("A hint: {}\n", shell_line(command));
 }
 
-ExitCode judge_and_keep(const Ask& ask, const SpeechText& speech, const Vocabulary& words,
+ExitCode judge_and_keep(const Ask& ask, const SpeechText& speech, const LineNotation& how,
                         const std::string& given, const Options& options, const KeptAnswers& kept) {
   const AnswerJudgement judgement =
-      ask.task ? judge_state(*ask.task, given) : judge_with_reasons(ask, given, Prover(), words);
+      ask.task ? judge_state(*ask.task, given) : judge_with_reasons(ask, given, Prover(), how);
   const std::string reply = speech.words_after(ask, judgement);
   options.json ? print_json(judgement, reply) : print_verdict(judgement, given, reply);
   if (judgement.mark == Mark::unreadable && !options.json) {
@@ -150,30 +154,32 @@ ExitCode answer(const Options& options) {
     or_fail(kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); }));
     return ExitCode::done;
   }
-  return judge_and_keep(ask, speech, loaded.lesson.notation.vocabulary, *options.answer, options, kept);
+  return judge_and_keep(ask, speech, line_notation(loaded.lesson), *options.answer, options, kept);
 }
 
 }  // namespace
 
 Command answer_command() {
   const auto options = std::make_shared<Options>();
-  return {"answer",
-          "Judge an answer to a question of a lesson",
-          {{"LESSON", &options->lesson, "Lesson file or id", "", true},
-           {"STAGE", &options->stage, "Id of the stage", "", true},
-           {"ASK", &options->ask, "Id of the question", "", true},
-           {"ANSWER", &options->answer, "What is answered, as its type wants it"},
-           {"--hint", &options->hint, "Show the next hint instead; behind the last, the answer"},
-           {"--reset", &options->reset, "Forget what was answered to the question, and its hints"},
-           {"--json", &options->json, "verdict, reason, tag, reply, column, counterexample as JSON"}},
-          fmt::format("An expression is written as \"{}\", a choice as B or 2, an order as \"{}\",\n"
-                      "a number as \"4.2 mJ\", a state as \"{}\".\n",
-                      form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order),
-                      form_of_answer(Ask::Type::state)) +
-              "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
-              "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.",
-          [options](const CommandWords&) { return answer(*options); },
-          true};
+  return {
+      "answer",
+      "Judge an answer to a question of a lesson",
+      {{"LESSON", &options->lesson, "Lesson file or id", "", true},
+       {"STAGE", &options->stage, "Id of the stage", "", true},
+       {"ASK", &options->ask, "Id of the question", "", true},
+       {"ANSWER", &options->answer, "What is answered, as its type wants it"},
+       {"--hint", &options->hint, "Show the next hint instead; behind the last, the answer"},
+       {"--reset", &options->reset, "Forget what was answered to the question, and its hints"},
+       {"--json", &options->json, "verdict, reason, tag, reply, column, counterexample as JSON"}},
+      fmt::format(
+          "An expression is written as \"{}\" or \"2a (b - c)\", a choice as B or 2, an order as \"{}\",\n"
+          "a number as \"4.2 mJ\", a state as \"{}\".\n",
+          form_of_answer(Ask::Type::expression), form_of_answer(Ask::Type::order),
+          form_of_answer(Ask::Type::state)) +
+          "Exit code 0 if the answer is right, 4 if it is wrong, 2 if it cannot be read. What was\n"
+          "answered is kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode.",
+      [options](const CommandWords&) { return answer(*options); },
+      true};
 }
 
 }  // namespace polhode

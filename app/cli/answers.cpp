@@ -127,8 +127,9 @@ Command answers_command() {
            {"--lesson", &options->lesson, "collect: the lesson, if it is not found by its id", "LESSON"},
            {"-o,--output", &options->output, "collect: a file instead of stdout", "FILE"}},
           "A report has answers, tries, hints and reasons, and a checksum that guards against accidents;\n"
-          "it is no signature. collect judges what is called right again, with the lesson, and says of\n"
-          "each report that it passes over why: exit code 4, and 0 if it passes over none.",
+          "it is no signature. collect judges what is called right again, with the lesson. Of a student\n"
+          "with several reports the newest counts, by the time of its file. Each report that is skipped\n"
+          "gets a line that says why. Exit code 4 if one was skipped, or called right what is not; else 0.",
           [options](const CommandWords&) { return answers(*options); }};
 }
 

@@ -16,46 +16,64 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 
 namespace polhode {
 
 namespace {
 
+namespace fs = std::filesystem;
 using State = CollectedAnswer::State;
 
 struct ReadReport {
   std::string file;
   AnswerReport report;
+  FileTime written;
 };
 
-/// At most one byte more than a report may have, which the reader refuses.
-Result<std::string> text_of_file(const std::string& path) {
+struct FileText {
+  std::string text;
+  FileTime written;
+};
+
+/// At most one byte more than a report may have, which the reader refuses. Of regular files alone: a pipe or
+/// a device may keep one waiting for ever.
+Result<FileText> text_of_file(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  const auto cannot = [](const std::string& why) { return failure("cannot be read: " + why); };
+  if (error || status.type() == fs::file_type::not_found)
+    return cannot(std::strerror(error ? error.value() : ENOENT));
+  if (status.type() == fs::file_type::directory) return cannot("it is a folder");
+  if (status.type() != fs::file_type::regular) return cannot("it is no regular file");
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
-  if (!file) return failure(fmt::format("cannot be read: {}", std::strerror(errno)));
-  std::string text, portion(std::size_t{1} << 16, '\0');
-  while (text.size() <= kMaxReportBytes) {
-    const std::size_t read = std::fread(portion.data(), 1, portion.size(), file.get());
-    text.append(portion, 0, read);
-    if (read < portion.size()) break;
+  if (!file) return cannot(std::strerror(errno));
+  FileText read;
+  std::string portion(std::size_t{1} << 16, '\0');
+  while (read.text.size() <= kMaxReportBytes) {
+    const std::size_t bytes = std::fread(portion.data(), 1, portion.size(), file.get());
+    read.text.append(portion, 0, bytes);
+    if (bytes < portion.size()) break;
   }
-  if (std::ferror(file.get())) return failure(fmt::format("cannot be read: {}", std::strerror(errno)));
-  return text;
+  if (std::ferror(file.get())) return cannot(std::strerror(errno));
+  read.written = fs::last_write_time(path, error);
+  return read;
 }
 
-void pass_over(const std::string& file, const std::string& why) {
-  say("polhode: {}: {}: passed over\n", printable_line(file), printable_line(why));
+void skip(const std::string& file, const std::string& why) {
+  say("polhode: {}: {}: skipped\n", printable_line(file), printable_line(why));
 }
 
 std::vector<ReadReport> read_reports(const std::vector<std::string>& files) {
   std::vector<ReadReport> reports;
   for (const std::string& file : files) {
-    const auto text = text_of_file(file);
-    auto report = text ? read_answer_report(*text) : Failure{text.error()};
+    const auto read = text_of_file(file);
+    auto report = read ? read_answer_report(read->text) : Failure{read.error()};
     if (report)
-      reports.push_back({file, std::move(*report)});
+      reports.push_back({file, std::move(*report), read->written});
     else
-      pass_over(file, report.error());
+      skip(file, report.error());
   }
   return reports;
 }
@@ -77,17 +95,16 @@ std::string lesson_of_most(const std::vector<ReadReport>& reports) {
 }
 
 std::string table_of(const CollectedAnswers& collected) {
-  std::string text = "right  answered  student\n";
-  for (const CollectedStudent& student : collected.students()) {
-    const int right = student.count(State::right), wrong = student.count(State::wrong);
-    text += fmt::format("{:5}  {:8}  {}\n", right, right + wrong, student.name);
-  }
-  text += "\nright  answered  question\n";
-  for (std::size_t i = 0; i < collected.questions().size(); ++i) {
-    const int right = students_with(collected, i, State::right);
-    text += fmt::format("{:5}  {:8}  {}\n", right, right + students_with(collected, i, State::wrong),
+  constexpr const char* kRow = "{:>5}  {:>9}  {:>12}  {}\n";
+  std::string text = fmt::format(fmt::runtime(kRow), "right", "not right", "not answered", "student");
+  for (const CollectedStudent& student : collected.students())
+    text += fmt::format(fmt::runtime(kRow), student.count(State::right), student.count(State::wrong),
+                        student.count(State::open), student.name);
+  text += '\n' + fmt::format(fmt::runtime(kRow), "right", "not right", "not answered", "question");
+  for (std::size_t i = 0; i < collected.questions().size(); ++i)
+    text += fmt::format(fmt::runtime(kRow), students_with(collected, i, State::right),
+                        students_with(collected, i, State::wrong), students_with(collected, i, State::open),
                         collected.questions()[i].name);
-  }
   return text;
 }
 
@@ -106,9 +123,10 @@ std::string reasons_in_words(const CollectedAnswers& collected) {
   for (std::size_t i = 0; i < collected.questions().size(); ++i) {
     const int right = students_with(collected, i, State::right);
     const int answered = right + students_with(collected, i, State::wrong);
-    if (answered == 0) continue;
+    const int open = students_with(collected, i, State::open);
     const PlacedAsk& question = collected.questions()[i];
-    text += fmt::format("{}: {} of {} right\n", question.name, right, answered);
+    text += fmt::format("{}: {} of {} right{}\n", question.name, right, answered,
+                        open == 0 ? "" : fmt::format(", {} not answered", open));
     for (const ReasonCount& reason : reasons_of(collected, i))
       text +=
           fmt::format("  {} of {}: {}\n", reason.students, answered, words_of(reason, *question.ask, speech));
@@ -136,9 +154,9 @@ ExitCode collect_answers(const CollectOptions& options) {
   const LoadedLesson loaded = or_fail(load_lesson(name));
   CollectedAnswers collected(loaded.lesson);
   for (const ReadReport& one : reports) {
-    const auto told = collected.add(one.file, one.report);
+    const auto told = collected.add(one.file, one.report, one.written);
     if (!told)
-      pass_over(one.file, told.error());
+      skip(one.file, told.error());
     else if (!told->empty())
       say("polhode: {}: {}\n", printable_line(one.file), printable_line(*told));
   }
@@ -146,7 +164,8 @@ ExitCode collect_answers(const CollectOptions& options) {
         : options.csv   ? csv_of(collected)
                         : printable(table_of(collected)),
         options.output);
-  return collected.students().size() == options.files.size() ? ExitCode::done : ExitCode::different;
+  const bool is_whole = collected.students().size() == options.files.size() && !collected.has_false_rights();
+  return is_whole ? ExitCode::done : ExitCode::different;
 }
 
 }  // namespace polhode

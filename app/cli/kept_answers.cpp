@@ -19,7 +19,7 @@ const Ask& ask_of(const Stage& stage, const std::string& id) {
         ids.push_back(ask->id);
       }
   const std::string message = fmt::format("no question \"{}\" in stage \"{}\"", id, stage.id);
-  if (ids.empty()) throw CommandError(ExitCode::usage, message + ": it asks nothing");
+  if (ids.empty()) throw CommandError(ExitCode::usage, message + ": it has none");
   throw CommandError(ExitCode::usage, fmt::format("{}: {}", message, suggestion(id, ids)));
 }
 

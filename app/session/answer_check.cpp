@@ -3,9 +3,12 @@
 
 #include "app/session/derivation_work.h"
 #include "lessons/derivation/answer_reasons.h"
+#include "lessons/reader/ask_block.h"
 #include "lessons/reader/state_task.h"
 
 namespace polhode {
+
+AnswerCheck::AnswerCheck(const Lesson& lesson) : lesson_(lesson), how_(line_notation(lesson)) {}
 
 bool AnswerCheck::is_right(const Ask& ask, std::string_view answer) {
   const auto [known, is_new] = known_.try_emplace({&ask, std::string(answer)}, false);
@@ -15,7 +18,7 @@ bool AnswerCheck::is_right(const Ask& ask, std::string_view answer) {
 
 bool AnswerCheck::judge(const Ask& ask, std::string_view answer) const {
   if (ask.task) return judge_state(*ask.task, answer).mark == AnswerJudgement::Mark::right;
-  if (!ask.derivation) return is_right_answer(ask, answer, prover_, lesson_.notation.vocabulary);
+  if (!ask.derivation) return is_right_answer(ask, answer, prover_, how_);
   DerivationWork work(lesson_, ask);
   work.restore(answer);
   return work.is_done();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lessons/claims/proof.h"
+#include "lessons/derivation/derivation.h"
 #include "lessons/reader/lesson.h"
 
 #include <map>
@@ -15,7 +16,7 @@ namespace polhode {
 class AnswerCheck {
  public:
   /// `lesson` must outlive it.
-  explicit AnswerCheck(const Lesson& lesson) : lesson_(lesson) {}
+  explicit AnswerCheck(const Lesson& lesson);
 
   /// `answer` as a log has it: of a derivation its lines. What was judged once is not judged again, for in a
   /// class many give the same answer. What people type takes some 0.1 ms, a line of a derivation 1 ms.
@@ -25,6 +26,7 @@ class AnswerCheck {
   bool judge(const Ask& ask, std::string_view answer) const;
 
   const Lesson& lesson_;
+  LineNotation how_;
   Prover prover_;
   std::map<std::pair<const Ask*, std::string>, bool> known_;
 };

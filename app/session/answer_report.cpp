@@ -5,6 +5,7 @@
 #include "app/narration/speech_text.h"
 #include "app/session/answer_check.h"
 #include "app/session/progress.h"
+#include "app/session/student_name.h"
 #include "base/printable.h"
 #include "base/sha256.h"
 #include "base/utf8.h"
@@ -55,10 +56,6 @@ std::string checksum_of(const std::vector<std::string_view>& lines, std::size_t 
   std::string text;
   for (std::size_t i = begin; i < end; ++i) text.append(lines[i]) += '\n';
   return short_hash(text);
-}
-
-bool is_name_of_student(const std::string& name) {
-  return is_plain_line(name) && shows_as_it_is(name) && count_characters(name) <= kMaxStudentCharacters;
 }
 
 // Writing.
@@ -133,7 +130,7 @@ class ReportReader {
     report_.program = value_of("Program: ");
     if (at_ < end_ && lines_[at_].starts_with("Name: ")) {
       report_.student = value_of("Name: ");
-      if (!is_name_of_student(report_.student)) fail("the name is not one plain line", at_ - 1);
+      if (const std::string fault = fault_of_name(report_.student); !fault.empty()) fail(fault, at_ - 1);
     }
     while (at_ < end_) line();
     close_answer();
@@ -148,10 +145,10 @@ class ReportReader {
   void check_the_sum() {
     end_ = begin_;
     while (end_ < lines_.size() && !lines_[end_].starts_with(kChecksum)) ++end_;
-    if (end_ == lines_.size()) throw ReportFault("damaged: its end, with the checksum, is missing");
+    if (end_ == lines_.size()) throw ReportFault("the end of the file, with its checksum, is missing");
     report_.checksum = lines_[end_].substr(kChecksum.size());
     if (report_.checksum != checksum_of(lines_, begin_, end_))
-      throw ReportFault("damaged: its checksum is that of another text");
+      throw ReportFault("the file was changed after it was saved");
     for (std::size_t i = end_; i < lines_.size(); ++i)
       if (lines_[i].starts_with(kFirstWords)) fail("a second report begins: each has a file of its own", i);
   }
@@ -264,9 +261,8 @@ class ReportReader {
 std::string version_of(const Lesson& lesson) { return short_hash(lesson.source); }
 
 Result<std::string> answer_report(const Lesson& lesson, const AnswerLog& answers, const std::string& name) {
-  const std::string student(trimmed(name));
-  if (!student.empty() && !is_name_of_student(student))
-    return failure(fmt::format("a name is one line of at most {} characters", kMaxStudentCharacters));
+  const std::string student = trimmed_name(name);
+  if (std::string fault = fault_of_name(student); !fault.empty()) return failure(std::move(fault));
   std::string text = fmt::format("{}\nLesson: {}\nVersion: {}\nProgram: {}\n", kFirstLine, lesson.id,
                                  version_of(lesson), program_name_and_version());
   if (!student.empty()) text += fmt::format("Name: {}\n", student);

@@ -34,7 +34,6 @@ namespace polhode {
 
 inline constexpr std::size_t kMaxReportBytes = std::size_t{1} << 20;
 inline constexpr std::size_t kMaxReportLines = 50'000;
-inline constexpr int kMaxStudentCharacters = 100;
 
 struct ReportedAnswer {
   std::string name;  ///< "stage/ask"
@@ -56,7 +55,7 @@ struct AnswerReport {
 std::string version_of(const Lesson& lesson);
 
 /// What is right is judged anew, for the log may be that of an older version of the lesson. An error if the
-/// name is not one line of at most kMaxStudentCharacters.
+/// name cannot be taken (fault_of_name).
 Result<std::string> answer_report(const Lesson& lesson, const AnswerLog& answers, const std::string& student);
 
 /// The error says what is wrong, and in which line: one sentence. Linear in the text; at most kMaxReportBytes

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/collected_answers.h"
 
+#include "app/session/student_name.h"
+#include "base/printable.h"
+#include "base/utf8.h"
 #include "lessons/claims/reason_tags.h"
 
 #include <fmt/format.h>
@@ -16,7 +19,7 @@ namespace {
 using State = CollectedAnswer::State;
 
 std::string_view word_of(State state) {
-  return state == State::right ? "right" : state == State::wrong ? "wrong" : "";
+  return state == State::right ? "right" : state == State::wrong ? "wrong" : "not answered";
 }
 
 std::string number_cell(State state, int number) {
@@ -36,44 +39,84 @@ CollectedAnswers::CollectedAnswers(const Lesson& lesson)
   for (std::size_t i = 0; i < questions_.size(); ++i) number_of_[questions_[i].name] = i;
 }
 
-Result<std::string> CollectedAnswers::add(const std::string& file, const AnswerReport& report) {
+Result<std::string> CollectedAnswers::add(const std::string& file, const AnswerReport& report,
+                                          FileTime written) {
   if (report.lesson_id != lesson_.id)
     return failure(fmt::format("a report of the lesson {}, not of {}", report.lesson_id, lesson_.id));
   if (const std::string version = version_of(lesson_); report.version != version)
     return failure(
         fmt::format("a report of another version of the lesson: {}, here it is {}", report.version, version));
-  CollectedStudent student{report.student, file, std::vector<CollectedAnswer>(questions_.size())};
-  if (student.name.empty()) student.name = std::filesystem::path(file).stem().string();
-  if (const auto known = file_of_.find(student.name); known != file_of_.end())
-    return failure(fmt::format("a second report of {}, whose first is {}", student.name, known->second));
+  CollectedStudent student{report.student, printable_line(file),
+                           std::vector<CollectedAnswer>(questions_.size()), !report.student.empty()};
+  const auto known =
+      taken_.find(student.is_named ? "n" + comparable_name(report.student) : "f" + student.file);
+  if (known != taken_.end() && written < known->second.written)
+    return failure(fmt::format("an older report of {} than {}",
+                               report.student.empty() ? "it" : report.student,
+                               students_[known->second.student].file));
   std::vector<std::string> notes;
+  bool has_false_rights = false;
   for (const ReportedAnswer& reported : report.answers) {
     const auto number = number_of_.find(reported.name);
     if (number == number_of_.end())
       return failure(fmt::format("damaged: the lesson has no question {}", reported.name));
+    const Ask& ask = *questions_[number->second].ask;
     CollectedAnswer& answer = student.answers[number->second];
     answer = {reported.tries > 0 ? State::wrong : State::open, reported.tries, reported.hints,
               reported.reasons};
+    for (const auto& [tag, count] : reported.reasons)
+      if (!is_known_reason(tag, ask.choices.size())) {
+        answer.reasons.erase(tag);
+        notes.push_back(fmt::format("{}: there is no reason \"{}\"; it is left out", reported.name, tag));
+      }
     if (!reported.right) continue;
-    if (check_.is_right(*questions_[number->second].ask, reported.answer))
+    if (check_.is_right(ask, reported.answer)) {
       answer.state = State::right;
-    else
+    } else {
+      has_false_rights = true;
       notes.push_back(fmt::format("{} is said to be right, and its answer is not", reported.name));
+    }
   }
   if (report.student.empty())
-    if (const auto [same, is_new] = nameless_.emplace(report.checksum, file); !is_new)
+    if (const auto [same, is_new] = nameless_.emplace(report.checksum, student.file); !is_new)
       notes.push_back(fmt::format("the same as {}, to the letter, and neither has a name", same->second));
-  file_of_.emplace(student.name, file);
-  students_.push_back(std::move(student));
+  has_false_rights_ = has_false_rights_ || has_false_rights;
+  if (known != taken_.end()) {
+    CollectedStudent& older = students_[known->second.student];
+    notes.insert(notes.begin(), fmt::format("the newest report of {}: {} is skipped",
+                                            student.is_named ? student.name : "this file", older.file));
+    known->second.written = written;
+    if (!student.is_named) student.name = older.name;
+    older = std::move(student);
+  } else {
+    taken_[student.is_named ? "n" + comparable_name(report.student) : "f" + student.file] = {students_.size(),
+                                                                                             written};
+    give_name(student);
+    students_.push_back(std::move(student));
+  }
   std::string told;
   for (const std::string& note : notes) told += (told.empty() ? "" : "; ") + note;
   return told;
 }
 
+/// Of two that would be called alike the one without a name of its own gets that of its file.
+void CollectedAnswers::give_name(CollectedStudent& student) {
+  if (!student.is_named) student.name = printable_line(std::filesystem::path(student.file).stem().string());
+  const auto same = std::find_if(students_.begin(), students_.end(), [&](const CollectedStudent& other) {
+    return comparable_name(other.name) == comparable_name(student.name);
+  });
+  if (same == students_.end()) return;
+  if (!student.is_named)
+    student.name = student.file;
+  else if (!same->is_named)
+    same->name = same->file;
+}
+
 std::string csv_cell(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  const bool computes =
-      first != text.npos && std::string_view("=+-@").find(text[first]) != std::string_view::npos;
+  const std::u32string characters = code_points(text);
+  const auto first = std::find_if_not(characters.begin(), characters.end(), is_unseen);
+  const bool computes = first != characters.end() &&
+                        std::u32string_view(U"=+-@＝＋－＠").find(*first) != std::u32string_view::npos;
   const std::string plain = (computes ? "'" : "") + text;
   if (plain.find_first_of(",\"\r\n\t;") == plain.npos &&
       plain == plain.substr(0, plain.find_last_not_of(' ') + 1))

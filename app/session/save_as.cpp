@@ -105,7 +105,7 @@ Result<fs::path> save_as(const LessonSession& session, SaveAs what, const SaveOp
                          const fs::path& folder, Renderer& renderer) {
   if (!can_save_as(session, what))
     return failure(what == SaveAs::equation  ? "this step has no equation"
-                   : what == SaveAs::answers ? "this lesson asks nothing"
+                   : what == SaveAs::answers ? "this lesson has no questions"
                                              : "this step has no figure");
   if (const Status made = make_folder(folder); !made) return failure(made.error());
   if (what == SaveAs::trace)

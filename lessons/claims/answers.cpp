@@ -145,33 +145,12 @@ class ExpressionJudge {
   Assumption assumption_;
 };
 
-AnswerJudgement judge_expression(const Question& question, std::string_view text, const Prover& prover,
-                                 const Vocabulary* vocabulary, Reasons reasons) {
-  const SourceText source(text);
-  Report report(source, "");
-  if (source.line_count() > 1) return unreadable("an answer is one line");
-  const auto answer = read_expression(text, {1, 1}, report, vocabulary);
-  if (!answer) {
-    const Diagnostic fault = report.take().front();
-    return unreadable(fault.message, fault.hint, fault.place.column);
-  }
-  if (answer->uses(Operation::norm))
-    return unreadable("a length is a root, and a proof has none", "write norm2(a) for a·a");
-  if (!is_rational(*answer)) return unreadable("a proof has no roots and no angles", "write it without them");
-  if (prover.settle({*answer, *answer}, Assumption::identity) != Verdict::holds)
-    return unreadable("this is nowhere defined", "is something divided by 0?");
-  if (!fit(answer->type(), question.expression->type()))
-    return wrong("kind", "wrong type: " + std::string(name_of(question.expression->type())) +
-                             " is asked for, this is " + std::string(name_of(answer->type())));
-  return ExpressionJudge(*answer, question, prover).judge(reasons);
-}
-
 /// The choices that a text names, from 1, by letters or numbers; nothing if it names anything else.
 std::optional<std::vector<int>> read_choices(std::string_view text, std::size_t count) {
   std::vector<int> choices;
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
-    if (std::string_view(" ,\t.);>").find(c) != std::string_view::npos) {
+    if (std::string_view(" ,\t.();>").find(c) != std::string_view::npos) {
       ++i;
       continue;
     }
@@ -202,7 +181,7 @@ AnswerJudgement judge_choice(const Question& question, std::string_view text) {
   AnswerJudgement judgement = right();
   if (*choices != question.answers) {
     const std::string letter(1, letter_of_choice(static_cast<std::size_t>(choices->front() - 1)));
-    judgement = wrong("choice-" + letter, letter + " is not it");
+    judgement = wrong("choice-" + letter, letter + " is not right");
   }
   judgement.choice = choices->front();
   return judgement;
@@ -227,12 +206,38 @@ AnswerJudgement judge_order(const Question& question, std::string_view text) {
                                                    : ", those before it are"));
 }
 
+AnswerJudgement read_and_judge(const Question& question, std::string_view text, const Prover& prover,
+                               const Vocabulary* vocabulary, Reasons reasons) {
+  const SourceText source(text);
+  Report report(source, "");
+  if (source.line_count() > 1) return unreadable("an answer is one line");
+  const auto answer = read_expression(text, {1, 1}, report, vocabulary);
+  if (answer) return judge_expression(question, *answer, prover, reasons);
+  const Diagnostic fault = report.take().front();
+  return unreadable(fault.message, fault.hint, fault.place.column);
+}
+
 }  // namespace
+
+AnswerJudgement judge_expression(const Question& question, const Expression& answer, const Prover& prover,
+                                 Reasons reasons) {
+  if (answer.uses(Operation::norm))
+    return unreadable("a length is a root, and a proof has none", "write |a|^2 or norm2(a), its square");
+  if (!is_rational(answer)) return unreadable("a proof has no roots and no angles", "write it without them");
+  if (prover.settle({answer, answer}, Assumption::identity) != Verdict::holds)
+    return prover.is_defined({answer, answer}, Assumption::identity)
+               ? unreadable("its numbers become too large to be judged", "write it with smaller powers")
+               : unreadable("this is nowhere defined", "is something divided by 0?");
+  if (!fit(answer.type(), question.expression->type()))
+    return wrong("kind", "wrong type: " + std::string(name_of(question.expression->type())) +
+                             " is asked for, this is " + std::string(name_of(answer.type())));
+  return ExpressionJudge(answer, question, prover).judge(reasons);
+}
 
 AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover,
                              const Vocabulary* vocabulary, Reasons reasons) {
   if (question.type == Question::Type::expression)
-    return judge_expression(question, answer, prover, vocabulary, reasons);
+    return read_and_judge(question, answer, prover, vocabulary, reasons);
   if (question.type == Question::Type::order) return judge_order(question, answer);
   if (question.number) return judge_number(*question.number, answer);
   return judge_choice(question, answer);

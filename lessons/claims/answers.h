@@ -26,6 +26,9 @@ struct Question {
   Given given;         ///< what the answer may assume, of expressions
   /// What the formulas of the prompt say, as far as they can be read: to write that again is no answer.
   std::vector<Expression> asked{};
+  /// Of expressions: what an answer may be written with, "I", "omega", "omega'" for its rate (letters_in);
+  /// empty: anything.
+  std::vector<std::string> letters{};
 };
 
 /// Whether the learner picks one of the choices, and whether there are any to pick or to order.
@@ -64,10 +67,14 @@ enum class Reasons { wanted, unwanted };
 AnswerJudgement judge_answer(const Question& question, std::string_view answer, const Prover& prover,
                              const Vocabulary* vocabulary = nullptr, Reasons reasons = Reasons::wanted);
 
+/// The same of an expression that was read already. Columns are those of its text.
+AnswerJudgement judge_expression(const Question& question, const Expression& answer, const Prover& prover,
+                                 Reasons reasons = Reasons::wanted);
+
 /// The words of an expression that is asked for, for help: those that a learner may need.
 inline constexpr std::string_view kWordsOfAnswers =
-    "w1 w2 w3 (ω), I1 I2 I3, N1 N2 N3, dw1 … (their rates), T; vectors omega, L, N, e1 e2 e3; + - * / ^, "
-    "dot(a, b), cross(a, b), norm2(a), comp(a, 2), inertia(a), ddt(a), star(a)";
+    "w1 w2 w3 (ω), I1 I2 I3, N1 N2 N3, w1' … (their rates), T; vectors omega, L, N, e1 e2 e3; + - * / ^; "
+    "I1 w1, a . b, a x b, |a|^2, I omega, dL/dt, d*L/dt; comp(a, 2) for a component";
 
 /// How such an answer is written, for an empty box and for help: of letters that no quantity and no choice
 /// has, so that it answers no question, neither right nor wrong. Of choices, which are taken, empty.

@@ -324,12 +324,54 @@ double relative_side(const Equality& equality, const ClaimState<SizedNumber>& la
   return largest <= kRounding * size ? 0 : largest / size;
 }
 
+/// The summands of a side with their signs, each as an expression of its own.
+void add_summands(const Expression& side, int index, double sign,
+                  std::vector<std::pair<Expression, double>>& into) {
+  const ExpressionNode& n = side.nodes[static_cast<std::size_t>(index)];
+  if (n.operation == Operation::negate) return add_summands(side, n.a, -sign, into);
+  if (n.operation == Operation::add || n.operation == Operation::subtract) {
+    add_summands(side, n.a, sign, into);
+    return add_summands(side, n.b, n.operation == Operation::add ? sign : -sign, into);
+  }
+  // Operands stand before what they are operands of.
+  into.push_back({{side.text, {side.nodes.begin(), side.nodes.begin() + index + 1}, side.constants}, sign});
+}
+
+/// Of an equality with more than two summands: where two of them cancel, how large the others are beside all.
+/// It is these that the equality is about: "10^12 + a = b + 10^12" holds within any tolerance, whatever a and
+/// b are. Nothing where there are no others, or they are 0.
+std::optional<double> relative_rest(const Equality& equality, const ClaimState<SizedNumber>& state) {
+  std::vector<std::pair<Expression, double>> summands;
+  for (const Expression* side : {&equality.left, &equality.right})
+    add_summands(*side, static_cast<int>(side->nodes.size()) - 1, side == &equality.left ? 1 : -1, summands);
+  if (summands.size() < 3) return std::nullopt;
+  std::vector<Vec3> values;
+  double all = 0;
+  for (const auto& [summand, sign] : summands) {
+    const auto value = value_in(state, summand);
+    if (!value) return std::nullopt;
+    const auto [x, y, z] = values_of(*value);
+    values.push_back(sign * Vec3(x, y, z));
+    all += values.back().norm();
+  }
+  double least = all;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t j = i + 1; j < values.size(); ++j) {
+      double rest = 0;
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (k != i && k != j) rest += values[k].norm();
+      if (rest > 0 && (values[i] + values[j]).norm() <= rest + kRounding * all) least = std::min(least, rest);
+    }
+  return least < all ? std::optional(least / all) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<double> within,
                                         const SceneModel& model, const Given& given) {
   MeasuredResidual worst{-1, 1, 0};
-  double side = 0, allowed = 0;
+  double side = 0, allowed = 0, rest = 0;
+  bool has_rest = false;
   for (int n = 0; n < kMeasuredTimes; ++n) {
     const double t_s = model.span_s * n / (kMeasuredTimes - 1);
     const auto live = live_state(model, t_s);
@@ -338,7 +380,12 @@ std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<
     const double tolerance = tolerance_of(equality, within, *live);
     if (sides->residual / tolerance > worst.residual / worst.tolerance)
       worst = {sides->residual, tolerance, t_s};
-    side = std::max(side, relative_side(equality, with_lawful_rates(live->state, model, t_s)));
+    const ClaimState<SizedNumber> lawful = with_lawful_rates(live->state, model, t_s);
+    side = std::max(side, relative_side(equality, lawful));
+    if (const auto others = relative_rest(equality, lawful)) {
+      rest = std::max(rest, *others);
+      has_rest = true;
+    }
     allowed = std::max(allowed, tolerance);
   }
   // Sides that are lost in rounding all the time have to be 0 for a reason.
@@ -347,6 +394,7 @@ std::optional<MeasuredResidual> measure(const Equality& equality, std::optional<
   const bool is_proved =
       side == 0 && is_provable(equality) && Prover().settle(equality, assumption, given) == Verdict::holds;
   worst.side = side == 0 && !is_proved ? kRounding : side;
+  if (has_rest && side > 0) worst.side = std::min(worst.side, rest);
   worst.allowed = allowed;
   return worst;
 }

@@ -89,7 +89,8 @@ inline constexpr double kDecisive = 0.01;
 struct MeasuredResidual {
   double residual = 0, tolerance = 0, t_s = 0;
   /// Of the terms: the larger side, the largest over the interval, with the rates that Euler's equations give
-  /// in the states of the motion. 0 where that is rounding, and algebra proves that it is.
+  /// in the states of the motion; or what is left beside two summands that cancel, if that is less. 0 where
+  /// that is rounding, and algebra proves that it is.
   double side = 0;
   /// The largest tolerance over the interval.
   double allowed = 0;

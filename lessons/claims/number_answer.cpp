@@ -5,7 +5,7 @@
 #include "base/numbers.h"
 #include "base/utf8.h"
 #include "lessons/claims/answers.h"
-#include "lessons/claims/dimension.h"
+#include "lessons/claims/typed_unit.h"
 
 #include <algorithm>
 #include <array>
@@ -17,6 +17,7 @@ namespace polhode {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr Dimension kRate{0, 0, -1}, kTime{0, 0, 1};
 /// Nobody types more digits and letters of a unit than this.
 constexpr std::size_t kMostBytes = 100;
 /// Decimals that are typed and halved come out a few bits off.
@@ -42,29 +43,10 @@ AnswerJudgement wrong(Slip slip) {
   return judgement;
 }
 
-/// A unit as learners write it. What is counted tells 1/s of turns from 1/s of radians, which have one
-/// dimension.
-struct TypedUnit {
-  enum class Counts { nothing, turns, radians };
-  ScaledUnit scaled;
-  Counts counts = Counts::nothing;
-};
-
-std::optional<TypedUnit> typed_unit(std::string_view unit) {
-  using Counts = TypedUnit::Counts;
-  constexpr Dimension kRate = {0, 0, -1}, kTime = {0, 0, 1};
-  if (unit == "rpm" || unit == "rev/min") return TypedUnit{{kRate, kTurn / 60}, Counts::radians};
-  if (unit == "rev/s") return TypedUnit{{kRate, kTurn}, Counts::radians};
-  if (unit == "rev") return TypedUnit{{kNumber, kTurn}, Counts::radians};
-  if (unit == "min") return TypedUnit{{kTime, 60}};
-  if (unit == "h") return TypedUnit{{kTime, 3600}};
-  if (unit == "%") return TypedUnit{{kNumber, 0.01}};
-  const auto scaled = scaled_unit(unit);
-  if (!scaled) return std::nullopt;
-  const auto has = [&](std::string_view name) { return unit.find(name) != unit.npos; };
-  return TypedUnit{*scaled, has("Hz")                              ? Counts::turns
-                            : has("rad") || has("deg") || has("°") ? Counts::radians
-                                                                   : Counts::nothing};
+/// That of the question; "" and "1" are those of a number alone.
+TypedUnit unit_asked(const std::string& unit) {
+  constexpr TypedUnit kAlone{{kNumber, 1}};
+  return unit.empty() || unit == "1" ? kAlone : typed_unit(unit).value_or(kAlone);
 }
 
 /// A number as it is typed.
@@ -114,15 +96,37 @@ std::string take_decimal(std::string_view& text) {
   return std::any_of(number.begin(), number.end(), is_digit) ? number : "";
 }
 
-/// "e3", "·10^3", "x 10^-3": the power; nothing, and the text as it was, where there is none.
+/// "⁴", "⁻³": the power; nothing if the text does not begin with one.
+std::optional<int> take_raised(std::string_view& text) {
+  constexpr std::array<std::string_view, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string_view rest = text;
+  const bool is_negative = take(rest, {"⁻"});
+  std::string digits;
+  while (digits.size() < 3) {
+    const auto found =
+        std::find_if(kRaised.begin(), kRaised.end(), [&](std::string_view one) { return take(rest, {one}); });
+    if (found == kRaised.end()) break;
+    digits += static_cast<char>('0' + (found - kRaised.begin()));
+  }
+  if (digits.empty()) return std::nullopt;
+  text = rest;
+  return (is_negative ? -1 : 1) * std::stoi(digits);
+}
+
+/// "e3", "·10^3", "x 10^-3", "× 10⁴": the power; nothing, and the text as it was, where there is none.
 std::optional<int> take_power(std::string_view& text) {
   std::string_view rest = text;
   const bool is_e = take(rest, {"e", "E"});
   if (!is_e) {
     rest = without_blanks(rest);
-    if (!take(rest, {"·", "×", "*", "x"})) return std::nullopt;
+    if (!take(rest, {"·", "⋅", "×", "*", "x"})) return std::nullopt;
     rest = without_blanks(rest);
-    if (!take(rest, {"10^"})) return std::nullopt;
+    if (!take(rest, {"10"})) return std::nullopt;
+    if (const auto power = take_raised(rest)) {
+      text = rest;
+      return power;
+    }
+    if (!take(rest, {"^", "**"})) return std::nullopt;
   }
   const bool has_brackets = !is_e && take(rest, {"(", "{"});
   const bool is_negative = take(rest, {"-", "−"});
@@ -164,17 +168,19 @@ Reading read_typed(std::string_view whole) {
   const auto decimals = point == digits.npos ? 0 : static_cast<int>(digits.size() - point) - 1;
   TypedNumber number;
   const auto value = parse_number(digits + 'e' + std::to_string(power));
-  if (!value || !std::isfinite(*value)) return refuse("this number is out of the range that is read");
+  if (!value || !std::isfinite(*value))
+    return power > 0 ? refuse("this number is too large") : refuse("this number is too small to be read");
   number.value = *value;
   number.last_digit = std::pow(10.0, power - decimals);
   text = without_blanks(text);
+  if (text.ends_with('.')) text = without_blanks(text.substr(0, text.size() - 1));  // it ends a sentence
   if (!text.empty() && !typed_unit(text)) {
     const bool computes =
         is_digit(text.front()) || std::string_view("+-*/^=()").find(text.front()) != std::string_view::npos;
     if (computes)
       return refuse("one number is asked for, and nothing is computed here", "type the result", column());
     return refuse("unknown unit \"" + std::string(text) + '"',
-                  "units are " + std::string(kUnitNames) + "; rpm, min, h", column());
+                  "units are " + std::string(kUnitNames) + "; rpm, rev, min, h, %", column());
   }
   number.unit = text;
   return {number, {}};
@@ -183,17 +189,19 @@ Reading read_typed(std::string_view whole) {
 class NumberJudge {
  public:
   NumberJudge(const NumberAnswer& answer, const TypedNumber& typed)
-      : answer_(answer), typed_(typed), right_(*answer.value), within_(tolerance_of(answer)) {}
+      : answer_(answer),
+        typed_(typed),
+        asked_(unit_asked(answer.unit)),
+        right_(*answer.value),
+        within_(tolerance_of(answer)) {}
 
   AnswerJudgement judge() const {
     double size = 1;
     if (!typed_.unit.empty()) {
       const TypedUnit unit = *typed_unit(typed_.unit);
-      const auto asked = typed_unit(answer_.unit);
-      if (const std::string why = why_not(unit, asked); !why.empty()) return wrong({"unit", why});
+      if (const std::string why = why_not(unit); !why.empty()) return wrong({"unit", why});
       size = unit.scaled.size / answer_.unit_si;
-      if (asked && asked->counts == TypedUnit::Counts::turns && unit.counts == TypedUnit::Counts::radians)
-        size /= kTurn;  // rpm where Hz is asked for
+      if (asked_.cycles == 1 && unit.angles == 1) size /= kTurn;  // rpm where Hz is asked for
     }
     const double value = typed_.value * size;
     if (is_right(value)) return judged(AnswerJudgement::Mark::right, {});
@@ -202,19 +210,22 @@ class NumberJudge {
 
  private:
   /// Of a unit that cannot be that of the answer.
-  std::string why_not(const TypedUnit& unit, const std::optional<TypedUnit>& asked) const {
-    using Counts = TypedUnit::Counts;
-    const std::string in = answer_.unit.empty() ? "a number without a unit is asked for"
-                                                : "an answer in " + answer_.unit + " is asked for";
-    const Dimension& wanted = asked ? asked->scaled.dimension : kNumber;
-    if (unit.scaled.dimension != wanted)
-      return "the unit is of another kind: " + in + ", and this is in " + typed_.unit;
-    const Counts counts = asked ? asked->counts : Counts::nothing;
-    if (unit.counts == Counts::turns && counts == Counts::radians)
+  std::string why_not(const TypedUnit& unit) const {
+    const bool is_alone = answer_.unit.empty() || answer_.unit == "1";
+    const std::string in =
+        is_alone ? "a number without a unit is asked for" : "an answer in " + answer_.unit + " is asked for";
+    const std::string of_another_kind =
+        "the unit is of another kind: " + in + ", and this is in " + typed_.unit;
+    if (unit.scaled.dimension != asked_.scaled.dimension) return of_another_kind;
+    if (unit.is_percent && !is_alone) return of_another_kind;
+    if (unit.cycles == 1 && asked_.angles == 1)
       return typed_.unit + " counts turns, and " + in + ": 1 Hz is 2π rad/s";
-    const bool counts_turns_too = typed_.unit == "rpm" || typed_.unit.starts_with("rev");
-    if (unit.counts == Counts::radians && counts == Counts::turns && !counts_turns_too)
-      return typed_.unit + " counts angles, and " + in + ": 1 Hz is 2π rad/s";
+    const bool counts_turns_too = typed_.unit.starts_with("rpm") || typed_.unit.starts_with("rev");
+    if (unit.angles == 1 && asked_.cycles == 1)
+      return counts_turns_too ? "" : typed_.unit + " counts angles, and " + in + ": 1 Hz is 2π rad/s";
+    // An angle may be left out, as in 1/s for rad/s. Where none is asked for none belongs, but in a rate.
+    const bool is_of_rate = asked_.scaled.dimension == kRate && unit.angles == 1;
+    if (unit.angles != asked_.angles && unit.angles != 0 && !is_of_rate) return of_another_kind;
     return "";
   }
 
@@ -223,16 +234,13 @@ class NumberJudge {
   }
   bool is_right_times(double value, double factor) const { return is_right(value / factor); }
 
-  bool is_angular() const {
-    const auto unit = typed_unit(answer_.unit);
-    return !unit || unit->scaled.dimension == kNumber || unit->scaled.dimension == Dimension{0, 0, -1};
-  }
+  bool is_angular() const { return asked_.angles == 1; }
   bool is_in_degrees() const {
     return answer_.unit.find("deg") != std::string::npos || answer_.unit.find("°") != std::string::npos;
   }
+  /// What is counted in radians or in turns, and the time that one of them takes.
   bool has_cycles() const {
-    const auto unit = typed_unit(answer_.unit);
-    return !unit || unit->scaled.dimension[2] != 0 || unit->scaled.dimension == kNumber;
+    return is_angular() || asked_.scaled.dimension == kRate || asked_.scaled.dimension == kTime;
   }
 
   Slip slip(double value, double last_digit) const {
@@ -273,6 +281,7 @@ class NumberJudge {
 
   const NumberAnswer& answer_;
   const TypedNumber& typed_;
+  TypedUnit asked_;
   double right_, within_;
 };
 

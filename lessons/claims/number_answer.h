@@ -32,10 +32,10 @@ double tolerance_of(const NumberAnswer& answer);
 /// The value with the digits that its tolerance leaves, and its unit: "4.19 rad/s"; "" without a value.
 std::string words_of(const NumberAnswer& answer);
 
-/// Reads "4.2", "4.2 J", "4200 mJ", "1.2e3", "1.2·10^3 rpm", and converts units of the same kind: those of
-/// numbers in lessons (dimension.h), and rpm, min, h, rev, % besides. A number without a unit is in that of
-/// the question. Slips that are looked for: a unit of another kind, turns for radians, the sign, digits
-/// rounded away, degrees for radians, 2π, powers of ten, 2 and 1/2.
+/// Reads "4.2", "4.2 J", "4200 mJ", "1.2e3", "1.2·10^3 rpm", "1.2 × 10³", and converts units of the same kind
+/// (typed_unit.h). A number without a unit is in that of the question. Radians, degrees and turns belong to
+/// angles and rates alone. Slips that are looked for: a unit of another kind, turns for radians, the sign,
+/// digits rounded away, degrees for radians, 2π in angles, rates and times, powers of ten, 2 and 1/2.
 AnswerJudgement judge_number(const NumberAnswer& answer, std::string_view text);
 
 }  // namespace polhode

@@ -261,17 +261,25 @@ Prover::Prover() {
   });
 }
 
+std::optional<bool> Prover::agrees_at(std::size_t sample, const Equality& equality, Assumption assumption,
+                                      const Given& given) const {
+  if (given.settings.empty()) return agree(equality, samples(assumption)[sample]);
+  const auto state = state_of(numbers_[static_cast<std::size_t>(assumption)][sample], assumption, given);
+  return state ? agree(equality, *state) : std::nullopt;
+}
+
+bool Prover::is_defined(const Equality& stated, Assumption assumption, const Given& given) const {
+  const Equality equality = with_lengths_squared(stated);
+  for (std::size_t n = 0; n < samples(assumption).size(); ++n)
+    if (agrees_at(n, equality, assumption, given)) return true;
+  return false;
+}
+
 Verdict Prover::settle(const Equality& stated, Assumption assumption, const Given& given) const {
   const Equality equality = with_lengths_squared(stated);
   int defined = 0;
   for (std::size_t n = 0; n < samples(assumption).size(); ++n) {
-    std::optional<bool> agrees;
-    if (given.settings.empty()) {
-      agrees = agree(equality, samples(assumption)[n]);
-    } else if (const auto state =
-                   state_of(numbers_[static_cast<std::size_t>(assumption)][n], assumption, given)) {
-      agrees = agree(equality, *state);
-    }
+    const std::optional<bool> agrees = agrees_at(n, equality, assumption, given);
     if (!agrees) continue;
     if (!*agrees) return Verdict::fails;
     if (++defined < kSamples) continue;

@@ -47,6 +47,8 @@ class Prover {
   Prover();
 
   Verdict settle(const Equality& equality, Assumption assumption, const Given& given = {}) const;
+  /// Whether both sides have a value anywhere. What is undecided and has one is too large to be decided.
+  bool is_defined(const Equality& equality, Assumption assumption, const Given& given = {}) const;
   /// A state where the equality fails; nothing if none of those tried is one.
   std::optional<Counterexample> refute(const Equality& equality, Assumption assumption,
                                        const Given& given = {}) const;
@@ -59,6 +61,9 @@ class Prover {
                                                  const Given& given = {}) const;
 
  private:
+  /// At one of the samples; nothing: it is not defined there.
+  std::optional<bool> agrees_at(std::size_t sample, const Equality& equality, Assumption assumption,
+                                const Given& given) const;
   const std::vector<ClaimState<FieldElement>>& samples(Assumption assumption) const {
     return samples_[static_cast<std::size_t>(assumption)];
   }

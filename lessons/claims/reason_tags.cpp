@@ -11,9 +11,12 @@ namespace {
 
 using Row = std::pair<std::string_view, std::string_view>;
 
+/// With a letter, and with a number, behind them.
+constexpr std::string_view kChoice = "choice-", kPlace = "place-";
+
 /// Those of answers (lessons/claims/answers.h, number_answer.h) and of lines of derivations (Slip, whose
 /// names they are).
-constexpr std::array<Row, 24> kReasons{{
+constexpr std::array<Row, 25> kReasons{{
     {"degrees", "degrees and radians are mixed up"},
     {"derivative", "a derivative is left in the answer"},
     {"extra", "a term is too many"},
@@ -25,6 +28,7 @@ constexpr std::array<Row, 24> kReasons{{
     {"inertia", "a moment of inertia is missing or misplaced"},
     {"kind", "a vector stands where a number belongs, or a number where a vector does"},
     {"law", "Euler's law is used where it is not given"},
+    {"letters", "it is written with letters that are not asked for"},
     {"missing", "a term is missing"},
     {"other", "another reason"},
     {"power", "a square or a factor is missing or too many"},
@@ -49,11 +53,20 @@ bool is_reason_tag(std::string_view text) {
   });
 }
 
+bool is_known_reason(std::string_view tag, std::size_t choices) {
+  if (std::any_of(kReasons.begin(), kReasons.end(), [tag](const Row& row) { return row.first == tag; }))
+    return true;
+  for (std::size_t i = 0; i < choices; ++i)
+    if (tag == std::string(kChoice) + static_cast<char>('A' + i) ||
+        tag == std::string(kPlace) + std::to_string(i + 1))
+      return true;
+  return false;
+}
+
 std::string words_of_reason(std::string_view tag) {
   const auto found =
       std::find_if(kReasons.begin(), kReasons.end(), [tag](const Row& row) { return row.first == tag; });
   if (found != kReasons.end()) return std::string(found->second);
-  constexpr std::string_view kChoice = "choice-", kPlace = "place-";
   if (tag.starts_with(kChoice)) return std::string(tag.substr(kChoice.size())) + " was chosen";
   if (tag.starts_with(kPlace))
     return "the order is wrong from place " + std::string(tag.substr(kPlace.size()));

@@ -79,14 +79,26 @@ class Canonical {
         [[fallthrough]];
       case O::add:
       case O::subtract:
+        if (n.operation != O::power && is_number(index, term.factor)) return;
         if (term.sum < 0) {
           term.sum = index;
           return;
         }
         [[fallthrough]];
       default:
+        if (n.operation == O::cross && text_of(n.a) == text_of(n.b)) term.factor = 0;  // a × a
         term.parts.push_back(text_of(index));
     }
+  }
+
+  /// Multiplies a factor by a sum that is no more than a number, "(1 + 0)"; false for another.
+  bool is_number(int index, double& factor) const {
+    CanonicalForm form;
+    add(index, 1, form);
+    std::erase_if(form, [](const auto& one) { return one.second == 0; });
+    if (form.size() > 1 || (form.size() == 1 && !form.begin()->first.empty())) return false;
+    factor *= form.empty() ? 0 : form.begin()->second;
+    return true;
   }
 
   /// Of a sum the terms in the order of their texts.

@@ -101,7 +101,10 @@ class Judge {
       const Verdict verdict = settle(link, derivation_.assumption);
       if (verdict == Verdict::holds) continue;
       if (verdict == Verdict::undecided)
-        return marked(Mark::unreadable, "this is nowhere defined", "is something divided by 0?");
+        return prover_.is_defined(link, derivation_.assumption, derivation_.given)
+                   ? marked(Mark::unreadable, "its numbers become too large to be judged",
+                            "write it with smaller powers")
+                   : marked(Mark::unreadable, "this is nowhere defined", "is something divided by 0?");
       return wrong(link);
     }
     if (is_goal(derivation_, line, prover_)) return marked(Mark::goal, "");
@@ -127,6 +130,8 @@ class Judge {
       });
     };
     if (is_said_by(derivation_.start)) return marked(Mark::away, "true: it is the line to start from");
+    if (std::any_of(derivation_.facts.begin(), derivation_.facts.end(), is_said_by))
+      return marked(Mark::away, "true: it is among what you may use");
     if (std::any_of(before_.begin(), before_.end(), is_said_by))
       return marked(Mark::away, "true, but it says what a line above says already");
     for (const std::string& letter : letters_in(said))

@@ -524,6 +524,12 @@ std::set<std::string> letters_in(const Expression& expression) {
   return letters;
 }
 
+std::vector<std::string> quantity_letters() {
+  std::set<std::string> letters;
+  for (const QuantityFacts& facts : kQuantities) letters.insert(letter_of(facts));
+  return {letters.begin(), letters.end()};
+}
+
 std::set<std::string> letters_in(const Math& math, const EquationNotation& notation) {
   if (!math.root) return {};
   LetterSearch search(math, notation);

@@ -145,6 +145,8 @@ Result<ReadEquation, UnreadableEquation> read_equation(const Math& math, const E
 std::set<std::string> letters_in(const Math& math, const EquationNotation& notation);
 /// The same of an expression.
 std::set<std::string> letters_in(const Expression& expression);
+/// All that these can be.
+std::vector<std::string> quantity_letters();
 
 using PlaceOfSpan = std::function<SourcePlace(SourceSpan)>;
 

@@ -184,7 +184,7 @@ class Typing {
           while (at < line.size() && is_digit(line[at])) ++at;
         }
         tokens_.push_back({Token::Kind::number, std::string(line.substr(begin, at - begin)), begin});
-      } else if (std::string_view("=+-*/().,^'|").find(c) != std::string_view::npos) {
+      } else if (std::string_view("=+-*/().,^'|_").find(c) != std::string_view::npos) {
         tokens_.push_back({Token::Kind::sign, std::string(1, c), begin});
         ++at;
       } else {
@@ -373,7 +373,23 @@ class Typing {
     Piece made = around(bars ? "\\left|" : "\\left(", inside, bars ? "\\right|" : "\\right)");
     made.marks.insert(made.marks.begin(), {0, static_cast<std::uint32_t>(token.at)});
     if (!bars) made.inside = inside.tex;
+    if (!bars && now().is("_")) made = indexed(std::move(made));
     return primed(powered(std::move(made)), token.at);
+  }
+
+  /// (…)_2 is a component.
+  Piece indexed(Piece base) {
+    next();
+    const Token index = now();
+    if (index.text.size() == 1 && std::string_view("123xyz").find(index.text[0]) != std::string_view::npos) {
+      next();
+    } else {
+      fail(index.at, "an index is 1, 2 or 3");
+      return base;
+    }
+    base.tex += "_{" + index.text + '}';
+    base.inside.clear();
+    return base;
   }
 
   Piece powered(Piece base) {

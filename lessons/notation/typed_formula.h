@@ -7,11 +7,13 @@
 //   term     factors; between them nothing, "*", "x" or "×" (cross product), "." or "·" (dot product)
 //   a/b      what stands before it since the last sign, over the one factor behind it: "I1 w1/I2". "1/2 I1"
 //            is a half of I1; "a/b c" is refused, for it has two readings
-//   factor   a number; a name with its index; (…); |a|; a function; any of them with ^2, ² or ', its rate
+//   factor   a number; a name with its index; (…), (…)_2; |a|; a function; any of them with ^2, ² or ', its
+//            rate
 //   rate     dL/dt, d(…)/dt, d/dt …, ddt(…) as seen from space; d*L/dt, d*/dt …, star(…) from the body;
 //            dw1, w1'
 //   function cross(a, b), dot(a, b), norm2(a), norm(a), comp(a, 2), inertia(a)
-//   name     omega w ω L N A p v F T m, I (the tensor), e; indices 1 2 3 or x y z behind them, w1, w_1, ω₁;
+//   name     omega w ω L N A p v F T m, I (the tensor), e; indices 1 2 3 or x y z behind them, w1, w_1,
+//   ω₁;
 //            and those of the lesson's symbols
 //
 // Products without a sign bind more strongly than "x" and ".", as in print. A dot between digits is that of a

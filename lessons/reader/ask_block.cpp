@@ -5,6 +5,7 @@
 #include "lessons/claims/expression_tex.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/derivation/derivation.h"
+#include "lessons/derivation/restatement.h"
 #include "lessons/reader/asked_formulas.h"
 #include "lessons/reader/keys.h"
 #include "lessons/reader/number_question.h"
@@ -46,6 +47,7 @@ class AskReader {
          {"answer", [](const TomlEntry&) {}},  // read last: it depends on the others
          {"modulo", [this](const TomlEntry& e) { modulo(e); }},
          {"given", [this](const TomlEntry& e) { given(e); }},
+         {"letters", [](const TomlEntry&) {}},
          {"because", [this](const TomlEntry& e) { because(e); }},
          {"shuffle", [this](const TomlEntry& e) { shuffle_ = read_flag(e, report_); }},
          {"plays", [this](const TomlEntry& e) { plays(e); }},
@@ -74,6 +76,7 @@ class AskReader {
     if (list_ != nullptr && ok_) take_list();
     if (ok_) check_together();
     if (ok_ && has_answer() && list_ == nullptr) answer(*table_.find("answer"));
+    if (ok_ && ask_.expression) letters();
     if (ok_ && ask_.expression) ask_.asked = asked_formulas(ask_.prompt_text, notation());
     if (ok_ && has_choices(ask_.type)) shuffle();
     if (ok_ && ask_.number) add_to_prompt(words_of_what_is_asked(*ask_.number));
@@ -242,6 +245,39 @@ class AskReader {
     if (given) ask_.given = std::move(*given);
   }
 
+  /// What an answer may be written with, as the lesson's own is.
+  void letters() {
+    const TomlEntry* entry = table_.find("letters");
+    if (entry == nullptr) return;
+    const auto list = read_texts(*entry, kMaxLetters, report_);
+    ok_ = ok_ && list;
+    if (!list) return;
+    std::vector<std::string> known = quantity_letters();
+    if (const auto& constants = front_.notation.vocabulary.constants())
+      known.insert(known.end(), constants->begin(), constants->end());
+    for (const PlacedText& letter : *list) {
+      const std::string& name = letter.text;
+      const std::string plain = name.ends_with('\'') ? name.substr(0, name.size() - 1) : name;
+      if (std::find(known.begin(), known.end(), plain) == known.end())
+        fail(letter.place, "unknown letter " + in_quotes(name),
+             "one of " + joined(known) + ", without an index; with ' behind it for its rate");
+      ask_.letters.push_back(name);
+    }
+    for (const std::string& used : letters_used(*ask_.expression))
+      if (ok_ && std::find(ask_.letters.begin(), ask_.letters.end(), used) == ask_.letters.end())
+        fail(entry->place,
+             "the answer itself has " +
+                 (used == kRateOfMore ? "a rate of more than one letter" : in_quotes(used)) +
+                 ", which is not among the letters",
+             "add it, or write the answer without it");
+  }
+
+  static std::string joined(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+  }
+
   void prompt(const TomlEntry& entry) {
     auto text = read_text(entry, report_);
     ok_ = ok_ && text;
@@ -365,7 +401,7 @@ class AskReader {
     for (const char* key : kKeysOfStates)
       if (const TomlEntry* entry = table_.find(key); entry != nullptr && !steers)
         fail(entry->place, in_quotes(key) + " is of questions of type \"state\"");
-    for (const char* key : {"answer", "choices", "modulo", "given"})
+    for (const char* key : {"answer", "choices", "modulo", "given", "letters"})
       if (const TomlEntry* entry = table_.find(key); entry != nullptr && steers)
         fail(entry->place, in_quotes(key) + " is not of questions of type \"state\"",
              "what is to be reached stands in \"goals\"");
@@ -399,6 +435,8 @@ class AskReader {
     if (!expression && modulo != nullptr) fail(modulo->place, "\"modulo\" is of questions for an expression");
     const TomlEntry* given = table_.find("given");
     if (!expression && given != nullptr) fail(given->place, "\"given\" is of questions for an expression");
+    if (const TomlEntry* letters = table_.find("letters"); !expression && letters != nullptr)
+      fail(letters->place, "\"letters\" is of questions for an expression");
     if (expression && modulo == nullptr) ask_.modulo = "identity";
   }
 

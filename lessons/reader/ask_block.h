@@ -21,7 +21,7 @@ LineNotation line_notation(const EquationNotation& notation, const std::map<std:
 LineNotation line_notation(const Lesson& lesson);
 
 inline constexpr std::size_t kMaxChoices = 16;
-inline constexpr std::size_t kMaxHints = 16;
+inline constexpr std::size_t kMaxHints = 16, kMaxLetters = 16;
 /// Of a derivation.
 inline constexpr std::size_t kMaxFacts = 8, kMaxWorkedLines = 16;
 

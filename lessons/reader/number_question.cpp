@@ -117,8 +117,12 @@ std::optional<NumberAnswer> read_number_answer(const TomlTable& keys, TextReader
 }
 
 std::string words_of_what_is_asked(const NumberAnswer& answer) {
-  return "Answer " + (answer.unit.empty() ? "with a number" : "in " + answer.unit) + ", to within " +
-         answer.within_text + '.';
+  const std::string& unit = answer.unit;
+  const std::string words = unit == "deg" || unit == "°"       ? "degrees"
+                            : unit == "deg/s" || unit == "°/s" ? "degrees per second"
+                                                               : unit;
+  return "Answer " + (unit.empty() ? "with a number" : "in " + words) + ", to within " + answer.within_text +
+         '.';
 }
 
 std::optional<SourcePlace> compute_answers(Lesson& lesson, const Effort& effort) {

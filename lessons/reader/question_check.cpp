@@ -3,6 +3,7 @@
 
 #include "base/numbers.h"
 #include "base/utf8.h"
+#include "lessons/claims/dimension.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/reader/lint_budget.h"
 #include "render/scene/model/model.h"
@@ -26,6 +27,7 @@ class QuestionCheck {
         for (const Ask* ask : blocks_of<Ask>(step)) {
           if (picks_choice(ask->type)) picked_.push_back({ask, stage.id + '/' + ask->id});
           check_replies(*ask);
+          check_choices(*ask);
           if (ask->number) check_number(*ask, *ask->number, step);
           if (ask->plays) check_play(*ask, *ask->plays, step);
         }
@@ -54,7 +56,46 @@ class QuestionCheck {
                       "write a reply below the choice, indented by two blanks");
   }
 
+  /// Two that read the same would be right and wrong at once.
+  void check_choices(const Ask& ask) {
+    const auto words = [](const std::string& text) {
+      std::string joined;
+      for (const char c : text)
+        if (c != ' ' || !joined.ends_with(' ')) joined += c;
+      return std::string(trimmed(joined));
+    };
+    for (std::size_t i = 0; i < ask.choices.size(); ++i)
+      for (std::size_t k = i + 1; k < ask.choices.size(); ++k)
+        if (words(ask.choices[i]) == words(ask.choices[k]))
+          report_.error(ask.place, "two choices are the same: " + in_quotes(ask.choices[i]),
+                        "leave one out, or say how they differ");
+  }
+
+  /// "How large is it in kJ?": the unit that a prompt names behind "in", at its end, is that of the answer.
+  void check_unit_of_prompt(const Ask& ask, const NumberAnswer& number) {
+    std::string prompt = ask.prompt;
+    while (!prompt.empty() && std::string_view(" .?!)").find(prompt.back()) != std::string_view::npos)
+      prompt.pop_back();
+    const std::size_t in = prompt.rfind(" in ");
+    if (in == prompt.npos) return;
+    const std::string named(trimmed(std::string_view(prompt).substr(in + 4)));
+    static const std::map<std::string, std::string, std::less<>> kInWords = {
+        {"degrees", "deg"}, {"radians", "rad"},  {"joules", "J"}, {"seconds", "s"},
+        {"metres", "m"},    {"kilograms", "kg"}, {"hertz", "Hz"}};
+    const auto word = kInWords.find(named);
+    const std::string unit = word == kInWords.end() ? named : word->second;
+    const auto said = scaled_unit(unit), asked = scaled_unit(number.unit);
+    if (unit.empty() || !said || !asked) return;
+    const bool is_same_size = std::abs(said->size - asked->size) <= 1e-12 * asked->size;
+    if (said->dimension == asked->dimension && is_same_size) return;
+    report_.error(ask.place,
+                  "the prompt of question " + in_quotes(ask.id) + " asks for " + named +
+                      ", and its unit is " + (number.unit.empty() ? "none" : number.unit),
+                  "make both the same");
+  }
+
   void check_number(const Ask& ask, const NumberAnswer& number, const Step& step) {
+    check_unit_of_prompt(ask, number);
     const std::string what = "the answer of question " + in_quotes(ask.id);
     if (number.expression && !step.scene)
       return report_.error(ask.place, what + " needs a scene, on whose motion it is computed",

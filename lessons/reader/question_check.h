@@ -18,7 +18,8 @@ inline constexpr double kMostUnderOneLetter = 0.4, kMostLongest = 0.5;
 inline constexpr double kLongestPlay_s = 30;
 
 /// Of a lesson whose answers are computed (number_question.h): errors where a number has no value or is not
-/// told from 0, and where what a prediction plays cannot be shown; warnings where a wrong choice of a list
+/// told from 0, or is asked for in another unit than its own, where two choices are the same, and where what
+/// a prediction plays cannot be shown; warnings where a wrong choice of a list
 /// has no reply, and where one letter, or the longest choice, is right too often.
 std::vector<Diagnostic> check_questions(const Lesson& lesson, std::string_view file_name,
                                         const Effort& effort = {});

@@ -144,8 +144,20 @@ std::string why_not_allowed(const StateTask& task, const SteeredState& state) {
   return "";
 }
 
+namespace {
+
+/// Products of a few such numbers are still finite.
+bool is_too_large(const SteeredState& state) {
+  constexpr double kMost = 1e50;
+  const auto exceeds = [](const std::optional<Vec3>& x) { return x && x->cwiseAbs().maxCoeff() > kMost; };
+  return exceeds(state.w0_B) || exceeds(state.moments);
+}
+
+}  // namespace
+
 AnswerJudgement judge_state(const StateTask& task, const SteeredState& state, const Effort& effort) {
   if (std::string why = why_not_allowed(task, state); !why.empty()) return unreadable(std::move(why));
+  if (is_too_large(state)) return unreadable("a number in this is too large");
   try {
     const SceneModel model = make_model(scene_to_judge(task, state), Product::numbers, effort);
     const double t_s = judged_time_s(task, state.t_s.value_or(still_time_s(*task.scene)));

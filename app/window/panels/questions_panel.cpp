@@ -24,7 +24,11 @@ void show_verdict(PanelContext& context, const JudgedAnswer& answer) {
   const AnswerJudgement& verdict = answer.judgement;
   const std::string word = verdict.mark == Mark::wrong ? "Not right" : "Cannot be read";
   if (verdict.mark == Mark::right) return right_words("Right.");
-  warning_words(verdict.reason.empty() ? word + "." : fmt::format("{}: {}.", word, verdict.reason));
+  // Of a choice the reason is the whole sentence: "A is not right".
+  const bool is_sentence = verdict.choice > 0;
+  warning_words(verdict.reason.empty() ? word + "."
+                : is_sentence          ? verdict.reason + '.'
+                                       : fmt::format("{}: {}.", word, verdict.reason));
   if (verdict.column > 0) quiet_words(fmt::format("at column {} of {}", verdict.column, answer.text));
   if (!verdict.hint.empty()) quiet_words(verdict.hint);
   if (const auto& counter = verdict.counterexample) {
@@ -90,7 +94,7 @@ void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
   for (std::size_t i = 0; i < shown; ++i)
     context.texts.show(opened_by(fmt::format("Hint {}: ", i + 1), ask.hint_texts[i]), TextInk::quiet);
   if (!is_settled && is_told(known, ask.hints.size()))
-    context.texts.show(opened_by("The answer: ", answer_text(context.session.lesson(), ask)));
+    context.texts.show(opened_by("The answer is ", answer_text(context.session.lesson(), ask)));
   AnswerRecord after = known;
   if (is_settled || !note_help(after, ask.hints.size())) return;
   const char* words = shown == ask.hints.size() ? "Show the answer" : shown == 0 ? "A hint" : "Another hint";
@@ -193,7 +197,7 @@ void QuestionsPanel::draw_earlier(PanelContext& context, bool is_alone) {
   const Place here = session.place();
   std::vector<PlacedAsk> earlier = questions_of_stage(session.lesson(), here.stage);
   std::erase_if(earlier, [&](const PlacedAsk& question) { return question.place.step >= here.step; });
-  if (is_alone) quiet_words("This step asks nothing.");
+  if (is_alone) quiet_words("There is no question on this step.");
   if (earlier.empty()) return;
   heading("Earlier in this stage");
   std::optional<Place> chosen;

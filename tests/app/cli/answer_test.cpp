@@ -81,7 +81,7 @@ TEST_F(Answer, UnreadableIsTwoWithItsColumn) {
   const ProgramRun run = answer("sign", {"w1*w9"});
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(run.out, "  w1*w9\n     ^\n");
-  EXPECT_THAT(run.err, HasSubstr("unknown symbol \"w9\""));
+  EXPECT_THAT(run.err, HasSubstr("there is no \"w9\" here"));
   EXPECT_FALSE(std::filesystem::exists(log())) << "it was no try";
 }
 
@@ -110,7 +110,7 @@ TEST_F(Answer, HintsComeOneAtATimeInWords) {
 
 TEST_F(Answer, BehindTheLastHintTheAnswerIsToldWithItsReason) {
   for (int i = 0; i < 2; ++i) answer("sign", {"--hint"});
-  const std::string told = "The answer: w3*w1*(I1 - I3).\n";
+  const std::string told = "The answer is w3*w1*(I1 - I3).\n";
   EXPECT_EQ(answer("sign", {"--hint"}).out, told);
   EXPECT_EQ(answer("sign", {"--hint"}).out, told) << "and again";
   EXPECT_EQ(logged()["quiz/sign"]["hints"], 3) << "one more than there are: it was told";
@@ -121,13 +121,13 @@ TEST_F(Answer, WithoutHintsItIsToldToWhoHasTried) {
             "There is no hint. Try an answer: after it --hint tells the right one.\n");
   EXPECT_FALSE(std::filesystem::exists(log()) && logged().contains("quiz/which"));
   answer("which", {"A"});
-  EXPECT_EQ(answer("which", {"--hint"}).out, "The answer: B: two.\n");
+  EXPECT_EQ(answer("which", {"--hint"}).out, "The answer is B: two.\n");
 }
 
 TEST_F(Answer, AChoiceGetsItsReply) {
   const ProgramRun wrong = answer("listed", {"A"});
   EXPECT_EQ(wrong.code, 4);
-  EXPECT_EQ(wrong.out, "wrong: A is not it\nThe omega sub 1 there is small.\n");
+  EXPECT_EQ(wrong.out, "A is not right.\nThe omega sub 1 there is small.\n");
   EXPECT_EQ(answer("listed", {"B"}).out, "right\nSo it is.\n");
   const Json json = Json::parse(answer("listed", {"A", "--json"}).out);
   EXPECT_EQ(json["reply"], "The omega sub 1 there is small.");
@@ -141,7 +141,7 @@ TEST_F(Answer, ANumberIsJudgedWithItsUnit) {
   EXPECT_EQ(comma.code, 2);
   EXPECT_THAT(comma.err, HasSubstr("a comma is not read in numbers"));
   for (int i = 0; i < 2; ++i) answer("speed", {"--hint"});
-  EXPECT_EQ(answer("speed", {"--hint"}).out, "The answer: 2 rad/s. It is given.\n");
+  EXPECT_EQ(answer("speed", {"--hint"}).out, "The answer is 2 rad/s. It is given.\n");
 }
 
 TEST_F(Answer, ADamagedLogIsSetAside) {
@@ -214,7 +214,7 @@ TEST_F(Answer, NobodyWaitsForTheVerdictWhileAnotherHoldsTheLog) {
     const auto patience = std::chrono::steady_clock::now() + kAnswerPatience / 2;
     while (text_of(options.stdout_to).empty() && std::chrono::steady_clock::now() < patience)
       std::this_thread::sleep_for(10ms);
-    EXPECT_EQ(text_of(options.stdout_to).substr(0, 7), "wrong: ") << "before the lock was given back";
+    EXPECT_EQ(text_of(options.stdout_to).substr(0, 7), "A is no") << "before the lock was given back";
     held.reset();
   };
   const ProgramRun run = answer("which", {"A"}, options);

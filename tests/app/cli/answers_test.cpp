@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "base/sha256.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace polhode {
 namespace {
@@ -92,7 +94,8 @@ TEST_F(Answers, OfAClassAreCollected) {
   EXPECT_EQ(run({"answers", "collect", anna, ben, "--csv", "-o", in_folder("class.csv")}).out, "");
   EXPECT_EQ(text_of(in_folder("class.csv")), csv.out);
   EXPECT_THAT(run({"answers", "collect", anna, ben}).out,
-              AllOf(HasSubstr("    2         2  Anna\n"), HasSubstr("    1         2  quiz/sign\n")));
+              AllOf(HasSubstr("    2          0             0  Anna\n"),
+                    HasSubstr("    1          1             0  quiz/sign\n")));
 }
 
 TEST_F(Answers, ThatCannotBeCollectedGetALineEach) {
@@ -103,16 +106,42 @@ TEST_F(Answers, ThatCannotBeCollectedGetALineEach) {
                                      in_folder("letter.txt"), anna, folder_.path().string(), "--csv"});
   EXPECT_EQ(run_of_all.code, 4);
   EXPECT_THAT(run_of_all.out, HasSubstr("\nAnna,"));
-  EXPECT_THAT(run_of_all.err,
-              AllOf(HasSubstr("none.txt: cannot be read: No such file or directory: passed over\n"),
-                    HasSubstr("cut.txt: damaged: its end, with the checksum, is missing: passed over\n"),
-                    HasSubstr("letter.txt: no report of polhode"),
-                    HasSubstr("Anna.txt: a second report of Anna, whose first is "),
-                    HasSubstr(folder_.path().string() + ": cannot be read: Is a directory: passed over\n")));
+  EXPECT_THAT(
+      run_of_all.err,
+      AllOf(HasSubstr("none.txt: cannot be read: No such file or directory: skipped\n"),
+            HasSubstr("cut.txt: the end of the file, with its checksum, is missing: skipped\n"),
+            HasSubstr("letter.txt: no report of polhode"), HasSubstr("Anna.txt: the newest report of Anna: "),
+            HasSubstr(folder_.path().string() + ": cannot be read: it is a folder: skipped\n")));
   EXPECT_EQ(std::count(run_of_all.err.begin(), run_of_all.err.end(), '\n'), 5);
 }
 
-TEST_F(Answers, OfAnotherVersionOfTheLessonArePassedOver) {
+TEST_F(Answers, ThatAreNotRightMakeAClassNotWhole) {
+  std::string text = text_of(report("Ben", "w1*w3*(I1 - I3)", "A"));
+  const std::size_t at = text.find("not right, tries 1");
+  ASSERT_NE(at, text.npos);
+  text.replace(at, 9, "right");
+  // Who can write a new checksum can write this.
+  const std::size_t end = text.find("Checksum: ");
+  text.replace(end + 10, 16, sha256_hex(text.substr(0, end)).substr(0, 16));
+  write_text(in_folder("forged.txt"), text);
+  const ProgramRun collected = run({"answers", "collect", in_folder("forged.txt"), "--csv"});
+  EXPECT_EQ(collected.code, 4);
+  EXPECT_THAT(collected.err, HasSubstr("quiz/which is said to be right, and its answer is not"));
+  EXPECT_THAT(collected.out, HasSubstr("wrong"));
+}
+
+TEST_F(Answers, AreReadFromRegularFilesAlone) {
+  const std::string pipe = in_folder("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string anna = report("Anna", "w1*w3*(I1 - I3)", "B");
+  const ProgramRun collected = run({"answers", "collect", pipe, "/dev/zero", anna});
+  EXPECT_EQ(collected.code, 4);
+  EXPECT_THAT(collected.err, AllOf(HasSubstr("pipe: cannot be read: it is no regular file: skipped\n"),
+                                   HasSubstr("/dev/zero: cannot be read: it is no regular file: skipped\n")));
+  EXPECT_THAT(collected.out, HasSubstr("Anna\n"));
+}
+
+TEST_F(Answers, OfAnotherVersionOfTheLessonAreSkipped) {
   const std::string anna = report("Anna", "w1*w3*(I1 - I3)", "B");
   write_text(folder_ / "quiz.md", text_of(folder_ / "quiz.md") + "\nMore.\n");
   const ProgramRun run_of_all = run({"answers", "collect", anna, "--csv"});

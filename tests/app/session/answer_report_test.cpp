@@ -52,7 +52,8 @@ TEST(AnswerReport, SaysNothingOfWhoItIsUnlessThatWasTyped) {
   EXPECT_THAT(report(some_answers()), Not(HasSubstr("Name")));
   EXPECT_THAT(report(some_answers(), "  "), Not(HasSubstr("Name")));
   EXPECT_THAT(report(some_answers(), " Zoë O'Neill "), HasSubstr("\nName: Zoë O'Neill\n"));
-  for (const char* no : {"two\nlines", "\x1b[1m", "a\tb", "\xff", "\u202Eright to left"})
+  for (const char* no :
+       {"two\nlines", "\x1b[1m", "a\tb", "\xff", "\u202Eright to left", "Ann\u200Ba", "\u00ADAnna"})
     EXPECT_FALSE(answer_report(quiz(), {}, no)) << no;
   EXPECT_FALSE(answer_report(quiz(), {}, std::string(101, 'x')));
 }
@@ -112,9 +113,9 @@ TEST(ReadAnswerReport, BearsWhatMailDoesToATextAndRefusesWhatElseChanges) {
   EXPECT_TRUE(read_answer_report("\n\n" + text + "\n-- \nSent from a phone\n"));
   std::string changed = text;
   changed[text.find("tries 3") + 6] = '2';
-  EXPECT_EQ(read_answer_report(changed).error(), "damaged: its checksum is that of another text");
+  EXPECT_EQ(read_answer_report(changed).error(), "the file was changed after it was saved");
   EXPECT_THAT(read_answer_report(text.substr(0, text.size() / 2)).error(),
-              HasSubstr("its end, with the checksum, is missing"));
+              HasSubstr("the end of the file, with its checksum, is missing"));
   EXPECT_THAT(read_answer_report("Dear all").error(), HasSubstr("no report of polhode"));
   EXPECT_THAT(read_answer_report("").error(), HasSubstr("no report of polhode"));
   EXPECT_THAT(read_answer_report(text + text).error(), HasSubstr("a second report begins"));

@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace polhode {
 namespace {
 
@@ -47,12 +49,13 @@ TEST(CollectedAnswers, BelieveNobodyThatAnAnswerIsRight) {
   CollectedAnswers collected(quiz());
   EXPECT_EQ(*collected.add("a.txt", report), "first/which is said to be right, and its answer is not");
   EXPECT_EQ(collected.students()[0].answers[1].state, State::wrong);
+  EXPECT_TRUE(collected.has_false_rights());
   report.answers[3].answer = "dL/dt = N";
   report.student = "B";
   EXPECT_THAT(*collected.add("b.txt", report), HasSubstr("second/derive is said to be right"));
 }
 
-TEST(CollectedAnswers, PassOverWhatIsOfAnotherLessonOrThereAlready) {
+TEST(CollectedAnswers, SkipWhatIsOfAnotherLesson) {
   CollectedAnswers collected(quiz());
   ASSERT_TRUE(collected.add("a.txt", report_of(test::all_right(), "Anna")));
   AnswerReport other = report_of({}, "Ben");
@@ -65,9 +68,77 @@ TEST(CollectedAnswers, PassOverWhatIsOfAnotherLessonOrThereAlready) {
   other = report_of({}, "Ben");
   other.answers[0].name = "first/none";
   EXPECT_THAT(collected.add("b.txt", other).error(), HasSubstr("the lesson has no question first/none"));
-  EXPECT_EQ(collected.add("b.txt", report_of({}, "Anna")).error(),
-            "a second report of Anna, whose first is a.txt");
   EXPECT_EQ(collected.students().size(), 1u);
+}
+
+FileTime at_s(int seconds) { return FileTime() + std::chrono::seconds(seconds); }
+
+TEST(CollectedAnswers, TakeTheNewestReportOfAStudent) {
+  CollectedAnswers collected(quiz());
+  ASSERT_TRUE(collected.add("a.txt", report_of({}, "Anna"), at_s(10)));
+  ASSERT_TRUE(collected.add("b.txt", report_of({}, "Ben"), at_s(10)));
+  EXPECT_EQ(*collected.add("a2.txt", report_of(test::all_right(), "Anna"), at_s(20)),
+            "the newest report of Anna: a.txt is skipped");
+  EXPECT_EQ(collected.add("a3.txt", report_of({}, "Anna"), at_s(15)).error(),
+            "an older report of Anna than a2.txt");
+  ASSERT_EQ(collected.students().size(), 2u);
+  EXPECT_EQ(collected.students()[0].file, "a2.txt");
+  EXPECT_EQ(collected.students()[0].count(State::right), 4);
+  EXPECT_THAT(*collected.add("a4.txt", report_of({}, "Anna"), at_s(20)), HasSubstr("a2.txt is skipped"))
+      << "of two as old the later one counts";
+}
+
+TEST(CollectedAnswers, KnowAStudentHoweverTheNameIsSpelled) {
+  CollectedAnswers collected(quiz());
+  ASSERT_TRUE(collected.add("1", report_of({}, "Zoë O'Neill")));
+  AnswerReport report = report_of({}, "x");
+  for (const char* same : {"Zoe\u0308 O'Neill", "Zoë  O'Neill", " Zoë\u00A0O'Neill\u3000"}) {
+    report.student = same;
+    EXPECT_THAT(*collected.add("2", report), HasSubstr("is skipped")) << same;
+  }
+  for (const char* other : {"Zoe O'Neill", "ZoëO'Neill"}) {
+    report.student = other;
+    EXPECT_THAT(*collected.add("3", report), IsEmpty()) << other;
+  }
+  EXPECT_EQ(collected.students().size(), 3u);
+}
+
+TEST(CollectedAnswers, AFileWithoutANameIsInNobodysWay) {
+  for (const bool is_named_first : {true, false}) {
+    CollectedAnswers collected(quiz());
+    const auto add_named = [&] { EXPECT_THAT(*collected.add("b.txt", report_of({}, "Bella")), IsEmpty()); };
+    if (is_named_first) add_named();
+    EXPECT_THAT(*collected.add("in/Bella.txt", report_of(test::all_right())), IsEmpty());
+    if (!is_named_first) add_named();
+    std::vector<std::string> names;
+    for (const CollectedStudent& student : collected.students()) names.push_back(student.name);
+    EXPECT_THAT(names, ::testing::UnorderedElementsAre("Bella", "in/Bella.txt"));
+  }
+}
+
+TEST(CollectedAnswers, LeaveOutReasonsThatDoNotExist) {
+  AnswerReport report = report_of(with("first/which", {0, 4, 0, "C", "", {{"choice-C", 4}}}));
+  report.answers[1].reasons = {{"choice-C", 4}, {"choice-D", 1}, {"bogus", 2}};
+  CollectedAnswers collected(quiz());
+  EXPECT_EQ(*collected.add("a.txt", report),
+            "first/which: there is no reason \"bogus\"; it is left out; first/which: there is no reason "
+            "\"choice-D\"; it is left out");
+  ASSERT_EQ(reasons_of(collected, 1).size(), 1u);
+  EXPECT_EQ(reasons_of(collected, 1)[0].tag, "choice-C");
+}
+
+TEST(CollectedAnswers, AreOneRowEachWhateverAFileIsCalled) {
+  CollectedAnswers collected(quiz());
+  ASSERT_TRUE(collected.add("x\n=1+1.txt", report_of(test::all_right())));
+  const std::string csv = csv_of(collected);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2) << csv;
+  EXPECT_EQ(collected.students()[0].name, "x\\u000a=1+1");
+}
+
+TEST(CollectedAnswers, CountWhatIsNotAnswered) {
+  CollectedAnswers collected(quiz());
+  ASSERT_TRUE(collected.add("a.txt", report_of({}, "Anna")));
+  EXPECT_THAT(csv_of(collected), HasSubstr("Anna,a.txt,0,0,4,not answered,,,not answered,,,"));
 }
 
 TEST(CollectedAnswers, TellOfReportsThatAreAlikeToTheLetter) {
@@ -104,6 +175,9 @@ TEST(CsvCell, IsATextWhateverAStudentIsCalled) {
   for (const char* formula : {"=1+1", "+1", "-1", "@SUM(A1)", "=cmd|' /C calc'!A0"})
     EXPECT_EQ(csv_cell(formula), std::string("'") + formula);
   EXPECT_EQ(csv_cell(" =1"), "' =1") << "blanks do not hide it";
+  for (const char* hidden :
+       {"\u00A0=1", "\u200B=1", "\uFEFF=1", "\u3000+1", "\u2060@x", "＝1", "＋1", "－1", "＠x"})
+    EXPECT_EQ(csv_cell(hidden), std::string("'") + hidden);
   EXPECT_EQ(csv_cell("\t=1"), "\"'\t=1\"");
   EXPECT_EQ(csv_cell("=HYPERLINK(\"x\",\"y\")"), "\"'=HYPERLINK(\"\"x\"\",\"\"y\"\")\"");
 }

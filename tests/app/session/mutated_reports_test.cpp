@@ -4,7 +4,7 @@
 // an answer that is right. Which lines that are is found here without the reader.
 #include "app/session/collected_answers.h"
 #include "base/sha256.h"
-#include "lessons/derivation/derivation.h"
+#include "lessons/derivation/answer_reasons.h"
 #include "lessons/reader/ask_block.h"
 #include "tests/app/session/quiz_lesson.h"
 
@@ -171,7 +171,7 @@ std::vector<std::string> answers_in(const std::string& text, const std::string& 
 bool is_told_right(const PlacedAsk& question, const std::string& answer) {
   static const Prover prover;
   if (!question.ask->derivation)
-    return judge_answer(*question.ask, answer, prover, &quiz().notation.vocabulary).mark ==
+    return judge_with_reasons(*question.ask, answer, prover, line_notation(quiz())).mark ==
            AnswerJudgement::Mark::right;
   const LineNotation how = line_notation(quiz());
   const Derivation& derivation = *question.ask->derivation;

@@ -41,16 +41,23 @@ TEST_P(RightNumbers, AreRightInEveryForm) {
 }
 INSTANTIATE_TEST_SUITE_P(
     All, RightNumbers,
-    ::testing::Values(Typed{4.2, "J", "4.2"}, Typed{4.2, "J", " 4.2 J "}, Typed{4.2, "J", "4200 mJ"},
-                      Typed{4.2, "J", "4.2 N m"}, Typed{4.2, "J", "4.2kg m^2/s^2"}, Typed{1200, "m", "1.2e3"},
-                      Typed{1200, "m", "1.2·10^3 m"}, Typed{1200, "m", "1.2 x 10^3"},
-                      Typed{1200, "m", "1.2*10^{3} m"}, Typed{0.0012, "s", "1.2×10^-3"},
-                      Typed{0.0012, "s", "1.2 ms"}, Typed{90, "s", "1.5 min"}, Typed{-3, "rad/s", "-3"},
-                      Typed{-3, "rad/s", "−3.0 rad/s"}, Typed{std::numbers::pi, "rad", "180 deg"},
-                      Typed{90, "deg", "1.57 rad"}, Typed{90, "deg", "90°"},
-                      Typed{10 * std::numbers::pi, "rad/s", "300 rpm"}, Typed{5, "Hz", "300 rpm"},
-                      Typed{5, "Hz", "5 1/s"}, Typed{0.25, "1", "25 %"}, Typed{0.25, "1", ".25"},
-                      Typed{2, "1", "+2."}));
+    ::testing::Values(
+        Typed{4.2, "J", "4.2"}, Typed{4.2, "J", " 4.2 J "}, Typed{4.2, "J", "4200 mJ"},
+        Typed{4.2, "J", "4.2 N m"}, Typed{4.2, "J", "4.2kg m^2/s^2"}, Typed{1200, "m", "1.2e3"},
+        Typed{1200, "m", "1.2·10^3 m"}, Typed{1200, "m", "1.2 x 10^3"}, Typed{1200, "m", "1.2*10^{3} m"},
+        Typed{0.0012, "s", "1.2×10^-3"}, Typed{0.0012, "s", "1.2 ms"}, Typed{90, "s", "1.5 min"},
+        Typed{-3, "rad/s", "-3"}, Typed{-3, "rad/s", "−3.0 rad/s"}, Typed{std::numbers::pi, "rad", "180 deg"},
+        Typed{90, "deg", "1.57 rad"}, Typed{90, "deg", "90°"},
+        Typed{10 * std::numbers::pi, "rad/s", "300 rpm"}, Typed{5, "Hz", "300 rpm"}, Typed{5, "Hz", "5 1/s"},
+        Typed{0.25, "1", "25 %"}, Typed{0.25, "1", ".25"}, Typed{2, "1", "+2."}, Typed{4.2, "J", "4.2 Nm"},
+        Typed{4.2, "J", "4.2 J."}, Typed{4.2, "J", "4.2 Ws"}, Typed{4.2, "J", "4.2 kg m2/s2"},
+        Typed{4.2, "J", "4.2 kg m2 s-2"}, Typed{4.2, "J", "4.2 kgm² s⁻²"}, Typed{4.2, "J", "4200000 uJ"},
+        Typed{7.2e6, "J", "2 kWh"}, Typed{4.2, "J", "4.2 N*m"}, Typed{42000, "J", "4.2 × 10⁴ J"},
+        Typed{4200, "J", "4.2·10^3"}, Typed{4200, "J", "4.2⋅10³J"}, Typed{0.0042, "J", "4.2×10⁻³"},
+        Typed{4200, "J", "4.2*10**3"}, Typed{3, "rad/s", "3 s^-1"}, Typed{3, "rad/s", "3 s⁻¹"},
+        Typed{3, "rad/s", "3 s^(-1)"}, Typed{3, "rad/s", "180 1/min"}, Typed{3, "rad/s", "180 rad/min"},
+        Typed{5, "Hz", "300 /min"}, Typed{5, "Hz", "300 rev/min"}, Typed{90, "deg", "0.25 rev"},
+        Typed{0.1, "1/s", "0.1 rad/s"}, Typed{2, "1", "2 m/m"}));
 
 struct Slipped {
   double right;
@@ -71,8 +78,8 @@ INSTANTIATE_TEST_SUITE_P(
         Slipped{4.2, "J", "4.2 kg m²/s",
                 "of another kind: an answer in J is asked for, and this is in kg m²/s"},
         Slipped{4.2, "J", "4.2 W", "of another kind"},
-        Slipped{0.3, "1", "0.3 s", "an answer in 1 is asked for"}, Slipped{4.2, "J", "-4.2", "wrong sign"},
-        Slipped{4.2, "J", "4200", "factor of 1000"},
+        Slipped{0.3, "1", "0.3 s", "a number without a unit is asked for"},
+        Slipped{4.2, "J", "-4.2", "wrong sign"}, Slipped{4.2, "J", "4200", "factor of 1000"},
         Slipped{4.2, "J", "4.2 kJ", "too large by a factor of 1000"},
         Slipped{4.2, "J", "0.42", "too small by a factor of 10"},
         Slipped{4.2, "J", "42000000", "too large by a factor of 10^7"},
@@ -82,6 +89,13 @@ INSTANTIATE_TEST_SUITE_P(
         Slipped{2, "Hz", "12.57 rad/s", "rad/s counts angles"},
         Slipped{4.2, "J", "8.4", "twice what is right"}, Slipped{4.2, "J", "2.1", "half of what is right"},
         Slipped{4.2, "J", "4", "rounded too coarsely: it has to be right to 2 %"},
+        Slipped{0.7, "1", "0.7 rad", "a number without a unit is asked for, and this is in rad"},
+        Slipped{0.7, "1", "40.1 deg", "of another kind"}, Slipped{0.7, "", "40.1°", "of another kind"},
+        Slipped{0.5, "1", "0.0796 rev", "of another kind"}, Slipped{4.2, "J", "4.2 J rad", "of another kind"},
+        Slipped{4.2, "kg", "4.2 kg/rad", "of another kind"},
+        Slipped{3, "rad/s", "3 rad^2/s", "of another kind"}, Slipped{22, "deg", "38.4 %", "of another kind"},
+        Slipped{0.7, "1", "40.1", "too large"}, Slipped{4.2, "J", "26.389", "too large"},
+        Slipped{4.2, "J", "0.66845", "too small"}, Slipped{2, "s", "12.566", "too large by 2π"},
         Slipped{4.2, "J", "7", "too large"}, Slipped{4.2, "J", "3.3", "too small"},
         Slipped{4.2, "J", "-7", "neither the sign nor the size"}, Slipped{4.2, "J", "0", "it is not 0"}));
 
@@ -108,8 +122,12 @@ INSTANTIATE_TEST_SUITE_P(
                       Unread{"4.2 furlong", "unknown unit \"furlong\"", 5},
                       Unread{"4.2 + 1", "nothing is computed here", 5},
                       Unread{"4.2/2", "nothing is computed here", 4},
-                      Unread{"4.2 4", "nothing is computed here", 5}, Unread{"1e999", "out of the range", 0},
-                      Unread{"e3", "no number", 1}, Unread{"−−4", "no number", 2}));
+                      Unread{"4.2 4", "nothing is computed here", 5}, Unread{"1e999", "too large", 0},
+                      Unread{"1e-999", "too small", 0}, Unread{"4.2 J/", "unknown unit \"J/\"", 5},
+                      Unread{"4.2 J//s", "unknown unit", 5}, Unread{"4.2 m/s/s", "unknown unit", 5},
+                      Unread{"4.2 hJ", "unknown unit", 5}, Unread{"4.2 J^0", "unknown unit", 5},
+                      Unread{"4.2 1", "nothing is computed here", 5}, Unread{"e3", "no number", 1},
+                      Unread{"−−4", "no number", 2}));
 
 TEST(NumberAnswer, IsRightWithinItsToleranceAndNotBeyond) {
   for (const double value : {4.2, -0.003, 7e9}) {

@@ -3,6 +3,7 @@
 // given is right, a counterexample is one of them, and a wrong index or a missing term gets its reason.
 #include "lessons/derivation/answer_reasons.h"
 
+#include "lessons/reader/ask_block.h"
 #include "lessons/reader/reader.h"
 #include "tests/lessons/support.h"
 
@@ -11,6 +12,7 @@
 
 #include <chrono>
 #include <regex>
+#include <tuple>
 
 namespace polhode {
 namespace {
@@ -24,9 +26,8 @@ struct Asked {
   const Ask& ask() const { return *blocks_of<Ask>(lesson.stages[0].steps[0])[0]; }
   AnswerJudgement judged(const std::string& answer) const {
     static const Prover prover;
-    const AnswerJudgement judgement = judge_with_reasons(ask(), answer, prover, lesson.notation.vocabulary);
-    EXPECT_EQ(is_right_answer(ask(), answer, prover, lesson.notation.vocabulary),
-              judgement.mark == Mark::right)
+    const AnswerJudgement judgement = judge_with_reasons(ask(), answer, prover, line_notation(lesson));
+    EXPECT_EQ(is_right_answer(ask(), answer, prover, line_notation(lesson)), judgement.mark == Mark::right)
         << answer;
     return judgement;
   }
@@ -35,9 +36,11 @@ struct Asked {
 Asked asking(const std::string& prompt, const std::string& answer, const std::string& more = "") {
   const LessonReading read = read_lesson(
       "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\naxes = \"xyz\"\n"
-      "[constants]\nmgl = { value = 2.94, tex = 'm g \\ell', say = \"weight\", unit = \"N m\" }\n"
+      "[constants]\nmgl = { value = 2.94, tex = 'm g \\ell', say = \"weight\", unit = \"N m\" }\nc = { value "
+      "= 2, tex = 'c', say = \"c\" }\n"
       "[assume]\nsymmetric = \"I2 = I1\"\nsphere = [\"I2 = I1\", \"I3 = I1\"]\nflat = \"I3 = I1 + I2\"\n"
-      "heavy = \"N = mgl*cross(ez, e3)\"\noblate = [\"I2 = I1\", \"I3 > I1\"]\nspin = \"w3 = 0\"\n"
+      "heavy = \"N = mgl*cross(ez, e3)\"\nbrake = \"N = -c*omega\"\noblate = [\"I2 = I1\", \"I3 > "
+      "I1\"]\nspin = \"w3 = 0\"\n"
       "+++\n# A {a}\nText.\n\n```ask q\ntype = 'expression'\nprompt = '''" +
           prompt + "'''\nanswer = '" + answer + "'\n" + more + "\n```\n",
       "a.md");
@@ -55,7 +58,7 @@ TEST_P(Restating, IsNoAnswer) {
   const auto& [prompt, answer, more, typed] = GetParam();
   const AnswerJudgement judgement = asking(prompt, answer, more).judged(typed);
   EXPECT_EQ(judgement.mark, Mark::wrong) << typed;
-  EXPECT_THAT(judgement.tag, ::testing::AnyOf("restated", "derivative")) << judgement.reason;
+  EXPECT_THAT(judgement.tag, ::testing::AnyOf("restated", "derivative", "letters")) << judgement.reason;
   EXPECT_NE(judgement.reason, "");
 }
 const char* const kSix =
@@ -63,6 +66,9 @@ const char* const kSix =
 const char* const kSixAnswer = "inertia(ddt(omega)) + cross(omega, inertia(omega))";
 const char* const kMiddle =
     "What is the $y$ component of $\\vec\\omega\\times(\\mathbf I\\cdot\\vec\\omega)$?";
+const char* const kLength = "Write $2T$ with the components of $\\vec L$ and the moments.";
+const char* const kLengthAnswer = "comp(L, 1)^2/I1 + comp(L, 2)^2/I2 + comp(L, 3)^2/I3";
+const char* const kLengthLetters = "letters = ['L', 'I']";
 INSTANTIATE_TEST_SUITE_P(
     All, Restating,
     ::testing::Values(
@@ -82,6 +88,20 @@ INSTANTIATE_TEST_SUITE_P(
         Restated{kMiddle, "w3*w1*(I1 - I3)", "", "comp(cross(omega, inertia(omega)), 2)"},
         Restated{kMiddle, "w3*w1*(I1 - I3)", "", "comp(cross(omega, L), 2)"},
         Restated{kMiddle, "w3*w1*(I1 - I3)", "", "-comp(cross(L, omega), 2)"},
+        Restated{kMiddle, "w3*w1*(I1 - I3)", "", "dot(cross(omega, inertia(omega)), e2)"},
+        Restated{kMiddle, "w3*w1*(I1 - I3)", "", "dot(e2, cross(omega, inertia(omega)))"},
+        Restated{kMiddle, "w3*w1*(I1 - I3)", "", "dot(omega, cross(inertia(omega), e2))"},
+        Restated{kMiddle, "w3*w1*(I1 - I3)", "", "-comp(cross(inertia(2*omega), omega/2), 2)"},
+        Restated{kMiddle, "w3*w1*(I1 - I3)", "", "comp(cross(w1*e1 + w2*e2 + w3*e3, inertia(omega)), 2)"},
+        Restated{kMiddle, "w3*w1*(I1 - I3)", "", "(omega x (I omega)) . e2"},
+        Restated{kMiddle, "w3*w1*(I1 - I3)", "", "(omega x (I omega))_2"},
+        Restated{"What is $\\vec\\omega\\cdot\\mathbf I\\cdot\\dot{\\vec\\omega}$?", "0", "modulo = 'free'",
+                 "dot(omega, N)"},
+        Restated{kLength, kLengthAnswer, kLengthLetters, "dot(L, omega)"},
+        Restated{kLength, kLengthAnswer, kLengthLetters, "omega . (I omega)"},
+        Restated{kSix, kSixAnswer, "letters = ['I', 'omega', \"omega'\"]", "ddt(inertia(omega))"},
+        Restated{"What is $dT/dt$, in terms of $\\vec\\omega$?", "-c*norm2(omega)",
+                 "given = 'brake'\nletters = ['c', 'omega']", "dot(N, omega)"},
         Restated{"Write $2T$ with the components of $\\vec L$ and the moments.",
                  "comp(L, 1)^2/I1 + comp(L, 2)^2/I2 + comp(L, 3)^2/I3", "", "2*T"},
         Restated{"Write $2T$ with the components of $\\vec L$ and the moments.",
@@ -108,10 +128,81 @@ INSTANTIATE_TEST_SUITE_P(
         Answered{kMiddle, "w3*w1*(I1 - I3)", "", "w3*comp(inertia(omega), 1) - w1*I3*w3"},
         Answered{kMiddle, "w3*w1*(I1 - I3)", "", "-(I3 - I1)*w1*w3"},
         Answered{"What is $dT/dt$?", "dot(N, omega)", "modulo = 'motion'", "w1*N1 + w2*N2 + w3*N3"},
+        Answered{kMiddle, "w3*w1*(I1 - I3)", "", "w3 w1 (I1 - I3)"},
+        Answered{kMiddle, "w3*w1*(I1 - I3)", "", "ω₃ω₁(I₁ − I₃)"},
+        Answered{kLength, kLengthAnswer, kLengthLetters, "L1^2/I1 + L2^2/I2 + L_3²/I3"},
+        Answered{kLength, kLengthAnswer, kLengthLetters, "dot(L, e1)^2/I1 + (L . e2)^2/I2 + (L)_3^2/I3"},
+        Answered{kSix, kSixAnswer, "letters = ['I', 'omega', \"omega'\"]", "I omega' + omega x (I omega)"},
+        Answered{"What is $dT/dt$, in terms of $\\vec\\omega$?", "-c*norm2(omega)",
+                 "given = 'brake'\nletters = ['c', 'omega']", "-c |omega|^2"},
+        Answered{"What is $\\vec\\omega\\cdot\\vec L$?", "2*T", "", "2T"},
+        Answered{"What is $dT/dt$?", "dot(N, omega)", "modulo = 'motion'", "omega.N"},
+        Answered{"What is $dT/dt$?", "dot(N, omega)", "modulo = 'motion'", "omega · N"},
+        Answered{"What is $dT/dt$?", "dot(N, omega)", "modulo = 'motion'", "w1 N1 + w2 N2 + w3 N3"},
+        Answered{"What torque?", "cross(omega, L)", "", "omega x L"},
+        Answered{"What torque?", "cross(omega, L)", "", "ω × I ω"},
+        Answered{"How long is it?", "norm2(L)", "", "|L|^2"},
+        Answered{"How much?", "-k*norm2(omega)", "", "-k omega . omega"},
         // The lesson's own answer stands in its prompt.
         Answered{"Newton wrote $\\frac{d\\vec L}{dt} = \\vec N$. What is the rate of $\\vec L$?", "N",
                  "modulo = 'motion'", "N"},
         Answered{"Is it $I_1\\omega_1$ or $I_2\\omega_1$?", "I1*w1", "", "w1*I1"}));
+
+TEST(TypedAnswer, ThatCannotBeReadSaysWhyAsItWasTyped) {
+  const Asked question = asking("What is it?", "dot(omega, N)", "modulo = 'motion'");
+  const std::vector<std::tuple<std::string, int, std::string>> cases = {
+      {"omega . X", 9, "there is no \"X\" here"},
+      {"omega . I", 9, "what is this tensor applied to?"},
+      {"2 w1 )", 6, "bracket"},
+      {"T = w1", 3, "one side of an equation"},
+      {"w1\nw2", 0, "one line"},
+      {"|L|", 0, "a length is a root"},
+      {"w1 w4", 4, "w4"},
+      {"d|L|/dt", 0, "a length is a root"},
+      {"w9", 1, "there is no"},
+      {"I", 1, "tensor"},
+      {"2*T +", 6, "missing"},
+      {"((w1+w2+w3+I1+I2+I3+N1)^16)^16", 0, "too large"}};
+  for (const auto& [typed, column, reason] : cases) {
+    const AnswerJudgement judgement = question.judged(typed);
+    EXPECT_EQ(judgement.mark, Mark::unreadable) << typed;
+    EXPECT_THAT(judgement.reason, HasSubstr(reason)) << typed;
+    EXPECT_EQ(judgement.column, column) << typed << ": " << judgement.reason;
+  }
+  EXPECT_EQ(question.judged("2 omega . N").column, 0) << "no place: what is judged is not what was typed";
+}
+
+TEST(NoAnswer, SaysOfWhatIsTrueThatItIs) {
+  const auto reason = [](const char* prompt, const char* answer, const char* more, const char* typed) {
+    return asking(prompt, answer, more).judged(typed).reason;
+  };
+  EXPECT_EQ(reason("What is $\\vec\\omega\\cdot\\mathbf I\\cdot\\dot{\\vec\\omega}$?", "0", "modulo = 'free'",
+                   "dot(omega, N)"),
+            "this is true, and it can be written without ω");
+  EXPECT_EQ(reason(kMiddle, "w3*w1*(I1 - I3)", "", "dot(omega, cross(inertia(omega), e2))"),
+            "this is true, and the cross product in it is to be worked out");
+  EXPECT_EQ(reason(kLength, kLengthAnswer, kLengthLetters, "dot(L, omega)"),
+            "this is true, but it is to be written with L and I alone: ω stands in it");
+  EXPECT_EQ(asking(kMiddle, "w3*w1*(I1 - I3)").judged("comp(cross(L, omega), 2)").tag, "signs")
+      << "what is wrong is called wrong first";
+}
+
+TEST(LettersOfAQuestion, AreThoseOfItsOwnAnswer) {
+  const auto fault = [](const std::string& answer, const std::string& more) -> std::string {
+    try {
+      asking("What?", answer, more);
+      return "";
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+  };
+  EXPECT_EQ(fault("mgl*w1*ddt(w2)*dot(e1, L)", "letters = ['mgl', 'omega', \"omega'\", 'L']"), "");
+  EXPECT_THAT(fault("w1*I1", "letters = ['omega']"),
+              HasSubstr("the answer itself has \"I\", which is not among the letters"));
+  EXPECT_THAT(fault("ddt(I1*w1)", "letters = ['omega', 'I']"), HasSubstr("a rate of more than one letter"));
+  EXPECT_THAT(fault("w1", "letters = ['omega', 'w2']"), HasSubstr("unknown letter \"w2\""));
+  EXPECT_EQ(fault("w1", "letters = 'omega'"), "") << "one text is a list of one, as of other keys";
+}
 
 // What is given.
 
@@ -220,14 +311,16 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(AnswerSlip, OfAChoiceOrAnOrderHasATagToo) {
   Question choice;
+  const EquationNotation none;
+  const LineNotation no_names{&none, {}, {}};
   choice.type = Question::Type::choice;
   choice.choices = {"x", "y", "z"};
   choice.answers = {2};
-  EXPECT_EQ(judge_with_reasons(choice, "c", Prover(), Vocabulary()).tag, "choice-C");
-  EXPECT_EQ(judge_with_reasons(choice, "B", Prover(), Vocabulary()).tag, "");
+  EXPECT_EQ(judge_with_reasons(choice, "c", Prover(), no_names).tag, "choice-C");
+  EXPECT_EQ(judge_with_reasons(choice, "B", Prover(), no_names).tag, "");
   choice.type = Question::Type::order;
   choice.answers = {1, 3, 2};
-  EXPECT_EQ(judge_with_reasons(choice, "A B C", Prover(), Vocabulary()).tag, "place-2");
+  EXPECT_EQ(judge_with_reasons(choice, "A B C", Prover(), no_names).tag, "place-2");
 }
 
 TEST(AnswerReasons, LongAnswersTakeNoLonger) {

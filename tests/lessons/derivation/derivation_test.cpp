@@ -90,6 +90,24 @@ std::vector<TypedLine> typed_lines() {
 
 std::string word_of(Mark mark) { return mark == Mark::away ? "away" : std::string(name_of(mark)); }
 
+TEST(Derivation, WhatSaysNothingNewIsNoStep) {
+  const Derivation question = derivations().at("tensor");
+  const Prover prover;
+  const auto read = [&](const char* typed) { return *read_line(typed, kHow, &question.start); };
+  const auto judged = [&](const std::vector<DerivedLine>& before, const char* typed) {
+    return judge_line(question, before, typed, kHow, prover).mark;
+  };
+  for (const char* no : {"omega x omega = 0", "L = I omega", "-2 L = -2 I omega", "dL/dt + 0 L = N",
+                         "dL/dt = N + omega x omega", "dL/dt + L = N + L", "dL/dt = (2 - 1) N"})
+    EXPECT_EQ(judged({}, no), Mark::away) << no;
+  const char* const second = "d*L/dt + omega x L = N";
+  EXPECT_EQ(judged({}, second), Mark::holds);
+  for (const char* no :
+       {second, "d*L/dt + omega x L + L x L = N", "omega x L = N - d*L/dt", "d*L/dt + omega x L = (1 + 0) N"})
+    EXPECT_EQ(judged({read(second)}, no), Mark::away) << no;
+  EXPECT_EQ(judged({read(second)}, "d*(I omega)/dt + omega x L = N"), Mark::holds);
+}
+
 // 803 lines, written and checked numerically by somebody who had the description of the typing alone: in how
 // many is the verdict right, and in how many of the wrong ones the reason. Where print leaves it open whether
 // a line is more than true, the data say so ("[or goal]").

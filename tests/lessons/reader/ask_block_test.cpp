@@ -159,7 +159,7 @@ TEST(Ask, ReadsANumberWithItsUnitAndTolerance) {
   ASSERT_TRUE(ask && ask->number && ask->number->expression);
   EXPECT_EQ(ask->number->unit, "deg/s");
   EXPECT_TRUE(ask->number->is_relative);
-  EXPECT_EQ(words_of({ask->prompt_text.back()}), "Answer in deg/s, to within 5 %.");
+  EXPECT_EQ(words_of({ask->prompt_text.back()}), "Answer in degrees per second, to within 5 %.");
 
   TextReport absolute("type = 'number'\nprompt = 'p'\nanswer = 40\nunit = 'deg'\nwithin = '0.01 rad'");
   absolute.texts.speak({}, {});

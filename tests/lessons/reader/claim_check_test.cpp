@@ -180,6 +180,30 @@ TEST(CheckClaims, WhatIsLostInRoundingIsNotMeasured) {
   EXPECT_THAT(measured("omega = [0.3, 1, 2]", "ddt(T) = 0"), IsEmpty()) << "true of every free body";
 }
 
+// Within any tolerance of its terms an equality holds to whose sides the same large term was added.
+TEST(CheckClaims, WhatIsLostBesideAnotherTermIsNotMeasured) {
+  const auto measured = [](const std::string& claim) {
+    LessonReading reading =
+        read_lesson(testing::lesson_with("```math a\nx\n```\n```claim a measured in-other-words\n" + claim +
+                                         "\n```\n```scene\nshow = [\"omega\"]\nomega = [0.3, 1, 2]\n```\n"),
+                    "a.md");
+    EXPECT_TRUE(reading.lesson) << ::testing::PrintToString(testing::lines_of(reading.diagnostics));
+    if (!reading.lesson) return std::vector<std::string>();
+    prove_claims(*reading.lesson);
+    return testing::lines_of(check_claims(*reading.lesson, "a.md"));
+  };
+  const std::string large = "1e12*";
+  for (const std::string& wrong :
+       {"w1 + " + large + "w2 = " + large + "w2 + 2*w1", large + "w2 - w1 - " + large + "w2 = w3",
+        "T + " + large + "dot(omega, L) = 2*T + 2*" + large + "T",
+        "I1*dw1 + " + large + "T = (I2 - 2*I3)*w2*w3 + " + large + "T",
+        "ddt(L) + " + large + "T*e1 = " + large + "T*e1 + T*e2"})
+    EXPECT_THAT(measured(wrong), ElementsAre(HasSubstr("this measures nothing"))) << wrong;
+  for (const char* right : {"I1*dw1 = (I2 - I3)*w2*w3", "I1*dw1 + 3*T = (I2 - I3)*w2*w3 + 3*T",
+                            "2*T = I1*w1^2 + I2*w2^2 + I3*w3^2"})
+    EXPECT_THAT(measured(right), IsEmpty()) << right;
+}
+
 // --- beside the formula ---------------------------------------------------------------------------------
 
 std::vector<std::string> remarks(const std::string& tex, const std::string& opening,

@@ -145,5 +145,25 @@ TEST(ComputedAnswers, AreThoseOfTheStillInTheirUnit) {
   EXPECT_NEAR(*ask.number->value, right, kClosedForm * right);
 }
 
+TEST(CheckQuestions, ChoicesDiffer) {
+  const std::string choice =
+      "type = 'choice'\nprompt = 'Which?'\nshuffle = false\n\n- [x] one\n- [ ] two\n  No.\n";
+  EXPECT_THAT(said_of(fence("c", choice)), IsEmpty());
+  EXPECT_THAT(said_of(fence("c", choice + "- [ ] one\n  No.\n")),
+              ElementsAre(HasSubstr("error: two choices are the same: \"one\"")));
+}
+
+TEST(CheckQuestions, APromptNamesTheUnitOfItsAnswer) {
+  const auto said = [](const std::string& prompt, const std::string& unit) {
+    return said_of(kScene + fence("n", "type = 'number'\nprompt = '" + prompt + "'\nanswer = 'T'\nunit = '" +
+                                           unit + "'\n"));
+  };
+  for (const char* prompt : {"How large is the energy in kJ?", "How large is the energy in joules?"})
+    EXPECT_THAT(said(prompt, "mJ"), ElementsAre(HasSubstr("and its unit is mJ"))) << prompt;
+  for (const char* prompt :
+       {"How large is the energy, in mJ?", "How much is in it?", "What is the energy in space?", "In kJ?"})
+    EXPECT_THAT(said(prompt, "mJ"), IsEmpty()) << prompt;
+}
+
 }  // namespace
 }  // namespace polhode

@@ -100,6 +100,8 @@ TEST(StateTask, TrivialWaysOutAreRefused) {
   const AnswerJudgement at_rest = judge_state(*task, "omega = [0, 0, 0]");
   EXPECT_NE(at_rest.mark, Mark::right);
   EXPECT_THAT(at_rest.reason, HasSubstr("not defined"));
+  for (const char* large : {"omega = [1e200, 0, 0]", "omega = [0, -1e308, 0]"})
+    EXPECT_EQ(judge_state(*task, large).reason, "a number in this is too large") << large;
   EXPECT_EQ(judge_state(*task, "moments = [1, 1, 1]").mark, Mark::unreadable);
   EXPECT_THAT(judge_state(*task, "t = 3").reason, HasSubstr("keeps the time as it is"));
 }
