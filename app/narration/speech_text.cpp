@@ -203,8 +203,7 @@ std::string SpeechText::words_of_line(const std::string& line) const {
 }
 
 std::string SpeechText::words(const Claim& claim, const Scene* scene) const {
-  // How it was measured is for pages, which measure it.
-  const VerdictRow row = verdict_row(claim, claim.kind == ClaimKind::measured ? nullptr : scene, nullptr);
+  const VerdictRow row = verdict_row(claim, scene, nullptr);
   std::string word = row.word;
   word.front() = static_cast<char>(word.front() - 'a' + 'A');
   const std::string note =

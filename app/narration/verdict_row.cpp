@@ -103,6 +103,14 @@ class SideText {
     decimals_ = std::clamp(2 - (exponent - factor_), 0, 2);
   }
 
+  /// Whether two sides differ by no more than the last digit that is printed.
+  bool are_alike(const std::array<double, 3>& a, const std::array<double, 3>& b) const {
+    const double last = std::pow(10.0, factor_ - decimals_);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!(std::abs(a[i] - b[i]) <= last)) return is_nothing_;
+    return true;
+  }
+
   /// Every side is 0, or no more than rounding beside its terms.
   bool is_nothing() const { return is_nothing_; }
 
@@ -185,10 +193,10 @@ Row row_of(const ChainLines& chain, bool refutes, const LiveState& live, View vi
     const bool is_equal = line.relation == Relation::equal;
     const bool apart = value.residual > value.tolerance;
     // What is equal is printed equal, whichever way the last digit was rounded; what is so within a tolerance
-    // of the author's own has the two numbers it has.
-    std::string right = apart || !is_equal || line.within || value.right == std::array<double, 3>{}
-                            ? side(value.right)
-                            : left;
+    // of the author's own, or is not known better than to that, has the two numbers it has.
+    const bool is_one_number = is_equal && !apart && !line.within && value.right != std::array<double, 3>{} &&
+                               side.are_alike(value.left, value.right);
+    std::string right = is_one_number ? left : side(value.right);
     const bool is_rough = is_equal && !apart && right != left;
     if (refutes && !apart) return {};  // of inequalities too: whether one fails here is not said
     const bool is_far = line.relation == Relation::approximate && !are_near(value) && left != right;
@@ -258,6 +266,10 @@ VerdictRow verdict_row(const Claim& claim, const Scene* scene, const SceneModel*
     row.word = "an example shows it";
   }
   if (claim.kind != ClaimKind::measured || !holds) return row;
+  if (scene == nullptr) {
+    is_instead(Certainty::open, "not confirmed", "there is no motion here");
+    return row;
+  }
   row.note = joined(joined(how_it_is_computed(scene), within_of(claim)), row.note);
   if (const auto why = model ? why_not_measured(claim, *model) : std::nullopt)
     is_instead(Certainty::open, "not confirmed", *why);

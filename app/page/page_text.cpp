@@ -390,7 +390,7 @@ class ScaledText {
   std::string word_on(const Equation& equation, const Step& step) const {
     for (const Block& block : step.blocks)
       if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
-        return verdicts_.at(claim).word;
+        return verdicts_.at(claim).word + (claim->given.empty() ? "" : ", under an assumption");
     return "";
   }
 

@@ -341,8 +341,10 @@ class ClaimCheck {
     else if (says_no_equality(*(*named)->math.root))
       report_.warning(claim.place, "the formula has a sign that no claim stands for",
                       "claim what = < > \\le \\ge or \\approx says, and write the formula so");
-    else if (!claim.in_other_words)
-      compare_letters(claim, (*named)->math);
+    else {
+      check_is_not_empty(claim);
+      if (!claim.in_other_words) compare_letters(claim, (*named)->math);
+    }
   }
 
   void compare(const Claim& claim, const ReadEquation& formula) {
@@ -406,7 +408,6 @@ class ClaimCheck {
       look(line.equality);
       if (line.conclusion) look(*line.conclusion);
     }
-    check_is_not_empty(claim);
     constexpr const char* kHint = "claim what is printed, or end the fence's line with in-other-words";
     if (!unseen.empty())
       return report_.warning(

@@ -67,7 +67,7 @@ class Unseen {
           &to_S = model_.courses.at(mark.to.quantity.fingerprint).values_S;
     for (std::size_t n = 0; n < from_S.size(); ++n)
       if (from_S[n].allFinite() && to_S[n].allFinite() && arc_between(from_S[n], to_S[n])) return;
-    found_.push_back(what + " shows nothing: they are parallel throughout");
+    found_.push_back(what + " shows nothing: they are parallel throughout, or within 0.6° of it");
   }
 
   void area(const AreaMark& mark) {
@@ -91,7 +91,7 @@ class Unseen {
 }  // namespace
 
 std::optional<double> arc_between(const Vec3& a, const Vec3& b) {
-  constexpr double kLeast = 0.01;  // rad: an arc that is shorter than its line is thick
+  constexpr double kLeast = 0.01;  // rad, 0.6°: an arc that is shorter than its line is thick
   if (a.isZero(0.0) || b.isZero(0.0)) return std::nullopt;
   const Vec3 u = a.stableNormalized(), v = b.stableNormalized();
   const double angle_rad = angle_between(u, v);

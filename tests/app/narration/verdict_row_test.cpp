@@ -81,6 +81,14 @@ TEST(VerdictRow, NamesTheMethodOfAMeasurement) {
   EXPECT_EQ(row_of("ddt(T) = 0", ClaimKind::measured, &computed).note, "with rk4, $h$ = 0.02 s");
 }
 
+TEST(VerdictRow, MeasuresNothingWithoutAMotion) {
+  Claim claim = claim_of("T = T", ClaimKind::measured);
+  claim.lines[0].judgement.emplace().verdict = Verdict::holds;
+  const VerdictRow row = verdict_row(claim, nullptr, nullptr);
+  EXPECT_EQ(row.word, "not confirmed");
+  EXPECT_EQ(row.certainty, Certainty::open);
+}
+
 TEST(VerdictRow, ShowsWhatIsClaimedWhereTheFormulaIsNotThat) {
   Claim claim = claim_of("2*T = dot(omega, L)\nN = 0 * L", ClaimKind::law);
   EXPECT_THAT(verdict_row(claim, nullptr, nullptr).claimed,
@@ -126,6 +134,12 @@ TEST(LiveRows, WhatIsSoWithinAToleranceHasItsTwoNumbers) {
   EXPECT_THAT(verdict_row(claim, &scene, nullptr).note, HasSubstr("to within 0.9 %"));
   claim.lines[0].within.reset();
   EXPECT_THAT(verdict_row(claim, &scene, nullptr).note, Not(HasSubstr("within")));
+}
+
+// 2026-11-24: "4.85 = 4.85" stood where the sides were 4.848 and 4.861, as nothing could be told apart there.
+TEST(LiveRows, WhatTheMotionCannotTellApartHasItsTwoNumbers) {
+  EXPECT_THAT(rows_of("T + 1e9*T - 1e9*T = 1.005*T", ClaimKind::measured, spinning(), 0.0),
+              ElementsAre("5.18 ≈ 5.21"));
 }
 
 TEST(LiveRows, SetAFactorOfTenApart) {

@@ -223,6 +223,8 @@ TEST(AClaimBesideAFormula, MaySayNoMoreThanTheFormula) {
   EXPECT_THAT(remarks("E = mc^3", "identity", "I1 = I1"),
               ElementsAre(HasSubstr("warning: the claim speaks of I, which the formula does not show"),
                           HasSubstr("warning: this says nothing")));
+  EXPECT_THAT(remarks("E = mc^3", "identity in-other-words", "I1 = I1"),
+              ElementsAre(HasSubstr("warning: this says nothing")));
 }
 
 // Every line is compared with every link: 64 by 64 long ones would take minutes.

@@ -72,7 +72,8 @@ TEST(DrawnMarks, ThatShowNothingAreSaid) {
       ElementsAre("the trail of \"zero\" shows nothing: \"zero\" is 0 throughout",
                   "the arrow of \"zero\" shows nothing: \"zero\" is 0 throughout",
                   "the arrow of \"e_1\" shows nothing: \"none\" has no value on this motion",
-                  "the angle from \"e_2\" to \"minus e2\" shows nothing: they are parallel throughout",
+                  "the angle from \"e_2\" to \"minus e2\" shows nothing: they are parallel throughout, "
+                  "or within 0.6° of it",
                   "the area from \"zero\" to \"e_1\" shows nothing: \"zero\" is 0 throughout",
                   "the area from \"e_1\" to \"e_1\" shows nothing: they are parallel throughout",
                   "the line from \"e_1\" to \"none\" shows nothing: \"none\" has no value on this motion",
