@@ -145,16 +145,12 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/momentum-product", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.m() * s.ddt_v()); }},
     {"euler-equations/momentum-ma", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.F()); }},
     {"euler-equations/angular-rigid", [](const Now& s) { return Sides2(s.ddt_e(1), s.w().cross(s.e(1))); }},
-    {"euler-equations/angular-moments", [](const Now& s) { return Sides2(s.I()[0], s.I()[0]); }},
     {"euler-equations/tensor-derivative-steps", [](const Now& s) {
        const Vec3 rate = s.w().cross(s.times_I(s.e(1))) - s.times_I(s.w().cross(s.e(1)));
        return Sides2(rate, rate); }},
     {"euler-equations/eq4", [](const Now& s) { return Sides2(s.L(), s.times_I(s.w())); }},
     {"euler-equations/angular-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
     {"euler-equations/contrast-not-parallel", [](const Now& s) { return Sides2(w_x_L(s), 0.0); }},
-    {"euler-equations/contrast-square", [](const Now& s) {
-       const double a = s.I()[0] * s.w()[0] * s.w()[0], b = s.I()[2] * s.w()[2] * s.w()[2];
-       return Sides2((a + b) * (a + b), 4 * a * b + (a - b) * (a - b)); }},
     {"euler-equations/contrast-hypotenuse", [](const Now& s) {
        const double I1 = s.I()[0], I3 = s.I()[2];
        return Sides2((I3 + I1) * (I3 + I1) - (I3 - I1) * (I3 - I1), 4 * I1 * I3); }},
@@ -168,7 +164,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
        double sum = 0;  // over the body axes
        for (int i = 0; i < 3; ++i) sum += s.I()[i] * s.R()(0, i) * s.R()(1, i);
        return Sides2(I_S(0, 1), sum); }},
-    {"euler-equations/transport-theorem", [](const Now& s) { return Sides2(s.ddt_A(), s.star_A() + s.w().cross(s.A())); }},
     {"euler-equations/vector-transport", [](const Now& s) { return Sides2(s.ddt_L(), seen_from_body_plus_turn(s)); }},
     {"euler-equations/eq5", [](const Now& s) { return Sides2(seen_from_body_plus_turn(s), s.N()); }},
     {"euler-equations/vector-tempting", [](const Now& s) { return Sides2(s.star_L(), s.N()); }},
@@ -184,7 +179,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/eq6", [](const Now& s) { return Sides2(s.times_I(s.star_w()) + w_x_L(s), s.N()); }},
     {"euler-equations/euler-moved", [](const Now& s) { return Sides2(s.times_I(s.star_w()), s.N() - w_x_L(s)); }},
     {"euler-equations/euler-solved", [](const Now& s) { return Sides2(s.star_w(), (s.N() - w_x_L(s)).cwiseQuotient(s.I())); }},
-    {"euler-equations/principal-tempting", [](const Now& s) { return Sides2(s.J()(0, 1), 0.0); }},
+    {"euler-equations/principal-tempting", [](const Now& s) { return Sides2(s.J()(0, 2), 0.0); }},
     {"euler-equations/determinant", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-first", [](const Now& s) { return Sides2(by_cofactors(s)[0], by_cofactors(s)[0]); }},
     {"euler-equations/determinant-second", [](const Now& s) { return Sides2(by_cofactors(s)[1], by_cofactors(s)[1]); }},
@@ -192,6 +187,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/determinant-cofactors", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-factored", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-flipped", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
+    {"euler-equations/determinant-xyz", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/components-along-i", [](const Now& s) { return Sides2(euler_left(s, 0) * s.e(1), s.N()[0] * s.e(1)); }},
     {"euler-equations/eq7", [](const Now& s) { return Sides2(euler_left(s, 0), s.N()[0]); }},
     {"euler-equations/eq8", [](const Now& s) { return Sides2(euler_left(s, 1), s.N()[1]); }},
@@ -199,6 +195,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/eq10", [](const Now& s) { return Sides2(euler_left(s, 0), 0.0); }},
     {"euler-equations/eq11", [](const Now& s) { return Sides2(euler_left(s, 1), 0.0); }},
     {"euler-equations/eq12", [](const Now& s) { return Sides2(euler_left(s, 2), 0.0); }},
+    {"euler-equations/euler-driven", [](const Now& s) { return Sides2(s.I()[2] * s.star_w()[2], s.w()[0] * s.w()[1] * (s.I()[0] - s.I()[1])); }},
     {"euler-equations/free-tempting", [](const Now& s) { return Sides2(s.star_w(), 0.0); }},
     {"euler-equations/energy-first-row", [](const Now& s) { return Sides2(s.w()[0] * s.I()[0] * s.star_w()[0] + product(s, 0), 0.0); }},
     {"euler-equations/energy-dot", [](const Now& s) { return Sides2(s.w().dot(s.star_L()) + s.w().dot(w_x_L(s)), 0.0); }},
@@ -207,25 +204,23 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/energy-left", [](const Now& s) { return Sides2(s.w().dot(s.star_L()), 0.0); }},
     {"euler-equations/energy-cancel-tempting", [](const Now& s) { return Sides2(product(s, 0), 0.0); }},
     {"euler-equations/energy-definition", [](const Now& s) { return Sides2(s.T(), 0.5 * s.I().dot(s.w().cwiseAbs2())); }},
-    {"euler-equations/energy-rate", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.star_w())); }},
     {"euler-equations/energy-conserved", [](const Now& s) { return Sides2(T_rate(s), 0.0); }},
-    {"euler-equations/energy-measured", [](const Now& s) { return Sides2(2 * T_rate(s), 0.0); }},
     {"euler-equations/energy-work", [](const Now& s) { return Sides2(T_rate(s), s.N().dot(s.w())); }},
-    {"euler-equations/momentum-vector", [](const Now& s) { return Sides2(s.L().dot(w_x_L(s)), 0.0); }},
     {"euler-equations/momentum-dot", [](const Now& s) { return Sides2(s.L().dot(s.times_I(s.star_w())), 0.0); }},
     {"euler-equations/momentum-expanded", [](const Now& s) {
        const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
        return Sides2(I1 * (I3 - I2) + I2 * (I1 - I3) + I3 * (I2 - I1), 0.0); }},
     {"euler-equations/momentum-left", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), 0.0); }},
     {"euler-equations/magnitude-square", [](const Now& s) { return Sides2(s.L().squaredNorm(), s.I().cwiseAbs2().dot(s.w().cwiseAbs2())); }},
-    {"euler-equations/magnitude-rate", [](const Now& s) { return Sides2(0.5 * L2_rate(s), s.L().dot(s.star_L())); }},
     {"euler-equations/magnitude-conserved", [](const Now& s) { return Sides2(L2_rate(s), 0.0); }},
-    {"euler-equations/magnitude-measured", [](const Now& s) { return Sides2(L2_rate(s), 0.0); }},
+    {"euler-equations/magnitude-bounds", [](const Now& s) { return Sides2(2 * s.T() * s.I()[0], 2 * s.T() * s.I()[2]); }},
     {"euler-equations/follows-product", [](const Now& s) { return Sides2(L2_rate(s), 2 * s.L().dot(s.ddt_L())); }},
     {"euler-equations/follows-zero", [](const Now& s) { return Sides2(s.L().dot(s.ddt_L()), 0.0); }},
     {"euler-equations/follows-star", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), 0.0); }},
+    {"euler-equations/follows-precession", [](const Now& s) {
+       constexpr double kSlow = 4;  // rad/s, a constant of the lesson
+       return Sides2(s.ddt_L(), kSlow * Vec3(s.R().row(2)).cross(s.L())); }},
     {"euler-equations/why-fixed", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
-    {"euler-equations/why-transport", [](const Now& s) { return Sides2(0.0, seen_from_body_plus_turn(s)); }},
     {"euler-equations/why-star", [](const Now& s) { return Sides2(s.star_L(), -w_x_L(s)); }},
     {"euler-equations/why-tempting", [](const Now& s) { return Sides2(s.star_L(), 0.0); }},
     {"euler-equations/why-positive", [](const Now& s) { return Sides2(s.w().dot(s.L()), s.I().dot(s.w().cwiseAbs2())); }},
@@ -257,6 +252,10 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"intermediate-axis/L-space", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
     {"intermediate-axis/L-along-two", [](const Now& s) { return Sides2(s.L()[1], s.I()[1] * s.w()[1]); }},
     {"intermediate-axis/no-torque-body", [](const Now& s) { return Sides2(s.star_L(), -w_x_L(s)); }},
+    {"intermediate-axis/no-torque-plane", [](const Now& s) { return Sides2(s.w().dot(s.L()), 2 * s.T()); }},
+    {"intermediate-axis/sink-bounds", [](const Now& s) {
+       const double L2 = s.L().squaredNorm();
+       return Sides2(L2 / (2 * s.I()[2]), L2 / (2 * s.I()[0])); }},
     {"intermediate-axis/sink-proof", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
     {"intermediate-axis/extremes-difference", [](const Now& s) { return Sides2(L2_minus_2TI(s, 1), part(s, 2, 1) + part(s, 0, 1)); }},
 

@@ -248,7 +248,8 @@ TEST(AClaimBesideAFormula, OfAPartSaysSo) {
 }
 
 TEST(AClaimBesideAFormula, MayUseOtherWordsIfTheAuthorSaysSo) {
-  EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity in-other-words", "e1 = e1"), IsEmpty());
+  EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity in-other-words", "cross(e1, e2) = e3"),
+              IsEmpty());
   EXPECT_THAT(remarks("\\vec L = \\vec r\\bullet\\vec L", "identity", "2*L = L + L"), IsEmpty())
       << "no other letter that is known";
   EXPECT_THAT(remarks("\\vec L = \\sum m\\,\\vec r", "identity", "2*L = L + L"),
