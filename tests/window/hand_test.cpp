@@ -121,8 +121,8 @@ TEST_F(Hand, AnswersAQuestionWrongAndRight) {
   lesson.type("w1 + w1");
   lesson.press({"Return"});
   EXPECT_TRUE(tries(2, true));
-  lesson.picture();
   EXPECT_TRUE(lesson.changes_from(wrong));
+  lesson.picture_at_rest();
   EXPECT_EQ(lesson.place().stage, 2) << "letters and Enter are for the question";
   lesson.press({"Left"});
   EXPECT_TRUE(eventually([&] { return lesson.place().stage == 1; })) << "what is right needs no other try";

@@ -56,8 +56,8 @@ TEST(AnswerText, AnswersAreFormulasChoicesAndNumbers) {
   const Lesson& lesson = test::loaded_lesson("euler-equations")->lesson;
   const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
   const std::string formula = written(answer_text(lesson, asked(lesson, "hold-steady")));
-  EXPECT_EQ(first_line(formula), "$\\omega_1\\,\\omega_2\\,(I_2 - I_1)$, typed `w1*w2*(I2 - I1)`.");
-  EXPECT_NE(formula.find("Without it $\\omega_z$ would change"), formula.npos) << formula;
+  EXPECT_EQ(first_line(formula), "$\\omega_2\\,\\omega_3\\,(I_3 - I_2)$, typed `w2*w3*(I3 - I2)`.");
+  EXPECT_NE(formula.find("Without it $\\omega_1$ would change"), formula.npos) << formula;
   EXPECT_EQ(first_line(written(answer_text(lesson, asked(lesson, "apart")))),
             "$\\vec\\omega = (1.5,\\ 0,\\ 0.45)\\,\\text{rad/s}$.");
   const Ask& choice = asked(lesson, "no-torque");
