@@ -27,8 +27,8 @@ class LessonTexts {
   void begin_frame(const Lesson& lesson, const Step& step, Theme theme, float em);
 
   /// As an item of the present ImGui window, as wide as there is room; nothing of an empty text. A new text
-  /// takes some 0.3 ms, one that was shown before nothing but its drawing. What cannot be set is shown as it is
-  /// written.
+  /// takes some 0.3 ms, one that was shown before nothing but its drawing. What cannot be set is shown as it
+  /// is written.
   void show(const RichText& text, TextInk ink = TextInk::plain);
   /// The same with room around it, to be clicked; true: it was.
   bool row(const char* id, const RichText& text, TextInk ink = TextInk::plain);
