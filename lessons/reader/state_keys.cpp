@@ -213,14 +213,14 @@ void say_what_is_to_be_reached(const StateTask& task, const Vocabulary& vocabula
       goals.spans.push_back(words(goal.say));
     goals.spans.push_back(words((goal.is ? " = " : " ") + range_of(goal)));
   }
-  if (!task.change.contains(Steered::t)) goals.spans.push_back(words(" at t = 0"));
+  if (!task.change.contains(Steered::t)) goals.spans.push_back(words(", as the motion begins"));
   goals.spans.push_back(words("."));
   prompt.push_back(std::move(goals));
   TextBlock change;
   for (std::size_t i = 0; i < kSteered.size(); ++i) {
     const auto part = static_cast<Steered>(i);
     if (!task.change.contains(part)) continue;
-    change.spans.push_back(words(change.spans.empty() ? "In the window, change " : ", "));
+    change.spans.push_back(words(change.spans.empty() ? "You may change " : ", "));
     if (const char* tex = tex_of(part))
       change.spans.push_back(formula(tex));
     else

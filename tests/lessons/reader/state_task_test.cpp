@@ -199,7 +199,7 @@ TEST(StateTask, PagesSayWhatIsToBeReachedAndChanged) {
   std::string text;
   for (const TextBlock& block : ask->prompt_text)
     for (const TextSpan& span : block.spans) text += span.text;
-  EXPECT_EQ(text, "Do it.Goal: angle of ω and L = 20° ± 1° at t = 0.In the window, change \\vec\\omega.");
+  EXPECT_EQ(text, "Do it.Goal: angle of ω and L = 20° ± 1°, as the motion begins.You may change \\vec\\omega.");
 }
 
 }  // namespace
