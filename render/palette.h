@@ -19,16 +19,17 @@ struct Role {
 
 inline constexpr Role kOmegaRole{color_from_hex(0xB04A00), color_from_hex(0xD55E00)};
 inline constexpr Role kLRole{color_from_hex(0x005F99), color_from_hex(0x0072B2)};
+/// Of torques and forces, weight among them; their arrows are dotted.
 inline constexpr Role kNRole{color_from_hex(0x9C4A7C), color_from_hex(0xC0609C)};
 inline constexpr Role kPolhodeRole{color_from_hex(0x00734F), color_from_hex(0x009E73)};
 inline constexpr Role kHerpolhodeRole{color_from_hex(0x6B5B00), color_from_hex(0xB39700)};
 inline constexpr Role kTRole{color_from_hex(0x23262B),
                              color_from_hex(0x4A4F57)};  ///< scalars: the ink of text
 inline constexpr Role kAxesRole{color_from_hex(0x4A4F57), color_from_hex(0x8A9099)};
-/// Of the body axes 1, 2, 3: the hues of the polhodes round them (family_color), where the moments are in
-/// order.
+/// Of the body axes 1, 2, 3: the hues of the polhodes round the first and the last (family_color), where the
+/// moments are in order; none goes round the second, whose hue is its own.
 inline constexpr std::array<Role, 3> kBodyAxisRoles{Role{color_from_hex(0x4C3A9E), color_from_hex(0x7166C0)},
-                                                    Role{color_from_hex(0x4A4F57), color_from_hex(0x737B86)},
+                                                    Role{color_from_hex(0x48611C), color_from_hex(0x5E7D2A)},
                                                     Role{color_from_hex(0x0A6473), color_from_hex(0x1F8C9C)}};
 /// Of what a lesson draws besides, in this order; told apart by dashes where there is more.
 inline constexpr std::array<Role, 4> kMarkRoles{Role{color_from_hex(0x5B3FA0), color_from_hex(0x7B5FC7)},

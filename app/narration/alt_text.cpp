@@ -55,9 +55,13 @@ std::string moment_words(const PrincipalMoments& I, const Vec3& w_B, double t_s)
 
 std::string alt_text(const Scene& scene, const SceneInWords& words, const Vec3& w_B, double t_s) {
   const OverlaySet drawn = drawn_overlays(scene);
-  std::string text = fmt::format(
-      "{}: {}. ", shows_space(drawn, draws_marks(scene)) ? view_words(scene.views) : diagram_words(drawn),
-      shown_words(drawn, words.marks));
+  const bool has_marks = draws_marks(scene);
+  std::string text =
+      shows_nothing(drawn, has_marks) && !scene.meters.empty()
+          ? "Plots alone. "
+          : fmt::format("{}: {}. ",
+                        shows_space(drawn, has_marks) ? view_words(scene.views) : diagram_words(drawn),
+                        shown_words(drawn, words.marks));
   if (const std::string& caption = words.caption; !caption.empty())
     text += caption + (caption.ends_with('.') ? " " : ". ");
   const Vec3& I = scene.body.moments.vector();

@@ -31,7 +31,7 @@ std::string_view word_of(ClaimKind kind) {
     case ClaimKind::is_false:
       return "false";
     case ClaimKind::measured:
-      return "measured";
+      return "checked on this motion";
     case ClaimKind::non_sequitur:
       return "does not follow";
   }
@@ -49,7 +49,7 @@ std::string how_it_is_computed(const Scene* scene) {
   if (!scene) return "";
   const MotionSpec& motion = scene->motion;
   const MethodFacts& facts = facts_of(motion.method.value_or(default_method(problem_of(*scene))));
-  if (facts.control == StepControl::none) return "on the exact motion";
+  if (facts.control == StepControl::none) return "in closed form";
   if (facts.control == StepControl::fixed)
     return fmt::format("with {}, $h$ = {:g} s", facts.name, *motion.step_s);
   return fmt::format("with {}, tolerance {:g}", facts.name, motion.tolerance.value_or(kDefaultTolerance));

@@ -96,9 +96,10 @@ PixelBox box_of(const PixelRect& rect) {
           static_cast<double>(rect.y + rect.height)};
 }
 
-Inset space_of(const SceneModel& model, double t_s, const PixelRect& rect, const FigurePlace& place) {
+Inset space_of(const SceneModel& model, double t_s, const PixelRect& rect, const FigurePlace& place,
+               const SceneModel& first) {
   const double aspect = static_cast<double>(rect.width) / std::max(1, rect.height);
-  Inset inset{.figure = make_figure(model, t_s, aspect),
+  Inset inset{.figure = make_figure(model, t_s, aspect, common_half_height(first, aspect)),
               .place = rect,
               .background = place.background,
               .quality = place.quality};
@@ -147,15 +148,19 @@ void cut_caption(const std::string& caption, const FigurePlace& place, PixelBox&
   box.y1 = y1;
 }
 
-/// One scene, whatever stands beside it, with a caption of its own or none.
+/// One scene, whatever stands beside it, with a caption of its own or none; `first` is that of all of them.
 PlacedFigure place_scene(const SceneModel& model, const std::string& caption, double t_s,
-                         const FigurePlace& place, const Fonts& fonts) {
+                         const FigurePlace& place, const Fonts& fonts, const SceneModel& first) {
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
   cut_caption(caption, place, box, placed.sheet, fonts);
+  if (is_plots_alone(model)) {
+    placed.plots.push_back(box);
+    return placed;
+  }
   const std::vector<Overlay> diagrams = diagrams_in(model.drawn);
   if (diagrams.empty()) {
-    placed.insets.push_back(space_of(model, t_s, rect_of(box), place));
+    placed.insets.push_back(space_of(model, t_s, rect_of(box), place, first));
     return placed;
   }
   const DiagramStyle style = diagram_style(place);
@@ -163,7 +168,7 @@ PlacedFigure place_scene(const SceneModel& model, const std::string& caption, do
   if (place.ground) add_ground(box, *place.ground, placed.sheet);
   if (shows_space(model.drawn, model.needs.marks)) {
     const auto [space, rest] = share(diagrams, model.scene.views.size(), box, pad);
-    placed.insets.push_back(space_of(model, t_s, rect_of(space), place));
+    placed.insets.push_back(space_of(model, t_s, rect_of(space), place, first));
     box = rest;
   }
   const std::vector<PixelBox> cells = best_cells(diagrams, box, pad);
@@ -180,7 +185,7 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
   const auto caption_of = [&](std::size_t i) -> const std::string& {
     return place.captions.empty() ? shown[i]->scene.caption : place.captions[i];
   };
-  if (shown.size() == 1) return place_scene(model, caption_of(0), t_s, place, fonts);
+  if (shown.size() == 1) return place_scene(model, caption_of(0), t_s, place, fonts, model);
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
   const bool is_common = have_one_caption(shown_scenes(model.scene));
@@ -191,13 +196,18 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
     cell.rect = rect_of(cells[i]);
     const std::string& label = shown[i]->scene.label;
     const std::string& own = label.empty() && !is_common ? caption_of(i) : label;
-    PlacedFigure one = place_scene(*shown[i], own, t_s, cell, fonts);
+    PlacedFigure one = place_scene(*shown[i], own, t_s, cell, fonts, model);
     append(placed.sheet, std::move(one.sheet), {0, 0});
+    placed.plots.insert(placed.plots.end(), one.plots.begin(), one.plots.end());
     const auto at = shown[i] == &model ? placed.insets.begin() : placed.insets.end();
     placed.insets.insert(at, std::make_move_iterator(one.insets.begin()),
                          std::make_move_iterator(one.insets.end()));
   }
   return placed;
+}
+
+bool is_plots_alone(const SceneModel& model) {
+  return model.needs.meters && shows_nothing(model.drawn, model.needs.marks);
 }
 
 bool each_has_meters(const SceneModel& model) {

@@ -28,7 +28,12 @@ struct FigurePlace {
 struct PlacedFigure {
   Sheet sheet{};
   std::vector<Inset> insets{};
+  /// Of scenes that show nothing but plots: what is left for these, of each scene in its order.
+  std::vector<PixelBox> plots{};
 };
+
+/// Whether a page has the plots of the scene in the place of its figure, for it shows nothing else.
+bool is_plots_alone(const SceneModel& model);
 
 /// The diagrams' type is as large as there is room for, up to that of labels. Where space and diagrams share
 /// the place, they share it left and right or above and below, as serves both better; so do scenes, in equal

@@ -59,8 +59,9 @@ PixelRect rounded(double x0, double y0, double x1, double y1) {
 /// What a page is laid out for.
 struct Room {
   double w, h;
-  std::size_t meter_rows;
+  std::size_t meter_rows;  ///< below the figure; 0: none, or in its place
   double text_scale;
+  bool shows_space = true;  ///< a picture in space, not diagrams alone, whose type goes with their size
 };
 
 /// Width of the text column in normal em: with larger type it grows up to `most`.
@@ -73,7 +74,7 @@ double half_as_much(double text_scale) { return std::sqrt(text_scale); }
 
 /// Text on the left; on the right the figure to the page's edges, meters below it.
 Grid side_by_side(const Room& room) {
-  const auto [w, h, meter_rows, text_scale] = room;
+  const auto [w, h, meter_rows, text_scale, shows_space] = room;
   const double em = std::min(w / (1600.0 / 23.25), h / 36.0);
   const double measure = measure_of(text_scale, kWidestText * w / em - kMargin - kGutter);
   const double split = std::round((kMargin + measure + kGutter) * em);
@@ -88,7 +89,7 @@ Grid side_by_side(const Room& room) {
 /// The figure on top, meters below it, then the text, which takes of the figure's room what larger type
 /// needs.
 Grid one_above_the_other(const Room& room) {
-  const auto [w, h, meter_rows, text_scale] = room;
+  const auto [w, h, meter_rows, text_scale, shows_space] = room;
   const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0);
   const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
   const double rows = std::min(2.0, static_cast<double>(meter_rows));
@@ -103,7 +104,7 @@ Grid one_above_the_other(const Room& room) {
 }
 
 Grid text_alone(const Room& room) {
-  const auto [w, h, meter_rows, text_scale] = room;
+  const auto [w, h, meter_rows, text_scale, shows_space] = room;
   const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 26.0);
   const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
   const double left = 0.5 * (w - measure * em);
@@ -132,7 +133,7 @@ std::vector<double> slide_columns(const Room& room) {
 
 /// Text on the left or below, and as much as there is for the figure.
 Grid slide(const Room& room, bool has_figure, double column) {
-  const auto [w, h, meter_rows, text_scale] = room;
+  const auto [w, h, meter_rows, text_scale, shows_space] = room;
   const double em = slide_em(room), small_em = em / text_scale * half_as_much(text_scale);
   const double left = kSlideMargin * em, top = kSlideTop * em, bottom = h - kSlideBottom * em;
   if (!has_figure) {
@@ -142,7 +143,7 @@ Grid slide(const Room& room, bool has_figure, double column) {
   const double rows = std::min(2.0, static_cast<double>(meter_rows));
   if (is_wide(room)) {
     const double split = std::round(left + column + kSlideGutter * em);
-    const double below = rows > 1.0 ? 0.56 * h : rows > 0.0 ? 0.36 * h : 0.0;
+    const double below = rows > 1.0 ? 0.58 * h : rows > 0.0 ? (shows_space ? 0.45 : 0.36) * h : 0.0;
     return {em,
             small_em,
             {left, top, left + column, bottom},
@@ -167,6 +168,12 @@ Rows rows_of(std::size_t plots, bool is_part) {
   return {(plots + columns - 1) / columns, columns};
 }
 
+/// Whether all that a page shows are plots, which have the place of its figure.
+bool are_plots_alone(const SceneModel& model) {
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  return std::all_of(shown.begin(), shown.end(), [](const SceneModel* one) { return is_plots_alone(*one); });
+}
+
 std::size_t meter_rows(const SceneModel& model) {
   const bool each = each_has_meters(model);
   std::size_t most = 0;
@@ -177,7 +184,8 @@ std::size_t meter_rows(const SceneModel& model) {
 
 Room room_of(const PageRequest& request) {
   return {static_cast<double>(request.size.width), static_cast<double>(request.size.height),
-          request.model ? meter_rows(*request.model) : 0, request.text_scale};
+          request.model && !are_plots_alone(*request.model) ? meter_rows(*request.model) : 0,
+          request.text_scale, request.model && shows_space(request.model->drawn, request.model->needs.marks)};
 }
 
 Grid grid_of(const PageRequest& request, const SlideType& type) {
@@ -227,8 +235,23 @@ void add_plots(const std::vector<TimePlot>& plots, const PixelBox& place, const 
   }
 }
 
-void add_meters(const PageRequest& request, const Grid& grid, Sheet& sheet, const Fonts& fonts) {
+/// Each scene's in its own place, one below the other.
+void add_plots_alone(const PageRequest& request, const std::vector<PixelBox>& places, const Grid& grid,
+                     Sheet& sheet, const Fonts& fonts) {
+  const std::vector<const SceneModel*> shown = shown_models(*request.model);
+  for (std::size_t i = 0; i < std::min(shown.size(), places.size()); ++i) {
+    const std::vector<TimePlot> plots = meter_plots(*shown[i], request.t_s);
+    const std::size_t columns = plots.size() > 3 ? 2 : 1;
+    add_plots(plots, places[i], {(plots.size() + columns - 1) / columns, columns}, request, grid, sheet,
+              fonts);
+  }
+}
+
+/// @param alone where plots stand that have the figure's place; empty: they stand below it
+void add_meters(const PageRequest& request, const std::vector<PixelBox>& alone, const Grid& grid,
+                Sheet& sheet, const Fonts& fonts) {
   const SceneModel& model = *request.model;
+  if (!alone.empty()) return add_plots_alone(request, alone, grid, sheet, fonts);
   if (!each_has_meters(model)) {
     const std::vector<TimePlot> plots = meter_plots(model, request.t_s);
     add_plots(plots, grid.meters, rows_of(plots.size(), false), request, grid, sheet, fonts);
@@ -392,7 +415,11 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   PlacedFigure figure = figure_on_page(request, grid, text.in_captions, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
-  add_meters(request, grid, page.sheet, fonts);
+  add_meters(request, figure.plots, grid, page.sheet, fonts);
+  if (are_plots_alone(*request.model)) {
+    page.meters = page.figure;
+    page.figure = {};
+  }
   return page;
 }
 

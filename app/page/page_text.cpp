@@ -46,6 +46,24 @@ const Equation* focus_of(const Stage& stage, const Step& step) {
   return focus;
 }
 
+/// How much of a result a display is: one with a number, one that something is said of, or neither.
+int weight_of(const Step& step, const Equation& equation) {
+  if (!equation.tag.empty()) return 2;
+  const auto claims = blocks_of<Claim>(step);
+  return std::any_of(claims.begin(), claims.end(),
+                     [&](const Claim* claim) { return claim->equation == equation.id; })
+             ? 1
+             : 0;
+}
+
+/// Whether a display stands as the one in focus does: of two equations of one weight none is less than the
+/// other.
+bool is_in_focus(const Stage& stage, const Step& step, const Equation& equation) {
+  const Equation* focus = focus_of(stage, step);
+  return focus != nullptr && !is_refuted(stage, equation) &&
+         weight_of(step, equation) == weight_of(step, *focus);
+}
+
 using Pieces = std::vector<ColumnPiece>;
 using PieceRefs = std::vector<const ColumnPiece*>;
 
@@ -326,7 +344,7 @@ class ScaledText {
   Whole made_whole(const Step& step, bool is_present) {
     const Equation* first = focus_of(request_.stage, step);
     const auto focus_on = [&](const Equation& equation) {
-      if (&equation != first) return Focus::none;
+      if (!is_in_focus(request_.stage, step, equation)) return Focus::none;
       return is_present                                            ? Focus::now
              : std::holds_alternative<FadingIn>(request_.entrance) ? Focus::before
                                                                    : Focus::none;
@@ -352,8 +370,7 @@ class ScaledText {
         take(column_.equation(*equation, focus_on(*equation), marked,
                               verdicts_on(*equation, step, is_present)),
              block);
-      if (const auto* claim = std::get_if<Claim>(&block);
-          claim && !has_equation(step, claim->equation) && is_shown(*claim))
+      if (const auto* claim = std::get_if<Claim>(&block); claim && !has_equation(step, claim->equation))
         take(verdict(*claim, is_present), block);
       if (const auto* prose = std::get_if<Prose>(&block)) take(column_.prose(prose->text), block);
       if (const auto* callout = std::get_if<Callout>(&block))
@@ -380,8 +397,7 @@ class ScaledText {
   Pieces verdicts_on(const Equation& equation, const Step& step, bool is_present) const {
     Pieces pieces;
     for (const Block& block : step.blocks)
-      if (const auto* claim = std::get_if<Claim>(&block);
-          claim && claim->equation == equation.id && is_shown(*claim))
+      if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
         pieces.push_back(verdict(*claim, is_present));
     return pieces;
   }
@@ -394,15 +410,18 @@ class ScaledText {
     return "";
   }
 
-  /// A slide has no room for claims that are not the line above them: it says nothing of that line then.
-  bool is_shown(const Claim& claim) const { return !is_slide() || claim.origin == Claim::Origin::formula; }
-
-  /// Nor for rows of numbers, which nobody reads from the back row: pages have them.
+  /// A slide has no room for rows of numbers, which nobody reads from the back row, nor for what is claimed
+  /// beside a formula: pages have both. That it is not the formula itself the slide says.
   ColumnPiece verdict(const Claim& claim, bool is_present) const {
     const bool has_numbers = !is_slide() && is_present && scene() && can_be_shown(claim, *scene());
     VerdictRow row = verdicts_.at(&claim);
     if (is_slide() && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated)
       row.note.clear();
+    if (is_slide() && !row.claimed.empty()) {
+      const char* how = claim.origin == Claim::Origin::part ? "in part" : "in other words";
+      row.note = how + (row.note.empty() ? std::string() : ", " + row.note);
+      row.claimed.clear();
+    }
     return column_.verdict(row, has_numbers);
   }
 

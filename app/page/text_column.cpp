@@ -30,7 +30,7 @@ constexpr double kChipHeight = 1.55;   ///< likewise
 constexpr float kChipTint = 0.12F;     ///< of the ink, on the paper
 constexpr double kClaimedSize = 0.7;   ///< of what is claimed beside the formula
 constexpr double kClaimedGap = 0.3;    ///< above each of its rows, of its size
-constexpr double kVerdictGap = 0.3, kSlideVerdictGap = 0.5;
+constexpr double kVerdictGap = 0.3, kSlideVerdictGap = 0.36;
 constexpr double kWidestTag = 0.4;  ///< of the column
 constexpr double kStepTitleGap = 1.15;
 constexpr double kStepTitleCloser = 0.34;  ///< to its own text than that to what is above

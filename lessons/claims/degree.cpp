@@ -233,6 +233,8 @@ Degree DegreeTable::of(const ExpressionNode& node, const Degree& a, const Degree
     case O::sin:
     case O::cos:
     case O::acos:
+    case O::exp:
+    case O::log:
       return a;
     case O::atan2:
       return sum(a, b);

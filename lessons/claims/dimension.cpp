@@ -122,7 +122,7 @@ class DimensionReader {
     return at(n.a) ? at(n.a) : at(n.b);
   }
 
-  Known angle_of(const ExpressionNode& n) {
+  Known number_of(const ExpressionNode& n) {
     if (at(n.a) && *at(n.a) != kNumber)
       return fail(node(n.a), "units disagree: a function of numbers is taken of " + to_string(*at(n.a)));
     return kNumber;
@@ -171,7 +171,9 @@ class DimensionReader {
       case O::sin:
       case O::cos:
       case O::acos:
-        return angle_of(n);
+      case O::exp:
+      case O::log:
+        return number_of(n);
       case O::atan2:
         both(n, " make no angle");
         return kNumber;

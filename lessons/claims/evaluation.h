@@ -163,8 +163,8 @@ struct VectorSizes<SizedNumber, Order> {
   }
 };
 
-/// sqrt, sin, cos, acos of x, or the angle whose tangent is x/y; with its rates. The size grows with the
-/// relative error that the operands may have. Not finite where it is not defined.
+/// sqrt, sin, cos, acos, exp, log of x, or the angle whose tangent is x/y; with its rates. The size grows
+/// with the relative error that the operands may have. Not finite where it is not defined.
 template <int Order>
 Jet<SizedNumber, Order> function_of(Operation operation, const Jet<SizedNumber, Order>& x,
                                     const Jet<SizedNumber, Order>& y) {
@@ -182,6 +182,12 @@ Jet<SizedNumber, Order> function_of(Operation operation, const Jet<SizedNumber, 
       break;
     case Operation::acos:
       value = std::acos(a), by_a = -1 / std::sqrt((1 - a) * (1 + a)), by_aa = a * by_a / ((1 - a) * (1 + a));
+      break;
+    case Operation::exp:
+      value = std::exp(a), by_a = value, by_aa = value;
+      break;
+    case Operation::log:
+      value = std::log(a), by_a = 1 / a, by_aa = -by_a * by_a;
       break;
     default: {
       const double square = a * a + b * b;
@@ -490,6 +496,8 @@ class Evaluation {
         return function(node.operation, operand(node.a)[0], {}, value);
       case O::sqrt:
       case O::sin:
+      case O::exp:
+      case O::log:
         return function(node.operation, operand(node.a)[0], {}, value);
       case O::atan2:
         return function(node.operation, operand(node.a)[0], operand(node.b)[0], value);

@@ -348,6 +348,8 @@ bool are_algebraic(const std::vector<ExpressionNode>& nodes) {
       case Operation::sqrt:
       case Operation::sin:
       case Operation::atan2:
+      case Operation::exp:
+      case Operation::log:
         return false;
       case Operation::acos:
         ++angles;

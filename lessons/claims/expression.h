@@ -50,7 +50,7 @@ enum class Quantity {
 enum class Operation {
   number, constant, pi, quantity, negate, add, subtract, multiply, divide, power,
   dot, cross, norm2, norm, inertia, apply, comp, trace, star, ddt,
-  sqrt, sin, cos, acos, atan2
+  sqrt, sin, cos, acos, atan2, exp, log
 };
 // clang-format on
 

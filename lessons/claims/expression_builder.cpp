@@ -15,7 +15,7 @@ using Type = ExpressionType;
 bool is_of_numbers(Operation operation) {
   using O = Operation;
   return operation == O::sqrt || operation == O::sin || operation == O::cos || operation == O::acos ||
-         operation == O::atan2;
+         operation == O::atan2 || operation == O::exp || operation == O::log;
 }
 
 Type sum_type(Type a, Type b) { return a == Type::zero ? b : a; }

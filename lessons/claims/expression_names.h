@@ -80,7 +80,7 @@ inline constexpr std::array<QuantityFacts, 35> kQuantities = [] {
 /// The ratio π, which only what is evaluated may use.
 inline constexpr std::string_view kPiName = "pi";
 
-inline constexpr std::array<FunctionFacts, 15> kFunctions = {{{"dot", Operation::dot, 2},
+inline constexpr std::array<FunctionFacts, 17> kFunctions = {{{"dot", Operation::dot, 2},
                                                               {"cross", Operation::cross, 2},
                                                               {"norm2", Operation::norm2, 1},
                                                               {"norm", Operation::norm, 1},
@@ -94,7 +94,9 @@ inline constexpr std::array<FunctionFacts, 15> kFunctions = {{{"dot", Operation:
                                                               {"sin", Operation::sin, 1},
                                                               {"cos", Operation::cos, 1},
                                                               {"acos", Operation::acos, 1},
-                                                              {"atan2", Operation::atan2, 2}}};
+                                                              {"atan2", Operation::atan2, 2},
+                                                              {"exp", Operation::exp, 1},
+                                                              {"log", Operation::log, 1}}};
 
 /// The row of a quantity.
 const QuantityFacts& facts_of(Quantity quantity);

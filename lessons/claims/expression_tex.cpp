@@ -189,6 +189,10 @@ class Printer {
         return function("\\cos", n);
       case Operation::acos:
         return function("\\arccos", n);
+      case Operation::exp:
+        return function("\\exp", n);
+      case Operation::log:
+        return function("\\ln", n);
       case Operation::atan2:
         return {"\\text{atan2}(" + piece(n.a).tex + ", " + piece(n.b).tex + ')', Level::product};
       case Operation::quantity:

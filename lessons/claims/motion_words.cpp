@@ -188,6 +188,8 @@ std::optional<Turns> turns_of(const Expression& expression) {
       case O::number:
       case O::trace:
       case O::sin:
+      case O::exp:
+      case O::log:
       case O::cos:
         break;
     }

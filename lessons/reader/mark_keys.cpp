@@ -22,8 +22,8 @@ namespace {
 const std::map<std::string, Overlay>& overlays_by_fingerprint() {
   static const std::map<std::string, Overlay> kOverlays = [] {
     std::map<std::string, Overlay> all;
-    for (const auto& [name, overlay] :
-         {std::pair("omega", Overlay::omega), std::pair("L", Overlay::L), std::pair("N", Overlay::N)}) {
+    for (const auto& [name, overlay] : {std::pair("omega", Overlay::omega), std::pair("L", Overlay::L),
+                                        std::pair("N", Overlay::N), std::pair("F", Overlay::F)}) {
       const SourceText source(name);
       Report report(source, "");
       all.emplace(scene_quantity(*read_expression(name, {1, 1}, report), "", "", "").fingerprint, overlay);
@@ -283,6 +283,7 @@ RichText read_trails(const TomlEntry& entry, const SceneWords& words, Marks& mar
   const bool is_list = reader.read_list(entry, [&](SourcePlace place, const TomlTable& table) {
     std::optional<MarkVector> of;
     bool on_sphere = false;
+    std::string role;
     const auto on = [&](const TomlEntry& e) {
       const auto name = read_text(e, reader.report());
       on_sphere = name == "sphere";
@@ -290,8 +291,13 @@ RichText read_trails(const TomlEntry& entry, const SceneWords& words, Marks& mar
         reader.report().error(e.value.place, "unknown \"on\" " + in_quotes(*name),
                               "write \"sphere\", or leave it out: the path of the tip");
     };
-    if (reader.read_table(place, table, {reader.vector("of", of), {"on", on}}, {"of"}) && of)
-      trails.push_back({std::move(*of), on_sphere});
+    const auto read_role = [&](const TomlEntry& e) { role = reader.read_role(e); };
+    if (!reader.read_table(place, table, {reader.vector("of", of), {"on", on}, {"role", read_role}},
+                           {"of"}) ||
+        !of)
+      return;
+    if (!role.empty()) of->quantity.role = role;
+    trails.push_back({std::move(*of), on_sphere, std::move(role)});
   });
   if (is_list) marks.trails = std::move(trails);
   return reader.take();
@@ -383,6 +389,7 @@ std::string text_of(const std::vector<TrailMark>& trails) {
   return list_text(trails, [](const TrailMark& trail) {
     Keys keys{{"of", toml_of(trail.of)}};
     if (trail.on_sphere) keys.emplace_back("on", toml("sphere"));
+    if (!trail.role.empty()) keys.emplace_back("role", toml(trail.role));
     return keys;
   });
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/plot_keys.h"
 
+#include "base/numbers.h"
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/claims/expression_tex.h"
@@ -85,6 +86,7 @@ class PlotReader {
     std::vector<KeyHandler> keys{{"title", [&](const TomlEntry& e) { read_title(e, own); }},
                                  {"tex", [&](const TomlEntry& e) { read_tex(e, own); }},
                                  {"range", [&](const TomlEntry& e) { read_range(e, own); }},
+                                 {"scale", [&](const TomlEntry& e) { read_scale(e, own); }},
                                  {"unit", [&](const TomlEntry& e) {
                                     read_unit(e, {y, curves_}, own.y);
                                   }}};
@@ -94,7 +96,11 @@ class PlotReader {
       if (curve != nullptr) keys.push_back({key, done});
     read_keys(table, plot != nullptr ? "a plot of quantities" : "a plot of a function", keys, report_);
     if (own.curves.empty() && !own.function) return;  // it was said why
-    own.is_scaled_alike = own.against && y == x && own.y == own.x;
+    own.is_scaled_alike = own.against && y == x && own.y == own.x && !own.is_log;
+    if (own.is_log && own.range && !(own.range->first > 0.0))
+      report_.error(table.find("range")->value.place,
+                    "a logarithmic scale begins above 0, not at " + digits(own.range->first, 6),
+                    "write range = [1e-6, 1], or leave it out");
     plots.emplace_back(std::move(own));
   }
 
@@ -367,6 +373,15 @@ class PlotReader {
       report_.error(entry.value.place, "a range is [lowest, highest], and the second is not greater");
   }
 
+  void read_scale(const TomlEntry& entry, OwnPlot& own) {
+    const auto name = read_text(entry, report_);
+    if (!name) return;
+    own.is_log = *name == "log";
+    if (!own.is_log)
+      report_.error(entry.value.place, "unknown scale " + in_quotes(*name),
+                    "write \"log\", or leave it out: it is linear");
+  }
+
   struct Measured {
     Measure dimension;
     std::vector<Expression> quantities;
@@ -435,6 +450,7 @@ std::string text_of(const OwnPlot& own) {
   if (own.y.unit != usual_unit_of(own) || own.y.per_si != 1)
     text += ", unit = " + toml(own.y.unit.empty() ? std::string("1") : own.y.unit);
   if (own.is_tight) text += ", range = \"tight\"";
+  if (own.is_log) text += ", scale = \"log\"";
   if (own.range) text += ", range = " + toml(std::vector<double>{own.range->first, own.range->second});
   if (!own.title.empty()) text += ", title = " + toml(own.title);
   return text + " }";

@@ -446,6 +446,36 @@ class SceneKeys {
       scene_.poses = {static_cast<int>(*count), *over_s};
   }
 
+  void compare(const TomlEntry& entry) {
+    static constexpr const char* kForm =
+        "write compare = { methods = [\"rk4\", \"splitting\"], against = \"evaluations\" }";
+    const auto* table = entry.value.as<TomlTable>();
+    if (table == nullptr) {
+      report_.error(entry.value.place, "\"compare\" takes a table, found " + std::string(entry.value.kind()),
+                    kForm);
+      return;
+    }
+    ComparedMethods compared;
+    const auto against = [&](const TomlEntry& e) {
+      const auto name = read_text(e, report_);
+      compared.by_evaluations = name == "evaluations";
+      if (name && !compared.by_evaluations && *name != "steps")
+        report_.error(e.value.place, "unknown \"against\" " + in_quotes(*name),
+                      "write \"evaluations\" or \"steps\"");
+    };
+    const auto methods = [&](const TomlEntry& e) {
+      const auto names = read_texts(e, method_names().size(), report_);
+      for (const PlacedText& name : names.value_or(std::vector<PlacedText>())) {
+        if (const auto method = method_from(name.text))
+          compared.methods.push_back(*method);
+        else
+          unknown("method", name, method_names());
+      }
+    };
+    read_keys(*table, "\"compare\"", {{"methods", methods}, {"against", against}}, report_);
+    scene_.compared = std::move(compared);
+  }
+
   void azimuth(const TomlEntry& entry, double& azimuth_rad) {
     if (const auto degrees = read_number(entry, report_))
       azimuth_rad = std::remainder(*degrees, 360.0) * kRadiansPerDegree;
@@ -723,7 +753,13 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::show,
        [](const Scene& scene) { return text_of(scene.show); },
        Row::Speaks::of_picture},
-      {{"trails", R"(paths of tips: `[{ of = "e3", on = "sphere" }]` (Marks, below))", "none"},
+      {{"compare",
+        R"(which methods `order-plot` and `method-table` show, and against what `order-plot` draws the error: `{ methods = ["rk4", "splitting"], against = "evaluations" }`, or `"steps"`)",
+        "all that serve, steps"},
+       &SceneKeys::compare,
+       [](const Scene& scene) { return text_of(scene.compared); },
+       Row::Speaks::of_picture},
+      {{"trails", R"(paths of tips: `[{ of = "e3", on = "sphere", role }]` (Marks, below))", "none"},
        &SceneKeys::trails,
        [](const Scene& scene) { return text_of(scene.marks.trails); },
        Row::Speaks::of_picture},

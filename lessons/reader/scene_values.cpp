@@ -124,6 +124,15 @@ std::string text_of(const OverlaySet& shown) {
   return toml_list(names);
 }
 
+std::string text_of(const ComparedMethods& compared) {
+  std::vector<std::string> names;
+  for (const Method method : compared.methods) names.emplace_back(name_of(method));
+  std::string text;
+  if (!names.empty()) text += "methods = " + toml_list(names);
+  if (compared.by_evaluations) text += (text.empty() ? "" : ", ") + std::string("against = \"evaluations\"");
+  return text.empty() ? "{}" : "{ " + text + " }";
+}
+
 std::string text_of(const CameraSpec& camera) {
   const auto angles = [](double azimuth_rad, double elevation_rad) {
     return fmt::format("azimuth_deg = {}, elevation_deg = {}", toml(degrees_that_read_as(azimuth_rad)),

@@ -19,5 +19,6 @@ std::string text_of(const MotionSpec& motion);
 std::string text_of(const std::vector<View>& views);
 std::string text_of(const OverlaySet& shown);
 std::string text_of(const CameraSpec& camera);
+std::string text_of(const ComparedMethods& compared);
 
 }  // namespace polhode

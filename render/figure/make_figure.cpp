@@ -168,9 +168,14 @@ builders::Places held_places(const Snapshot& m) {
   return m.model.scene.camera.holds_still && !m.turn ? places_of_still(m) : builders::places_of(m);
 }
 
+/// Of what a camera shows at its middle.
+double half_height_of(const Camera& camera) {
+  return (camera.eye - camera.target).norm() * std::tan(0.5 * camera.fov_y_rad);
+}
+
 /// All that the scene shows over its film: nothing here depends on t, so that the camera stands still. Views
 /// side by side have one scale.
-Camera camera_for(const Snapshot& m, double aspect) {
+Camera camera_for(const Snapshot& m, double aspect, double least_half_height) {
   const CameraSpec& spec = m.model.scene.camera;
   const FrameMargins margins = margins_of(m);
   const builders::Places places = held_places(m);
@@ -182,13 +187,18 @@ Camera camera_for(const Snapshot& m, double aspect) {
     frame = frame_of(places, spec, aspect, margins, other.radius);
     frame.half_tan = std::max(frame.half_tan, other.half_tan);
   }
+  if (least_half_height > 0.0)
+    frame.half_tan *= std::max(1.0, least_half_height / half_height_of(framed(frame, spec)));
   const Camera camera = framed(frame, spec);
   return translates(m) ? seen_from_center(camera, m.center_V) : camera;
 }
 
-Pane make_pane(const builders::Snapshot& m, double aspect) {
+/// Where little is shown, large, lines and arrows are as thick as elsewhere, beside the picture.
+Pane make_pane(builders::Snapshot m, double aspect, double least_half_height) {
+  constexpr double kUsualHalfHeight = 1.1, kThinnest = 0.4;
   Pane pane;
-  pane.camera = camera_for(m, aspect);
+  pane.camera = camera_for(m, aspect, least_half_height);
+  m.thickness *= std::clamp(half_height_of(pane.camera) / kUsualHalfHeight, kThinnest, 1.0);
   for (builders::Builder* const add : builders::kBuilders) add(m, pane.camera, pane.list);
   return pane;
 }
@@ -206,13 +216,15 @@ builders::Snapshot turned_snapshot(const SceneModel& model, double t_s, TurnOrde
 }
 
 /// Side by side, or in an upright picture one above the other.
-std::vector<Pane> make_panes_of_orders(const SceneModel& model, double t_s, double aspect) {
+std::vector<Pane> make_panes_of_orders(const SceneModel& model, double t_s, double aspect,
+                                       double least_half_height) {
   constexpr double kCount = kTurnOrders.size();
   const bool stacked = aspect < 1.0;
   std::vector<Pane> panes;
   for (TurnOrder order : kTurnOrders) {
     const double place = static_cast<double>(panes.size()) / kCount;
-    Pane pane = make_pane(turned_snapshot(model, t_s, order), stacked ? aspect * kCount : aspect / kCount);
+    Pane pane = make_pane(turned_snapshot(model, t_s, order), stacked ? aspect * kCount : aspect / kCount,
+                          least_half_height);
     pane.title = title_of(order);
     (stacked ? pane.y : pane.x) = place;
     (stacked ? pane.height : pane.width) = 1.0 / kCount;
@@ -221,12 +233,13 @@ std::vector<Pane> make_panes_of_orders(const SceneModel& model, double t_s, doub
   return panes;
 }
 
-std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, double aspect) {
+std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, double aspect,
+                                      double least_half_height) {
   std::vector<Pane> panes;
   const std::vector<View>& views = model.scene.views;
   for (View view : views) {
-    panes.push_back(
-        make_pane(builders::snapshot_at(model, t_s, view), aspect / static_cast<double>(views.size())));
+    panes.push_back(make_pane(builders::snapshot_at(model, t_s, view),
+                              aspect / static_cast<double>(views.size()), least_half_height));
     panes.back().x = static_cast<double>(panes.size() - 1) / static_cast<double>(views.size());
     panes.back().width = 1.0 / static_cast<double>(views.size());
     if (views.size() > 1) panes.back().title = title_of(view);
@@ -236,10 +249,31 @@ std::vector<Pane> make_panes_of_views(const SceneModel& model, double t_s, doubl
 
 }  // namespace
 
-Figure make_figure(const SceneModel& model, double t_s, double aspect) {
+double common_half_height(const SceneModel& model, double aspect) {
+  if (model.beside.empty()) return 0.0;
+  const std::vector<const SceneModel*> shown = shown_models(model);
+  const Scene& first = model.scene;
+  double most = 0.0;
+  for (const SceneModel* one : shown) {
+    const Scene& scene = one->scene;
+    const bool is_alike = scene.body == first.body && scene.camera.zoom == first.camera.zoom &&
+                          scene.views == first.views && !drifts(scene) &&
+                          !one->drawn.contains(Overlay::turn_orders) &&
+                          !shows_nothing(one->drawn, one->needs.marks);
+    if (!is_alike) return 0.0;
+    for (const View view : scene.views)
+      most =
+          std::max(most, half_height_of(camera_for(builders::snapshot_at(*one, still_time_s(scene), view),
+                                                   aspect / static_cast<double>(scene.views.size()), 0.0)));
+  }
+  return most;
+}
+
+Figure make_figure(const SceneModel& model, double t_s, double aspect, double least_half_height) {
   Figure figure;
-  figure.panes = model.drawn.contains(Overlay::turn_orders) ? make_panes_of_orders(model, t_s, aspect)
-                                                            : make_panes_of_views(model, t_s, aspect);
+  figure.panes = model.drawn.contains(Overlay::turn_orders)
+                     ? make_panes_of_orders(model, t_s, aspect, least_half_height)
+                     : make_panes_of_views(model, t_s, aspect, least_half_height);
   if (!figure.panes.empty() && model.drawn.contains(Overlay::values))
     builders::add_values(builders::snapshot_at(model, t_s, model.scene.views.front()),
                          figure.panes.front().list);
@@ -251,7 +285,8 @@ std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::
   if (!model.drawn.contains(Overlay::omega) || pane >= views.size()) return std::nullopt;
   const builders::Snapshot m = builders::snapshot_at(model, t_s, views[pane]);
   if (m.state.w_B.isZero(0.0)) return std::nullopt;
-  return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect / static_cast<double>(views.size()))};
+  return DrawnOmega{m.omega_tip_V(), camera_for(m, aspect / static_cast<double>(views.size()),
+                                                common_half_height(model, aspect))};
 }
 
 CameraSpec held_by_hand(const Scene& scene) {
@@ -275,7 +310,7 @@ TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
     const Beginning held = beginning_of(trial_.scene, *trial_.scene.camera.fitted->w0_B);
     const auto count = static_cast<double>(trial_.scene.views.size());
     camera_ = camera_for(builders::snapshot_in(held.model, 0.0, trial_.scene.views[pane], held.state),
-                         aspect / count);
+                         aspect / count, common_half_height(model, aspect));
   }
 }
 

@@ -135,6 +135,8 @@ std::vector<Term> changed_here(const Term& spot) {
     case O::cos:
     case O::acos:
     case O::atan2:
+    case O::exp:
+    case O::log:
       changed.push_back(with(O::multiply, {number("2"), spot}));
       break;
   }

@@ -354,6 +354,8 @@ Vector Oracle::value(const Expression& expression, int index, bool moving, Side&
     case O::sin:
     case O::acos:
     case O::atan2:
+    case O::exp:
+    case O::log:
       break;  // nothing here has any
   }
   return {};

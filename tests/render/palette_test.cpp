@@ -23,6 +23,7 @@ TEST(Palette, InksAreReadableOnPaper) {
   for (const Role& role : {kOmegaRole, kLRole, kNRole, kPolhodeRole, kHerpolhodeRole, kAxesRole})
     EXPECT_GE(contrast(role.ink, kPaper), 5.2);
   for (const Role& role : kMarkRoles) EXPECT_GE(contrast(role.ink, kPaper), 5.2);
+  for (const Role& role : kBodyAxisRoles) EXPECT_GE(contrast(role.ink, kPaper), 5.2);
 }
 
 TEST(Palette, FamilyColorsDifferFromOneSideToTheOther) {

@@ -9,11 +9,12 @@
 namespace polhode::diagrams {
 namespace {
 
-const Vec2 kWide(42, 30), kTall(34, 33);
+const Vec2 kWide(32, 25), kTall(30, 32);
 constexpr double kLargestError = 10;  // beyond, a method has not followed the motion at all
 
 struct Sample {
   double step_s, error;
+  double evaluations;  ///< in all
 };
 
 /// Of one method, from the longest step to the shortest.
@@ -22,7 +23,7 @@ std::vector<Sample> samples_of(Method method, const std::vector<MethodTable>& ta
   for (const MethodTable& table : tables)
     for (const MethodRow& row : table.rows)
       if (row.method == method && row.error.omega <= kLargestError)
-        samples.push_back({table.step_s, row.error.omega});
+        samples.push_back({table.step_s, row.error.omega, row.evaluations_per_s * std::abs(table.t_s)});
   return samples;
 }
 
@@ -44,7 +45,7 @@ std::string label_of(Method method, const std::optional<double>& order) {
   return name + ": " + one_decimal.text(*order);
 }
 
-std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double t_s) {
+std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double t_s, bool by_evaluations) {
   std::vector<PlotSeries> all;
   for (const MethodRow& row : tables.front().rows) {
     if (facts_of(row.method).control != StepControl::fixed) continue;
@@ -54,7 +55,8 @@ std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double
                       .emphasized = true,
                       .look = look_of(row.method)};
     for (const Sample& sample : samples)
-      series.points.emplace_back(std::abs(t_s) / sample.step_s, sample.error);
+      series.points.emplace_back(by_evaluations ? sample.evaluations : std::abs(t_s) / sample.step_s,
+                                 sample.error);
     if (!series.points.empty()) all.push_back(std::move(series));
   }
   return all;
@@ -63,16 +65,18 @@ std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double
 void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, DiagramPaper& paper) {
   if (model.orders.empty()) return;
   const double t_s = model.orders.front().t_s;
-  paper.plot({.title = "Error against steps, and the order measured",
-              .x_label = "steps in " + plain_number(t_s) + " s",
+  const bool by_evaluations = model.scene.compared.by_evaluations;
+  const std::string work = by_evaluations ? "evaluations" : "steps";
+  paper.plot({.title = "Error against " + work + ", and order",
+              .x_label = work + " in " + plain_number(t_s) + " s",
               .y_label = "error of $\\vec\\omega$, relative",
-              .series = series_of(model.orders, t_s),
+              .series = series_of(model.orders, t_s, by_evaluations),
               .tolerance = {},
               .recommended = {},
               .recommended_label = {},
-              .note = "after each name: log₂ of what halving the step does to the error",
+              .note = "after each name its order: log₂ of the gain by half the step",
               .names_at_end = true,
-              .scale = 1.6},
+              .scale = 2.3},
              {0, 0}, arrangement == Arrangement::wide ? kWide : kTall);
 }
 

@@ -10,8 +10,8 @@
 namespace polhode::diagrams {
 namespace {
 
-constexpr double kWidth = 30.0;
-constexpr double kLabel = 0.4, kZero = 18.6, kReach = 5.4, kNumberEnd = 29.4;
+constexpr double kWidth = 26.0;
+constexpr double kLabel = 0.4, kZero = 16.2, kReach = 4.6, kNumberEnd = 25.4;
 constexpr double kHead = 2.1, kRow = 2.0, kSum = 2.2;  // heights
 constexpr double kBlock = kHead + 3.0 * kRow + kSum;
 constexpr double kBetween = 1.0;  // the blocks
@@ -90,7 +90,7 @@ void draw_rows(const SceneModel& model, double t_s, bool with_moments, DiagramPa
   const EulerTerms terms = euler_terms_at(*model.motion, model.scene.body.moments, model.scene.torque, t_s);
   const std::string unit = with_moments ? "kg² m⁴/s³" : "W";
   Block first{"The products, end to end", unit, {}, products(w_B), "\\text{sum}", kOfProducts};
-  Block second{"The first terms, measured on the motion",
+  Block second{"The first terms, computed",
                unit,
                {},
                weights.cwiseProduct(w_B).cwiseProduct(terms.inertial_B),

@@ -73,7 +73,7 @@ TimePlot omega_plot(const Samples& samples) {
   constexpr const char* kLabels[] = {"$\\omega_1$", "$\\omega_2$", "$\\omega_3$"};
   constexpr double kDashOf[] = {kDots, kDashes, kSolid};
   for (int i = 0; i < 3; ++i)
-    plot.series.push_back({kLabels[i], kOmegaRole,
+    plot.series.push_back({kLabels[i], kBodyAxisRoles[static_cast<std::size_t>(i)],
                            values_of(samples, [i](const RigidBodyState& s) { return s.w_B[i]; }),
                            kDashOf[i]});
   return plot;
@@ -179,6 +179,40 @@ std::vector<double> values_of(const SceneQuantity& quantity, const PlotUnit& uni
   return values;
 }
 
+/// The role of the body axis that a name is of: of `T_2`, `\omega_2^2` or "row 2", but not of the sum 2T.
+/// Empty where it is of none, or of several.
+std::string axis_role_of(const std::string& name) {
+  char axis = 0;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const bool is_index =
+        name[i] == '_' || (name[i] == ' ' && i + 2 == name.size() - 1 && name.back() == '}');
+    if (!is_index || i + 1 == name.size()) continue;
+    const std::size_t at = name[i + 1] == '{' ? i + 2 : i + 1;
+    const bool is_one = at < name.size() && name[at] >= '1' && name[at] <= '3' &&
+                        (at == i + 1 || (at + 1 < name.size() && name[at + 1] == '}'));
+    if (!is_one || (axis != 0 && axis != name[at])) return {};
+    axis = name[at];
+  }
+  return axis == 0 ? std::string() : std::string("axis-") + axis;
+}
+
+/// Gives it a logarithmic axis, which begins at its range or at the least that is drawn; what is not above 0
+/// leaves a gap.
+void make_logarithmic(TimePlot& plot) {
+  constexpr double kMostDecades = 1e-16;
+  double least = std::numeric_limits<double>::infinity(), largest = 0.0;
+  for (TimeSeries& series : plot.series)
+    for (double& value : series.y) {
+      if (!(value > 0.0)) value = kNone;
+      if (!std::isfinite(value)) continue;
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
+  plot.log_floor = plot.range       ? plot.range->first
+                   : largest == 0.0 ? 1.0
+                                    : std::max(least, kMostDecades * largest);
+}
+
 /// Those with a colour keep it; others have what is left, the ink of text first. Each has its own dashes
 /// besides, for print and for those who see no colours.
 void give_looks(std::vector<TimeSeries>& series, const std::vector<std::string>& roles) {
@@ -212,8 +246,11 @@ TimePlot plot_of_quantities(const OwnPlot& own, const SceneModel& model, const S
   for (std::size_t i = 0; i < own.curves.size(); ++i) {
     plot.series.push_back(
         {.label = label_of(own, i, own.curves[i].tex), .y = values_of(own.curves[i], own.y, model, samples)});
-    roles.push_back(own.curves[i].role);
+    std::string role = own.curves[i].role;
+    if (role.empty()) role = axis_role_of(i < own.tex.size() ? own.tex[i] : own.curves[i].tex);
+    roles.push_back(std::move(role));
   }
+  if (own.is_log) make_logarithmic(plot);
   give_looks(plot.series, roles);
   if (!own.against) return plot;
 
@@ -282,7 +319,9 @@ TimePlot plot_of_function(const OwnPlot& own, const SceneModel& model, double t_
   plot.x_label = '$' + f.of.tex + '$';
   plot.x_unit = own.x.unit;
   plot.now = value_of(f.of, own.x, model, t_s, now);
-  plot.range = own.range ? own.range : own.is_tight ? std::nullopt : range_of(std::move(y), level);
+  const bool is_whole = own.is_tight || own.is_log;
+  plot.range = own.range ? own.range : is_whole ? std::nullopt : range_of(std::move(y), level);
+  if (own.is_log) make_logarithmic(plot);
   plot.is_tight = true;
   return plot;
 }

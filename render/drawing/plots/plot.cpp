@@ -19,7 +19,8 @@ constexpr Color kGood = color_from_hex(0xF3EEDF);  // where the tolerance is met
 constexpr Color kMuted = kAxesRole.ink;
 
 // Lengths in px of a picture 1080 px high.
-constexpr double kMargin = 72;
+constexpr double kMargin = 72, kMarginBesideNames = 24;
+constexpr double kMostOfNames = 0.42;  // of the width, in a column
 constexpr double kTitleSize = 44, kNoteSize = 26, kAxisTitleSize = 27, kTickSize = 26;
 constexpr double kNameSize = 27, kQuietNameSize = 25, kExactNameSize = 32, kCalloutSize = 29;
 constexpr double kNameAir = 0.12;  // of the size of type, around a name
@@ -120,11 +121,13 @@ class PlotLayout {
   double width_of(const std::string& text, double size) const { return line_of(text, size, kInk).width; }
 
   double px(double length) const { return unit_ * length; }
+  /// Embedded in a diagram, which has its own.
+  double margin() const { return plot_.names_at_end ? kMarginBesideNames : kMargin; }
   bool shows(const std::pair<double, double>& p) const { return x_.shows(p.first) && y_.shows(p.second); }
   Vec2 at(const std::pair<double, double>& p) const { return {x_.px(p.first), y_.px(p.second)}; }
 
   void place_axes(double width, double height) {
-    frame_ = {px(kMargin), px(plot_.note.empty() ? 212 : 250), width - px(kMargin), height - px(142)};
+    frame_ = {px(margin()), px(plot_.note.empty() ? 212 : 250), width - px(margin()), height - px(142)};
     // Bottom first: the labels of the y axis depend on it, and its left end on them.
     for (LogAxis* axis : {&x_, &y_}) axis->gap_px = px(54);
     y_.start_px = frame_.y1;
@@ -136,6 +139,10 @@ class PlotLayout {
     double widest_name = 0.0;
     for (const PlotSeries& s : plot_.series)
       widest_name = std::max(widest_name, width_of(s.label, px(kNameSize)));
+    if (plot_.names_at_end && widest_name > kMostOfNames * width) {
+      name_scale_ = kMostOfNames * width / widest_name;
+      widest_name *= name_scale_;
+    }
     frame_.x1 -= plot_.names_at_end ? widest_name + px(kEndGap + kNameSize)
                                     : std::min(0.75 * widest_name, 0.2 * width);
     if (shows_tolerance())
@@ -244,7 +251,7 @@ class PlotLayout {
   }
 
   void add_titles() {
-    const double left = px(kMargin);
+    const double left = px(margin());
     add_text(plot_.title, {left, px(106)}, px(kTitleSize), 0.0, kInk);
     if (!plot_.note.empty()) add_text(plot_.note, {left, px(152)}, px(kNoteSize), 0.0, kMuted);
     add_text(plot_.y_label, {left, frame_.y0 - px(30)}, px(kAxisTitleSize), 0.0, kInk);
@@ -342,7 +349,7 @@ class PlotLayout {
 
   void add_names_at_end() {
     constexpr double kSpacing = 1.3;  // sizes of type
-    const double size = px(kNameSize), left = frame_.x1 + px(kEndGap);
+    const double size = name_scale_ * px(kNameSize), left = frame_.x1 + px(kEndGap);
     std::vector<std::size_t> named;
     std::vector<double> wanted;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
@@ -402,7 +409,8 @@ class PlotLayout {
 
   const WorkPrecisionPlot& plot_;
   const Fonts& fonts_;
-  double unit_;  ///< px of this picture for one of a picture 1080 px high
+  double name_scale_ = 1;  ///< of names in a column that would leave no room for the curves
+  double unit_;            ///< px of this picture for one of a picture 1080 px high
   LogAxis x_, y_;
   std::vector<CurveStyle> styles_;
   std::vector<bool> strong_;

@@ -46,7 +46,7 @@ class ValueAxis {
     for (const TimeSeries& series : plot.series)
       values.insert(values.end(), series.y.begin(), series.y.end());
     if (floor_)
-      make_log(values, bottom, top, intervals);
+      make_log(plot, values, bottom, top, intervals);
     else
       make_linear(plot, values, intervals);
     place(bottom, top, spacing);
@@ -72,12 +72,16 @@ class ValueAxis {
   double base_px() const { return px(floor_.value_or(0.0)); }
 
  private:
-  void make_log(const std::vector<double>& values, double bottom, double top, int intervals) {
+  void make_log(const TimePlot& plot, const std::vector<double>& values, double bottom, double top,
+                int intervals) {
+    constexpr double kRounding = 1e-9;  // of a logarithm, so that the range 1e-6 begins at its decade
     double largest = *floor_;
     for (double value : values)
       if (std::isfinite(value)) largest = std::max(largest, value);
-    const int low = static_cast<int>(std::floor(std::log10(*floor_)));
-    const int decades = std::max(kLeastDecades, static_cast<int>(std::ceil(std::log10(largest))) - low);
+    if (plot.range) largest = plot.range->second;
+    const int low = static_cast<int>(std::floor(std::log10(*floor_) + kRounding));
+    const int decades =
+        std::max(kLeastDecades, static_cast<int>(std::ceil(std::log10(largest) - kRounding)) - low);
     const int step = (decades + intervals - 1) / intervals;
     const int parts = (decades + step - 1) / step;
     log_.low = low;

@@ -49,7 +49,7 @@ void label_triads(const Snapshot& m, DrawList& list) {
       list.labels.push_back({.text = kBody[k],
                              .anchor = m.q_VB * (kBeyond * Vec3::Unit(i)),
                              .color = kBodyAxisRoles[k].ink,
-                             .size = 0.9,
+                             .size = 1.15,
                              .leader = false});
   }
 }

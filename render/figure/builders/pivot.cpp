@@ -72,10 +72,10 @@ void add_pivot(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   constexpr double kBelow = 0.24;
   const Vec3 tip_V = center_V - (half.maxCoeff() + kBelow) * (m.q_VS * Vec3::UnitZ());
   list.arrows.push_back(
-      {.tail = center_V, .tip = tip_V, .radius = 0.016, .color = kTRole.paint, .dash = 0.045});
+      {.tail = center_V, .tip = tip_V, .radius = 0.016, .color = kNRole.paint, .dash = kArrowDash});
   if (m.shows(Overlay::labels))
     list.labels.push_back(
-        {.text = "$m\\vec g$", .anchor = tip_V, .color = kTRole.ink, .size = 1.0, .leader = false});
+        {.text = "$m\\vec g$", .anchor = tip_V, .color = kNRole.ink, .size = 1.0, .leader = false});
 }
 
 }  // namespace polhode::builders

@@ -123,7 +123,7 @@ void add_arrows(const Snapshot& m, const Vec3& at, const Lengths& lengths, const
                .tip = at + lengths.F * (m.q_VS * now.F_S.normalized()),
                .radius = radius,
                .color = {},
-               .dash = 0.045},
+               .dash = kArrowDash},
               "$\\vec F$", kNRole, list);
 }
 

@@ -222,7 +222,7 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
                         // A number or letter that stands away from its point looks like "−1" behind its line.
                         .close = label.leader && inks.back().x1 - inks.back().x0 < kShortName * em});
   }
-  const PixelBox inside = frame.grown(-0.5 * kMargin * parts.type_px);
+  const PixelBox inside = frame.grown(-kMargin * parts.type_px);
   // Boxes of ink have no space of their own around them.
   constexpr LabelRules kRules{.rounds = 1, .cost_covered = 0.15, .air = 0.3, .leader_gap = 0.28};
   const auto placed = place_labels(requests, obstacles_of(pane, frame), taken, inside, kRules);

@@ -22,7 +22,7 @@ inline constexpr std::size_t kMaxMarks = 6;
 struct MarkVector {
   SceneQuantity quantity;
   bool is_number = false;               ///< without a unit, as e3
-  std::optional<Overlay> overlay = {};  ///< omega, L or N, if it is that: it looks as that does
+  std::optional<Overlay> overlay = {};  ///< omega, L, N or F, if it is that: it looks as that does
   bool operator==(const MarkVector&) const = default;
 };
 
@@ -30,6 +30,7 @@ struct MarkVector {
 struct TrailMark {
   MarkVector of;
   bool on_sphere = false;  ///< its direction on the unit sphere, which is drawn
+  std::string role = {};   ///< of its colour, where that is not the vector's; empty: it is
   bool operator==(const TrailMark&) const = default;
 };
 

@@ -64,6 +64,7 @@ struct OwnPlot {
   PlotUnit y{}, x{};               ///< x is not used where that is time
   bool is_scaled_alike = false;    ///< against another quantity of the same unit
   bool is_tight = false;           ///< the axis need not show 0
+  bool is_log = false;             ///< the axis is logarithmic: what is not above 0 is not drawn
   std::optional<std::pair<double, double>> range{};  ///< of the axis, in units of y
   bool operator==(const OwnPlot&) const = default;
 };

@@ -42,11 +42,23 @@ const std::vector<std::string>& overlay_names() {
 
 std::vector<Overlay> diagrams_in(const OverlaySet& drawn) { return those(drawn, is_diagram); }
 
-bool shows_space(const OverlaySet& drawn, bool has_marks) {
+namespace {
+
+bool has_something_in_space(const OverlaySet& drawn) {
   const auto in_space = [](Overlay o) {
     return !is_diagram(o) && o != Overlay::labels && o != Overlay::values;
   };
-  return has_marks || diagrams_in(drawn).empty() || !those(drawn, in_space).empty();
+  return !those(drawn, in_space).empty();
+}
+
+}  // namespace
+
+bool shows_space(const OverlaySet& drawn, bool has_marks) {
+  return has_marks || diagrams_in(drawn).empty() || has_something_in_space(drawn);
+}
+
+bool shows_nothing(const OverlaySet& drawn, bool has_marks) {
+  return !has_marks && diagrams_in(drawn).empty() && !has_something_in_space(drawn);
 }
 
 }  // namespace polhode

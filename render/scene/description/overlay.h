@@ -294,5 +294,7 @@ std::vector<Overlay> diagrams_in(const OverlaySet& drawn);
 /// Whether there is a figure in space: without diagrams always, beside them of marks (mark.h) and anything
 /// else but names and values.
 bool shows_space(const OverlaySet& drawn, bool has_marks);
+/// Whether there is nothing to be seen, in space or on paper: names and values alone are of nothing.
+bool shows_nothing(const OverlaySet& drawn, bool has_marks);
 
 }  // namespace polhode

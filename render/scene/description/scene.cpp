@@ -22,6 +22,7 @@ std::vector<const Scene*> shown_scenes(const Scene& scene) {
 bool same_course(Scene a, const Scene& b) {
   a.views = b.views;
   a.show = b.show;
+  a.compared = b.compared;
   a.marks = b.marks;
   a.poses = b.poses;
   a.camera = b.camera;

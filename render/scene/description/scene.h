@@ -69,6 +69,13 @@ std::vector<std::string> quality_level_names();
 /// Nothing if unknown.
 std::optional<QualityLevel> quality_level_from(std::string_view name);
 
+/// What the diagrams that compare methods show.
+struct ComparedMethods {
+  std::vector<Method> methods{};  ///< these alone; empty: all that serve
+  bool by_evaluations = false;    ///< the error against evaluations of the equations of motion, not steps
+  bool operator==(const ComparedMethods&) const = default;
+};
+
 /// A number of a scene that may be changed within a range (lessons/reader/varied_scene.h): a slider in the
 /// window, a filmstrip on paper.
 struct Variation {
@@ -94,6 +101,7 @@ struct Scene {
   MotionSpec motion;
   std::vector<View> views{View::space};  ///< one, or two side by side
   OverlaySet show;
+  ComparedMethods compared;
   Marks marks;  ///< in space, besides the overlays
   Poses poses;  ///< of a body that flies
   CameraSpec camera;

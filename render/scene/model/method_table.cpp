@@ -3,6 +3,7 @@
 
 #include "physics/method.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,14 +40,17 @@ std::unique_ptr<const Motion> reference_motion(const Problem& problem, const Eff
                      effort);
 }
 
-MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort) {
+MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort,
+                         const std::vector<Method>& chosen) {
   const bool is_free = problem.torque.empty();
   const auto reference = reference_motion(problem, effort);
   const RigidBodyState end = reference->at(t_s);
   MethodTable table{t_s, step_s, {}};
   if (is_free) table.rows.push_back(row_of(*reference, Method::exact, problem, t_s));
   for (const MethodFacts& facts : all_methods()) {
-    if (!stands_in_table(facts, problem)) continue;
+    const bool is_chosen =
+        chosen.empty() || std::find(chosen.begin(), chosen.end(), facts.method) != chosen.end();
+    if (!is_chosen || !stands_in_table(facts, problem)) continue;
     const bool steps = facts.control == StepControl::fixed;
     const auto motion = make_motion(
         problem, {facts.method, steps ? std::optional(step_s) : std::nullopt, {}, kMostStillSteps}, effort);

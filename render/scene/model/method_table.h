@@ -46,7 +46,9 @@ std::unique_ptr<const Motion> reference_motion(const Problem& problem, const Eff
 
 /// Every method of fixed step that serves the problem, and Dormand-Prince 8 with its usual tolerance, against
 /// the reference motion.
+/// @param chosen of these alone, with the reference; empty: all
 /// @throws std::domain_error as make_motion does.
-MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort = {});
+MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort = {},
+                         const std::vector<Method>& chosen = {});
 
 }  // namespace polhode

@@ -134,10 +134,11 @@ void compute_parts(SceneModel& model, const Effort& effort, double chord_toleran
   if (model.needs.marks) model.courses = vector_courses(model, effort);
   if (model.needs.terms) model.longest_term = longest_term(model);
   for (int k = 0; model.needs.orders && k < kOrderSteps; ++k)
-    model.orders.push_back(
-        method_table(problem_of(scene), table_step_s(scene) * std::exp2(-k), scene.at_s, effort));
+    model.orders.push_back(method_table(problem_of(scene), table_step_s(scene) * std::exp2(-k), scene.at_s,
+                                        effort, scene.compared.methods));
   if (model.needs.methods)
-    model.methods = method_table(problem_of(scene), table_step_s(scene), scene.at_s, effort);
+    model.methods =
+        method_table(problem_of(scene), table_step_s(scene), scene.at_s, effort, scene.compared.methods);
 }
 
 }  // namespace

@@ -119,7 +119,16 @@ MathBox MathLayout::scripts(const MathAtom& item) {
   const MathNode& below = node.children[1];
   const MathNode& above = node.children[2];
   MathPaint base_paint = item.paint, below_paint = item.paint;
+  MathPaint above_paint = item.paint;
   if (item.base_symbol != nullptr) base_paint = below_paint = named(item.paint, *item.base_symbol, true);
+  if (item.base_symbol == nullptr && !item.paint.sealed && !item.paint.fixed_color)
+    if (const MathSymbol* under = symbols_.below_dots(node))
+      base_paint.color = below_paint.color = above_paint.color = under->color;
+  // The power of a symbol has its colour, and is no part of it: ω₁² is one thing to the eye.
+  const MathSymbol* powered = item.paint.sealed             ? nullptr
+                              : item.base_symbol != nullptr ? item.base_symbol
+                                                            : symbols_.of(node.children[0]);
+  if (powered != nullptr && !above_paint.fixed_color) above_paint.color = powered->color;
 
   MathBox box = nucleus(node.children[0], style, base_paint);
   const bool is_large = without_groups(node.children[0]).atom == MathClass::large && box.glyph.has_value();
@@ -136,7 +145,7 @@ MathBox MathLayout::scripts(const MathAtom& item) {
   const MathMark below_begin = mark();
   const MathBox sub = below.absent() ? MathBox{} : row(below, subscript(style), below_paint);
   const MathMark above_begin = mark();
-  const MathBox sup = above.absent() ? MathBox{} : row(above, superscript(style), item.paint);
+  const MathBox sup = above.absent() ? MathBox{} : row(above, superscript(style), above_paint);
 
   raise = std::max({raise,
                     measure(style.cramped ? HB_OT_MATH_CONSTANT_SUPERSCRIPT_SHIFT_UP_CRAMPED

@@ -54,4 +54,20 @@ const MathSymbol* MathSymbols::below_power(const MathNode& atom) const {
   return nullptr;
 }
 
+const MathSymbol* MathSymbols::below_dots(const MathNode& atom) const {
+  constexpr auto kScripts = MathNode::Kind::scripts;
+  constexpr char32_t kDot = 0x307, kTwoDots = 0x308;
+  if (atom.kind != kScripts || atom.children[1].absent()) return nullptr;
+  const MathNode& accent = without_groups(atom.children[0]);
+  if (accent.kind != MathNode::Kind::accent || (accent.character != kDot && accent.character != kTwoDots))
+    return nullptr;
+  for (const MathSymbol* symbol : symbols_) {
+    const MathNode& root = root_of(*symbol);
+    if (root.kind == kScripts && root.children[2].absent() &&
+        same_math(root.children[0], accent.children[0]) && same_math(root.children[1], atom.children[1]))
+      return symbol;
+  }
+  return nullptr;
+}
+
 }  // namespace polhode

@@ -24,6 +24,9 @@ class MathSymbols {
   const MathSymbol* of(const MathNode& atom) const;
   /// ω₁ in ω₁²: nucleus and subscript are the symbol.
   const MathSymbol* below_power(const MathNode& atom) const;
+  /// ω₁ in ω̇₁ or ω̈₁: what is under the dots, with the subscript, is the symbol. The whole is another quantity
+  /// of its colour.
+  const MathSymbol* below_dots(const MathNode& atom) const;
 
  private:
   std::vector<const MathSymbol*> symbols_;

@@ -74,11 +74,12 @@ TEST(VerdictRow, WhatIsNotProvedIsNotCalledSo) {
 TEST(VerdictRow, NamesTheMethodOfAMeasurement) {
   Scene scene = spinning();
   const SceneModel exact = make_model(scene);
-  EXPECT_EQ(row_of("ddt(T) = 0", ClaimKind::measured, &exact).note, "on the exact motion");
+  EXPECT_EQ(row_of("ddt(T) = 0", ClaimKind::measured, &exact).note, "in closed form");
   scene.motion.method = Method::rk4;
   scene.motion.step_s = 0.02;
   const SceneModel computed = make_model(scene);
   EXPECT_EQ(row_of("ddt(T) = 0", ClaimKind::measured, &computed).note, "with rk4, $h$ = 0.02 s");
+  EXPECT_EQ(row_of("ddt(T) = 0", ClaimKind::measured, &computed).word, "checked on this motion");
 }
 
 TEST(VerdictRow, MeasuresNothingWithoutAMotion) {

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -156,6 +158,30 @@ TEST(FigurePlace, TheFirstInsetIsTheModelsOwnWhereverItStands) {
                 7 + 300.0 * static_cast<double>(i), 40);
   EXPECT_LT(figure.insets[1].place.x, figure.insets[0].place.x);
   EXPECT_GT(figure.insets[2].place.x, figure.insets[0].place.x);
+}
+
+/// Height in px of a scene unit at the middle of each picture.
+std::vector<double> scales_of(const PlacedFigure& figure) {
+  std::vector<double> scales;
+  for (const Inset& inset : figure.insets) {
+    const Camera& camera = inset.figure.panes.front().camera;
+    const double half = (camera.eye - camera.target).norm() * std::tan(0.5 * camera.fov_y_rad);
+    scales.push_back(0.5 * inset.place.height / half);
+  }
+  return scales;
+}
+
+TEST(FigurePlace, PicturesOfOneBodyHaveOneScale) {
+  Scene scene = scene_of({Overlay::shape, Overlay::L});
+  scene.beside.push_back(scene);
+  scene.beside[0].show = {Overlay::L};
+  scene.beside[0].w0_B = {2, 1, 0.5};
+  const std::vector<double> alike = scales_of(placed(scene, {900, 300}));
+  ASSERT_EQ(alike.size(), 2u);
+  EXPECT_NEAR(alike[0], alike[1], 1e-9 * alike[0]);
+  scene.beside[0].camera.zoom = 2;
+  const std::vector<double> zoomed = scales_of(placed(scene, {900, 300}));
+  EXPECT_GT(zoomed[1], 1.5 * zoomed[0]) << "as its camera says";
 }
 
 }  // namespace

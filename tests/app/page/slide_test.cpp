@@ -2,6 +2,7 @@
 // Pages of the profile slides: the step alone, large, of one size throughout its stage.
 #include "app/page/page.h"
 #include "app/page/page_text.h"
+#include "app/page/page_theme.h"
 #include "lessons/reader/reader.h"
 #include "tests/app/page/sheet_checks.h"
 
@@ -151,6 +152,49 @@ TEST(Slide, IsTheSameWithATypeThatWasFoundBefore) {
   const Page given = compose_page(request, test_fonts()).value();
   EXPECT_EQ(found.column.x1, given.column.x1);
   EXPECT_EQ(found.sheet.texts.size(), given.sheet.texts.size());
+}
+
+/// Panels behind displays in focus.
+std::size_t panels_of(const Page& page) {
+  return static_cast<std::size_t>(
+      std::count_if(page.sheet.shapes.begin(), page.sheet.shapes.end(), [](const FlatShape& shape) {
+        const auto* area = std::get_if<Area>(&shape);
+        return area != nullptr && area->color == colors_of(Theme::paper).panel;
+      }));
+}
+
+TEST(Slide, OfTwoEqualDisplaysNeitherIsLess) {
+  const std::string one = "# A stage {s}\n\n```math a identity\nT = T \\tag{1}\n```\n\n";
+  const std::string numbered = "```math b identity\nI_1 = I_1 \\tag{2}\n```\n";
+  const std::string lesser = "```math b identity\nI_1 = I_1\n```\n";
+  EXPECT_EQ(panels_of(Slides(one).page(1)), 1u);
+  EXPECT_EQ(panels_of(Slides(one + numbered).page(1)), 2u);
+  EXPECT_EQ(panels_of(Slides(one + lesser).page(1)), 1u) << "it has no number";
+}
+
+TEST(Slide, SaysWhatIsClaimedBesideAFormula) {
+  const std::string formula = "# A stage {s}\n\n```math a\n\\vec a_S = R\\,\\vec a_{S^*}\n```\n\n";
+  const std::string claim = "```claim a identity in-other-words\ndot(e1, e2) = 0\n```\n";
+  const std::size_t without = Slides(formula).page(1).sheet.texts.size();
+  EXPECT_EQ(Slides(formula + claim).page(1).sheet.texts.size(), without + 2)
+      << "the word, and how it is meant";
+}
+
+TEST(Slide, PlotsThatStandAloneHaveTheFiguresPlace) {
+  const std::string stage =
+      "# A stage {s}\n\nA few words.\n\n```scene\nmeters = [\"omega\"]\ncaption = \"c\"\n";
+  const Page both = Slides(stage + "```\n").page(1), alone = Slides(stage + "show = []\n```\n").page(1);
+  EXPECT_EQ(both.insets.size(), 1u);
+  EXPECT_TRUE(alone.insets.empty());
+  const auto top_of_plots = [](const Page& page) {
+    double top = 900;
+    for (const PlacedType& text : page.sheet.texts)
+      if (text.text == "Angular velocity in the body") top = text.at.y();
+    return top;
+  };
+  EXPECT_LT(top_of_plots(alone), 0.1 * 900);
+  EXPECT_GT(top_of_plots(both), 0.5 * 900);
+  for (const PlacedType& text : alone.sheet.texts) EXPECT_LE(text.at.y(), 900.0) << "the caption is there";
 }
 
 }  // namespace

@@ -254,7 +254,7 @@ TEST(Evaluation, AtRestInSpaceItIsWhatOneWouldWrite) {
   EXPECT_EQ(values("comp(A, 3)"), (std::array{-1.0, 0.0, 0.0}));
 }
 
-// sqrt, sin, cos, acos, atan2 and their rates, beside central differences of the same functions.
+// sqrt, sin, cos, acos, atan2, exp, log and their rates, beside central differences of the same functions.
 TEST(Evaluation, FunctionsOfNumbersHaveTheRatesOfTheirCurves) {
   ClaimState<SizedNumber> state{};
   for (std::size_t i = 0; i < 3; ++i) state.R[i][i] = {1.0, 0.0};
@@ -271,6 +271,8 @@ TEST(Evaluation, FunctionsOfNumbersHaveTheRatesOfTheirCurves) {
       {"acos(w1)", [](double a, double) { return std::acos(a); }},
       {"cos(acos(w1))", [](double a, double) { return a; }},
       {"atan2(w1, w2)", [](double a, double b) { return std::atan2(a, b); }},
+      {"exp(w1 + w2)", [](double a, double b) { return std::exp(a + b); }},
+      {"log(w1)", [](double a, double) { return std::log(a); }},
       {"2*pi*w1", [](double a, double) { return 2 * std::acos(-1.0) * a; }},
   };
   const double h = 1e-5;  // errors: h²/6 of third derivatives below 100, and rounding over h
@@ -296,7 +298,7 @@ TEST(Evaluation, FunctionsOfNumbersEndWhereTheyAreNotDefined) {
   state.w_B = {{{2.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}}};
   Evaluation<SizedNumber> evaluate(state);
   Triple<SizedNumber> value;
-  for (const char* text : {"sqrt(w2)", "acos(w1)"})
+  for (const char* text : {"sqrt(w2)", "acos(w1)", "log(w2)", "log(w3)"})
     EXPECT_FALSE(evaluate(equality(text, "0").left, value)) << text;
   for (const char* text : {"sqrt(w3)", "acos(w1/2)", "atan2(w3, w3)"})
     EXPECT_TRUE(evaluate(equality(text, "0").left, value)) << text;

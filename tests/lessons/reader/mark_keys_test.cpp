@@ -113,9 +113,18 @@ TEST(MarkKeys, ReplaceTheWholeList) {
   EXPECT_THAT(at.lines(), IsEmpty());
 }
 
+TEST(MarkKeys, ATrailHasTheColourThatItSays) {
+  const Marks marks = marks_of("trails = [{ of = 'e3', role = 'axis-2' }, { of = 'L', role = 'crimson' }]");
+  ASSERT_EQ(marks.trails.size(), 2U);
+  EXPECT_EQ(marks.trails[0].of.quantity.role, "axis-2");
+  EXPECT_EQ(marks.trails[1].of.quantity.role, "crimson") << "in the place of the vector's own";
+  EXPECT_THAT(complaints("trails = [{ of = 'e3', role = 'axis-4' }]"),
+              ElementsAre(HasSubstr("unknown role \"axis-4\"")));
+}
+
 TEST(MarkKeys, AreWrittenAsTheyWereRead) {
   for (const char* keys :
-       {"trails = [{ of = 'e3', on = 'sphere' }, { of = 'L' }]\n",
+       {"trails = [{ of = 'e3', on = 'sphere' }, { of = 'L', role = 'axis-1' }]\n",
         "arrows = [{ of = 'ddt(e3)', at = 'e3', tex = '\\dot e', length = 0.7 }, { of = 'comp(omega, 3)*e3', "
         "tex = '', like = 'omega' }]\n",
         "angles = [{ from = 'ez', to = 'e3', tex = '\\theta' }, { from = 'ex', to = 'e1' }]\n",

@@ -219,5 +219,16 @@ TEST(PlotsOfTheFormat, TheTopTurnsBackWhereItsPotentialMeetsItsLevel) {
   EXPECT_NEAR(f.values(model, {u_at(0)}).front(), level_at(0), 1e-12 * std::abs(level_at(0)));
 }
 
+TEST(PlotKeys, AScaleMayBeLogarithmic) {
+  EXPECT_FALSE(own_plot("{ plot = 'w1' }").is_log);
+  const OwnPlot plot = own_plot("{ plot = 'norm(omega)', scale = 'log', range = [1e-6, 1] }");
+  EXPECT_TRUE(plot.is_log);
+  EXPECT_EQ(plot.range, std::pair(1e-6, 1.0));
+  EXPECT_THAT(plots_text({plot}), HasSubstr("scale = \"log\""));
+  EXPECT_THAT(complaint("[{ plot = 'w1', scale = 'logs' }]"), HasSubstr("unknown scale \"logs\""));
+  EXPECT_THAT(complaint("[{ plot = 'w1', scale = 'log', range = [0, 1] }]"),
+              HasSubstr("a logarithmic scale begins above 0"));
+}
+
 }  // namespace
 }  // namespace polhode

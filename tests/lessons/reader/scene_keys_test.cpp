@@ -247,6 +247,18 @@ TEST(SceneKeys, PosesAreCountedAndReadBack) {
     EXPECT_TRUE(is_refused(wrong)) << wrong;
 }
 
+TEST(SceneKeys, ComparedMethodsAreReadBack) {
+  const Scene scene = scene_from("compare = { methods = ['rk4', 'splitting'], against = 'evaluations' }");
+  EXPECT_EQ(scene.compared.methods, (std::vector{Method::rk4, Method::splitting}));
+  EXPECT_TRUE(scene.compared.by_evaluations);
+  EXPECT_EQ(scene_from(scene_keys_text(scene, scene.at_s)).compared, scene.compared);
+  EXPECT_FALSE(scene_from("compare = { against = 'steps' }").compared.by_evaluations);
+  EXPECT_EQ(scene_from("compare = {}", scene).compared, ComparedMethods());
+  for (const char* wrong : {"compare = 'rk4'", "compare = { methods = ['rk5'] }",
+                            "compare = { against = 'time' }", "compare = { method = ['rk4'] }"})
+    EXPECT_TRUE(is_refused(wrong)) << wrong;
+}
+
 TEST(SceneKeys, APictureThatStaysSaysWhyInItsStep) {
   EXPECT_TRUE(is_refused("same = \"a question\"")) << "in the front matter";
   TextReport at("same = \" \"");
@@ -284,6 +296,7 @@ constexpr KeyEffect kEffects[] = {
     {"motion", "'dormand-prince-5'", Effect::other_course},
     {"views", "'body'", Effect::other_look},
     {"show", "'omega'", Effect::other_look},
+    {"compare", "{ methods = ['rk4'], against = 'evaluations' }", Effect::other_look},
     {"trails", "[{ of = 'e3' }]", Effect::other_look},
     {"arrows", "[{ of = 'e3' }]", Effect::other_look},
     {"angles", "[{ from = 'ez', to = 'e3' }]", Effect::other_look},

@@ -316,7 +316,7 @@ Scene gyroscope() {
 TEST(Pivot, HoldsTheRotorAtTheLeverOfItsWeight) {
   const SceneModel model = make_model(gyroscope());
   const DrawList list = make_figure(model, 0.3, kAspect).panes[0].list;
-  const Arrow* weight = arrow_of(list, kTRole.paint);
+  const Arrow* weight = arrow_of(list, kNRole.paint);
   ASSERT_TRUE(weight);
   const Vec3 axis_S = model.motion->at(0.3).q_SB * Vec3::UnitZ();
   EXPECT_LT((weight->tail.normalized() - axis_S).norm(), kRounding);  // at the centre of mass

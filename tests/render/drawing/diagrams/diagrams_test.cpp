@@ -262,6 +262,24 @@ TEST(Diagrams, TheOrderPlotMeasuresOrders) {
     EXPECT_EQ(texts_of(sheet, label).size(), 1u) << label;
 }
 
+TEST(Diagrams, TheMethodsThatAreComparedAreThoseThatASceneNames) {
+  Scene scene = scene_of(Overlay::order_plot);
+  scene.motion = {.method = Method::rk4, .step_s = 0.1};
+  scene.at_s = 20.0;
+  scene.compared = {.methods = {Method::rk4, Method::splitting}, .by_evaluations = true};
+  const SceneModel model = make_model(scene);
+  for (const MethodTable& table : model.orders) {
+    ASSERT_EQ(table.rows.size(), 3u) << "and the exact motion";
+    EXPECT_EQ(table.rows[1].method, Method::rk4);
+    EXPECT_EQ(table.rows[2].method, Method::splitting);
+  }
+  const Sheet sheet = sheet_of(scene, 0.0);
+  EXPECT_EQ(texts_of(sheet, "rk4: 4.0").size(), 1u);
+  EXPECT_TRUE(texts_of(sheet, "explicit-euler: 1.0").empty());
+  EXPECT_EQ(texts_of(sheet, "evaluations in 20 s").size(), 1u);
+  EXPECT_TRUE(texts_of(sheet, "steps in 20 s").empty());
+}
+
 TEST(Diagrams, AnOrderPlotOfTooManyStepsIsRefused) {
   Scene scene = scene_of(Overlay::order_plot);
   scene.motion = {.method = Method::rk4, .step_s = 0.1};

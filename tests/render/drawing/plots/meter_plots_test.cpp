@@ -233,5 +233,40 @@ TEST(MeterPlots, AFunctionIsDrawnAroundItsLevel) {
   EXPECT_LT(plot.range->second, 2.0);
 }
 
+TEST(MeterPlots, ComponentsHaveTheColoursOfTheirAxes) {
+  const TimePlot omega = meter_plots(page_of(driven_top(), {Meter::omega}), 0).front();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(omega.series[i].role.paint, kBodyAxisRoles[i].paint);
+
+  OwnPlot own;
+  for (const char* tex : {"I_1\\,\\omega_1^2", "T_{2}", "\\text{row 3}", "2T", "\\omega_1\\omega_2"}) {
+    SceneQuantity quantity;
+    quantity.tex = tex;
+    quantity.value = [](const SceneModel&, double, const RigidBodyState&) {
+      return std::optional<Vec3>(Vec3(1, 0, 0));
+    };
+    own.curves.push_back(quantity);
+  }
+  const TimePlot plot = meter_plots(page_of(driven_top(), {own}), 0).front();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(plot.series[i].role.paint, kBodyAxisRoles[i].paint) << i;
+  for (std::size_t i = 3; i < 5; ++i)
+    for (const Role& axis : kBodyAxisRoles) EXPECT_NE(plot.series[i].role.paint, axis.paint) << i;
+}
+
+TEST(MeterPlots, ALogarithmicAxisLeavesOutWhatIsNotAboveZero) {
+  OwnPlot own;
+  SceneQuantity quantity;
+  quantity.value = [](const SceneModel&, double t_s, const RigidBodyState&) {
+    return std::optional<Vec3>(Vec3(t_s, 0, 0));
+  };
+  own.curves.push_back(quantity);
+  own.is_log = true;
+  const TimePlot plot = meter_plots(page_of(driven_top(), {own}), 0).front();
+  ASSERT_TRUE(plot.log_floor);
+  EXPECT_EQ(*plot.log_floor, plot.t[1]) << "the least that is drawn";
+  EXPECT_TRUE(std::isnan(plot.series[0].y[0])) << "0 has no logarithm";
+  own.range = std::pair(1e-4, 1.0);
+  EXPECT_EQ(meter_plots(page_of(driven_top(), {own}), 0).front().log_floor, 1e-4);
+}
+
 }  // namespace
 }  // namespace polhode

@@ -230,5 +230,23 @@ TEST(TimePlot, ALongNameBecomesSmaller) {
   expect_tidy(sheet_of(plot));
 }
 
+TEST(TimePlot, ALogarithmicAxisGoesAsFarAsItsRange) {
+  TimePlot plot = plot_of({{1e-5, 1e-3, 1e-1}});
+  plot.range = std::pair(1e-6, 1.0);
+  plot.log_floor = 1e-6;
+  const Sheet sheet = sheet_of(plot);
+  expect_tidy(sheet);
+  EXPECT_EQ(texts_of(sheet, "10⁻⁶").size(), 1u);
+  EXPECT_EQ(texts_of(sheet, "10⁰").size() + texts_of(sheet, "1").size(), 1u);
+  EXPECT_TRUE(texts_of(sheet, "10⁻⁸").empty());
+  // Equal factors are equally far apart.
+  const auto line = strokes_of(sheet, kOmegaRole.paint);
+  ASSERT_EQ(line.size(), 1u);
+  const double low = line[0].points.front().y(), high = line[0].points.back().y();
+  EXPECT_NEAR(low - high,
+              4.0 / 6.0 * (box_of(only_text(sheet, "10⁻⁶")).y0 - box_of(*texts_of(sheet, "10⁰").front()).y0),
+              2.0);
+}
+
 }  // namespace
 }  // namespace polhode

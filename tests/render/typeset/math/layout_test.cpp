@@ -443,5 +443,24 @@ TEST(SpokenMath, SaysSomethingOfEveryFormula) {
   for (const auto& [name, tex] : testing::all_formulas()) EXPECT_FALSE(said(tex).empty()) << name;
 }
 
+/// Colours of the glyphs of a formula in which ω₁ is a symbol, from left to right.
+std::vector<Color> colors_in(const std::string& tex) {
+  const std::vector<MathSymbol> symbols = {{"w1", parsed("\\omega_1"), color_from_hex(0x006B62)}};
+  MathStyle style = display();
+  style.symbols = &symbols;
+  std::vector<Color> colors;
+  const DisplayList list = set_math(parsed(tex), style, fonts()).value();
+  for (const Glyph& glyph : list.glyphs) colors.push_back(glyph.color);
+  return colors;
+}
+
+TEST(MathLayout, PowersAndRatesOfASymbolHaveItsColour) {
+  const Color own = color_from_hex(0x006B62);
+  for (const char* tex : {"\\omega_1^2", "\\dot\\omega_1", "\\ddot\\omega_1", "\\dot\\omega_1^2"})
+    for (const Color& color : colors_in(tex)) EXPECT_EQ(color, own) << tex;
+  for (const char* tex : {"\\dot\\omega_2", "\\hat\\omega_1", "x^2"})
+    for (const Color& color : colors_in(tex)) EXPECT_NE(color, own) << tex;
+}
+
 }  // namespace
 }  // namespace polhode
