@@ -48,18 +48,23 @@ struct ColumnPiece {
 /// How an equation stands among others: in focus between bar and panel, or with the room that these took.
 enum class Focus { none, now, before };
 
+/// px: no type of a window's page is smaller, indices apart.
+inline constexpr double kLeastSmall = 12;
+
 class TextColumn {
  public:
-  /// `size` is the em of prose. Symbols, numbers and fonts are kept by reference.
+  /// `size` is the em of prose, `least` that of the smallest type. Symbols, numbers and fonts are kept by
+  /// reference.
   TextColumn(double width, double size, Theme theme, Profile profile, const std::vector<MathSymbol>& symbols,
-             const PageNumbers& numbers, const Fonts& fonts)
+             const PageNumbers& numbers, const Fonts& fonts, double least = 0)
       : width_(width),
         size_(size),
         theme_(theme),
         profile_(profile),
         symbols_(symbols),
         numbers_(numbers),
-        fonts_(fonts) {}
+        fonts_(fonts),
+        least_(least) {}
 
   // The error of each says why the text cannot be set: the fonts lack a character of it.
 
@@ -104,6 +109,7 @@ class TextColumn {
                                const std::vector<std::string>& marked) const;
   Result<ColumnPiece> labelled(const std::string& label, const Color& color, Result<ColumnPiece> plain) const;
   double label_indent() const;
+  double small_size(double part) const;
   Color color_of(Certainty certainty) const;
   ColumnPiece chip(const std::string& word, Certainty certainty) const;
   void add_claimed(const std::vector<std::string>& claimed, const TextStyle& style, ColumnPiece& piece) const;
@@ -114,6 +120,7 @@ class TextColumn {
   const std::vector<MathSymbol>& symbols_;
   const PageNumbers& numbers_;
   const Fonts& fonts_;
+  double least_;
 };
 
 /// Pieces one below the other, each in its place; the height they take together.

@@ -48,6 +48,22 @@ TEST_F(QuestionsPanelTest, KeysThatWalkAndPlayAreThePages) {
   EXPECT_TRUE(screen->press(session, "Left"));
 }
 
+// An answer that is typed beside its field opens no panel and changes nothing.
+TEST_F(QuestionsPanelTest, AMissedClickTypesNoCommands) {
+  go_to_question("hold-steady");
+  screen->press(session, "Q");
+  frame(5);
+  click(kSize.width - 150, 12);  // beside the field
+  ASSERT_FALSE(ImGui::GetIO().WantTextInput);
+  const double t_s = session.t_s(), text_scale = session.preferences.text_scale;
+  for (const char* key : {"W", "1", "*", "-", "0", "G", "S", "E", "B", "+"})
+    EXPECT_FALSE(screen->press(session, key)) << key;
+  EXPECT_EQ(session.panel, Panel::question);
+  EXPECT_EQ(session.preferences.text_scale, text_scale);
+  EXPECT_EQ(session.t_s(), t_s);
+  EXPECT_TRUE(session.edits().empty());
+}
+
 TEST_F(QuestionsPanelTest, AFieldGivesTheKeyboardBackAtEscape) {
   go_to_question("hold-steady");
   const Place asked = session.place();
