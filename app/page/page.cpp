@@ -319,6 +319,18 @@ Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& f
   return sheet;
 }
 
+std::vector<Page::Choice> choices_in(const FittedText& text) {
+  std::vector<Page::Choice> choices;
+  for (const ColumnPiece& piece : text.stack.pieces)
+    for (const ChoiceRows& rows : piece.choices)
+      for (std::size_t i = 0; piece.is_new && i + 1 < rows.y.size(); ++i)
+        choices.push_back({rows.ask,
+                           i,
+                           {text.corner.x() + rows.x0, text.corner.y() + rows.y[i], text.corner.x() + rows.x1,
+                            text.corner.y() + rows.y[i + 1]}});
+  return choices;
+}
+
 /// Beside all that the present step adds to what was there.
 void add_bar_of_new(const PageRequest& request, const FittedText& text, double em, Sheet& sheet) {
   if (text.new_to <= text.new_from) return;
@@ -431,6 +443,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   page.formula_scale = text.formula_scale;
   page.equations = text.equations;
   page.whole_from = text.whole_from;
+  page.choices = choices_in(text);
   page.hidden = text.hidden;
   page.overflow = text.overflow;
   page.column = grid.text;

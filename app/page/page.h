@@ -105,6 +105,13 @@ struct Page {
   /// first is 1).
   std::vector<const Equation*> equations;
   int whole_from = 1;
+  /// Of a page that scrolls: where the choices of the present step's questions stand, each with its number.
+  struct Choice {
+    const Ask* ask = nullptr;
+    std::size_t number = 0;
+    PixelBox box;
+  };
+  std::vector<Choice> choices{};
   /// Of a page that scrolls: how much of the column is above the page, and how much there is to scroll, px.
   double hidden = 0, overflow = 0;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.

@@ -535,7 +535,20 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   }
   TextStyle plain = style(em, colors().ink, width);
   plain.between = 0.28;
-  return labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
+  Result<ColumnPiece> piece =
+      labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
+  if (!piece || least_ == 0 || !picks_choice(ask.type)) return piece;
+  ChoiceRows rows{&ask, label_indent(), width_, {}};
+  RichText above = ask.prompt_text;
+  for (const RichText& choice : ask.choice_texts) {
+    const Result<ColumnPiece> so_far = piece_of(set(above, plain), em, 0);
+    if (!so_far) return failure(so_far.error());
+    rows.y.push_back(so_far->height);
+    above.insert(above.end(), choice.begin(), choice.end());
+  }
+  rows.y.push_back(piece->height);
+  piece->choices.push_back(std::move(rows));
+  return piece;
 }
 
 Result<ColumnPiece> TextColumn::derived_line(const Math& formula, const std::string& word,
@@ -589,6 +602,10 @@ Stack stack(const std::vector<const ColumnPiece*>& pieces) {
                            .is_main = piece.is_main,
                            .is_new = piece.is_new,
                            .panel = piece.panel});
+    for (ChoiceRows rows : piece.choices) {
+      for (double& y : rows.y) y += made.height;
+      made.pieces.back().choices.push_back(std::move(rows));
+    }
     add(made.pieces.back(), piece, {0, made.height});
     made.height += piece.height;
   }

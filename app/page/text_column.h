@@ -29,6 +29,13 @@ struct LiveNumberSlot {
   LiveRoom room;
 };
 
+/// The rows of a question's choices, px.
+struct ChoiceRows {
+  const Ask* ask = nullptr;
+  double x0 = 0, x1 = 0;
+  std::vector<double> y;  ///< of each choice its upper edge, and the lower one of the last
+};
+
 /// Something in the column: its drawing from the upper left corner, and the room it takes.
 struct ColumnPiece {
   Sheet sheet;
@@ -38,6 +45,7 @@ struct ColumnPiece {
   double formula_scale = 1;  ///< of a display: its size beside the normal one; below 1 where it was too wide
   std::vector<LiveSlot> live{};
   std::vector<LiveNumberSlot> numbers{};
+  std::vector<ChoiceRows> choices{};     ///< of a page that can be clicked: one at most
   const void* of = nullptr;              ///< the part of the lesson it shows: the same on another page
   std::optional<std::size_t> formula{};  ///< of an equation: which of the sheet's texts it is
   bool is_main = false;                  ///< the equation that its step has come to

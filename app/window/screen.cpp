@@ -362,6 +362,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {
+  if (session.is_black()) return;
   const ImGuiIO& io = ImGui::GetIO();
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
@@ -375,11 +376,60 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
     ImGui::SetWindowFocus(nullptr);
     symbols_.leave(session);
   }
+  const Page::Choice* choice = on_page ? choice_at(session, {io.MousePos.x, io.MousePos.y}) : nullptr;
+  draw_choices(session, choice);
+  if (choice && io.MouseClicked[0]) {
+    session.answer(*choice->ask, std::string(1, letter_of_choice(choice->number)));
+    session.panel = Panel::question;  // where the reply stands
+    return;
+  }
   if (walks_by_click(session, {io.MousePos.x, io.MousePos.y}, on_page && !under)) return;
   if (!drag_.is_held() && !on_page) return;
   const std::string refusal =
       drag_.use_mouse(session, page_->insets(), on_page, kTipReach * sizes_->em / 15.0);
   if (!refusal.empty()) tell(refusal);
+}
+
+/// Of a question that is still open.
+const Page::Choice* Screen::choice_at(const LessonSession& session, const Vec2& at) const {
+  for (const Page::Choice& choice : page_->page().choices) {
+    const std::vector<const Ask*> asked = session.questions();
+    if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;  // the page before
+    const JudgedAnswer* judged = session.judged(*choice.ask);
+    const bool is_right = judged != nullptr && judged->judgement.mark == AnswerJudgement::Mark::right;
+    const PixelBox& box = choice.box;
+    if (!is_right && !session.is_awaited(*choice.ask) && at.x() >= box.x0 && at.x() < box.x1 &&
+        at.y() >= box.y0 && at.y() < box.y1)
+      return &choice;
+  }
+  return nullptr;
+}
+
+/// A frame round the one that a click would pick; beside the one that was picked whether it is right, unless
+/// the motion is still to show it.
+void Screen::draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = sizes_->em;
+  const auto corner = [](double x, double y) { return ImVec2(static_cast<float>(x), static_cast<float>(y)); };
+  const std::vector<const Ask*> asked = session.questions();
+  for (const Page::Choice& choice : page_->page().choices) {
+    if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;
+    const PixelBox& box = choice.box;
+    if (&choice == pointed_at) {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      list.AddRect(corner(box.x0, box.y0), corner(box.x1, box.y1), ImGui::GetColorU32(ImGuiCol_CheckMark),
+                   0.3F * em, 0, 0.1F * em);
+    }
+    const JudgedAnswer* judged = session.judged(*choice.ask);
+    const bool is_picked =
+        judged != nullptr && judged->judgement.choice == static_cast<int>(choice.number) + 1;
+    if (!is_picked || session.is_awaited(*choice.ask)) continue;
+    const bool is_right = judged->judgement.mark == AnswerJudgement::Mark::right;
+    const char* word = is_right ? "right" : "not right";
+    const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word).x;
+    list.AddText(corner(left, 0.5 * (box.y0 + box.y1) - 0.5 * em),
+                 ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word);
+  }
 }
 
 /// Before an audience a click beside the figure goes on, as everywhere.

@@ -85,6 +85,8 @@ class Screen {
   bool walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const;
   void draw_scroll_marks(const LessonSession& session);
   void draw_invitation(const LessonSession& session);
+  const Page::Choice* choice_at(const LessonSession& session, const Vec2& at) const;
+  void draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const;
   Result<bool> show_page(LessonSession& session, const Region& region, double resolution);
   void show_preview(const LessonSession& session, const Region& region);
   void lay_out_controls(LessonSession& session, const Region& page, Size size);

@@ -9,7 +9,6 @@
 namespace polhode {
 namespace {
 
-
 TEST(WindowSize, IsKept) {
   const ScratchFolder scratch;
   EXPECT_EQ(*read_window_size(scratch.path()), Size{}) << "nothing is known";
