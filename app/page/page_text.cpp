@@ -199,6 +199,7 @@ class ScaledText {
     if (!status_) return failure(status_.error());
     FittedText text{stack(refs), scale_, formula_scale(all), equations_in(all), 1, {0, 0}};
     text.overflow = std::max(0.0, std::ceil(text.stack.height - height));
+    if (!request_.derivation.lines.empty()) text.hidden = text.overflow;  // the line that is being typed
     if (last_ == 0) return text;
     std::size_t before = heading(false).size(), after = before;
     for (std::size_t i = 0; i < last_; ++i) before += whole(i).text.size();
@@ -209,7 +210,8 @@ class ScaledText {
     if (after == before) return text;
     text.new_from = height_to(before + 1) - refs[before]->height;
     text.new_to = height_to(after);
-    text.hidden = std::clamp(std::floor(text.new_from - kAboveStep * em_), 0.0, text.overflow);
+    if (request_.derivation.lines.empty())
+      text.hidden = std::clamp(std::floor(text.new_from - kAboveStep * em_), 0.0, text.overflow);
     return text;
   }
 

@@ -352,8 +352,14 @@ void Screen::lay_out_sliders(LessonSession& session) {
   varies_ = false;
   const PixelBox& at = page_->page().figure;
   if (session.is_black() || at.width() <= 0 || (session.is_presenting() && session.are_notes_shown())) return;
-  const Region figure{static_cast<float>(at.x0), static_cast<float>(at.y0), static_cast<float>(at.width()),
-                      static_cast<float>(at.height())};
+  // What of it is beside a panel, or as much as these need.
+  constexpr float kLeastRoom = 18;  // em
+  const ImVec2& size = ImGui::GetIO().DisplaySize;
+  const float free = page_region(session, {static_cast<int>(size.x), static_cast<int>(size.y)}).width -
+                     covered_width(session, {static_cast<int>(size.x), static_cast<int>(size.y)});
+  const float right = std::min(static_cast<float>(at.x1), free),
+              left = std::max(0.0F, std::min(static_cast<float>(at.x0), right - kLeastRoom * sizes_->em));
+  const Region figure{left, static_cast<float>(at.y0), right - left, static_cast<float>(at.height())};
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);

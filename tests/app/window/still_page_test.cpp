@@ -44,6 +44,26 @@ TEST_F(StillPageTest, APanelLiesBesideTheTextWithoutTouchingIt) {
   EXPECT_EQ(screen->page().page().figure.x1, figure_right);
 }
 
+// That a scene was changed is told beside a panel, not over it: neither hides the other.
+TEST_F(StillPageTest, WhatLiesOnTheFigureKeepsClearOfAPanel) {
+  const Size small{900, 600};
+  session.panel = Panel::body;
+  draw_at(small);
+  const Image before = screen->read();
+  SceneEdits edits = session.edits();
+  edits.on.insert(Overlay::labels);
+  ASSERT_TRUE(session.set_edits(edits));
+  draw_at(small, 4);
+  const Image after = screen->read();
+  constexpr int kPanel = 640;  // its left edge is before that
+  int told = 0, hidden = 0;
+  for (int row = 0; row < 60; ++row)
+    for (int at = 0; at < small.width; ++at)
+      if (std::memcmp(before.pixel(at, row), after.pixel(at, row), 4) != 0) ++(at < kPanel ? told : hidden);
+  EXPECT_GT(told, 100);
+  EXPECT_EQ(hidden, 0);
+}
+
 // One size of type for all steps of all stages; what was there is there still, above what is new.
 TEST_F(StillPageTest, TypeHasOneSizeAndEarlierStepsStay) {
   session.preferences.text_scale = kMostTextScale;
