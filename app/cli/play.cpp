@@ -4,9 +4,12 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
+#include "app/session/answer_log.h"
 #include "app/session/edited_step.h"
+#include "app/session/progress.h"
 #include "app/session/saved_progress.h"
 #include "app/session/state_file.h"
+#include "app/session/window_size.h"
 #include "app/window/window.h"
 #include "base/interrupt.h"
 #include "base/printable.h"
@@ -77,8 +80,46 @@ class LessonWatch {
   fs::file_time_type written_;
 };
 
-ExitCode play(const Options& options) {
-  const Fonts fonts = or_fail(Fonts::open());
+/// How far one is in each of the lessons; of those that cannot be read nothing is said.
+std::vector<LessonProgress> lessons_with_progress(const LessonSession& session) {
+  std::vector<LessonProgress> all;
+  const auto folder = state_folder();
+  for (const FoundLesson& found : lessons_in(lesson_folders())) {
+    const auto text = read_lesson_text(found.path);
+    const LessonReading reading = text ? read_lesson(*text, found.path.string()) : LessonReading{};
+    if (!reading.lesson) continue;
+    const Lesson& lesson = *reading.lesson;
+    const bool here = lesson.id == session.lesson().id;
+    const auto place =
+        folder ? read_bookmark(*folder, lesson.id) : StateFileResult<BookmarkReading>(BookmarkReading{});
+    const auto log = folder ? read_answer_log(answer_log_path(*folder, lesson.id))
+                            : StateFileResult<AnswerLogReading>(AnswerLogReading{});
+    all.push_back({.id = found.id,
+                   .title = lesson.title,
+                   .stages = lesson.stages.size(),
+                   .seen = here    ? session.visited().size()
+                           : place ? place->bookmark.visited.size()
+                                   : 0,
+                   .questions = progress_of(lesson, here  ? session.answers()
+                                                    : log ? log->log
+                                                          : AnswerLog{})
+                                    .all});
+  }
+  return all;
+}
+
+void keep_size(Size size) {
+  const auto folder = state_folder();
+  if (folder && size.width > 0) static_cast<void>(write_window_size(*folder, size));
+}
+
+Size kept_size() {
+  const auto folder = state_folder();
+  const auto size = folder ? read_window_size(*folder) : StateFileResult<Size>(Size{});
+  return size ? *size : Size{};
+}
+
+WindowEnd play_one(const Options& options, const Fonts& fonts) {
   const auto loaded = or_fail(load(options.lesson, fonts));
   if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
   LessonSession session(loaded, until_interrupted());
@@ -91,13 +132,27 @@ ExitCode play(const Options& options) {
     session.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
   }
   window.keep = [&](const LessonSession& now) { return progress.keep(now); };
+  window.lessons = [&] { return lessons_with_progress(session); };
+  window.size = kept_size();
   LessonWatch watch(*loaded, fonts);
   if (options.watch)
     window.look_for_changes = [&](LessonSession& now, std::string& errors) { watch.look(now, errors); };
   const WindowEnd end = or_fail(run_window(session, fonts, window));
   if (const std::string notice = progress.keep_at_last(session); !notice.empty())
     say("polhode: {}\n", notice);
-  return end == WindowEnd::interrupted ? ExitCode::interrupted : ExitCode::done;
+  keep_size(end.size);
+  return end;
+}
+
+ExitCode play(Options options) {
+  const Fonts fonts = or_fail(Fonts::open());
+  while (true) {
+    const WindowEnd end = play_one(options, fonts);
+    if (end.kind == WindowEnd::Kind::interrupted) return ExitCode::interrupted;
+    if (end.kind == WindowEnd::Kind::closed) return ExitCode::done;
+    options.lesson = end.lesson;
+    options.stage.clear();
+  }
 }
 
 }  // namespace

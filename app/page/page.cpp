@@ -28,6 +28,9 @@ constexpr double kMeterSize = 0.62;
 constexpr double kCaptionSize = 0.68;
 
 constexpr double kWidestText = 0.62;  ///< of a wide page, with its margins
+constexpr double kLeastEm = 16;       ///< px, of prose in a window: small windows scroll
+constexpr double kLeastPlot = 11;     ///< em of small type, in width
+constexpr double kLeastBeside = 11;   ///< em: of a figure beside a panel, which lies over what is more
 
 // Of slides. The x-height of the text type is 0.469 em: 1.9 % of the height, as large as that of Beamer's
 // slides; that of the smallest labels, 0.62 em of the sans, is 1.3 %.
@@ -62,7 +65,14 @@ struct Room {
   std::size_t meter_rows;  ///< below the figure; 0: none, or in its place
   double text_scale;
   bool shows_space = true;  ///< a picture in space, not diagrams alone, whose type goes with their size
+  double least_em = 0;  ///< px
+  double covered = 0;   ///< px at the right
 };
+
+/// The right end of what a panel leaves of the room from `left` on.
+double uncovered(const Room& room, double left, double em) {
+  return std::max(room.w - room.covered, std::min(room.w, left + kLeastBeside * em));
+}
 
 /// Width of the text column in normal em: with larger type it grows up to `most`.
 double measure_of(double text_scale, double most) {
@@ -74,23 +84,28 @@ double half_as_much(double text_scale) { return std::sqrt(text_scale); }
 
 /// Text on the left; on the right the figure to the page's edges, meters below it.
 Grid side_by_side(const Room& room) {
-  const auto [w, h, meter_rows, text_scale, shows_space] = room;
-  const double em = std::min(w / (1600.0 / 23.25), h / 36.0);
-  const double measure = measure_of(text_scale, kWidestText * w / em - kMargin - kGutter);
+  const auto [w, h, meter_rows, text_scale, shows_space, least_em, covered] = room;
+  const double fitting_em = std::min(w / (1600.0 / 23.25), h / 36.0), em = std::max(fitting_em, least_em);
+  const double widest = kWidestText * w / em - kMargin - kGutter;
+  // Type that is larger than the window is meant for has shorter lines.
+  const double measure =
+      em > fitting_em ? std::min(measure_of(text_scale, widest), widest) : measure_of(text_scale, widest);
   const double split = std::round((kMargin + measure + kGutter) * em);
   const double below = meter_rows == 0 ? 0.0 : meter_rows > 1 ? 0.48 * h : 0.30 * h;
+  const double right = covered > 0 ? std::round(uncovered(room, split, em)) : w;
   return {text_scale * em,
           half_as_much(text_scale) * em,
           {kMargin * em, kTop * em, (kMargin + measure) * em, h - kBottom * em},
-          rounded(split, 0, w, h - below),
-          {split, h - below, w, h}};
+          rounded(split, 0, right, h - below),
+          {split, h - below, right, h}};
 }
 
 /// The figure on top, meters below it, then the text, which takes of the figure's room what larger type
 /// needs.
 Grid one_above_the_other(const Room& room) {
-  const auto [w, h, meter_rows, text_scale, shows_space] = room;
-  const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0);
+  const auto [w, h, meter_rows, text_scale, shows_space, least_em, covered] = room;
+  const double em =
+      std::max(std::min(w / (kMeasure + 2.0 * kMargin), h / 44.0), std::min(least_em, w / kFewestEms));
   const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
   const double rows = std::min(2.0, static_cast<double>(meter_rows));
   const double figure = (rows > 1.0 ? 0.27 : 0.34) * h / half_as_much(text_scale),
@@ -104,10 +119,14 @@ Grid one_above_the_other(const Room& room) {
 }
 
 Grid text_alone(const Room& room) {
-  const auto [w, h, meter_rows, text_scale, shows_space] = room;
-  const double em = std::min(w / (kMeasure + 2.0 * kMargin), h / 26.0);
-  const double measure = measure_of(text_scale, w / em - 2.0 * kMargin);
-  const double left = 0.5 * (w - measure * em);
+  const auto [w, h, meter_rows, text_scale, shows_space, least_em, covered] = room;
+  const double em =
+      std::max(std::min(w / (kMeasure + 2.0 * kMargin), h / 26.0), std::min(least_em, w / kFewestEms));
+  // Beside a panel it moves aside, and only where that is not enough its lines are shorter.
+  const double wished = measure_of(text_scale, w / em - 2.0 * kMargin);
+  const double measure = covered > 0 ? std::min(wished, (w - covered) / em - 2.0) : wished;
+  const double centred = 0.5 * (w - measure * em);
+  const double left = covered > 0 ? std::min(centred, 0.5 * (w - covered - measure * em)) : centred;
   return {text_scale * em,
           half_as_much(text_scale) * em,
           {left, kTop * em, left + measure * em, h - kBottom * em},
@@ -119,7 +138,9 @@ double slide_em(const Room& room) {
   return kSlideEm * std::min(room.h, room.w / (kFewestEms * kSlideEm)) * room.text_scale;
 }
 
-bool is_wide(const Room& room) { return room.w > 1.05 * room.h; }
+bool is_wide(const Room& room) {
+  return stands_side_by_side({static_cast<int>(room.w), static_cast<int>(room.h)});
+}
 
 /// The widths that the text of a slide with a figure can have, px, the smallest first.
 std::vector<double> slide_columns(const Room& room) {
@@ -133,7 +154,7 @@ std::vector<double> slide_columns(const Room& room) {
 
 /// Text on the left or below, and as much as there is for the figure.
 Grid slide(const Room& room, bool has_figure, double column) {
-  const auto [w, h, meter_rows, text_scale, shows_space] = room;
+  const auto [w, h, meter_rows, text_scale, shows_space, least_em, covered] = room;
   const double em = slide_em(room), small_em = em / text_scale * half_as_much(text_scale);
   const double left = kSlideMargin * em, top = kSlideTop * em, bottom = h - kSlideBottom * em;
   if (!has_figure) {
@@ -183,9 +204,13 @@ std::size_t meter_rows(const SceneModel& model) {
 }
 
 Room room_of(const PageRequest& request) {
-  return {static_cast<double>(request.size.width), static_cast<double>(request.size.height),
+  return {static_cast<double>(request.size.width),
+          static_cast<double>(request.size.height),
           request.model && !are_plots_alone(*request.model) ? meter_rows(*request.model) : 0,
-          request.text_scale, request.model && shows_space(request.model->drawn, request.model->needs.marks)};
+          request.text_scale,
+          request.model && shows_space(request.model->drawn, request.model->needs.marks),
+          request.scrolls ? kLeastEm : 0.0,
+          request.covered};
 }
 
 Grid grid_of(const PageRequest& request, const SlideType& type) {
@@ -204,10 +229,14 @@ TimePlotStyle plot_style(Theme theme, double type_size) {
           .paper = colors.paper};
 }
 
+double small_type(const PageRequest& request, double px) {
+  return request.scrolls ? std::max(px, kLeastSmall) : px;
+}
+
 PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const LongestNumbers& in_captions,
                             const Fonts& fonts) {
   FigurePlace place{.rect = grid.figure,
-                    .caption_px = kCaptionSize * grid.small_em,
+                    .caption_px = small_type(request, kCaptionSize * grid.small_em),
                     .theme = request.theme,
                     .background = {},
                     .quality = quality_of(request.quality.value_or(request.model->scene.quality))};
@@ -230,8 +259,8 @@ void add_plots(const std::vector<TimePlot>& plots, const PixelBox& place, const 
     const double x = place.x0 + width * static_cast<double>(column),
                  y = place.y0 + height * static_cast<double>(row);
     const PixelBox box{x + pad, y + pad, x + width - 0.5 * pad, y + height - 0.6 * pad};
-    append(sheet, lay_out(plots[i], box, plot_style(request.theme, kMeterSize * grid.small_em), fonts),
-           {0, 0});
+    const double type_px = small_type(request, kMeterSize * grid.small_em);
+    append(sheet, lay_out(plots[i], box, plot_style(request.theme, type_px), fonts), {0, 0});
   }
 }
 
@@ -253,8 +282,14 @@ void add_meters(const PageRequest& request, const std::vector<PixelBox>& alone, 
   const SceneModel& model = *request.model;
   if (!alone.empty()) return add_plots_alone(request, alone, grid, sheet, fonts);
   if (!each_has_meters(model)) {
-    const std::vector<TimePlot> plots = meter_plots(model, request.t_s);
-    add_plots(plots, grid.meters, rows_of(plots.size(), false), request, grid, sheet, fonts);
+    std::vector<TimePlot> plots = meter_plots(model, request.t_s);
+    Rows arranged = rows_of(plots.size(), false);
+    if (request.covered > 0) {  // what would be too narrow to be read lies under the panel
+      const double fitting = std::floor(grid.meters.width() / (kLeastPlot * grid.small_em));
+      arranged.columns = std::clamp(static_cast<std::size_t>(fitting), std::size_t{1}, arranged.columns);
+      plots.resize(std::min(plots.size(), arranged.rows * arranged.columns));
+    }
+    add_plots(plots, grid.meters, arranged, request, grid, sheet, fonts);
     return;
   }
   const std::vector<const SceneModel*> shown = shown_models(model);
@@ -305,6 +340,30 @@ Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& f
   for (const ColumnPiece& piece : pieces)
     append(sheet, live_values(piece, live ? &*live : nullptr, view, fonts), {0, 0});
   return sheet;
+}
+
+std::vector<Page::Choice> choices_in(const FittedText& text) {
+  std::vector<Page::Choice> choices;
+  for (const ColumnPiece& piece : text.stack.pieces)
+    for (const ChoiceRows& rows : piece.choices)
+      for (std::size_t i = 0; piece.is_new && i + 1 < rows.y.size(); ++i)
+        choices.push_back({rows.ask,
+                           i,
+                           {text.corner.x() + rows.x0, text.corner.y() + rows.y[i], text.corner.x() + rows.x1,
+                            text.corner.y() + rows.y[i + 1]}});
+  return choices;
+}
+
+/// Beside all that the present step adds to what was there.
+void add_bar_of_new(const PageRequest& request, const FittedText& text, double em, Sheet& sheet) {
+  if (text.new_to <= text.new_from) return;
+  constexpr double kAside = 1.75, kWidth = 0.1;  // em: clear of the bar beside an equation
+  const double x = std::round(text.corner.x() - kAside * em), width = std::max(2.0, std::round(kWidth * em));
+  const double y0 = text.corner.y() + text.new_from, y1 = text.corner.y() + text.new_to;
+  Color color = colors_of(request.theme).question;
+  const auto* turning = std::get_if<TurningInto>(&request.entrance);
+  if (turning) color.a *= static_cast<float>(appeared(turning->progress));
+  sheet.shapes.push_back(Area{{{x, y0}, {x + width, y0}, {x + width, y1}, {x, y1}}, color});
 }
 
 void add_column(const PageRequest& request, const FittedText& text, Sheet& sheet, const Fonts& fonts) {
@@ -370,6 +429,8 @@ Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts) 
   return SlideType{columns.back(), kSlideScales.back()};
 }
 
+bool stands_side_by_side(Size size) { return size.width > 1.05 * size.height; }
+
 Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) {
   SlideType type;
   if (request.profile == Profile::slides && request.slide_type == nullptr) {
@@ -385,7 +446,7 @@ Result<FittedText> text_of_page(const PageRequest& request, const Fonts& fonts) 
           ? fit_slide(request, type.scale, grid.text.width(), grid.text.height(), grid.em, fonts)
           : fit_text(request, grid.text.width(), grid.text.height(), grid.em, fonts);
   if (text) text->type = type;
-  if (text) text->corner = {std::round(grid.text.x0), std::round(grid.text.y0)};
+  if (text) text->corner = {std::round(grid.text.x0), std::round(grid.text.y0) - text->hidden};
   if (text && request.runs && request.model)
     text->in_captions = longest_in_captions(
         request.lesson, request.stage.steps[static_cast<std::size_t>(request.step - 1)], *request.model);
@@ -405,11 +466,15 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   page.formula_scale = text.formula_scale;
   page.equations = text.equations;
   page.whole_from = text.whole_from;
+  page.choices = choices_in(text);
+  page.hidden = text.hidden;
+  page.overflow = text.overflow;
   page.column = grid.text;
   page.meters = grid.meters;
   const PixelRect& place = grid.figure;
   page.figure = {static_cast<double>(place.x), static_cast<double>(place.y),
                  static_cast<double>(place.x + place.width), static_cast<double>(place.y + place.height)};
+  if (request.scrolls) add_bar_of_new(request, text, grid.em, page.sheet);
   add_column(request, text, page.sheet, fonts);
   if (!request.model) return page;
   PlacedFigure figure = figure_on_page(request, grid, text.in_captions, fonts);

@@ -79,6 +79,13 @@ struct PageRequest {
   /// Its time goes on: computed numbers run in rooms that are wide enough for all that they come to, so that
   /// the text does not move. Else they are put into the text as they are at t_s, which that text is for.
   bool runs = false;
+  /// In a window, which can be scrolled: the text of a stage stands still. All steps up to the present one
+  /// are there whole, at the size that the reader wants, each below the one before; what is higher than the
+  /// page is above it (FittedText::hidden). No type is so small that it cannot be read on a screen.
+  bool scrolls = false;
+  /// px at the right edge over which a panel lies: the figure and its plots keep clear of it, and the text
+  /// stays as it is.
+  double covered = 0;
   /// Keeps from page to page what the live numbers of earlier steps are; null: computed for this page.
   StillNumbers* still_numbers = nullptr;
   ShownDerivation derivation{};  ///< of a reader, as far as it goes
@@ -98,6 +105,15 @@ struct Page {
   /// first is 1).
   std::vector<const Equation*> equations;
   int whole_from = 1;
+  /// Of a page that scrolls: where the choices of the present step's questions stand, each with its number.
+  struct Choice {
+    const Ask* ask = nullptr;
+    std::size_t number = 0;
+    PixelBox box;
+  };
+  std::vector<Choice> choices{};
+  /// Of a page that scrolls: how much of the column is above the page, and how much there is to scroll, px.
+  double hidden = 0, overflow = 0;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.
   PixelBox column, meters;
   PixelBox figure;  ///< of the space figure, and of diagrams with it; empty: none
@@ -117,6 +133,9 @@ Result<SlideType> slide_type_of(const PageRequest& request, const Fonts& fonts);
 /// The largest type in which the request's step fits a slide, in the widest column, beside the normal size:
 /// no slide of its stage has larger type. Errors as of text_of_page.
 Result<double> slide_scale_of(const PageRequest& request, const Fonts& fonts);
+
+/// Whether a page of this size has its text beside the figure; else below it.
+bool stands_side_by_side(Size size);
 
 /// The text column (page_text.h), which is the same at all times, if it runs or has no computed numbers, and
 /// throughout an entrance; most of what a page costs.

@@ -18,6 +18,7 @@ namespace polhode {
 namespace {
 
 constexpr double kHeaderSize = 0.62;  // em of prose
+constexpr double kAboveStep = 1.5;    // em: what is seen above a step that is read from its beginning
 constexpr double kHeaderToTitle = 0.9;
 constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads; of what is normal for the page
 constexpr double kSmaller = 0.94;
@@ -170,7 +171,8 @@ class ScaledText {
         width_(width),
         em_(em),
         scale_(scale),
-        column_(width, scale * em, request.theme, request.profile, symbols, numbers, fonts),
+        column_(width, scale * em, request.theme, request.profile, symbols, numbers, fonts,
+                request.scrolls ? kLeastSmall : 0.0),
         last_(static_cast<std::size_t>(request.step - 1)),
         begun_{header(false), title()},
         continued_{header(true), begun_[1]},
@@ -206,6 +208,29 @@ class ScaledText {
     const std::optional<Selection> shown = most_that_fits(height);
     if (!status_) return failure(status_.error());
     return shown;
+  }
+
+  /// All steps, for a page that scrolls in a place of this height.
+  Result<FittedText> scrolled(double height) {
+    const Selection all{0, 0};
+    const PieceRefs refs = pieces(all);
+    if (!status_) return failure(status_.error());
+    FittedText text{stack(refs), scale_, formula_scale(all), equations_in(all), 1, {0, 0}};
+    text.overflow = std::max(0.0, std::ceil(text.stack.height - height));
+    if (!request_.derivation.lines.empty()) text.hidden = text.overflow;  // the line that is being typed
+    if (last_ == 0) return text;
+    std::size_t before = heading(false).size(), after = before;
+    for (std::size_t i = 0; i < last_; ++i) before += whole(i).text.size();
+    after = before + whole(last_).text.size();
+    const auto height_to = [&](std::size_t count) {
+      return height_of(PieceRefs(refs.begin(), refs.begin() + static_cast<std::ptrdiff_t>(count)));
+    };
+    if (after == before) return text;
+    text.new_from = height_to(before + 1) - refs[before]->height;
+    text.new_to = height_to(after);
+    if (request_.derivation.lines.empty())
+      text.hidden = std::clamp(std::floor(text.new_from - kAboveStep * em_), 0.0, text.overflow);
+    return text;
   }
 
   Stack stacked(const Selection& shown) { return stack(pieces(shown)); }
@@ -312,7 +337,7 @@ class ScaledText {
     // It keeps its size where other type is set smaller, but not the size of a reader's larger type.
     const double em = em_ * std::max(scale_, 1.0 / std::max(1.0, request_.text_scale));
     TextStyle quiet;
-    quiet.size = kHeaderSize * em;
+    quiet.size = std::max(kHeaderSize * em, request_.scrolls ? kLeastSmall : 0.0);
     quiet.color = colors_of(request_.theme).quiet;
     quiet.sans = true;
     std::string place = fmt::format("stage {} of {}", request_.number, request_.lesson.stages.size());
@@ -489,6 +514,7 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
                       static_cast<int>(shown.whole_from) + 1,
                       {0, 0}};
   };
+  if (request.scrolls) return text_at(1.0).scrolled(height);
   std::optional<FittedText> best;
   std::size_t best_rank = 0;
   for (const double scale : std::array{1.0, 0.93, kLeastScale}) {
@@ -510,6 +536,12 @@ Result<FittedText> fit_text(const PageRequest& request, double width, double hei
     if (*shown) return fitted(text, **shown);
   }
   return too_much(request);
+}
+
+void scroll_to(FittedText& text, double hidden) {
+  const double wanted = std::clamp(std::round(hidden), 0.0, text.overflow);
+  text.corner.y() += text.hidden - wanted;
+  text.hidden = wanted;
 }
 
 Result<bool> fits_slide(const PageRequest& request, double width, double height, double em,

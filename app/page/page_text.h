@@ -15,16 +15,24 @@ struct FittedText {
   std::vector<const Equation*> equations;  ///< that stand there
   int whole_from = 1;                      ///< the first step that is there whole
   Vec2 corner{0, 0};                       ///< of the column, px of the page
-  LongestNumbers in_captions{};            ///< of a page that runs
-  SlideType type{};                        ///< of a slide
+  /// Of a page that scrolls, px: what of the column is higher than its place, and what of it is above that,
+  /// which `corner` has in it. At first the present step is read from its beginning, or to its end.
+  double overflow = 0, hidden = 0;
+  double new_from = 0, new_to = 0;  ///< likewise: where the present step stands in the stack, if not alone
+  LongestNumbers in_captions{};     ///< of a page that runs
+  SlideType type{};                 ///< of a slide
 };
 
 /// `em` is the normal size of prose. Everything at its normal size if that fits in width and height; else a
 /// little smaller; else less of what came before (of the earliest steps first their equations alone, then
 /// nothing); else much smaller. Sets no more of the earlier steps than a page can hold.
 /// The error says which text cannot be set, or that the step has more than a page holds.
+/// Of a page that scrolls: everything, at its normal size.
 Result<FittedText> fit_text(const PageRequest& request, double width, double height, double em,
                             const Fonts& fonts);
+
+/// Moves the column of a page that scrolls.
+void scroll_to(FittedText& text, double hidden);
 
 /// The step alone, its type `scale` times its normal size, or smaller if it has to be; at the foot the
 /// equation that was come to before it. Errors as of fit_text.

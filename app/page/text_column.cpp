@@ -251,7 +251,7 @@ Color TextColumn::color_of(Certainty certainty) const {
 
 /// A word on a rounded ground, behind a tick if it is proved, a cross if it is wrong.
 ColumnPiece TextColumn::chip(const std::string& word, Certainty certainty) const {
-  const double em = kVerdictSize * size_;
+  const double em = small_size(kVerdictSize);
   const Color ink = color_of(certainty);
   TextStyle bold = style(em, ink, 0);
   bold.sans = bold.bold = true;
@@ -279,7 +279,7 @@ ColumnPiece TextColumn::chip(const std::string& word, Certainty certainty) const
 }
 
 ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
-  const double em = kVerdictSize * size_, gap = std::round(0.6 * em);
+  const double em = small_size(kVerdictSize), gap = std::round(0.6 * em);
   TextStyle quiet =
       style(em,
             row.certainty == Certainty::proved || row.certainty == Certainty::stated ? colors().quiet
@@ -308,7 +308,7 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
     piece.sheet.texts.push_back({.list = std::move(note), .at = at});
   }
   TextStyle claimed = quiet;
-  claimed.size = kClaimedSize * size_;
+  claimed.size = small_size(kClaimedSize);
   add_claimed(row.claimed, claimed, piece);
   const std::vector<std::string> rows = is_live ? widest_live_rows(*row.claim) : std::vector<std::string>();
   if (rows.empty()) return piece;
@@ -401,7 +401,7 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
   if (!set) return set;
   ColumnPiece piece = std::move(set).value();
   piece.gap = 0.4 * size_;
-  TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
+  TextStyle quiet = style(small_size(kVerdictSize), colors().quiet, 0);
   quiet.sans = true;
   DisplayList word = set_line(kind, quiet, fonts_);
   if (kind.empty()) return piece;
@@ -423,7 +423,7 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
 }
 
 Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {
-  TextStyle quiet = style(kVerdictSize * size_, colors().quiet, 0);
+  TextStyle quiet = style(small_size(kVerdictSize), colors().quiet, 0);
   quiet.sans = true;
   DisplayList words = set_line("from before:", quiet, fonts_);
   // Symbols without a colour of their own are as quiet as the rest.
@@ -455,7 +455,7 @@ Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& 
                                          Result<ColumnPiece> plain) const {
   if (!plain) return plain;
   if (profile_ == Profile::slides) {
-    TextStyle small = style(kLabelSize * size_, color, 0);
+    TextStyle small = style(small_size(kLabelSize), color, 0);
     small.sans = small.bold = true;
     const double top = std::round(small.size), line = std::round(1.75 * small.size);
     ColumnPiece piece{.sheet = {}, .height = line + plain->height, .gap = plain->gap};
@@ -466,7 +466,7 @@ Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& 
     return piece;
   }
   const double indent = std::round(kLabelIndent * size_), bar = indent - std::round(0.55 * size_);
-  TextStyle small = style(kLabelSize * size_, color, 0);
+  TextStyle small = style(small_size(kLabelSize), color, 0);
   small.sans = small.bold = true;
   small.leading = 1.2;
   const double baseline = plain->sheet.texts.front().at.y();
@@ -501,7 +501,7 @@ Result<ColumnPiece> TextColumn::callout(const Callout& callout, const std::strin
 }
 
 Result<ColumnPiece> TextColumn::footnote(const Footnote& note) const {
-  const double em = kFootnoteSize * size_;
+  const double em = small_size(kFootnoteSize);
   TextStyle small = style(em, colors().ink, width_);
   small.leading = 1.35;
   RichText text = note.text;
@@ -535,7 +535,20 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   }
   TextStyle plain = style(em, colors().ink, width);
   plain.between = 0.28;
-  return labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
+  Result<ColumnPiece> piece =
+      labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
+  if (!piece || least_ == 0 || !picks_choice(ask.type)) return piece;
+  ChoiceRows rows{&ask, label_indent(), width_, {}};
+  RichText above = ask.prompt_text;
+  for (const RichText& choice : ask.choice_texts) {
+    const Result<ColumnPiece> so_far = piece_of(set(above, plain), em, 0);
+    if (!so_far) return failure(so_far.error());
+    rows.y.push_back(so_far->height);
+    above.insert(above.end(), choice.begin(), choice.end());
+  }
+  rows.y.push_back(piece->height);
+  piece->choices.push_back(std::move(rows));
+  return piece;
 }
 
 Result<ColumnPiece> TextColumn::derived_line(const Math& formula, const std::string& word,
@@ -573,6 +586,8 @@ Result<ColumnPiece> TextColumn::derived_line(const Math& formula, const std::str
   return piece;
 }
 
+double TextColumn::small_size(double part) const { return std::max(part * size_, std::min(least_, size_)); }
+
 Stack stack(const std::vector<const ColumnPiece*>& pieces) {
   Stack made;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -587,6 +602,10 @@ Stack stack(const std::vector<const ColumnPiece*>& pieces) {
                            .is_main = piece.is_main,
                            .is_new = piece.is_new,
                            .panel = piece.panel});
+    for (ChoiceRows rows : piece.choices) {
+      for (double& y : rows.y) y += made.height;
+      made.pieces.back().choices.push_back(std::move(rows));
+    }
     add(made.pieces.back(), piece, {0, made.height});
     made.height += piece.height;
   }

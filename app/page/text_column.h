@@ -29,6 +29,13 @@ struct LiveNumberSlot {
   LiveRoom room;
 };
 
+/// The rows of a question's choices, px.
+struct ChoiceRows {
+  const Ask* ask = nullptr;
+  double x0 = 0, x1 = 0;
+  std::vector<double> y;  ///< of each choice its upper edge, and the lower one of the last
+};
+
 /// Something in the column: its drawing from the upper left corner, and the room it takes.
 struct ColumnPiece {
   Sheet sheet;
@@ -38,6 +45,7 @@ struct ColumnPiece {
   double formula_scale = 1;  ///< of a display: its size beside the normal one; below 1 where it was too wide
   std::vector<LiveSlot> live{};
   std::vector<LiveNumberSlot> numbers{};
+  std::vector<ChoiceRows> choices{};     ///< of a page that can be clicked: one at most
   const void* of = nullptr;              ///< the part of the lesson it shows: the same on another page
   std::optional<std::size_t> formula{};  ///< of an equation: which of the sheet's texts it is
   bool is_main = false;                  ///< the equation that its step has come to
@@ -48,18 +56,23 @@ struct ColumnPiece {
 /// How an equation stands among others: in focus between bar and panel, or with the room that these took.
 enum class Focus { none, now, before };
 
+/// px: no type of a window's page is smaller, indices apart.
+inline constexpr double kLeastSmall = 12;
+
 class TextColumn {
  public:
-  /// `size` is the em of prose. Symbols, numbers and fonts are kept by reference.
+  /// `size` is the em of prose, `least` that of the smallest type. Symbols, numbers and fonts are kept by
+  /// reference.
   TextColumn(double width, double size, Theme theme, Profile profile, const std::vector<MathSymbol>& symbols,
-             const PageNumbers& numbers, const Fonts& fonts)
+             const PageNumbers& numbers, const Fonts& fonts, double least = 0)
       : width_(width),
         size_(size),
         theme_(theme),
         profile_(profile),
         symbols_(symbols),
         numbers_(numbers),
-        fonts_(fonts) {}
+        fonts_(fonts),
+        least_(least) {}
 
   // The error of each says why the text cannot be set: the fonts lack a character of it.
 
@@ -104,6 +117,7 @@ class TextColumn {
                                const std::vector<std::string>& marked) const;
   Result<ColumnPiece> labelled(const std::string& label, const Color& color, Result<ColumnPiece> plain) const;
   double label_indent() const;
+  double small_size(double part) const;
   Color color_of(Certainty certainty) const;
   ColumnPiece chip(const std::string& word, Certainty certainty) const;
   void add_claimed(const std::vector<std::string>& claimed, const TextStyle& style, ColumnPiece& piece) const;
@@ -114,6 +128,7 @@ class TextColumn {
   const std::vector<MathSymbol>& symbols_;
   const PageNumbers& numbers_;
   const Fonts& fonts_;
+  double least_;
 };
 
 /// Pieces one below the other, each in its place; the height they take together.

@@ -58,7 +58,8 @@ StateFileResult<PreferencesReading> read_preferences(const fs::path& folder) {
   const auto warning =
       read_state_file(preferences_path(folder), "the file of preferences", [&](const Json& json) {
         preferences = {theme_from(json.at("theme").get<std::string>()),
-                       text_scale_from(json.at("text_scale")), json.at("reduced_motion").get<bool>()};
+                       text_scale_from(json.at("text_scale")), json.at("reduced_motion").get<bool>(),
+                       json.value("letter_keys", true)};
       });
   if (!warning) return Failure{warning.error()};
   return PreferencesReading{preferences, *warning};
@@ -68,7 +69,8 @@ StateFileResult<std::monostate> write_preferences(const fs::path& folder, const 
   return write_state_file(preferences_path(folder),
                           {{"theme", preferences.theme == Theme::dark ? "dark" : "paper"},
                            {"text_scale", preferences.text_scale},
-                           {"reduced_motion", preferences.reduced_motion}});
+                           {"reduced_motion", preferences.reduced_motion},
+                           {"letter_keys", preferences.letter_keys}});
 }
 
 Bookmark bookmark_of(const LessonSession& session) {

@@ -30,12 +30,14 @@ void toggle(LessonSession& session, Panel panel) {
 }
 
 void leave(LessonSession& session) {
-  if (session.are_notes_shown())
+  if (session.is_black())
+    session.set_black(false);
+  else if (session.panel != Panel::none)
+    session.panel = Panel::none;
+  else if (session.are_notes_shown())
     session.show_notes(false);
   else if (session.is_presenting())
     session.set_presenting(false);
-  else if (session.panel != Panel::none)
-    session.panel = Panel::none;
   else if (!session.lit().empty())
     session.light({});
 }
@@ -110,6 +112,10 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { session.set_speed(session.speed() / 2); }},
     CommandFacts{C::reset_time, "0", "Time", "back to the time of the lesson", false,
                  [](LessonSession& session) { session.reset_time(); }},
+    CommandFacts{C::next_flip, ">", "Time", "the next flip", true,
+                 [](LessonSession& session) { session.go_to_flip(1); }},
+    CommandFacts{C::previous_flip, "<", "Time", "the flip before", true,
+                 [](LessonSession& session) { session.go_to_flip(-1); }},
 
     CommandFacts{C::next_view, "V", "Body", "from space, from the body, both", false,
                  [](LessonSession& session) { show_next_view(session); }},
@@ -139,10 +145,15 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { change_number(session, 1, -1); }},
     CommandFacts{C::reset_scene, "R", "Body", "the scene of the lesson again", false,
                  [](LessonSession& session) { session.reset_edits(); }},
+    CommandFacts{C::undo, "Ctrl+Z", "Body", "undo the last change", true,
+                 [](LessonSession& session) { session.undo(); }},
 
     CommandFacts{C::next_symbol, "Tab", "Understand", "next symbol", true},
     CommandFacts{C::previous_symbol, "Shift+Tab", "Understand", "previous symbol", true},
     CommandFacts{C::explain, "Enter", "Understand", "explain the symbol"},
+    CommandFacts{C::scroll_down, "J", "Understand", "the text of a long stage: further down", true},
+    CommandFacts{C::scroll_up, "K", "Understand", "and up again", true},
+    CommandFacts{C::copy_step, "Ctrl+C", "Understand", "copy this step as text"},
 
     CommandFacts{C::outline, "O", "Panels", "stages of the lesson", false,
                  [](LessonSession& session) { toggle(session, Panel::outline); }},
@@ -152,7 +163,7 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { toggle(session, Panel::method); }},
     CommandFacts{C::show, "S", "Panels", "what is shown", false,
                  [](LessonSession& session) { toggle(session, Panel::show); }},
-    CommandFacts{C::question, "Q", "Panels", "question", false,
+    CommandFacts{C::question, "Q", "Panels", "answer the question", false,
                  [](LessonSession& session) { toggle(session, Panel::question); }},
     CommandFacts{C::save, "E", "Panels", "save and copy", false,
                  [](LessonSession& session) { toggle(session, Panel::save); }},
@@ -168,6 +179,8 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { session.change_text_scale(1); }},
     CommandFacts{C::smaller_text, "-", "Window", "smaller text", true,
                  [](LessonSession& session) { session.change_text_scale(-1); }},
+    CommandFacts{C::normal_text, "Ctrl+0", "Window", "text at 100 %", false,
+                 [](LessonSession& session) { session.preferences.text_scale = 1; }},
     CommandFacts{C::theme, "T", "Window", "paper, dark", false,
                  [](LessonSession& session) { toggle_theme(session.preferences); }},
     CommandFacts{C::full_screen, "F, F11", "Window", "full screen"},
@@ -176,6 +189,9 @@ constexpr std::array kCommands = {
     CommandFacts{C::notes, "N", "Window",
                  "while presenting, and until you go on: what comes next and what to say, on the same screen",
                  false, [](LessonSession& session) { session.show_notes(!session.are_notes_shown()); }},
+    CommandFacts{C::black, ".", "Window",
+                 "while presenting, as B: a black screen; there a number and Enter lead to a stage", false,
+                 [](LessonSession& session) { session.set_black(!session.is_black()); }},
     CommandFacts{C::save_page, "Ctrl+S", "Window", "save this page"},
     CommandFacts{C::quit, "Ctrl+Q", "Window", "quit"},
 };
@@ -190,6 +206,8 @@ std::optional<Command> command_of(std::string_view key) {
     if (has_key(facts.keys, key)) return facts.command;
   return std::nullopt;
 }
+
+bool is_character(std::string_view key) { return key.size() == 1; }
 
 const CommandFacts& facts_of(Command command) {
   return *std::find_if(kCommands.begin(), kCommands.end(),

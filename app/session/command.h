@@ -21,6 +21,8 @@ enum class Command {
   frame_forward,
   frame_back,
   reset_time,
+  next_flip,
+  previous_flip,
   faster,
   slower,
   next_symbol,
@@ -37,6 +39,7 @@ enum class Command {
   settings,
   help,
   reset_scene,
+  undo,
   follow,
   next_view,
   turn_left,
@@ -50,13 +53,18 @@ enum class Command {
   smaller_number,
   larger_second_number,
   smaller_second_number,
+  scroll_down,
+  scroll_up,
   save_page,
+  copy_step,
   larger_text,
   smaller_text,
+  normal_text,
   theme,
   full_screen,
   present,
   notes,
+  black,
   quit,
 };
 
@@ -75,6 +83,9 @@ std::span<const CommandFacts> all_commands();
 /// `key` is a name such as "Right", "PageDown", "Space", "Tab", "A", "+", "F1", with "Shift+" and "Ctrl+"
 /// before it in this order.
 std::optional<Command> command_of(std::string_view key);
+/// A key that types a letter, a digit or a sign: those are no commands for who wants none
+/// (Preferences::letter_keys).
+bool is_character(std::string_view key);
 
 const CommandFacts& facts_of(Command command);
 

@@ -106,6 +106,7 @@ void LessonSession::go_to(Place place) {
 void LessonSession::arrive(Place place) {
   const bool same_stage = place.stage == place_.stage;
   const std::shared_ptr<const Scene> left = step().scene;
+  keep_edits();
   transition_ = same_stage && place.step == place_.step + 1 && !preferences.reduced_motion ? 0 : 1;
   place_ = place;
   visited_.insert(stage().id);
@@ -123,12 +124,24 @@ void LessonSession::arrive(Place place) {
       same_stage && both && left->camera == lesson_scene().camera ? edits_.camera : std::nullopt;
   if (!same_stage) following_ = false;
   show_lesson_scene();
-  if (!goes_on && !turned) return;
+  const auto kept = kept_.find(step().scene.get());
+  const bool comes_back = kept != kept_.end() && set_edits(kept->second);
+  undo_.clear();
   if (goes_on) {
     set_time(t_s);
     playing_ = playing;
   }
-  if (turned) set_camera(*turned);
+  if (turned && !comes_back) set_camera(*turned);
+}
+
+/// Before the present scene is left. A counterexample is no change.
+void LessonSession::keep_edits() {
+  if (!has_scene()) return;
+  const SceneEdits& made = aside_ ? aside_->before : edits_;
+  if (made.empty())
+    kept_.erase(step().scene.get());
+  else
+    kept_[step().scene.get()] = made;
 }
 
 void LessonSession::set_visited(const std::set<std::string>& stages) {
@@ -142,6 +155,7 @@ void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   const std::string id = stage().id;
   const bool had_scene = has_scene();
   const std::shared_ptr<const LoadedLesson> old = std::exchange(loaded_, std::move(loaded));
+  kept_.clear();
   const auto& stages = lesson().stages;
   const auto same = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.id == id; });
   if (same != stages.end()) place_.stage = static_cast<std::size_t>(same - stages.begin());
@@ -167,6 +181,8 @@ void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
 void LessonSession::show_lesson_scene() {
   playing_ = false;
   edits_ = {};
+  undo_.clear();
+  change_is_new_ = true;
   aside_.reset();
   t_s_ = loop_ = 0;
   model_.reset();
@@ -249,6 +265,18 @@ void LessonSession::reset_time() {
   set_time(still_time_s(lesson_scene()));
 }
 
+void LessonSession::go_to_flip(int way) {
+  const std::vector<double> flips = shown_flips();
+  std::optional<double> nearest;
+  for (const double t_s : flips) {
+    const double ahead_s = way * (t_s - t_s_);
+    if (ahead_s > 1e-9 * model_->span_s && (!nearest || ahead_s < way * (*nearest - t_s_))) nearest = t_s;
+  }
+  if (!nearest) return;
+  playing_ = false;
+  set_time(*nearest);
+}
+
 void LessonSession::advance(double seconds) {
   if (!(seconds > 0)) return;
   transition_ = preferences.reduced_motion ? 1 : std::min(1.0, transition_ + seconds / kMorphSeconds);
@@ -295,6 +323,7 @@ Status LessonSession::set_edits(const SceneEdits& edits) {
   if (following_ && wanted.camera == edits_.camera) wanted.camera = camera();
   if (wanted.camera) wanted.camera = writable(*wanted.camera);
   if (wanted.attitude) wanted.attitude = writable(*wanted.attitude);
+  const SceneEdits before = edits_;
   try {
     if (same_model(scene_with(wanted), scene_with(edits_))) {
       edits_ = wanted;
@@ -307,9 +336,32 @@ Status LessonSession::set_edits(const SceneEdits& edits) {
   } catch (const std::domain_error& error) {
     return failure(error.what());
   }
+  note_change(before);
   heading_rad_ = heading_at(t_s_);
   patch_model();
   return success();
+}
+
+void LessonSession::note_change(const SceneEdits& before) {
+  constexpr std::size_t kMostKept = 100;
+  SceneEdits of_look_before = before;  // a camera is turned back by hand
+  of_look_before.camera = edits_.camera;
+  if (before.is_counterexample || edits_.is_counterexample) return;
+  if (of_look_before == edits_ || !std::exchange(change_is_new_, false)) return;
+  undo_.push_back(before);
+  if (undo_.size() > kMostKept) undo_.erase(undo_.begin());
+}
+
+bool LessonSession::undo() {
+  if (undo_.empty() || aside_) return false;
+  SceneEdits before = std::move(undo_.back());
+  undo_.pop_back();
+  before.camera = edits_.camera;
+  std::vector<SceneEdits> earlier = std::move(undo_);
+  const bool is_made = static_cast<bool>(set_edits(before));
+  undo_ = std::move(earlier);
+  change_is_new_ = true;
+  return is_made;
 }
 
 std::vector<Variation> LessonSession::variations() const {
@@ -337,9 +389,13 @@ Status LessonSession::vary(std::size_t number, double value) {
 void LessonSession::reset_edits() {
   if (!has_scene() || (edits_.empty() && !following_)) return;
   const bool another = starts_another_motion(edits_, SceneEdits{});
+  const SceneEdits before = aside_ ? aside_->before : edits_;
   following_ = false;
   aside_.reset();
   make_model_of({});
+  change_is_new_ = true;
+  note_change(before);
+  change_is_new_ = true;
   go_on_from(another ? still_time_s(lesson_scene()) : t_s_);
   patch_model();
 }
@@ -519,12 +575,18 @@ void LessonSession::forget_answer(const Ask& ask) {
 // How it is shown.
 
 void LessonSession::change_text_scale(int steps) {
-  preferences.text_scale =
-      std::clamp(preferences.text_scale * std::pow(kTextScaleFactor, steps), kLeastTextScale, kMostTextScale);
+  const double present = preferences.text_scale;
+  double wanted = std::clamp(present * std::pow(kTextScaleFactor, steps), kLeastTextScale, kMostTextScale);
+  // From an end of the range the steps do not meet normal size: it is one of them all the same.
+  if (std::abs(steps) == 1 && present != 1 && (present < 1) == (wanted > 1 - 1e-9)) wanted = 1;
+  preferences.text_scale = std::abs(wanted - 1) < 1e-9 ? 1 : wanted;
 }
 
 void LessonSession::set_presenting(bool presenting) {
-  if (presenting != presenting_) notes_shown_ = false;
+  if (presenting != presenting_) {
+    notes_shown_ = black_ = false;
+    if (presenting) panel = Panel::none;
+  }
   presenting_ = presenting;
 }
 

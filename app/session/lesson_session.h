@@ -37,6 +37,7 @@ struct Preferences {
   Theme theme = Theme::paper;
   double text_scale = 1;        ///< kLeastTextScale … kMostTextScale
   bool reduced_motion = false;  ///< nothing fades, travels or plays by itself
+  bool letter_keys = true;      ///< single letters and signs are commands (app/session/command.h)
   bool operator==(const Preferences&) const = default;
 };
 inline constexpr double kTextScaleFactor = 1.1;  ///< of one step; the ends: app/page/page_theme.h
@@ -79,9 +80,9 @@ class LessonSession {
   bool previous_stage();
   /// A place that does not exist becomes the nearest that does. On another stage the scene is the lesson's
   /// again, at its own time and at rest, and the camera follows nothing. On another step of the same stage
-  /// everything goes on as it is if the scene is the same. If it is another, edits are given up, except a
+  /// everything goes on as it is if the scene is the same. If it is another, edits do not go along, except a
   /// camera that was turned by hand and that the lesson does not turn; time goes on if the motion is the
-  /// same.
+  /// same. What was changed of a scene is there again when one comes back to it.
   void go_to(Place place);
   /// Ids of stages that were seen, among those of the lesson.
   const std::set<std::string>& visited() const { return visited_; }
@@ -102,6 +103,9 @@ class LessonSession {
   /// `frames` of kFrameSeconds, forward or back; stops the motion.
   void step_frames(int frames);
   void reset_time();  ///< to the scene's own time
+  /// To the nearest of shown_flips() after (1) or before (−1) the present time, at rest; stays where there is
+  /// none.
+  void go_to_flip(int way);
   /// Real time passes; a scene with a duration plays it again and again. The motion stops where it cannot be
   /// computed any further.
   void advance(double seconds);
@@ -135,6 +139,12 @@ class LessonSession {
   std::vector<Variation> variations() const;
   /// One of these, within its range; time goes on. Refused as edits are.
   Status vary(std::size_t number, double value);
+  /// What is edited from now on is undone by itself; all that is edited between two calls is one change.
+  void begin_change() { change_is_new_ = true; }
+  bool can_undo() const { return !undo_.empty(); }
+  /// Takes back the last change of this scene, to which reset_edits() belongs; the camera stays. False: there
+  /// is none.
+  bool undo();
   /// Follows nothing any more; a motion that was changed begins at the scene's own time.
   void reset_edits();
   /// The body of a counterexample in place of the lesson's, as it turns and with its torque, without the
@@ -190,7 +200,7 @@ class LessonSession {
   // How it is shown.
   Panel panel = Panel::none;
   Preferences preferences{};
-  void change_text_scale(int steps);
+  void change_text_scale(int steps);  ///< of kTextScaleFactor; a single one never goes past normal size
   /// The page alone, for an audience. It begins and ends without notes.
   bool is_presenting() const { return presenting_; }
   void set_presenting(bool presenting);
@@ -198,6 +208,9 @@ class LessonSession {
   /// place where they were asked for. Going on hides them.
   bool are_notes_shown() const { return notes_shown_; }
   void show_notes(bool shown);
+  /// A black screen, so that an audience looks up: only while presenting.
+  bool is_black() const { return black_; }
+  void set_black(bool black) { black_ = presenting_ && black; }
 
   /// How far the page is on its way from the step before to this one, 0…1; 1: it is there. Only a step
   /// forward within a stage has a way.
@@ -212,6 +225,8 @@ class LessonSession {
   void make_model_of(const SceneEdits& edits);
   void go_on_from(double t_s);
   void patch_model();
+  void keep_edits();
+  void note_change(const SceneEdits& before);
   void play_for(const Ask& ask);
   std::vector<std::string> with_lit(const Scene& scene) const;  ///< what is highlighted of it now
   void set_time(double t_s);
@@ -240,7 +255,10 @@ class LessonSession {
     double t_s = 0;
     bool is_changed = false;
   };
-  std::optional<Aside> aside_;  ///< from the lesson's scene, to a counterexample
+  std::optional<Aside> aside_;    ///< from the lesson's scene, to a counterexample
+  std::vector<SceneEdits> undo_;  ///< what there was before each change of this scene
+  bool change_is_new_ = true;
+  std::map<const Scene*, SceneEdits> kept_;  ///< of scenes that were left
   std::string lit_;
   AnswerLog answers_;
   std::map<std::string, JudgedAnswer> judged_;         ///< by ask, since the place was reached
@@ -250,7 +268,7 @@ class LessonSession {
     double to_s = 0;
   };
   std::optional<Awaited> awaited_;  ///< likewise
-  bool presenting_ = false, notes_shown_ = false;
+  bool presenting_ = false, notes_shown_ = false, black_ = false;
 };
 
 }  // namespace polhode

@@ -33,6 +33,13 @@ struct Progress {
 };
 Progress progress_of(const Lesson& lesson, const AnswerLog& answers);
 
+/// How far a learner is in one of several lessons.
+struct LessonProgress {
+  std::string id, title;
+  std::size_t stages = 0, seen = 0;
+  QuestionCount questions{};
+};
+
 /// "7 of 9 right", and how many were answered where that says more: "7 of 9 right, 8 answered".
 std::string words_of(const QuestionCount& count);
 

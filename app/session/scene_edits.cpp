@@ -56,8 +56,9 @@ Scene edited(Scene scene, const SceneEdits& edits) {
   if (edits.is_counterexample) {
     scene.rate.reset();
     scene.duration_s.reset();
-    scene.caption.clear();
   }
+  // It speaks of the lesson's motion, and nobody knows whether it is true of another.
+  if (edits.body || edits.w0_B || edits.attitude || edits.torque) scene.caption.clear();
   if (edits.body) scene.body = or_throw(on_its_pivot(*edits.body, scene.torque));
   replace(scene.w0_B, edits.w0_B);
   replace(scene.motion, edits.motion);

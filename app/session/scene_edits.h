@@ -19,7 +19,7 @@ struct SceneEdits {
   std::optional<AttitudeSpec> attitude{};
   std::optional<Torque> torque{};
   std::optional<MotionSpec> motion{};
-  /// It shows a counterexample: the rate, duration and caption of the lesson do not speak of it.
+  /// It shows a counterexample: the rate and duration of the lesson are not meant for it.
   bool is_counterexample = false;
   OverlaySet on{}, off{};  ///< shown, not shown, whatever the lesson says; disjoint
   std::optional<std::vector<View>> views{};
@@ -30,10 +30,11 @@ struct SceneEdits {
   bool operator==(const SceneEdits&) const = default;
 };
 
-/// The scene with the edits in it. ω and the attitude of the lesson stay with another body; L keeps pointing
-/// down where the plane, which had it so, is hidden. A body of a shape hangs on the pivot of the lesson's
-/// heavy torque, if there is one (physics/body/pivot.h). A method that cannot serve the body or torque
-/// is left to make_model to refuse. Scenes beside it are looked at as it is; their motions are the lesson's.
+/// The scene with the edits in it. A caption speaks of the lesson's motion: another has none. ω and the
+/// attitude of the lesson stay with another body; L keeps pointing down where the plane, which had it so, is
+/// hidden. A body of a shape hangs on the pivot of the lesson's heavy torque, if there is one
+/// (physics/body/pivot.h). A method that cannot serve the body or torque is left to make_model to refuse.
+/// Scenes beside it are looked at as it is; their motions are the lesson's.
 /// @throws std::domain_error if the body cannot hang there
 Scene edited(Scene scene, const SceneEdits& edits);
 

@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace polhode {
@@ -20,9 +21,21 @@ std::string last_glfw_error() {
   return glfwGetError(&text) == GLFW_NO_ERROR || !text ? "no reason given" : text;
 }
 
-WindowPointer make_glfw_window(bool with_opengl) {
+/// As it was, but no larger than the screen is now.
+Size fitting(Size size) {
+  int x = 0, y = 0;
+  Size room = size;
+  if (GLFWmonitor* monitor = glfwGetPrimaryMonitor())
+    glfwGetMonitorWorkarea(monitor, &x, &y, &room.width, &room.height);
+  return {std::max(kLeastWidth, std::min(size.width, room.width)),
+          std::max(kLeastHeight, std::min(size.height, room.height))};
+}
+
+WindowPointer make_glfw_window(bool with_opengl, Size size) {
+  const bool is_known = size.width > 0 && size.height > 0;
+  size = is_known ? fitting(size) : Size{kWidth, kHeight};
   glfwDefaultWindowHints();
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, is_known ? GLFW_FALSE : GLFW_TRUE);  // that one has been scaled
   glfwWindowHint(GLFW_DEPTH_BITS, 0);  // all is drawn in framebuffers of our own
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   if (with_opengl) {
@@ -33,7 +46,7 @@ WindowPointer make_glfw_window(bool with_opengl) {
   } else {
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   }
-  WindowPointer window(glfwCreateWindow(kWidth, kHeight, "polhode", nullptr, nullptr));
+  WindowPointer window(glfwCreateWindow(size.width, size.height, "polhode", nullptr, nullptr));
   if (window)
     glfwSetWindowSizeLimits(window.get(), kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
   return window;
@@ -73,16 +86,16 @@ Glfw::~Glfw() { glfwTerminate(); }
 
 void WindowDeleter::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 
-Result<std::unique_ptr<Display>> Display::open(const Fonts& fonts) {
+Result<std::unique_ptr<Display>> Display::open(const Fonts& fonts, Size size) {
   std::unique_ptr<Display> display(new Display);
-  if (const Status opened = display->open_with_opengl(fonts); !opened)
-    if (const Status fallen = display->fall_back(fonts, opened.error()); !fallen)
+  if (const Status opened = display->open_with_opengl(fonts, size); !opened)
+    if (const Status fallen = display->fall_back(fonts, opened.error(), size); !fallen)
       return failure(fallen.error());
   return display;
 }
 
-Status Display::open_with_opengl(const Fonts& fonts) {
-  window_ = make_glfw_window(true);
+Status Display::open_with_opengl(const Fonts& fonts, Size size) {
+  window_ = make_glfw_window(true, size);
   if (!window_) return failure(last_glfw_error());
   auto context = context_of_window(window_.get());
   if (!context) return failure(context.error());
@@ -109,8 +122,8 @@ void Display::present() {
 
 /// Off-screen, and the pictures in a plain window. The off-screen context may be on this thread: GLFW calls
 /// no OpenGL then.
-Status Display::fall_back(const Fonts& fonts, const std::string& why) {
-  window_ = make_glfw_window(false);
+Status Display::fall_back(const Fonts& fonts, const std::string& why, Size size) {
+  window_ = make_glfw_window(false, size);
   if (!window_)
     return failure(fmt::format(
         "no window can be opened here ({}); pages can be written to files: polhode export LESSON -o "

@@ -32,8 +32,9 @@ using WindowPointer = std::unique_ptr<GLFWwindow, WindowDeleter>;
 /// With the display's OpenGL; where that is not 3.3, off-screen in a plain window. Needs a Glfw.
 class Display {
  public:
-  /// `fonts` must outlive it. The error says why neither is possible.
-  static Result<std::unique_ptr<Display>> open(const Fonts& fonts);
+  /// `fonts` must outlive it. `size` in the window's units; empty: the usual one. The error says why neither
+  /// is possible.
+  static Result<std::unique_ptr<Display>> open(const Fonts& fonts, Size size = {});
 
   GLFWwindow* window() const { return window_.get(); }
   Screen& screen() { return *screen_; }
@@ -44,8 +45,8 @@ class Display {
 
  private:
   Display() = default;
-  Status open_with_opengl(const Fonts& fonts);
-  Status fall_back(const Fonts& fonts, const std::string& why);
+  Status open_with_opengl(const Fonts& fonts, Size size);
+  Status fall_back(const Fonts& fonts, const std::string& why, Size size);
 
   WindowPointer window_;
   std::unique_ptr<PlainWindow> plain_;

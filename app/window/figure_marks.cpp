@@ -28,10 +28,12 @@ void label(ImDrawList& list, ImVec2 at, const std::string& words, float pad) {
   list.AddText(at, ImGui::GetColorU32(ImGuiCol_Text), words.c_str());
 }
 
-/// Whether another motion is shown than the lesson's; numbers that it lets readers vary have sliders of their
-/// own.
-bool has_other_motion(const SceneEdits& edits) {
-  return edits.body || edits.w0_B || edits.attitude || edits.torque || edits.motion;
+/// Whether something else is shown than the lesson's. A camera is turned back by a double click, and numbers
+/// that readers may vary have sliders of their own.
+bool is_changed(SceneEdits edits) {
+  edits.camera.reset();
+  edits.numbers.clear();
+  return !edits.empty();
 }
 
 std::string words_of_chip(const LessonSession& session) {
@@ -62,7 +64,7 @@ void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& ins
 }
 
 void draw_scene_chip(LessonSession& session, const Region& figure, const ControlSizes& sizes) {
-  if (!session.is_aside() && !has_other_motion(session.edits())) return;
+  if (!session.is_aside() && !is_changed(session.edits())) return;
   ImGui::SetNextWindowPos({figure.x + figure.width - sizes.padding, figure.y + sizes.padding},
                           ImGuiCond_Always, {1, 0});
   ImGui::Begin("changed-scene", nullptr,
@@ -75,8 +77,12 @@ void draw_scene_chip(LessonSession& session, const Region& figure, const Control
   if (session.is_aside()) {
     if (ImGui::Button("Back to what was shown")) session.leave_counterexample();
   } else {
+    ImGui::BeginDisabled(!session.can_undo());
+    if (ImGui::Button("Undo")) session.undo();
+    ImGui::EndDisabled();
+    tooltip_of_last(told(Command::undo));
     ImGui::SameLine();
-    if (ImGui::SmallButton("Undo")) session.reset_edits();
+    if (ImGui::Button("Back to the lesson's")) session.reset_edits();
     tooltip_of_last(told(Command::reset_scene));
   }
   ImGui::End();

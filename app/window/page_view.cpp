@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/page_view.h"
 
+#include <algorithm>
+
 namespace polhode {
 
 namespace {
 
-PageRequest request_of(const LessonSession& session, Size size) {
+PageRequest request_of(const LessonSession& session, const PageLook& look) {
   return {.lesson = session.lesson(),
           .stage = session.stage(),
           .number = static_cast<int>(session.place().stage) + 1,
           .step = static_cast<int>(session.place().step) + 1,
           .model = session.model(),
           .t_s = session.t_s(),
-          .size = size,
+          .size = look.size,
           .theme = session.preferences.theme,
           .quality = {},
           .text_scale = session.preferences.text_scale,
           .runs = true,
+          .scrolls = true,
+          .covered = look.covered,
           .derivation = session.shown_derivation()};
 }
 
@@ -24,18 +28,19 @@ PageRequest request_of(const LessonSession& session, Size size) {
 
 PageView::PageKey PageView::key_of(const LessonSession& session, const PageLook& look) const {
   const SceneModel* model = session.model();
-  return {{session.loaded_pointer(), session.place(), session.model_number(), look.size, session.preferences,
-           session.shown_derivation()},
+  return {{session.loaded_pointer(), session.place(), session.model_number(), look.size,
+           session.has_scene() ? 0 : look.covered, session.preferences, session.shown_derivation()},
           look,
           session.t_s(),
           session.transition(),
           session.camera(),
           model ? model->scene.quality : QualityLevel::normal,
-          session.lit()};
+          session.lit(),
+          hidden_};
 }
 
 Status PageView::compose(const LessonSession& session, const PageKey& key) {
-  PageRequest request = request_of(session, key.look.size);
+  PageRequest request = request_of(session, key.look);
   const Fonts& fonts = renderer_.fonts();
   const bool may_keep = text_ && key.look.keep_text && text_key_->place == key.text.place &&
                         text_key_->loaded == key.text.loaded && text_key_->size == key.text.size;
@@ -49,6 +54,7 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
     text_ = std::move(text).value();
     text_key_ = key.text;
   }
+  if (hidden_) scroll_to(*text_, *hidden_);
   if (session.transition() < 1)
     request.entrance = TurningInto{from_ ? &*from_ : nullptr, session.transition()};
   page_ = compose_page(request, *text_, fonts);
@@ -64,6 +70,23 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
   return success();
 }
 
+bool PageView::reads_the_same(const TextKey& before, const TextKey& now) {
+  return before.loaded == now.loaded && before.place == now.place && before.size == now.size &&
+         before.covered == now.covered && before.preferences == now.preferences &&
+         before.derivation == now.derivation;
+}
+
+void PageView::scroll(double by_px) {
+  if (text_) hidden_ = std::clamp(text_->hidden + by_px, 0.0, text_->overflow);
+}
+
+void PageView::scroll_to_see(double y0, double y1) {
+  if (!text_ || !picture_) return;
+  const double bottom = picture_->size().height - page_.column.y0;
+  if (y0 < page_.column.y0) scroll(y0 - page_.column.y0);
+  if (y0 >= page_.column.y0 && y1 > bottom) scroll(y1 - bottom);
+}
+
 bool PageView::is_step_before(const TextKey& before, const TextKey& now) {
   return before.loaded == now.loaded && before.place.stage == now.place.stage &&
          before.place.step + 1 == now.place.step && before.size == now.size &&
@@ -71,7 +94,8 @@ bool PageView::is_step_before(const TextKey& before, const TextKey& now) {
 }
 
 Result<bool> PageView::show(const LessonSession& session, const PageLook& look) {
-  const PageKey key = key_of(session, look);
+  PageKey key = key_of(session, look);
+  if (text_key_ && !reads_the_same(*text_key_, key.text)) key.hidden = hidden_ = std::nullopt;
   if (shown_ == key && picture_) return false;
   if (Status composed = compose(session, key); !composed) return failure(composed.error());
   if (!picture_ || picture_->size() != look.size) {

@@ -18,6 +18,7 @@ struct PageLook {
   std::optional<std::size_t> focus{};  ///< place among symbols(): has a ring
   double resolution = 1;               ///< of figures, while something moves
   bool keep_text = false;              ///< while ω is dragged: the text as it was set before
+  double covered = 0;                  ///< px at the right edge that a panel lies over
   bool operator==(const PageLook&) const = default;
 };
 
@@ -29,6 +30,12 @@ class PageView {
   /// Draws what has changed; false: nothing has. Text that cannot be set (a symbol that no font has) is an
   /// error.
   Result<bool> show(const LessonSession& session, const PageLook& look);
+
+  /// Moves the text of the shown step up, px, as far as there is more of it. Another step, or another size,
+  /// begins where it is read from.
+  void scroll(double by_px);
+  /// So that what stands from y0 to y1 of the picture is seen.
+  void scroll_to_see(double y0, double y1);
 
   const Framebuffer& picture() const { return *picture_; }  ///< precondition: shown
   const std::vector<PageSymbol>& symbols() const { return symbols_; }
@@ -42,6 +49,7 @@ class PageView {
     Place place;
     unsigned model_number = 0;
     Size size;
+    double covered = 0;  ///< of a page without a figure, whose text stands aside
     Preferences preferences;
     ShownDerivation derivation;
     bool operator==(const TextKey&) const = default;
@@ -54,9 +62,11 @@ class PageView {
     CameraSpec camera;
     QualityLevel quality = QualityLevel::normal;
     std::string lit;
+    std::optional<double> hidden{};
     bool operator==(const PageKey&) const = default;
   };
   PageKey key_of(const LessonSession& session, const PageLook& look) const;
+  static bool reads_the_same(const TextKey& before, const TextKey& now);
   static bool is_step_before(const TextKey& before, const TextKey& now);
   Status compose(const LessonSession& session, const PageKey& key);
 
@@ -65,6 +75,7 @@ class PageView {
   std::optional<PageKey> shown_;
   std::optional<TextKey> text_key_;
   std::optional<FittedText> text_, from_;  ///< of this step, and of the one it was reached from
+  std::optional<double> hidden_;           ///< where a reader has scrolled it to
   StillNumbers still_numbers_;             ///< of the lesson that text_key_ names
   Page page_;
   std::vector<PageSymbol> symbols_;

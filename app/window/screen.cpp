@@ -4,6 +4,7 @@
 #include "app/session/answer_keys.h"
 #include "app/session/command.h"
 #include "app/session/typed_folder.h"
+#include "app/window/controls/widgets.h"
 #include "app/window/figure_marks.h"
 #include "app/window/number_sliders.h"
 #include "app/window/speaker_notes.h"
@@ -99,16 +100,29 @@ void Screen::adopt_style(const LessonSession& session, const ScreenFrame& frame)
   }
 }
 
-/// What bar and panel leave.
+float Screen::panel_width(const LessonSession& session, Size size) const {
+  if (session.panel == Panel::none) return 0;
+  return std::min(sizes_->panel, std::round(0.45F * static_cast<float>(size.width)));
+}
+
+/// What bar and panel leave. Beside text that has the figure on its right a panel lies over the figure's
+/// side: nothing of the text moves.
 Region Screen::page_region(const LessonSession& session, Size size) const {
   Region region{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
   if (session.is_presenting()) {
     if (session.are_notes_shown()) region.width = std::round(0.68F * region.width);
-    return region;
+  } else {
+    region.height -= bar_height(*sizes_, region.width);
   }
-  region.height -= bar_height(*sizes_, region.width);
-  if (session.panel != Panel::none) region.width -= std::min(sizes_->panel, std::round(0.45F * region.width));
+  if (!session.are_notes_shown() && !stands_side_by_side(whole(region)))
+    region.width -= panel_width(session, size);
   return region;
+}
+
+/// What of the page a panel lies over.
+float Screen::covered_width(const LessonSession& session, Size size) const {
+  const Region page = page_region(session, size);
+  return std::max(0.0F, page.width - (static_cast<float>(size.width) - panel_width(session, size)));
 }
 
 bool Screen::press(LessonSession& session, std::string_view key, bool is_repeated) {
@@ -116,6 +130,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
       "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
       "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
   const bool typing = ImGui::GetIO().WantTextInput;
+  if (!is_repeated) session.begin_change();
   if (typing && key == "Escape") {  // of the field alone: the panel stays
     ImGui::SetWindowFocus(nullptr);
     return true;
@@ -125,11 +140,18 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   if (panels_.has_focus() && std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end())
     return false;
   if (session.panel == Panel::question && !is_repeated && answer_by_key(session, key)) return true;
+  if (session.is_presenting() && press_while_presenting(session, key)) return true;
   const auto command = command_of(key);
   if (!command) return false;
+  if (is_character(key) && (!session.preferences.letter_keys || panels_.awaits_text())) return false;
   if (is_repeated && !facts_of(*command).repeats) return true;
   const Panel before = session.panel;
+  requests_.leave_full_screen = *command == Command::leave && before == Panel::none &&
+                                session.lit().empty() && !session.is_presenting();
+  const bool was_presenting = session.is_presenting();
   if (do_command(session, *command)) {
+    if (session.is_presenting() && !was_presenting)
+      tell("Escape ends the presentation; . is a black screen, a number and Enter a stage.");
     panel_takes_focus_ = session.panel != before && session.panel != Panel::none;
     if (*command == Command::leave) {
       symbols_.leave(session);
@@ -137,7 +159,40 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     }
     return true;
   }
-  switch (*command) {
+  return do_in_window(session, *command);
+}
+
+/// B is the key for a black screen on every desk. Digits are the number of a stage, which Enter goes to.
+bool Screen::press_while_presenting(LessonSession& session, std::string_view key) {
+  const bool is_digit = key.size() == 1 && key[0] >= '0' && key[0] <= '9';
+  if (is_digit && session.panel == Panel::none && digits_.size() < 4) {
+    digits_ += key;
+    tell(fmt::format("Enter: go to stage {}", digits_));
+    return true;
+  }
+  const std::string digits = std::exchange(digits_, "");
+  if (key == "Enter" && !digits.empty()) {
+    const std::size_t number = std::stoul(digits), last = session.lesson().stages.size();
+    tell(number >= 1 && number <= last ? ""
+                                       : fmt::format("There is no stage {}; the last is {}.", number, last));
+    if (number >= 1 && number <= last) session.go_to({number - 1, 0});
+    return true;
+  }
+  const bool was_black = session.is_black();
+  session.set_black(false);
+  if (key == "B" || key == ".") session.set_black(!was_black);
+  return was_black || key == "B" || key == ".";
+}
+
+void Screen::move_symbol(LessonSession& session, int by) {
+  symbols_.move(session, page_->symbols(), by);
+  if (const auto place = symbols_.place(); place && *place < page_->symbols().size())
+    page_->scroll_to_see(page_->symbols()[*place].box.y0, page_->symbols()[*place].box.y1);
+}
+
+bool Screen::do_in_window(LessonSession& session, Command command) {
+  constexpr double kScrolled = 4;  // em
+  switch (command) {
     case Command::switch_focus:
       if (panels_.has_focus() || session.panel == Panel::none) {
         ImGui::SetWindowFocus(nullptr);
@@ -147,10 +202,19 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
       }
       break;
     case Command::next_symbol:
-      symbols_.move(session, page_->symbols(), 1);
+      move_symbol(session, 1);
+      break;
+    case Command::scroll_down:
+      page_->scroll(kScrolled * sizes_->em);
+      break;
+    case Command::scroll_up:
+      page_->scroll(-kScrolled * sizes_->em);
+      break;
+    case Command::copy_step:
+      copy_step(session);
       break;
     case Command::previous_symbol:
-      symbols_.move(session, page_->symbols(), -1);
+      move_symbol(session, -1);
       break;
     case Command::explain:
       if (!follow(session, symbols_.focused(page_->symbols()))) symbols_.toggle_explanation();
@@ -186,13 +250,19 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   io.DisplaySize = {static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)};
   io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
   ImGui::NewFrame();
+  if (io.MouseClicked[0]) session.begin_change();
+  if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) pointed_s_ = clock_s_;
   lay_out_controls(session, page_region(session, frame.size), frame.size);
   lay_out_sliders(session);
   use_pointer(session, page_region(session, frame.size));
   if (!requests_.clipboard.empty()) copy();
   if (requests_.save_as) save(session);
   symbols_.draw_note(session, page_->symbols(), sizes_->em);
-  notices_.draw(page_region(session, frame.size), *theme_, sizes_->padding, clock_s_);
+  Region free = page_region(session, frame.size);
+  free.width -= covered_width(session, frame.size);
+  notices_.draw(free, *theme_, sizes_->padding, clock_s_);
+  if (!session.is_black()) draw_scroll_marks(session);
+  draw_invitation(session);
   ImGui::Render();
 
   if (!picture_ || picture_->size() != frame.size) {
@@ -220,13 +290,16 @@ Result<bool> Screen::show_page(LessonSession& session, const Region& region, dou
   const PageLook look{.size = whole(region),
                       .focus = symbols_.place(),
                       .resolution = resolution,
-                      .keep_text = drag_.holds_omega() || varies_};
+                      .keep_text = drag_.holds_omega() || varies_,
+                      .covered = covered_width(session, picture_->size())};
   auto painted = page_->show(session, look);
   notices_.set_page_error(painted ? "" : painted.error());
   picture_->bind();
-  const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+  const ImVec4& ground =
+      session.is_black() ? ImVec4{0, 0, 0, 1} : ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
   gl_->ClearColor(ground.x, ground.y, ground.z, 1);
   gl_->Clear(GL_COLOR_BUFFER_BIT);
+  if (session.is_black()) return painted ? *painted : true;
   if (painted) page_->picture().copy_to(*picture_, 0, picture_->size().height - look.size.height);
   if (session.are_notes_shown()) show_preview(session, region);
   return painted ? *painted : true;
@@ -258,14 +331,19 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
                        .requests = requests_,
                        .frame_ms = 1e3 * page_s_,
                        .clock_s = clock_s_,
+                       .lessons = lessons_,
                        .take_focus = std::exchange(panel_takes_focus_, false)};
+  const bool lists_lessons = session.panel == Panel::outline || session.panel == Panel::question;
+  if (lists_lessons && find_lessons_) lessons_ = std::exchange(find_lessons_, nullptr)();
   panels_.begin_frame();
   texts_->begin_frame(session.lesson(), session.step(), session.preferences.theme, sizes_->em);
   if (session.is_presenting()) {
+    if (session.is_black()) return;
     if (session.are_notes_shown()) draw_notes(context, page, size);
-    return;
   }
-  if (session.panel != Panel::none) panels_.draw(context, {page.width, 0, width - page.width, page.height});
+  const float panel = panel_width(session, size);
+  if (panel > 0) panels_.draw(context, {width - panel, 0, panel, page.height});
+  if (session.is_presenting()) return;
   draw_bar(context, {0, page.height, width, height - page.height});
 }
 
@@ -273,9 +351,15 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
 void Screen::lay_out_sliders(LessonSession& session) {
   varies_ = false;
   const PixelBox& at = page_->page().figure;
-  if (at.width() <= 0 || (session.is_presenting() && session.are_notes_shown())) return;
-  const Region figure{static_cast<float>(at.x0), static_cast<float>(at.y0), static_cast<float>(at.width()),
-                      static_cast<float>(at.height())};
+  if (session.is_black() || at.width() <= 0 || (session.is_presenting() && session.are_notes_shown())) return;
+  // What of it is beside a panel, or as much as these need.
+  constexpr float kLeastRoom = 18;  // em
+  const ImVec2& size = ImGui::GetIO().DisplaySize;
+  const float free = page_region(session, {static_cast<int>(size.x), static_cast<int>(size.y)}).width -
+                     covered_width(session, {static_cast<int>(size.x), static_cast<int>(size.y)});
+  const float right = std::min(static_cast<float>(at.x1), free),
+              left = std::max(0.0F, std::min(static_cast<float>(at.x0), right - kLeastRoom * sizes_->em));
+  const Region figure{left, static_cast<float>(at.y0), right - left, static_cast<float>(at.height())};
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
@@ -284,6 +368,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {
+  if (session.is_black()) return;
   const ImGuiIO& io = ImGui::GetIO();
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
@@ -292,14 +377,121 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
   const bool points = !drag_.is_held() && !io.MouseDown[0];
   symbols_.point_at(session, page_->symbols(), points ? under : std::nullopt);
   if (under && io.MouseClicked[0] && follow(session, page_->symbols()[*under].name)) return;
+  if (on_page) scroll_by_wheel();
   if (on_page && io.MouseClicked[0] && !symbols_.is_pointed_at()) {
     ImGui::SetWindowFocus(nullptr);
     symbols_.leave(session);
   }
+  const Page::Choice* choice = on_page ? choice_at(session, {io.MousePos.x, io.MousePos.y}) : nullptr;
+  draw_choices(session, choice);
+  if (choice && io.MouseClicked[0]) {
+    session.answer(*choice->ask, std::string(1, letter_of_choice(choice->number)));
+    session.panel = Panel::question;  // where the reply stands
+    return;
+  }
+  if (walks_by_click(session, {io.MousePos.x, io.MousePos.y}, on_page && !under)) return;
   if (!drag_.is_held() && !on_page) return;
   const std::string refusal =
       drag_.use_mouse(session, page_->insets(), on_page, kTipReach * sizes_->em / 15.0);
   if (!refusal.empty()) tell(refusal);
+}
+
+/// Of a question that is still open.
+const Page::Choice* Screen::choice_at(const LessonSession& session, const Vec2& at) const {
+  for (const Page::Choice& choice : page_->page().choices) {
+    const std::vector<const Ask*> asked = session.questions();
+    if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;  // the page before
+    const JudgedAnswer* judged = session.judged(*choice.ask);
+    const bool is_right = judged != nullptr && judged->judgement.mark == AnswerJudgement::Mark::right;
+    const PixelBox& box = choice.box;
+    if (!is_right && !session.is_awaited(*choice.ask) && at.x() >= box.x0 && at.x() < box.x1 &&
+        at.y() >= box.y0 && at.y() < box.y1)
+      return &choice;
+  }
+  return nullptr;
+}
+
+/// A frame round the one that a click would pick; beside the one that was picked whether it is right, unless
+/// the motion is still to show it.
+void Screen::draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = sizes_->em;
+  const auto corner = [](double x, double y) { return ImVec2(static_cast<float>(x), static_cast<float>(y)); };
+  const std::vector<const Ask*> asked = session.questions();
+  for (const Page::Choice& choice : page_->page().choices) {
+    if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;
+    const PixelBox& box = choice.box;
+    if (&choice == pointed_at) {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      list.AddRect(corner(box.x0, box.y0), corner(box.x1, box.y1), ImGui::GetColorU32(ImGuiCol_CheckMark),
+                   0.3F * em, 0, 0.1F * em);
+    }
+    const JudgedAnswer* judged = session.judged(*choice.ask);
+    const bool is_picked =
+        judged != nullptr && judged->judgement.choice == static_cast<int>(choice.number) + 1;
+    if (!is_picked || session.is_awaited(*choice.ask)) continue;
+    const bool is_right = judged->judgement.mark == AnswerJudgement::Mark::right;
+    const char* word = is_right ? "right" : "not right";
+    const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word).x;
+    list.AddText(corner(left, 0.5 * (box.y0 + box.y1) - 0.5 * em),
+                 ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word);
+  }
+}
+
+/// Before an audience a click beside the figure goes on, as everywhere.
+bool Screen::walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const {
+  if (!session.is_presenting() || !is_free || !ImGui::GetIO().MouseClicked[0]) return false;
+  const PixelBox& figure = page_->page().figure;
+  const bool on_figure =
+      at.x() >= figure.x0 && at.x() < figure.x1 && at.y() >= figure.y0 && at.y() < figure.y1;
+  return !on_figure && session.next_step();
+}
+
+/// Who has never been here is told how to begin: until something is done.
+void Screen::draw_invitation(const LessonSession& session) {
+  const bool is_new = session.visited().size() == 1 && session.place() == Place{} &&
+                      session.edits().empty() && session.answers().empty();
+  const bool is_still = session.has_scene() && !session.is_playing() && !session.is_presenting() &&
+                        session.panel == Panel::none && session.t_s() == still_time_s(session.lesson_scene());
+  const PixelBox& column = page_->page().column;
+  if (!is_new || !is_still || page_->page().overflow > 0 || column.width() <= 0) return;
+  const std::string words = "Space plays, a drag turns the figure, → goes on, ? shows all keys.";
+  ImGui::GetBackgroundDrawList()->AddText(
+      {static_cast<float>(column.x0), static_cast<float>(column.y1) - 1.2F * sizes_->em},
+      ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
+}
+
+void Screen::scroll_by_wheel() {
+  constexpr float kNotch = 3;  // em
+  const ImGuiIO& io = ImGui::GetIO();
+  const PixelBox& column = page_->page().column;
+  if (io.MouseWheel != 0 && io.MousePos.x < column.x1 + sizes_->em)
+    page_->scroll(-static_cast<double>(kNotch * io.MouseWheel * sizes_->em));
+}
+
+/// Where the text goes on above the page or below it: a thumb beside it, and a strip above, where the stage
+/// and the step are read whose head has gone out of sight.
+void Screen::draw_scroll_marks(const LessonSession& session) {
+  const Page& page = page_->page();
+  if (page.overflow <= 0) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = sizes_->em;
+  const auto x0 = static_cast<float>(page.column.x0), x1 = static_cast<float>(page.column.x1),
+             y0 = static_cast<float>(page.column.y0), y1 = static_cast<float>(page.column.y1);
+  const float all = y1 - y0 + static_cast<float>(page.overflow), part = (y1 - y0) / all;
+  const float top = y0 + (y1 - y0) * static_cast<float>(page.hidden) / all;
+  const float right = x1 + 1.4F * em;
+  list.AddRectFilled({right, top}, {right + 0.35F * em, top + (y1 - y0) * part},
+                     ImGui::GetColorU32(ImGuiCol_ScrollbarGrab), 0.2F * em);
+  if (page.hidden <= 0) return;
+  const Color paper = colors_of(*theme_).paper;
+  const float strip = 2.2F * em;
+  list.AddRectFilled({x0 - 2 * em, 0}, {x1 + em, strip},
+                     ImGui::ColorConvertFloat4ToU32({paper.r, paper.g, paper.b, 1}));
+  list.AddLine({x0 - 2 * em, strip}, {x1 + em, strip}, ImGui::GetColorU32(ImGuiCol_Border));
+  const std::string words = fmt::format("{}  ·  step {} of {}", stage_title_, session.place().step + 1,
+                                        session.stage().steps.size());
+  list.AddText({x0, 0.6F * em}, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
 }
 
 /// Goes where a link of the lesson leads; the address of another is copied. False: there is nothing to
@@ -330,6 +522,11 @@ void Screen::save(LessonSession& session) {
   requests_.save_as.reset();
 }
 
+void Screen::copy_step(const LessonSession& session) {
+  const int step = static_cast<int>(session.place().step) + 1;
+  requests_.clipboard = stage_title_ + "\n\n" + speech_->words_of_page(session.stage(), step, step) + "\n";
+}
+
 void Screen::copy() {
   ImGui::SetClipboardText(requests_.clipboard.c_str());
   requests_.clipboard.clear();
@@ -341,6 +538,8 @@ double Screen::seconds_to_wake(const LessonSession& session) const {
   if (moving || !is_full_) return 0;
   if (ImGui::GetIO().WantTextInput) return 0.3;  // the caret blinks
   if (const auto seconds = panels_.seconds_to_wake()) return *seconds;
+  const double to_tooltip_s = pointed_s_ + kTooltipDelay_s + 0.1 - clock_s_;
+  if (to_tooltip_s > 0 && ImGui::IsAnyItemHovered()) return to_tooltip_s;
   if (const auto seconds = notices_.seconds_left(clock_s_)) return *seconds + 0.01;
   return 3600;
 }

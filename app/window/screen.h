@@ -4,6 +4,7 @@
 // input of a mouse.
 #pragma once
 
+#include "app/session/command.h"
 #include "app/window/controls/control_pass.h"
 #include "app/window/figure_drag.h"
 #include "app/window/notices.h"
@@ -11,6 +12,8 @@
 #include "app/window/page_view.h"
 #include "app/window/panels/panels.h"
 #include "app/window/symbol_focus.h"
+
+#include <functional>
 
 struct ImGuiContext;
 
@@ -47,6 +50,10 @@ class Screen {
 
   /// Shown in a strip above the bar: an error of the lesson until it is mended, news for a few seconds.
   void tell(const std::string& text) { notices_.tell(text, clock_s_); }
+  /// What lessons there are: asked for when a panel first lists them.
+  void set_lessons(std::function<std::vector<LessonProgress>()> lessons) {
+    find_lessons_ = std::move(lessons);
+  }
   void set_lesson_errors(std::string errors) { notices_.set_lesson_errors(std::move(errors)); }
 
   /// Of the present stage, in words.
@@ -68,6 +75,18 @@ class Screen {
          std::unique_ptr<ControlPass> controls, ImGuiContext* imgui);
   void adopt_style(const LessonSession& session, const ScreenFrame& frame);
   Region page_region(const LessonSession& session, Size size) const;
+  float panel_width(const LessonSession& session, Size size) const;
+  float covered_width(const LessonSession& session, Size size) const;
+  bool press_while_presenting(LessonSession& session, std::string_view key);
+  bool do_in_window(LessonSession& session, Command command);
+  void move_symbol(LessonSession& session, int by);
+  void copy_step(const LessonSession& session);
+  void scroll_by_wheel();
+  bool walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const;
+  void draw_scroll_marks(const LessonSession& session);
+  void draw_invitation(const LessonSession& session);
+  const Page::Choice* choice_at(const LessonSession& session, const Vec2& at) const;
+  void draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const;
   Result<bool> show_page(LessonSession& session, const Region& region, double resolution);
   void show_preview(const LessonSession& session, const Region& region);
   void lay_out_controls(LessonSession& session, const Region& page, Size size);
@@ -97,10 +116,13 @@ class Screen {
   std::optional<Theme> theme_;
   std::unique_ptr<LessonSession> next_;  ///< at the step after this one, for its preview
   std::string stage_title_;
-  double clock_s_ = 0, page_s_ = 0, frame_s_ = 0;
+  double clock_s_ = 0, page_s_ = 0, frame_s_ = 0, pointed_s_ = 0;  ///< pointed_s_: the pointer moved
   bool is_full_ = true, was_moving_ = false;
   Place shown_place_{};
-  bool panel_takes_focus_ = false;  ///< it was opened by a key
+  bool panel_takes_focus_ = false;                             ///< it was opened by a key
+  std::function<std::vector<LessonProgress>()> find_lessons_;  ///< null: asked already, or there are none
+  std::vector<LessonProgress> lessons_;
+  std::string digits_;  ///< typed while presenting: the number of a stage
 };
 
 }  // namespace polhode

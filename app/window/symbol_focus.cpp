@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kMostWords = 60;  // of a term read aloud: a longer one is no help
 
+constexpr const char* kAnyUnit = "any";  // of a letter that may stand for any quantity
+
 constexpr float kWidestNote = 26;  // em
 
 }  // namespace
@@ -80,11 +82,11 @@ void SymbolFocus::draw_note(const LessonSession& session, const Symbols& symbols
   ImGui::PushTextWrapPos(kWidestNote * em);
   ImGui::TextUnformatted(note.meaning.c_str());
   ImGui::PopTextWrapPos();
+  const std::string unit = note.unit == kAnyUnit ? "" : note.unit;
   if (!note.value.empty()) {
-    ImGui::TextUnformatted(
-        fmt::format("{}{}{}", note.value, note.unit.empty() ? "" : " ", note.unit).c_str());
+    ImGui::TextUnformatted(fmt::format("{}{}{}", note.value, unit.empty() ? "" : " ", unit).c_str());
     if (!note.frame.empty()) ImGui::TextDisabled("components in the %s frame", note.frame.c_str());
-  } else if (!note.unit.empty()) {
+  } else if (!note.unit.empty() && note.unit != kAnyUnit) {
     ImGui::TextDisabled("%s", note.unit.c_str());
   }
   ImGui::End();

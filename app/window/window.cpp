@@ -13,6 +13,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace polhode {
 
@@ -40,6 +41,7 @@ class Loop {
     ImGui_ImplGlfw_InitForOther(display_.window(), false);
     if (!display_.fallback().empty())
       screen().tell("This display has no OpenGL 3.3 (" + display_.fallback() + "): drawn off-screen.");
+    screen().set_lessons(options.lessons);
     if (!options.notice.empty()) screen().tell(options.notice);
   }
   ~Loop() { ImGui_ImplGlfw_Shutdown(); }
@@ -49,7 +51,7 @@ class Loop {
   Result<WindowEnd> run() {
     const InterruptWatch watch;
     try {
-      while (!glfwWindowShouldClose(display_.window()) && !screen().requests().quit && !watch.interrupted()) {
+      while (!glfwWindowShouldClose(display_.window()) && !is_over() && !watch.interrupted()) {
         wait();
         look_for_changes();
         if (!must_draw()) continue;
@@ -58,11 +60,17 @@ class Loop {
       }
     } catch (const Interrupted&) {  // while a motion was computed
     }
-    return watch.interrupted() ? WindowEnd::interrupted : WindowEnd::closed;
+    WindowEnd end;
+    if (!full_screen_.is_on()) glfwGetWindowSize(display_.window(), &end.size.width, &end.size.height);
+    end.lesson = screen().requests().open_lesson;
+    if (!end.lesson.empty()) end.kind = WindowEnd::Kind::other_lesson;
+    if (watch.interrupted()) end.kind = WindowEnd::Kind::interrupted;
+    return end;
   }
 
  private:
   Screen& screen() { return display_.screen(); }
+  bool is_over() { return screen().requests().quit || !screen().requests().open_lesson.empty(); }
 
   /// Not more often than kLeastFrame_s, however fast events come, and not what nobody sees.
   bool must_draw() {
@@ -133,6 +141,7 @@ class Loop {
       full_screen_.set(!full_screen_.is_on());
       screen().requests().full_screen = false;
     }
+    if (std::exchange(screen().requests().leave_full_screen, false)) full_screen_.set(false);
     if (session_.is_presenting() != presenting_) {
       presenting_ = session_.is_presenting();
       if (presenting_) was_full_ = full_screen_.is_on();
@@ -164,7 +173,7 @@ class Loop {
 Result<WindowEnd> run_window(LessonSession& session, const Fonts& fonts, const WindowOptions& options) {
   const auto glfw = Glfw::start();
   if (!glfw) return failure(glfw.error());
-  const auto display = Display::open(fonts);
+  const auto display = Display::open(fonts, options.size);
   if (!display) return failure(display.error());
   return Loop(session, options, **display).run();
 }

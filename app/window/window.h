@@ -3,12 +3,14 @@
 #pragma once
 
 #include "app/session/lesson_session.h"
+#include "app/session/progress.h"
 #include "base/result.h"
 #include "render/typeset/fonts.h"
 
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace polhode {
 
@@ -20,9 +22,17 @@ struct WindowOptions {
   /// to be told. What changed after the last frame is for the caller of run_window to keep.
   std::function<std::string(const LessonSession&)> keep{};
   std::string notice{};  ///< to be told at the beginning
+  /// What lessons there are, asked for when they are listed.
+  std::function<std::vector<LessonProgress>()> lessons{};
+  Size size{};  ///< of the window when it was closed last; empty: not known
 };
 
-enum class WindowEnd { closed, interrupted };
+struct WindowEnd {
+  enum class Kind { closed, interrupted, other_lesson };
+  Kind kind = Kind::closed;
+  std::string lesson{};  ///< id of the other one
+  Size size{};           ///< of the window; empty: it filled the screen
+};
 
 /// Runs until the user closes the window, or until a signal, which counts as an interruption. Draws with the
 /// display's OpenGL; if that is older than 3.3, it draws off-screen and shows the pictures in a plain window.

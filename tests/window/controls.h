@@ -18,12 +18,12 @@ inline constexpr Point kPlotsFrom{640, 530}, kPlotsTo{1270, 745};
 inline constexpr Point kInFigure{720, 440};
 inline constexpr Point kOmegaTip{928, 178};
 /// With the panel of its question: the tip of ω in steered.md, and the button that makes an answer of it.
-inline constexpr Point kSteeredTip{673, 318}, kCheckState{1114, 343};
+inline constexpr Point kSteeredTip{764, 336}, kCheckState{1114, 343};
 /// ω in its text, and what is written there.
 inline constexpr Point kOmegaWord{239, 144}, kTextFrom{40, 40}, kTextTo{600, 200};
 /// The grab of the slider from fast to accurate, at its end: it is blue.
 inline constexpr Point kFrontEnd{1241, 101};
-/// In the panel "Take away".
+/// In the panel Save.
 inline constexpr Point kSaveFigure{1114, 201}, kSaveLesson{1114, 421};
 
 }  // namespace polhode::window_test

@@ -101,6 +101,8 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   const ImVec4 hovered = shade(between(page.paper, page.ink, dark ? 0.2F : 0.09F));
   const ImVec4 pressed = shade(between(page.paper, page.ink, dark ? 0.28F : 0.16F));
   const ImVec4 line = shade(between(page.paper, page.ink, 0.24F));
+  // What says where a control is, or how far: 3:1 (WCAG 2.2, 1.4.11).
+  const ImVec4 outline = shade(between(page.paper, page.ink, dark ? 0.5F : 0.54F));
   const ImVec4 focus = shade(page.question);
   ImVec4* const c = style.Colors;
   c[ImGuiCol_Text] = shade(page.ink);
@@ -108,21 +110,21 @@ void set_control_style(Theme theme, const ControlSizes& sizes) {
   c[ImGuiCol_WindowBg] = ground;
   c[ImGuiCol_ChildBg] = {0, 0, 0, 0};
   c[ImGuiCol_PopupBg] = raised;
-  c[ImGuiCol_Border] = line;
+  c[ImGuiCol_Border] = outline;
   c[ImGuiCol_BorderShadow] = {0, 0, 0, 0};
   c[ImGuiCol_FrameBg] = c[ImGuiCol_Button] = raised;
   c[ImGuiCol_FrameBgHovered] = c[ImGuiCol_ButtonHovered] = hovered;
   c[ImGuiCol_FrameBgActive] = c[ImGuiCol_ButtonActive] = pressed;
   c[ImGuiCol_CheckMark] = focus;
   // The number of a slider stands on its grab.
-  c[ImGuiCol_SliderGrab] = shade(page.question, 0.38F);
-  c[ImGuiCol_SliderGrabActive] = shade(page.accent, 0.5F);
+  c[ImGuiCol_SliderGrab] = shade(page.question, 0.68F);
+  c[ImGuiCol_SliderGrabActive] = shade(page.accent, 0.76F);
   c[ImGuiCol_Header] = shade(between(page.paper, page.question, 0.18F));
   c[ImGuiCol_HeaderHovered] = hovered;
   c[ImGuiCol_HeaderActive] = pressed;
   c[ImGuiCol_Separator] = c[ImGuiCol_SeparatorHovered] = c[ImGuiCol_SeparatorActive] = line;
   c[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
-  c[ImGuiCol_ScrollbarGrab] = line;
+  c[ImGuiCol_ScrollbarGrab] = outline;
   c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = shade(page.quiet);
   c[ImGuiCol_PlotHistogram] = focus;
   c[ImGuiCol_PlotLines] = shade(page.meant);  // of what is right

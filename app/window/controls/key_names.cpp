@@ -38,6 +38,9 @@ std::string key_name(int key, int modifiers, std::string_view letter) {
     if (code == key) return shift + ctrl + name;
   if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F12)
     return shift + ctrl + "F" + std::to_string(key - GLFW_KEY_F1 + 1);
+  // Where a digit takes Shift its key is called otherwise.
+  if (!ctrl.empty() && key >= GLFW_KEY_0 && key <= GLFW_KEY_9)
+    return shift + ctrl + static_cast<char>('0' + key - GLFW_KEY_0);
   // Without Ctrl the character comes by itself.
   if (!ctrl.empty() && letter.size() == 1)
     return shift + ctrl + character_name(static_cast<unsigned char>(letter[0]));

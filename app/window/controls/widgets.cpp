@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -70,6 +71,14 @@ std::string told(Command command) {
 
 void tooltip_of_last(const std::string& text) {
   if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (ImGui::GetCurrentContext()->HoveredIdTimer < kTooltipDelay_s) return;
+  // Clear of the pointer's way to what is beside the item: above it, or below what stands high.
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax(),
+               &all = ImGui::GetIO().DisplaySize;
+  const float gap = 0.4F * ImGui::GetFontSize();
+  const bool above = low.y > 0.3F * all.y, leftward = low.x > 0.6F * all.x;
+  ImGui::SetNextWindowPos({leftward ? high.x : low.x, above ? low.y - gap : high.y + gap}, ImGuiCond_Always,
+                          {leftward ? 1.0F : 0.0F, above ? 1.0F : 0.0F});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
   ImGui::TextUnformatted(text.c_str());
@@ -162,6 +171,9 @@ std::optional<double> time_line(const LessonSession::Interval& interval, double 
                                         : fmt::format("t = {:.4g} s", t_at(pointer)));
   }
   if (!active) return std::nullopt;
+  // On a mark it is the flip itself.
+  for (const double flip : flips)
+    if (std::abs(x_of(flip) - pointer) < 0.3F * em) return flip;
   return t_at(pointer);
 }
 

@@ -23,6 +23,8 @@ bool toggle_button(const char* words, bool is_on, const std::string& tooltip);
 /// One of several. Its circle is ours: that of Dear ImGui has other corners in every version.
 bool radio_button(const char* words, bool is_on);
 
+/// So long a pointer is on an item before its tooltip comes.
+inline constexpr float kTooltipDelay_s = 0.5F;
 /// Shown when the pointer rests on the last item.
 void tooltip_of_last(const std::string& text);
 

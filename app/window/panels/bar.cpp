@@ -14,13 +14,17 @@ namespace polhode {
 
 namespace {
 
-constexpr float kNarrow = 70;  // em: below it there are two rows
+constexpr float kNarrow = 74;  // em: below it there are two rows
 constexpr std::array kSpeeds = {1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0, 2.0, 4.0, 8.0, 16.0};
 
 bool is_narrow(const ControlSizes& sizes, float width) { return width < kNarrow * sizes.em; }
 
-std::string speed_text(double speed) {
-  return speed >= 1 ? fmt::format("{:g}×", speed) : fmt::format("1/{:g}×", 1 / speed);
+/// Of a scene whose motion is shown at `rate` seconds a second where the speed is 1: "real time ÷ 22".
+std::string speed_text(double rate, double speed) {
+  const double ratio = rate * speed;
+  constexpr double kSame = 0.005;  // of three digits
+  if (std::abs(ratio - 1) < kSame) return "real time";
+  return ratio > 1 ? fmt::format("real time × {:.3g}", ratio) : fmt::format("real time ÷ {:.3g}", 1 / ratio);
 }
 
 void draw_walk(PanelContext& context) {
@@ -37,10 +41,15 @@ void draw_walk(PanelContext& context) {
 }
 
 void draw_speed(LessonSession& session, float width) {
+  const double rate = session.model()->rate, real = 1 / rate;
   ImGui::SetNextItemWidth(width);
-  if (ImGui::BeginCombo("##speed", speed_text(session.speed()).c_str())) {
-    for (const double speed : kSpeeds)
-      if (ImGui::Selectable(speed_text(speed).c_str(), speed == session.speed())) session.set_speed(speed);
+  if (ImGui::BeginCombo("##speed", speed_text(rate, session.speed()).c_str(), ImGuiComboFlags_HeightLarge)) {
+    std::vector<double> speeds(kSpeeds.begin(), kSpeeds.end());
+    if (real > kSlowest && real < kFastest) speeds.push_back(real);
+    std::sort(speeds.begin(), speeds.end());
+    for (const double speed : speeds)
+      if (ImGui::Selectable(speed_text(rate, speed).c_str(), speed == session.speed()))
+        session.set_speed(speed);
     ImGui::EndCombo();
   }
   tooltip_of_last("Speed. " + told(Command::faster) + "; " + told(Command::slower));
@@ -50,7 +59,7 @@ void draw_speed(LessonSession& session, float width) {
 void draw_time(PanelContext& context, float width) {
   LessonSession& session = context.session;
   const float em = context.sizes.em, gap = ImGui::GetStyle().ItemSpacing.x;
-  const float icon = 2.1F * em, number = 6.2F * em, speed = 4.6F * em;
+  const float icon = 2.1F * em, number = 6.2F * em, speed = 9.2F * em;
   if (icon_button("reset", Icon::reset, "", told(Command::reset_time), icon)) session.reset_time();
   ImGui::SameLine(0, 0.3F * gap);
   if (icon_button("frame back", Icon::frame_back, "", told(Command::frame_back), icon))

@@ -16,19 +16,32 @@ namespace {
 
 void choose_body(PanelContext& context, const Scene& scene) {
   ImGui::SetNextItemWidth(-1);
-  if (!ImGui::BeginCombo("##body", scene.body.name.empty() ? "own moments" : scene.body.name.c_str())) return;
+  const bool is_named = find_body(scene.body.name).has_value();
+  if (!ImGui::BeginCombo("##body", is_named ? scene.body.name.c_str() : "moments of its own")) return;
   const std::string& of_lesson = context.session.lesson_scene().body.name;
   SceneEdits edits = context.session.edits();
-  if (ImGui::Selectable(fmt::format("{} (the lesson's)", of_lesson).c_str(), !edits.body)) {
+  const std::string lessons =
+      find_body(of_lesson) ? of_lesson + " (the lesson's)" : std::string("the lesson's");
+  if (ImGui::Selectable(lessons.c_str(), !edits.body)) {
     edits.body.reset();
     context.requests.edits = edits;
   }
   for (const std::string& name : named_bodies()) {
-    if (!ImGui::Selectable(name.c_str(), scene.body.name == name)) continue;
+    if (name == of_lesson) continue;
+    if (!ImGui::Selectable(name.c_str(), edits.body && scene.body.name == name)) continue;
     edits.body = find_body(name);
     context.requests.edits = edits;
   }
   ImGui::EndCombo();
+}
+
+/// A power of ten.
+std::string raised(int power) {
+  static constexpr std::array kDigits = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char c : std::to_string(power))
+    text += c == '-' ? "⁻" : kDigits[static_cast<std::size_t>(c - '0')];
+  return text;
 }
 
 /// What cannot be is not set, and says why.
@@ -54,30 +67,44 @@ void show_state(const SceneModel& model, double t_s) {
 }  // namespace
 
 void BodyPanel::edit_moments(PanelContext& context, const Scene& scene, std::string& refusal) const {
-  static constexpr std::array kNames = {"I1", "I2", "I3"};
+  static constexpr std::array kNames = {"I₁", "I₂", "I₃"};
   const Vec3 present = scene.body.moments.vector();
-  const double high = most_moment_, low = 1e-4 * high;
+  const double unit = std::pow(10, power_);
+  const std::string ten = power_ == 0 ? "" : "10" + raised(power_) + ' ';
   for (int i = 0; i < 3; ++i) {
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 7.5F * ImGui::GetFontSize());
+    const double low = least_moments_[i] / unit, high = most_moments_[i] / unit;
+    double moment = present[i] / unit;
+    if (!ImGui::SliderScalar(fmt::format("{} {}kg m²", kNames[static_cast<std::size_t>(i)], ten).c_str(),
+                             ImGuiDataType_Double, &moment, &low, &high, "%.4g"))
+      continue;
     Vec3 moments = present;
-    if (ImGui::SliderScalar(fmt::format("{} kg m²", kNames[static_cast<std::size_t>(i)]).c_str(),
-                            ImGuiDataType_Double, &moments[i], &low, &high, "%.4g",
-                            ImGuiSliderFlags_Logarithmic))
-      set_moments(context, moments, refusal);
+    moments[i] = moment * unit;
+    set_moments(context, moments, refusal);
   }
 }
 
+/// The length of a slider is what the other two moments allow: no moment is larger than their sum, nor
+/// smaller than their difference.
 void BodyPanel::set_ranges(const Scene& scene) {
   if (ImGui::IsAnyItemActive()) return;
-  most_moment_ = 10 * scene.body.moments.vector().maxCoeff();
+  const Vec3& I = scene.body.moments.vector();
+  constexpr double kThinnest = 1e-3;  // a rod has no moment at all about its length
+  for (int i = 0; i < 3; ++i) {
+    const double a = I[(i + 1) % 3], b = I[(i + 2) % 3];
+    least_moments_[i] = std::max(std::abs(a - b), kThinnest * (a + b));
+    most_moments_[i] = a + b;
+  }
+  const double power = std::floor(std::log10(I.maxCoeff()));
+  power_ = power < -2 || power > 3 ? static_cast<int>(power) : 0;
   most_omega_ = scene.w0_B.isZero(0) ? 1 : 2 * scene.w0_B.norm();
 }
 
 void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
-  static constexpr std::array kNames = {"ω1", "ω2", "ω3"};
+  static constexpr std::array kNames = {"ω₁", "ω₂", "ω₃"};
   const double most = most_omega_, least = -most;
   for (int i = 0; i < 3; ++i) {
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 6.5F * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 7.5F * ImGui::GetFontSize());
     double component = scene.w0_B[i];
     if (!ImGui::SliderScalar(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]).c_str(),
                              ImGuiDataType_Double, &component, &least, &most, "%.4f"))
@@ -87,7 +114,8 @@ void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
     (*edits.w0_B)[i] = component;
     context.requests.edits = edits;
   }
-  quiet_words("Body axes, at t = 0. Or take the tip of ω in the figure.");
+  const bool is_drawn = context.session.model()->drawn.contains(Overlay::omega);
+  quiet_words(is_drawn ? "Body axes, at t = 0. Or take the tip of ω in the figure." : "Body axes, at t = 0.");
 }
 
 void BodyPanel::draw(PanelContext& context, std::string& refusal) {

@@ -22,13 +22,15 @@ void draw_help(PanelContext&) {
   }
   heading("In a panel");
   quiet_words(
-      "Arrows go from control to control. Space presses a button, and takes a slider, which arrows then "
-      "move; Enter types a number into it. F6 goes back to the page.");
+      "In a panel that a key has opened arrows go from control to control. Space presses a button, and takes "
+      "a "
+      "slider, which arrows then move; Enter types a number into it. F6 goes back to the page. After a click "
+      "in "
+      "a panel arrows and Space are the page's.");
   heading("Mouse");
   quiet_words(
       "Rest on a symbol for its meaning and value. Drag the figure to turn it, the wheel zooms, a double "
-      "click puts it back; take the tip of ω to start another motion. The wheel over the outline goes "
-      "through the stages.");
+      "click puts it back; take the tip of ω to start another motion. The wheel over the text scrolls it.");
 }
 
 }  // namespace polhode

@@ -68,20 +68,32 @@ void step_row(PanelContext& context) {
 
 }  // namespace
 
+/// To another lesson, and how far one is in each.
+void draw_lessons(PanelContext& context) {
+  if (context.lessons.size() < 2) return;
+  heading("Lessons");
+  for (const LessonProgress& lesson : context.lessons) {
+    const bool here = lesson.id == context.session.lesson().id;
+    ImGui::PushID(lesson.id.c_str());
+    if (here) {
+      plain_words(lesson.title + ": you are here");
+    } else {
+      if (ImGui::Button("Open")) context.requests.open_lesson = lesson.id;
+      ImGui::SameLine();
+      plain_words(lesson.title);
+      quiet_words(fmt::format("{} of {} stages seen; questions: {}", lesson.seen, lesson.stages,
+                              words_of(lesson.questions)));
+    }
+    ImGui::PopID();
+  }
+}
+
 void OutlinePanel::draw(PanelContext& context) {
   LessonSession& session = context.session;
-  const float wheel = ImGui::GetIO().MouseWheel;
-  if (wheel != 0 && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
-                                           ImGuiHoveredFlags_AllowWhenBlockedByActiveItem)) {
-    const Place here = session.place();
-    if (wheel > 0 && here.stage > 0) session.go_to({here.stage - 1, 0});
-    if (wheel < 0) session.next_stage();
-  }
   const std::vector<Stage>& stages = session.lesson().stages;
   quiet_words(fmt::format("{} of {} stages seen", session.visited().size(), stages.size()));
   draw_progress(context);
-  ImGui::BeginChild("stages", {0, 0}, false,
-                    ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::BeginChild("stages", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::string title = context.speech.words_of_title(stages[i]);
     if (!title.empty() && title.back() == '.') title.pop_back();
@@ -94,6 +106,7 @@ void OutlinePanel::draw(PanelContext& context) {
     }
     step_row(context);
   }
+  draw_lessons(context);
   ImGui::EndChild();
 }
 

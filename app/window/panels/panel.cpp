@@ -5,6 +5,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace polhode {
@@ -15,6 +16,22 @@ const char* title_of(Panel panel) {
   for (const PanelFacts& facts : kPanels)
     if (facts.panel == panel) return facts.title;
   return "";
+}
+
+}  // namespace
+
+namespace {
+
+bool is_typed(const Ask* ask) {
+  return ask->type == Ask::Type::expression || ask->type == Ask::Type::number ||
+         ask->type == Ask::Type::order || ask->type == Ask::Type::derive;
+}
+
+/// Whether the panel that is open has something to be typed.
+bool has_text_field(const LessonSession& session) {
+  if (session.panel == Panel::save) return true;
+  const std::vector<const Ask*> asks = session.questions();
+  return session.panel == Panel::question && std::any_of(asks.begin(), asks.end(), is_typed);
 }
 
 }  // namespace
@@ -57,7 +74,7 @@ void Panels::make_edits(PanelContext& context) {
 
 void Panels::begin_frame() {
   method_.count_frame();
-  has_focus_ = false;
+  has_focus_ = awaits_text_ = false;
 }
 
 void Panels::draw(PanelContext& context, const Region& region) {
@@ -69,9 +86,11 @@ void Panels::draw(PanelContext& context, const Region& region) {
                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoFocusOnAppearing);
   const bool is_focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
-  takes_keys_ = takes_keys_ && is_focused;
-  has_focus_ = is_focused && (context.session.panel != Panel::question || takes_keys_ ||
-                              ImGui::GetIO().NavVisible || ImGui::GetIO().WantTextInput);
+  const ImGuiIO& io = ImGui::GetIO();
+  takes_keys_ = takes_keys_ && is_focused && !io.MouseClicked[0];
+  if (is_focused && context.take_focus && context.session.panel != Panel::question) takes_keys_ = true;
+  has_focus_ = is_focused && (takes_keys_ || io.NavVisible || io.WantTextInput);
+  awaits_text_ = is_focused && !takes_keys_ && !io.WantTextInput && has_text_field(context.session);
   context.has_keys = has_focus_;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRectFullScreen();

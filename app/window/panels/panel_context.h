@@ -4,18 +4,21 @@
 
 #include "app/narration/speech_text.h"
 #include "app/session/lesson_session.h"
+#include "app/session/progress.h"
 #include "app/session/save_as.h"
 #include "app/window/controls/control_style.h"
 #include "app/window/controls/lesson_texts.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace polhode {
 
 /// What cannot be done while a panel is drawn; the panels or the window do it afterwards.
 struct WindowRequests {
-  bool quit = false, full_screen = false;
+  bool quit = false, full_screen = false, leave_full_screen = false;
+  std::string open_lesson{};  ///< id of another lesson; empty: none
   std::optional<SaveAs> save_as{};
   std::string clipboard{};  ///< to be copied; empty: nothing
   /// They make another model, and what is being drawn refers to the present one.
@@ -34,10 +37,11 @@ struct PanelContext {
   LessonTexts& texts;
   const ControlSizes& sizes;
   WindowRequests& requests;
-  double frame_ms = 0;      ///< wall time of the last frame in which a page was drawn
-  double clock_s = 0;       ///< since the window opened
-  bool take_focus = false;  ///< the panel was just opened by a key
-  bool has_keys = false;    ///< keys are for the panel (Panels::has_focus)
+  double frame_ms = 0;                         ///< wall time of the last frame in which a page was drawn
+  double clock_s = 0;                          ///< since the window opened
+  const std::vector<LessonProgress>& lessons;  ///< all that there are, this one among them
+  bool take_focus = false;                     ///< the panel was just opened by a key
+  bool has_keys = false;                       ///< keys are for the panel (Panels::has_focus)
 };
 
 /// Of the bar in a window of this width: narrow ones have two rows.

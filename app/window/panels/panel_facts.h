@@ -18,11 +18,11 @@ struct PanelFacts {
 /// In the order of the bar. A panel is drawn by its own file, to which Panels::draw_contents leads.
 inline constexpr std::array kPanels = {
     PanelFacts{Panel::outline, Command::outline, "Outline", "Outline"},
-    PanelFacts{Panel::body, Command::body, "Body", "Body and motion"},
-    PanelFacts{Panel::method, Command::method, "Method", "Speed and accuracy"},
-    PanelFacts{Panel::show, Command::show, "Show", "What is shown"},
-    PanelFacts{Panel::question, Command::question, "Answer", "Questions"},
-    PanelFacts{Panel::save, Command::save, "Save", "Take away"},
+    PanelFacts{Panel::body, Command::body, "Body", "Body and its spin"},
+    PanelFacts{Panel::method, Command::method, "Method", "Method: fast or accurate"},
+    PanelFacts{Panel::show, Command::show, "Show", "Show"},
+    PanelFacts{Panel::question, Command::question, "Answer", "Answer"},
+    PanelFacts{Panel::save, Command::save, "Save", "Save"},
     PanelFacts{Panel::settings, Command::settings, "View", "View"},
     PanelFacts{Panel::help, Command::help, "?", "Keys"},
 };

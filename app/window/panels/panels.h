@@ -29,7 +29,10 @@ class BodyPanel {
   void edit_moments(PanelContext& context, const Scene& scene, std::string& refusal) const;
   void edit_omega(PanelContext& context, const Scene& scene) const;
 
-  double most_moment_ = 1, most_omega_ = 1;  ///< ends of sliders; they stand while one is held
+  // Ends of sliders; they stand while one is held.
+  Vec3 least_moments_{0, 0, 0}, most_moments_{1, 1, 1};
+  double most_omega_ = 1;
+  int power_ = 0;  ///< of ten, which the sliders of moments leave out
 };
 
 /// Measures the methods when it opens, and again for another motion.
@@ -83,6 +86,8 @@ class SavePanel {
   SaveOptions options;
 };
 
+/// The lessons that there are: in the outline, and at the end of one.
+void draw_lessons(PanelContext& context);
 void draw_settings(PanelContext& context);
 void draw_help(PanelContext& context);
 
@@ -92,9 +97,12 @@ class Panels {
   void draw(PanelContext& context, const Region& region);
   /// Before a frame: none has the focus unless it says so.
   void begin_frame();
-  /// Whether all keys are for the panel: one that was opened or chosen by a key. Those that walk and play
-  /// stay with the page beside questions, until a control is chosen by keys or a text is typed.
+  /// Whether all keys are for the panel: one that was opened or chosen by a key. After a click in it those
+  /// that walk and play are the page's, until a control is chosen by keys or a text is typed; beside
+  /// questions they always are.
   bool has_focus() const { return has_focus_; }
+  /// The keyboard is the panel's, and it has a text to be typed: letters beside its field are no commands.
+  bool awaits_text() const { return awaits_text_; }
   /// F6: from now on until the focus goes elsewhere they are for the panel of questions too.
   void take_keys() { takes_keys_ = true; }
   std::optional<double> seconds_to_wake() const { return method_.seconds_to_wake(); }
@@ -114,6 +122,7 @@ class Panels {
   std::string refusal_;              ///< why the last edit was not made; empty: it was
   bool has_focus_ = false;
   bool takes_keys_ = false;
+  bool awaits_text_ = false;
 };
 
 }  // namespace polhode

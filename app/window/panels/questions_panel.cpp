@@ -218,7 +218,10 @@ void QuestionsPanel::draw(PanelContext& context) {
     draw_question(context, *questions[i], i + 1, questions.size());
     context.take_focus = false;
   }
-  if (is_end) draw_summary(context);
+  if (is_end) {
+    draw_summary(context);
+    draw_lessons(context);
+  }
   const auto asks_for = [&](Ask::Type type) {
     return std::any_of(questions.begin(), questions.end(), [=](const Ask* ask) { return ask->type == type; });
   };

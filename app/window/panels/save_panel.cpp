@@ -29,7 +29,9 @@ void offer(PanelContext& context, const char* words, SaveAs what, const std::str
   ImGui::BeginDisabled(!can_save_as(context.session, what));
   if (ImGui::Button(words, {-1, 0})) context.requests.save_as = what;
   ImGui::EndDisabled();
-  tooltip_of_last(tooltip);
+  tooltip_of_last(can_save_as(context.session, what) ? tooltip
+                  : what == SaveAs::equation         ? "This step has no equation."
+                                                     : "This step has no figure.");
 }
 
 }  // namespace

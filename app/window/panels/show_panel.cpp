@@ -2,20 +2,34 @@
 #include "app/session/figure_interaction.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
+#include "render/scene/model/scene_needs.h"
 
 #include <imgui.h>
-
-#include <algorithm>
 
 namespace polhode {
 
 namespace {
 
+/// As alternative texts call it, without the article.
 std::string words_of(Overlay overlay) {
-  if (overlay == Overlay::omega) return "ω";
-  std::string words(name_of(overlay));
-  std::replace(words.begin(), words.end(), '-', ' ');
+  if (overlay == Overlay::labels) return "names at arrows and axes";
+  std::string words(facts_of(overlay).words);
+  for (const std::string_view article : {"the ", "a ", "an "})
+    if (words.starts_with(article)) words.erase(0, article.size());
   return words;
+}
+
+/// On as many lines as the words take, which Dear ImGui's own does not.
+bool wrapped_checkbox(const std::string& words, bool& is_on) {
+  const bool changed = ImGui::Checkbox(("##" + words).c_str(), &is_on);
+  ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+  ImGui::PushTextWrapPos(0);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+  const bool is_clicked = ImGui::IsItemClicked();
+  if (is_clicked) is_on = !is_on;
+  return changed || is_clicked;
 }
 
 void choose_views(LessonSession& session, PanelContext& context) {
@@ -54,15 +68,16 @@ void offer_overlay(PanelContext& context, Overlay overlay) {
   LessonSession& session = context.session;
   const SceneModel& model = *session.model();
   bool shown = model.scene.show.contains(overlay);
-  const bool nothing_to_see = shown && !model.drawn.contains(overlay);
-  if (ImGui::Checkbox(words_of(overlay).c_str(), &shown)) {
+  const std::string unseen = what_is_unseen(overlay, model.scene);
+  if (wrapped_checkbox(words_of(overlay), shown)) {
     SceneEdits edits = session.edits();
     set_shown(edits, session.lesson_scene(), overlay, shown);
     context.requests.edits = edits;
   }
-  if (!nothing_to_see) return;
-  ImGui::SameLine();
-  ImGui::TextDisabled("nothing to see here");
+  if (unseen.empty()) return;
+  ImGui::Indent(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
+  quiet_words(unseen);
+  ImGui::Unindent(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x);
 }
 
 }  // namespace

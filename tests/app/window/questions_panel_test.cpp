@@ -48,6 +48,47 @@ TEST_F(QuestionsPanelTest, KeysThatWalkAndPlayAreThePages) {
   EXPECT_TRUE(screen->press(session, "Left"));
 }
 
+// The reply stands in the panel, which opens; the mark stands where the choice is.
+TEST_F(QuestionsPanelTest, AChoiceIsClickedWhereItStands) {
+  const Ask& ask = go_to_question("no-torque");
+  frame(3);
+  const std::vector<Page::Choice> choices = screen->page().page().choices;
+  ASSERT_EQ(choices.size(), ask.choices.size());
+  const auto middle = [](const PixelBox& box) {
+    return Vec2(0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1));
+  };
+  for (const Page::Choice& choice : choices) {
+    EXPECT_EQ(choice.ask, &ask);
+    click(middle(choice.box).x(), middle(choice.box).y());
+    EXPECT_EQ(session.panel, Panel::question);
+    ASSERT_NE(session.judged(ask), nullptr);
+    session.end_play();
+    frame(2);
+    EXPECT_EQ(session.judged(ask)->judgement.choice, static_cast<int>(choice.number) + 1);
+    if (session.judged(ask)->judgement.mark == AnswerJudgement::Mark::right) break;
+  }
+  EXPECT_EQ(session.judged(ask)->judgement.mark, AnswerJudgement::Mark::right);
+  const AnswerRecord before = *session.record(ask);
+  click(middle(choices.front().box).x(), middle(choices.front().box).y());
+  EXPECT_EQ(session.record(ask)->tries, before.tries) << "it is answered";
+}
+
+// An answer that is typed beside its field opens no panel and changes nothing.
+TEST_F(QuestionsPanelTest, AMissedClickTypesNoCommands) {
+  go_to_question("hold-steady");
+  screen->press(session, "Q");
+  frame(5);
+  click(kSize.width - 150, 12);  // beside the field
+  ASSERT_FALSE(ImGui::GetIO().WantTextInput);
+  const double t_s = session.t_s(), text_scale = session.preferences.text_scale;
+  for (const char* key : {"W", "1", "*", "-", "0", "G", "S", "E", "B", "+"})
+    EXPECT_FALSE(screen->press(session, key)) << key;
+  EXPECT_EQ(session.panel, Panel::question);
+  EXPECT_EQ(session.preferences.text_scale, text_scale);
+  EXPECT_EQ(session.t_s(), t_s);
+  EXPECT_TRUE(session.edits().empty());
+}
+
 TEST_F(QuestionsPanelTest, AFieldGivesTheKeyboardBackAtEscape) {
   go_to_question("hold-steady");
   const Place asked = session.place();

@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <set>
 
@@ -94,6 +96,37 @@ TEST_F(ControlFont, HasWhatRefusalsSay) {
       }
     }
   EXPECT_GT(judged, 0u);
+}
+
+double luminance(const ImVec4& color) {
+  const auto linear = [](float part) {
+    return part <= 0.04045F ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.x) + 0.7152 * linear(color.y) + 0.0722 * linear(color.z);
+}
+
+/// Of two colours, the first of which may let the second through.
+double contrast(ImVec4 color, const ImVec4& ground) {
+  const auto over = [&](float top, float below) { return color.w * top + (1 - color.w) * below; };
+  color = {over(color.x, ground.x), over(color.y, ground.y), over(color.z, ground.z), 1};
+  const double one = luminance(color) + 0.05, other = luminance(ground) + 0.05;
+  return std::max(one, other) / std::min(one, other);
+}
+
+// WCAG 2.2: 3:1 where a control is and how far it is moved (1.4.11), 4.5:1 for the words on it (1.4.3).
+TEST_F(ControlFont, ControlsStandOutFromTheirGround) {
+  for (const Theme theme : {Theme::paper, Theme::dark}) {
+    set_control_style(theme, control_sizes(1));
+    const ImVec4* const c = ImGui::GetStyle().Colors;
+    for (const int ground : {ImGuiCol_WindowBg, ImGuiCol_FrameBg}) {
+      for (const int part : {ImGuiCol_Border, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive,
+                             ImGuiCol_ScrollbarGrab, ImGuiCol_CheckMark, ImGuiCol_NavHighlight})
+        EXPECT_GE(contrast(c[part], c[ground]), 3)
+            << ImGui::GetStyleColorName(part) << " on " << ImGui::GetStyleColorName(ground);
+      for (const int words : {ImGuiCol_Text, ImGuiCol_TextDisabled})
+        EXPECT_GE(contrast(c[words], c[ground]), 4.5) << ImGui::GetStyleColorName(words);
+    }
+  }
 }
 
 // The signs that are made of others stand where and as large as those of print.

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Before an audience: the keys of clickers and of those who have given many talks.
+#include "tests/app/window/screen_harness.h"
+
+namespace polhode {
+namespace {
+
+class PresentingTest : public ScreenTest {
+ protected:
+  void SetUp() override {
+    screen->press(session, "P");
+    frame(3);
+    ASSERT_TRUE(session.is_presenting());
+  }
+  bool is_black() {
+    frame(2);
+    const Image shown = screen->read();
+    for (int row = 0; row < kSize.height; row += 7)
+      for (int at = 0; at < kSize.width; at += 7)
+        if (shown.pixel(at, row)[0] + shown.pixel(at, row)[1] + shown.pixel(at, row)[2] > 0) return false;
+    return true;
+  }
+};
+
+TEST_F(PresentingTest, TheScreenIsBlackUntilTheNextKey) {
+  for (const char* key : {".", "B"}) {
+    for (int i = 0; i < 300; ++i) frame();  // what was told is gone
+    EXPECT_FALSE(is_black());
+    const Place before = session.place();
+    screen->press(session, key);
+    EXPECT_TRUE(is_black()) << key;
+    EXPECT_EQ(session.panel, Panel::none) << key;
+    screen->press(session, "Right");
+    EXPECT_FALSE(is_black()) << key;
+    EXPECT_EQ(session.place(), before) << "nobody has seen what comes next";
+    screen->press(session, key);
+    screen->press(session, key);
+    EXPECT_FALSE(session.is_black());
+  }
+  screen->press(session, ".");
+  screen->press(session, "Escape");
+  EXPECT_TRUE(session.is_presenting()) << "Escape leaves the black screen first";
+}
+
+TEST_F(PresentingTest, ANumberAndEnterLeadToAStage) {
+  for (const char* key : {"1", "2", "Enter"}) EXPECT_TRUE(screen->press(session, key)) << key;
+  EXPECT_EQ(session.place(), (Place{11, 0}));
+  for (const char* key : {"9", "9", "Enter"}) screen->press(session, key);
+  EXPECT_EQ(session.place(), (Place{11, 0}));
+  EXPECT_NE(screen->notice().find("There is no stage 99"), std::string::npos) << screen->notice();
+  screen->press(session, "3");
+  screen->press(session, "Right");  // thinks better of it
+  screen->press(session, "Enter");
+  EXPECT_EQ(session.place(), (Place{11, 1}));
+}
+
+TEST_F(PresentingTest, PanelsAreSeenAndEscapeGoesOneStepBack) {
+  for (const char* key : {"O", "M", "S", "Q", "E", "?"}) {
+    const Image before = screen->read();
+    screen->press(session, key);
+    frame(3);
+    EXPECT_NE(session.panel, Panel::none) << key;
+    EXPECT_NE(screen->read().rgba, before.rgba) << key << ": it is drawn";
+    screen->press(session, "Escape");
+    frame(3);
+    if (ImGui::GetIO().WantTextInput || session.panel != Panel::none) screen->press(session, "Escape");
+    frame(2);
+    EXPECT_EQ(session.panel, Panel::none) << key;
+    EXPECT_TRUE(session.is_presenting()) << key;
+  }
+  screen->press(session, "Escape");
+  EXPECT_FALSE(session.is_presenting());
+}
+
+TEST_F(PresentingTest, APanelThatWasOpenIsClosed) {
+  screen->press(session, "Escape");
+  screen->press(session, "O");
+  frame(2);
+  screen->press(session, "P");
+  EXPECT_EQ(session.panel, Panel::none);
+}
+
+}  // namespace
+}  // namespace polhode

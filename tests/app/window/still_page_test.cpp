@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// What a reader reads stands still: whatever panel opens, from step to step, in windows of all sizes.
+#include "tests/app/window/screen_harness.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace polhode {
+namespace {
+
+class StillPageTest : public ScreenTest {
+ protected:
+  /// Pixels of the text column, of the page as it is shown.
+  std::vector<std::uint8_t> text() {
+    const Image shown = screen->page().picture().read();
+    const PixelBox& column = screen->page().page().column;
+    std::vector<std::uint8_t> pixels;
+    for (int row = 0; row < shown.size.height; ++row)
+      for (int at = static_cast<int>(column.x0); at < static_cast<int>(column.x1); ++at)
+        pixels.insert(pixels.end(), shown.pixel(at, row), shown.pixel(at, row) + 4);
+    return pixels;
+  }
+  void draw_at(Size size, int count = 3) {
+    for (int i = 0; i < count; ++i)
+      ASSERT_TRUE(screen->draw(session, {.size = size, .scale = 1, .seconds = 0.02}));
+  }
+};
+
+TEST_F(StillPageTest, APanelLiesBesideTheTextWithoutTouchingIt) {
+  frame(3);
+  const auto before = text();
+  const double figure_right = screen->page().page().figure.x1;
+  for (const Panel panel : {Panel::outline, Panel::body, Panel::method, Panel::show, Panel::question,
+                            Panel::save, Panel::settings, Panel::help}) {
+    session.panel = panel;
+    frame(3);
+    EXPECT_EQ(text(), before);
+    const PixelBox& figure = screen->page().page().figure;
+    EXPECT_LT(figure.x1, figure_right - 200) << "it keeps clear of the panel";
+    EXPECT_GT(figure.width(), 200);
+  }
+  session.panel = Panel::none;
+  frame(3);
+  EXPECT_EQ(screen->page().page().figure.x1, figure_right);
+}
+
+// That a scene was changed is told beside a panel, not over it: neither hides the other.
+TEST_F(StillPageTest, WhatLiesOnTheFigureKeepsClearOfAPanel) {
+  const Size small{900, 600};
+  session.panel = Panel::body;
+  draw_at(small);
+  const Image before = screen->read();
+  SceneEdits edits = session.edits();
+  edits.on.insert(Overlay::labels);
+  ASSERT_TRUE(session.set_edits(edits));
+  draw_at(small, 4);
+  const Image after = screen->read();
+  constexpr int kPanel = 640;  // its left edge is before that
+  int told = 0, hidden = 0;
+  for (int row = 0; row < 60; ++row)
+    for (int at = 0; at < small.width; ++at)
+      if (std::memcmp(before.pixel(at, row), after.pixel(at, row), 4) != 0) ++(at < kPanel ? told : hidden);
+  EXPECT_GT(told, 100);
+  EXPECT_EQ(hidden, 0);
+}
+
+// One size of type for all steps of all stages; what was there is there still, above what is new.
+TEST_F(StillPageTest, TypeHasOneSizeAndEarlierStepsStay) {
+  session.preferences.text_scale = kMostTextScale;
+  for (std::size_t stage : {std::size_t{0}, std::size_t{8}, session.lesson().stages.size() - 1})
+    for (std::size_t step = 0; step < session.lesson().stages[stage].steps.size(); ++step) {
+      session.go_to({stage, step});
+      frame(2);
+      const Page& page = screen->page().page();
+      EXPECT_EQ(page.scale, 1) << stage << ' ' << step << ": 200 % is 200 %";
+      EXPECT_EQ(page.whole_from, 1) << stage << ' ' << step;
+      EXPECT_LE(page.hidden, page.overflow);
+    }
+}
+
+TEST_F(StillPageTest, WhatDoesNotFitIsScrolledByWheelAndKeys) {
+  session.go_to({0, session.lesson().stages[0].steps.size() - 1});
+  frame(3);
+  const Page& page = screen->page().page();
+  ASSERT_GT(page.overflow, 0) << "ten steps";
+  EXPECT_GT(page.hidden, 0) << "the new step is seen";
+  const double begun = page.hidden;
+  move(page.column.x0 + 20, page.column.y0 + 100);
+  for (int i = 0; i < 100; ++i) {
+    ImGui::GetIO().MouseWheel = 1;
+    frame();
+  }
+  frame(2);
+  EXPECT_EQ(page.hidden, 0) << "the head of the stage";
+  const auto head = text();
+  screen->press(session, "J");
+  frame(2);
+  EXPECT_GT(page.hidden, 0);
+  EXPECT_NE(text(), head);
+  screen->press(session, "K");
+  frame(2);
+  EXPECT_EQ(page.hidden, 0);
+  session.previous_step();
+  frame(2);
+  session.next_step();
+  frame(2);
+  EXPECT_EQ(page.hidden, begun) << "a step that is come to is read from its beginning";
+}
+
+TEST_F(StillPageTest, ASymbolInFocusIsScrolledTo) {
+  session.go_to({0, session.lesson().stages[0].steps.size() - 1});
+  frame(3);
+  ASSERT_GT(screen->page().page().hidden, 0);
+  for (std::size_t i = 0; i < screen->page().symbols().size(); ++i) {
+    screen->press(session, "Tab");
+    frame(2);
+    const TypeBox& box = screen->page().symbols()[i].box;
+    EXPECT_GE(box.y0, 0) << i;
+    EXPECT_LE(box.y1, screen->page().picture().size().height) << i;
+  }
+}
+
+// Indices apart, which are set within a line of larger type.
+TEST_F(StillPageTest, NoTypeIsTooSmallToBeRead) {
+  for (const Size size : {Size{1280, 800}, Size{900, 600}, Size{800, 560}, Size{640, 480}})
+    for (const Place place : {Place{0, 6}, Place{9, 1}, Place{20, 0}}) {
+      session.go_to(place);
+      draw_at(size);
+      for (const PlacedType& text : screen->page().page().sheet.texts) {
+        double largest = 0;
+        for (const Glyph& glyph : text.list.glyphs)
+          largest = std::max(largest, static_cast<double>(glyph.size));
+        if (largest == 0) continue;
+        EXPECT_GE(largest, 11.9) << size.width << ' ' << place.stage << ": " << text.text;
+      }
+    }
+}
+
+TEST_F(StillPageTest, NormalSizeIsReachedFromBothEnds) {
+  for (const int there : {100, -100}) {
+    session.change_text_scale(there);
+    for (int i = 0; i < 12 && session.preferences.text_scale != 1; ++i)
+      session.change_text_scale(there > 0 ? -1 : 1);
+    EXPECT_EQ(session.preferences.text_scale, 1);
+  }
+  session.change_text_scale(3);
+  EXPECT_TRUE(screen->press(session, "Ctrl+0"));
+  EXPECT_EQ(session.preferences.text_scale, 1);
+}
+
+}  // namespace
+}  // namespace polhode
