@@ -23,10 +23,11 @@ class AnswerCheck {
   bool is_right(const Ask& ask, std::string_view answer);
 
  private:
-  bool judge(const Ask& ask, std::string_view answer) const;
+  bool judge(const Ask& ask, std::string_view answer);
+  const LineNotation& notation(const Ask& ask);
 
   const Lesson& lesson_;
-  LineNotation how_;
+  std::map<const Ask*, LineNotation> how_;
   Prover prover_;
   std::map<std::pair<const Ask*, std::string>, bool> known_;
 };

@@ -15,9 +15,24 @@
 namespace polhode {
 namespace {
 
+/// As TOML has it, in as many bytes, so that places stay: "w " for ω, brackets for (…), hyphens for other
+/// signs of minus.
+std::string plain(std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> kPlain[] = {
+      {"\\omega", " omega"}, {"ω", "w "}, {"−", "  -"}, {"–", "  -"}};
+  std::string made(text);
+  for (const auto& [typed, meant] : kPlain)
+    for (std::size_t at = made.find(typed); at != made.npos; at = made.find(typed, at + 1))
+      made.replace(at, typed.size(), meant);
+  if (made.find('"') != made.npos || made.find('\'') != made.npos) return made;  // what is quoted stays
+  std::replace(made.begin(), made.end(), '(', '[');
+  std::replace(made.begin(), made.end(), ')', ']');
+  return made;
+}
+
 /// Parts behind a `;` begin a line of their own, as TOML has it. A `;` between quotes stays.
 std::string on_lines(std::string_view text) {
-  std::string lines(text);
+  std::string lines = plain(text);
   char quote = 0;
   for (char& c : lines) {
     if (quote != 0) {

@@ -4,7 +4,7 @@
 // is dropped.
 #include "lessons/claims/expression_variants.h"
 #include "lessons/derivation/answer_reasons.h"
-#include "lessons/reader/ask_block.h"
+#include "lessons/reader/line_notation.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST(MutatedSolutions, NoLineWithAWrongFactorLeadsOn) {
   for_each_question([&](const Lesson& lesson, const Ask& ask) {
     if (!ask.derivation) return;
     const Derivation& derivation = *ask.derivation;
-    const LineNotation how = line_notation(lesson);
+    const LineNotation how = line_notation(lesson, ask);
     std::vector<DerivedLine> before;
     for (const WorkedLine& worked : derivation.worked) {
       const Equality& line = worked.line.whole;
@@ -111,7 +111,7 @@ TEST(MutatedSolutions, NoAnswerWithAWrongFactorIsRight) {
   int judged = 0;
   for_each_question([&](const Lesson& lesson, const Ask& ask) {
     if (!ask.expression || is_zero(*ask.expression)) return;
-    const LineNotation how = line_notation(lesson);
+    const LineNotation how = line_notation(lesson, ask);
     EXPECT_TRUE(is_right_answer(ask, typed(*ask.expression), prover, how)) << ask.id;
     for (const Expression& mutant : mutants_of(*ask.expression)) {
       if (prover.settle({mutant, *ask.expression}, Assumption::identity) == Verdict::holds) continue;
@@ -127,7 +127,7 @@ TEST(MutatedSolutions, NoAnswerWithAWrongFactorIsRight) {
 TEST(MutatedSolutions, WhatIsZeroOnBothSidesDecidesNoFactor) {
   for_each_question([&](const Lesson& lesson, const Ask& ask) {
     if (ask.id != "derive-length" && ask.id != "derive-energy") return;
-    const LineNotation how = line_notation(lesson);
+    const LineNotation how = line_notation(lesson, ask);
     const Prover prover;
     const auto mark = [&](const std::string& line) {
       return judge_line(*ask.derivation, {}, line, how, prover).mark;
