@@ -16,6 +16,16 @@ bool AnswerCheck::is_right(const Ask& ask, std::string_view answer) {
   return known->second;
 }
 
+std::string AnswerCheck::reason(const Ask& ask, std::string_view answer) {
+  if (ask.derivation) return "";
+  const auto [known, is_new] = reasons_.try_emplace({&ask, std::string(answer)}, "");
+  if (is_new)
+    known->second =
+        (ask.task ? judge_state(*ask.task, answer) : judge_with_reasons(ask, answer, prover_, notation(ask)))
+            .tag;
+  return known->second;
+}
+
 const LineNotation& AnswerCheck::notation(const Ask& ask) {
   const auto known = how_.find(&ask);
   return known != how_.end() ? known->second : how_.emplace(&ask, line_notation(lesson_, ask)).first->second;
