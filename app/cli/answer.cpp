@@ -15,7 +15,7 @@
 #include "base/utf8.h"
 #include "lessons/derivation/answer_reasons.h"
 #include "lessons/diagnostics/source_text.h"
-#include "lessons/reader/ask_block.h"
+#include "lessons/reader/line_notation.h"
 #include "lessons/reader/state_task.h"
 
 #include <fmt/format.h>
@@ -154,7 +154,7 @@ ExitCode answer(const Options& options) {
     or_fail(kept.change([](AnswerLog& log, const std::string& name) { log.erase(name); }));
     return ExitCode::done;
   }
-  return judge_and_keep(ask, speech, line_notation(loaded.lesson), *options.answer, options, kept);
+  return judge_and_keep(ask, speech, line_notation(loaded.lesson, ask), *options.answer, options, kept);
 }
 
 }  // namespace

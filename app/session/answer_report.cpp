@@ -163,6 +163,7 @@ class ReportReader {
     const bool is_for_people =
         text.empty() || (!is_open_ && (text.starts_with("Title: ") || text.starts_with("Right: ") ||
                                        text.starts_with("Outcome ")));
+    if (is_for_people && !text.empty()) report_.head.append(text) += '\n';
     if (!is_for_people) {
       if (text.starts_with(' '))
         of_answer(text);
@@ -260,6 +261,17 @@ class ReportReader {
 
 std::string version_of(const Lesson& lesson) { return short_hash(lesson.source); }
 
+std::string head_of_report(const Lesson& lesson, const AnswerLog& judged) {
+  const Progress progress = progress_of(lesson, judged);
+  std::string text =
+      fmt::format("Title: {}\nRight: {}\n", printable_line(lesson.title), words_of(progress.all));
+  for (std::size_t i = 0; i < progress.outcomes.size(); ++i)
+    if (progress.outcomes[i].asked > 0)
+      text += fmt::format("Outcome {}: {}: {}\n", i + 1, words_of(progress.outcomes[i]),
+                          printable_line(lesson.about.outcomes[i]));
+  return text;
+}
+
 Result<std::string> answer_report(const Lesson& lesson, const AnswerLog& answers, const std::string& name) {
   const std::string student = trimmed_name(name);
   if (std::string fault = fault_of_name(student); !fault.empty()) return failure(std::move(fault));
@@ -277,13 +289,7 @@ Result<std::string> answer_report(const Lesson& lesson, const AnswerLog& answers
     if (answer.tries > 0) judged[question.name] = {answer.right ? 1 : 0, answer.tries, 0, ""};
     questions += fmt::format("\n{}: {}\n{}", question.name, prompt.empty() ? "…" : prompt, words_of(answer));
   }
-  const Progress progress = progress_of(lesson, judged);
-  text += fmt::format("Title: {}\nRight: {}\n", printable_line(lesson.title), words_of(progress.all));
-  for (std::size_t i = 0; i < progress.outcomes.size(); ++i)
-    if (progress.outcomes[i].asked > 0)
-      text += fmt::format("Outcome {}: {}: {}\n", i + 1, words_of(progress.outcomes[i]),
-                          printable_line(lesson.about.outcomes[i]));
-  text += questions + '\n';
+  text += head_of_report(lesson, judged) + questions + '\n';
   const std::vector<std::string_view> lines = lines_of(text);
   return text + fmt::format(
                     "{}{}\n"

@@ -49,10 +49,14 @@ struct AnswerReport {
   std::string student;  ///< as it was typed; empty: none was
   std::vector<ReportedAnswer> answers;
   std::string checksum;
+  std::string head{};  ///< what it says at its head for people: how many are right
 };
 
 /// Of the lesson's text: 16 digits of its SHA-256.
 std::string version_of(const Lesson& lesson);
+
+/// The head of a report for people, of what was answered and whether it is right: a line each.
+std::string head_of_report(const Lesson& lesson, const AnswerLog& judged);
 
 /// What is right is judged anew, for the log may be that of an older version of the lesson. An error if the
 /// name cannot be taken (fault_of_name).

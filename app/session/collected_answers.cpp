@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/collected_answers.h"
 
+#include "app/session/derivation_work.h"
 #include "app/session/student_name.h"
 #include "base/printable.h"
 #include "base/utf8.h"
@@ -64,18 +65,30 @@ Result<std::string> CollectedAnswers::add(const std::string& file, const AnswerR
     CollectedAnswer& answer = student.answers[number->second];
     answer = {reported.tries > 0 ? State::wrong : State::open, reported.tries, reported.hints,
               reported.reasons};
-    for (const auto& [tag, count] : reported.reasons)
-      if (!is_known_reason(tag, ask.choices.size())) {
-        answer.reasons.erase(tag);
-        notes.push_back(fmt::format("{}: there is no reason \"{}\"; it is left out", reported.name, tag));
-      }
+    const bool is_right = reported.right && check_.is_right(ask, reported.answer);
+    const std::size_t notes_before = notes.size();
+    check_numbers(ask, reported, answer, notes);
+    has_false_rights = has_false_rights || notes.size() > notes_before;
+    if (answer.state == State::wrong && !is_right)
+      if (const std::string reason = check_.reason(ask, reported.answer);
+          !reason.empty() && reason != kOtherReason)
+        answer.reasons.try_emplace(reason, 1);
     if (!reported.right) continue;
-    if (check_.is_right(ask, reported.answer)) {
+    if (is_right) {
       answer.state = State::right;
     } else {
       has_false_rights = true;
       notes.push_back(fmt::format("{} is said to be right, and its answer is not", reported.name));
     }
+  }
+  AnswerLog judged;
+  for (std::size_t i = 0; i < questions_.size(); ++i)
+    if (student.answers[i].state != State::open)
+      judged[questions_[i].name].tries = 1,
+      judged[questions_[i].name].right = student.answers[i].state == State::right ? 1 : 0;
+  if (report.head != head_of_report(lesson_, judged)) {
+    has_false_rights = true;
+    notes.emplace_back(fmt::format("its first lines say otherwise than its answers; they are not believed"));
   }
   if (report.student.empty())
     if (const auto [same, is_new] = nameless_.emplace(report.checksum, student.file); !is_new)
@@ -97,6 +110,38 @@ Result<std::string> CollectedAnswers::add(const std::string& file, const AnswerR
   std::string told;
   for (const std::string& note : notes) told += (told.empty() ? "" : "; ") + note;
   return told;
+}
+
+/// Of what was tried before the last answer nothing is left but numbers. Those that cannot be are left out.
+void CollectedAnswers::check_numbers(const Ask& ask, const ReportedAnswer& reported, CollectedAnswer& answer,
+                                     std::vector<std::string>& notes) {
+  const auto note = [&](std::string what) { notes.push_back(reported.name + ": " + std::move(what)); };
+  const auto is_possible = [&](const std::string& tag) {
+    if (!is_known_reason(tag, ask.choices.size())) return false;
+    if (picks_choice(ask.type))
+      return tag.starts_with("choice-") &&
+             tag.back() != letter_of_choice(static_cast<std::size_t>(ask.answers[0] - 1));
+    return tag.starts_with("place-") == (ask.type == Ask::Type::order) && !tag.starts_with("choice-");
+  };
+  int errors = 0;
+  for (const auto& [tag, count] : reported.reasons) {
+    if (is_possible(tag)) {
+      errors += count;
+      continue;
+    }
+    answer.reasons.erase(tag);
+    note(fmt::format("there is no reason \"{}\"; it is left out", tag));
+  }
+  const int wrong_tries = reported.tries - (reported.right ? 1 : 0);
+  if (!ask.derivation && errors > wrong_tries) {  // a derivation has several lines to a try
+    answer.reasons.clear();
+    note(fmt::format("{} reasons of {} wrong tries; they are left out", errors, wrong_tries));
+  }
+  const auto most = ask.derivation ? std::size_t{DerivationWork::kMostHints} : ask.hints.size() + 1;
+  if (reported.hints > static_cast<int>(most)) {
+    answer.hints = 0;
+    note(fmt::format("{} hints, and there are {}; they are left out", reported.hints, most));
+  }
 }
 
 /// Of two that would be called alike the one without a name of its own gets that of its file.
@@ -129,7 +174,7 @@ std::string csv_cell(const std::string& text) {
 std::string csv_of(const CollectedAnswers& collected) {
   std::string csv = "student,file,right,answered,asked";
   for (const PlacedAsk& question : collected.questions())
-    csv += fmt::format(",{0},{0} tries,{0} hints", question.name);
+    csv += fmt::format(",{0},{0} tries as reported,{0} hints as reported", question.name);
   csv += '\n';
   for (const CollectedStudent& student : collected.students()) {
     const int right = student.count(State::right), wrong = student.count(State::wrong);

@@ -39,10 +39,12 @@ class CollectedAnswers {
   /// Takes a report, or says why it is skipped: it is of another lesson, or of another version, knows
   /// questions that the lesson does not have, or is older than one of the same student, by when its file was
   /// `written`; of as old ones the later one counts. What it calls right is judged again, and what is not is
-  /// wrong. Reasons that do not exist are left out. @returns what else is to be told; empty: nothing
+  /// wrong; why is judged again too. Of tries, hints and earlier reasons nothing can be judged: what cannot
+  /// be, as more hints than there are, is left out, and so is a head that says otherwise than the answers.
+  /// @returns what else is to be told; empty: nothing
   Result<std::string> add(const std::string& file, const AnswerReport& report, FileTime written = {});
 
-  /// Whether a report calls right what is not.
+  /// Whether a report says what is not so: of an answer that it is right, of numbers that cannot be.
   bool has_false_rights() const { return has_false_rights_; }
   const Lesson& lesson() const { return lesson_; }
   const std::vector<PlacedAsk>& questions() const { return questions_; }
@@ -50,6 +52,8 @@ class CollectedAnswers {
 
  private:
   void give_name(CollectedStudent& student);
+  void check_numbers(const Ask& ask, const ReportedAnswer& reported, CollectedAnswer& answer,
+                     std::vector<std::string>& notes);
 
   const Lesson& lesson_;
   std::vector<PlacedAsk> questions_;
@@ -66,7 +70,7 @@ class CollectedAnswers {
 };
 
 /// A row for each student: name, file, how many questions are right, answered and asked; and of each question
-/// three columns: right, wrong or not answered, tries, hints.
+/// three columns: right, wrong or not answered, and the tries and hints that the report says.
 std::string csv_of(const CollectedAnswers& collected);
 
 /// Of one question: how many students had one reason.

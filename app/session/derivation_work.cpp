@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/derivation_work.h"
 
-#include "lessons/reader/ask_block.h"
+#include "lessons/reader/line_notation.h"
 
 #include <utility>
 
@@ -15,7 +15,7 @@ bool leads_on(Mark mark) { return mark == Mark::holds || mark == Mark::goal; }
 }  // namespace
 
 DerivationWork::DerivationWork(const Lesson& lesson, const Ask& ask)
-    : derivation_(*ask.derivation), how_(line_notation(lesson)) {}
+    : derivation_(*ask.derivation), how_(line_notation(lesson, ask)) {}
 
 std::vector<DerivedLine> DerivationWork::held() const {
   std::vector<DerivedLine> held;

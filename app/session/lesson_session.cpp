@@ -2,7 +2,7 @@
 #include "app/session/lesson_session.h"
 
 #include "lessons/derivation/answer_reasons.h"
-#include "lessons/reader/ask_block.h"
+#include "lessons/reader/line_notation.h"
 #include "lessons/reader/state_task.h"
 #include "lessons/reader/varied_scene.h"
 #include "physics/body/euler.h"
@@ -459,7 +459,7 @@ const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view te
   using Mark = AnswerJudgement::Mark;
   JudgedAnswer& judged = judged_[ask.id] = {
       std::string(text), ask.task ? judge_state(*ask.task, text, effort_)
-                                  : judge_with_reasons(ask, text, Prover(), line_notation(lesson()))};
+                                  : judge_with_reasons(ask, text, Prover(), line_notation(lesson(), ask))};
   if (judged.judgement.mark != Mark::unreadable) {
     note_judged(answers_[answer_name(stage().id, ask.id)], judged.judgement, text);
     if (ask.plays && model_) play_for(ask);

@@ -57,6 +57,18 @@ bool has_no_width(char32_t character) {
   return is_within(character, kUnseen);
 }
 
+/// The Latin letter that a letter of another script, or of full width, looks like; itself if there is none.
+char32_t as_it_looks(char32_t character) {
+  constexpr std::u32string_view kOthers = U"АВЕЗІЈКМНОРЅТУХаеіјоруѕхсСԛԝһαΑΒΕΖΗΙΚΜΝΟΡΤΥΧονρ";
+  constexpr std::u32string_view kLatin = U"ABE3IJKMHOPSTYXaeijopysxcCqwhaABEZHIKMNOPTYXovp";
+  static_assert(kOthers.size() == kLatin.size());
+  const std::size_t at = kOthers.find(character);
+  char32_t letter = at != kOthers.npos ? kLatin[at] : character;
+  constexpr char32_t kFirstWide = 0xFF01, kLastWide = 0xFF5E, kFirst = 0x21;
+  if (letter >= kFirstWide && letter <= kLastWide) letter -= kFirstWide - kFirst;
+  return letter == U'I' || letter == U'|' ? U'l' : letter == U'0' ? U'O' : letter;
+}
+
 }  // namespace
 
 bool is_unseen(char32_t character) { return is_blank_of_any_kind(character) || has_no_width(character); }
@@ -96,7 +108,7 @@ std::string comparable_name(std::string_view name) {
   for (const char32_t character : code_points(decomposed(trimmed_name(name)))) {
     const bool is_blank = is_blank_of_any_kind(character);
     if (is_blank && !was_blank) text += ' ';
-    if (!is_blank) append_utf8(text, character);
+    if (!is_blank) append_utf8(text, as_it_looks(character));
     was_blank = is_blank;
   }
   return text;

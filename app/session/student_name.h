@@ -17,8 +17,8 @@ std::string trimmed_name(std::string_view name);
 /// the same are to be the same.
 std::string fault_of_name(std::string_view name);
 
-/// The same of names that look the same: however accents and blanks are spelled. Small and capital letters
-/// differ.
+/// The same of names that look the same: however accents and blanks are spelled, and with letters of other
+/// scripts for Latin ones, А for A, I for l. Small and capital letters differ.
 std::string comparable_name(std::string_view name);
 
 /// A blank of any kind, or a character that cannot be seen.

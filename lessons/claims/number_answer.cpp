@@ -74,6 +74,17 @@ std::string_view without_blanks(std::string_view text) {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
+/// Whether exactly three digits stand behind a blank, as in 1 024; they and the blank are taken.
+bool take_group(std::string_view& text, std::string& number) {
+  std::string_view rest = text;
+  if (!take(rest, {" ", "\u00a0", "\u2009", "\u202f"})) return false;
+  const auto is_digit_at = [&](std::size_t i) { return i < rest.size() && is_digit(rest[i]); };
+  if (!is_digit_at(0) || !is_digit_at(1) || !is_digit_at(2) || is_digit_at(3)) return false;
+  number += rest.substr(0, 3);
+  text = rest.substr(3);
+  return true;
+}
+
 /// [+-] digits [. digits]; what follows stays.
 std::string take_decimal(std::string_view& text) {
   std::string number;
@@ -88,6 +99,10 @@ std::string take_decimal(std::string_view& text) {
     }
   };
   take_digits();
+  const std::size_t sign = number.starts_with('-') ? 1 : 0;
+  if (number.size() > sign && number.size() <= sign + 3)
+    while (take_group(text, number)) {
+    }
   if (!text.empty() && text.front() == '.') {
     number += '.';
     text.remove_prefix(1);
@@ -141,6 +156,22 @@ std::optional<int> take_power(std::string_view& text) {
   return is_negative ? -power : power;
 }
 
+/// "^10", "**-2", "¹⁰" behind a number: what it is raised to; nothing, and the text as it was, if it is not.
+std::optional<int> take_exponent(std::string_view& text) {
+  if (const auto raised = take_raised(text)) return raised;
+  std::string_view rest = text;
+  if (!take(rest, {"^", "**"})) return std::nullopt;
+  const bool has_brackets = take(rest, {"("});
+  const bool is_negative = take(rest, {"-", "−", "–"});
+  int power = 0;
+  const auto read = std::from_chars(rest.data(), rest.data() + rest.size(), power);
+  if (read.ec != std::errc() || power < 0) return std::nullopt;
+  rest.remove_prefix(static_cast<std::size_t>(read.ptr - rest.data()));
+  if (has_brackets && !take(rest, {")"})) return std::nullopt;
+  text = rest;
+  return is_negative ? -power : power;
+}
+
 using Unreadable = AnswerJudgement;
 struct Reading {
   std::optional<TypedNumber> number;
@@ -159,10 +190,15 @@ Reading read_typed(std::string_view whole) {
   };
   if (text.empty()) return refuse("a number is asked for", "such as 4.2 or 1.2e3");
   if (text.size() > kMostBytes) return refuse("this is too long for a number");
+  while (take(text, {"≈", "≃", "~", "=", " "})) {
+  }
+  if (const std::size_t equals = std::min(text.find('='), text.find("≈")); equals != text.npos)
+    return refuse("the number alone is asked for", "type what stands behind the =", column());
   const std::string digits = take_decimal(text);
   if (!text.empty() && text.front() == ',')
     return refuse("a comma is not read in numbers", "write 1.5 for 1,5 and 1000 for 1,000", column());
   if (digits.empty()) return refuse("this is no number", "write one such as 4.2, -0.3 or 1.2e3", column());
+  const std::optional<int> exponent = take_exponent(text);
   const int power = take_power(text).value_or(0);
   const std::size_t point = digits.find('.');
   const auto decimals = point == digits.npos ? 0 : static_cast<int>(digits.size() - point) - 1;
@@ -172,11 +208,18 @@ Reading read_typed(std::string_view whole) {
     return power > 0 ? refuse("this number is too large") : refuse("this number is too small to be read");
   number.value = *value;
   number.last_digit = std::pow(10.0, power - decimals);
+  if (exponent) {
+    const double base = parse_number(digits).value_or(0);
+    number.value = std::pow(base, *exponent) * std::pow(10.0, power);
+    number.last_digit = 0;  // it is exact
+    if (!std::isfinite(number.value)) return refuse("this number is too large");
+    if (number.value == 0 && base != 0) return refuse("this number is too small to be read");
+  }
   text = without_blanks(text);
   if (text.ends_with('.')) text = without_blanks(text.substr(0, text.size() - 1));  // it ends a sentence
   if (!text.empty() && !typed_unit(text)) {
     const bool computes =
-        is_digit(text.front()) || std::string_view("+-*/^=()").find(text.front()) != std::string_view::npos;
+        is_digit(text.front()) || std::string_view("+-*/^=().").find(text.front()) != std::string_view::npos;
     if (computes)
       return refuse("one number is asked for, and nothing is computed here", "type the result", column());
     return refuse("unknown unit \"" + std::string(text) + '"',

@@ -26,6 +26,16 @@ const std::array<Named, 5> kMore{{{"min", {{kTime, 60}}},
                                   {"rpm", {{kRate, kTurn / 60}, 1}},
                                   {"%", {{kNumber, 0.01}, 0, 0, true}}}};
 
+/// Units as words, and what they are written as.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 31> kInWords{
+    {{"degree", "deg"}, {"degrees", "deg"}, {"degs", "deg"},       {"radian", "rad"},      {"radians", "rad"},
+     {"rads", "rad"},   {"second", "s"},    {"seconds", "s"},      {"sec", "s"},           {"secs", "s"},
+     {"minute", "min"}, {"minutes", "min"}, {"mins", "min"},       {"hour", "h"},          {"hours", "h"},
+     {"turn", "rev"},   {"turns", "rev"},   {"revolution", "rev"}, {"revolutions", "rev"}, {"revs", "rev"},
+     {"joule", "J"},    {"joules", "J"},    {"newton", "N"},       {"newtons", "N"},       {"metre", "m"},
+     {"metres", "m"},   {"meter", "m"},     {"meters", "m"},       {"kilograms", "kg"},    {"kilogram", "kg"},
+     {"percent", "%"}}};
+
 TypedUnit product(const TypedUnit& a, const TypedUnit& b, int power) {
   TypedUnit c = a;
   for (std::size_t i = 0; i < 3; ++i) c.scaled.dimension[i] += power * b.scaled.dimension[i];
@@ -38,6 +48,8 @@ TypedUnit product(const TypedUnit& a, const TypedUnit& b, int power) {
 
 /// One name without a power.
 std::optional<TypedUnit> named(std::string_view name) {
+  for (const auto& [word, written] : kInWords)
+    if (word == name) return named(written);
   for (const Named& more : kMore)
     if (more.name == name) return more.unit;
   const std::string with_mu = name.starts_with('u') ? "µ" + std::string(name.substr(1)) : std::string(name);
@@ -114,6 +126,12 @@ std::optional<TypedUnit> typed_unit(std::string_view text) {
   bool is_open = false;  // behind a sign something has to stand
   while (!text.empty()) {
     if (take(text, " ") || take(text, "\t")) continue;
+    if (text.starts_with("per ") && !is_open && sign > 0) {
+      text.remove_prefix(4);
+      sign = -1;
+      is_open = true;
+      continue;
+    }
     const bool is_product = take(text, "·") || take(text, "⋅") || take(text, "*");
     if (is_product || take(text, "/")) {
       if (is_open || (!is_product && sign < 0)) return std::nullopt;

@@ -36,6 +36,10 @@ void Vocabulary::print_as(std::string_view name, std::string tex) {
   if (found != words_.end()) found->tex = std::move(tex);
 }
 
+void Vocabulary::forget(const std::set<std::string>& names) {
+  std::erase_if(words_, [&](const Word& word) { return names.contains(word.name); });
+}
+
 const Vocabulary::Word* Vocabulary::find(std::string_view name) const {
   const auto found =
       std::find_if(words_.begin(), words_.end(), [name](const Word& word) { return word.name == name; });

@@ -35,6 +35,8 @@ class Vocabulary {
   void define(const std::string& name, Expression means, std::string tex);
   /// How a word is printed. Precondition: it is there.
   void print_as(std::string_view name, std::string tex);
+  /// What is read from now on knows these no more.
+  void forget(const std::set<std::string>& names);
   /// Names that will be defined later: whoever uses one now is told so.
   void announce(std::set<std::string> names) { later_ = std::move(names); }
 

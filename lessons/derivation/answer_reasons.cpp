@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/derivation/answer_reasons.h"
 
+#include "base/utf8.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/claims/reason_tags.h"
 #include "lessons/derivation/restatement.h"
 #include "lessons/derivation/slips.h"
 #include "lessons/derivation/typed_answer.h"
+
+#include <algorithm>
 
 namespace polhode {
 namespace {
@@ -76,6 +79,20 @@ class CloserLook {
   mutable std::size_t tried_ = 0;
 };
 
+/// With blanks for the asked side and the "=" behind it, "N = w2 w3 (I3 - I2)": so columns stay.
+std::string without_asked_side(const Question& question, std::string_view answer, const LineNotation& how) {
+  const std::size_t equals = answer.find('=');
+  if (equals == answer.npos || answer.find('=', equals + 1) != answer.npos) return std::string(answer);
+  const auto side = read_typed_answer(answer.substr(0, equals), how);
+  const bool is_asked =
+      side && std::any_of(question.asked.begin(), question.asked.end(), [&](const Expression& asked) {
+        return fit(asked.type(), side->expression.type()) && expanded_form({asked, side->expression}).empty();
+      });
+  if (!is_asked) return std::string(answer);
+  const auto characters = static_cast<std::size_t>(count_characters(answer.substr(0, equals + 1)));
+  return std::string(characters, ' ') + std::string(answer.substr(equals + 1));
+}
+
 AnswerJudgement unreadable(UnreadableLine fault) {
   AnswerJudgement judgement;
   judgement.mark = Mark::unreadable;
@@ -91,7 +108,7 @@ AnswerJudgement judge_with_reasons(const Question& question, std::string_view an
                                    const LineNotation& how) {
   if (question.type != Question::Type::expression)
     return judge_answer(question, answer, prover, &how.notation->vocabulary);
-  auto read = read_typed_answer(answer, how);
+  auto read = read_typed_answer(without_asked_side(question, answer, how), how);
   if (!read) return unreadable(std::move(read.error()));
   const Expression& expression = read->expression;
   AnswerJudgement judgement = judge_expression(question, expression, prover);
@@ -120,7 +137,7 @@ bool is_right_answer(const Question& question, std::string_view answer, const Pr
   if (question.type != Question::Type::expression)
     return judge_answer(question, answer, prover, &how.notation->vocabulary, Reasons::unwanted).mark ==
            Mark::right;
-  const auto read = read_typed_answer(answer, how);
+  const auto read = read_typed_answer(without_asked_side(question, answer, how), how);
   if (!read || judge_expression(question, read->expression, prover, Reasons::unwanted).mark != Mark::right)
     return false;
   return read->expression.nodes.size() > kMostNodes || !why_no_answer(read->expression, question, prover);

@@ -4,6 +4,7 @@
 #include "base/utf8.h"
 #include "lessons/claims/expression_builder.h"
 #include "lessons/claims/expression_variants.h"
+#include "lessons/derivation/decided.h"
 #include "lessons/derivation/slips.h"
 
 #include <algorithm>
@@ -107,6 +108,8 @@ class Judge {
                    : marked(Mark::unreadable, "this is nowhere defined", "is something divided by 0?");
       return wrong(link);
     }
+    for (const Equality& link : line.links)
+      if (!is_decided(link, derivation_, prover_)) return undecided(link);
     if (is_goal(derivation_, line, prover_)) return marked(Mark::goal, "");
     return useful(line);
   }
@@ -114,6 +117,21 @@ class Judge {
  private:
   Verdict settle(const Equality& link, Assumption assumption) const {
     return prover_.settle(link, assumption, derivation_.given);
+  }
+
+  /// In motions with a torque its sides are not 0, and a slip shows.
+  LineJudgement undecided(const Equality& link) const {
+    LineJudgement judgement =
+        marked(Mark::away, "true, but both sides are 0 here: this line does not decide the factor");
+    const bool is_one_term = settle({link.left, zero_expression()}, derivation_.assumption) != Verdict::holds;
+    if (is_one_term) judgement.reason = "true, but a term is 0 here: this line does not decide its factor";
+    const FoundSlip found = find_slip(
+        link, possible_terms(),
+        [&](const Equality& mended) { return settle(mended, Assumption::motion) == Verdict::holds; },
+        how_.notation->vocabulary);
+    if (found.slip != Slip::other && found.slip != Slip::extra)
+      judgement.hint = "with a torque it would fail: " + found.reason;
+    return judgement;
   }
 
   LineJudgement useful(const DerivedLine& line) const {

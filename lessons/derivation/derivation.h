@@ -14,6 +14,7 @@
 #include "lessons/notation/tex_equation.h"
 #include "lessons/notation/typed_formula.h"
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -27,6 +28,7 @@ struct LineNotation {
   const EquationNotation* notation = nullptr;
   TypedNames names;
   MathMacros macros;  ///< of the lesson, in the names
+  std::shared_ptr<const EquationNotation> own{};  ///< that of `notation`, where nobody else has it
 };
 
 /// A line that was read: a chain of equalities.

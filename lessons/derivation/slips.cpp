@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/derivation/slips.h"
 
-#include "lessons/claims/expression_builder.h"
 #include "lessons/claims/expression_names.h"
 #include "lessons/claims/expression_variants.h"
 #include "lessons/claims/vocabulary.h"
+#include "lessons/derivation/rewriting.h"
 #include "lessons/diagnostics/report.h"
 
 #include <algorithm>
@@ -15,13 +15,6 @@ namespace {
 
 using O = Operation;
 using Q = Quantity;
-
-const FunctionFacts* function_of(O operation) {
-  const auto found =
-      std::find_if(kFunctions.begin(), kFunctions.end(),
-                   [operation](const FunctionFacts& facts) { return facts.operation == operation; });
-  return found == kFunctions.end() ? nullptr : &*found;
-}
 
 /// First of three quantities that are one on each axis.
 constexpr std::array<Q, 6> kOnAxes = {Q::I1, Q::w1, Q::dw1, Q::N1, Q::e1, Q::ex};
@@ -35,86 +28,6 @@ std::optional<std::pair<Q, int>> axis_of(Q quantity) {
 }
 
 Q on_axis(Q first, int axis) { return static_cast<Q>(static_cast<int>(first) + axis); }
-
-/// Writes an expression again with one of its nodes changed.
-class Rewriting {
- public:
-  /// What stands in the node's place; nothing: it cannot be.
-  using Change = std::function<std::optional<int>(Rewriting&, const ExpressionNode&)>;
-
-  Rewriting(const Expression& old, int target, const Change& change)
-      : old_(old), target_(target), change_(change) {}
-
-  std::optional<Expression> write() {
-    try {
-      if (!again(static_cast<int>(old_.nodes.size()) - 1)) return std::nullopt;
-      return Expression{old_.text + " changed", builder_.take(), old_.constants};
-    } catch (const ExpressionFault&) {
-      return std::nullopt;
-    }
-  }
-
-  std::optional<int> again(int index) {
-    const ExpressionNode& n = old_.nodes[static_cast<std::size_t>(index)];
-    return index == target_ ? change_(*this, n) : copy(n);
-  }
-
-  /// The node with its operands as they are.
-  std::optional<int> copy(const ExpressionNode& n) {
-    const auto a = n.a >= 0 ? again(n.a) : std::optional(-1);
-    const auto b = n.b >= 0 ? again(n.b) : std::optional(-1);
-    if (!a || !b) return std::nullopt;
-    return over(n, *a, *b);
-  }
-
-  std::optional<int> over(const ExpressionNode& n, int a, int b) {
-    switch (n.operation) {
-      case O::number:
-        return builder_.number(n.number, 0, 0);
-      case O::constant:
-        return builder_.constant(n.integer, n.number.value, 0, 0);
-      case O::pi:
-        return builder_.pi(0, 0);
-      case O::quantity:
-        return builder_.quantity(facts_of(n.quantity), 0, 0);
-      case O::negate:
-        return builder_.negate(a, 0);
-      case O::add:
-      case O::subtract:
-        return builder_.add(n.operation, a, b, 0);
-      case O::multiply:
-        return builder_.multiply(a, b, 0);
-      case O::divide:
-        return builder_.divide(a, b, 0);
-      case O::power:
-        return builder_.power(a, n.integer, 0, 0);
-      case O::comp:
-        return builder_.component(a, n.integer, 0, 0);
-      case O::apply:
-        return builder_.apply_tensor(a, 0, 0);
-      case O::trace:
-        return builder_.trace_of_tensor(0, 0);
-      default:
-        return call(n.operation, a, b);
-    }
-  }
-
-  std::optional<int> call(O operation, int a, int b = -1) {
-    const FunctionFacts* facts = function_of(operation);
-    if (facts == nullptr) return std::nullopt;
-    return builder_.call(*facts, b >= 0 ? std::vector<int>{a, b} : std::vector<int>{a}, 0, 0);
-  }
-
-  int number(int value) { return builder_.number({value, 0, static_cast<double>(value)}, 0, 0); }
-  int quantity(Q quantity) { return builder_.quantity(facts_of(quantity), 0, 0); }
-  ExpressionBuilder& builder() { return builder_; }
-
- private:
-  const Expression& old_;
-  int target_;
-  const Change& change_;
-  ExpressionBuilder builder_;
-};
 
 class SlipSearch {
  public:

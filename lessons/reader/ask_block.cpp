@@ -8,6 +8,7 @@
 #include "lessons/derivation/restatement.h"
 #include "lessons/reader/asked_formulas.h"
 #include "lessons/reader/keys.h"
+#include "lessons/reader/line_notation.h"
 #include "lessons/reader/number_question.h"
 #include "lessons/reader/outcome_key.h"
 #include "lessons/reader/state_keys.h"
@@ -530,17 +531,6 @@ class AskReader {
 };
 
 }  // namespace
-
-LineNotation line_notation(const EquationNotation& notation, const std::map<std::string, Symbol>& symbols,
-                           const MathMacros& macros) {
-  LineNotation how{&notation, {}, macros};
-  for (const auto& [name, symbol] : symbols) how.names.emplace(name, symbol.tex);
-  return how;
-}
-
-LineNotation line_notation(const Lesson& lesson) {
-  return line_notation(lesson.notation, lesson.symbols, lesson.macros);
-}
 
 std::optional<Ask> read_ask(const TomlTable& table, std::string id, SourcePlace place,
                             const FrontMatter& front, TextReader& texts, const ChoiceList* list,

@@ -13,13 +13,6 @@
 
 namespace polhode {
 
-struct LineNotation;
-/// How lines that learners type are read: with the lesson's symbols by their names. It refers to the
-/// notation.
-LineNotation line_notation(const EquationNotation& notation, const std::map<std::string, Symbol>& symbols,
-                           const MathMacros& macros);
-LineNotation line_notation(const Lesson& lesson);
-
 inline constexpr std::size_t kMaxChoices = 16;
 inline constexpr std::size_t kMaxHints = 16, kMaxLetters = 16;
 /// Of a derivation.

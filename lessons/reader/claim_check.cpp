@@ -4,7 +4,7 @@
 #include "base/numbers.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/claims/proof.h"
-#include "lessons/derivation/derivation.h"
+#include "lessons/derivation/decided.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/reader/formula_signs.h"
 #include "lessons/reader/lint_budget.h"
@@ -158,6 +158,15 @@ class ClaimCheck {
     bool all = check_line(derivation.start, "start") && check_line(derivation.goal, "goal");
     for (const DerivedLine& fact : derivation.facts) all = all && check_line(fact, "fact");
     for (const WorkedLine& worked : derivation.worked) all = all && check_line(worked.line, "solution");
+    Derivation unsolved = derivation;  // no line is decided by being one of the solution
+    unsolved.worked.clear();
+    for (const WorkedLine& worked : derivation.worked)
+      for (const Equality& link : worked.line.links)
+        if (all && !is_decided(link, unsolved, prover_))
+          report_.error(ask.place,
+                        "a line of the solution of question " + in_quotes(ask.id) +
+                            " would hold with any factor, for both its sides are 0: " + worked.line.typed,
+                        "write each term as what was put in for it, (I2 - I3) w1 w2 w3 for I1 w1 w1'");
     if (all && !is_goal(derivation, derivation.worked.back().line, prover_))
       report_.error(ask.place,
                     "the last line of the solution of question " + in_quotes(ask.id) + " is not its goal",

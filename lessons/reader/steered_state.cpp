@@ -15,9 +15,24 @@
 namespace polhode {
 namespace {
 
+/// As TOML has it, in as many bytes, so that places stay: "w " for ω, brackets for (…), hyphens for other
+/// signs of minus.
+std::string plain(std::string_view text) {
+  constexpr std::pair<std::string_view, std::string_view> kPlain[] = {
+      {"\\omega", " omega"}, {"ω", "w "}, {"−", "  -"}, {"–", "  -"}};
+  std::string made(text);
+  for (const auto& [typed, meant] : kPlain)
+    for (std::size_t at = made.find(typed); at != made.npos; at = made.find(typed, at + 1))
+      made.replace(at, typed.size(), meant);
+  if (made.find('"') != made.npos || made.find('\'') != made.npos) return made;  // what is quoted stays
+  std::replace(made.begin(), made.end(), '(', '[');
+  std::replace(made.begin(), made.end(), ')', ']');
+  return made;
+}
+
 /// Parts behind a `;` begin a line of their own, as TOML has it. A `;` between quotes stays.
 std::string on_lines(std::string_view text) {
-  std::string lines(text);
+  std::string lines = plain(text);
   char quote = 0;
   for (char& c : lines) {
     if (quote != 0) {
@@ -45,13 +60,15 @@ class StateReader {
   std::optional<SteeredState> read(const TomlTable& table, std::string_view where) {
     read_keys(table, where,
               {{"omega", [this](const TomlEntry& e) { take(read_vector(e, report_), state_.w0_B); }},
+               {"w", [this](const TomlEntry& e) { spin(e); }},
                {"moments", [this](const TomlEntry& e) { moments(e); }},
                {"attitude", [this](const TomlEntry& e) { attitude(e); }},
                {"torque", [this](const TomlEntry& e) { torque(e); }},
                {"t", [this](const TomlEntry& e) { take(read_number(e, report_), state_.t_s); }}},
               report_);
     const auto is_known = [](const TomlEntry& entry) {
-      return std::any_of(kSteered.begin(), kSteered.end(),
+      return entry.key == "w" ||
+             std::any_of(kSteered.begin(), kSteered.end(),
                          [&](const SteeredFacts& facts) { return facts.name == entry.key; });
     };
     ok_ = ok_ && std::all_of(table.entries.begin(), table.entries.end(), is_known);
@@ -68,6 +85,12 @@ class StateReader {
   void take(std::optional<T> value, std::optional<T>& into) {
     ok_ = ok_ && value;
     into = std::move(value);
+  }
+
+  /// As who types ω has it (plain).
+  void spin(const TomlEntry& entry) {
+    if (state_.w0_B) return fail(entry.place, "ω is given twice");
+    take(read_vector(entry, report_), state_.w0_B);
   }
 
   void moments(const TomlEntry& entry) {

@@ -34,13 +34,14 @@ TEST(CollectedAnswers, StandSideBySide) {
   EXPECT_THAT(
       *collected.add("in/ben.txt", report_of(with("first/which", {0, 2, 1, "C", "", {{"choice-C", 2}}}))),
       IsEmpty());
-  EXPECT_EQ(
-      csv_of(collected),
-      "student,file,right,answered,asked,first/sign,first/sign tries,first/sign hints,first/which,"
-      "first/which tries,first/which hints,first/order,first/order tries,first/order hints,second/derive,"
-      "second/derive tries,second/derive hints\n"
-      "Anna,in/anna.txt,4,4,4,right,1,0,right,1,0,right,1,0,right,1,0\n"
-      "ben,in/ben.txt,3,4,4,right,1,0,wrong,2,1,right,1,0,right,1,0\n");
+  EXPECT_EQ(csv_of(collected),
+            "student,file,right,answered,asked,first/sign,first/sign tries as reported,first/sign hints as "
+            "reported,first/which,"
+            "first/which tries as reported,first/which hints as reported,first/order,first/order tries as "
+            "reported,first/order hints as reported,second/derive,"
+            "second/derive tries as reported,second/derive hints as reported\n"
+            "Anna,in/anna.txt,4,4,4,right,1,0,right,1,0,right,1,0,right,1,0\n"
+            "ben,in/ben.txt,3,4,4,right,1,0,wrong,2,1,right,1,0,right,1,0\n");
 }
 
 TEST(CollectedAnswers, BelieveNobodyThatAnAnswerIsRight) {
@@ -53,6 +54,38 @@ TEST(CollectedAnswers, BelieveNobodyThatAnAnswerIsRight) {
   report.answers[3].answer = "dL/dt = N";
   report.student = "B";
   EXPECT_THAT(*collected.add("b.txt", report), HasSubstr("second/derive is said to be right"));
+}
+
+// What stands at the head for people is computed from the answers, and nothing else is believed.
+TEST(CollectedAnswers, BelieveNoHeadAndNoNumbersThatCannotBe) {
+  const auto told = [](AnswerReport report) {
+    CollectedAnswers collected(quiz());
+    const auto added = collected.add("a.txt", report);
+    EXPECT_EQ(collected.has_false_rights(), added && !added->empty());
+    return added ? *added : "skipped";
+  };
+  const AnswerReport whole = report_of(with("first/which", {0, 2, 1, "C", "", {{"choice-C", 2}}}), "Anna");
+  EXPECT_EQ(told(whole), "");
+  AnswerReport changed = whole;
+  changed.head.replace(changed.head.find("3 of 4"), 6, "4 of 4");
+  EXPECT_THAT(told(changed), HasSubstr("its first lines say otherwise than its answers"));
+  changed = whole;
+  changed.answers[1].hints = 900;
+  EXPECT_THAT(told(changed), HasSubstr("first/which: 900 hints"));
+  changed = whole;
+  changed.answers[1].reasons = {{"choice-C", 7}};
+  EXPECT_THAT(told(changed), HasSubstr("first/which: 7 reasons of 2 wrong tries"));
+  changed.answers[1].reasons = {{"choice-B", 1}};
+  EXPECT_THAT(told(changed), HasSubstr("there is no reason \"choice-B\"")) << "that is the right one";
+  changed.answers[1].reasons = {{"sign", 1}};
+  EXPECT_THAT(told(changed), HasSubstr("there is no reason \"sign\"")) << "of a choice";
+}
+
+TEST(CollectedAnswers, JudgeAgainWhyAnAnswerIsWrong) {
+  AnswerReport report = report_of(with("first/sign", {0, 1, 0, "w3*w1*(I3 - I1)", "", {{"other", 1}}}), "B");
+  CollectedAnswers collected(quiz());
+  ASSERT_TRUE(collected.add("b.txt", report));
+  EXPECT_TRUE(collected.students()[0].answers[0].reasons.contains("signs"));
 }
 
 TEST(CollectedAnswers, SkipWhatIsOfAnotherLesson) {
@@ -101,6 +134,15 @@ TEST(CollectedAnswers, KnowAStudentHoweverTheNameIsSpelled) {
     EXPECT_THAT(*collected.add("3", report), IsEmpty()) << other;
   }
   EXPECT_EQ(collected.students().size(), 3u);
+}
+
+TEST(CollectedAnswers, KnowLettersOfOtherScriptsThatLookLikeLatinOnes) {
+  CollectedAnswers collected(quiz());
+  ASSERT_TRUE(collected.add("a.txt", report_of(test::all_right(), "Anna Ilves")));
+  for (const char* same : {"\u0410nna Ilves", "Ann\u0430 llves", "\uFF21nna Ilves"}) {
+    ASSERT_TRUE(collected.add("b.txt", report_of(test::all_right(), same), FileTime::max())) << same;
+    EXPECT_EQ(collected.students().size(), 1u) << same;
+  }
 }
 
 TEST(CollectedAnswers, AFileWithoutANameIsInNobodysWay) {

@@ -5,7 +5,7 @@
 #include "app/session/collected_answers.h"
 #include "base/sha256.h"
 #include "lessons/derivation/answer_reasons.h"
-#include "lessons/reader/ask_block.h"
+#include "lessons/reader/line_notation.h"
 #include "tests/app/session/quiz_lesson.h"
 
 #include <gmock/gmock.h>
@@ -171,9 +171,9 @@ std::vector<std::string> answers_in(const std::string& text, const std::string& 
 bool is_told_right(const PlacedAsk& question, const std::string& answer) {
   static const Prover prover;
   if (!question.ask->derivation)
-    return judge_with_reasons(*question.ask, answer, prover, line_notation(quiz())).mark ==
+    return judge_with_reasons(*question.ask, answer, prover, line_notation(quiz(), *question.ask)).mark ==
            AnswerJudgement::Mark::right;
-  const LineNotation how = line_notation(quiz());
+  const LineNotation how = line_notation(quiz(), *question.ask);
   const Derivation& derivation = *question.ask->derivation;
   std::vector<DerivedLine> lines;
   for (const std::string& typed : lines_in(answer)) {

@@ -3,7 +3,7 @@
 // given is right, a counterexample is one of them, and a wrong index or a missing term gets its reason.
 #include "lessons/derivation/answer_reasons.h"
 
-#include "lessons/reader/ask_block.h"
+#include "lessons/reader/line_notation.h"
 #include "lessons/reader/reader.h"
 #include "tests/lessons/support.h"
 
@@ -26,8 +26,9 @@ struct Asked {
   const Ask& ask() const { return *blocks_of<Ask>(lesson.stages[0].steps[0])[0]; }
   AnswerJudgement judged(const std::string& answer) const {
     static const Prover prover;
-    const AnswerJudgement judgement = judge_with_reasons(ask(), answer, prover, line_notation(lesson));
-    EXPECT_EQ(is_right_answer(ask(), answer, prover, line_notation(lesson)), judgement.mark == Mark::right)
+    const AnswerJudgement judgement = judge_with_reasons(ask(), answer, prover, line_notation(lesson, ask()));
+    EXPECT_EQ(is_right_answer(ask(), answer, prover, line_notation(lesson, ask())),
+              judgement.mark == Mark::right)
         << answer;
     return judgement;
   }
@@ -333,6 +334,55 @@ TEST(AnswerReasons, LongAnswersTakeNoLonger) {
     EXPECT_EQ(question.judged(answer).mark, Mark::wrong);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(2000)) << answer;
   }
+}
+
+// Names of arrows in figures are words of the lesson's file: who guesses one has no answer, and none is
+// offered.
+TEST(Answers, HaveNoNamesThatNoPageShows) {
+  const auto asked = [](const std::string& prompt, const std::string& answer) {
+    const LessonReading read = read_lesson(
+        "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n[symbols]\n"
+        "omega = { tex = '\\vec\\omega', say = \"omega\", unit = \"rad/s\" }\n[constants]\n"
+        "c = { value = 2, tex = 'c', say = \"c\" }\n[define]\n"
+        "row10 = { tex = 'b_{10}', means = \"w1*w2*w3*(I3 - I2)\", say = \"row\" }\n"
+        "q = { tex = 'q', means = \"w1*w2\", say = \"q\" }\nhid = \"w1*w2\"\n"
+        "+++\n# A {a}\nText.\n\n```ask q\ntype = 'expression'\nprompt = '''" +
+            prompt + "'''\nanswer = '" + answer + "'\n\n```\n",
+        "a.md");
+    if (!read.lesson) throw std::runtime_error(testing::lines_of(read.diagnostics).front());
+    return Asked{*read.lesson};
+  };
+  const Asked row = asked("What is the product?", "w1*w2*w3*(I3 - I2)");
+  for (const char* hidden :
+       {"row10", "1*row10", "hid*w3*(I3 - I2)", "q w3 (I3 - I2)", "c*w1*w2*w3*(I3 - I2)/c"}) {
+    const AnswerJudgement judgement = row.judged(hidden);
+    EXPECT_EQ(judgement.mark, Mark::unreadable) << hidden << ": " << judgement.reason;
+  }
+  EXPECT_EQ(row.judged("row1").hint.find("row10"), std::string::npos);
+  const Asked with_q = asked("Write $q\\,\\omega_3$ with the components.", "w1*w2*w3");
+  EXPECT_EQ(with_q.judged("row10").mark, Mark::unreadable);
+  EXPECT_EQ(with_q.judged("2 q w3").tag, "factor") << "q stands in the question";
+  EXPECT_EQ(asked("What is it?", "2*c*q").judged("2 q c").mark, Mark::right) << "so is the answer written";
+}
+
+// As people type who were told nothing.
+TEST(Answers, AreReadAsTheyAreTyped) {
+  const Asked four = asking("What is it?", "-4*k*T");
+  for (const char* typed : {"-4kT", "-4 k T", "−4kT", "–4kT", "-4*k*T", "-4 T k", "-4·k·T"})
+    EXPECT_EQ(four.judged(typed).mark, Mark::right) << typed << ": " << four.judged(typed).reason;
+  const Asked row = asking("What is $N_1$?", "w2*w3*(I3 - I2)", "modulo = 'identity'");
+  for (const char* typed :
+       {"w2 w3 (I3 - I2)", "\\omega_2\\omega_3(I_3 - I_2)", "ω₂ω₃(I₃ – I₂)", "w_2 w_3 (I_3 − I_2)",
+        "\\omega_{2} \\cdot \\omega_{3} \\cdot (I_{3} - I_{2})", "N1 = w2 w3 (I3 - I2)", "N_1 = w2w3(I3-I2)"})
+    EXPECT_EQ(row.judged(typed).mark, Mark::right) << typed << ": " << row.judged(typed).reason;
+  EXPECT_EQ(row.judged("N2 = w2 w3 (I3 - I2)").mark, Mark::unreadable) << "that is not what is asked for";
+  const Asked rate = asking("What is it?", "I1*dw1 + I2*dw2");
+  for (const char* typed : {"I1 ω̇₁ + I2 ω₂̇", "I1 ẇ1 + I2 w2'", "I1 \\omega_1' + I2 dw2"})
+    EXPECT_EQ(rate.judged(typed).mark, Mark::right) << typed << ": " << rate.judged(typed).reason;
+  const Asked power = asking("What is it?", "2*dot(L, N)");
+  EXPECT_EQ(power.judged("2 L . N").mark, Mark::right);
+  EXPECT_THAT(power.judged("2LN").reason, HasSubstr("without a sign"));
+  EXPECT_THAT(power.judged("\\frac{1}{2}").hint, HasSubstr("a/b for a fraction"));
 }
 
 }  // namespace
