@@ -162,6 +162,7 @@ TexValue TexTerms::letter(const TexItem& item, bool& took_sub) {
     if (c == U'T') return quantity("T", item.span);
     if (c == U'm') return quantity("m", item.span);
     if (c == U'π' && has_pi) return atom_value(std::string(kPiName), Type::scalar, item.span);
+    if (has_pi && (c == U'ω' || c == U'L')) return length_of(quantity(vector_name(c), item.span), item.span);
     const std::string hint = !vector_name(c).empty() ? "a vector has an arrow; its length is |\\vec a|"
                                                      : "give it a symbol with `means`";
     throw TexFault(item.span, "the language of claims does not know this symbol", hint);

@@ -44,7 +44,7 @@ class TexTerms {
   std::vector<std::pair<TexValue, TexValue>>* labels = nullptr;
   /// Numbers of \live are read, as their expressions.
   bool may_be_live = false;
-  /// π is read: of what is computed, for no proof has it.
+  /// π is read, and ω and L without an arrow as lengths: of what is computed, for no proof has either.
   bool has_pi = false;
   /// A rate as seen from the body was read; any rate; 𝐈_S; 𝐈 without an index; a tensor by its components.
   bool has_body_rate = false, has_rate = false, has_space_inertia = false, has_inertia = false,
