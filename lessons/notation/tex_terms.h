@@ -50,6 +50,8 @@ class TexTerms {
   bool has_body_rate = false, has_rate = false, has_space_inertia = false, has_inertia = false,
        has_matrix = false;
 
+  bool is_conditioned() const;
+
   /// The axis that a character names, or its letter stands for; nothing if it is no index.
   std::optional<int> axis_of(const MathNode& character) const;
 
@@ -91,7 +93,6 @@ class TexTerms {
   TexValue matrix(const TexItem& item);
   TexValue quantity(std::string_view name, SourceSpan span) const;
   TexValue rate(const TexValue& of, bool from_space, SourceSpan span);
-  bool is_conditioned() const;
   TexValue raised_by(TexValue base, const TexItem& item, bool took_sub, bool took_sup);
   std::vector<int> axes_of(const MathNode& sub) const;
   int axis_in(const TexItem& item) const;

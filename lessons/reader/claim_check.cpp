@@ -10,6 +10,7 @@
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/name_check.h"
 #include "lessons/reader/number_check.h"
+#include "lessons/reader/prompt_check.h"
 #include "lessons/reader/state_keys.h"
 #include "lessons/reader/statement_check.h"
 #include "render/typeset/math/tree.h"
@@ -163,6 +164,8 @@ class ClaimCheck {
       if (ask.type == Question::Type::order || ask.answers == std::vector{static_cast<int>(i) + 1})
         check_text(ask.choice_texts[i], step);
     check_text(ask.because, step);
+    check_prompt(
+        ask, lesson_, prover_, [&] { return motions_of(step); }, report_, effort_);
     if (ask.derivation) check_derivation(ask, *ask.derivation);
     if (ask.task) check_state_task(ask, report_, effort_);
     const auto& answer = ask.expression;

@@ -507,6 +507,16 @@ std::optional<Math> statement_in_words(const std::string& text) {
   return math ? std::optional(std::move(*math)) : std::nullopt;
 }
 
+/// Whether two times are typed in a line, the ends of an interval.
+bool has_ends_of_interval(const TextBlock& line, const EquationNotation& notation) {
+  int times = 0;
+  for (const TextSpan& span : line.spans)
+    if (span.kind == TextSpan::Kind::math)
+      for (const TypedStatement& statement : typed_statements(span.math, notation))
+        times += statement.of ? 0 : 1;
+  return times == 2;
+}
+
 }  // namespace
 
 bool NumberCheck::has_typed_numbers(const RichText& text) const {
@@ -529,6 +539,8 @@ void NumberCheck::check_typed(const RichText& text, const SceneModel& model, dou
       for (TypedStatement& statement : typed_statements(*math, notation_)) {
         if (statement.number.unit.empty() && i + 1 < block.spans.size() && !span.break_after)
           statement.number.unit = unit_behind(block.spans[i + 1].text);
+        // "From $t = 0$ to $t = 2$ s" says what part of the motion is shown.
+        if (!statement.of && has_ends_of_interval(block, notation_)) continue;
         const auto wrong = wrong_value(statement, model, {still_s, 0});
         if (wrong)
           return report_.error(place,

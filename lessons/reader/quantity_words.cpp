@@ -112,8 +112,9 @@ class NameReader {
     words_ = in_one_line(words_);
   }
 
-  std::optional<Expression> whole() const {
-    const auto said = formulas_.size() > 9 ? std::nullopt : read(words_);
+  std::optional<Expression> whole(VectorsSaid vectors) const {
+    auto said = formulas_.size() > 9 ? std::nullopt : read(words_);
+    if (said && vectors == VectorsSaid::as_vectors) said->is_vector = false;
     return said ? expression(*said) : std::nullopt;
   }
 
@@ -271,7 +272,8 @@ class NameReader {
     };
     const auto component = [](const Said& a, const Said& b) -> std::optional<Said> {
       if (!a.is_vector || !b.is_vector) return std::nullopt;
-      return scalar("dot(" + a.text + ", " + b.text + ")/norm(" + b.text + ')');
+      const bool is_unit = b.text.starts_with('e');  // an axis
+      return scalar("dot(" + a.text + ", " + b.text + ')' + (is_unit ? "" : "/norm(" + b.text + ')'));
     };
     if (auto said = of_two(words, "ratio of ", " to ", depth, with("/"))) return said;
     if (auto said = of_two(words, "ratio of ", " and ", depth, with("/"))) return said;
@@ -387,8 +389,9 @@ std::string axes_in(const Expression& expression) {
   return axes;
 }
 
-std::optional<Expression> quantity_said(const std::vector<TextSpan>& name, const Lesson& lesson) {
-  return NameReader(name, lesson).whole();
+std::optional<Expression> quantity_said(const std::vector<TextSpan>& name, const Lesson& lesson,
+                                        VectorsSaid vectors) {
+  return NameReader(name, lesson).whole(vectors);
 }
 
 std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson) {

@@ -20,8 +20,10 @@ namespace polhode {
 ///             | "ratio of" name "to" name | name "divided by" name | name "over" name
 ///             | "angle between" name "and" name | "component of" name "along" name | word "about axis 2"
 ///
-/// Nothing of other words: nothing is guessed.
-std::optional<Expression> quantity_said(const std::vector<TextSpan>& name, const Lesson& lesson);
+/// Nothing of other words: nothing is guessed. Beside a number a vector is its length.
+enum class VectorsSaid { as_lengths, as_vectors };
+std::optional<Expression> quantity_said(const std::vector<TextSpan>& name, const Lesson& lesson,
+                                        VectorsSaid vectors = VectorsSaid::as_lengths);
 
 /// The same of the longest end of a line that can be read, unless what stands before it goes on with it: of
 /// "at first half of $T$" half of T.

@@ -142,6 +142,50 @@ TEST(NamesInWords, AreHeldAgainstColumnsAndPlots) {
     EXPECT_THAT(complaints_about("Text.", keys), IsEmpty()) << keys;
 }
 
+std::string question(const std::string& type, const std::string& keys) {
+  return "```ask q\ntype = \"" + type + "\"\n" + keys + "\n```\n";
+}
+
+TEST(Prompts, AskForWhatTheAnswerIs) {
+  const auto number = [](const std::string& prompt, const std::string& answer, const std::string& unit) {
+    return question("number",
+                    "prompt = '" + prompt + "'\nanswer = \"" + answer + "\"\nunit = \"" + unit + "\"");
+  };
+  const auto expression = [](const std::string& prompt, const std::string& answer) {
+    return question("expression", "prompt = '" + prompt + "'\nanswer = \"" + answer + "\"");
+  };
+  expect_false(
+      {number("What is $T$?", "norm(L)", "kg m²/s"), number("What is $T$?", "2*T", "J"),
+       number("How large is $I_3$?", "I1", "kg m²"), number("What is the energy in J?", "2*T", "J"),
+       number(R"(With $\omega_3 = 5$ rad/s, what is $T$?)", "T", "J"),
+       expression("What is $T$?", "dot(omega, L)"), expression(R"(What is $\frac{dT}{dt}$?)", "0"),
+       expression(R"(What is the component of $\vec\omega\times\vec L$ along axis 2?)", "w3*w1*(I3 - I1)"),
+       question("choice", "prompt = 'Which is $2T$?'\n\n- [ ] $T$\n  No.\n- [x] $|\\vec L|^2$"),
+       question("order", "prompt = 'Sort them, the smallest first.'\n\n1. $I_3$\n2. $I_2$\n3. $I_1$"),
+       question("state",
+                "prompt = 'Make it so.'\ngoals = [{ of = \"norm(L)\", say = \"energy\", is = 8, "
+                "within = 0.1 }]\nchange = [\"omega\"]\nsolution = { omega = [8, 0, 0] }")});
+  expect_true(
+      {number("What is $T$?", "T", "J"), number("How large is half the energy?", "T/2", "J"),
+       number(R"(What is $\omega_3$ when it has turned?)", "w2", "rad/s"),
+       expression(R"(What is $\frac{dT}{dt}$?)", "dot(omega, N)"),
+       expression("What is $2T$?", "dot(omega, L)"),
+       expression(R"(What is the component of $\vec\omega\times\vec L$ along axis 2?)", "w3*w1*(I1 - I3)"),
+       question("order", "prompt = 'Sort them, the smallest first.'\n\n1. $I_1$\n2. $I_2$\n3. $I_3$")});
+}
+
+TEST(Symbols, AreNotTypedAsComponents) {
+  const auto with = [](const std::string& name) {
+    return complaints_of("Text.\n", "[define]\n" + name + " = { means = \"2*T\" }\n[symbols]\n" + name +
+                                        "b = { tex = '\\beta', say = \"beta\", means = \"T\" }\n");
+  };
+  for (const char* name : {"L1", "L_1", "vx", "omega_2"}) EXPECT_THAT(with(name), Not(IsEmpty())) << name;
+  EXPECT_THAT(with("L_after"), IsEmpty());
+  EXPECT_THAT(
+      complaints_of("Text.\n", "[symbols]\nL1 = { tex = \"\\\\vec L'\", say = \"L\", means = \"2*L\" }\n"),
+      Not(IsEmpty()));
+}
+
 TEST(ClaimsBesideFormulas, BesideAFormulaSayItsRelation) {
   const std::string claim = "```claim a identity in-other-words\n2*T = dot(omega, L)\n```\n";
   expect_false({math("", R"(2T > \vec\omega\cdot\vec L \oplus \zeta)") + claim,
