@@ -71,6 +71,7 @@ class EquationReader {
     Items items = take_ends(items_);
     std::vector<Sentence> sentences = split(items);
     take_conditions(sentences);
+    if (ranges_.empty()) take_index_of_all(sentences);
     std::vector<std::array<std::pair<char32_t, int>, 3>> assignments = ranges_;
     if (assignments.empty()) assignments.emplace_back();
     const bool twice = anywhere(has_struck);
@@ -224,6 +225,47 @@ class EquationReader {
     }
   }
 
+  /// "L_i = I_i\omega_i": an index that both sides of each = have, and no sum binds, is each of 1, 2, 3.
+  void take_index_of_all(const std::vector<Sentence>& sentences) {
+    char32_t only = 0;
+    for (const char32_t letter : std::u32string_view(U"ijkl")) {
+      const auto has_it = [letter](const TexItem& item) { return has_index(item, letter); };
+      if (std::none_of(items_.begin(), items_.end(), has_it)) continue;
+      if (only != 0) return;
+      only = letter;
+    }
+    if (only == 0 || has_sum(*math_.root)) return;
+    for (const Sentence& sentence : sentences)
+      for (std::size_t begin = 0, i = 0; i <= sentence.items.size(); ++i) {
+        if (i < sentence.items.size() && sentence.items[i].kind != ItemKind::relation) continue;
+        const Items side = sentence.items.subspan(begin, i - begin);
+        if (std::none_of(side.begin(), side.end(),
+                         [only](const TexItem& item) { return has_index(item, only); }))
+          return;
+        begin = i + 1;
+      }
+    for (int axis = 1; axis <= 3; ++axis) ranges_.push_back({{{only, axis}, {0, 0}, {0, 0}}});
+  }
+
+  static bool has_index(const TexItem& item, char32_t letter) {
+    const auto below = [letter](const auto& self, const MathNode& node, bool is_index) -> bool {
+      if (is_index && node.kind == Kind::symbol && node.character == letter) return true;
+      for (std::size_t i = 0; i < node.children.size(); ++i)
+        if (self(self, node.children[i], is_index || (node.kind == Kind::scripts && i == 1))) return true;
+      return false;
+    };
+    if (item.sub != nullptr && below(below, *item.sub, true)) return true;
+    if (item.node != nullptr && item.kind == ItemKind::operand && below(below, *item.node, false))
+      return true;
+    return std::any_of(item.inside.begin(), item.inside.end(),
+                       [letter](const TexItem& inner) { return has_index(inner, letter); });
+  }
+
+  static bool has_sum(const MathNode& node) {
+    return (node.kind == Kind::symbol && node.character == U'∑') ||
+           std::any_of(node.children.begin(), node.children.end(), has_sum);
+  }
+
   void read_condition(const TexItem& group, bool alone) {
     const Items inside(group.inside);
     if (read_range(inside)) return;
@@ -335,6 +377,20 @@ class EquationReader {
            unit_tex(math_.live[*index].unit).ends_with("\\text{" + side[1].node->text + '}');
   }
 
+  /// "T = \text{const}": its rate is 0, of a vector that as seen from space.
+  static bool is_constant(Items side) {
+    std::string words;
+    for (const TexItem& item : side) {
+      if (item.sub != nullptr || item.sup != nullptr) return false;
+      const bool is_letter = item.kind == ItemKind::operand && item.node->kind == Kind::symbol &&
+                             item.node->character < 0x80 &&
+                             (item.node->alphabet == Alphabet::upright || item.node->character == U'.');
+      if (item.kind != ItemKind::text && !is_letter) return false;
+      words += is_letter ? std::string(1, static_cast<char>(item.node->character)) : words_of(item);
+    }
+    return words == "const" || words == "const." || words == "constant";
+  }
+
   void add(const Sentence& sentence) {
     EquationSentence read;
     read.joint = sentence.joint;
@@ -355,6 +411,18 @@ class EquationReader {
       if (i == begin)
         throw TexFault(i < items.size() ? items[i].span : items.back().span,
                        "a side is missing beside this =");
+      if (left && is_constant(items.subspan(begin, i - begin)) &&
+          items[begin - 1].is(ItemKind::relation, U'=')) {
+        const SourceSpan span = items[begin].span;
+        if (i < items.size()) throw TexFault(items[i].span, "what does not change ends a chain");
+        if (sentence.is_premise || sentence.joint != Joint::none)
+          throw TexFault(span, "words in what follows, or does not, are not read", "write the rate, and = 0");
+        if (terms_.is_conditioned()) throw TexFault(span, "rates are not read under a condition on ω");
+        terms_.has_rate = true;
+        link(read, rate_of(*left, true, span), atom_value("0", TexValue::Type::zero, span), Relation::equal);
+        read.links.back().is_side_by_side = false;
+        break;
+      }
       const bool is_number = i == items.size() && left && is_live(items.subspan(begin, i - begin));
       terms_.may_be_live = is_number;
       TexValue right = terms_.side(items.subspan(begin, is_number ? 1 : i - begin));

@@ -30,8 +30,9 @@
 //   \frac{d…}{dt}, \frac{d}{dt}…, d…/dt  rate as seen from space
 //   the same with d^*                    rate as seen from the body; of scalars there is but one
 //   \frac{d^2…}{dt^2}, \frac{d^2}{dt^2}…  second rate, as seen from space
-//   \dot                                 rate of scalars, and of \vec\omega, on which both frames agree
+//   \dot                                 rate as seen from space; of \vec\omega both frames agree
 //   \ddot                                second rate of scalars
+//   a = \text{const}                     the rate of a, as seen from space, is 0; at the end of a formula
 //   \sum_i …, \sum_{i=1}^{3} …           over the axes; i, j, k or l
 //   vmatrix of 2 or 3 rows               determinant; unit vectors may stand in the first row of three
 //   pmatrix, bmatrix of 3 rows           tensor, by its components on the body's axes
@@ -48,11 +49,13 @@
 //
 // Refused, because the page leaves it open: a x b x c, a·b·c, I·a x b, two vectors without a sign, a/b c,
 // a/b/c, d/dt (a) b, d/dt a·b, \dot of other vectors, T(0) and \omega_1(t) (factor or argument?), 2\frac12,
-// digits in groups, an index that no \sum and no condition binds (no silent sums), two signs in a row, \pm,
+// digits in groups, an index that no \sum and no condition binds, unless it is the only one and both sides of
+// each relation have it: L_i = I_i\omega_i is said of each axis (no silent sums), two signs in a row, \pm,
 // other relations, third derivatives, other functions and roots, primes and
 // unknown names, letters of other alphabets, other words.
 //
-// Where parts are marked by \proved{…} these alone are read, each as a formula of its own.
+// Where parts are marked by \proved{…} these alone are read, each as a formula of its own; nothing but commas,
+// wide spaces and new lines joins them to the rest (tex_proved_parts.cpp).
 //
 // Looked through: \term, a \boxed around all, spaces below \quad, alignment, tags, a full stop at the end.
 // Braces of TeX group nothing, for nobody sees them. \underbrace holds its contents together; its label,

@@ -423,27 +423,8 @@ TexItems items_of(const MathNode& node, int depth) {
   return Brackets(depth).run(Flattening().run(node));
 }
 
-namespace {
-
-/// The parts that \proved{…} marks.
-void find_proved(const MathNode& node, std::vector<const MathNode*>& parts) {
-  if (node.kind == Kind::term && node.text == kProvedPart)
-    parts.push_back(&node.children.front());
-  else
-    for (const MathNode& child : node.children) find_proved(child, parts);
-}
-
-}  // namespace
-
-bool has_proved_part(const MathNode& root) {
-  std::vector<const MathNode*> parts;
-  find_proved(root, parts);
-  return !parts.empty();
-}
-
 TexItems formula_items(const MathNode& root, int depth) {
-  std::vector<const MathNode*> parts;
-  find_proved(root, parts);
+  const std::vector<const MathNode*> parts = proved_parts(root);
   if (parts.empty()) return whole_formula(root, depth);
   TexItems all;
   for (const MathNode* part : parts) {

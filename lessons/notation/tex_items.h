@@ -58,7 +58,12 @@ TexItems whole_formula(const MathNode& root, int depth);
 /// The same; where parts are marked by \proved{…}, these alone, one behind the other.
 TexItems formula_items(const MathNode& root, int depth);
 
-/// Whether a formula marks parts by \proved{…}.
+/// The parts of a formula that \proved{…} marks. They are joined to the rest of it, which nobody proves, by
+/// nothing but commas, wide spaces and new lines, and no words but "and" and the like stand beside them: in
+/// 5 = \proved{…}, under a root or behind "not" a true part would be said of something else. Throws TexFault
+/// (tex_proved_parts.cpp).
+std::vector<const MathNode*> proved_parts(const MathNode& root);
+/// Whether it marks any.
 bool has_proved_part(const MathNode& root);
 
 /// Whether words in a formula, such as the label of a brace, state something: digits, a relation, or that

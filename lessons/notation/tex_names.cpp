@@ -162,6 +162,7 @@ TexValue TexTerms::letter(const TexItem& item, bool& took_sub) {
     if (c == U'T') return quantity("T", item.span);
     if (c == U'm') return quantity("m", item.span);
     if (c == U'π' && has_pi) return atom_value(std::string(kPiName), Type::scalar, item.span);
+    if (has_pi && (c == U'ω' || c == U'L')) return length_of(quantity(vector_name(c), item.span), item.span);
     const std::string hint = !vector_name(c).empty() ? "a vector has an arrow; its length is |\\vec a|"
                                                      : "give it a symbol with `means`";
     throw TexFault(item.span, "the language of claims does not know this symbol", hint);
@@ -248,6 +249,9 @@ TexValue TexTerms::hat(const TexItem& item, const MathNode& base, bool& took_sub
   const std::size_t at = letters.find(c);
   if (item.sub == nullptr && notation_.xyz_are_body_axes && at != letters.npos)
     return unit_vector(static_cast<int>(at) + 1, item.span);
+  if (base.character == U'e' && item.sub == nullptr)
+    throw TexFault(item.span, "this unit vector is not read",
+                   "which one? \\hat e_1, or a symbol with `means`");
   throw TexFault(item.span, "this unit vector is not read",
                  "\\hat e_1; \\hat i, \\hat j, \\hat k if they are the body's axes");
 }
@@ -282,9 +286,9 @@ TexValue TexTerms::dotted(const TexItem& item, const MathNode& base, bool twice,
     of = base_of(below, took_sub, took_sup);
   }
   if (of->is_vector()) {
-    if (of->text != "omega" || twice)
-      throw TexFault(item.span, "in which frame is this rate?", "write \\frac{d…}{dt} or \\frac{d^*…}{dt}");
-    return rate(*of, false, item.span);
+    if (twice) throw TexFault(item.span, "in which frame is this rate?", "write \\frac{d^2…}{dt^2}");
+    // A dot is d/dt, as seen from space; of ω both are one, and the other is of fewer parts.
+    return rate(*of, of->text != "omega", item.span);
   }
   if (!of->is_scalar())
     throw TexFault(item.span, "in which frame is this rate?", "write \\frac{d…}{dt} or \\frac{d^*…}{dt}");

@@ -15,16 +15,6 @@ using Kind = MathNode::Kind;
 using ItemKind = TexItem::Kind;
 using Items = TexTerms::Items;
 
-/// T, |L|, 2T; nothing of what is not read, or is no number.
-std::optional<Expression> scalar_of(TexTerms& terms, Items items, const EquationNotation& notation) {
-  try {
-    const TexValue value = terms.side(items);
-    return value.is_scalar() ? std::optional(expression_of(value, notation.vocabulary)) : std::nullopt;
-  } catch (const TexFault&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 Result<Expression, UnreadableEquation> read_one_side(const Math& math, const EquationNotation& notation) {
@@ -58,40 +48,6 @@ std::optional<TypedNumber> read_typed(const Math& math) {
   } catch (const TexFault&) {
     return std::nullopt;
   }
-}
-
-std::vector<TypedStatement> typed_statements(const Math& math, const EquationNotation& notation) {
-  std::vector<TypedStatement> statements;
-  if (!math.root || !math.live.empty()) return statements;
-  TexItems items;
-  try {
-    items = whole_formula(*math.root, kMaxEquationNesting);
-  } catch (const TexFault&) {
-    return statements;
-  }
-  TexTerms terms(math, notation);
-  terms.has_pi = true;
-  terms.any_inertia = has_tensor_component(*math.root);
-  const auto ends_side = [](const TexItem& item) {
-    return item.kind == ItemKind::relation || item.kind == ItemKind::comma || item.kind == ItemKind::gap ||
-           item.kind == ItemKind::line;
-  };
-  std::size_t begin = 0;
-  std::optional<Items> left;  // and the relation behind it
-  for (std::size_t i = 0; i <= items.size(); ++i) {
-    if (i < items.size() && !ends_side(items[i])) continue;
-    const Items right = Items(items).subspan(begin, i - begin);
-    if (left && !left->empty() && !right.empty()) {
-      const auto relation = relation_of(items[begin - 1]);
-      const auto number = typed_number(right);
-      const bool is_time = left->size() == 1 && is_symbol(left->front(), U't') && is_plain(left->front());
-      auto of = number && !typed_number(*left) ? scalar_of(terms, *left, notation) : std::nullopt;
-      if (relation && number && (of || is_time)) statements.push_back({std::move(of), *relation, *number});
-    }
-    left = i < items.size() && items[i].kind == ItemKind::relation ? std::optional(right) : std::nullopt;
-    begin = i + 1;
-  }
-  return statements;
 }
 
 std::string words_of_formula(const Math& math) { return math.root ? words_of(*math.root) : ""; }

@@ -19,15 +19,6 @@ struct TypedNumber {
   std::string unit;       ///< as scaled_unit reads it; empty: none stands behind it
 };
 
-/// "\omega_3 = 5\,\text{rad/s}": what the number is said to be of.
-struct TypedStatement {
-  std::optional<Expression> of;  ///< a scalar; nothing: it is the time, t
-  Relation relation = Relation::equal;
-  TypedNumber number;
-};
-/// Those of a formula's statements that can be told: sides that are read, or t, beside a number.
-std::vector<TypedStatement> typed_statements(const Math& math, const EquationNotation& notation);
-
 /// A formula that is one side alone, as an expression; nothing if it cannot be read, or shows a number.
 std::optional<Expression> read_side(const Math& math, const EquationNotation& notation);
 /// The same, and why it cannot be read.

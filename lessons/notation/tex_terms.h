@@ -44,11 +44,13 @@ class TexTerms {
   std::vector<std::pair<TexValue, TexValue>>* labels = nullptr;
   /// Numbers of \live are read, as their expressions.
   bool may_be_live = false;
-  /// π is read: of what is computed, for no proof has it.
+  /// π is read, and ω and L without an arrow as lengths: of what is computed, for no proof has either.
   bool has_pi = false;
   /// A rate as seen from the body was read; any rate; 𝐈_S; 𝐈 without an index; a tensor by its components.
   bool has_body_rate = false, has_rate = false, has_space_inertia = false, has_inertia = false,
        has_matrix = false;
+
+  bool is_conditioned() const;
 
   /// The axis that a character names, or its letter stands for; nothing if it is no index.
   std::optional<int> axis_of(const MathNode& character) const;
@@ -91,7 +93,6 @@ class TexTerms {
   TexValue matrix(const TexItem& item);
   TexValue quantity(std::string_view name, SourceSpan span) const;
   TexValue rate(const TexValue& of, bool from_space, SourceSpan span);
-  bool is_conditioned() const;
   TexValue raised_by(TexValue base, const TexItem& item, bool took_sub, bool took_sup);
   std::vector<int> axes_of(const MathNode& sub) const;
   int axis_in(const TexItem& item) const;

@@ -10,7 +10,9 @@
 #include "lessons/reader/lint_budget.h"
 #include "lessons/reader/name_check.h"
 #include "lessons/reader/number_check.h"
+#include "lessons/reader/prompt_check.h"
 #include "lessons/reader/state_keys.h"
+#include "lessons/reader/statement_check.h"
 #include "render/typeset/math/tree.h"
 
 #include <algorithm>
@@ -54,16 +56,19 @@ class ClaimCheck {
         source_(lesson.source),
         report_(source_, file),
         effort_(effort),
-        number_check_(lesson, report_, effort) {}
+        number_check_(lesson, report_, effort),
+        statement_check_(lesson, report_, effort) {}
 
   std::vector<Diagnostic> run() {
     SourcePlace place;
     try {
       for (const Stage& stage : lesson_.stages) {
         equations_ = equations_of(stage);
+        statement_check_.begin_stage(stage);
         for (const Step& step : stage.steps) {
           still_.reset();
           model_.reset();
+          shown_.reset();
           for (const Block& block : step.blocks) {
             if (report_.is_full()) return report_.take();
             check_block(block, step, place);
@@ -95,6 +100,8 @@ class ClaimCheck {
   void check(const Other&, const Step&) {}
 
   void check(const Equation& equation, const Step& step) {
+    if (!is_proved_as_printed(equation, step))
+      statement_check_.check_display(equation, text_before(equation, step), [&] { return motions_of(step); });
     if (equation.math.live.empty() || !step.scene) return;
     const auto at = std::find(equations_.begin(), equations_.end(), &equation);
     const Math* above =
@@ -110,6 +117,24 @@ class ClaimCheck {
       number_check_.check_formula(equation.math, above, motion_of(step), proved != nullptr);
   }
 
+  /// The prose that stands directly before a display; null if there is none.
+  static const RichText* text_before(const Equation& equation, const Step& step) {
+    const RichText* text = nullptr;
+    for (const Block& block : step.blocks) {
+      if (std::get_if<Equation>(&block) == &equation) return text;
+      const auto* prose = std::get_if<Prose>(&block);
+      text = prose == nullptr ? nullptr : &prose->text;
+    }
+    return nullptr;
+  }
+
+  static bool is_proved_as_printed(const Equation& equation, const Step& step) {
+    const auto claims = blocks_of<Claim>(step);
+    return std::any_of(claims.begin(), claims.end(), [&](const Claim* claim) {
+      return claim->equation == equation.id && claim->origin == Claim::Origin::formula;
+    });
+  }
+
   static bool holds(const Claim& claim) {
     return std::all_of(claim.lines.begin(), claim.lines.end(), [](const ClaimLine& line) {
       return line.judgement && line.judgement->verdict == Verdict::holds;
@@ -121,17 +146,26 @@ class ClaimCheck {
   void check(const Footnote& note, const Step& step) { check_text(note.text, step); }
 
   /// What stands around the numbers of a text.
-  void check_text(const RichText& text, const Step& step) {
+  void check_text(const RichText& text, const Step& step, bool is_prompt = false) {
+    const auto motions = [&] { return motions_of(step); };
+    statement_check_.check_text(text, motions);
+    if (!is_prompt) statement_check_.check_typed_numbers(text, motions);  // what is given is the question's
     if (numbers_in(text).empty()) return;
     number_check_.check_computed_tables(text);
     if (step.scene && model_of(step) != nullptr) number_check_.check_text(text, motion_of(step));
   }
 
   void check(const Ask& ask, const Step& step) {
-    check_text(ask.prompt_text, step);
-    for (const auto* texts : {&ask.choice_texts, &ask.replies, &ask.hint_texts})
+    check_text(ask.prompt_text, step, true);
+    for (const auto* texts : {&ask.replies, &ask.hint_texts})
       for (const RichText& text : *texts) check_text(text, step);
+    // A choice that is wrong may say what is not so.
+    for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
+      if (ask.type == Question::Type::order || ask.answers == std::vector{static_cast<int>(i) + 1})
+        check_text(ask.choice_texts[i], step);
     check_text(ask.because, step);
+    check_prompt(
+        ask, lesson_, prover_, [&] { return motions_of(step); }, report_, effort_);
     if (ask.derivation) check_derivation(ask, *ask.derivation);
     if (ask.task) check_state_task(ask, report_, effort_);
     const auto& answer = ask.expression;
@@ -352,6 +386,7 @@ class ClaimCheck {
                       "claim what = < > \\le \\ge or \\approx says, and write the formula so");
     else {
       check_is_not_empty(claim);
+      compare_relations(claim, (*named)->math);
       if (!claim.in_other_words) compare_letters(claim, (*named)->math);
     }
   }
@@ -401,6 +436,17 @@ class ClaimCheck {
     for (const ClaimLine& line : claim.lines)
       if (line.equality.left.text == line.equality.right.text && !line.is_number)
         report_.warning(line.place, "this says nothing: both sides are the same");
+  }
+
+  /// "a > b" above "a = b" would be said to be proved.
+  void compare_relations(const Claim& claim, const Math& formula) {
+    std::set<Relation> unclaimed = relations_in(*formula.root);
+    for (const ClaimLine& line : claim.lines) unclaimed.erase(line.relation);
+    if (!unclaimed.empty())
+      report_.warning(claim.place,
+                      "the formula says " + in_quotes(sign_of(*unclaimed.begin())) +
+                          " of two things, and no line of the claim does",
+                      "claim what is printed");
   }
 
   void compare_letters(const Claim& claim, const Math& formula) {
@@ -492,6 +538,26 @@ class ClaimCheck {
     }
   }
 
+  /// Those side by side, of which a text may speak.
+  std::vector<ShownMotion> motions_of(const Step& step) {
+    if (!step.scene) return {};
+    if (!shown_) {
+      shown_.emplace();
+      for (const Scene* one : shown_scenes(*step.scene)) {
+        Scene alone = *one;
+        alone.beside.clear();
+        alone.before = 0;
+        try {
+          shown_->push_back(make_model(alone, Product::numbers, effort_));
+        } catch (const std::domain_error&) {  // who checks the scenes says so
+        }
+      }
+    }
+    std::vector<ShownMotion> motions;
+    for (const SceneModel& model : *shown_) motions.push_back({model, still_time_s(*step.scene)});
+    return motions;
+  }
+
   NumbersMotion motion_of(const Step& step) { return {*model_, still_of(step), still_time_s(*step.scene)}; }
 
   /// The numbers of the scene's motion at its still. Precondition: there is a model of it.
@@ -507,11 +573,13 @@ class ClaimCheck {
   Report report_;
   const Effort& effort_;
   NumberCheck number_check_;
+  StatementCheck statement_check_;
   Prover prover_;
-  std::vector<const Equation*> equations_;  // of the stage
-  std::shared_ptr<const Scene> scene_;      // of the step before
-  std::optional<SceneModel> model_;         // of the step
-  std::optional<MotionNumbers> still_;      // at its still, once they were asked for
+  std::vector<const Equation*> equations_;        // of the stage
+  std::shared_ptr<const Scene> scene_;            // of the step before
+  std::optional<SceneModel> model_;               // of the step
+  std::optional<std::vector<SceneModel>> shown_;  // all that the step shows side by side
+  std::optional<MotionNumbers> still_;            // at its still, once they were asked for
 };
 
 }  // namespace

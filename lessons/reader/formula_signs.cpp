@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/formula_signs.h"
 
+#include "lessons/notation/tex_items.h"
+
 #include <algorithm>
 #include <string_view>
 
@@ -28,8 +30,21 @@ std::set<std::string> operators_in(const MathNode& node) {
     if (!kRead.contains(node.text)) found.insert(node.text);
   } else if (node.atom == MathClass::large && node.kind == MathNode::Kind::symbol && node.character != U'∑') {
     found.insert("an integral or another large sign");
+  } else if (node.kind == MathNode::Kind::symbol && node.atom == MathClass::binary &&
+             std::u32string_view(U"+−⋅×/•∙∘∗").find(node.character) == std::u32string_view::npos) {
+    found.insert("a sign of an operation");
   }
   for (const MathNode& child : node.children) found.merge(operators_in(child));
+  return found;
+}
+
+std::set<Relation> relations_in(const MathNode& node) {
+  std::set<Relation> found;
+  TexItem item;
+  item.character = node.character;
+  const bool is_relation = node.kind == MathNode::Kind::symbol && node.atom == MathClass::relation;
+  if (const auto relation = is_relation ? relation_of(item) : std::nullopt) found.insert(*relation);
+  for (const MathNode& child : node.children) found.merge(relations_in(child));
   return found;
 }
 

@@ -326,6 +326,9 @@ bool check_word(const TomlEntry& entry, const FrontMatter& front, Report& report
   const std::string why = why_no_word(entry.key);
   if (!why.empty())
     report.error(entry.place, "bad name " + in_quotes(entry.key) + ": " + why, "take another name");
+  else if (is_component_name(entry.key))
+    report.error(entry.place, "bad name " + in_quotes(entry.key) + ": learners type it for a component",
+                 "take another name, such as \"" + entry.key.substr(0, 1) + "_after\"");
   else if (front.notation.vocabulary.find(entry.key) != nullptr)
     report.error(entry.place, in_quotes(entry.key) + " is a constant already, or defined",
                  "take another name");

@@ -5,6 +5,7 @@
 #include "lessons/claims/dimension.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/notation/tex_sides.h"
+#include "lessons/reader/quantity_words.h"
 #include "lessons/reader/text_units.h"
 
 #include <algorithm>
@@ -37,6 +38,7 @@ class NameCheck {
     const bool is_name = said && has_name(*said);
     if (const auto shown = said && !is_name ? expression_of(curve) : named(curve))
       check_scalar(*shown, curve.text, tex);
+    check_axis(curve, tex, "the curve of");
     const auto of_said = is_name ? dimension_of(*said, {}).dimension : std::nullopt;
     if (of_said && !can_have({*of_said}, dimension(curve))) return refuse("the curve of", curve.text, tex);
     check_kind(curve, tex, "the curve of");
@@ -64,7 +66,56 @@ class NameCheck {
     }
     std::string words = plot.title;
     take_unit_at_end(words);
-    if (plot.curves.size() == 1) check_words(plot.curves.front(), words, "the plot of");
+    if (plot.curves.size() != 1) return;
+    check_words(plot.curves.front(), words, "the plot of");
+    const auto said = quantity_said(stretches_of(words), lesson_), shown = expression_of(plot.curves.front());
+    if (said && shown && differs(*said, *shown)) refuse("the plot of", plot.curves.front().text, words);
+  }
+
+  /// "$\\omega_1$ against $\\omega_2$": what stands above and beside the axes.
+  void check_title_of_path(const OwnPlot& plot) {
+    constexpr std::string_view kAgainst = " against ";
+    std::string words = plot.title;
+    take_unit_at_end(words);
+    const std::size_t at = words.find(kAgainst);
+    if (at == words.npos || plot.curves.size() != 1) return;
+    const auto check_side = [&](const std::string& side, const SceneQuantity& of) {
+      const auto said = quantity_said(stretches_of(side), lesson_), shown = expression_of(of);
+      if (said && shown && differs(*said, *shown)) refuse("in this plot", of.text, side);
+    };
+    check_side(words.substr(0, at), plot.curves.front());
+    check_side(words.substr(at + kAgainst.size()), *plot.against);
+  }
+
+  /// "axis 2", "\\omega_2", "2" stand at what speaks of axis 2, or of no axis.
+  void check_axis(const SceneQuantity& of, const std::string& name, const char* what) {
+    const auto said = axis_of_name(name);
+    const auto shown = expression_of(of);
+    if (!said || !shown || lesson_.notation.vocabulary.find(of.text) != nullptr) return;
+    const std::string axes = axes_in(*shown);
+    if (!axes.empty() && axes.find(*said) == axes.npos) refuse(what, of.text, name);
+  }
+
+  /// A size is none of a parallelogram's, unless it is that of the product of its sides.
+  void check_area(const SceneQuantity& from, const SceneQuantity& to, const std::string& tex) {
+    const auto said = read_any(tex);
+    const std::string product = "cross(" + from.text + ", " + to.text + ')';
+    const auto shown = expression_of(product);
+    if (!said || !shown) return;
+    const std::string what = "the area from " + from.text + " to";
+    if (said->type() == ExpressionType::vector) {
+      for (const LiveState& live : states_) {
+        const auto a = live_quantity(*said, live, View::space), b = live_quantity(*shown, live, View::space);
+        if (!a || !b) continue;
+        const double lengths =
+            std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
+        if (lengths > 0 && dot(a->components, b->components) < (1 - kNear) * lengths)
+          return refuse(what, to.text, tex);
+      }
+      return;
+    }
+    if (const auto number = expression_of("norm(" + product + ')'); number && differs(*said, *number))
+      refuse(what, to.text, tex);
   }
 
   /// Where x is what it stands for on the motion, a function has the value of the quantity that it is named
@@ -97,6 +148,12 @@ class NameCheck {
     const auto said = read(tex), shown = expression_of(of);
     if (const auto math = parse_math(tex)) check_words(of, words_of_formula(*math), "the tip of");
     if (lesson_.notation.vocabulary.find(of.text) != nullptr) return;  // called as the lesson likes
+    check_axis(of, tex, "the tip of");
+    if (const auto size = read_any(tex); size && size->type() != ExpressionType::vector && shown) {
+      const auto of_size = dimension_of(*size, {}).dimension;
+      if (of_size && !can_have({*of_size}, dimension_of(*shown, {}).dimension))
+        return refuse("the tip of", of.text, tex);
+    }
     if (named(of)) {
       check_kind(of, tex, "the tip of");
       const auto of_said = said ? dimension_of(*said, {}).dimension : std::nullopt;
@@ -140,6 +197,8 @@ class NameCheck {
       return refuse("the angle from " + from.text + " to", to.text, tex);
     if (math && !can_have(dimensions_of_words(words_of_formula(*math)), kNumber))
       return refuse("the angle from " + from.text + " to", to.text, tex);
+    if (math && words_of_formula(*math) == "right angle" && first && second)
+      return check_typed_angle(*first, *second, {90, 1, "deg"}, from.text, to.text, tex);
     if (typed && first && second) return check_typed_angle(*first, *second, *typed, from.text, to.text, tex);
     if (!said || !first || !second || said->type() == ExpressionType::vector) return;
     for (const LiveState& live : states_) {
@@ -150,6 +209,10 @@ class NameCheck {
       if (lengths > 0 && std::abs(std::cos(*angle) - dot(a->components, b->components) / lengths) > kNear)
         return refuse("the angle from " + from.text + " to", to.text, tex);
     }
+  }
+
+  void check_words(const SceneQuantity& of, const std::string& words, const char* what) {
+    if (!can_have(dimensions_of_words(words), dimension(of))) refuse(what, of.text, words);
   }
 
  private:
@@ -185,10 +248,6 @@ class NameCheck {
     check_words(of, words_of_formula(*math), what);
     if (!read_any(tex) && !can_have(dimensions_of_letter(letter_of_name(*math)), dimension(of)))
       refuse(what, of.text, tex);
-  }
-
-  void check_words(const SceneQuantity& of, const std::string& words, const char* what) {
-    if (!can_have(dimensions_of_words(words), dimension(of))) refuse(what, of.text, words);
   }
 
   /// Nothing where it cannot be told.
@@ -230,9 +289,13 @@ class NameCheck {
   }
 
   std::optional<Expression> expression_of(const SceneQuantity& quantity) const {
-    const SourceText source(quantity.text);
+    return expression_of(quantity.text);
+  }
+
+  std::optional<Expression> expression_of(const std::string& text) const {
+    const SourceText source(text);
     Report report(source, "");
-    return read_expression(quantity.text, {1, 1}, report, &lesson_.notation.vocabulary);
+    return read_expression(text, {1, 1}, report, &lesson_.notation.vocabulary);
   }
 
   /// Vectors that a lesson defines are called by what they stand for, such as L before a step.
@@ -276,6 +339,8 @@ bool has_names(const Scene& scene) {
   const Marks& marks = scene.marks;
   return std::any_of(scene.meters.begin(), scene.meters.end(), is_named) ||
          std::any_of(marks.arrows.begin(), marks.arrows.end(), has_name) || !marks.notes.empty() ||
+         std::any_of(marks.areas.begin(), marks.areas.end(),
+                     [](const AreaMark& a) { return !a.tex.empty(); }) ||
          std::any_of(marks.angles.begin(), marks.angles.end(),
                      [](const AngleMark& a) { return !a.tex.empty(); });
 }
@@ -289,6 +354,7 @@ void check_names(const Lesson& lesson, const SceneModel& model, SourcePlace plac
       check.check_curve(own->curves[i], own->tex[i]);
     if (own->function && !own->tex.empty()) check.check_function(*own->function, own->tex.front());
     check.check_title(*own);
+    if (own->against) check.check_title_of_path(*own);
     if (own->function || own->against) continue;
     check.check_title_of(*own);
   }
@@ -296,8 +362,13 @@ void check_names(const Lesson& lesson, const SceneModel& model, SourcePlace plac
     if (arrow.tex) check.check_arrow(arrow.of.quantity, *arrow.tex);
   for (const AngleMark& angle : model.scene.marks.angles)
     if (!angle.tex.empty()) check.check_angle(angle.from.quantity, angle.to.quantity, angle.tex);
-  for (const NoteMark& note : model.scene.marks.notes)
+  for (const AreaMark& area : model.scene.marks.areas)
+    if (!area.tex.empty()) check.check_area(area.from.quantity, area.to.quantity, area.tex);
+  for (const NoteMark& note : model.scene.marks.notes) {
     check.check_arrow(note.at.quantity, formula_at_start(note.text));
+    check.check_axis(note.at.quantity, note.text, "the tip of");
+    check.check_words(note.at.quantity, note.text, "the tip of");
+  }
 }
 
 }  // namespace polhode

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof.h"
+#include "lessons/reader/quantity_words.h"
 #include "lessons/reader/text_units.h"
 
 #include <fmt/format.h>
@@ -156,7 +157,7 @@ void NumberCheck::check_components(const Math& math, const ComponentsStatement& 
 
 /// False, and a report, where its sides differ on the motion.
 bool NumberCheck::check_statement(const Math& math, const NumberStatement& statement,
-                                  const NumbersMotion& motion) {
+                                  const NumbersMotion& motion, const std::string& said) {
   const auto typed = [&](const std::optional<std::size_t>& side) {
     return side && !math.live[*side].typed.empty();
   };
@@ -187,10 +188,11 @@ bool NumberCheck::check_statement(const Math& math, const NumberStatement& state
     const auto value = live_value(line, *live, View::space);
     if (!value || agree(*value, statement.relation, false)) continue;
     refuse(shown,
-           "the sides of this " + std::string(sign_of(statement.relation)) + " are " +
+           (said.empty() ? "the sides of this " + std::string(sign_of(statement.relation)) + " are "
+                         : in_quotes(said) + " is said of this number, and they are ") +
                digits(value->left[0], kDigitsOfHint) + " and " + digits(value->right[0], kDigitsOfHint) +
                " at t = " + digits(t_s, 3) + " s",
-           hint);
+           said.empty() ? hint : "say what it is, or show what is said");
     return false;
   }
   return true;
@@ -234,6 +236,72 @@ void NumberCheck::check_spans(const std::vector<TextSpan>& spans, const NumbersM
   }
 }
 
+namespace {
+
+/// The stretches of the clause before a number, and the words that join it to the number: "is", "has the
+/// length".
+std::vector<TextSpan> clause_before(const std::vector<TextSpan>& spans, std::size_t at) {
+  std::vector<TextSpan> clause;
+  for (std::size_t k = at; k > 0; --k) {
+    TextSpan span = spans[k - 1];
+    if (span.kind == TextSpan::Kind::text) {
+      const std::size_t last = span.text.find_last_not_of(": ");
+      const std::size_t end = last == span.text.npos ? last : span.text.find_last_of(".,;:!?()", last);
+      if (end != span.text.npos) {
+        span.text.erase(0, end + 1);
+        clause.insert(clause.begin(), std::move(span));
+        break;
+      }
+    }
+    clause.insert(clause.begin(), std::move(span));
+  }
+  return clause;
+}
+
+/// Cut off the end of a clause what joins it to a number.
+std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
+  if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
+  std::string& text = clause.back().text;
+  std::string_view rest = without_blanks(text);
+  const std::string all(rest);
+  constexpr std::array<std::pair<std::string_view, Relation>, 16> kVerbs{
+      {{"is about", Relation::approximate},
+       {"is nearly", Relation::approximate},
+       {"is now", Relation::equal},
+       {"is only", Relation::equal},
+       {"is", Relation::equal},
+       {"was", Relation::equal},
+       {"equals", Relation::equal},
+       {"comes to", Relation::equal},
+       {"amounts to", Relation::equal},
+       {"lasts", Relation::equal},
+       {"takes", Relation::equal},
+       {":", Relation::equal},
+       {"has the length", Relation::equal},
+       {"has the magnitude", Relation::equal},
+       {"has a length of", Relation::equal},
+       {"are", Relation::equal}}};
+  for (const auto& [verb, relation] : kVerbs) {
+    if (!rest.ends_with(verb)) continue;
+    rest.remove_suffix(verb.size());
+    const bool is_word = verb == ":" || rest.empty() || !is_letter(rest.back());
+    if (!is_word) continue;
+    text = std::string(rest);
+    if (verb.starts_with("has")) clause.emplace(clause.begin())->text = "length of ";
+    return relation;
+  }
+  return std::nullopt;
+}
+
+/// A formula alone before the verb is compared as formulas are.
+bool has_words(const std::vector<TextSpan>& clause) {
+  return std::any_of(clause.begin(), clause.end(), [](const TextSpan& span) {
+    return span.kind == TextSpan::Kind::text && !without_blanks(span.text).empty();
+  });
+}
+
+}  // namespace
+
 /// What stands before a formula that a number begins.
 void NumberCheck::check_before(const std::vector<TextSpan>& spans, std::size_t at, std::size_t index,
                                const NumbersMotion& motion) {
@@ -269,6 +337,17 @@ void NumberCheck::check_before(const std::vector<TextSpan>& spans, std::size_t a
                   "write it into the expression of the number");
   if (const std::string unit = unit_said_before(text); !unit.empty() && number.written.unit != unit)
     return check_unit(number, unit);
+  std::vector<TextSpan> clause = clause_before(spans, at);
+  const auto joined = take_verb(clause);
+  if (joined && has_words(clause)) {
+    // "half of $I_3$ is"; where words make of the formula before the verb another quantity nothing is known.
+    const auto said = quantity_said_at_end(clause, lesson_);
+    std::string words;
+    for (const TextSpan& span : clause) words += span.text;
+    if (said)
+      check_statement(spans[at].math, {{*said, number.expression}, *joined, {}, index}, motion, words);
+    if (said || is_behind_formula) return;
+  }
   const auto relation = is_behind_formula ? relation_said(text) : std::nullopt;
   if (relation) return check_said(spans[k - 1].math, *relation, spans[at].math, index, motion);
   if (!can_have(dimensions_of_words(name_said_before(text)), number.dimension))
@@ -345,6 +424,14 @@ void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t a
   if (const std::string_view word = factor_behind(text); !word.empty())
     return refuse(number, in_quotes(word) + " behind this number makes it another: it is printed as it is",
                   "write the power of ten as a unit, or leave it out");
+  if (starts_with_any(text, {"turns", "revolutions"}) && number.dimension && *number.dimension != kNumber) {
+    const bool is_in_minutes = text.find(" minute") < text.find_first_of(".,;");
+    const std::string why = number.written.unit == "Hz" ? "" : why_not_in(number.expression, "Hz");
+    if (number.written.unit.find("rad") != std::string::npos || !why.empty())
+      return refuse(number, "this number counts radians, and turns are said of it", "divide it by 2*pi");
+    if (is_in_minutes)
+      return refuse(number, "this number is of seconds, and minutes are said of it", "multiply it by 60");
+  }
   if (starts_with_any(text, {"%", "percent", "per cent"})) return check_behind_unit("%");
   if (text.starts_with("per ")) {
     const std::string unit = unit_at_start(text.substr(4));
@@ -420,6 +507,16 @@ std::optional<Math> statement_in_words(const std::string& text) {
   return math ? std::optional(std::move(*math)) : std::nullopt;
 }
 
+/// Whether two times are typed in a line, the ends of an interval.
+bool has_ends_of_interval(const TextBlock& line, const EquationNotation& notation) {
+  int times = 0;
+  for (const TextSpan& span : line.spans)
+    if (span.kind == TextSpan::Kind::math)
+      for (const TypedStatement& statement : typed_statements(span.math, notation))
+        times += statement.of ? 0 : 1;
+  return times == 2;
+}
+
 }  // namespace
 
 bool NumberCheck::has_typed_numbers(const RichText& text) const {
@@ -442,6 +539,8 @@ void NumberCheck::check_typed(const RichText& text, const SceneModel& model, dou
       for (TypedStatement& statement : typed_statements(*math, notation_)) {
         if (statement.number.unit.empty() && i + 1 < block.spans.size() && !span.break_after)
           statement.number.unit = unit_behind(block.spans[i + 1].text);
+        // "From $t = 0$ to $t = 2$ s" says what part of the motion is shown.
+        if (!statement.of && has_ends_of_interval(block, notation_)) continue;
         const auto wrong = wrong_value(statement, model, {still_s, 0});
         if (wrong)
           return report_.error(place,

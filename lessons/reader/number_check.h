@@ -5,7 +5,7 @@
 
 #include "lessons/diagnostics/report.h"
 #include "lessons/notation/tex_numbers.h"
-#include "lessons/notation/tex_sides.h"
+#include "lessons/notation/tex_statements.h"
 #include "lessons/reader/lesson.h"
 
 #include <optional>
@@ -48,7 +48,9 @@ class NumberCheck {
   const ComputedNumber& number(const Math& math, std::size_t index) const;
   void check_apart(const Math& math, const Math* above, const NumbersMotion& motion);
   void check_components(const Math& math, const ComponentsStatement& statement, const NumbersMotion& motion);
-  bool check_statement(const Math& math, const NumberStatement& statement, const NumbersMotion& motion);
+  /// `said`: the words that say the left side; empty: it is printed as a formula.
+  bool check_statement(const Math& math, const NumberStatement& statement, const NumbersMotion& motion,
+                       const std::string& said = {});
   void check_unit(const ComputedNumber& number, const std::string& unit);
   void check_spans(const std::vector<TextSpan>& spans, const NumbersMotion& motion);
   void check_before(const std::vector<TextSpan>& spans, std::size_t at, std::size_t index,
@@ -60,6 +62,8 @@ class NumberCheck {
   // Of tables: number_check_tables.cpp.
   void check_table(const TextTable& table, const NumbersMotion& motion);
   void check_unit_beside(const TextTable::Cell& cell, const ComputedNumber& number);
+  void check_axis_of_row(const TextTable::Cell& head, const TextTable::Cell& cell,
+                         const ComputedNumber& number);
   void check_row_heads(const TextTable& table);
   Head head_of(const TextTable::Cell& cell) const;
   void check_head(const Head& head, const ComputedNumber& number, const std::vector<MotionNumbers*>& motions);

@@ -4,6 +4,7 @@
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof.h"
 #include "lessons/reader/number_check.h"
+#include "lessons/reader/quantity_words.h"
 #include "lessons/reader/text_units.h"
 
 #include <algorithm>
@@ -12,6 +13,10 @@
 #include <utility>
 
 namespace polhode {
+
+namespace {
+constexpr Dimension kRate{0, 0, -1};
+}  // namespace
 
 /// What the head of a column, or of a row, says that its numbers are.
 struct NumberCheck::Head {
@@ -60,6 +65,17 @@ NumberCheck::Head NumberCheck::head_of(const TextTable::Cell& cell) const {
       std::tie(head.is, head.unit) = std::pair(std::move(in_unit->first), std::move(in_unit->second));
     if (!head.is) head.dimensions = dimensions_of_letter(letter_of_name(*formula));
   }
+  // "ratio of $I_1$ to $I_3$"
+  if (!head.is && (formulas > 0 || rest.find(' ') != rest.npos || rest.size() > 2)) {
+    std::vector<TextSpan> name(cell.begin(), cell.begin() + static_cast<std::ptrdiff_t>(end));
+    if (!name.empty() && name.back().kind == TextSpan::Kind::text) {
+      std::string last = name.back().text;
+      take_unit_at_end(last);
+      name.back().text = last;
+    }
+    head.is = quantity_said(name, lesson_);
+    if (head.is) head.dimensions.clear();
+  }
   const bool is_letter_alone = formulas == 0 && !rest.empty() && rest.find(' ') == rest.npos;
   if (is_letter_alone)
     if (const auto math = parse_math(rest)) {
@@ -86,6 +102,15 @@ void NumberCheck::check_head(const Head& head, const ComputedNumber& number,
   // "180/pi*acos(…)" is in degrees by itself.
   const bool is_converted = starts_with_any(head.unit, {"°", "deg"}) && number.expression.uses(Operation::pi);
   if (!head.unit.empty() && !is_converted && head.unit != number.written.unit) check_unit(number, head.unit);
+  const bool is_of_hundred = number.written.expression.find("100") != std::string::npos;
+  const bool is_percent =
+      head.text.find('%') != std::string::npos || head.text.find("per cent") != std::string::npos;
+  if (is_percent && !is_of_hundred && number.dimension && *number.dimension == kNumber)
+    return refuse(number, "the head says per cent, and this number is a part of 1", "multiply it by 100");
+  for (const char* counted : {"turns per ", "turns a ", "revolutions", "frequency"})
+    if (head.text.find(counted) != std::string::npos && number.dimension && *number.dimension == kRate &&
+        !why_not_in(number.expression, "Hz").empty())
+      return refuse(number, "the head counts turns, and this number radians", "divide it by 2*pi");
   if (!head.is && !can_have(head.dimensions, number.dimension))
     return refuse(
         number,
@@ -124,6 +149,20 @@ void NumberCheck::check_unit_beside(const TextTable::Cell& cell, const ComputedN
            "write the power of ten as a unit, or leave it out");
 }
 
+/// "axis" above the first cells, which are 1, 2 and 3: each row is of its own.
+void NumberCheck::check_axis_of_row(const TextTable::Cell& head, const TextTable::Cell& cell,
+                                    const ComputedNumber& number) {
+  if (cell.size() != 1 || head.size() != 1) return;
+  const bool counts_axes = head.front().text == "$i$" || head.front().text == "i" ||
+                           head.front().text.find("axis") != std::string::npos ||
+                           cell.front().text.find("axis") != std::string::npos;
+  const auto said = counts_axes ? axis_of_name(cell.front().text) : std::nullopt;
+  const std::string axes = axes_in(number.expression);
+  if (said && !axes.empty() && axes.find(*said) == axes.npos)
+    refuse(number, "this row is of axis " + std::string(1, *said) + ", and its number of another",
+           "write each number into the row of its axis");
+}
+
 /// A table in Markdown: its numbers are of one motion.
 void NumberCheck::check_table(const TextTable& table, const NumbersMotion& motion) {
   const auto alone = [&](const TextTable::Cell& cell) -> const ComputedNumber* {
@@ -140,6 +179,7 @@ void NumberCheck::check_table(const TextTable& table, const NumbersMotion& motio
       if (shown == nullptr) continue;
       numbers.push_back(shown);
       check_head(heads[c], *shown, {&motion.still});
+      check_axis_of_row(table.rows.front().front(), table.rows[r].front(), *shown);
       if (c + 1 < table.rows[r].size()) check_unit_beside(table.rows[r][c + 1], *shown);
       // Of a row with one number its first cell says what that is, where the column does not.
       if (c > 0 && !heads[c].is && numbers.size() == 1) {

@@ -84,7 +84,7 @@ std::optional<std::string> built_in_meaning(const std::string& tex, const FrontM
   const auto math = parse_math(tex + " = " + tex, texts.macros());
   if (!math) return std::nullopt;
   const auto read = read_equation(*math, built_in);
-  if (!read) return std::nullopt;
+  if (!read || read->sentences.size() != 1) return std::nullopt;  // \omega_i is each of three
   return read->sentences.front().links.front().equality.left.text;
 }
 
@@ -163,7 +163,7 @@ std::optional<std::string> meaning_by_others(const std::string& name, const std:
   Math kept = own == symbols.end() ? Math() : std::exchange(own->math, Math());
   const auto read = read_equation(*math, front.notation);
   if (own != symbols.end()) own->math = std::move(kept);
-  if (!read) return std::nullopt;
+  if (!read || read->sentences.size() != 1) return std::nullopt;  // \omega_i is each of three
   return read->sentences.front().links.front().equality.left.text;
 }
 
@@ -230,6 +230,17 @@ void check_name(const TomlEntry& entry, const Symbol& symbol, const FrontMatter&
 
 }  // namespace
 
+bool is_component_name(std::string_view name) {
+  constexpr std::array<std::string_view, 8> kVectors{"omega", "w", "L", "N", "A", "v", "p", "F"};
+  return !is_quantity(std::string(name)) &&
+         std::any_of(kVectors.begin(), kVectors.end(), [&](std::string_view vector) {
+           if (!name.starts_with(vector)) return false;
+           std::string_view index = name.substr(vector.size());
+           if (index.starts_with('_')) index.remove_prefix(1);
+           return index.size() == 1 && std::string_view("123xyz").find(index[0]) != std::string_view::npos;
+         });
+}
+
 void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& front, TextReader& texts) {
   const auto key_of = [](const std::string& written) {
     std::string tex = without_alphabets(written);
@@ -262,6 +273,9 @@ void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& f
     const bool other_means = other == front.symbols.end() || !other->second.means.empty();
     if (!is_new && same->second != entry.key && (means || other_means))
       refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
+    else if (!symbol.means.empty() && is_component_name(entry.key))
+      refuse("has the name that learners type for a component",
+             "take another name, such as \"" + entry.key.substr(0, 1) + "_after\"");
     else if (means && known)
       refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
     else if (const bool is_plain = symbol.math.root && is_plain_symbol(*symbol.math.root);

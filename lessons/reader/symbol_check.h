@@ -4,6 +4,7 @@
 
 #include "lessons/reader/front_matter.h"
 
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -13,5 +14,8 @@ namespace polhode {
 /// changes with the motion. What `say` names, and a letter alone, have the dimension of the symbol.
 /// `entries` are those of [constants], [define] and [symbols], read already.
 void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& front, TextReader& texts);
+
+/// Whether learners type a component so, and a lesson would hide it: "L1", "v_x"; not w1, which is that.
+bool is_component_name(std::string_view name);
 
 }  // namespace polhode

@@ -256,7 +256,7 @@ TEST(Assumptions, NothingFalseIsPrintedAsProved) {
   const Wrong cases[] = {
       {E + "X = { means = '0*T', tex = '\\frac{dE}{dt}' }\n", "", "has a sign that formulas use otherwise"},
       {E + "X = { means = '0*T', tex = '\\dot E' }\n", "", "has a sign that formulas use otherwise"},
-      {define("\\dot{\\vec L}"), "", "has a sign that formulas use otherwise"},
+      {define("\\dot{\\vec L}"), "", "is known already: it is ddt(L)"},
       {define("\\tan\\theta"), "", "has a sign that formulas use otherwise"},
       {define("T^{}"), "", "X\" "},
       {define("\\overset{}{T}"), "", "has a sign that formulas use otherwise"},

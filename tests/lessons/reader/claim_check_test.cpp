@@ -75,7 +75,7 @@ TEST(CheckClaims, NumbersAreWhatStandsBeforeThem) {
 
 // 2026-11-23: \proved{T = T} = 0 was green.
 TEST(CheckClaims, APartThatSaysNothingIsWarnedOf) {
-  EXPECT_THAT(faults_of("```math a identity\n\\proved{T = T} = 0\n```\n"),
+  EXPECT_THAT(faults_of("```math a identity\n\\proved{T = T},\\quad \\zeta = 0\n```\n"),
               ElementsAre(HasSubstr("warning: this says nothing")));
 }
 

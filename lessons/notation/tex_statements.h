@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a formula states, as far as each of its statements can be read by itself, whether or not all of it
+// can: "T = 5\,\text{J}" in a line of prose, or beside other things in a display.
+#pragma once
+
+#include "lessons/notation/tex_sides.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace polhode {
+
+/// A side that is read.
+struct StatedSide {
+  std::optional<Expression> is;      ///< of a number with its unit that of SI; nothing: it is the time, t
+  std::optional<TypedNumber> typed;  ///< of a number that stands alone
+
+  bool is_time() const { return !is; }
+};
+
+/// Two neighbours in a chain.
+struct StatedLink {
+  StatedSide left, right;
+  Relation relation = Relation::equal;
+  SourceSpan source;          ///< of both, in the TeX
+  bool ends_formula = false;  ///< what stands behind the formula stands behind it
+};
+
+struct Statements {
+  std::vector<StatedLink> links;
+  std::vector<std::pair<Expression, SourceSpan>> sides;  ///< all that are read, of links or not
+  std::string words;                                     ///< that stand among them: "if"
+  bool is_condition = false;  ///< an arrow, or a condition in brackets, makes of them what is not stated
+};
+
+/// Links with a side that is not read are left out, and so are all of a formula that is nothing but signs.
+Statements stated_in(const Math& math, const EquationNotation& notation);
+
+/// "\omega_3 = 5\,\text{rad/s}": what the number is said to be of.
+struct TypedStatement {
+  std::optional<Expression> of;  ///< a scalar; nothing: it is the time, t
+  Relation relation = Relation::equal;
+  TypedNumber number;
+};
+/// Those of a formula's statements that can be told: sides that are read, or t, beside a number.
+std::vector<TypedStatement> typed_statements(const Math& math, const EquationNotation& notation);
+
+}  // namespace polhode

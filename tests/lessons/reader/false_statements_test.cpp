@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// What a lesson states in passing, in words and formulas of which nothing is called proved.
+#include "tests/lessons/support.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+namespace {
+
+using testing::complaints_of;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+constexpr const char* kTables =
+    "[body.plate]\nmoments = [1.0, 2.0, 2.9]\ndraw = \"box\"\n"
+    "[symbols]\nomega = { tex = '\\vec\\omega', say = \"angular velocity\", unit = \"rad/s\" }\n"
+    "[constants]\ngiant = { value = 20, say = \"mass of a giant\", unit = \"kg\" }\n";
+
+std::vector<std::string> complaints_about(const std::string& body, const std::string& keys = "") {
+  return complaints_of(body +
+                           "\n\n```scene\nbody = \"plate\"\nomega = [0.5, 3, 0.7]\nat = 0.2\n"
+                           "show = [\"energy-ellipsoid\", \"omega\", \"L\"]\n" +
+                           keys + "\n```\n",
+                       kTables);
+}
+
+void expect_false(const std::vector<std::string>& bodies) {
+  for (const std::string& body : bodies) EXPECT_THAT(complaints_about(body), Not(IsEmpty())) << body;
+}
+void expect_true(const std::vector<std::string>& bodies) {
+  for (const std::string& body : bodies) EXPECT_THAT(complaints_about(body), IsEmpty()) << body;
+}
+
+std::string math(const std::string& kind, const std::string& tex) {
+  return "```math a " + kind + "\n" + tex + "\n```\n";
+}
+
+// 2026-11-24: a part that is true was printed inside of what is false, with a tick.
+TEST(ProvedParts, AreJoinedToNothing) {
+  const std::string part = R"(\proved{2T = \vec\omega\cdot\vec L})";
+  expect_false({math("identity", part + R"( = |\vec L|^2)"), math("identity", "T = " + part),
+                math("identity", "-" + part), math("identity", R"(\frac{1}{)" + part + "}"),
+                math("identity", R"(\cancel{)" + part + "}"), math("identity", R"(\boxed{)" + part + "} = 0"),
+                math("identity", R"(\text{not } )" + part),
+                math("identity", R"(\left()" + part + R"(\right) = 0)"),
+                math("identity", part + R"(\quad\Rightarrow\quad \zeta = 0)"),
+                math("identity", part + R"(\quad (\omega_1 = 0))"), math("identity", part + R"(\,+\,1)"),
+                math("identity", R"(\underbrace{)" + part + R"(}_{= |\vec L|})"),
+                math("identity", R"(\zeta = 0 \quad\text{since}\quad )" + part),
+                math("free", part + R"(,\quad \frac{d\vec\omega}{dt} = 0)")});
+  expect_true({math("identity", part + R"(\,,\quad \zeta = 0)"),
+               math("identity", "&" + part + R"(\,, \\ &\zeta = \sum_n \eta_n)"),
+               math("identity", part + R"(\quad\text{and}\quad \zeta = \eta.)")});
+}
+
+TEST(Statements, ThatAreNotSoAreErrors) {
+  expect_false({R"(The energy is $T = 1$ J.)", R"(It is $T = 1\,\text{J}$.)", R"(Here $I_1 = 5$ kg m².)",
+                R"(Here $I_1 = 5 I_2$.)", R"(Here $I_1 > I_2$.)", R"(Here $2T = \vec\omega\cdot\vec\omega$.)",
+                R"(So $\vec L = 2$.)", R"(It has $\omega = 2$ rad/s.)", math("", "2T = I_1"),
+                math("", R"(T = 1\,\text{J})"), "> [!note] Always $T = 0$.\n"});
+  expect_true({R"(Here $I_2 = 2 I_1$ and $I_1 < I_2$.)", R"(If $\omega_1 = 0$, it is a steady spin.)",
+               R"(At $\omega_1 = 0$ it turns.)", R"(Is $T = 0$?)", R"(Not so $T = 0$.)",
+               R"(At first $\omega_2 = 3$ rad/s.)", R"(Here $2T = \vec\omega\cdot\vec L$.)",
+               R"(Without torque $\frac{d\vec L}{dt} = 0$.)", R"(It has $\omega \approx 3$ rad/s.)",
+               "If both are equal, then:\n\n" + math("", "I_1 = I_2")});
+}
+
+TEST(Statements, OfQuestionsAreCheckedButForTheChoicesThatAreWrong) {
+  const std::string head = "```ask q\ntype = \"choice\"\nprompt = \"Which holds?\"\n";
+  EXPECT_THAT(complaints_about(head + "because = 'It is $T = 1$ J.'\n\n- [x] one\n- [ ] other\n  No.\n```\n"),
+              Not(IsEmpty()));
+  EXPECT_THAT(complaints_about(head + "\n- [x] $T = 0$\n- [ ] other\n  No.\n```\n"), Not(IsEmpty()));
+  EXPECT_THAT(complaints_about(head + "\n- [x] one\n- [ ] $T > 5$\n  For $T < 0$.\n```\n"), IsEmpty());
+}
+
+TEST(TypedNumbers, AreComputedOrGiven) {
+  expect_false({"The energy is 1 kJ.", "The energy is $1$ kJ.", R"($\vec L$ is $5$ kg m²/s long.)",
+                "It turns by 27°.", "It weighs 21 kg."});
+  expect_true({"The giant weighs 20 kg.", "It turns about axis 2 with 3 rad/s.",
+               "The moments are 1, 2 and 2.9 kg&nbsp;m².", "Turned by 90° it is upright.",
+               "A day has 24 hours, a year 365 days.", "It is shown after 0.2 s."});
+}
+
+TEST(NamesInWords, AreHeldAgainstTheNumberBehindThem) {
+  expect_false({R"(Half the energy is $\live[unit={J}]{T}$.)",
+                R"(The angular speed is $\live[unit={rad/s}]{w2}$.)",
+                R"(The largest moment is $\live[unit={kg m²}]{I2}$.)",
+                R"($\vec L$ has the length $\live[unit={J}]{T}$.)",
+                R"($\vec L$ has the length $\live[unit={kg m²/s}]{I2*w2}$.)",
+                R"(The ratio of $I_1$ to $I_3$ is $\live{I3/I1}$.)",
+                R"(The ratio of the smallest to the largest moment is $\live{I3/I1}$.)",
+                R"(The body makes $\live[unit={rad/s}]{norm(omega)}$ turns a second.)",
+                R"(One turn lasts $\live[unit={s}]{1/norm(omega)}$.)",
+                R"(The rate about axis 1 is $\live[unit={rad/s}]{w3}$.)"});
+  expect_true({R"(Half of $I_3$ is $\live[unit={kg m²}]{I3/2}$.)",
+               R"(A tenth of $T$ is $\live[unit={J}]{T/10}$.)",
+               R"(The sum of $I_1$ and $I_2$ is $\live[unit={kg m²}]{I1+I2}$.)",
+               R"(The mean of $\omega_2$ and $\omega_3$ is $\live[unit={rad/s}]{(w2+w3)/2}$.)",
+               R"(The ratio of $|\vec L|^2$ to $2T$ is $\live[unit={kg m²}]{norm2(L)/(2*T)}$.)",
+               R"($|\vec L|^2$ divided by $2T$ is $\live[unit={kg m²}]{norm2(L)/(2*T)}$.)",
+               R"(The momentum $|\vec L|$ over $I_1$ is $\live[unit={rad/s}]{norm(L)/I1}$.)",
+               R"(In this throw, twice $T$ is $\live[unit={J}]{2*T}$.)",
+               R"(The difference of $\omega_2$ and $\omega_3$ is $\live[unit={rad/s}]{w2-w3}$.)",
+               R"(One turn lasts $\live[unit={s}]{2*pi/norm(omega)}$.)",
+               R"(It is $\frac{2\pi}{\omega} \approx \live[unit={s}]{2*pi/norm(omega)}$.)",
+               R"(The momentum is $L = \live[unit={kg m²/s}]{norm(L)}$.)"});
+}
+
+TEST(NamesInWords, AreHeldAgainstColumnsAndPlots) {
+  const auto column = [](const std::string& keys) {
+    return "```table\ncolumns = [{ head = \"body\" }, { " + keys + " }]\nrows = [{ head = \"a\" }]\n```\n";
+  };
+  expect_false({column("head = 'angular speed', of = 'norm(L)'"),
+                column("head = 'largest moment', of = 'I1'"),
+                column("head = 'turns per second', of = 'norm(omega)'"),
+                column("head = 'error (%)', of = 'I1/I3'"), column("head = 'twice the energy', of = 'T'"),
+                "| axis | moment |\n|---|---|\n| 1 | $\\live{I3}$ |\n| 3 | $\\live{I1}$ |\n"});
+  expect_true({column("head = 'half the energy', of = 'T/2'"), column("head = 'error (%)', of = '100*I1/I3'"),
+               "| axis | moment |\n|---|---|\n| 1 | $\\live{I1}$ |\n| 3 | $\\live{I3}$ |\n"});
+  for (const char* keys :
+       {R"(meters = [{ plot = "T", title = "Length of $\\vec L$" }])",
+        R"(meters = [{ plot = "T/10", title = "Energy" }])",
+        R"(meters = [{ plot = "w1", title = "Spin about axis 2" }])",
+        R"(meters = [{ plot = "w1", title = '$\omega_1$ against $\omega_2$', against = "w3" }])",
+        R"(meters = [{ plot = ["w1", "w2"], tex = ['\text{axis 2}', '\text{axis 1}'] }])",
+        R"(arrows = [{ of = "e1", tex = '\text{axis 2}' }])",
+        R"(arrows = [{ of = "comp(omega, 1)*e1", tex = '\omega_2' }])",
+        R"(notes = [{ text = "axis 2", at = "e1" }])",
+        R"(angles = [{ from = "omega", to = "L", tex = '\text{right angle}' }])",
+        R"(areas = [{ from = "omega", to = "L", tex = '\vec L\times\vec\omega', role = "violet" }])"})
+    EXPECT_THAT(complaints_about("Text.", keys), Not(IsEmpty())) << keys;
+  for (const char* keys :
+       {R"x(meters = [{ plot = "norm(L)", title = "Length of $\\vec L$" }])x",
+        R"(meters = [{ plot = "w1", title = "Spin about axis 1" }])",
+        R"(meters = [{ plot = "w1", title = '$\omega_1$ against $\omega_3$', against = "w3" }])",
+        R"(arrows = [{ of = "e1", tex = '\text{axis 1}' }])", R"(notes = [{ text = "axis 1", at = "e1" }])",
+        R"(areas = [{ from = "omega", to = "L", tex = '\vec\omega\times\vec L', role = "violet" }])"})
+    EXPECT_THAT(complaints_about("Text.", keys), IsEmpty()) << keys;
+}
+
+std::string question(const std::string& type, const std::string& keys) {
+  return "```ask q\ntype = \"" + type + "\"\n" + keys + "\n```\n";
+}
+
+TEST(Prompts, AskForWhatTheAnswerIs) {
+  const auto number = [](const std::string& prompt, const std::string& answer, const std::string& unit) {
+    return question("number",
+                    "prompt = '" + prompt + "'\nanswer = \"" + answer + "\"\nunit = \"" + unit + "\"");
+  };
+  const auto expression = [](const std::string& prompt, const std::string& answer) {
+    return question("expression", "prompt = '" + prompt + "'\nanswer = \"" + answer + "\"");
+  };
+  expect_false(
+      {number("What is $T$?", "norm(L)", "kg m²/s"), number("What is $T$?", "2*T", "J"),
+       number("How large is $I_3$?", "I1", "kg m²"), number("What is the energy in J?", "2*T", "J"),
+       number(R"(With $\omega_3 = 5$ rad/s, what is $T$?)", "T", "J"),
+       expression("What is $T$?", "dot(omega, L)"), expression(R"(What is $\frac{dT}{dt}$?)", "0"),
+       expression(R"(What is the component of $\vec\omega\times\vec L$ along axis 2?)", "w3*w1*(I3 - I1)"),
+       question("choice", "prompt = 'Which is $2T$?'\n\n- [ ] $T$\n  No.\n- [x] $|\\vec L|^2$"),
+       question("order", "prompt = 'Sort them, the smallest first.'\n\n1. $I_3$\n2. $I_2$\n3. $I_1$"),
+       question("state",
+                "prompt = 'Make it so.'\ngoals = [{ of = \"norm(L)\", say = \"energy\", is = 8, "
+                "within = 0.1 }]\nchange = [\"omega\"]\nsolution = { omega = [8, 0, 0] }")});
+  expect_true(
+      {number("What is $T$?", "T", "J"), number("How large is half the energy?", "T/2", "J"),
+       number(R"(What is $\omega_3$ when it has turned?)", "w2", "rad/s"),
+       expression(R"(What is $\frac{dT}{dt}$?)", "dot(omega, N)"),
+       expression("What is $2T$?", "dot(omega, L)"),
+       expression(R"(What is the component of $\vec\omega\times\vec L$ along axis 2?)", "w3*w1*(I1 - I3)"),
+       question("order", "prompt = 'Sort them, the smallest first.'\n\n1. $I_1$\n2. $I_2$\n3. $I_3$")});
+}
+
+TEST(Symbols, AreNotTypedAsComponents) {
+  const auto with = [](const std::string& name) {
+    return complaints_of("Text.\n", "[define]\n" + name + " = { means = \"2*T\" }\n[symbols]\n" + name +
+                                        "b = { tex = '\\beta', say = \"beta\", means = \"T\" }\n");
+  };
+  for (const char* name : {"L1", "L_1", "vx", "omega_2"}) EXPECT_THAT(with(name), Not(IsEmpty())) << name;
+  EXPECT_THAT(with("L_after"), IsEmpty());
+  EXPECT_THAT(
+      complaints_of("Text.\n", "[symbols]\nL1 = { tex = \"\\\\vec L'\", say = \"L\", means = \"2*L\" }\n"),
+      Not(IsEmpty()));
+}
+
+TEST(ClaimsBesideFormulas, BesideAFormulaSayItsRelation) {
+  const std::string claim = "```claim a identity in-other-words\n2*T = dot(omega, L)\n```\n";
+  expect_false({math("", R"(2T > \vec\omega\cdot\vec L \oplus \zeta)") + claim,
+                math("", R"(2T > \vec\omega\cdot\vec L + \zeta)") + claim,
+                math("", R"(\bar{\bar\zeta} = T + \omega_1)") + claim,
+                math("", R"(2T = \omega_1 = \bar{\bar\zeta})") + claim});
+  expect_true({math("", R"(2T = \langle\vec\omega, \vec L\rangle)") + claim});
+}
+
+}  // namespace
+}  // namespace polhode
