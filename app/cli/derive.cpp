@@ -6,6 +6,7 @@
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
 #include "app/narration/speech_text.h"
+#include "app/narration/transcript.h"
 #include "app/session/derivation_work.h"
 #include "base/printable.h"
 
@@ -125,8 +126,11 @@ Command derive_command() {
            {"ASK", &options->ask, "Id of the question, which is of the type derive", "", true},
            {"--hint", &options->hint, "What to do next: 1 what to use, 2 how, 3 the line itself", "1|2|3"},
            {"--json", &options->json, "Each line's verdict, slip, reason and TeX as JSON"}},
-          "Lines are typed as in lessons/FORMAT.md, for example \"dL/dt = d*L/dt + omega x L\". Exit code\n"
-          "0 if the goal is reached, 4 if not yet, 2 if there is no such question.",
+          wrapped("A line is one equation, such as \"dL/dt = d*L/dt + omega x L\". What is typed: " +
+                      std::string(kWordsOfDerivations) + ".",
+                  "") +
+              "A line holds, is the goal, leads away (true, but no step) or is wrong; --hint 3 is the next\n"
+              "line. Exit code 0 if the goal is reached, 4 if not yet, 2 if there is no such question.",
           [options](const CommandWords&) { return derive(*options); },
           true};
 }
