@@ -171,15 +171,23 @@ class Checked {
 
   void accent_is_beside_what_holds() const {
     const auto bars = areas_in_column(colors_of(request_.theme).accent);
-    EXPECT_LE(bars.size(), 1u);
     EXPECT_EQ(areas_in_column(colors_of(request_.theme).panel).size(), bars.size());
-    bool is_any = false;
+    // The first with a number, or the first, and those that weigh as much: by a number, or by a claim.
+    const auto claims = blocks_of<Claim>(present());
+    const auto weight = [&](const Equation& equation) {
+      const bool is_claimed = std::any_of(claims.begin(), claims.end(),
+                                          [&](const Claim* claim) { return claim->equation == equation.id; });
+      return !equation.tag.empty() ? 2 : is_claimed ? 1 : 0;
+    };
+    std::vector<int> weights;
     for (const Equation* equation : equations_of(present())) {
-      is_any = is_any || !is_refuted(request_.stage, *equation);
+      if (!is_refuted(request_.stage, *equation)) weights.push_back(weight(*equation));
       if (!is_refuted(request_.stage, *equation)) continue;
       for (const PixelBox& bar : bars) EXPECT_FALSE(stands_beside(*equation, bar)) << equation->id;
     }
-    EXPECT_EQ(bars.size(), is_any ? 1u : 0u);
+    const bool is_numbered = std::find(weights.begin(), weights.end(), 2) != weights.end();
+    const int of_focus = is_numbered ? 2 : weights.empty() ? 0 : weights.front();
+    EXPECT_EQ(bars.size(), static_cast<std::size_t>(std::count(weights.begin(), weights.end(), of_focus)));
     for (const PixelBox& bar : bars) {
       int beside = 0;
       for (const Equation* equation : equations_of(present())) beside += stands_beside(*equation, bar);

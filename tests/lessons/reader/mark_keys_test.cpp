@@ -249,7 +249,7 @@ TEST(MarkKeys, AreAsTheFormatSays) {
     scene.marks = marks;
     EXPECT_THAT(unseen_marks(make_model(scene)), IsEmpty()) << section.substr(first, last - first);
   }
-  EXPECT_EQ(examples, 11);
+  EXPECT_EQ(examples, 12);
 }
 
 }  // namespace
