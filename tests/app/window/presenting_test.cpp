@@ -72,6 +72,19 @@ TEST_F(PresentingTest, PanelsAreSeenAndEscapeGoesOneStepBack) {
   EXPECT_FALSE(session.is_presenting());
 }
 
+TEST_F(PresentingTest, AClickBesideTheFigureGoesOn) {
+  const PixelBox& figure = screen->page().page().figure;
+  ASSERT_GT(figure.width(), 0);
+  click(0.5 * (figure.x0 + figure.x1), 0.5 * (figure.y0 + figure.y1));
+  EXPECT_EQ(session.place(), (Place{0, 0})) << "that is taken hold of";
+  click(0.5 * figure.x0, kSize.height - 20);
+  EXPECT_EQ(session.place(), (Place{0, 1}));
+  screen->press(session, "P");
+  frame(3);
+  click(0.5 * figure.x0, kSize.height - 120);
+  EXPECT_EQ(session.place(), (Place{0, 1})) << "who reads clicks where he likes";
+}
+
 TEST_F(PresentingTest, APanelThatWasOpenIsClosed) {
   screen->press(session, "Escape");
   screen->press(session, "O");

@@ -233,6 +233,30 @@ TEST_F(ScreenTest, TheWheelOverTheOutlineScrollsIt) {
   EXPECT_NE(screen->read().rgba, before.rgba);
 }
 
+TEST_F(ScreenTest, AnotherLessonIsOpenedFromTheOutline) {
+  int asked = 0;
+  screen->set_lessons([&] {
+    ++asked;
+    return std::vector<LessonProgress>{{.id = session.lesson().id, .title = "This one"},
+                                       {.id = "other", .title = "Another", .stages = 3}};
+  });
+  frame(3);
+  EXPECT_EQ(asked, 0) << "nobody has to wait for what is not shown";
+  session.panel = Panel::outline;
+  frame(3);
+  EXPECT_EQ(asked, 1);
+  move(kSize.width - 150, 500);
+  for (int i = 0; i < 60; ++i) {
+    ImGui::GetIO().MouseWheel = -1;
+    frame();
+  }
+  for (int at = 740; at > 400 && screen->requests().open_lesson.empty(); at -= 10)
+    click(kSize.width - 290, at);  // its button is the last thing
+  EXPECT_EQ(screen->requests().open_lesson, "other");
+  EXPECT_EQ(session.place(), (Place{0, 0}));
+  EXPECT_EQ(asked, 1);
+}
+
 TEST_F(ScreenTest, LettersAreNoCommandsForWhoWantsNone) {
   frame(3);
   session.preferences.letter_keys = false;

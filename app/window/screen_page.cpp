@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// What the screen lays over the page, and what a pointer does to its text: choices, scrolling, how to begin.
+#include "app/window/screen.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+/// Of a question that is still open.
+const Page::Choice* Screen::choice_at(const LessonSession& session, const Vec2& at) const {
+  for (const Page::Choice& choice : page_->page().choices) {
+    const std::vector<const Ask*> asked = session.questions();
+    if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;  // the page before
+    const JudgedAnswer* judged = session.judged(*choice.ask);
+    const bool is_right = judged != nullptr && judged->judgement.mark == AnswerJudgement::Mark::right;
+    const PixelBox& box = choice.box;
+    if (!is_right && !session.is_awaited(*choice.ask) && at.x() >= box.x0 && at.x() < box.x1 &&
+        at.y() >= box.y0 && at.y() < box.y1)
+      return &choice;
+  }
+  return nullptr;
+}
+
+/// A frame round the one that a click would pick; beside the one that was picked whether it is right, unless
+/// the motion is still to show it.
+void Screen::draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = sizes_->em;
+  const auto corner = [](double x, double y) { return ImVec2(static_cast<float>(x), static_cast<float>(y)); };
+  const std::vector<const Ask*> asked = session.questions();
+  for (const Page::Choice& choice : page_->page().choices) {
+    if (std::find(asked.begin(), asked.end(), choice.ask) == asked.end()) continue;
+    const PixelBox& box = choice.box;
+    if (&choice == pointed_at) {
+      ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+      list.AddRect(corner(box.x0, box.y0), corner(box.x1, box.y1), ImGui::GetColorU32(ImGuiCol_CheckMark),
+                   0.3F * em, 0, 0.1F * em);
+    }
+    const JudgedAnswer* judged = session.judged(*choice.ask);
+    const bool is_picked =
+        judged != nullptr && judged->judgement.choice == static_cast<int>(choice.number) + 1;
+    if (!is_picked || session.is_awaited(*choice.ask)) continue;
+    const bool is_right = judged->judgement.mark == AnswerJudgement::Mark::right;
+    const char* word = is_right ? "right" : "not right";
+    const double left = box.x0 - 0.9 * page_->page().scale * em - ImGui::CalcTextSize(word).x;
+    list.AddText(corner(left, 0.5 * (box.y0 + box.y1) - 0.5 * em),
+                 ImGui::GetColorU32(is_right ? ImGuiCol_PlotLines : ImGuiCol_NavHighlight), word);
+  }
+}
+
+/// Before an audience a click beside the figure goes on, as everywhere.
+bool Screen::walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const {
+  if (!session.is_presenting() || !is_free || !ImGui::GetIO().MouseClicked[0]) return false;
+  const PixelBox& figure = page_->page().figure;
+  const bool on_figure =
+      at.x() >= figure.x0 && at.x() < figure.x1 && at.y() >= figure.y0 && at.y() < figure.y1;
+  return !on_figure && session.next_step();
+}
+
+/// Who has never been here is told how to begin: until something is done.
+void Screen::draw_invitation(const LessonSession& session) {
+  const bool is_new = session.visited().size() == 1 && session.place() == Place{} &&
+                      session.edits().empty() && session.answers().empty();
+  const bool is_still = session.has_scene() && !session.is_playing() && !session.is_presenting() &&
+                        session.panel == Panel::none && session.t_s() == still_time_s(session.lesson_scene());
+  const PixelBox& column = page_->page().column;
+  if (!is_new || !is_still || page_->page().overflow > 0 || column.width() <= 0) return;
+  const std::string words = "Space plays, a drag turns the figure, → goes on, ? shows all keys.";
+  ImGui::GetBackgroundDrawList()->AddText(
+      {static_cast<float>(column.x0), static_cast<float>(column.y1) - 1.2F * sizes_->em},
+      ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
+}
+
+void Screen::scroll_by_wheel() {
+  constexpr float kNotch = 3;  // em
+  const ImGuiIO& io = ImGui::GetIO();
+  const PixelBox& column = page_->page().column;
+  if (io.MouseWheel != 0 && io.MousePos.x < column.x1 + sizes_->em)
+    page_->scroll(-static_cast<double>(kNotch * io.MouseWheel * sizes_->em));
+}
+
+/// Where the text goes on above the page or below it: a thumb beside it, and a strip above, where the stage
+/// and the step are read whose head has gone out of sight.
+void Screen::draw_scroll_marks(const LessonSession& session) {
+  const Page& page = page_->page();
+  if (page.overflow <= 0) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float em = sizes_->em;
+  const auto x0 = static_cast<float>(page.column.x0), x1 = static_cast<float>(page.column.x1),
+             y0 = static_cast<float>(page.column.y0), y1 = static_cast<float>(page.column.y1);
+  const float all = y1 - y0 + static_cast<float>(page.overflow), part = (y1 - y0) / all;
+  const float top = y0 + (y1 - y0) * static_cast<float>(page.hidden) / all;
+  const float right = x1 + 1.4F * em;
+  list.AddRectFilled({right, top}, {right + 0.35F * em, top + (y1 - y0) * part},
+                     ImGui::GetColorU32(ImGuiCol_ScrollbarGrab), 0.2F * em);
+  if (page.hidden <= 0) return;
+  const Color paper = colors_of(*theme_).paper;
+  const float strip = 2.2F * em;
+  list.AddRectFilled({x0 - 2 * em, 0}, {x1 + em, strip},
+                     ImGui::ColorConvertFloat4ToU32({paper.r, paper.g, paper.b, 1}));
+  list.AddLine({x0 - 2 * em, strip}, {x1 + em, strip}, ImGui::GetColorU32(ImGuiCol_Border));
+  const std::string words = fmt::format("{}  ·  step {} of {}", stage_title_, session.place().step + 1,
+                                        session.stage().steps.size());
+  list.AddText({x0, 0.6F * em}, ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
+}
+
+}  // namespace polhode
