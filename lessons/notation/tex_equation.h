@@ -19,7 +19,7 @@
 //   factor                               means
 //   T, m, I_1, \omega_1, \dot\omega_1    the quantity; 1, 2, 3 are the axes of the body
 //   \vec\omega, \vec L, N p v F A        vectors, in bold too; A_1 is a component on the body's axis
-//   \hat e_1, \vec 0                     a body axis; zero
+//   \hat e_1, \hat e_z, \vec 0           a body axis; an axis of space, unless x, y, z are the body's; zero
 //   \mathbf I, \mathbf I_S               the inertia tensor; applied by \cdot or by standing before a vector
 //   \mathbf I^{-1}, \mathbf 1            other tensors; [\vec a]_\times is b -> a x b
 //   I_{xy}, I_{12}                       components of any inertia tensor: then \mathbf I is that one, and

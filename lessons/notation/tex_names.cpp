@@ -242,6 +242,12 @@ TexValue TexTerms::hat(const TexItem& item, const MathNode& base, bool& took_sub
   if (base.kind != Kind::symbol) throw TexFault(item.span, "this unit vector is not read");
   if (base.character == U'e' && item.sub != nullptr) {
     took_sub = true;
+    const MathNode& axis = plain_node(*item.sub);
+    const bool is_of_space = !notation_.xyz_are_body_axes && axis.kind == Kind::symbol &&
+                             axis.character >= U'x' && axis.character <= U'z' && is_common(axis);
+    if (is_of_space && is_conditioned())
+      throw TexFault(item.span, "under a condition on ω only ω, moments and axes of the body are read");
+    if (is_of_space) return quantity(std::string("e") + static_cast<char>(axis.character), item.span);
     return unit_vector(axis_in(item), item.span);
   }
   const std::u32string_view letters = U"ijk";

@@ -11,6 +11,7 @@
 #include "lessons/reader/name_check.h"
 #include "lessons/reader/number_check.h"
 #include "lessons/reader/prompt_check.h"
+#include "lessons/reader/quantity_words.h"
 #include "lessons/reader/state_keys.h"
 #include "lessons/reader/statement_check.h"
 #include "render/typeset/math/tree.h"
@@ -62,6 +63,7 @@ class ClaimCheck {
   std::vector<Diagnostic> run() {
     SourcePlace place;
     try {
+      check_spoken_names();
       for (const Stage& stage : lesson_.stages) {
         equations_ = equations_of(stage);
         statement_check_.begin_stage(stage);
@@ -86,6 +88,25 @@ class ClaimCheck {
   }
 
  private:
+  /// "angular momentum" is L, and nothing else that has its unit.
+  void check_spoken_names() {
+    for (const auto& [name, symbol] : lesson_.symbols) {
+      if (symbol.means.empty() || symbol.means == "I" || symbol.means == "J") continue;
+      const auto said = quantity_of_common_name(symbol.say, lesson_);
+      const SourceText text(symbol.means);
+      Report unused(text, "");
+      const auto means =
+          said ? read_expression(symbol.means, {1, 1}, unused, &lesson_.notation.vocabulary) : std::nullopt;
+      if (!means || !fit(said->type(), means->type())) continue;
+      const Equality sides{*said, *means};
+      if (!is_provable(sides) || prover_.settle(sides, Assumption::identity) != Verdict::fails) continue;
+      report_.error(source_.place_of(std::min(symbol.offset, source_.text().size())),
+                    "symbol " + in_quotes(name) + " is said as " + in_quotes(symbol.say) + ", which is " +
+                        said->text + ", and means " + symbol.means,
+                    "say what it is");
+    }
+  }
+
   void check_block(const Block& block, const Step& step, SourcePlace& place) {
     place = std::visit([](const auto& b) { return b.place; }, block);
     try {

@@ -487,20 +487,36 @@ void NumberCheck::check_shared(const std::vector<int>& ids, const std::vector<co
 
 namespace {
 
-/// "T = 3 kJ" in plain words, as a formula.
+/// "ω₂" as TeX; empty of what is no letter with an index.
+std::string tex_of_plain_name(std::string_view name) {
+  std::string tex;
+  if (starts_with_any(name, {"ω"})) {
+    tex = "\\omega";
+    name.remove_prefix(std::string_view("ω").size());
+  } else if (!name.empty() && is_letter(name.front())) {
+    tex = name.substr(0, 1);
+    name.remove_prefix(1);
+  }
+  if (tex.empty() || name.empty()) return tex;
+  constexpr std::array<std::string_view, 4> kIndices{"₀", "₁", "₂", "₃"};
+  const auto index = std::find(kIndices.begin(), kIndices.end(), name);
+  return index == kIndices.end() ? "" : tex + '_' + std::to_string(index - kIndices.begin());
+}
+
+/// "T = 3 kJ", "ω₂ = 1 rad/s" in plain words, as a formula.
 std::optional<Math> statement_in_words(const std::string& text) {
   constexpr std::string_view kEquals = " = ";
   const std::size_t at = text.find(kEquals);
   if (at == text.npos || at == 0) return std::nullopt;
   const std::size_t before = text.find_last_of(" (,;", at - 1);
-  const std::string name =
-      text.substr(before == text.npos ? 0 : before + 1, at - (before == text.npos ? 0 : before + 1));
+  const std::string name = tex_of_plain_name(std::string_view(text).substr(
+      before == text.npos ? 0 : before + 1, at - (before == text.npos ? 0 : before + 1)));
   const std::size_t begin = at + kEquals.size();
   std::size_t end = begin;
   while (end < text.size() && (is_digit(text[end]) || text[end] == '-' ||
                                (text[end] == '.' && end + 1 < text.size() && is_digit(text[end + 1]))))
     ++end;
-  if (name.size() != 1 || !is_letter(name.front()) || end == begin) return std::nullopt;
+  if (name.empty() || end == begin) return std::nullopt;
   const std::string unit = unit_behind(std::string_view(text).substr(end));
   auto math = parse_math(name + " = " + text.substr(begin, end - begin) +
                          (unit.empty() ? "" : "\\,\\text{" + unit + '}'));

@@ -98,7 +98,8 @@ constexpr std::array<Pair, 16> kFactors{{{"half of ", "0.5"},
 
 class NameReader {
  public:
-  NameReader(const std::vector<TextSpan>& spans, const Lesson& lesson) : lesson_(lesson) {
+  NameReader(const std::vector<TextSpan>& spans, const Lesson& lesson, bool by_symbols = true)
+      : lesson_(lesson), by_symbols_(by_symbols) {
     for (const TextSpan& span : spans) {
       if (span.kind == TextSpan::Kind::math) {
         words_ += {' ', kFormula, static_cast<char>('0' + formulas_.size()), ' '};
@@ -174,7 +175,8 @@ class NameReader {
   std::optional<Said> read(std::string_view words, int depth = 0) const {
     words = without_blanks(words);
     if (words.empty() || depth > 8) return std::nullopt;
-    if (auto said = by_lesson(words)) return said;
+    if (by_symbols_)
+      if (auto said = by_lesson(words)) return said;
     for (const std::string_view article :
          {"the ", "its ", "an ", "a ", "total ", "whole ", "body's ", "our ", "this "})
       if (words.starts_with(article))
@@ -206,6 +208,7 @@ class NameReader {
 
   /// Where a lesson calls something of its own "energy", the word alone is not T.
   bool is_common(std::string_view name) const {
+    if (!by_symbols_) return name != "energy";  // of a top it has another part
     return std::none_of(lesson_.symbols.begin(), lesson_.symbols.end(), [&](const auto& symbol) {
       return symbol.second.say.find(name) != std::string::npos && symbol.first != "T" &&
              symbol.first != "omega" && symbol.first != "L" && symbol.first != "N";
@@ -334,6 +337,7 @@ class NameReader {
   }
 
   const Lesson& lesson_;
+  bool by_symbols_;
   std::string words_;
   std::vector<const Math*> formulas_;
 };
@@ -392,6 +396,10 @@ std::string axes_in(const Expression& expression) {
 std::optional<Expression> quantity_said(const std::vector<TextSpan>& name, const Lesson& lesson,
                                         VectorsSaid vectors) {
   return NameReader(name, lesson).whole(vectors);
+}
+
+std::optional<Expression> quantity_of_common_name(const std::string& name, const Lesson& lesson) {
+  return NameReader(stretches_of(name), lesson, false).whole(VectorsSaid::as_vectors);
 }
 
 std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson) {

@@ -29,6 +29,9 @@ std::optional<Expression> quantity_said(const std::vector<TextSpan>& name, const
 /// "at first half of $T$" half of T.
 std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson);
 
+/// What a name in words means wherever the rotation of a body is written about, whatever the lesson calls so.
+std::optional<Expression> quantity_of_common_name(const std::string& name, const Lesson& lesson);
+
 /// The axis that a name speaks of, and it alone: '2' of "axis 2", "2", and of a letter with the index 2.
 std::optional<char> axis_of_name(const std::string& name);
 /// Those of the body that an expression speaks of by their numbers: "12" of w1*e2.

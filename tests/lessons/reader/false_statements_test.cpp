@@ -186,6 +186,21 @@ TEST(Symbols, AreNotTypedAsComponents) {
       Not(IsEmpty()));
 }
 
+TEST(Symbols, AreSaidAsWhatTheyMean) {
+  const auto with = [](const std::string& keys) {
+    return complaints_of("Text.\n", "[symbols]\na = { tex = '\\alpha', " + keys + " }\n");
+  };
+  EXPECT_THAT(with(R"(say = "kinetic energy", means = "2*T")"), Not(IsEmpty()));
+  EXPECT_THAT(with(R"x(say = "energy", means = "T + dot(L, omega)")x"), IsEmpty());
+  EXPECT_THAT(with(R"x(say = "kinetic energy", means = "dot(L, omega)/2")x"), IsEmpty());
+}
+
+TEST(Captions, TypeWhatIsSo) {
+  EXPECT_THAT(complaints_about("Text.", "caption = 'ω₂ = 1 rad/s'"), Not(IsEmpty()));
+  EXPECT_THAT(complaints_about("Text.", "caption = 'ω₂ = 3 rad/s'"), IsEmpty());
+  EXPECT_THAT(complaints_about("Text.", "caption = 'From $t = 0$ to $t = 2$ s'"), IsEmpty());
+}
+
 TEST(ClaimsBesideFormulas, BesideAFormulaSayItsRelation) {
   const std::string claim = "```claim a identity in-other-words\n2*T = dot(omega, L)\n```\n";
   expect_false({math("", R"(2T > \vec\omega\cdot\vec L \oplus \zeta)") + claim,
