@@ -134,6 +134,7 @@ TEST_F(WholeLecture, IsDerivedByTheKeyboardAlone) {
                   << noted(stage.id, *ask).dump();
               lesson.picture_at_rest();  // the field has the keys again in the frame behind
               ++derived;
+              if (is_right(stage.id, *ask)) break;  // the goal in fewer lines: a solution may have more
             }
           } else {
             lesson.type(ask->number       ? fmt::format("{:.6g}", *ask->number->value)
