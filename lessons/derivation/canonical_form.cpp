@@ -301,6 +301,7 @@ class WordSearch {
         if (is_quantity && of.quantity == static_cast<Quantity>(static_cast<int>(Quantity::w1) + axis))
           return note(static_cast<Quantity>(static_cast<int>(Quantity::dw1) + axis));
       note(is_quantity && of.quantity == Quantity::omega ? O::star : n.operation);
+      if (!is_quantity) letters_ += kRateOfMore;
       return add(n.a);
     }
     if (n.operation == O::dot && typing_of(expression_, n.a) == typing_of(expression_, n.b)) {
@@ -312,6 +313,9 @@ class WordSearch {
     add(n.a);
     add(n.b);
   }
+
+  /// Of a product or a sum: d*(I ω)/dt is not yet I ω̇.
+  static constexpr char kRateOfMore = 0x7E;
 
   const Expression& expression_;
   std::string letters_;

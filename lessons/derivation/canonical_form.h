@@ -21,7 +21,8 @@ CanonicalForm expanded_form(const Equality& equality);
 inline constexpr std::size_t kMostTerms = 400;
 
 /// Quantities and operations that an equation speaks of, but for sums and products of numbers. A rate of ω is
-/// the same in both frames, dω₁/dt is ω̇₁, and a·a is |a|².
+/// the same in both frames, dω₁/dt is ω̇₁, and a·a is |a|²; the rate of a product or a sum is one
+/// more.
 struct Words {
   std::string letters;  ///< one character for each, in their order
   bool contains(const Words& others) const;

@@ -27,7 +27,7 @@ namespace polhode {
 struct LineNotation {
   const EquationNotation* notation = nullptr;
   TypedNames names;
-  MathMacros macros;  ///< of the lesson, in the names
+  MathMacros macros;                              ///< of the lesson, in the names
   std::shared_ptr<const EquationNotation> own{};  ///< that of `notation`, where nobody else has it
 };
 

@@ -89,7 +89,7 @@ void PlayedLesson::press(const Words& keys) {
   if (!keys.empty()) display_.act(joined({"key", "--delay", "1"}, keys));
 }
 
-void PlayedLesson::type(const std::string& text) { display_.act({"type", "--delay", "1", text}); }
+void PlayedLesson::type(const std::string& text) { display_.act({"type", "--delay", "1", "--", text}); }
 
 void PlayedLesson::move_to(Point point) { display_.act(move_words(point)); }
 

@@ -111,6 +111,15 @@ TEST(Derivation, WhatSaysNothingNewIsNoStep) {
   EXPECT_EQ(judged({read(second)}, "d*(I omega)/dt + omega x L = N"), Mark::holds);
 }
 
+// The tensor is still to be taken out of the rate: who stops there is not at Euler's equation.
+TEST(Derivation, ARateOfAProductIsNotYetTheGoal) {
+  const Derivation question = derivations().at("tensor");
+  const Prover prover;
+  const auto mark = [&](const char* typed) { return judge_line(question, {}, typed, kHow, prover).mark; };
+  EXPECT_EQ(mark("d*(I omega)/dt + omega x (I omega) = N"), Mark::holds);
+  EXPECT_EQ(mark("I omega' + omega x (I omega) = N"), Mark::goal);
+}
+
 // 803 lines, written and checked numerically by somebody who had the description of the typing alone: in how
 // many is the verdict right, and in how many of the wrong ones the reason. Where print leaves it open whether
 // a line is more than true, the data say so ("[or goal]").
