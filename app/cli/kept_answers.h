@@ -2,7 +2,7 @@
 // Questions of a stage, and what was answered to one, where it is kept.
 #pragma once
 
-#include "app/session/answer_log.h"
+#include "app/session/answers/answer_log.h"
 #include "base/result.h"
 #include "lessons/reader/lesson.h"
 

@@ -7,8 +7,8 @@
 #include "base/interrupt.h"
 #include "base/sha256.h"
 #include "base/spelling.h"
-#include "lessons/reader/lint_budget.h"
-#include "lessons/reader/type_check.h"
+#include "lessons/reader/checks/lint_budget.h"
+#include "lessons/reader/checks/type_check.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

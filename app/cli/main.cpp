@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/commands.h"
+#include "app/cli/commands/commands.h"
 #include "app/cli/message.h"
 
 #include <signal.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/verdict_row.h"
 
-#include "lessons/claims/expression_tex.h"
+#include "lessons/claims/expressions/expression_tex.h"
 #include "physics/method.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/loaded_lesson.h"
 
-#include "lessons/reader/claim_check.h"
-#include "lessons/reader/lint_budget.h"
-#include "lessons/reader/number_question.h"
+#include "lessons/reader/checks/claim_check.h"
+#include "lessons/reader/checks/lint_budget.h"
+#include "lessons/reader/questions/number_question.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>

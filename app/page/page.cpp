@@ -65,8 +65,8 @@ struct Room {
   std::size_t meter_rows;  ///< below the figure; 0: none, or in its place
   double text_scale;
   bool shows_space = true;  ///< a picture in space, not diagrams alone, whose type goes with their size
-  double least_em = 0;  ///< px
-  double covered = 0;   ///< px at the right
+  double least_em = 0;      ///< px
+  double covered = 0;       ///< px at the right
 };
 
 /// The right end of what a panel leaves of the room from `left` on.

@@ -90,7 +90,7 @@ struct PageRequest {
   StillNumbers* still_numbers = nullptr;
   ShownDerivation derivation{};  ///< of a reader, as far as it goes
   /// Told what laying the text out costs, as if it were evaluations of a motion
-  /// (lessons/reader/lint_budget.h); what it throws ends that.
+  /// (lessons/reader/checks/lint_budget.h); what it throws ends that.
   Effort effort{};
 };
 

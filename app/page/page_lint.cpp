@@ -3,7 +3,7 @@
 
 #include "app/narration/still_numbers.h"
 #include "app/page/page.h"
-#include "lessons/reader/lint_budget.h"
+#include "lessons/reader/checks/lint_budget.h"
 #include "render/drawing/plots/meter_plots.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "app/page/page_text.h"
 
 #include "app/narration/still_numbers.h"
-#include "lessons/reader/lint_budget.h"
+#include "lessons/reader/checks/lint_budget.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>

@@ -7,10 +7,10 @@
 #include "app/page/loaded_lesson.h"
 #include "app/page/page.h"
 #include "app/page/page_theme.h"
-#include "app/session/answer_log.h"
-#include "app/session/derivation_work.h"
+#include "app/session/answers/answer_log.h"
+#include "app/session/answers/derivation_work.h"
 #include "app/session/scene_edits.h"
-#include "lessons/claims/answers.h"
+#include "lessons/claims/answers/answers.h"
 #include "render/scene/model/model.h"
 
 #include <map>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/session/lesson_session.h"
-#include "lessons/reader/state_task.h"
+#include "lessons/reader/questions/state_task.h"
 
 #include <string>
 #include <vector>

@@ -19,11 +19,11 @@ struct SymbolNote {
 };
 
 /// `model` may be null. The value is that of the quantity of claims with the symbol's name
-/// (lessons/claims/expression_names.h) at t, in the frame of the scene's first view, with three digits of the
-/// largest component; of I the principal moments. Nothing of the centre of mass where it does not drift, and
-/// of A where it is not shown. Symbols come before terms. Several terms have one name: that which the reader
-/// has seen last is meant, in the stage of this id up to the step (from 0); without a stage the first of the
-/// lesson. Some 10 µs.
+/// (lessons/claims/expressions/expression_names.h) at t, in the frame of the scene's first view, with three
+/// digits of the largest component; of I the principal moments. Nothing of the centre of mass where it does
+/// not drift, and of A where it is not shown. Symbols come before terms. Several terms have one name: that
+/// which the reader has seen last is meant, in the stage of this id up to the step (from 0); without a stage
+/// the first of the lesson. Some 10 µs.
 SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s,
                    const std::string& stage_id = {}, std::size_t step = 0);
 

@@ -3,7 +3,7 @@
 
 #include "app/session/figure_interaction.h"
 #include "app/window/controls/widgets.h"
-#include "lessons/reader/state_task.h"
+#include "lessons/reader/questions/state_task.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/screen.h"
 
-#include "app/session/answer_keys.h"
+#include "app/session/answers/answer_keys.h"
 #include "app/session/command.h"
-#include "app/session/typed_folder.h"
+#include "app/session/saved/typed_folder.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/figure_marks.h"
 #include "app/window/number_sliders.h"

@@ -2,8 +2,8 @@
 // The window of `polhode play`: GLFW's events go to the screen, its picture goes to the display.
 #pragma once
 
+#include "app/session/answers/progress.h"
 #include "app/session/lesson_session.h"
-#include "app/session/progress.h"
 #include "base/result.h"
 #include "render/typeset/fonts.h"
 

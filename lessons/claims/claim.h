@@ -2,7 +2,7 @@
 // What an equation claims, as data. proof.h settles it, live_claims.h says what it comes to on a motion.
 #pragma once
 
-#include "lessons/claims/expression.h"
+#include "lessons/claims/expressions/expression.h"
 #include "lessons/claims/given.h"
 #include "lessons/claims/relation.h"
 #include "lessons/diagnostics/diagnostic.h"
@@ -63,7 +63,7 @@ struct ClaimLine {
   /// Its sides are two that stand on the page. Not so of the columns of a tensor, what is said with a struck
   /// term left out, or the label of an underbrace.
   bool is_side_by_side = true;
-  std::optional<Judgement> judgement{};  ///< once it is proved (lessons/reader/claim_check.h)
+  std::optional<Judgement> judgement{};  ///< once it is proved (lessons/reader/checks/claim_check.h)
   Relation relation = Relation::equal;   ///< of the sides
   std::string tex{};                     ///< of what is not the formula itself: how it is printed
   bool is_number = false;                ///< its right side is printed as a number that is computed

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/claim_state.h"
 
-#include "lessons/claims/power_series.h"
-#include "lessons/claims/rational_function.h"
+#include "lessons/claims/proof/power_series.h"
+#include "lessons/claims/proof/rational_function.h"
 
 #include <algorithm>
 

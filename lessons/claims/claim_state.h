@@ -2,7 +2,7 @@
 // States of a body in which claims are tried, and what is assumed of its motion. Internal to lessons/claims/.
 #pragma once
 
-#include "lessons/claims/evaluation.h"
+#include "lessons/claims/expressions/evaluation.h"
 #include "lessons/claims/given.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/condition.h"
 
-#include "lessons/claims/rational_function.h"
+#include "lessons/claims/proof/rational_function.h"
 
 #include <algorithm>
 #include <optional>

@@ -3,7 +3,7 @@
 // says so: a number of joules that is called ω, or "angular momentum", is false on any page.
 #pragma once
 
-#include "lessons/claims/expression_names.h"
+#include "lessons/claims/expressions/expression_names.h"
 
 #include <optional>
 #include <string>

@@ -2,8 +2,8 @@
 #include "lessons/claims/given.h"
 
 #include "base/spelling.h"
-#include "lessons/claims/expression_names.h"
-#include "lessons/claims/expression_variants.h"
+#include "lessons/claims/expressions/expression_names.h"
+#include "lessons/claims/expressions/expression_variants.h"
 
 #include <algorithm>
 #include <array>

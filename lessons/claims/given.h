@@ -7,7 +7,7 @@
 // are small, so that what is claimed has to hold to some order in them and no further.
 #pragma once
 
-#include "lessons/claims/expression.h"
+#include "lessons/claims/expressions/expression.h"
 #include "lessons/claims/relation.h"
 #include "lessons/diagnostics/diagnostic.h"
 

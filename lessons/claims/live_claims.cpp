@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/live_claims.h"
 
-#include "lessons/claims/expression_variants.h"
-#include "lessons/claims/proof.h"
+#include "lessons/claims/expressions/expression_variants.h"
+#include "lessons/claims/proof/proof.h"
 #include "physics/analysis/difference.h"
 #include "physics/analysis/motion_errors.h"
 #include "physics/body/euler.h"

@@ -6,9 +6,9 @@
 // are in expressions as constants whose value is not a number until a motion is known.
 #pragma once
 
-#include "lessons/claims/dimension.h"
+#include "lessons/claims/expressions/dimension.h"
+#include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/claims/live_claims.h"
-#include "lessons/claims/vocabulary.h"
 #include "physics/analysis/motion_errors.h"
 #include "physics/analysis/motion_facts.h"
 #include "physics/effort.h"

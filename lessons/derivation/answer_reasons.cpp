@@ -2,8 +2,8 @@
 #include "lessons/derivation/answer_reasons.h"
 
 #include "base/utf8.h"
-#include "lessons/claims/expression_variants.h"
-#include "lessons/claims/reason_tags.h"
+#include "lessons/claims/answers/reason_tags.h"
+#include "lessons/claims/expressions/expression_variants.h"
 #include "lessons/derivation/restatement.h"
 #include "lessons/derivation/slips.h"
 #include "lessons/derivation/typed_answer.h"

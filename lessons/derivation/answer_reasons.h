@@ -2,7 +2,7 @@
 // What a learner is told of an answer.
 #pragma once
 
-#include "lessons/claims/answers.h"
+#include "lessons/claims/answers/answers.h"
 #include "lessons/derivation/derivation.h"
 
 #include <string_view>

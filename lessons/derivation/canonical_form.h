@@ -2,7 +2,7 @@
 // Whether two equations are the same line written in another order. Internal to lessons/derivation/.
 #pragma once
 
-#include "lessons/claims/expression.h"
+#include "lessons/claims/expressions/expression.h"
 
 #include <map>
 #include <string>

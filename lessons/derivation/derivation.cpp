@@ -2,8 +2,8 @@
 #include "lessons/derivation/derivation.h"
 
 #include "base/utf8.h"
-#include "lessons/claims/expression_builder.h"
-#include "lessons/claims/expression_variants.h"
+#include "lessons/claims/expressions/expression_builder.h"
+#include "lessons/claims/expressions/expression_variants.h"
 #include "lessons/derivation/decided.h"
 #include "lessons/derivation/slips.h"
 

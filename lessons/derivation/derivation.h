@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A derivation: from a start line to a goal, line by line, each judged as it is typed.
 //
-// A line holds if each of its equalities does, proved as claims are (lessons/claims/proof.h) under what the
-// derivation allows: `identity` for every body, ω, ω̇ and N, `motion` with Euler's law dL/dt = N, `free` with
-// N = 0, and what is given. So a line may take several steps at once; but the goal counts only behind as many
-// lines of the learner's own as the lesson asks for.
+// A line holds if each of its equalities does, proved as claims are (lessons/claims/proof/proof.h) under what
+// the derivation allows: `identity` for every body, ω, ω̇ and N, `motion` with Euler's law dL/dt = N, `free`
+// with N = 0, and what is given. So a line may take several steps at once; but the goal counts only behind as
+// many lines of the learner's own as the lesson asks for.
 //
 // Why a line does not hold is found by mending it (slips.h).
 #pragma once
 
-#include "lessons/claims/proof.h"
+#include "lessons/claims/proof/proof.h"
 #include "lessons/derivation/canonical_form.h"
 #include "lessons/notation/tex_equation.h"
 #include "lessons/notation/typed_formula.h"

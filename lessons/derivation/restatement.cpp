@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/derivation/restatement.h"
 
-#include "lessons/claims/expression_names.h"
-#include "lessons/claims/expression_variants.h"
+#include "lessons/claims/expressions/expression_names.h"
+#include "lessons/claims/expressions/expression_variants.h"
 #include "lessons/derivation/canonical_form.h"
 #include "lessons/notation/tex_equation.h"
 

@@ -2,7 +2,7 @@
 // Whether what equals the lesson's answer answers the question. Internal to lessons/.
 #pragma once
 
-#include "lessons/claims/answers.h"
+#include "lessons/claims/answers/answers.h"
 
 #include <optional>
 #include <set>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/derivation/rewriting.h"
 
-#include "lessons/claims/expression_names.h"
+#include "lessons/claims/expressions/expression_names.h"
 
 #include <algorithm>
 

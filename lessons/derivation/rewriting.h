@@ -2,7 +2,7 @@
 // An expression written again with some of its nodes changed. Internal to lessons/derivation/.
 #pragma once
 
-#include "lessons/claims/expression_builder.h"
+#include "lessons/claims/expressions/expression_builder.h"
 
 #include <functional>
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/derivation/slips.h"
 
-#include "lessons/claims/expression_names.h"
-#include "lessons/claims/expression_variants.h"
-#include "lessons/claims/vocabulary.h"
+#include "lessons/claims/expressions/expression_names.h"
+#include "lessons/claims/expressions/expression_variants.h"
+#include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/derivation/rewriting.h"
 #include "lessons/diagnostics/report.h"
 

@@ -54,8 +54,8 @@
 // other relations, third derivatives, other functions and roots, primes and
 // unknown names, letters of other alphabets, other words.
 //
-// Where parts are marked by \proved{…} these alone are read, each as a formula of its own; nothing but commas,
-// wide spaces and new lines joins them to the rest (tex_proved_parts.cpp).
+// Where parts are marked by \proved{…} these alone are read, each as a formula of its own; nothing but
+// commas, wide spaces and new lines joins them to the rest (tex_proved_parts.cpp).
 //
 // Looked through: \term, a \boxed around all, spaces below \quad, alignment, tags, a full stop at the end.
 // Braces of TeX group nothing, for nobody sees them. \underbrace holds its contents together; its label,
@@ -71,7 +71,7 @@
 
 #include "base/result.h"
 #include "lessons/claims/claim.h"
-#include "lessons/claims/vocabulary.h"
+#include "lessons/claims/expressions/vocabulary.h"
 #include "render/typeset/math/math.h"
 
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What letters mean: quantities of the language of claims, and symbols of the lesson.
-#include "lessons/claims/expression_names.h"
+#include "lessons/claims/expressions/expression_names.h"
 #include "lessons/notation/tex_atoms.h"
 #include "lessons/notation/tex_terms.h"
 

@@ -2,7 +2,7 @@
 #include "lessons/notation/tex_terms.h"
 
 #include "lessons/claims/customary_names.h"
-#include "lessons/claims/dimension.h"
+#include "lessons/claims/expressions/dimension.h"
 #include "lessons/notation/tex_atoms.h"
 
 #include <algorithm>

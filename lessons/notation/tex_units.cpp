@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_units.h"
 
-#include "lessons/claims/dimension.h"
+#include "lessons/claims/expressions/dimension.h"
 #include "lessons/notation/tex_atoms.h"
 
 #include <array>

@@ -3,8 +3,8 @@
 // Internal to lessons/notation/ (tex_equation.h).
 #pragma once
 
-#include "lessons/claims/expression.h"
-#include "lessons/claims/vocabulary.h"
+#include "lessons/claims/expressions/expression.h"
+#include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/notation/tex_items.h"
 
 #include <array>

@@ -3,8 +3,8 @@
 
 #include "base/numbers.h"
 #include "base/utf8.h"
-#include "lessons/claims/expression_names.h"
-#include "lessons/claims/expression_tex.h"
+#include "lessons/claims/expressions/expression_names.h"
+#include "lessons/claims/expressions/expression_tex.h"
 #include "lessons/diagnostics/report.h"
 
 #include <algorithm>

@@ -20,7 +20,7 @@
 // number. Blanks do not matter but around "x" and between names.
 #pragma once
 
-#include "lessons/claims/expression.h"
+#include "lessons/claims/expressions/expression.h"
 
 #include <cstdint>
 #include <map>

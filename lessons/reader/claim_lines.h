@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lessons/claims/claim.h"
-#include "lessons/claims/vocabulary.h"
+#include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/diagnostics/source_text.h"
 

@@ -5,12 +5,12 @@
 #pragma once
 
 #include "base/result.h"
-#include "lessons/claims/answers.h"
+#include "lessons/claims/answers/answers.h"
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
 #include "lessons/notation/tex_equation.h"
-#include "lessons/reader/assumptions.h"
-#include "lessons/reader/computed_number.h"
+#include "lessons/reader/checks/computed_number.h"
+#include "lessons/reader/front_matter/assumptions.h"
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"
 

@@ -3,7 +3,7 @@
 
 #include "lessons/diagnostics/report.h"
 #include "lessons/diagnostics/source_text.h"
-#include "lessons/reader/front_matter.h"
+#include "lessons/reader/front_matter/front_matter.h"
 #include "lessons/reader/markdown/markdown.h"
 #include "lessons/reader/references.h"
 #include "lessons/reader/stage_builder.h"

@@ -2,7 +2,7 @@
 #include "lessons/reader/references.h"
 
 #include "base/spelling.h"
-#include "lessons/reader/keys.h"
+#include "lessons/reader/front_matter/keys.h"
 
 #include <algorithm>
 #include <array>

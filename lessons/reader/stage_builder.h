@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lessons/diagnostics/report.h"
-#include "lessons/reader/front_matter.h"
+#include "lessons/reader/front_matter/front_matter.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/markdown.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/text_units.h"
 
-#include "lessons/claims/dimension.h"
+#include "lessons/claims/expressions/dimension.h"
 
 #include <algorithm>
 #include <array>

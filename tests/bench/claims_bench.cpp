@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What proofs of claims cost: one core, the lecture as it is.
 #include "lessons/claims/live_claims.h"
-#include "lessons/claims/proof.h"
+#include "lessons/claims/proof/proof.h"
 #include "lessons/reader/reader.h"
 #include "tests/bench/table.h"
 #include "tests/support/paths.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/lessons/support.h"
 
-#include "lessons/reader/claim_check.h"
+#include "lessons/reader/checks/claim_check.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,11 @@
 // Lessons to test with.
 #pragma once
 
-#include "lessons/claims/expression.h"
+#include "lessons/claims/expressions/expression.h"
 #include "lessons/diagnostics/report.h"
+#include "lessons/reader/front_matter/toml_tree.h"
 #include "lessons/reader/markdown/inline_text.h"
 #include "lessons/reader/reader.h"
-#include "lessons/reader/toml_tree.h"
 #include "tests/support/paths.h"
 
 #include <filesystem>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// lessons/claims/proof.h and GiNaC say the same of generated equalities, half of them true by construction.
-#include "lessons/claims/proof.h"
+// lessons/claims/proof/proof.h and GiNaC say the same of generated equalities, half of them true by
+// construction.
+#include "lessons/claims/proof/proof.h"
 #include "tests/oracle/mutants.h"
 #include "tests/oracle/oracle.h"
 #include "tests/oracle/rewriting.h"

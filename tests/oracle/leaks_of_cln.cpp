@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A string that CLN, GiNaC's numbers, makes once and keeps: read by the leak checker of the asan preset alone.
+// A string that CLN, GiNaC's numbers, makes once and keeps: read by the leak checker of the asan preset
+// alone.
 
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libcln.so\n"; }

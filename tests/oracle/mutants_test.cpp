@@ -2,7 +2,7 @@
 // Of every line that a lesson proves, every slip of the pen is refused, unless it says the same.
 #include "tests/oracle/mutants.h"
 
-#include "lessons/claims/proof.h"
+#include "lessons/claims/proof/proof.h"
 #include "lessons/reader/reader.h"
 #include "tests/oracle/oracle.h"
 #include "tests/support/paths.h"

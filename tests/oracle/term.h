@@ -3,7 +3,7 @@
 // of.
 #pragma once
 
-#include "lessons/claims/expression.h"
+#include "lessons/claims/expressions/expression.h"
 
 #include <optional>
 #include <string>

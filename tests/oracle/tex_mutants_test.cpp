@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Slips of the pen in the TeX of what the lessons prove: each is refused, or it is read as something of which
 // GiNaC says the same as the proof.
-#include "lessons/claims/proof.h"
+#include "lessons/claims/proof/proof.h"
 #include "lessons/reader/reader.h"
 #include "render/typeset/math/math.h"
 #include "tests/oracle/oracle.h"

@@ -2,12 +2,12 @@
 // The whole lecture as a student goes through it who answers every question: derivations by typing their
 // lines, motions by bringing them to their goals. Once by keys alone; and by the mouse alone, which cannot
 // type: it answers what is picked, and goes on with the button of each step.
-#include "lessons/claims/answers.h"
+#include "lessons/claims/answers/answers.h"
 #include "lessons/derivation/derivation.h"
 #include "lessons/reader/lesson.h"
-#include "lessons/reader/number_question.h"
+#include "lessons/reader/questions/number_question.h"
+#include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/reader.h"
-#include "lessons/reader/state_task.h"
 #include "tests/window/controls.h"
 #include "tests/window/window_test.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // polhode measure: what speed costs in accuracy, of every method for one motion, or of pictures.
-#include "app/cli/commands.h"
+#include "app/cli/commands/commands.h"
 #include "app/cli/exit_codes.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/measure/measure_rendering.h"

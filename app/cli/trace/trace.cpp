@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // polhode trace: the numbers of a motion, row by row.
-#include "app/cli/commands.h"
+#include "app/cli/commands/commands.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels/derivation_question.h"
 
-#include "app/session/answer_text.h"
+#include "app/session/answers/answer_text.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/answer_controls.h"
 

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/narration/speech_text.h"
+#include "app/session/answers/progress.h"
 #include "app/session/lesson_session.h"
-#include "app/session/progress.h"
-#include "app/session/save_as.h"
+#include "app/session/saved/save_as.h"
 #include "app/window/controls/control_style.h"
 #include "app/window/controls/lesson_texts.h"
 

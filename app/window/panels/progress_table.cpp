@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels/progress_table.h"
 
-#include "app/session/answer_text.h"
-#include "app/session/progress.h"
+#include "app/session/answers/answer_text.h"
+#include "app/session/answers/progress.h"
 #include "app/window/controls/widgets.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/answer_text.h"
-#include "app/session/progress.h"
+#include "app/session/answers/answer_text.h"
+#include "app/session/answers/progress.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/answer_controls.h"
 #include "app/window/panels/derivation_question.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/named_sizes.h"
-#include "app/session/saved_scene.h"
+#include "app/session/saved/saved_scene.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels/state_question.h"
 
-#include "app/session/answer_text.h"
+#include "app/session/answers/answer_text.h"
 #include "app/session/steering.h"
 #include "app/window/controls/widgets.h"
 #include "base/angles.h"
-#include "lessons/claims/expression_tex.h"
+#include "lessons/claims/expressions/expression_tex.h"
 #include "physics/body/euler.h"
 #include "render/scene/model/scene_problem.h"
 

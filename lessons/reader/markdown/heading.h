@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lessons/diagnostics/report.h"
-#include "lessons/reader/keys.h"
+#include "lessons/reader/front_matter/keys.h"
 #include "lessons/reader/markdown/inline_text.h"
 
 #include <string>

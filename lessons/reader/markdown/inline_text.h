@@ -2,9 +2,9 @@
 // Markdown inside blocks, and its formulas, made ready to be set. md4c says what the Markdown means.
 #pragma once
 
-#include "lessons/claims/dimension.h"
+#include "lessons/claims/expressions/dimension.h"
 #include "lessons/diagnostics/report.h"
-#include "lessons/reader/computed_number.h"
+#include "lessons/reader/checks/computed_number.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/markdown/located_text.h"
 #include "render/typeset/rich_text.h"

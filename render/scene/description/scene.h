@@ -76,8 +76,8 @@ struct ComparedMethods {
   bool operator==(const ComparedMethods&) const = default;
 };
 
-/// A number of a scene that may be changed within a range (lessons/reader/varied_scene.h): a slider in the
-/// window, a filmstrip on paper.
+/// A number of a scene that may be changed within a range (lessons/reader/front_matter/varied_scene.h): a
+/// slider in the window, a filmstrip on paper.
 struct Variation {
   std::string number;       ///< as lessons name it: "omega3"
   double from = 0, to = 0;  ///< in the unit of that number; from < to

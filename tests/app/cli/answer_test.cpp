@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/answer_log.h"
-#include "app/session/state_file.h"
+#include "app/session/answers/answer_log.h"
+#include "app/session/saved/state_file.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // polhode lint on lessons that are out to hurt it: it says what is wrong and where, in bounded time.
-#include "lessons/reader/lint_budget.h"
+#include "lessons/reader/checks/lint_budget.h"
 #include "tests/app/run_program.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/named_sizes.h"
 
-#include "app/cli/export_options.h"
+#include "app/cli/commands/export_options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/narration/verdict_row.h"
 
-#include "lessons/claims/expression_tex.h"
-#include "lessons/claims/proof.h"
+#include "lessons/claims/expressions/expression_tex.h"
+#include "lessons/claims/proof/proof.h"
 #include "lessons/diagnostics/source_text.h"
 #include "lessons/reader/claim_lines.h"
 

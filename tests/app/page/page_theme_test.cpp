@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/page/page_theme.h"
 
-#include "lessons/reader/front_matter.h"
+#include "lessons/reader/front_matter/front_matter.h"
 #include "lessons/reader/reader.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The panel of questions: its formulas, and whose the keys are beside it.
-#include "app/session/answer_log.h"
+#include "app/session/answers/answer_log.h"
 #include "tests/app/window/screen_harness.h"
 
 #include <algorithm>

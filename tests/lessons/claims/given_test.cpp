@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/given.h"
 
-#include "lessons/claims/expression_names.h"
-#include "lessons/claims/proof.h"
-#include "lessons/claims/small_states.h"
+#include "lessons/claims/expressions/expression_names.h"
+#include "lessons/claims/proof/proof.h"
+#include "lessons/claims/proof/small_states.h"
 #include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/motion_words.h"
 
-#include "lessons/reader/claim_check.h"
+#include "lessons/reader/checks/claim_check.h"
 #include "physics/body/bodies.h"
 #include "tests/lessons/support.h"
 

@@ -3,7 +3,7 @@
 // given is right, a counterexample is one of them, and a wrong index or a missing term gets its reason.
 #include "lessons/derivation/answer_reasons.h"
 
-#include "lessons/reader/line_notation.h"
+#include "lessons/reader/questions/line_notation.h"
 #include "lessons/reader/reader.h"
 #include "tests/lessons/support.h"
 

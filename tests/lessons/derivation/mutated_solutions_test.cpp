@@ -2,9 +2,9 @@
 // From issue 20: no wrong factor reaches a goal, or is called right, in any lesson. Each part of each line of
 // the lessons' own solutions, and of the answers that are expressions, is taken times 2 and -1, and each term
 // is dropped.
-#include "lessons/claims/expression_variants.h"
+#include "lessons/claims/expressions/expression_variants.h"
 #include "lessons/derivation/answer_reasons.h"
-#include "lessons/reader/line_notation.h"
+#include "lessons/reader/questions/line_notation.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>

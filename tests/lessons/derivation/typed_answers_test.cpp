@@ -3,9 +3,9 @@
 // naturally: no wrong one is right, no right one wrong, and the reason is that of the slip.
 #include "lessons/derivation/answer_reasons.h"
 #include "lessons/notation/typed_formula.h"
-#include "lessons/reader/line_notation.h"
-#include "lessons/reader/number_question.h"
-#include "lessons/reader/state_task.h"
+#include "lessons/reader/questions/line_notation.h"
+#include "lessons/reader/questions/number_question.h"
+#include "lessons/reader/questions/state_task.h"
 #include "tests/lessons/support.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_equation.h"
 
-#include "lessons/claims/proof.h"
-#include "lessons/reader/claim_check.h"
+#include "lessons/claims/proof/proof.h"
+#include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/reader.h"
 #include "tests/fuzz/mutate.h"
 #include "tests/lessons/support.h"

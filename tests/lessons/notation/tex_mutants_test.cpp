@@ -4,7 +4,7 @@
 // Equations are made here as trees of their own, printed as TeX, and evaluated by formulas on the body axes
 // that share nothing with the reader, its language or its prover. So the meaning of a mutant is known however
 // it is read.
-#include "lessons/claims/proof.h"
+#include "lessons/claims/proof/proof.h"
 #include "lessons/notation/tex_equation.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/typed_formula.h"
 
-#include "lessons/claims/proof.h"
+#include "lessons/claims/proof/proof.h"
 #include "lessons/notation/tex_equation.h"
 #include "tests/lessons/support.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Each limit of reader.h is taken at the limit and refused one past it (figure L4).
-#include "lessons/reader/front_matter.h"
+#include "lessons/reader/front_matter/front_matter.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>

@@ -129,7 +129,8 @@ TEST(PrintedClaims, AChainGoesOnAndSoDoesTheNextFormula) {
 
 TEST(PrintedClaims, OfAPartAreWhatIsMarked) {
   const Stage stage = stage_of(
-      "```math a identity\n\\proved{2T = \\vec\\omega\\cdot\\vec L}\\,,\\quad \\zeta > 0\\,,\\quad \\proved{T = T}\n```\n");
+      "```math a identity\n\\proved{2T = \\vec\\omega\\cdot\\vec L}\\,,\\quad \\zeta > 0\\,,\\quad "
+      "\\proved{T = T}\n```\n");
   const auto& claim = std::get<Claim>(stage.steps[0].blocks.at(1));
   EXPECT_EQ(claim.origin, Claim::Origin::part);
   ASSERT_THAT(claim.lines, SizeIs(2));

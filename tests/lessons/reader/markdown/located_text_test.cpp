@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/markdown/located_text.h"
 
-#include "lessons/reader/toml_tree.h"
+#include "lessons/reader/front_matter/toml_tree.h"
 #include "tests/lessons/support.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// polhode compare: two PNG files by the golden rule.
+#include "render/image/compare.h"
+
+#include "app/cli/commands/commands.h"
+#include "render/image/png.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace polhode {
+
+namespace {
+
+struct Options {
+  std::string a, b, diff;
+  bool json = false;
+};
+
+Image read_image(const std::string& path) {
+  Result<PngFile> file = read_png(path);
+  if (!file) throw CommandError(ExitCode::failed, file.error());
+  return std::move(file->image);
+}
+
+void print_json(const Comparison& found) {
+  const nlohmann::ordered_json json = {{"equal", found.equal()},
+                                       {"pixels", found.pixels},
+                                       {"over_3", found.over_3},
+                                       {"over_fraction", found.over_fraction()},
+                                       {"max", found.max}};
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_words(const Comparison& found, Size a, Size b) {
+  if (!found.same_size) {
+    fmt::print("different: {}x{} and {}x{} pixels\n", a.width, a.height, b.width, b.height);
+    return;
+  }
+  fmt::print("{}: {} of {} pixels ({:.4f} %) differ by more than {} levels, the largest difference is {}\n",
+             found.equal() ? "equal" : "different", found.over_3, found.pixels, 100.0 * found.over_fraction(),
+             kGoldenLevels, found.max);
+}
+
+ExitCode compare(const Options& options) {
+  const Image a = read_image(options.a), b = read_image(options.b);
+  const Comparison found = compare_images(a, b);
+  if (options.json)
+    print_json(found);
+  else
+    print_words(found, a.size, b.size);
+  if (!options.diff.empty())
+    if (const Status written = write_png(options.diff, difference_image(a, b), {}); !written)
+      throw CommandError(ExitCode::failed, written.error());
+  return found.equal() ? ExitCode::done : ExitCode::different;
+}
+
+}  // namespace
+
+Command compare_command() {
+  const auto options = std::make_shared<Options>();
+  return {"compare",
+          "Compare two PNG files by the golden rule",
+          {{"A", &options->a, "PNG file", " ", true},
+           {"B", &options->b, "PNG file", " ", true},
+           {"--diff", &options->diff, "write a picture of the differences, in red", "FILE.png"},
+           {"--json", &options->json, "equal, pixels, over_3, over_fraction and max as JSON"}},
+          "Equal: same size, at most 0.02 % of the pixels off by more than 3 levels in any channel (alpha\n"
+          "too), none by more than 48. Exit code 4 if different, 1 if a file cannot be read.",
+          [options](const CommandWords&) { return compare(*options); }};
+}
+
+}  // namespace polhode

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: MIT
+// polhode export: pictures of a lesson as PNG files, or its text.
+#include "app/cli/commands/commands.h"
+#include "app/cli/commands/export_options.h"
+#include "app/cli/lesson_lookup.h"
+#include "app/cli/message.h"
+#include "app/cli/or_fail.h"
+#include "app/cli/progress.h"
+#include "app/export/jobs.h"
+#include "app/export/picture_export.h"
+#include "app/narration/transcript.h"
+#include "app/publish/ffmpeg.h"
+#include "app/publish/film.h"
+#include "app/publish/lesson_deck.h"
+#include "base/files/temporary_file.h"
+#include "base/printable.h"
+#include "base/sha256.h"
+#include "base/shell_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <span>
+
+namespace polhode {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void write_text(const std::string& name, const std::string& text, const ExportOutput& out) {
+  or_fail(replace_file_atomically(out.folder / name, bytes_of(text), out.durability));
+}
+
+/// With the pictures that are there. @throws Interrupted
+Status make_deck(const PictureExport& e, const InterruptWatch& watch) {
+  const Result<Deck> deck = deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder);
+  if (!deck) return failure(deck.error());
+  const std::size_t count = deck->slides.size();
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(count));
+    const auto go_on = [&](std::size_t slide) {
+      progress.show(static_cast<std::int64_t>(slide), e.out.deck);
+      return !watch.interrupted();
+    };
+    const Result<DeckEnd> end =
+        write_deck(e.out.deck, *deck_kind_of(e.out.deck), *deck, e.out.durability, go_on);
+    if (!end) return failure(end.error());
+    if (*end == DeckEnd::stopped) throw Interrupted();
+  }
+  say("{} slide{} in {}\n", count, count == 1 ? "" : "s", e.out.deck);
+  return success();
+}
+
+/// Frames pass as they are; of stills each is shown for --seconds.
+FilmRequest film_of(const PictureExport& e) {
+  const Lesson& lesson = e.loaded.lesson;
+  FilmRequest film{.file = e.out.film, .pictures = {}, .rate = e.options.fps, .title = lesson.title};
+  for (const PlannedPicture& picture : e.plan.pictures) film.pictures.push_back(e.out.folder / picture.file);
+  if (e.options.each != Each::frame)
+    film.frames_each = std::max<std::int64_t>(1, frame_count(e.options.fps, e.options.seconds));
+  return film;
+}
+
+/// Every picture lies whole under its name in the folder, and so does the manifest. Also reached where other
+/// processes drew them: what is needed of a picture is in its file, the plan and the manifest.
+Status make_film_and_deck(const PictureExport& e, const InterruptWatch& watch) {
+  if (!e.out.film.empty()) {
+    const FilmRequest film = film_of(e);
+    {
+      const ProgressBar progress(std::ssize(film.pictures));
+      const auto show = [&](std::int64_t done) { progress.show(done, film.file.filename().string()); };
+      if (Status written = write_film(film, watch, show); !written) return written;
+    }
+    say("film of {} pictures: {}\n", film.pictures.size(), e.out.film);
+  }
+  return e.out.deck.empty() ? success() : make_deck(e, watch);
+}
+
+/// The pictures of a film or deck that nobody asked to keep. Only what the export has made is removed; the
+/// manifest last, by which the folder is still known as ours if we are killed here.
+void remove_parts(const PictureExport& e) {
+  std::error_code ignored;
+  for (const PlannedPicture& picture : e.plan.pictures) fs::remove(e.out.folder / picture.file, ignored);
+  fs::remove(e.out.folder / kManifestName, ignored);
+  fs::remove(e.out.folder, ignored);
+}
+
+void note_left_out(const ExportPlan& plan, What what) {
+  const char* missing = what == What::equation ? "equation" : "scene";
+  for (const std::string& id : plan.left_out)
+    say("polhode: stage \"{}\" has no {} and is left out\n", id, missing);
+  if (plan.pictures.empty())
+    throw CommandError(ExitCode::usage,
+                       fmt::format("nothing to export: no frame, or no stage with {} {}, was selected",
+                                   what == What::equation ? "an" : "a", missing));
+}
+
+Outcome<PicturesMade> make_with_progress(const PictureExport& e, const InterruptWatch& watch) {
+  const ProgressBar progress(static_cast<std::int64_t>(e.out.shard.size(e.plan.pictures.size())));
+  return make_pictures(
+      e,
+      [&](std::size_t done, const std::string& next) {
+        progress.show(static_cast<std::int64_t>(done), next);
+      },
+      watch);
+}
+
+/// Each process makes a shard of this shard; the last of them to finish writes the manifest.
+Outcome<PicturesMade> make_in_jobs(const PictureExport& e, const InterruptWatch& watch) {
+  const std::size_t total = e.out.shard.size(e.plan.pictures.size());
+  const auto job = [&](int number, const TellJob& tell) -> Outcome<JobEnd> {
+    ::setenv("LP_NUM_THREADS", "1", 1);  // the processes share the cores; each drawing in threads costs more
+    ExportOutput out = e.out;
+    out.shard = e.out.shard.part(number, e.out.jobs);
+    const PictureExport part{e.loaded, e.options, out, e.plan};
+    const Outcome<PicturesMade> made = make_pictures(
+        part, [&](std::size_t, const std::string&) { tell(); }, watch);
+    if (!made) return passed_on(made);
+    return made->interrupted ? JobEnd::interrupted : JobEnd::done;
+  };
+  PicturesMade made;
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(total));
+    const auto show = [&](std::size_t begun) {
+      made.count = begun;
+      progress.show(static_cast<std::int64_t>(begun), fmt::format("in {} processes", e.out.jobs));
+    };
+    const Outcome<JobEnd> end = run_jobs(e.out.jobs, job, show, watch);
+    if (!end) return passed_on(end);
+    made.interrupted = *end == JobEnd::interrupted;
+  }
+  const auto folder = inspect_folder(e.out.folder, identity_of(e.loaded, e.options));
+  made.finished = !made.interrupted && folder && folder->finished;
+  if (!made.interrupted && !made.finished && e.out.shard.whole())
+    return failure_of(Fault::failed,
+                      fmt::format("--jobs: {} lost files of its processes", e.out.folder.string()));
+  return made;
+}
+
+/// The end of a sentence. A command that a terminal does not show as it is could not be copied from there.
+std::string go_on_with(const std::vector<std::string>& words) {
+  if (!shows_as_it_is(words)) return "go on with the same command and --skip-existing";
+  return "go on with\n  " + shell_line(words);
+}
+
+void report_interruption(const PictureExport& e, const PicturesMade& made) {
+  say("polhode: interrupted after {} of {} pictures in {}; {}\n", made.count,
+      e.out.shard.size(e.plan.pictures.size()), e.out.folder.string(), go_on_with(e.out.resume));
+}
+
+void report_pictures(const PictureExport& e, const PicturesMade& made) {
+  const std::string count = fmt::format("{} picture{}", made.count, made.count == 1 ? "" : "s");
+  const std::string kept = made.kept > 0 ? fmt::format(" ({} of them kept)", made.kept) : "";
+  const std::string folder = e.out.folder.string();
+  if (made.renderer.find(kBetweenRenderers) != std::string::npos)
+    say("polhode: drawn by different drivers, which may differ by a level here and there: {}\n",
+        made.renderer);
+  if (made.finished)
+    say("{}{} and {} in {}\n", count, kept, kManifestName, folder);
+  else
+    say("{}{} of shard {}/{} in {}; the last shard to finish writes {}\n", count, kept, e.out.shard.index,
+        e.out.shard.count, folder, kManifestName);
+}
+
+/// What failed may be mended: a full disk, a lost connection.
+Error with_advice(const PictureExport& e, Error error) {
+  const auto folder = inspect_folder(e.out.folder, identity_of(e.loaded, e.options));
+  if (error.fault == Fault::failed && folder && folder->ours)
+    error.text += fmt::format("\nWhat is whole is kept; {}", go_on_with(e.out.resume));
+  return error;
+}
+
+/// Pictures, film and deck, and what is said of them. @throws Interrupted
+Outcome<ExitCode> make_all(const PictureExport& e, const InterruptWatch& watch) {
+  if (!e.out.deck.empty())
+    if (const Status folder = make_folder(fs::absolute(e.out.deck).parent_path()); !folder)
+      return failed(folder);
+  const Outcome<PicturesMade> made = e.out.jobs > 1 ? make_in_jobs(e, watch) : make_with_progress(e, watch);
+  if (!made) return passed_on(made);
+  if (made->interrupted) {
+    report_interruption(e, *made);
+    return ExitCode::interrupted;
+  }
+  if (made->finished)
+    if (const Status published = make_film_and_deck(e, watch); !published) return failed(published);
+  if (e.out.keep_folder)
+    report_pictures(e, *made);
+  else
+    remove_parts(e);
+  return ExitCode::done;
+}
+
+/// Before all is drawn for nothing.
+void refuse_folders(const ExportOutput& out) {
+  std::error_code unknown;  // told where the file is written
+  for (const auto& [option, file] : {std::pair{"--film", &out.film}, std::pair{"--deck", &out.deck}})
+    if (fs::is_directory(*file, unknown))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("{}: {} is a folder; give it a name of its own", option, *file));
+}
+
+/// What lies in the folder of the pictures. FILE.parts is a name that others can guess, and what is in it
+/// goes in the end: there no link is followed, and nothing but what an export of ours left is taken over.
+void look_into_folder(const ExportIdentity& mine, const ExportOutput& out) {
+  constexpr const char* kAdvice = "move it away, or say where the pictures go with --output DIR";
+  std::error_code error;
+  const std::string folder = out.folder.string();
+  if (!out.keep_folder && fs::is_symlink(out.folder, error))
+    throw CommandError(ExitCode::failed, fmt::format("{} is a link; {}", folder, kAdvice));
+  const FolderState state = or_fail(inspect_folder(out.folder, mine));
+  if (out.keep_folder || state.ours) return;
+  for (fs::directory_iterator entry(out.folder, error), end; !error && entry != end; entry.increment(error))
+    if (!is_temporary_name(entry->path().filename().string()))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("{} holds files of something else; {}", folder, kAdvice));
+}
+
+ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
+  const ExportPlan plan = or_usage(plan_export(loaded.lesson, options));
+  note_left_out(plan, options.what);
+  refuse_folders(out);
+  look_into_folder(identity_of(loaded, options), out);
+  const PictureExport e{loaded, options, out, plan};
+  const InterruptWatch watch;
+  try {
+    Outcome<ExitCode> end = make_all(e, watch);
+    if (!end) end = Failure{with_advice(e, end.error())};
+    return or_fail(std::move(end));
+  } catch (const Interrupted&) {
+    say("polhode: interrupted; the pictures are in {}; {}\n", out.folder.string(), go_on_with(out.resume));
+    return ExitCode::interrupted;
+  }
+}
+
+ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& options,
+                           const ExportOutput& out) {
+  for (const std::string& id : options.stages) static_cast<void>(stage_of(loaded.lesson, id));
+  const ExportIdentity identity = identity_of(loaded, options);
+  or_fail(inspect_folder(out.folder, identity));
+  or_fail(make_folder(out.folder));
+  ManifestFile file;
+  file.file = loaded.lesson.id + ".txt";
+  const std::string text = transcript_of(loaded.lesson, options.stages);
+  file.sha256 = sha256_hex(text);
+  write_text(file.file, text, out);
+  or_fail(sync_folder(out.folder));
+  write_text(kManifestName, manifest_head(identity, "") + manifest_entry(file) + manifest_end(false), out);
+  say("1 transcript and {} in {}\n", kManifestName, out.folder.string());
+  return ExitCode::done;
+}
+
+ExitCode run_export(const TypedExport& typed) {
+  const ExportOptions options = export_options(typed);
+  ExportOutput out = export_output(typed);
+  const LoadedLesson loaded = or_fail(load_lesson(typed.lesson));
+  // Told by `polhode verify` wherever that is run.
+  if (fs::path(typed.lesson) == loaded.path)
+    std::replace(out.resume_all.begin(), out.resume_all.end(), typed.lesson,
+                 fs::absolute(loaded.path).string());
+  or_fail(check_type_of(loaded, or_fail(Fonts::open())));
+  return options.what == What::transcript ? export_transcript(loaded, options, out)
+                                          : export_pictures(loaded, options, out);
+}
+
+}  // namespace
+
+Command export_command() {
+  const auto typed = std::make_shared<TypedExport>();
+  return {
+      "export",
+      "Export a lesson's pages, equations and figures as PNG files, or its text",
+      {{"LESSON", &typed->lesson, "id or file", " ", true},
+       {"-o,--output", &typed->folder, "folder for the files; made if missing", "DIR"},
+       {"--stage", &typed->stages, "only this stage; repeat for more (default: all)", "ID"},
+       {"--what", &typed->what, "page, equation, figure or transcript (default: page)", "KIND"},
+       {"--profile", &typed->profile, "of pages: slides to project, or page to read (default: slides)",
+        "KIND"},
+       {"--each", &typed->each, "for each stage, step or frame a picture (default: stage; slides: step)",
+        "KIND"},
+       {"--size", &typed->size, "pixels, to 16384 a side, pages from 320x240; or a name (1920x1080)", "WxH"},
+       {"--theme", &typed->theme, "of pages and equations: paper or dark (default: paper)", "NAME"},
+       {"--background", &typed->background, "studio (default of figures), paper, white, transparent, #rrggbb",
+        "NAME"},
+       {"--dpi", &typed->dpi, "dots per inch to note in the files; sizes 12 pt equations (300)", "N"},
+       {"--fps", &typed->fps, "frames per shown second of frames and films (default: 30)", "N|A/B"},
+       {"--seconds", &typed->seconds, "shown seconds per stage of frames, per still of a film (default: 8)",
+        "S"},
+       {"--at", &typed->at, "t in s of stills (default: the scene's), of first frames (0)", "T"},
+       {"--frames", &typed->frames, "frames A to B-1 of the whole selection, from 0 (default: all)", "A:B"},
+       {"--quality", &typed->quality, "of figures: draft, normal or fine (default: the scene's)", "LEVEL"},
+       {"--text-size", &typed->text_size, "of pages: 0.7 to 2 times the normal type (default: 1)", "X"},
+       {"--png", &typed->png, "fast to pack, or small and slow (default: fast)", "KIND"},
+       {"--film", &typed->film, "make a film (mp4, webm, gif, apng); without -o its frames are removed",
+        "FILE"},
+       {"--deck", &typed->deck, "make slides (html, pdf); without -o their pictures are removed", "FILE"},
+       {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN"},
+       {"--context", &typed->context, "OpenGL from auto, osmesa or egl (default: auto)", "KIND"},
+       {"--shard", &typed->shard, "only every N-th picture, from the I-th, of 1 to N", "I/N|slurm"},
+       {"--jobs", &typed->jobs, "draw in N processes, the same in all shards (default: 1)", "N"},
+       {"--skip-existing", &typed->skip_existing, "keep what is there and whole; goes on after a stop"}},
+      "A slide has the text of one step in large type, its figure and plots, and what it goes on from in a\n"
+      "line at the foot. A page has as much of the steps before as there is room for, in smaller type.\n"
+      "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
+      "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
+      "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
+      "A transcript is plain text with the formulas in words.\n"
+      "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
+      "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
+      "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
+      "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"
+      "The bytes depend on lesson and options alone. A folder with an export of other options or another\n"
+      "lesson text is refused. Processes with the same command but each its --shard, on any machines that\n"
+      "share the folder, make one export; slurm reads I and N from the variables of a job array.",
+      [typed](const CommandWords& words) {
+        typed->words = words;
+        return run_export(*typed);
+      }};
+}
+
+}  // namespace polhode

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/commands/export_options.h"
+
+#include "app/cli/exit_codes.h"
+#include "app/cli/numbers.h"
+#include "app/cli/typed_shard.h"
+#include "app/export/named_sizes.h"
+#include "app/page/page.h"
+#include "app/publish/deck.h"
+#include "app/publish/film.h"
+#include "base/spelling.h"
+#include "render/gl/passes/background.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace polhode {
+
+namespace {
+
+constexpr int kMostDpi = 100'000;
+constexpr int kMostJobs = 256;
+const std::vector<std::string> kWhats = {"page", "equation", "figure", "transcript"};
+
+/// The place of `typed` in `choices`, or `standard` if nothing was typed.
+std::size_t choice(std::string_view option, const std::string& typed, const std::vector<std::string>& choices,
+                   std::size_t standard = 0) {
+  if (typed.empty()) return standard;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+    if (choices[i] == typed) return i;
+  throw usage(fmt::format("{}: \"{}\" is none of {}{}", option, typed, fmt::join(choices, ", "),
+                          did_you_mean(typed, choices)));
+}
+
+template <class T>
+T read_or_refuse(const std::optional<T>& value, std::string_view option, std::string_view typed,
+                 std::string_view form) {
+  if (!value) throw usage(fmt::format("{}: \"{}\" is not {}", option, typed, form));
+  return *value;
+}
+
+struct GivenOption {
+  const char* name;
+  const std::string& typed;
+};
+
+void refuse_given(std::initializer_list<GivenOption> options, const std::string& reason) {
+  for (const auto& [name, typed] : options)
+    if (!typed.empty()) throw usage(fmt::format("{} {}", name, reason));
+}
+
+void check_combination(const TypedExport& typed, What what, Each each) {
+  if (each != Each::frame) refuse_given({{"--frames", typed.frames}}, "goes with --each frame");
+  if (each != Each::frame && typed.film.empty())
+    refuse_given({{"--fps", typed.fps}, {"--seconds", typed.seconds}}, "goes with --each frame or --film");
+  if (what == What::transcript)
+    refuse_given({{"--each", typed.each},
+                  {"--size", typed.size},
+                  {"--at", typed.at},
+                  {"--background", typed.background},
+                  {"--theme", typed.theme},
+                  {"--profile", typed.profile},
+                  {"--quality", typed.quality},
+                  {"--text-size", typed.text_size},
+                  {"--dpi", typed.dpi},
+                  {"--png", typed.png},
+                  {"--film", typed.film},
+                  {"--deck", typed.deck},
+                  {"--shard", typed.shard},
+                  {"--jobs", typed.jobs},
+                  {"--context", typed.context}},
+                 "is of pictures; a transcript is text");
+  if (what == What::equation) {
+    refuse_given({{"--size", typed.size}}, "goes with pages and figures; --dpi sets the size of equations");
+    refuse_given({{"--at", typed.at}}, "goes with pages and figures; equations have no time");
+    refuse_given({{"--quality", typed.quality}}, "goes with pages and figures; type is the same in all");
+  }
+  if (what == What::equation)
+    refuse_given({{"--text-size", typed.text_size}}, "goes with pages; --dpi sets the size of equations");
+  if (what != What::page) refuse_given({{"--profile", typed.profile}}, "goes with pages");
+  if (what == What::figure)
+    refuse_given({{"--text-size", typed.text_size}},
+                 "goes with pages; the type of a figure goes with its size");
+  if (each == Each::frame)
+    refuse_given({{"--deck", typed.deck}}, "goes with --each stage or step: slides have no frames");
+  if (!typed.deck.empty() && !deck_kind_of(typed.deck))
+    throw usage(fmt::format("--deck {}: the name has to end in .html or .pdf", typed.deck));
+  if (what == What::figure)
+    refuse_given({{"--theme", typed.theme}}, "goes with pages and equations; a figure has its --background");
+}
+
+std::string background_name(const std::string& typed, What what) {
+  if (what == What::page) {
+    if (!typed.empty() && typed != "paper")
+      throw usage(
+          fmt::format("--background {}: a page has the paper of its --theme; --background goes with "
+                      "--what figure and --what equation",
+                      typed));
+    return "paper";
+  }
+  if (typed.empty()) return what == What::figure ? "studio" : "paper";
+  const std::vector<std::string> names = {"studio", "paper", "white", "transparent", "#rrggbb"};
+  if (!background_from(typed))
+    throw usage(fmt::format("--background: \"{}\" is none of {}{}", typed, fmt::join(names, ", "),
+                            did_you_mean(typed, names)));
+  return typed;
+}
+
+void check_film(const std::string& file, const FrameRate& rate) {
+  if (file.empty()) return;
+  const auto kind = film_kind_of(file);
+  if (!kind) throw usage(fmt::format("--film: \"{}\" is no .mp4, .webm, .gif or .apng", file));
+  if (*kind == FilmKind::gif && rate.frames > kMostGifFrames * rate.seconds)
+    throw usage(
+        fmt::format("--fps {}: a GIF has at most {} frames a second", to_string(rate), kMostGifFrames));
+}
+
+Size size_of(const std::string& typed, What what) {
+  if (const auto named = named_size(typed)) return named->size;
+  const Size size = picture_size("--size", typed, kMaxImageSide);
+  if (what == What::page && (size.width < kSmallestPage.width || size.height < kSmallestPage.height))
+    throw usage(fmt::format("--size {}: a page has at least {}x{} pixels", typed, kSmallestPage.width,
+                            kSmallestPage.height));
+  return size;
+}
+
+int dpi_of(const std::string& typed, const std::string& typed_size, What what) {
+  const bool sets_size = what == What::equation;
+  const auto named = named_size(typed_size);
+  if (typed.empty()) return sets_size ? kDefaultEquationDpi : named ? named->dpi : 0;
+  return static_cast<int>(whole_number("--dpi", typed, sets_size ? kFewestEquationDpi : 1, kMostDpi));
+}
+
+double text_scale_of(const std::string& typed) {
+  if (typed.empty()) return 1.0;
+  const double scale = finite_number("--text-size", typed);
+  if (scale < kLeastTextScale || scale > kMostTextScale)
+    throw usage(fmt::format("--text-size {}: it has to be from {} to {}; 1 is normal", typed, kLeastTextScale,
+                            kMostTextScale));
+  return scale;
+}
+
+/// With --skip-existing, and without the options named in `left_out`, which have a value each.
+std::vector<std::string> resume_words(const TypedExport& typed, const std::vector<std::string>& left_out) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < typed.words.size(); ++i) {
+    const bool left = std::find(left_out.begin(), left_out.end(), typed.words[i]) != left_out.end();
+    if (left)
+      ++i;
+    else
+      words.push_back(typed.words[i]);
+  }
+  words.emplace_back("--skip-existing");
+  return words;
+}
+
+}  // namespace
+
+ExportOptions export_options(const TypedExport& typed) {
+  ExportOptions options;
+  options.what = static_cast<What>(choice("--what", typed.what, kWhats));
+  options.stages = typed.stages;
+  options.profile = static_cast<Profile>(choice("--profile", typed.profile, {"page", "slides"}, 1));
+  constexpr std::size_t kStages = 0, kSteps = 1, kFrames = 2;
+  const bool is_of_slides = options.what == What::page && options.profile == Profile::slides;
+  options.each = static_cast<Each>(choice("--each", typed.each, {"stage", "step", "frame"},
+                                          !typed.film.empty() ? kFrames
+                                          : is_of_slides      ? kSteps
+                                                              : kStages));
+  check_combination(typed, options.what, options.each);
+  if (!typed.size.empty()) options.size = size_of(typed.size, options.what);
+  if (!typed.fps.empty())
+    options.fps = read_or_refuse(frame_rate_from(typed.fps), "--fps", typed.fps,
+                                 "a frame rate; write it like 25 or 30000/1001, terms from 1 to 1000000");
+  check_film(typed.film, options.fps);
+  if (!typed.seconds.empty()) options.seconds = finite_number("--seconds", typed.seconds);
+  if (options.seconds < 0) throw usage(fmt::format("--seconds: {} is negative", typed.seconds));
+  if (!typed.at.empty()) options.at_s = finite_number("--at", typed.at);
+  if (!typed.frames.empty())
+    options.frames = read_or_refuse(frame_range_from(typed.frames), "--frames", typed.frames,
+                                    "a range A:B with 0 <= A < B, like 0:48");
+  options.background = background_name(typed.background, options.what);
+  options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
+  if (!typed.quality.empty())
+    options.quality = static_cast<QualityLevel>(choice("--quality", typed.quality, quality_level_names()));
+  options.text_scale = text_scale_of(typed.text_size);
+  options.dpi = dpi_of(typed.dpi, typed.size, options.what);
+  options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
+  return options;
+}
+
+ExportOutput export_output(const TypedExport& typed) {
+  ExportOutput out;
+  out.film = typed.film;
+  out.deck = typed.deck;
+  out.folder = typed.folder;
+  out.keep_folder = !typed.folder.empty();
+  if (!out.keep_folder) {
+    const std::string& file = typed.film.empty() ? typed.deck : typed.film;
+    if (file.empty())
+      throw usage("--output DIR is needed: where the files go (or --film FILE, or --deck FILE)");
+    out.folder = file + ".parts";
+  }
+  out.skip_existing = typed.skip_existing;
+  out.shard = shard_from(typed.shard);
+  if (!out.shard.whole())
+    refuse_given(
+        {{"--film", typed.film}, {"--deck", typed.deck}},
+        "needs the pictures of all shards; give it after them, with --skip-existing in place of --shard");
+  if (!typed.jobs.empty()) out.jobs = static_cast<int>(whole_number("--jobs", typed.jobs, 1, kMostJobs));
+  out.resume = resume_words(typed, {});
+  out.resume_all = resume_words(typed, {"--shard", "--jobs"});
+  out.durability =
+      choice("--sync", typed.sync, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
+  constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
+  out.context = kKinds[choice("--context", typed.context, {"auto", "osmesa", "egl"})];
+  return out;
+}
+
+}  // namespace polhode

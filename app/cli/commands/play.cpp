@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+// polhode play: a lesson in a window.
+#include "app/cli/commands/commands.h"
+#include "app/cli/lesson_lookup.h"
+#include "app/cli/message.h"
+#include "app/cli/or_fail.h"
+#include "app/session/answers/answer_log.h"
+#include "app/session/answers/progress.h"
+#include "app/session/edited_step.h"
+#include "app/session/saved/saved_progress.h"
+#include "app/session/saved/state_file.h"
+#include "app/session/saved/window_size.h"
+#include "app/window/window.h"
+#include "base/interrupt.h"
+#include "base/printable.h"
+#include "lessons/reader/checks/claim_check.h"
+#include "lessons/reader/checks/lint_budget.h"
+
+#include <fmt/format.h>
+
+namespace polhode {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+  std::string lesson = "euler-equations", stage;
+  bool watch = false;
+};
+
+Outcome<std::shared_ptr<const LoadedLesson>> load(const std::string& name, const Fonts& fonts) {
+  auto loaded = load_lesson(name);
+  if (!loaded) return passed_on(loaded);
+  if (const Done can = check_type_of(*loaded, fonts); !can) return passed_on(can);
+  if (const Done fits = check_pages_of(*loaded, fonts); !fits) return passed_on(fits);
+  return std::make_shared<const LoadedLesson>(std::move(*loaded));
+}
+
+/// Looks at the file's time, and reads it when that has changed.
+class LessonWatch {
+ public:
+  LessonWatch(const LoadedLesson& loaded, const Fonts& fonts)
+      : fonts_(fonts), path_(loaded.path), sha256_(loaded.sha256), written_(time()) {}
+
+  void look(LessonSession& session, std::string& errors) {
+    const auto now = time();
+    if (now == written_) return;
+    written_ = now;
+    const auto loaded = load(path_.string(), fonts_);
+    errors = loaded ? "" : printable(loaded.error().text);
+    if (!loaded || (*loaded)->sha256 == sha256_) return;
+    sha256_ = (*loaded)->sha256;
+    const auto edited = edited_step(session.lesson(), (*loaded)->lesson);
+    session.replace_lesson(*loaded);
+    if (edited) session.go_to({edited->stage, edited->step});
+    errors = false_claims((*loaded)->lesson);
+  }
+
+ private:
+  /// What the lesson claims and is not so, on whatever page that stands.
+  std::string false_claims(const Lesson& lesson) const {
+    Budget budget(kLintBudget);
+    std::string all;
+    for (const Diagnostic& diagnostic : check_claims(lesson, path_.string(), budget.effort()))
+      if (diagnostic.severity == Severity::error) all += (all.empty() ? "" : "\n") + to_string(diagnostic);
+    return printable(all);
+  }
+
+  /// An editor may be replacing it just now: the least time then.
+  fs::file_time_type time() const {
+    std::error_code error;
+    const auto written = fs::last_write_time(path_, error);
+    return error ? fs::file_time_type::min() : written;
+  }
+
+  const Fonts& fonts_;
+  fs::path path_;
+  std::string sha256_;
+  fs::file_time_type written_;
+};
+
+/// How far one is in each of the lessons; of those that cannot be read nothing is said.
+std::vector<LessonProgress> lessons_with_progress(const LessonSession& session) {
+  std::vector<LessonProgress> all;
+  const auto folder = state_folder();
+  for (const FoundLesson& found : lessons_in(lesson_folders())) {
+    const auto text = read_lesson_text(found.path);
+    const LessonReading reading = text ? read_lesson(*text, found.path.string()) : LessonReading{};
+    if (!reading.lesson) continue;
+    const Lesson& lesson = *reading.lesson;
+    const bool here = lesson.id == session.lesson().id;
+    const auto place =
+        folder ? read_bookmark(*folder, lesson.id) : StateFileResult<BookmarkReading>(BookmarkReading{});
+    const auto log = folder ? read_answer_log(answer_log_path(*folder, lesson.id))
+                            : StateFileResult<AnswerLogReading>(AnswerLogReading{});
+    all.push_back({.id = found.id,
+                   .title = lesson.title,
+                   .stages = lesson.stages.size(),
+                   .seen = here    ? session.visited().size()
+                           : place ? place->bookmark.visited.size()
+                                   : 0,
+                   .questions = progress_of(lesson, here  ? session.answers()
+                                                    : log ? log->log
+                                                          : AnswerLog{})
+                                    .all});
+  }
+  return all;
+}
+
+void keep_size(Size size) {
+  const auto folder = state_folder();
+  if (folder && size.width > 0) static_cast<void>(write_window_size(*folder, size));
+}
+
+Size kept_size() {
+  const auto folder = state_folder();
+  const auto size = folder ? read_window_size(*folder) : StateFileResult<Size>(Size{});
+  return size ? *size : Size{};
+}
+
+WindowEnd play_one(const Options& options, const Fonts& fonts) {
+  const auto loaded = or_fail(load(options.lesson, fonts));
+  if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
+  LessonSession session(loaded, until_interrupted());
+  WindowOptions window;
+  SavedProgress progress(session, state_folder());
+  window.notice = progress.notice();
+  if (!window.notice.empty()) say("polhode: {}\n", window.notice);
+  if (!options.stage.empty()) {
+    const Stage& stage = stage_of(loaded->lesson, options.stage);
+    session.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
+  }
+  window.keep = [&](const LessonSession& now) { return progress.keep(now); };
+  window.lessons = [&] { return lessons_with_progress(session); };
+  window.size = kept_size();
+  LessonWatch watch(*loaded, fonts);
+  if (options.watch)
+    window.look_for_changes = [&](LessonSession& now, std::string& errors) { watch.look(now, errors); };
+  const WindowEnd end = or_fail(run_window(session, fonts, window));
+  if (const std::string notice = progress.keep_at_last(session); !notice.empty())
+    say("polhode: {}\n", notice);
+  keep_size(end.size);
+  return end;
+}
+
+ExitCode play(Options options) {
+  const Fonts fonts = or_fail(Fonts::open());
+  while (true) {
+    const WindowEnd end = play_one(options, fonts);
+    if (end.kind == WindowEnd::Kind::interrupted) return ExitCode::interrupted;
+    if (end.kind == WindowEnd::Kind::closed) return ExitCode::done;
+    options.lesson = end.lesson;
+    options.stage.clear();
+  }
+}
+
+}  // namespace
+
+Command play_command() {
+  const auto options = std::make_shared<Options>();
+  return {
+      "play",
+      "Walk through a lesson in a window",
+      {{"LESSON", &options->lesson, "Lesson file or id"},
+       {"--stage", &options->stage, "Begin at this stage, wherever you were"},
+       {"--watch", &options->watch, "For authors: read the lesson again whenever its file changes"}},
+      "Left and Right, or Page Up and Page Down as remote clickers send them, go through the steps,\n"
+      "Up and Down through the stages; press ? in the window for all its keys. Place, answers and\n"
+      "preferences are kept in $XDG_STATE_HOME/polhode, or ~/.local/state/polhode. Without a display, see:\n"
+      "polhode export --help",
+      [options](const CommandWords&) { return play(*options); }};
+}
+
+}  // namespace polhode

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/answers/answer_text.h"
+
+#include "app/session/steering.h"
+#include "base/angles.h"
+#include "lessons/claims/expressions/expression_tex.h"
+#include "lessons/reader/questions/state_task.h"
+#include "render/scene/model/scene_problem.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace polhode {
+
+namespace {
+
+constexpr int kDigits = 4;  ///< of a state: a goal asks for three at most
+
+TextSpan words_span(std::string words) {
+  TextSpan span;
+  span.text = std::move(words);
+  return span;
+}
+
+/// Nothing where the TeX cannot be read.
+std::optional<TextSpan> math_span(const std::string& tex) {
+  Result<Math, std::vector<TypeError>> math = parse_math(tex);
+  if (!math) return std::nullopt;
+  TextSpan span;
+  span.kind = TextSpan::Kind::math;
+  span.text = tex;
+  span.math = std::move(math).value();
+  return span;
+}
+
+RichText block_of(std::vector<TextSpan> spans) {
+  TextBlock block;
+  block.spans = std::move(spans);
+  return {std::move(block)};
+}
+
+/// "1.5", "2\cdot 10^{-5}"
+std::string short_tex(double value) {
+  std::string text = fmt::format("{:.{}g}", value, kDigits);
+  const std::size_t e = text.find('e');
+  if (e == text.npos) return text;
+  return fmt::format("{}{{\\cdot}}10^{{{}}}", text.substr(0, e), std::stoi(text.substr(e + 1)));
+}
+
+/// What is noise of a conversion beside the others is none of the number.
+std::string components_tex(const Vec3& v) {
+  const double noise = 1e-12 * v.cwiseAbs().maxCoeff();
+  std::string tex;
+  for (const double x : v) tex += (tex.empty() ? "" : ",\\ ") + short_tex(std::abs(x) <= noise ? 0 : x);
+  return '(' + tex + ')';
+}
+
+std::string vector_line(std::string_view name, const Vec3& v, const std::string& unit) {
+  return fmt::format("${} = {}{}$", name, components_tex(v), unit_tex(unit));
+}
+
+std::string attitude_line(const AttitudeSpec& attitude) {
+  if (const auto* points = std::get_if<LPoints>(&attitude))
+    return *points == LPoints::up ? "$\\vec L$ upright" : "$\\vec L$ hanging down";
+  const Vec3 degrees = euler_angles(std::get<Quat>(attitude)) / kRadiansPerDegree;
+  return vector_line("(\\varphi,\\ \\theta,\\ \\psi)", degrees, "°");
+}
+
+std::string torque_line(const TorqueTerm& torque) {
+  const bool in_space = std::holds_alternative<SpaceTorque>(torque);
+  return vector_line("\\vec N", components_of(torque), "N m") + (in_space ? " along the axes of space" : "");
+}
+
+}  // namespace
+
+RichText words_text(std::string words) { return block_of({words_span(std::move(words))}); }
+
+RichText line_text(std::string_view line) {
+  std::vector<TextSpan> spans;
+  while (!line.empty()) {
+    const std::size_t begin = line.find('$'), end = begin == line.npos ? begin : line.find('$', begin + 1);
+    if (end == line.npos) {
+      spans.push_back(words_span(std::string(line)));
+      break;
+    }
+    if (begin > 0) spans.push_back(words_span(std::string(line.substr(0, begin))));
+    const std::string tex(line.substr(begin + 1, end - begin - 1));
+    spans.push_back(math_span(tex).value_or(words_span(tex)));
+    line.remove_prefix(end + 1);
+  }
+  return block_of(std::move(spans));
+}
+
+RichText formula_text(const std::string& tex) { return block_of({math_span(tex).value_or(words_span(tex))}); }
+
+RichText opened_by(std::string words, RichText text) {
+  if (text.empty() || text.front().is_table()) text.insert(text.begin(), TextBlock());
+  std::vector<TextSpan>& spans = text.front().spans;
+  spans.insert(spans.begin(), words_span(std::move(words)));
+  return text;
+}
+
+RichText joined(RichText text, const RichText& more) {
+  text.insert(text.end(), more.begin(), more.end());
+  return text;
+}
+
+RichText in_a_row(RichText text, const RichText& more) {
+  if (text.empty() || more.empty()) return joined(std::move(text), more);
+  std::vector<TextSpan>& spans = text.back().spans;
+  spans.insert(spans.end(), more.front().spans.begin(), more.front().spans.end());
+  text.insert(text.end(), more.begin() + 1, more.end());
+  return text;
+}
+
+RichText text_after(const Ask& ask, const AnswerJudgement& judgement) {
+  const auto picked = static_cast<std::size_t>(judgement.choice);
+  RichText text = picked > 0 && picked <= ask.replies.size() ? ask.replies[picked - 1] : RichText();
+  return judgement.mark == AnswerJudgement::Mark::right ? joined(std::move(text), ask.because) : text;
+}
+
+RichText answer_text(const Lesson& lesson, const Ask& ask) {
+  RichText text;
+  if (ask.expression) {
+    text = formula_text(tex_of(*ask.expression, &lesson.notation.vocabulary));
+    TextSpan typed = words_span(ask.expression->text);
+    typed.code = true;
+    for (TextSpan& span : std::vector<TextSpan>{words_span(", typed "), typed, words_span(".")})
+      text.front().spans.push_back(std::move(span));
+  } else if (ask.task) {
+    text = line_text(line_of(ask.task->solution) + '.');
+  } else if (ask.number) {
+    text = words_text(words_of(*ask.number) + '.');
+  } else {
+    std::string letters;
+    for (const int answer : ask.answers)
+      letters += (letters.empty() ? "" : ", ") +
+                 std::string(1, letter_of_choice(static_cast<std::size_t>(answer - 1)));
+    if (ask.answers.size() == 1)
+      text = opened_by(letters + ": ", ask.choice_texts[static_cast<std::size_t>(ask.answers.front() - 1)]);
+    else if (!letters.empty())
+      text = words_text(letters + '.');
+  }
+  return joined(std::move(text), ask.because);
+}
+
+std::string line_of(const SteeredState& state) {
+  std::string line;
+  const auto add = [&](const std::string& part) { line += (line.empty() ? "" : "; ") + part; };
+  if (state.w0_B) add(vector_line("\\vec\\omega", *state.w0_B, "rad/s"));
+  if (state.moments) add(vector_line("(I_1,\\ I_2,\\ I_3)", *state.moments, "kg m²"));
+  if (state.attitude) add(attitude_line(*state.attitude));
+  if (state.torque) add(torque_line(*state.torque));
+  if (state.t_s) add(fmt::format("$t = {}{}$", short_tex(*state.t_s), unit_tex("s")));
+  return line;
+}
+
+}  // namespace polhode

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What is said of questions and answers, with its formulas: to be set, where speech_text.h says it in words.
+#pragma once
+
+#include "lessons/claims/answers/answers.h"
+#include "lessons/reader/lesson.h"
+#include "lessons/reader/questions/steered_state.h"
+
+#include <string>
+#include <string_view>
+
+namespace polhode {
+
+/// One block of plain words.
+RichText words_text(std::string words);
+/// A line with formulas between dollars. A formula that cannot be read stands as it is written.
+RichText line_text(std::string_view line);
+/// A formula alone.
+RichText formula_text(const std::string& tex);
+/// `text` behind these words, in its first block.
+RichText opened_by(std::string words, RichText text);
+/// The blocks of both, one below the other.
+RichText joined(RichText text, const RichText& more);
+/// One line of both, without a break between.
+RichText in_a_row(RichText text, const RichText& more);
+
+/// What a learner is told who gave this answer: the reply to the choice, and after a right one why it is
+/// right; may be empty.
+RichText text_after(const Ask& ask, const AnswerJudgement& judgement);
+/// What is right, and why: a choice, an order of letters, a number with its unit, a formula and how it is
+/// typed, a state in numbers with their units.
+RichText answer_text(const Lesson& lesson, const Ask& ask);
+
+/// "\vec\omega = (1.5,\, 0,\, 0.45)\,\mathrm{rad/s}" and the like, of each part that the state has, four
+/// digits each: a line with formulas between dollars, parted by semicolons. Empty of nothing.
+std::string line_of(const SteeredState& state);
+
+}  // namespace polhode

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/saved/bookmark.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace polhode {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+fs::path bookmark_path(const fs::path& folder, const std::string& lesson_id) {
+  return folder / (lesson_id + ".place.json");
+}
+
+fs::path preferences_path(const fs::path& folder) { return folder / "preferences.json"; }
+
+int step_from(const Json& json) {
+  return static_cast<int>(std::clamp(json.get<double>(), 1.0, static_cast<double>(kMaxStepsPerStage)));
+}
+
+Theme theme_from(const std::string& name) {
+  if (name == "paper") return Theme::paper;
+  if (name == "dark") return Theme::dark;
+  throw std::invalid_argument("no theme");
+}
+
+double text_scale_from(const Json& json) {
+  return std::clamp(json.get<double>(), kLeastTextScale, kMostTextScale);
+}
+
+}  // namespace
+
+StateFileResult<BookmarkReading> read_bookmark(const fs::path& folder, const std::string& lesson_id) {
+  Bookmark bookmark;
+  const auto warning =
+      read_state_file(bookmark_path(folder, lesson_id), "the bookmark", [&](const Json& json) {
+        bookmark = {json.at("stage").get<std::string>(), step_from(json.at("step")),
+                    json.at("visited").get<std::set<std::string>>()};
+      });
+  if (!warning) return Failure{warning.error()};
+  return BookmarkReading{std::move(bookmark), *warning};
+}
+
+StateFileResult<std::monostate> write_bookmark(const fs::path& folder, const std::string& lesson_id,
+                                               const Bookmark& bookmark) {
+  return write_state_file(
+      bookmark_path(folder, lesson_id),
+      {{"stage", bookmark.stage}, {"step", bookmark.step}, {"visited", Json(bookmark.visited)}});
+}
+
+StateFileResult<PreferencesReading> read_preferences(const fs::path& folder) {
+  Preferences preferences;
+  const auto warning =
+      read_state_file(preferences_path(folder), "the file of preferences", [&](const Json& json) {
+        preferences = {theme_from(json.at("theme").get<std::string>()),
+                       text_scale_from(json.at("text_scale")), json.at("reduced_motion").get<bool>(),
+                       json.value("letter_keys", true)};
+      });
+  if (!warning) return Failure{warning.error()};
+  return PreferencesReading{preferences, *warning};
+}
+
+StateFileResult<std::monostate> write_preferences(const fs::path& folder, const Preferences& preferences) {
+  return write_state_file(preferences_path(folder),
+                          {{"theme", preferences.theme == Theme::dark ? "dark" : "paper"},
+                           {"text_scale", preferences.text_scale},
+                           {"reduced_motion", preferences.reduced_motion},
+                           {"letter_keys", preferences.letter_keys}});
+}
+
+Bookmark bookmark_of(const LessonSession& session) {
+  return {session.stage().id, static_cast<int>(session.place().step) + 1, session.visited()};
+}
+
+void restore(LessonSession& session, const Bookmark& bookmark) {
+  const auto& stages = session.lesson().stages;
+  const auto stage = std::find_if(stages.begin(), stages.end(),
+                                  [&](const Stage& known) { return known.id == bookmark.stage; });
+  if (stage != stages.end())
+    session.go_to({static_cast<std::size_t>(stage - stages.begin()),
+                   static_cast<std::size_t>(std::max(1, bookmark.step)) - 1});
+  session.set_visited(bookmark.visited);
+}
+
+}  // namespace polhode

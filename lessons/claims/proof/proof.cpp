@@ -1,0 +1,470 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/claims/proof/proof.h"
+
+#include "lessons/claims/condition.h"
+#include "lessons/claims/expressions/degree.h"
+#include "lessons/claims/proof/expansion.h"
+#include "lessons/claims/proof/signs.h"
+#include "lessons/claims/proof/small_states.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <random>
+
+namespace polhode {
+namespace {
+
+/// Whole numbers of fewer bits are 0 if the prime 2⁶¹ − 1 divides them; those of fewer than both together if
+/// both primes do.
+constexpr double kBitsOfOnePrime = 60, kBitsOfBoth = 187;
+
+/// Of left − right, free of fractions, with what is given put in.
+Degree degree_of_difference(const Equality& equality, const Given& given) {
+  if (given.settings.empty())
+    return degree_of_difference(equality.left.nodes.back().degree, equality.right.nodes.back().degree);
+  const DegreeTable table(given);
+  return degree_of_difference(table.of(equality.left), table.of(equality.right));
+}
+
+constexpr std::uint64_t kSeed = 20250614;
+
+/// FNV-1a of 64 bits, from `hash` on.
+std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+/// std::uniform_int_distribution differs between libraries; the engine does not.
+FieldElement random_residue(std::mt19937_64& random) {
+  std::uint64_t bits = kPrime;
+  while (bits >= kPrime) bits = random() >> 3;
+  return FieldElement(static_cast<std::int64_t>(bits));
+}
+
+FieldElement random_unit(std::mt19937_64& random) {
+  FieldElement element;
+  while (element.is_zero()) element = random_residue(random);
+  return element;
+}
+
+template <class N, class Draw>
+StateNumbers<N> drawn_numbers(const Draw& draw) {
+  StateNumbers<N> numbers;
+  const auto fill = [&](auto& all) {
+    for (N& one : all) one = draw();
+  };
+  fill(numbers.q);
+  fill(numbers.I);
+  fill(numbers.J);
+  for (auto* vector : {&numbers.w, &numbers.dw, &numbers.v_S, &numbers.dv_S, &numbers.A_S, &numbers.dA_S,
+                       &numbers.N_B, &numbers.F_S})
+    fill(*vector);
+  numbers.m = draw();
+  numbers.h = draw();
+  numbers.k = draw();
+  fill(numbers.constants);
+  for (auto* vector : {&numbers.ddw, &numbers.ddv_S, &numbers.ddA_S, &numbers.dN_B, &numbers.dF_S})
+    fill(*vector);
+  return numbers;
+}
+
+StateNumbers<FieldElement> random_numbers(std::mt19937_64& random) {
+  const auto length2 = [](const std::array<FieldElement, 4>& q) {
+    return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+  };
+  StateNumbers<FieldElement> numbers;
+  do {
+    numbers = drawn_numbers<FieldElement>([&] { return random_unit(random); });
+  } while (length2(numbers.q).is_zero());
+  return numbers;
+}
+
+/// "3" of "9", "0.5" of "0.25", but "√2" of "2": a number whose square, as a text, is written in full.
+std::string root_text(const std::string& square) {
+  constexpr int kDigits = 3;  // the square of so many has at most the 6 that number_text writes
+  double value = 0;
+  std::from_chars(square.data(), square.data() + square.size(), value);
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), std::sqrt(value),
+                                 std::chars_format::general, kDigits)
+                       .ptr;
+  double root = 0;
+  std::from_chars(text.data(), end, root);
+  return number_text(root * root) == square ? number_text(root) : "√" + square;
+}
+
+/// The values of lengths, of whose squares those in `found` are.
+std::optional<Counterexample> with_roots(std::optional<Counterexample> found, const Equality& equality) {
+  const auto root = [](std::string& square, const Expression& side) {
+    if (side.nodes.back().operation == Operation::norm) square = root_text(square);
+  };
+  if (found) root(found->left, equality.left), root(found->right, equality.right);
+  return found;
+}
+
+Judgement not_what_it_says(std::string message, std::string hint,
+                           std::optional<Counterexample> counter = {}) {
+  if (counter) message += ": " + to_string(*counter);
+  return {Verdict::fails, std::move(message), std::move(hint), std::move(counter)};
+}
+
+Judgement undecided() {
+  return {Verdict::undecided,
+          "it cannot be decided whether this holds",
+          "both sides must be defined almost everywhere: is something divided by 0, or a number too large?",
+          {}};
+}
+
+/// What else could have been meant by an equality that fails under an assumption.
+std::string weaker_kind(const Equality& failing, Assumption failed, const Prover& prover,
+                        const Given& given) {
+  const Equality equality = with_lengths_squared(failing);  // as a whole: below each side is looked at alone
+  if (failed == Assumption::identity && prover.settle(equality, Assumption::motion, given) == Verdict::holds)
+    return "it follows from the equations of motion: its kind is motion";
+  if (given.sets_torque()) return "";
+  const bool both_vanish =
+      equality.right.type() != ExpressionType::zero &&
+      prover.settle({equality.right, zero_expression()}, Assumption::free, given) == Verdict::holds;
+  if (failed != Assumption::free && !both_vanish &&
+      prover.settle(equality, Assumption::free, given) == Verdict::holds)
+    return "it holds without torque: its kind is free";
+  return "";
+}
+
+Judgement judge_equality(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  const Assumption assumption = assumption_of(kind, given);
+  const Verdict verdict = prover.settle(line.equality, assumption, given);
+  if (verdict == Verdict::holds) return {};
+  if (verdict == Verdict::undecided) return undecided();
+  return not_what_it_says("this does not hold", weaker_kind(line.equality, assumption, prover, given),
+                          prover.refute(line.equality, assumption, given));
+}
+
+Judgement judge_order(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  Judgement judgement = prover.settle_order(line, assumption_of(kind, given), given);
+  if (kind != ClaimKind::is_false) return judgement;
+  if (judgement.verdict == Verdict::fails) return {Verdict::holds, "", "", judgement.counterexample};
+  if (judgement.verdict == Verdict::undecided) return judgement;
+  return not_what_it_says(judgement.verdict == Verdict::holds
+                              ? "this is called false, but it holds"
+                              : "this is called false, but no state was found in which it fails",
+                          "");
+}
+
+Judgement judge_false(const ClaimLine& line, const Prover& prover, const Given& given) {
+  const Assumption assumption = assumption_of(ClaimKind::is_false, given);
+  const Verdict verdict = prover.settle(line.equality, assumption, given);
+  if (verdict == Verdict::undecided) return undecided();
+  if (verdict == Verdict::holds)
+    return not_what_it_says(assumption == Assumption::free
+                                ? "this is called false, but it holds without torque"
+                                : "this is called false, but it holds under the torque that is given",
+                            "");
+  Judgement judgement;
+  judgement.counterexample = prover.refute(line.equality, assumption, given);
+  // What is given may leave so few bodies that it holds for all that can be.
+  if (!given.empty() && !judgement.counterexample)
+    return not_what_it_says("no possible body was found, as is given, for which this fails",
+                            "perhaps it holds for all that can be");
+  return judgement;
+}
+
+/// "to first order"
+std::string to_order(const Given& given) {
+  return "to " + std::string(name_of_order(given.small.order)) + " order";
+}
+
+/// What agrees to some order in what is small, or does not.
+Judgement judge_approximation(const ClaimLine& line, ClaimKind kind, const Prover& prover,
+                              const Given& given) {
+  const Assumption assumption = assumption_of(kind, given);
+  Judgement judgement = prover.settle_to_order(line.equality, assumption, given);
+  if (judgement.verdict == Verdict::undecided) return judgement;
+  const bool holds = judgement.verdict == Verdict::holds;
+  if (kind == ClaimKind::is_false) {
+    if (holds) return not_what_it_says("this is called false, but it holds " + to_order(given), "");
+    if (!judgement.counterexample)
+      return not_what_it_says("no possible body was found, as is given, for which this fails", "");
+    return {Verdict::holds, "", "", judgement.counterexample};
+  }
+  if (holds) return {};
+  const auto holds_under = [&](Assumption other) {
+    return prover.settle_to_order(line.equality, other, given).verdict == Verdict::holds;
+  };
+  if (assumption == Assumption::identity && holds_under(Assumption::motion))
+    judgement.hint = "it follows from the equations of motion: its kind is motion";
+  else if (assumption != Assumption::free && !given.sets_torque() && !given.small.has_torque() &&
+           holds_under(Assumption::free))
+    judgement.hint = "it holds without torque: its kind is free";
+  return judgement;
+}
+
+/// What follows where the premise holds, which is put into the states as what is given is.
+Judgement judge_implication(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  const Assumption assumption = assumption_of(kind, given);
+  const auto refuse = [](std::string why, std::string hint = {}) {
+    return Judgement{Verdict::undecided, std::move(why), std::move(hint), {}};
+  };
+  auto settings = settings_of_condition(line.equality, assumption, given);
+  if (!settings)
+    return refuse(settings.error(), "assume it in [assume], or claim only that it does not follow");
+  Given all = given;
+  all.settings.insert(all.settings.end(), settings->begin(), settings->end());
+  if (!is_possible(all) || !bounds_are_possible(all))
+    return refuse("this condition holds for no possible body");
+  const Equality& conclusion = *line.conclusion;
+  const int order = std::max(conclusion.left.order(), conclusion.right.order());
+  if (order > 1 || (order > 0 && all.sets_spin()))
+    return refuse("a condition holds at an instant, and says nothing of the rates of what it is about");
+  const Verdict verdict = prover.settle(conclusion, assumption, all);
+  if (verdict == Verdict::holds) return {};
+  if (verdict == Verdict::undecided) return undecided();
+  return not_what_it_says("this does not follow", "", prover.refute(conclusion, assumption, all));
+}
+
+Judgement judge_inference(const ClaimLine& line, const Prover& prover, const Given& given) {
+  const auto order = [](const Equality& equality) {
+    return std::max(equality.left.order(), equality.right.order());
+  };
+  if (order(*line.conclusion) > std::max(1, order(line.equality)))
+    return {Verdict::undecided,
+            "this asks for a rate of what the premise is about: of what holds all the time it would follow",
+            "let the conclusion have no more derivatives than the premise",
+            {}};
+  Judgement judgement;
+  judgement.counterexample = prover.refute_inference(line.equality, *line.conclusion, given);
+  if (judgement.counterexample) return judgement;
+  return not_what_it_says(
+      "no body and state of small whole numbers was found at which the premise holds and "
+      "the conclusion fails",
+      "perhaps it does follow");
+}
+
+}  // namespace
+
+Prover::Prover() {
+  std::mt19937_64 random(kSeed);
+  for (std::size_t assumption = 0; assumption < samples_.size(); ++assumption)
+    for (int n = 0; n < kMostSamples; ++n) {
+      numbers_[assumption].push_back(random_numbers(random));
+      samples_[assumption].push_back(
+          state_of(numbers_[assumption].back(), static_cast<Assumption>(assumption)));
+    }
+  wide_ = drawn_numbers<WideFieldElement>([&] {
+    WideFieldElement element(1 + static_cast<std::int64_t>(random() >> 3));
+    for (int n = 0; n < 2; ++n)
+      element =
+          element * WideFieldElement(std::int64_t{1} << 60) + 1 + static_cast<std::int64_t>(random() >> 3);
+    return element;
+  });
+}
+
+std::optional<bool> Prover::agrees_at(std::size_t sample, const Equality& equality, Assumption assumption,
+                                      const Given& given) const {
+  if (given.settings.empty()) return agree(equality, samples(assumption)[sample]);
+  const auto state = state_of(numbers_[static_cast<std::size_t>(assumption)][sample], assumption, given);
+  return state ? agree(equality, *state) : std::nullopt;
+}
+
+bool Prover::is_defined(const Equality& stated, Assumption assumption, const Given& given) const {
+  const Equality equality = with_lengths_squared(stated);
+  for (std::size_t n = 0; n < samples(assumption).size(); ++n)
+    if (agrees_at(n, equality, assumption, given)) return true;
+  return false;
+}
+
+Verdict Prover::settle(const Equality& stated, Assumption assumption, const Given& given) const {
+  const Equality equality = with_lengths_squared(stated);
+  int defined = 0;
+  for (std::size_t n = 0; n < samples(assumption).size(); ++n) {
+    const std::optional<bool> agrees = agrees_at(n, equality, assumption, given);
+    if (!agrees) continue;
+    if (!*agrees) return Verdict::fails;
+    if (++defined < kSamples) continue;
+    return agrees_at_its_own_points(equality, assumption, given) ? confirmed(equality, assumption, given)
+                                                                 : Verdict::fails;
+  }
+  return Verdict::undecided;
+}
+
+/// At points that depend on the claim's own text, so that no claim can be made up to agree at all of them.
+bool Prover::agrees_at_its_own_points(const Equality& equality, Assumption assumption,
+                                      const Given& given) const {
+  constexpr int kOwnSamples = 2;
+  std::uint64_t seed = hash_of(equality.left.text, hash_of(equality.right.text, kSeed));
+  for (const Setting& setting : given.settings) seed = hash_of(setting.text, seed);
+  std::mt19937_64 random(seed);
+  for (int n = 0; n < kOwnSamples; ++n) {
+    const auto state = state_of(random_numbers(random), assumption, given);
+    if (state && agree(equality, *state) == std::optional(false)) return false;
+  }
+  return true;
+}
+
+Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, const Given& given,
+                               std::string& why) const {
+  const int order = given.small.order;
+  if (equality.left.nodes.size() + equality.right.nodes.size() > kMostExpandedNodes) {
+    why = "its sides are too long to be expanded: they have more than " + std::to_string(kMostExpandedNodes) +
+          " parts";
+    return Verdict::undecided;
+  }
+  constexpr int kOwnSamples = 2;
+  std::uint64_t seed = hash_of(equality.left.text, hash_of(equality.right.text, kSeed));
+  for (const Setting& setting : given.settings) seed = hash_of(setting.text, seed);
+  std::mt19937_64 random(seed);
+  const bool says_zero =
+      equality.left.type() == ExpressionType::zero || equality.right.type() == ExpressionType::zero;
+  int defined = 0;
+  bool are_zero = true;
+  // As for what is exact: points of a fixed seed, and some that depend on the claim's own text.
+  for (int n = 0; n < kMostSamples + kOwnSamples; ++n) {
+    const bool is_own = n >= kMostSamples;
+    if (!is_own && defined == kSamples) continue;
+    const auto sides =
+        expanded_sides(equality,
+                       is_own ? random_numbers(random)
+                              : numbers_[static_cast<std::size_t>(assumption)][static_cast<std::size_t>(n)],
+                       assumption, given);
+    if (!sides) continue;
+    const OrderComparison comparison = compare_to_order(*sides, order);
+    if (comparison.differ_at) return Verdict::fails;
+    if (!comparison.is_known) {
+      why = "so many terms cancel that it cannot be said what is left " + to_order(given);
+      return Verdict::undecided;
+    }
+    are_zero = are_zero && comparison.are_zero;
+    if (!is_own) ++defined;
+  }
+  if (defined < kSamples) return Verdict::undecided;
+  if (are_zero && !says_zero) {
+    why = "both sides are zero to that order: it says nothing";
+    return Verdict::undecided;
+  }
+  const Degree degree = degree_of_difference(equality, given);
+  if (std::max(degree.numerator, degree.denominator) >= kMostProvableDegree) return Verdict::undecided;
+  const double bits = std::max(degree.numerator_bits, degree.denominator_bits);
+  if (bits < kBitsOfOnePrime) return Verdict::holds;
+  const auto wide = expanded_sides(equality, wide_, assumption, given);
+  if (!wide) return Verdict::undecided;
+  const OrderComparison comparison = compare_to_order(*wide, order);
+  if (comparison.differ_at) return Verdict::fails;
+  return comparison.is_known && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
+}
+
+Judgement Prover::settle_to_order(const Equality& equality, Assumption assumption, const Given& given) const {
+  std::string why;
+  const Verdict verdict = agree_to_order(equality, assumption, given, why);
+  if (verdict == Verdict::holds) return {};
+  if (verdict == Verdict::undecided) {
+    if (why.empty()) return undecided();
+    const bool says_nothing = why.find("nothing") != why.npos;
+    return {
+        verdict,
+        std::move(why),
+        says_nothing ? "write 0 for one side, or claim a higher order" : "shorten it, or claim a lower order",
+        {}};
+  }
+  int differ_at = given.small.order;
+  auto counter = first_small_expansion(equality, assumption, given, differ_at);
+  std::string message = "this does not hold " + to_order(given);
+  if (counter) message += ": the sides differ in the terms of ε^" + std::to_string(differ_at);
+  return not_what_it_says(std::move(message), "", std::move(counter));
+}
+
+Verdict Prover::confirmed(const Equality& equality, Assumption assumption, const Given& given) const {
+  const Degree degree = degree_of_difference(equality, given);
+  if (degree.numerator >= kMostProvableDegree) return Verdict::undecided;
+  const double bits = degree.numerator_bits;
+  if (bits < kBitsOfOnePrime) return Verdict::holds;
+  const auto state = state_of(wide_, assumption, given);
+  const std::optional<bool> agrees = state ? agree(equality, *state) : std::nullopt;
+  if (agrees && !*agrees) return Verdict::fails;
+  return agrees && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
+}
+
+Judgement Prover::settle_order(const ClaimLine& line, Assumption assumption, const Given& given) const {
+  const bool is_upward = line.relation == Relation::greater || line.relation == Relation::greater_or_equal;
+  const bool is_strict = line.relation == Relation::greater || line.relation == Relation::less;
+  const Equality& sides = line.equality;
+  const Equality larger_first = is_upward ? sides : Equality{sides.right, sides.left};
+  if (is_never_less(larger_first, is_strict, assumption, given)) return {};
+  int tried = 0;
+  auto counter = with_roots(
+      first_small_state(with_lengths_squared(sides), nullptr, assumption, given, line.relation, &tried),
+      sides);
+  if (counter) return not_what_it_says("this does not hold", "", std::move(counter));
+  if (tried == 0) return undecided();
+  Judgement judgement;
+  judgement.verdict = Verdict::not_refuted;
+  judgement.states = tried;
+  judgement.message = "no proof was found; it held in all of " + std::to_string(tried) + " states";
+  return judgement;
+}
+
+std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption,
+                                             const Given& given) const {
+  return with_roots(first_small_state(with_lengths_squared(equality), nullptr, assumption, given), equality);
+}
+
+std::optional<Counterexample> Prover::refute_inference(const Equality& premise, const Equality& conclusion,
+                                                       const Given& given) const {
+  const Equality premise_squared = with_lengths_squared(premise);
+  return with_roots(
+      first_small_state(with_lengths_squared(conclusion), &premise_squared, Assumption::motion, given),
+      conclusion);
+}
+
+Assumption assumption_of(ClaimKind kind, const Given& given) {
+  if (kind == ClaimKind::is_false && given.sets_torque()) return Assumption::motion;
+  switch (kind) {
+    case ClaimKind::identity:
+    case ClaimKind::definition:
+      return Assumption::identity;
+    case ClaimKind::free:
+    case ClaimKind::is_false:
+      return Assumption::free;
+    default:
+      return Assumption::motion;
+  }
+}
+
+namespace {
+
+Judgement judge_as_its_kind(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  if (line.relation == Relation::approximate && !given.small.empty())
+    return judge_approximation(line, kind, prover, given);
+  if (line.conclusion && kind != ClaimKind::non_sequitur) return judge_implication(line, kind, prover, given);
+  if (is_order(line.relation)) return judge_order(line, kind, prover, given);
+  if (kind == ClaimKind::is_false) return judge_false(line, prover, given);
+  if (kind == ClaimKind::non_sequitur) return judge_inference(line, prover, given);
+  return judge_equality(line, kind, prover, given);
+}
+
+/// Exact arithmetic takes cos(acos(a)) for a, whatever a is: whether there is such an angle, states tell.
+bool has_its_angles(const Equality& equality, Assumption assumption, const Given& given) {
+  if (!equality.left.uses(Operation::acos) && !equality.right.uses(Operation::acos)) return true;
+  int tried = 0;
+  first_small_state(with_lengths_squared(equality), nullptr, assumption, given, Relation::equal, &tried);
+  return tried > 0;
+}
+
+}  // namespace
+
+Judgement judge(const ClaimLine& line, ClaimKind kind, const Prover& prover, const Given& given) {
+  if (kind == ClaimKind::measured) return {};
+  Judgement judgement = judge_as_its_kind(line, kind, prover, given);
+  if (judgement.verdict != Verdict::holds) return judgement;
+  const Assumption assumption = assumption_of(kind, given);
+  if (has_its_angles(line.equality, assumption, given) &&
+      (!line.conclusion || has_its_angles(*line.conclusion, assumption, given)))
+    return judgement;
+  return {Verdict::undecided,
+          "an angle in this was found in no state: its cosine is never between -1 and 1",
+          "",
+          {}};
+}
+
+}  // namespace polhode

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/checks/known_numbers.h"
+
+#include "lessons/claims/expressions/dimension.h"
+#include "lessons/claims/motion_words.h"
+#include "render/scene/model/model.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string_view>
+
+namespace polhode {
+namespace {
+
+/// What every motion has, and what is said of it most.
+constexpr std::array<std::string_view, 36> kKnown{
+    "T",
+    "2*T",
+    "norm(L)",
+    "norm(omega)",
+    "w1",
+    "w2",
+    "w3",
+    "I1",
+    "I2",
+    "I3",
+    "norm(N)",
+    "N1",
+    "N2",
+    "N3",
+    "m",
+    "norm(v)",
+    "norm(p)",
+    "norm(F)",
+    "norm(omega)/(2*pi)",
+    "2*pi/norm(omega)",
+    "acos(dot(omega, L)/(norm(omega)*norm(L)))",
+    "acos(dot(omega, e1)/norm(omega))",
+    "acos(dot(omega, e2)/norm(omega))",
+    "acos(dot(omega, e3)/norm(omega))",
+    "acos(dot(L, e1)/norm(L))",
+    "acos(dot(L, e2)/norm(L))",
+    "acos(dot(L, e3)/norm(L))",
+    "acos(dot(e3, ez))",
+    "period",
+    "flip_interval",
+    "precession",
+    "body_precession",
+    "slow_precession",
+    "fast_precession",
+    "least_tilt",
+    "most_tilt",
+};
+
+class KnownNumbers {
+ public:
+  KnownNumbers(const TypedNumber& number, const ScaledUnit& unit, const Lesson& lesson, const Effort& effort)
+      : number_(number),
+        unit_(unit),
+        lesson_(lesson),
+        effort_(effort),
+        vocabulary_(lesson.notation.vocabulary) {
+    add_motion_words(vocabulary_, dimensions_);
+  }
+
+  bool is_constant() const {
+    for (const Vocabulary::Word& word : lesson_.notation.vocabulary.words())
+      if (const auto constant = word.constant(); constant && is_near(constant->second) && fits(word.name))
+        return true;
+    return false;
+  }
+
+  bool is_of(const ShownMotion& motion) {
+    const Scene& scene = motion.model.scene;
+    constexpr Dimension kTime{0, 0, 1};
+    if (unit_.dimension == kTime) {
+      const double step_s = scene.motion.step_s.value_or(0);
+      if (scene.show.contains(Overlay::order_plot) && is_near(std::ldexp(step_s, 1 - kOrderSteps)))
+        return true;
+      for (const double time_s : {scene.at_s, motion.still_s, scene.duration_s.value_or(0),
+                                  motion.model.span_s, step_s, scene.poses.over_s})
+        if (is_near(time_s)) return true;
+    }
+    constexpr Dimension kLength{0, 1, 0}, kMass{1, 0, 0};
+    if (unit_.dimension == kMass && is_near(scene.body.mass_kg)) return true;
+    if (unit_.dimension == kLength)
+      for (const double size_m : motion.model.solid.size_m)
+        if (is_near(size_m)) return true;
+    for (const double t_s : {motion.still_s, 0.0}) {
+      MotionNumbers numbers(motion.model, t_s, effort_);
+      for (const std::string_view text : kKnown)
+        if (is_value(text, numbers)) return true;
+      for (const Vocabulary::Word& word : lesson_.notation.vocabulary.words())
+        if (!word.constant() && is_value(word.name, numbers)) return true;
+    }
+    return false;
+  }
+
+ private:
+  /// What a constant says of its unit.
+  bool fits(const std::string& name) const {
+    const auto symbol = lesson_.symbols.find(name);
+    const auto unit = symbol == lesson_.symbols.end() ? std::nullopt : dimension_of_unit(symbol->second.unit);
+    return !unit || *unit == unit_.dimension;
+  }
+
+  bool is_near(double value) const {
+    return std::abs(std::abs(value) / unit_.size - std::abs(number_.value)) <=
+           0.5 * number_.last_digit * (1 + 1e-9);
+  }
+
+  bool is_value(std::string_view text, MotionNumbers& numbers) const {
+    const SourceText source(text);
+    Report unused(source, "");
+    const auto expression = read_expression(text, {1, 1}, unused, &vocabulary_);
+    if (!expression || expression->type() == ExpressionType::vector) return false;
+    const auto dimension = dimension_of(*expression, dimensions_).dimension;
+    if (dimension && *dimension != unit_.dimension) return false;
+    const auto value = numbers.value_of(*expression);
+    return value && is_near(*value);
+  }
+
+  const TypedNumber& number_;
+  ScaledUnit unit_;
+  const Lesson& lesson_;
+  const Effort& effort_;
+  Vocabulary vocabulary_;  ///< with the words of motions as a whole
+  std::map<int, Dimension> dimensions_;
+};
+
+/// 90°, 45°, 30°: nobody computes them.
+bool is_constructed(const TypedNumber& number, const ScaledUnit& unit) {
+  constexpr double kSixth = std::numbers::pi / 12;
+  if (unit.dimension != kNumber) return false;
+  const double parts = number.value * unit.size / kSixth;
+  return std::abs(parts - std::round(parts)) < 1e-9;
+}
+
+}  // namespace
+
+bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std::vector<ShownMotion>& motions,
+                     const Effort& effort) {
+  const auto unit = scaled_unit(number.unit);
+  if (!unit || number.unit.empty() || number.value == 0 || is_constructed(number, *unit)) return true;
+  KnownNumbers known(number, *unit, lesson, effort);
+  if (known.is_constant()) return true;
+  for (const ShownMotion& motion : motions)
+    if (known.is_of(motion)) return true;
+  return false;
+}
+
+}  // namespace polhode

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/checks/symbol_check.h"
+
+#include "lessons/claims/customary_names.h"
+#include "lessons/claims/expressions/expression_names.h"
+#include "lessons/notation/tex_sides.h"
+#include "render/typeset/math/tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+/// Indices, alone or below a letter, the letters of d/dt, signs, and letters that look like Latin ones.
+bool is_sign_of_language(const std::string& tex) {
+  if (tex == "\\pi" || tex == "\\omega") return true;
+  static const std::set<std::string> kSigns = {"i", "j", "k", "l", "d", "t", "=", "+", "-",
+                                               ",", ";", "(", ")", "[", "]", "/", "|", ":"};
+  if (kSigns.contains(tex)) return true;
+  for (const char* index : {"_i", "_j", "_k", "_l"})
+    if (tex.ends_with(index)) return true;
+  const bool has_letter =
+      std::any_of(tex.begin(), tex.end(), [](unsigned char c) { return std::isalpha(c); });
+  const bool is_foreign = std::any_of(tex.begin(), tex.end(), [](unsigned char c) { return c >= 0x80; });
+  return !has_letter || is_foreign;
+}
+
+/// dT, d\omega: nobody would read one name.
+bool is_like_differential(const std::string& tex) {
+  const auto letter = [&](std::size_t at) {
+    return at < tex.size() && std::isalpha(static_cast<unsigned char>(tex[at]));
+  };
+  if (tex.size() < 2 || tex[0] != 'd' || tex.starts_with("d\\prime")) return false;
+  return tex[1] == '\\' || (letter(1) && !letter(2));
+}
+
+/// Letters that stand for functions of time wherever the motion of a body is written about, and for the
+/// moments of the body.
+bool is_letter_of_state(char32_t letter) {
+  return std::u32string_view(U"TEHtθϑφϕψIωLNpvF").find(letter) != std::u32string_view::npos;
+}
+
+/// "0", "max": what tells one value from the quantity of that letter.
+bool has_index_of_value(const std::string& tex) {
+  static const std::set<std::string> kIndices = {"0",   "00",  "max",  "min", "start",
+                                                 "end", "ref", "crit", "c",   "s"};
+  const std::size_t at = tex.find('_');
+  return at != tex.npos && kIndices.contains(tex.substr(at + 1));
+}
+
+/// ω, L or N, whose colour is that of its components too; empty of other quantities.
+std::string role_of_quantity(const std::string& name) {
+  if (name == "omega" || name == "w1" || name == "w2" || name == "w3") return "omega";
+  if (name == "L") return "L";
+  return name == "N" || name == "N1" || name == "N2" || name == "N3" ? "N" : "";
+}
+
+/// Nothing where it cannot be told.
+std::optional<Dimension> dimension_of_symbol(const std::string& name, const Symbol& symbol,
+                                             const FrontMatter& front) {
+  const Vocabulary& vocabulary = front.notation.vocabulary;
+  const std::string& text = symbol.means.empty() ? name : symbol.means;
+  const SourceText source(text);
+  Report unused(source, "");
+  const auto expression = read_expression(text, {1, 1}, unused, &vocabulary);
+  return expression ? dimension_of(*expression, front.dimensions).dimension : std::nullopt;
+}
+
+bool is_quantity(const std::string& name) {
+  const auto& known = expression_symbols();
+  return std::find(known.begin(), known.end(), name) != known.end();
+}
+
+/// What a formula is without the lesson's symbols, as an expression; nothing if that is nothing known.
+std::optional<std::string> built_in_meaning(const std::string& tex, const FrontMatter& front,
+                                            TextReader& texts) {
+  EquationNotation built_in;
+  built_in.xyz_are_body_axes = front.notation.xyz_are_body_axes;
+  const auto math = parse_math(tex + " = " + tex, texts.macros());
+  if (!math) return std::nullopt;
+  const auto read = read_equation(*math, built_in);
+  if (!read || read->sentences.size() != 1) return std::nullopt;  // \omega_i is each of three
+  return read->sentences.front().links.front().equality.left.text;
+}
+
+/// Latin, Greek and script letters: what else stands in formulas has a meaning there.
+bool is_letter(char32_t c) {
+  return (c >= U'A' && c <= U'Z') || (c >= U'a' && c <= U'z') || (c >= 0x370 && c <= 0x3FF) ||
+         (c >= 0x2100 && c <= 0x214F);
+}
+
+bool is_index_letter(const MathNode& node) {
+  return node.kind == MathNode::Kind::symbol && node.character >= U'i' && node.character <= U'l';
+}
+
+/// What nobody would notice in an index.
+bool is_stop(char32_t character) {
+  return std::u32string_view(U",.;:!'`·⋅∙∘").find(character) != std::u32string_view::npos;
+}
+
+/// T_{=5} would state something; ω_∥ does not.
+bool is_relation(char32_t character) {
+  return std::u32string_view(U"=<>≤≥⩽⩾≈≠≡∼≃≅∝").find(character) != std::u32string_view::npos;
+}
+
+/// ω², which would be read as the square of what ω is; σ² may be a symbol of its own.
+bool is_power_of_quantity(const MathNode& scripts) {
+  const MathNode &base = scripts.children[0], &power = scripts.children[2];
+  return base.kind == MathNode::Kind::symbol &&
+         std::u32string_view(U"TIωLNmpvFA").find(base.character) != std::u32string_view::npos &&
+         power.kind == MathNode::Kind::symbol && power.character >= U'0' && power.character <= U'9';
+}
+
+/// A letter, or some side by side, with indices and marks that can be seen, none of which formulas use
+/// otherwise: no dots, fractions, roots, functions, blanks.
+bool is_plain_symbol(const MathNode& node, bool is_index = false) {
+  using Kind = MathNode::Kind;
+  constexpr char32_t kDot = 0x0307, kTwoDots = 0x0308;
+  const auto are_plain = [&](bool in_index) {
+    return std::all_of(node.children.begin(), node.children.end(),
+                       [in_index](const MathNode& child) { return is_plain_symbol(child, in_index); });
+  };
+  switch (node.kind) {
+    case Kind::symbol:
+      if (!is_index) return is_letter(node.character);
+      return !is_stop(node.character) && !is_relation(node.character);
+    case Kind::row:
+      // An i beside other indices is one of a sum.
+      if (is_index && std::any_of(node.children.begin(), node.children.end(), is_index_letter)) return false;
+      return !node.children.empty() && are_plain(is_index);
+    case Kind::alphabet:
+      return !node.children.empty() && are_plain(is_index);
+    case Kind::accent:
+      return node.character != kDot && node.character != kTwoDots && are_plain(is_index);
+    case Kind::bar:
+      return are_plain(is_index);
+    case Kind::text:
+      return is_index && node.text.find_first_of("0123456789") == std::string::npos &&
+             node.text.find_first_not_of(' ') != std::string::npos;
+    case Kind::scripts:
+      return !is_power_of_quantity(node) && is_plain_symbol(node.children[0], is_index) &&
+             (node.children[1].absent() || is_plain_symbol(node.children[1], true)) &&
+             (node.children[2].absent() || is_plain_symbol(node.children[2], true));
+    default:
+      return false;
+  }
+}
+
+/// What a symbol's TeX would be read as by the other symbols of the lesson; nothing if by none.
+std::optional<std::string> meaning_by_others(const std::string& name, const std::string& tex,
+                                             FrontMatter& front, TextReader& texts) {
+  const auto math = parse_math(tex + " = " + tex, texts.macros());
+  if (!math) return std::nullopt;
+  // A symbol without a formula is found in none.
+  std::vector<EquationSymbol>& symbols = front.notation.symbols;
+  const auto own =
+      std::find_if(symbols.begin(), symbols.end(), [&](const EquationSymbol& s) { return s.name == name; });
+  Math kept = own == symbols.end() ? Math() : std::exchange(own->math, Math());
+  const auto read = read_equation(*math, front.notation);
+  if (own != symbols.end()) own->math = std::move(kept);
+  if (!read || read->sentences.size() != 1) return std::nullopt;  // \omega_i is each of three
+  return read->sentences.front().links.front().equality.left.text;
+}
+
+/// Upright or slanted, wide or narrow: nobody tells them apart.
+std::string without_alphabets(std::string tex) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kLooksAlike{{
+      {"\\overrightarrow", "\\vec"},
+      {"\\mathnormal", ""},
+      {"\\textnormal", ""},
+      {"\\mathit", ""},
+      {"\\mathrm", ""},
+      {"\\mathup", ""},
+      {"\\symup", ""},
+      {"\\symit", ""},
+      {"\\textit", ""},
+      {"\\textrm", ""},
+      {"\\emph", ""},
+      {"\\mbox", ""},
+      {"\\text", ""},
+      {"\\wide", "\\"},
+  }};
+  for (const auto& [other, usual] : kLooksAlike)
+    for (std::size_t at = 0; (at = tex.find(other, at)) != tex.npos; at += usual.size()) {
+      const std::size_t end = at + other.size();
+      const bool is_whole =
+          other == "\\wide" || end == tex.size() || !std::isalpha(static_cast<unsigned char>(tex[end]));
+      if (is_whole)
+        tex.replace(at, other.size(), usual);
+      else
+        ++at;
+    }
+  return tex;
+}
+
+/// A letter alone, the words that are said for it and its colour are those of a quantity of this kind.
+void check_name(const TomlEntry& entry, const Symbol& symbol, const FrontMatter& front, Report& report) {
+  const bool is_known = is_quantity(entry.key);
+  const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
+  if (!is_known && word == nullptr && symbol.means.empty()) return;
+  const auto dimension = dimension_of_symbol(entry.key, symbol, front);
+  const auto refuse = [&](const std::string& why, const std::string& hint) {
+    report.error(entry.place, "symbol " + in_quotes(entry.key) + ' ' + why, hint);
+  };
+  const bool is_alone = symbol.tex.find_first_of("_^'") == std::string::npos;
+  const auto of_letter = symbol.math.root && is_alone ? dimensions_of_letter(letter_of_name(symbol.math))
+                                                      : std::vector<Dimension>();
+  const bool is_constant = word != nullptr && word->constant();
+  if (is_constant && !dimension && !of_letter.empty())
+    return refuse("is printed as a quantity of " + to_string(of_letter.front()) + ", and has no unit",
+                  "say which: unit = \"…\", or take another letter");
+  if (!can_have(of_letter, dimension))
+    return refuse(
+        "is " + to_string(*dimension) + ", and is printed as what is " + to_string(of_letter.front()),
+        "take another letter, or give it an index");
+  if (!can_have(dimensions_of_words(symbol.say), dimension))
+    return refuse("is " + to_string(*dimension) + ", and is said as " + in_quotes(symbol.say),
+                  "say what it is");
+  const std::string own = role_of_quantity(entry.key);
+  const bool is_role_of_quantity = symbol.role == "omega" || symbol.role == "L" || symbol.role == "N";
+  if (!own.empty() && is_role_of_quantity && symbol.role != own)
+    refuse("has the colour of another quantity, role " + in_quotes(symbol.role),
+           "its own is " + in_quotes(own));
+}
+
+}  // namespace
+
+bool is_component_name(std::string_view name) {
+  constexpr std::array<std::string_view, 8> kVectors{"omega", "w", "L", "N", "A", "v", "p", "F"};
+  return !is_quantity(std::string(name)) &&
+         std::any_of(kVectors.begin(), kVectors.end(), [&](std::string_view vector) {
+           if (!name.starts_with(vector)) return false;
+           std::string_view index = name.substr(vector.size());
+           if (index.starts_with('_')) index.remove_prefix(1);
+           return index.size() == 1 && std::string_view("123xyz").find(index[0]) != std::string_view::npos;
+         });
+}
+
+void check_meanings(const std::vector<const TomlEntry*>& entries, FrontMatter& front, TextReader& texts) {
+  const auto key_of = [](const std::string& written) {
+    std::string tex = without_alphabets(written);
+    std::erase_if(tex, [](char c) { return c == ' ' || c == '{' || c == '}'; });
+    return tex;
+  };
+  // Two that look the same are told apart from what others are read as.
+  const auto has_twin = [&](const std::string& name, const std::string& tex) {
+    return std::any_of(front.symbols.begin(), front.symbols.end(), [&](const auto& other) {
+      return other.first != name && key_of(other.second.tex) == tex;
+    });
+  };
+  std::map<std::string, std::string> names;
+  for (const Vocabulary::Word& word : front.notation.vocabulary.words())
+    if (word.tex.empty()) names.emplace(key_of(word.name), word.name);  // as it is printed
+  for (const TomlEntry* one : entries) {
+    const TomlEntry& entry = *one;
+    const auto found = front.symbols.find(entry.key);
+    if (found == front.symbols.end() || found->second.tex.empty()) continue;
+    const Symbol& symbol = found->second;
+    const auto refuse = [&](const std::string& why, const std::string& hint) {
+      texts.report().error(entry.place, "symbol " + in_quotes(entry.key) + ' ' + why, hint);
+    };
+    const auto known = built_in_meaning(without_alphabets(symbol.tex), front, texts);
+    const std::string tex = key_of(symbol.tex);
+    const auto [same, is_new] = names.emplace(tex, entry.key);
+    const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
+    const bool means = !symbol.means.empty() || word != nullptr;
+    const auto other = front.symbols.find(same->second);
+    const bool other_means = other == front.symbols.end() || !other->second.means.empty();
+    if (!is_new && same->second != entry.key && (means || other_means))
+      refuse("looks like symbol " + in_quotes(same->second), "one of them needs another letter");
+    else if (!symbol.means.empty() && is_component_name(entry.key))
+      refuse("has the name that learners type for a component",
+             "take another name, such as \"" + entry.key.substr(0, 1) + "_after\"");
+    else if (means && known)
+      refuse("is known already: it is " + *known, "leave out \"means\", or take another letter");
+    else if (const bool is_plain = symbol.math.root && is_plain_symbol(*symbol.math.root);
+             (means && (is_sign_of_language(tex) || !is_plain)) ||
+             (is_quantity(entry.key) && known != entry.key && symbol.math.root && !is_plain))
+      refuse("has a sign that formulas use otherwise", "take a letter, with an index or a mark");
+    else if ((means || is_quantity(entry.key)) && is_like_differential(tex))
+      refuse("reads as a differential", "take a letter without a d before it");
+    else if (const char32_t letter = symbol.math.root ? letter_of_name(symbol.math) : U'\0';
+             word != nullptr && word->constant() && is_letter_of_state(letter) && !has_index_of_value(tex))
+      refuse("is a constant, and is printed as what changes with the motion, or is known of the body",
+             "a value that does not change has an index: E_0, \\omega_\\text{max}");
+    else if (const auto by_others = means && !has_twin(entry.key, tex)
+                                        ? meaning_by_others(entry.key, symbol.tex, front, texts)
+                                        : std::nullopt)
+      refuse("is known already: the other symbols make it " + *by_others, "take another letter");
+    else if (!means && known && *known != entry.key && is_quantity(entry.key))
+      refuse("is printed as " + *known + ", and has the name of another quantity",
+             "give it the name " + *known);
+    check_name(entry, symbol, front, texts.report());
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/answers/answer_text.h"
+
+#include "tests/app/session/example_lesson.h"
+
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+/// Formulas between dollars, blocks on lines.
+std::string written(const RichText& text) {
+  std::string all;
+  for (const TextBlock& block : text) {
+    if (!all.empty()) all += '\n';
+    for (const TextSpan& span : block.spans) {
+      const char* const mark = span.kind == TextSpan::Kind::math ? "$" : span.code ? "`" : "";
+      all += mark + span.text + mark;
+    }
+  }
+  return all;
+}
+
+const Ask& asked(const Lesson& lesson, std::string_view id) {
+  for (const Stage& stage : lesson.stages)
+    for (const Step& step : stage.steps)
+      for (const Ask* ask : blocks_of<Ask>(step))
+        if (ask->id == id) return *ask;
+  throw std::runtime_error("no such question");
+}
+
+TEST(AnswerText, LinesHaveTheirFormulas) {
+  EXPECT_EQ(written(line_text("use $\\vec A = \\vec L$ there")), "use $\\vec A = \\vec L$ there");
+  EXPECT_EQ(written(line_text("5 $ each")), "5 $ each") << "one dollar opens nothing";
+  EXPECT_EQ(written(line_text("what $\\nosuch$ is")), "what \\nosuch is");
+  EXPECT_EQ(written(opened_by("From  ", formula_text("a = b"))), "From  $a = b$");
+  EXPECT_EQ(written(in_a_row(words_text("a"), words_text("b"))), "ab");
+}
+
+TEST(AnswerText, StatesHaveUnits) {
+  const double third = 1.0 / 3;
+  EXPECT_EQ(line_of({.w0_B = Vec3(1.5, 0, -third)}),
+            "$\\vec\\omega = (1.5,\\ 0,\\ -0.3333)\\,\\text{rad/s}$");
+  EXPECT_EQ(line_of({.moments = Vec3(1.75, 1.75, 2.5), .t_s = 3.55}),
+            "$(I_1,\\ I_2,\\ I_3) = (1.75,\\ 1.75,\\ 2.5)\\,\\text{kg m²}$; $t = 3.55\\,\\text{s}$");
+  EXPECT_EQ(line_of({.torque = SpaceTorque{Vec3(0, 2e-5, 0)}}),
+            "$\\vec N = (0,\\ 2{\\cdot}10^{-5},\\ 0)\\,\\text{N m}$ along the axes of space");
+  EXPECT_EQ(line_of({.attitude = Quat(Eigen::AngleAxisd(std::acos(0.0), Vec3::UnitX()))}),
+            "$(\\varphi,\\ \\theta,\\ \\psi) = (0,\\ 90,\\ 0)\\text{°}$");
+  EXPECT_EQ(line_of({}), "");
+  for (const char* line : {"$\\vec\\omega = (1.5,\\ 0,\\ -0.3333)\\,\\text{rad/s}$"})
+    EXPECT_EQ(line_text(line).front().spans.front().kind, TextSpan::Kind::math) << "it can be set";
+}
+
+TEST(AnswerText, AnswersAreFormulasChoicesAndNumbers) {
+  const Lesson& lesson = test::loaded_lesson("euler-equations")->lesson;
+  const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
+  const std::string formula = written(answer_text(lesson, asked(lesson, "hold-steady")));
+  EXPECT_EQ(first_line(formula), "$\\omega_2\\,\\omega_3\\,(I_3 - I_2)$, typed `w2*w3*(I3 - I2)`.");
+  EXPECT_NE(formula.find("Without it $\\omega_1$ would change"), formula.npos) << formula;
+  EXPECT_EQ(first_line(written(answer_text(lesson, asked(lesson, "apart")))),
+            "$\\vec\\omega = (1.5,\\ 0,\\ 0.45)\\,\\text{rad/s}$.");
+  const Ask& choice = asked(lesson, "no-torque");
+  const auto right = static_cast<std::size_t>(choice.answers.front() - 1);
+  EXPECT_EQ(written(answer_text(lesson, choice)).substr(0, 6),
+            std::string(1, letter_of_choice(right)) + ": It ");
+}
+
+TEST(AnswerText, WhatIsSaidOfAPickIsItsReplyAndWhyItIsRight) {
+  const Lesson& lesson = test::loaded_lesson("euler-equations")->lesson;
+  const Ask& ask = asked(lesson, "no-torque");
+  for (std::size_t i = 0; i < ask.choices.size(); ++i) {
+    const bool is_right = static_cast<int>(i) + 1 == ask.answers.front();
+    AnswerJudgement judgement;
+    judgement.mark = is_right ? AnswerJudgement::Mark::right : AnswerJudgement::Mark::wrong;
+    judgement.choice = static_cast<int>(i) + 1;
+    EXPECT_EQ(written(text_after(ask, judgement)), written(is_right ? ask.because : ask.replies[i]));
+  }
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/saved/state_file.h"
+
+#include "tests/app/run_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <chrono>
+#include <optional>
+
+namespace polhode {
+namespace {
+
+using namespace std::chrono_literals;
+using ::testing::HasSubstr;
+
+TEST(StateLock, IsHeldByOneAtATime) {
+  const ScratchFolder scratch;
+  const auto file = scratch / "polhode" / "quiz.answers.json";
+  std::optional first(StateLock::take(file, 0ms));
+  ASSERT_TRUE(*first);
+  const auto second = StateLock::take(file, 20ms);
+  ASSERT_FALSE(second) << "two hold it";
+  EXPECT_TRUE(second.error().is_held);
+  EXPECT_THAT(second.error().text,
+              HasSubstr("cannot lock " + file.string() + ".lock: another polhode has held it for 0.02 s"));
+  first.reset();
+  EXPECT_TRUE(StateLock::take(file, 0ms));
+}
+
+// Of Lustre without -o flock, of some FUSE and 9P file systems, of NFS without its lock daemon.
+TEST(StateLock, WhereThereAreNoLocksNobodyIsLockedOut) {
+  const ScratchFolder scratch;
+  EXPECT_TRUE(StateLock::take(scratch / "a", 0ms, [](int, int) { return errno = ENOSYS, -1; }));
+  EXPECT_TRUE(StateLock::take(scratch / "a", 0ms, [](int, int) { return errno = ENOLCK, -1; }));
+  EXPECT_TRUE(StateLock::take(scratch / "a", 0ms, [](int, int) { return errno = EOPNOTSUPP, -1; }));
+}
+
+TEST(StateLock, AnyOtherFailureIsSaid) {
+  const ScratchFolder scratch;
+  const auto lock = StateLock::take(scratch / "a", 1h, [](int, int) { return errno = EIO, -1; });
+  ASSERT_FALSE(lock);
+  EXPECT_FALSE(lock.error().is_held);
+  EXPECT_THAT(lock.error().text, HasSubstr("a.lock: Input/output error"));
+}
+
+}  // namespace
+}  // namespace polhode
