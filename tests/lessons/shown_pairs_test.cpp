@@ -145,9 +145,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/momentum-product", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.m() * s.ddt_v()); }},
     {"euler-equations/momentum-ma", [](const Now& s) { return Sides2(s.m() * s.ddt_v(), s.F()); }},
     {"euler-equations/angular-rigid", [](const Now& s) { return Sides2(s.ddt_e(1), s.w().cross(s.e(1))); }},
-    {"euler-equations/tensor-derivative-steps", [](const Now& s) {
-       const Vec3 rate = s.w().cross(s.times_I(s.e(1))) - s.times_I(s.w().cross(s.e(1)));
-       return Sides2(rate, rate); }},
     {"euler-equations/eq4", [](const Now& s) { return Sides2(s.L(), s.times_I(s.w())); }},
     {"euler-equations/angular-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
     {"euler-equations/contrast-not-parallel", [](const Now& s) { return Sides2(w_x_L(s), 0.0); }},
@@ -179,7 +176,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/eq6", [](const Now& s) { return Sides2(s.times_I(s.star_w()) + w_x_L(s), s.N()); }},
     {"euler-equations/euler-moved", [](const Now& s) { return Sides2(s.times_I(s.star_w()), s.N() - w_x_L(s)); }},
     {"euler-equations/euler-solved", [](const Now& s) { return Sides2(s.star_w(), (s.N() - w_x_L(s)).cwiseQuotient(s.I())); }},
-    {"euler-equations/principal-tempting", [](const Now& s) { return Sides2(s.J()(0, 2), 0.0); }},
     {"euler-equations/determinant", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-first", [](const Now& s) { return Sides2(by_cofactors(s)[0], by_cofactors(s)[0]); }},
     {"euler-equations/determinant-second", [](const Now& s) { return Sides2(by_cofactors(s)[1], by_cofactors(s)[1]); }},
@@ -195,7 +191,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/eq10", [](const Now& s) { return Sides2(euler_left(s, 0), 0.0); }},
     {"euler-equations/eq11", [](const Now& s) { return Sides2(euler_left(s, 1), 0.0); }},
     {"euler-equations/eq12", [](const Now& s) { return Sides2(euler_left(s, 2), 0.0); }},
-    {"euler-equations/euler-driven", [](const Now& s) { return Sides2(s.I()[2] * s.star_w()[2], s.w()[0] * s.w()[1] * (s.I()[0] - s.I()[1])); }},
+    {"euler-equations/euler-driven", [](const Now& s) { return Sides2(s.I()[2] * s.star_w()[2], s.N()[2] + s.w()[0] * s.w()[1] * (s.I()[0] - s.I()[1])); }},
     {"euler-equations/free-tempting", [](const Now& s) { return Sides2(s.star_w(), 0.0); }},
     {"euler-equations/energy-first-row", [](const Now& s) { return Sides2(s.w()[0] * s.I()[0] * s.star_w()[0] + product(s, 0), 0.0); }},
     {"euler-equations/energy-dot", [](const Now& s) { return Sides2(s.w().dot(s.star_L()) + s.w().dot(w_x_L(s)), 0.0); }},
@@ -217,15 +213,13 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/follows-product", [](const Now& s) { return Sides2(L2_rate(s), 2 * s.L().dot(s.ddt_L())); }},
     {"euler-equations/follows-zero", [](const Now& s) { return Sides2(s.L().dot(s.ddt_L()), 0.0); }},
     {"euler-equations/follows-star", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), 0.0); }},
-    {"euler-equations/follows-precession", [](const Now& s) {
-       constexpr double kSlow = 4;  // rad/s, a constant of the lesson
-       return Sides2(s.ddt_L(), kSlow * Vec3(s.R().row(2)).cross(s.L())); }},
     {"euler-equations/why-fixed", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
     {"euler-equations/why-star", [](const Now& s) { return Sides2(s.star_L(), -w_x_L(s)); }},
     {"euler-equations/why-tempting", [](const Now& s) { return Sides2(s.star_L(), 0.0); }},
-    {"euler-equations/why-positive", [](const Now& s) { return Sides2(s.w().dot(s.L()), s.I().dot(s.w().cwiseAbs2())); }},
+    {"euler-equations/why-positive", [](const Now& s) { return Sides2(s.w().dot(s.L()), 0.0); }},
     {"euler-equations/poinsot-energy", [](const Now& s) { return Sides2(s.w().dot(s.L()), 2 * s.T()); }},
-    {"euler-equations/poinsot-distance", [](const Now& s) { return Sides2(s.w().dot(s.L()), 2 * s.T()); }},
+    {"euler-equations/poinsot-distance", [](const Now& s) {
+       return Sides2(s.w().dot(s.L()) / s.L().squaredNorm() * s.L(), 2 * s.T() / s.L().squaredNorm() * s.L()); }},
     {"euler-equations/poinsot-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
     {"euler-equations/poinsot-no-slip", [](const Now& s) { return Sides2(s.w().cross(s.w()), 0.0); }},
     {"euler-equations/poinsot-speed", [](const Now& s) { return Sides2(s.ddt_w().norm(), s.star_w().norm()); }},

@@ -85,8 +85,8 @@ TEST_F(Answers, OfAClassAreCollected) {
   EXPECT_THAT(csv.err, IsEmpty());
   EXPECT_EQ(
       csv.out,
-      "student,file,right,answered,asked,quiz/sign,quiz/sign tries,quiz/sign hints,quiz/which,quiz/which "
-      "tries,quiz/which hints\nAnna," +
+      "student,file,right,answered,asked,quiz/sign,quiz/sign tries as reported,quiz/sign hints as reported,"
+      "quiz/which,quiz/which tries as reported,quiz/which hints as reported\nAnna," +
           anna + ",2,2,2,right,1,0,right,1,0\nBen," + ben + ",0,2,2,wrong,1,0,wrong,1,0\n");
   EXPECT_EQ(run({"answers", "collect", anna, ben, "--reasons"}).out,
             "quiz/sign: 1 of 2 right\n  1 of 2: all signs are the other way round\n"

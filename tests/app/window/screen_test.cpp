@@ -151,7 +151,13 @@ TEST_F(ScreenTest, AStateIsReachedByDraggingOmega) {
   const auto& stages = session.lesson().stages;
   const auto stage = std::ranges::find(stages, "contrast", &Stage::id);
   ASSERT_NE(stage, stages.end());
-  session.go_to({static_cast<std::size_t>(stage - stages.begin()), stage->steps.size() - 1});
+  const auto steers = [](const Step& step) {
+    return std::ranges::any_of(blocks_of<Ask>(step), [](const Ask* ask) { return ask->task.has_value(); });
+  };
+  const auto step = std::ranges::find_if(stage->steps, steers);
+  ASSERT_NE(step, stage->steps.end());
+  session.go_to({static_cast<std::size_t>(stage - stages.begin()),
+                 static_cast<std::size_t>(step - stage->steps.begin())});
   const Ask& ask = *session.questions().front();
   ASSERT_TRUE(ask.task);
   session.panel = Panel::question;
