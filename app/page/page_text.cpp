@@ -246,7 +246,7 @@ class ScaledText {
     for (std::size_t i = shown.equations_from; i <= last_; ++i)
       for (const Block& block : request_.stage.steps[i].blocks)
         if (const auto* equation = std::get_if<Equation>(&block))
-          if (i >= shown.whole_from || !is_refuted(request_.stage, *equation)) all.push_back(equation);
+          if (i >= shown.whole_from || is_repeated(*equation)) all.push_back(equation);
     return all;
   }
 
@@ -299,7 +299,8 @@ class ScaledText {
     if (present().from == kRecallsNothing) return nullptr;
     if (!present().from.empty()) return find_equation(request_.lesson, present().from);
     for (std::size_t i = last_; i-- > 0;)
-      if (const Equation* equation = focus_of(request_.stage, request_.stage.steps[i])) return equation;
+      if (const Equation* equation = focus_of(request_.stage, request_.stage.steps[i]))
+        if (is_repeated(*equation)) return equation;
     return nullptr;
   }
 
@@ -461,13 +462,17 @@ class ScaledText {
     spend(request_.effort, kGlyphEvaluations * static_cast<std::int64_t>(glyphs));
   }
 
-  /// Without the words that refute it, what is wrong would stand there as if it were right.
+  /// Whether a formula stands on the pages of later steps, without its text. What is wrong would seem to be
+  /// right there, and numbers of one motion to be those of the next.
+  bool is_repeated(const Equation& equation) const {
+    return !is_refuted(request_.stage, equation) && numbers_in(equation).empty();
+  }
+
   const Pieces& equations(std::size_t i) {
     if (equations_[i]) return *equations_[i];
     Pieces pieces;
     for (const Block& block : request_.stage.steps[i].blocks)
-      if (const auto* equation = std::get_if<Equation>(&block);
-          equation && !is_refuted(request_.stage, *equation)) {
+      if (const auto* equation = std::get_if<Equation>(&block); equation && is_repeated(*equation)) {
         pieces.push_back(
             noted(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i]))));
         pieces.back().of = &block;

@@ -407,7 +407,7 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
   if (kind.empty()) return piece;
   Vec2 at{0, piece.sheet.texts.back().at.y()};
   if (word.width + size_ >= piece.sheet.texts.back().at.x()) {  // above a formula that is too wide
-    const double line = std::round(kVerdictLine * quiet.size);
+    const double line = std::ceil(kVerdictLine * quiet.size);
     ColumnPiece below{.sheet = {},
                       .height = piece.height + line,
                       .gap = piece.gap,

@@ -619,6 +619,24 @@ TEST(Footnotes, ComeAndGoWithTheStepThatTheyBelongTo) {
   EXPECT_TRUE(text_page(lesson, 2).page().sheet.shapes.empty());
 }
 
+// Numbers of one motion would seem to be those of the next.
+TEST(EarlierEquations, WithNumbersStayOnTheirStep) {
+  const auto page_with = [](int more) {
+    return Lesson(
+        lesson_of("# A stage {one}\n```math size\nT = \\live{T}\n```\n```math law\na = b\n```\n\n---\n" +
+                  paragraphs(more, "Some words")));
+  };
+  const auto ids = [](const Page& page) {
+    std::vector<std::string> all;
+    for (const Equation* equation : page.equations) all.push_back(equation->id);
+    return all;
+  };
+  EXPECT_THAT(ids(text_page(page_with(1), 2).page()), testing::ElementsAre("size", "law")) << "a whole step";
+  int more = 1;
+  while (text_page(page_with(more), 2).page().whole_from == 1) ++more;
+  EXPECT_THAT(ids(text_page(page_with(more), 2).page()), testing::ElementsAre("law"));
+}
+
 // A line of a learner's stands below its question with a chip; one that is being typed has none.
 TEST(PageOfADerivation, HasTheLinesBelowTheQuestion) {
   const Stage& stage = lecture().stages.at(13);

@@ -152,7 +152,7 @@ TEST_F(ScreenTest, AStateIsReachedByDraggingOmega) {
   const auto stage = std::ranges::find(stages, "contrast", &Stage::id);
   ASSERT_NE(stage, stages.end());
   const auto steers = [](const Step& step) {
-    return std::ranges::any_of(blocks_of<Ask>(step), [](const Ask* ask) { return ask->task.has_value(); });
+    return std::ranges::any_of(blocks_of<Ask>(step), [](const Ask* ask) { return ask->task != nullptr; });
   };
   const auto step = std::ranges::find_if(stage->steps, steers);
   ASSERT_NE(step, stage->steps.end());
