@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <random>
 
 namespace polhode {
@@ -26,6 +27,44 @@ Degree degree_of_difference(const Equality& equality, const Given& given) {
     return degree_of_difference(equality.left.nodes.back().degree, equality.right.nodes.back().degree);
   const DegreeTable table(given);
   return degree_of_difference(table.of(equality.left), table.of(equality.right));
+}
+
+/// The words for a motion are constants too, numbered behind the lesson's (motion_words.h), and may be more
+/// than a state has places for: they take places that are free. Nothing if these are too few.
+std::optional<Equality> in_places_of_a_state(Equality equality, const Given& given) {
+  std::array<bool, kMaxConstants> is_taken{};
+  bool is_in_place = true;
+  const auto look_at = [&](const Expression& expression) {
+    for (const ExpressionNode& node : expression.nodes) {
+      if (node.operation != Operation::constant) continue;
+      const auto place = static_cast<std::size_t>(node.integer);
+      if (place < kMaxConstants)
+        is_taken[place] = true;
+      else
+        is_in_place = false;
+    }
+  };
+  for (const Expression* side : {&equality.left, &equality.right}) look_at(*side);
+  if (is_in_place) return equality;
+  for (const Setting& setting : given.settings) look_at(setting.value);
+  std::map<int, int> moved;
+  for (Expression* side : {&equality.left, &equality.right}) {
+    auto names = side->constants ? *side->constants : std::vector<std::string>();
+    for (ExpressionNode& node : side->nodes) {
+      if (node.operation != Operation::constant || node.integer < static_cast<int>(kMaxConstants)) continue;
+      const auto [place, is_new] = moved.try_emplace(node.integer, 0);
+      if (is_new) {
+        const auto free = std::ranges::find(is_taken, false);
+        if (free == is_taken.end()) return std::nullopt;
+        *free = true;
+        place->second = static_cast<int>(free - is_taken.begin());
+      }
+      names[static_cast<std::size_t>(place->second)] = names[static_cast<std::size_t>(node.integer)];
+      node.integer = place->second;
+    }
+    side->constants = std::make_shared<const std::vector<std::string>>(std::move(names));
+  }
+  return equality;
 }
 
 constexpr std::uint64_t kSeed = 20250614;
@@ -269,14 +308,18 @@ std::optional<bool> Prover::agrees_at(std::size_t sample, const Equality& equali
 }
 
 bool Prover::is_defined(const Equality& stated, Assumption assumption, const Given& given) const {
-  const Equality equality = with_lengths_squared(stated);
+  const std::optional<Equality> placed = in_places_of_a_state(stated, given);
+  if (!placed) return false;
+  const Equality equality = with_lengths_squared(*placed);
   for (std::size_t n = 0; n < samples(assumption).size(); ++n)
     if (agrees_at(n, equality, assumption, given)) return true;
   return false;
 }
 
 Verdict Prover::settle(const Equality& stated, Assumption assumption, const Given& given) const {
-  const Equality equality = with_lengths_squared(stated);
+  const std::optional<Equality> placed = in_places_of_a_state(stated, given);
+  if (!placed) return Verdict::undecided;
+  const Equality equality = with_lengths_squared(*placed);
   int defined = 0;
   for (std::size_t n = 0; n < samples(assumption).size(); ++n) {
     const std::optional<bool> agrees = agrees_at(n, equality, assumption, given);
@@ -354,7 +397,10 @@ Verdict Prover::agree_to_order(const Equality& equality, Assumption assumption, 
   return comparison.is_known && bits < kBitsOfBoth ? Verdict::holds : Verdict::undecided;
 }
 
-Judgement Prover::settle_to_order(const Equality& equality, Assumption assumption, const Given& given) const {
+Judgement Prover::settle_to_order(const Equality& stated, Assumption assumption, const Given& given) const {
+  const std::optional<Equality> placed = in_places_of_a_state(stated, given);
+  if (!placed) return undecided();
+  const Equality& equality = *placed;
   std::string why;
   const Verdict verdict = agree_to_order(equality, assumption, given, why);
   if (verdict == Verdict::holds) return {};
@@ -388,7 +434,9 @@ Verdict Prover::confirmed(const Equality& equality, Assumption assumption, const
 Judgement Prover::settle_order(const ClaimLine& line, Assumption assumption, const Given& given) const {
   const bool is_upward = line.relation == Relation::greater || line.relation == Relation::greater_or_equal;
   const bool is_strict = line.relation == Relation::greater || line.relation == Relation::less;
-  const Equality& sides = line.equality;
+  const std::optional<Equality> placed = in_places_of_a_state(line.equality, given);
+  if (!placed) return undecided();
+  const Equality& sides = *placed;
   const Equality larger_first = is_upward ? sides : Equality{sides.right, sides.left};
   if (is_never_less(larger_first, is_strict, assumption, given)) return {};
   int tried = 0;
@@ -404,8 +452,11 @@ Judgement Prover::settle_order(const ClaimLine& line, Assumption assumption, con
   return judgement;
 }
 
-std::optional<Counterexample> Prover::refute(const Equality& equality, Assumption assumption,
+std::optional<Counterexample> Prover::refute(const Equality& stated, Assumption assumption,
                                              const Given& given) const {
+  const std::optional<Equality> placed = in_places_of_a_state(stated, given);
+  if (!placed) return std::nullopt;
+  const Equality& equality = *placed;
   return with_roots(first_small_state(with_lengths_squared(equality), nullptr, assumption, given), equality);
 }
 

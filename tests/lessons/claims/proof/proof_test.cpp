@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/proof/proof.h"
 
+#include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/reader/claim_lines.h"
 #include "tests/lessons/support.h"
 
@@ -220,6 +221,26 @@ TEST(Proof, NoKindIsSuggestedOfLengthsThatVanishWithTheTorque) {
   EXPECT_THAT(judged("norm(ddt(L)) = norm(2*N)", ClaimKind::motion).hint, IsEmpty());
   EXPECT_EQ(judged("norm(ddt(L)) = norm(N)", ClaimKind::identity).hint,
             "it follows from the equations of motion: its kind is motion");
+}
+
+// The words for a motion come behind a lesson's constants, and together they are more than a state has
+// places for.
+TEST(Proof, TellsConstantsApartHoweverManyThereAre) {
+  Vocabulary words;
+  for (int i = 0; i < 40; ++i) words.add_constant("word" + std::to_string(i), 1, "w");
+  const auto read = [&](const std::string& text) {
+    TextReport at(text);
+    return read_expression(text, {1, 1}, at.report, &words).value();
+  };
+  const auto settled = [&](const std::string& left, const std::string& right) {
+    return prover().settle({read(left), read(right)}, Assumption::identity);
+  };
+  EXPECT_EQ(settled("word39 + word2", "word2 + word39"), Verdict::holds);
+  for (const char* other : {"word2", "word15", "word16", "word38"})
+    EXPECT_EQ(settled("word39", other), Verdict::fails) << other;
+  std::string sum = "word20";
+  for (int i = 21; i < 40; ++i) sum += " + word" + std::to_string(i);
+  EXPECT_EQ(settled(sum, sum), Verdict::undecided) << "more than there is room for";
 }
 
 }  // namespace
