@@ -39,7 +39,7 @@ std::optional<double> measured_order(const std::vector<Sample>& samples) {
 }
 
 std::string label_of(Method method, const std::optional<double>& order) {
-  std::string name(name_of(method));
+  std::string name(facts_of(method).term);
   if (!order) return name;
   NumberForm one_decimal(*order, *order < 10 ? 2 : 3);
   return name + ": " + one_decimal.text(*order);
@@ -68,7 +68,7 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, D
   const bool by_evaluations = model.scene.compared.by_evaluations;
   const std::string work = by_evaluations ? "evaluations" : "steps";
   paper.plot({.title = "Error against " + work + ", and order",
-              .x_label = work + " in " + plain_number(t_s) + " s",
+              .x_label = work + " in " + NumberForm(t_s, 3).text(t_s) + " s",
               .y_label = "error of $\\vec\\omega$, relative",
               .series = series_of(model.orders, t_s, by_evaluations),
               .tolerance = {},
