@@ -9,6 +9,10 @@ extern "C" const char* __lsan_default_suppressions() {
          "leak:swrast_dri.so\n";
 }
 
+/// Without a list of what was suppressed: the program's stderr is its own.
+extern "C" const char* __lsan_default_options();
+extern "C" const char* __lsan_default_options() { return "print_suppressions=0"; }
+
 /// The sanitizers of GCC 12 follow the thread-local storage of libraries that are opened late by what lies
 /// before it in memory, and at the end of some programs the leak checker reads an address that is no address
 /// ("Tracer caught signal 11"). They need not follow it: what only such storage points to is Mesa's, and
