@@ -242,10 +242,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"intermediate-axis/signs-proof", [](const Now& s) { return Sides2(L2_minus_2TI(s, 0), part(s, 1, 0) + part(s, 2, 0)); }},
     {"intermediate-axis/signs-proof-three", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
     {"intermediate-axis/signs-saddle", [](const Now& s) { return Sides2(L2_minus_2TI(s, 1), part(s, 2, 1) + part(s, 0, 1)); }},
-    {"intermediate-axis/separatrix-rate", [](const Now& s) {
-       const Vec3 I = s.I();
-       const double sigma_by_spin = std::sqrt((I[1] - I[0]) * (I[2] - I[1]) / (I[0] * I[2]));
-       return Sides2(s.star_w()[1], -sigma_by_spin * (2 * s.T() / I[1] - s.w()[1] * s.w()[1])); }},
     {"intermediate-axis/separatrix-constant", [](const Now& s) { return Sides2(-L2_minus_2TI(s, 2), -part(s, 0, 2) - part(s, 1, 2)); }},
     {"intermediate-axis/L-space", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
     {"intermediate-axis/L-along-two", [](const Now& s) { return Sides2(s.L()[1], s.I()[1] * s.w()[1]); }},

@@ -98,6 +98,9 @@ void for_each_line(const RichText& text, const Lesson& lesson, const Do& act) {
   }
 }
 
+/// The largest part of a typed number that is taken to be rounded off: of two digits half the last.
+constexpr double kRoundedOff = 0.03;
+
 bool compares(double l, double r, Relation relation, double allowed) {
   switch (relation) {
     case Relation::less:
@@ -291,7 +294,12 @@ std::string StatementCheck::why_not(const StatedLink& link, const std::vector<Sh
       const auto half_digit = [&](const StatedSide& side) {
         if (!side.typed) return 0.0;
         const auto unit = scaled_unit(side.typed->unit);
-        return 0.5 * side.typed->last_digit * (unit ? unit->size : 1) * (1 + 1e-9);
+        const double half = 0.5 * side.typed->last_digit * (1 + 1e-9);
+        // Of "= 3" nobody thinks that it is rounded, still less of "= 0".
+        const double least = link.relation == Relation::approximate
+                                 ? half
+                                 : std::min(half, kRoundedOff * std::abs(side.typed->value));
+        return least * (unit ? unit->size : 1);
       };
       const double typed = half_digit(link.left) + half_digit(link.right);
       constexpr double kRounding = 1e-9;

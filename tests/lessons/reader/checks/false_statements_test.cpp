@@ -57,6 +57,13 @@ TEST(ProvedParts, AreJoinedToNothing) {
                math("identity", part + R"(\quad\text{and}\quad \zeta = \eta.)")});
 }
 
+// 2026-11-24: "= 0" was true of all that is less than a half.
+TEST(Statements, InWholeNumbersAreNotRoundedToThem) {
+  expect_false({math("", R"(\vec\omega\times\vec L = 0)"), "Here $\\dot\\omega_1 = 0$.",
+                "It has $I_3 = 3$ kg m².", "Here $I_3 - I_2 = 1$ kg m²."});
+  expect_true({"It has $I_2 = 2$ kg m².", "It has $I_3 - I_2 = 0.9$ kg m²."});
+}
+
 TEST(Statements, ThatAreNotSoAreErrors) {
   expect_false({R"(The energy is $T = 1$ J.)", R"(It is $T = 1\,\text{J}$.)", R"(Here $I_1 = 5$ kg m².)",
                 R"(Here $I_1 = 5 I_2$.)", R"(Here $I_1 > I_2$.)", R"(Here $2T = \vec\omega\cdot\vec\omega$.)",
