@@ -423,9 +423,16 @@ class ScaledText {
   Pieces verdicts_on(const Equation& equation, const Step& step, bool is_present) const {
     Pieces pieces;
     for (const Block& block : step.blocks)
-      if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
+      if (const auto* claim = std::get_if<Claim>(&block);
+          claim && claim->equation == equation.id && !(is_slide() && is_beside(*claim)))
         pieces.push_back(verdict(*claim, is_present));
     return pieces;
+  }
+
+  /// Whether a claim is not the formula that it stands at, and holds: on a slide its badge would seem to be
+  /// of the formula.
+  bool is_beside(const Claim& claim) const {
+    return claim.origin == Claim::Origin::beside && verdicts_.at(&claim).certainty != Certainty::refuted;
   }
 
   /// The kind of the first claim on an equation: without it a recalled one would seem to hold always.

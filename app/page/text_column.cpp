@@ -534,7 +534,8 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
     text.insert(text.end(), choice.begin(), choice.end());
   }
   TextStyle plain = style(em, colors().ink, width);
-  plain.between = 0.28;
+  // Lines of a derivation are formulas with fractions, which want air between them.
+  plain.between = ask.type == Ask::Type::derive ? 0.8 : 0.28;
   Result<ColumnPiece> piece =
       labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
   if (!piece || least_ == 0 || !picks_choice(ask.type)) return piece;

@@ -92,6 +92,8 @@ std::string_view letters_of(char32_t c) {
   }
 }
 
+constexpr std::string_view kTensor = "\\mathbf I";
+
 /// A name whose letter an index may follow.
 struct Letter {
   std::string_view name, plain;  ///< as it is typed; TeX of it before an index
@@ -101,7 +103,7 @@ struct Letter {
 const std::vector<Letter>& letters() {
   static const std::vector<Letter> kLetters = [] {
     std::vector<Letter> all{
-        {"w", "\\omega", ""}, {"I", "I", "\\mathbf I"}, {"e", "\\hat e", ""}, {"T", "T", "T"}};
+        {"w", "\\omega", ""}, {"I", "I", std::string(kTensor)}, {"e", "\\hat e", ""}, {"T", "T", "T"}};
     for (const QuantityFacts& facts : kQuantities)
       if (!facts.arrow_letter.empty())
         all.push_back({facts.name, facts.arrow_letter, tex_of(facts.quantity)});
@@ -407,12 +409,15 @@ class Typing {
       if (star) next();
       const Piece right = factor(depth);
       const bool digits_meet = right.is_number && !right.tex.starts_with("\\frac");
-      all.add(digits_meet ? "\\cdot " : "\\,");
+      all.add(digits_meet || is_tensor(all) ? "\\cdot " : "\\,");
       all.add(right);
       all.inside.clear();
       all.is_number = all.is_single = is_quotient = false;
     }
   }
+
+  /// The tensor is set with a dot before what it is applied to, as lessons print it.
+  static bool is_tensor(const Piece& piece) { return piece.tex.ends_with(kTensor); }
 
   static Piece without_brackets(const Piece& piece) {
     if (piece.inside.empty()) return piece;
@@ -610,7 +615,7 @@ class Typing {
     while (begins_factor() || now().is("*")) {
       if (now().is("*")) next();
       const Piece right = factor(depth + 1);
-      all.add(right.is_number ? "\\cdot " : "\\,");
+      all.add(right.is_number || is_tensor(all) ? "\\cdot " : "\\,");
       all.add(right);
       all.inside.clear();
       all.is_single = false;
@@ -658,7 +663,7 @@ class Typing {
     } else if (f == "norm2" || f == "norm") {
       made = around("\\left|", first, f == "norm" ? "\\right|" : "\\right|^{2}");
     } else if (f == "inertia") {
-      made = around("\\left(\\mathbf I\\,", part(first), "\\right)");
+      made = around("\\left(" + std::string(kTensor) + "\\cdot ", part(first), "\\right)");
     } else {
       Piece of = first;
       of.is_single = is_one(first);

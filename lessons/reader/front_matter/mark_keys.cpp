@@ -376,10 +376,14 @@ RichText read_notes(const TomlEntry& entry, const SceneWords& words, Marks& mark
   const bool is_list = reader.read_list(entry, [&](SourcePlace place, const TomlTable& table) {
     std::optional<std::string> text;
     std::optional<MarkVector> at;
-    const auto read = [&](const TomlEntry& e) { text = reader.read_note(e); };
-    if (reader.read_table(place, table, {{"text", read}, reader.vector("at", at)}, {"text", "at"}) && text &&
-        at)
-      notes.push_back({std::move(*text), std::move(*at)});
+    std::string role;
+    const bool has_all =
+        reader.read_table(place, table,
+                          {{"text", [&](const TomlEntry& e) { text = reader.read_note(e); }},
+                           reader.vector("at", at),
+                           {"role", [&](const TomlEntry& e) { role = reader.read_role(e); }}},
+                          {"text", "at"});
+    if (has_all && text && at) notes.push_back({std::move(*text), std::move(*at), std::move(role)});
   });
   if (is_list) marks.notes = std::move(notes);
   return reader.take();
@@ -441,7 +445,9 @@ std::string text_of(const std::vector<PlaneMark>& planes) {
 
 std::string text_of(const std::vector<NoteMark>& notes) {
   return list_text(notes, [](const NoteMark& note) {
-    return Keys{{"text", toml(note.text)}, {"at", toml_of(note.at)}};
+    Keys keys{{"text", toml(note.text)}, {"at", toml_of(note.at)}};
+    if (!note.role.empty()) keys.emplace_back("role", toml(note.role));
+    return keys;
   });
 }
 

@@ -784,7 +784,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::planes,
        [](const Scene& scene) { return text_of(scene.marks.planes); },
        Row::Speaks::of_picture},
-      {{"notes", R"(lines of text: `[{ text = "nose", at = "e3" }]` (Marks))", "none"},
+      {{"notes", R"(lines of text: `[{ text = "nose", at = "e3", role }]` (Marks))", "none"},
        &SceneKeys::notes,
        [](const Scene& scene) { return text_of(scene.marks.notes); },
        Row::Speaks::of_picture},

@@ -220,22 +220,20 @@ class AskReader {
     ask_.task = std::make_shared<const StateTask>(std::move(*task));
   }
 
-  /// Behind what is asked, a line each: "From: … To: … Use: …".
+  /// Behind what is asked, a line each, one below the other: "From …", "to …", "by …".
   void say_what_leads_where(const Derivation& derivation) {
-    const auto add = [&](const std::string& words, const DerivedLine& line) {
-      TextBlock block;
-      if (!words.empty()) block.spans.emplace_back().text = words;
-      auto math = parse_math(line.tex, texts_.macros());
+    const auto add = [&](const char* word, const DerivedLine& line) {
+      TextBlock block{.indent = 1, .marker = word, .spans = {}};
       TextSpan& span = block.spans.emplace_back();
       span.kind = TextSpan::Kind::math;
-      if (math) span.math = std::move(*math);
+      if (auto math = parse_math("\\displaystyle " + line.tex, texts_.macros())) span.math = std::move(*math);
       span.text = line.tex;
       ask_.prompt_text.push_back(std::move(block));
     };
-    add("From: ", derivation.start);
-    add("To: ", derivation.goal);
+    add("From", derivation.start);
+    add("to", derivation.goal);
     for (const DerivedLine& fact : derivation.facts)
-      add(&fact == &derivation.facts.front() ? "You may use: " : "", fact);
+      add(&fact == &derivation.facts.front() ? "by" : "", fact);
   }
 
   // The name of an assumption, or a list of some.

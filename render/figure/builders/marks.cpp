@@ -232,13 +232,15 @@ Mesh fan(const Vec3& center, const std::vector<Vec3>& rim, const Vec3& normal, c
 
 constexpr float kPlaneAlpha = 0.16F, kSectorAlpha = 0.20F, kAreaAlpha = 0.34F;
 
+constexpr double kOutsideBody = 0.99;
+
 /// Angles about the centre stand each outside the one before; outside a body that lies there.
 double radius_of_angle(const Snapshot& m, std::size_t index) {
-  constexpr double kFirst = 0.42, kApart = 0.12, kOutside = 0.99, kCloser = 0.07, kAtTip = 0.2;
+  constexpr double kFirst = 0.42, kApart = 0.12, kCloser = 0.07, kAtTip = 0.2;
   if (m.model.scene.marks.angles[index].at) return kAtTip;
   const bool is_in_body = m.model.needs.solid && !m.shows(Overlay::pivot);
   const auto before = static_cast<double>(index);
-  return is_in_body ? kOutside + kCloser * before : kFirst + kApart * before;
+  return is_in_body ? kOutsideBody + kCloser * before : kFirst + kApart * before;
 }
 
 /// The same at all times.
@@ -332,8 +334,13 @@ class MarkBuilder {
     const Vec3 u = from->stableNormalized(), v = to->stableNormalized(), axis = u.cross(v).normalized();
     const auto center = mark.at ? vectors_.tip_V(*mark.at) : Vec3(Vec3::Zero());
     if (!center) return;
-    const double radius = radius_of_angle(m_, index);
-    const auto at = [&](double part) -> Vec3 { return Eigen::AngleAxisd(part * *angle_rad, axis) * u; };
+    const double arc_radius = radius_of_angle(m_, index);
+    const bool is_square = is_right(*angle_rad) && arc_radius < kOutsideBody;  // a body would hide it
+    const double radius = is_square ? kSquare * arc_radius : arc_radius;
+    const auto at = [&](double part) -> Vec3 {
+      if (is_square) return std::min(1.0, 2 * (1 - part)) * u + std::min(1.0, 2 * part) * v;
+      return Eigen::AngleAxisd(part * *angle_rad, axis) * u;
+    };
     Tube arc{.points = {}, .radius = kArcRadius * m_.thickness, .color = kTRole.paint};
     for (int n = 0; n <= kPoints; ++n)
       arc.points.push_back(*center + radius * at(static_cast<double>(n) / kPoints));
@@ -344,6 +351,12 @@ class MarkBuilder {
                              .radius = kGuideRadius * m_.thickness,
                              .color = kTRole.paint});
     add_name(mark.tex, *center + (radius + kNameBeyond) * at(0.5), kTRole.ink, list_);
+  }
+
+  /// As vectors that are normal to each other come out, rounded: of rates by differences of the motion, too.
+  static bool is_right(double angle_rad) {
+    constexpr double kDifferences = 1e-6;
+    return std::abs(angle_rad - std::numbers::pi / 2) < kDifferences;
   }
 
   void add(const AreaMark& area) {
@@ -394,10 +407,15 @@ class MarkBuilder {
   void add(const NoteMark& note) {
     const auto tip = vectors_.tip_V(note.at);
     if (!tip) return;
-    list_.labels.push_back({.text = note.text, .anchor = *tip, .color = kInk, .size = kTextSize});
+    if (const auto role = role_from(note.role))
+      list_.labels.push_back(
+          {.text = note.text, .anchor = *tip, .color = role->ink, .size = kSymbolSize, .leader = false});
+    else
+      list_.labels.push_back({.text = note.text, .anchor = *tip, .color = kInk, .size = kTextSize});
   }
 
-  static constexpr double kPoint = 2.2;  // radii of a trail: the point that ends it
+  static constexpr double kSquare = 0.5;  // of the radius of an angle: the sides of the square of a right one
+  static constexpr double kPoint = 2.2;   // radii of a trail: the point that ends it
   static constexpr Color kUnitSphereTint = color_from_hex(0xC3CCD6);
 
   const Snapshot& m_;

@@ -49,7 +49,7 @@ struct ArrowMark {
 inline constexpr double kArrowLength = 0.6;
 inline constexpr double kLeastArrowLength = 0.1, kMostArrowLength = 3;
 
-/// The arc from one vector to another, about the centre or the tip of a vector.
+/// The arc from one vector to another, about the centre or the tip of a vector; of a right angle the square.
 struct AngleMark {
   MarkVector from, to;
   std::string tex = {};               ///< its name; empty: none
@@ -78,10 +78,12 @@ struct PlaneMark {
   bool operator==(const PlaneMark&) const = default;
 };
 
-/// A line of text at the tip of a vector.
+/// A line of text at the tip of a vector. With a role it is a name: in that colour, of the size of arrows'
+/// names, without a leader.
 struct NoteMark {
   std::string text;
   MarkVector at;
+  std::string role = {};  ///< empty: none
   bool operator==(const NoteMark&) const = default;
 };
 

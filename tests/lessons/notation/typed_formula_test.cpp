@@ -27,7 +27,7 @@ TEST(TypedFormula, IsSetAsItIsTyped) {
   for (const Case& one :
        {Case{"dL/dt = N", R"(\frac{d\vec L}{dt} = \vec N)"},
         Case{"d*L/dt + w x L = N", R"(\frac{d^*\vec L}{dt} + \vec\omega\times \vec L = \vec N)"},
-        Case{"I omega' = N", R"(\mathbf I\,\dot{\vec\omega} = \vec N)"},
+        Case{"I omega' = N", R"(\mathbf I\cdot \dot{\vec\omega} = \vec N)"},
         Case{"I2 w2' = N2", R"(I_{2}\,\dot{\omega}_{2} = N_{2})"},
         Case{"dw1 = w_1 ω₂", R"(\dot{\omega}_{1} = \omega_{1}\,\omega_{2})"},
         Case{"1/2 I1 w1^2", R"(\frac{1}{2}\,I_{1}\,\omega_{1}^{2})"},

@@ -327,6 +327,34 @@ TEST(Marks, AnAngleIsTheArcBetweenTwoDirections) {
   EXPECT_GT(list.tubes[3].points.front().norm(), radius) << "the second lies outside the first";
 }
 
+TEST(Marks, ARightAngleIsASquare) {
+  const Scene scene = scene_with({.angles = {{body_axis(0), body_axis(1), "a"}}});
+  const DrawList list = list_of(scene, 0.8);
+  ASSERT_EQ(list.tubes.size(), 3U);
+  const std::vector<Vec3>& rim = list.tubes[0].points;
+  const Vec3 u = rim.front(), v = rim.back();
+  EXPECT_NEAR(u.norm(), v.norm(), kRounding);
+  EXPECT_NEAR(u.dot(v), 0.0, kRounding);
+  double length = 0.0;
+  bool has_corner = false;
+  for (std::size_t i = 1; i < rim.size(); ++i) {
+    length += (rim[i] - rim[i - 1]).norm();
+    has_corner = has_corner || (rim[i] - u - v).norm() < kRounding;
+  }
+  EXPECT_TRUE(has_corner);
+  EXPECT_NEAR(length, 2 * u.norm(), 64 * kRounding);
+}
+
+TEST(Marks, ANoteWithARoleIsANameInItsColour) {
+  const Scene scene = scene_with({.notes = {{"nose", body_axis(2)}, {"tail", body_axis(1), "axis-2"}}});
+  const DrawList list = list_of(scene, 0.8);
+  ASSERT_EQ(list.labels.size(), 2U);
+  EXPECT_TRUE(list.labels[0].leader);
+  EXPECT_FALSE(list.labels[1].leader);
+  EXPECT_EQ(list.labels[1].color, role_from("axis-2")->ink);
+  EXPECT_GT(list.labels[1].size, list.labels[0].size);
+}
+
 TEST(Marks, AnAngleIsOutsideTheBody) {
   const Scene scene = scene_with({.angles = {{space_axis(2), body_axis(0), ""}}}, {O::shape});
   for (const Tube& tube : list_of(scene, 0.8).tubes)

@@ -47,7 +47,7 @@ TEST(MarkKeys, ReadEveryKey) {
       "  { of = 'comp(omega, 3)*e3', like = 'omega', tex = '' }]\n"
       "angles = [{ from = 'ez', to = 'e3', tex = '\\theta' }]\n"
       "planes = [{ normal = 'L', through = 'omega' }, { normal = 'ez' }]\n"
-      "notes = [{ text = 'nose, $\\theta$', at = 'e3' }]");
+      "notes = [{ text = 'nose, $\\theta$', at = 'e3' }, { text = 'tail', at = 'e2', role = 'axis-2' }]");
   ASSERT_EQ(marks.trails.size(), 2U);
   EXPECT_EQ(marks.trails[0].of.quantity.text, "e3");
   EXPECT_TRUE(marks.trails[0].on_sphere);
@@ -66,8 +66,10 @@ TEST(MarkKeys, ReadEveryKey) {
   ASSERT_EQ(marks.planes.size(), 2U);
   EXPECT_EQ(marks.planes[0].through->quantity.text, "omega");
   EXPECT_FALSE(marks.planes[1].through);
-  ASSERT_EQ(marks.notes.size(), 1U);
+  ASSERT_EQ(marks.notes.size(), 2U);
   EXPECT_EQ(marks.notes[0].text, "nose, $\\theta$");
+  EXPECT_EQ(marks.notes[0].role, "");
+  EXPECT_EQ(marks.notes[1].role, "axis-2");
 }
 
 TEST(MarkKeys, KnowWhatAVectorIs) {
@@ -129,7 +131,7 @@ TEST(MarkKeys, AreWrittenAsTheyWereRead) {
         "tex = '', like = 'omega' }]\n",
         "angles = [{ from = 'ez', to = 'e3', tex = '\\theta' }, { from = 'ex', to = 'e1' }]\n",
         "planes = [{ normal = 'L', through = 'omega' }, { normal = 'ez' }]\n",
-        "notes = [{ text = \"it's \\\"odd\\\"\", at = 'e3' }]\n"}) {
+        "notes = [{ text = \"it's \\\"odd\\\"\", at = 'e3' }, { text = 'n', at = 'e1', role = 'axes' }]\n"}) {
     Scene scene;
     scene.marks = marks_of(keys);
     const std::string text = scene_keys_text(scene, 0);
