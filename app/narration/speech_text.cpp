@@ -3,9 +3,9 @@
 
 #include "app/narration/number_text.h"
 #include "app/narration/verdict_row.h"
-#include "lessons/reader/front_matter/varied_scene.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/questions/state_task.h"
+#include "lessons/reader/scene/varied_scene.h"
 #include "render/scene/model/drawn_marks.h"
 
 #include <fmt/format.h>

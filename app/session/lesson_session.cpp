@@ -2,9 +2,9 @@
 #include "app/session/lesson_session.h"
 
 #include "lessons/derivation/answer_reasons.h"
-#include "lessons/reader/front_matter/varied_scene.h"
 #include "lessons/reader/questions/line_notation.h"
 #include "lessons/reader/questions/state_task.h"
+#include "lessons/reader/scene/varied_scene.h"
 #include "physics/body/euler.h"
 #include "physics/geometry/flips.h"
 

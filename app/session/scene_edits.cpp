@@ -2,8 +2,8 @@
 #include "app/session/scene_edits.h"
 
 #include "base/angles.h"
-#include "lessons/reader/front_matter/scene_keys.h"
-#include "lessons/reader/front_matter/scene_values.h"
+#include "lessons/reader/scene/scene_keys.h"
+#include "lessons/reader/scene/scene_values.h"
 #include "physics/body/pivot.h"
 
 #include <algorithm>

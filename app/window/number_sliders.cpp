@@ -2,7 +2,7 @@
 #include "app/window/number_sliders.h"
 
 #include "app/window/controls/widgets.h"
-#include "lessons/reader/front_matter/varied_scene.h"
+#include "lessons/reader/scene/varied_scene.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

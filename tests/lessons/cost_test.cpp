@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // 1 MiB of anything takes at most 1 s and 64 MiB (figure L2). Each input is a family some Markdown, TOML or
 // TeX reader was slow on, or fills one of our own lists.
-#include "lessons/reader/front_matter/scene_keys.h"
 #include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/scene/scene_keys.h"
 #include "tests/lessons/peak_memory.h"
 #include "tests/lessons/support.h"
 

@@ -11,7 +11,7 @@
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/question_check.h"
 #include "lessons/reader/checks/type_check.h"
-#include "lessons/reader/front_matter/scene_keys.h"
+#include "lessons/reader/scene/scene_keys.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

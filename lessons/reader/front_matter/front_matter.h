@@ -6,9 +6,9 @@
 #include "lessons/notation/tex_equation.h"
 #include "lessons/reader/front_matter/about_keys.h"
 #include "lessons/reader/front_matter/assumptions.h"
-#include "lessons/reader/front_matter/scene_keys.h"
 #include "lessons/reader/lesson.h"
 #include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/scene/scene_keys.h"
 
 #include <map>
 #include <string>

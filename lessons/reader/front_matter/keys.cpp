@@ -90,6 +90,21 @@ std::optional<Vec3> read_vector(const TomlEntry& entry, Report& report) {
   return Vec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
 }
 
+const TomlTable* read_table(const TomlEntry& entry, std::string_view form, Report& report) {
+  const auto* table = entry.value.as<TomlTable>();
+  if (table == nullptr)
+    report.error(entry.value.place,
+                 in_quotes(entry.key) + " takes a table, found " + std::string(entry.value.kind()),
+                 "write " + std::string(form));
+  return table;
+}
+
+void report_unknown(std::string_view what, const PlacedText& name, const std::vector<std::string>& known,
+                    Report& report) {
+  report.error(name.place, "unknown " + std::string(what) + ' ' + in_quotes(name.text),
+               suggestion(name.text, known));
+}
+
 std::optional<std::vector<PlacedText>> read_texts(const TomlEntry& entry, std::size_t max_count,
                                                   Report& report) {
   if (const auto* text = entry.value.as<std::string>())

@@ -25,6 +25,8 @@ std::optional<double> read_number(const TomlEntry& entry, Report& report);      
 std::optional<double> read_positive_number(const TomlEntry& entry, Report& report);  ///< finite and > 0
 std::optional<std::vector<double>> read_numbers(const TomlEntry& entry, std::size_t count, Report& report);
 std::optional<Vec3> read_vector(const TomlEntry& entry, Report& report);
+/// Null if it is none; `form` is how one is written.
+const TomlTable* read_table(const TomlEntry& entry, std::string_view form, Report& report);
 
 /// A string, or each string of a list, with its place.
 struct PlacedText {
@@ -33,6 +35,10 @@ struct PlacedText {
 };
 std::optional<std::vector<PlacedText>> read_texts(const TomlEntry& entry, std::size_t max_count,
                                                   Report& report);
+
+/// "unknown body "bok"", with the known name that is most like it.
+void report_unknown(std::string_view what, const PlacedText& name, const std::vector<std::string>& known,
+                    Report& report);
 
 /// Place of the first character of a string's text, after its opening quote (exact for strings on one line).
 inline SourcePlace inside_quotes(SourcePlace value) { return {value.line, value.column + 1}; }

@@ -3,8 +3,8 @@
 
 #include "base/spelling.h"
 #include "lessons/claims/expressions/expression_tex.h"
-#include "lessons/reader/front_matter/quantity_key.h"
-#include "lessons/reader/front_matter/varied_scene.h"
+#include "lessons/reader/scene/quantity_key.h"
+#include "lessons/reader/scene/varied_scene.h"
 
 #include <algorithm>
 #include <stdexcept>

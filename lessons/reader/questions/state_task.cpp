@@ -60,21 +60,6 @@ bool has_angle_of_nothing(const Expression& expression, MotionNumbers& motion) {
   });
 }
 
-/// The scene of a state for its numbers alone.
-Scene scene_to_judge(const StateTask& task, const SteeredState& state) {
-  Scene scene = steered(*task.scene, state);
-  scene.at_s = 0;
-  scene.still_s.reset();
-  scene.show = {};
-  scene.marks = {};
-  scene.meters.clear();
-  scene.highlight.clear();
-  scene.caption.clear();
-  scene.vary.clear();
-  scene.motion.ghost = false;
-  return scene;
-}
-
 }  // namespace
 
 std::string range_of(const StateGoal& goal) {
@@ -159,7 +144,8 @@ AnswerJudgement judge_state(const StateTask& task, const SteeredState& state, co
   if (std::string why = why_not_allowed(task, state); !why.empty()) return unreadable(std::move(why));
   if (is_too_large(state)) return unreadable("a number in this is too large");
   try {
-    const SceneModel model = make_model(scene_to_judge(task, state), Product::numbers, effort);
+    const SceneModel model =
+        make_model(without_picture(steered(*task.scene, state), 0), Product::numbers, effort);
     const double t_s = judged_time_s(task, state.t_s.value_or(still_time_s(*task.scene)));
     // Far away nothing is known of a motion but its energy: a phase that is lost would reach a goal by
     // chance.

@@ -3,9 +3,9 @@
 
 #include "base/spelling.h"
 #include "lessons/diagnostics/source_text.h"
-#include "lessons/reader/front_matter/scene_keys.h"
-#include "lessons/reader/front_matter/scene_values.h"
 #include "lessons/reader/front_matter/toml_text.h"
+#include "lessons/reader/scene/scene_keys.h"
+#include "lessons/reader/scene/scene_values.h"
 #include "physics/body/torque_text.h"
 #include "render/scene/model/scene_problem.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Marks: trails, arrows, angles, areas, lines, planes and notes that a lesson draws in space of vectors of
-// its own. Each kind has a key in lessons/reader/front_matter/scene_keys.cpp, which mark_keys.cpp reads; it
+// its own. Each kind has a key in lessons/reader/scene/scene_keys.cpp, which mark_keys.cpp reads; it
 // is drawn by render/figure/builders/marks.cpp where it shows anything (drawn_marks.h), and told in words by
 // app/narration/speech_text.cpp.
 #pragma once

@@ -19,6 +19,19 @@ std::vector<const Scene*> shown_scenes(const Scene& scene) {
   return shown;
 }
 
+Scene without_picture(Scene scene, double at_s) {
+  scene.at_s = at_s;
+  scene.still_s.reset();
+  scene.show = {};
+  scene.marks = {};
+  scene.meters.clear();
+  scene.highlight.clear();
+  scene.caption.clear();
+  scene.vary.clear();
+  scene.motion.ghost = false;
+  return scene;
+}
+
 bool same_course(Scene a, const Scene& b) {
   a.views = b.views;
   a.show = b.show;

@@ -76,7 +76,7 @@ struct ComparedMethods {
   bool operator==(const ComparedMethods&) const = default;
 };
 
-/// A number of a scene that may be changed within a range (lessons/reader/front_matter/varied_scene.h): a
+/// A number of a scene that may be changed within a range (lessons/reader/scene/varied_scene.h): a
 /// slider in the window, a filmstrip on paper.
 struct Variation {
   std::string number;       ///< as lessons name it: "omega3"
@@ -124,6 +124,9 @@ struct Scene {
 
 /// The scene and those beside it, in the order in which they stand.
 std::vector<const Scene*> shown_scenes(const Scene& scene);
+
+/// The same motion at that time, without what pictures show of it: for its numbers.
+Scene without_picture(Scene scene, double at_s);
 
 /// Whether two scenes differ at most in how the same motion is looked at: on the way from one to the other
 /// t goes on. All fields but those named in scene.cpp belong to the motion.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/top_start.h"
+#include "lessons/reader/scene/top_start.h"
 
-#include "lessons/reader/front_matter/scene_keys.h"
+#include "lessons/reader/scene/scene_keys.h"
 #include "physics/analysis/symmetric_top.h"
 #include "physics/body/euler_angles.h"
 #include "physics/body/pivot.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/quantity_key.h"
+#include "lessons/reader/scene/quantity_key.h"
 
 #include "base/spelling.h"
 #include "lessons/claims/expressions/expression_names.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/plot_keys.h"
+#include "lessons/reader/scene/plot_keys.h"
 
 #include "base/numbers.h"
 #include "base/spelling.h"
@@ -8,8 +8,8 @@
 #include "lessons/claims/expressions/scene_quantities.h"
 #include "lessons/claims/motion_words.h"
 #include "lessons/diagnostics/source_text.h"
-#include "lessons/reader/front_matter/mark_keys.h"
 #include "lessons/reader/front_matter/toml_text.h"
+#include "lessons/reader/scene/mark_keys.h"
 #include "render/typeset/math/tree.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // draws of vectors of its own.
 #pragma once
 
-#include "lessons/reader/front_matter/quantity_key.h"
+#include "lessons/reader/scene/quantity_key.h"
 #include "render/scene/description/mark.h"
 
 #include <string>

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/scene_keys.h"
+#include "lessons/reader/scene/scene_keys.h"
 
-#include "base/angles.h"
 #include "base/spelling.h"
 #include "base/utf8.h"
 #include "lessons/diagnostics/source_text.h"
-#include "lessons/reader/front_matter/mark_keys.h"
-#include "lessons/reader/front_matter/plot_keys.h"
-#include "lessons/reader/front_matter/scene_values.h"
 #include "lessons/reader/front_matter/toml_text.h"
-#include "lessons/reader/front_matter/varied_scene.h"
 #include "lessons/reader/reader.h"
-#include "physics/body/pivot.h"
+#include "lessons/reader/scene/camera_keys.h"
+#include "lessons/reader/scene/mark_keys.h"
+#include "lessons/reader/scene/motion_keys.h"
+#include "lessons/reader/scene/plot_keys.h"
+#include "lessons/reader/scene/scene_values.h"
+#include "lessons/reader/scene/varied_scene.h"
 #include "physics/body/torque_text.h"
-#include "physics/method.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
@@ -29,82 +28,6 @@ namespace {
 
 constexpr std::size_t kMaxViews = 2;
 static_assert(kMaxOverlays >= kOverlayCount);
-
-bool has_heavy(const Torque& torque) {
-  return std::any_of(torque.begin(), torque.end(),
-                     [](const TorqueTerm& term) { return std::holds_alternative<HeavyTop>(term); });
-}
-
-/// The `pivot_m` of a body of the lesson; null: it has none.
-const Vec3* pivot_of(const Body& body, const LessonBodies& bodies) {
-  const auto own = bodies.named.find(body.name);
-  const auto pivot = bodies.pivots_m.find(body.name);
-  return own != bodies.named.end() && own->second == body && pivot != bodies.pivots_m.end() ? &pivot->second
-                                                                                            : nullptr;
-}
-
-Result<Torque, SceneFault> torque_of(const LessonScene& scene, const LessonBodies& bodies) {
-  const Body& body = scene.scene.body;
-  if (!scene.weighs) return scene.scene.torque;
-  const Vec3* pivot_m = pivot_of(body, bodies);
-  if (pivot_m == nullptr)
-    return Failure<SceneFault>{
-        {"\"weight\" turns a body about the point where it is held, and " + in_quotes(body.name) +
-             " has none",
-         bodies.named.contains(body.name)
-             ? "give [body." + body.name + "] a mass_kg and pivot_m = [x, y, z], in m from its centre of mass"
-             : "give the lesson a [body.NAME] of its own, with mass_kg and pivot_m = [x, y, z]"}};
-  Torque torque{weight_at(body.mass_kg, *pivot_m)};
-  torque.insert(torque.end(), scene.scene.torque.begin(), scene.scene.torque.end());
-  return torque;
-}
-
-/// With moments about the pivot, where it hangs on one.
-Result<Body, SceneFault> body_of(const LessonScene& scene, const Torque& torque, const LessonBodies& bodies) {
-  const Body& body = scene.scene.body;
-  const Vec3* pivot_m = pivot_of(body, bodies);
-  if (bodies.drawn.contains(body.name)) return body;
-  if (pivot_m != nullptr && has_heavy(torque)) {
-    constexpr double kSame = 1e-6;  // of what is written with seven digits
-    if (!((center_from_pivot_B(body.mass_kg, torque) + *pivot_m).norm() <= kSame * pivot_m->norm()))
-      return Failure<SceneFault>{
-          {"\"heavy\" holds " + in_quotes(body.name) + " at another point than its pivot_m",
-           "write torque = \"weight\", or leave pivot_m out"}};
-  }
-  auto held = pivot_m != nullptr ? about_pivot(body, torque) : on_its_pivot(body, torque);
-  if (held) return std::move(held).value();
-  return Failure<SceneFault>{
-      {held.error(),
-       "let the axis of \"heavy\" be that of 1, 2 or 3, or give the body by moments about the pivot"}};
-}
-
-/// What a scene comes to, and what stands in the way of it.
-struct Finished {
-  Scene scene;
-  std::optional<SceneFault> of_weight = {}, of_start = {};
-};
-
-Finished finish(const LessonScene& given, const LessonBodies& bodies) {
-  Finished finished{given.scene};
-  Scene& scene = finished.scene;
-  if (auto torque = torque_of(given, bodies))
-    scene.torque = std::move(torque).value();
-  else
-    finished.of_weight = torque.error();
-  if (auto body = body_of(given, scene.torque, bodies))
-    scene.body = std::move(body).value();
-  else if (!finished.of_weight)
-    finished.of_weight = body.error();
-  if (finished.of_weight || !given.start) return finished;
-  const auto state = state_of(*given.start, scene.body.moments, scene.torque);
-  if (state) {
-    scene.w0_B = state->w_B;
-    scene.attitude = state->q_SB;
-  } else {
-    finished.of_start = state.error();
-  }
-  return finished;
-}
 
 // One table's keys into one scene.
 class SceneKeys {
@@ -173,11 +96,6 @@ class SceneKeys {
     if (value) target = *value;
   }
 
-  void unknown(std::string_view what, const PlacedText& name, const std::vector<std::string>& known) {
-    report_.error(name.place, "unknown " + std::string(what) + ' ' + in_quotes(name.text),
-                  suggestion(name.text, known));
-  }
-
   void omega(const TomlEntry& entry) { assign(scene_.w0_B, read_vector(entry, report_)); }
   void velocity(const TomlEntry& entry) { assign(scene_.v0_S, read_vector(entry, report_)); }
   void force(const TomlEntry& entry) { assign(scene_.F_S, read_vector(entry, report_)); }
@@ -196,7 +114,7 @@ class SceneKeys {
     } else if (bodies_.complete) {
       std::vector<std::string> known = named_bodies();
       for (const auto& [own_name, own_body] : bodies_.named) known.push_back(own_name);
-      unknown("body", {*name, entry.value.place}, known);
+      report_unknown("body", {*name, entry.value.place}, known, report_);
     }
   }
 
@@ -207,7 +125,7 @@ class SceneKeys {
       else if (*name == "L-up")
         scene_.attitude = LPoints::up;
       else
-        unknown("attitude", {*name, entry.value.place}, {"L-down", "L-up", "[w, x, y, z]"});
+        report_unknown("attitude", {*name, entry.value.place}, {"L-down", "L-up", "[w, x, y, z]"}, report_);
       return;
     }
     const auto wxyz = read_numbers(entry, 4, report_);
@@ -278,7 +196,7 @@ class SceneKeys {
   }
 
   void check_held(const TomlTable& table) {
-    const Finished finished = finish(lesson_scene_, bodies_);
+    const FinishedScene finished = finish(lesson_scene_, bodies_);
     const bool is_of_top = lesson_scene_.weighs || lesson_scene_.start;
     const bool may_follow =
         of_ == Of::front_matter && !(table.find("body") != nullptr && table.find("torque") != nullptr);
@@ -312,57 +230,7 @@ class SceneKeys {
     else if (*name == "free")
       scene_.arrow = ArrowHeld::free;
     else
-      unknown("arrow", {*name, entry.value.place}, {"space", "body", "free"});
-  }
-
-  void motion_method(const TomlEntry& entry, MotionSpec& motion) {
-    const auto name = read_text(entry, report_);
-    if (!name) return;
-    if (const auto method = method_from(*name))
-      motion.method = *method;
-    else
-      unknown("motion", {*name, entry.value.place}, method_names());
-  }
-
-  void motion(const TomlEntry& entry) {
-    MotionSpec motion;
-    if (const auto* table = entry.value.as<TomlTable>()) {
-      read_keys(
-          *table, "motion",
-          {{"method", [&](const TomlEntry& e) { motion_method(e, motion); }},
-           {"step", [&](const TomlEntry& e) { assign(motion.step_s, read_positive_number(e, report_)); }},
-           {"tolerance",
-            [&](const TomlEntry& e) { assign(motion.tolerance, read_positive_number(e, report_)); }},
-           {"ghost", [&](const TomlEntry& e) { assign(motion.ghost, read_flag(e, report_)); }}},
-          report_);
-      check_control(*table, motion);
-    } else {
-      motion_method(entry, motion);
-    }
-    check_step_given(entry, motion);
-    scene_.motion = motion;
-  }
-
-  /// A step and a tolerance each belong to methods of one kind.
-  void check_control(const TomlTable& table, const MotionSpec& motion) {
-    const StepControl control = motion.method ? facts_of(*motion.method).control : StepControl::adaptive;
-    const std::string owner =
-        motion.method ? in_quotes(name_of(*motion.method)) + " has none" : "and no method is named";
-    if (motion.step_s && control != StepControl::fixed)
-      report_.error(table.find("step")->place, "a step is of methods with a fixed step, " + owner,
-                    "write method = \"rk4\", or leave the step out");
-    if (motion.tolerance && control != StepControl::adaptive)
-      report_.error(table.find("tolerance")->place, "a tolerance is of adaptive methods, " + owner,
-                    "write method = \"dormand-prince-8\", or leave the tolerance out");
-  }
-
-  void check_step_given(const TomlEntry& entry, const MotionSpec& motion) {
-    const TomlTable* table = entry.value.as<TomlTable>();
-    const bool given = table != nullptr && table->find("step") != nullptr;
-    if (!motion.method || facts_of(*motion.method).control != StepControl::fixed || given) return;
-    const std::string name = in_quotes(name_of(*motion.method));
-    report_.error(entry.value.place, name + " needs a step in seconds",
-                  "write motion = { method = " + name + ", step = 0.02 }");
+      report_unknown("arrow", {*name, entry.value.place}, {"space", "body", "free"}, report_);
   }
 
   void views(const TomlEntry& entry) {
@@ -371,7 +239,7 @@ class SceneKeys {
     std::vector<View> views;
     for (const PlacedText& name : *names) {
       if (name.text != "space" && name.text != "body") {
-        unknown("view", name, {"space", "body"});
+        report_unknown("view", name, {"space", "body"}, report_);
         continue;
       }
       const View view = name.text == "space" ? View::space : View::body;
@@ -394,7 +262,7 @@ class SceneKeys {
     for (const PlacedText& name : *names) {
       const auto overlay = overlay_from(name.text);
       if (!overlay)
-        unknown("overlay", name, overlay_names());
+        report_unknown("overlay", name, overlay_names(), report_);
       else if (shown.contains(*overlay))
         report_.warning(name.place, in_quotes(name.text) + " is shown already");
       else {
@@ -418,13 +286,13 @@ class SceneKeys {
   void lines(const TomlEntry& entry) { marks(entry, read_lines); }
   void planes(const TomlEntry& entry) { marks(entry, read_planes); }
   void notes(const TomlEntry& entry) { marks(entry, read_notes); }
+  void motion(const TomlEntry& entry) { scene_.motion = read_motion(entry, report_); }
+  void compare(const TomlEntry& entry) { assign(scene_.compared, read_compared(entry, report_)); }
+  void camera(const TomlEntry& entry) { assign(scene_.camera, read_camera(entry, report_)); }
+
   void poses(const TomlEntry& entry) {
-    const auto* table = entry.value.as<TomlTable>();
-    if (table == nullptr) {
-      report_.error(entry.value.place, "\"poses\" takes a table, found " + std::string(entry.value.kind()),
-                    "write poses = { count = 5, over = 0.8 }");
-      return;
-    }
+    const TomlTable* table = read_table(entry, "poses = { count = 5, over = 0.8 }", report_);
+    if (table == nullptr) return;
     if (table->entries.empty()) {
       scene_.poses = {};
       return;
@@ -444,104 +312,6 @@ class SceneKeys {
                     fmt::format("\"count\" is a whole number from 1 to {}", kMostPoses));
     else
       scene_.poses = {static_cast<int>(*count), *over_s};
-  }
-
-  void compare(const TomlEntry& entry) {
-    static constexpr const char* kForm =
-        "write compare = { methods = [\"rk4\", \"splitting\"], against = \"evaluations\" }";
-    const auto* table = entry.value.as<TomlTable>();
-    if (table == nullptr) {
-      report_.error(entry.value.place, "\"compare\" takes a table, found " + std::string(entry.value.kind()),
-                    kForm);
-      return;
-    }
-    ComparedMethods compared;
-    const auto against = [&](const TomlEntry& e) {
-      const auto name = read_text(e, report_);
-      compared.by_evaluations = name == "evaluations";
-      if (name && !compared.by_evaluations && *name != "steps")
-        report_.error(e.value.place, "unknown \"against\" " + in_quotes(*name),
-                      "write \"evaluations\" or \"steps\"");
-    };
-    const auto methods = [&](const TomlEntry& e) {
-      const auto names = read_texts(e, method_names().size(), report_);
-      for (const PlacedText& name : names.value_or(std::vector<PlacedText>())) {
-        if (const auto method = method_from(name.text))
-          compared.methods.push_back(*method);
-        else
-          unknown("method", name, method_names());
-      }
-    };
-    read_keys(*table, "\"compare\"", {{"methods", methods}, {"against", against}}, report_);
-    scene_.compared = std::move(compared);
-  }
-
-  void azimuth(const TomlEntry& entry, double& azimuth_rad) {
-    if (const auto degrees = read_number(entry, report_))
-      azimuth_rad = std::remainder(*degrees, 360.0) * kRadiansPerDegree;
-  }
-
-  void elevation(const TomlEntry& entry, double& elevation_rad) {
-    const auto degrees = read_number(entry, report_);
-    if (!degrees) return;
-    if (std::abs(*degrees) <= kMostElevationDeg)
-      elevation_rad = *degrees * kRadiansPerDegree;
-    else
-      report_.error(entry.value.place, fmt::format("\"elevation_deg\" must lie between {} and {}",
-                                                   -kMostElevationDeg, kMostElevationDeg));
-  }
-
-  void camera(const TomlEntry& entry) {
-    const auto* table = entry.value.as<TomlTable>();
-    if (table == nullptr) {
-      report_.error(entry.value.place, "\"camera\" takes a table, found " + std::string(entry.value.kind()),
-                    "write camera = { azimuth_deg = 35, elevation_deg = 20 }");
-      return;
-    }
-    CameraSpec camera;
-    read_keys(*table, "the camera",
-              {{"azimuth_deg", [&](const TomlEntry& e) { azimuth(e, camera.azimuth_rad); }},
-               {"elevation_deg", [&](const TomlEntry& e) { elevation(e, camera.elevation_rad); }},
-               {"distance", [&](const TomlEntry& e) { assign(camera.distance, scale(e)); }},
-               {"zoom", [&](const TomlEntry& e) { assign(camera.zoom, scale(e)); }},
-               {"fitted", [&](const TomlEntry& e) { fitted(e, camera); }},
-               {"hold", [&](const TomlEntry& e) { hold(e, camera); }}},
-              report_);
-    scene_.camera = camera;
-  }
-
-  void hold(const TomlEntry& entry, CameraSpec& camera) {
-    const auto text = read_text(entry, report_);
-    if (!text) return;
-    if (*text == "still" || *text == "film")
-      camera.holds_still = *text == "still";
-    else
-      report_.error(entry.value.place, "\"hold\" must be \"film\" or \"still\"");
-  }
-
-  void fitted(const TomlEntry& entry, CameraSpec& camera) {
-    const auto* table = entry.value.as<TomlTable>();
-    if (table == nullptr) {
-      report_.error(entry.value.place, "\"fitted\" takes a table, found " + std::string(entry.value.kind()),
-                    "write fitted = { azimuth_deg = 35, elevation_deg = 20 }");
-      return;
-    }
-    CameraFit fit{CameraSpec{}.azimuth_rad, CameraSpec{}.elevation_rad};
-    read_keys(*table, "the fitted camera",
-              {{"azimuth_deg", [&](const TomlEntry& e) { azimuth(e, fit.azimuth_rad); }},
-               {"elevation_deg", [&](const TomlEntry& e) { elevation(e, fit.elevation_rad); }},
-               {"omega", [&](const TomlEntry& e) { fit.w0_B = read_vector(e, report_); }}},
-              report_);
-    camera.fitted = fit;
-  }
-
-  /// Of the camera: what lies outside shows nothing, and is most likely a slip.
-  std::optional<double> scale(const TomlEntry& entry) {
-    const auto number = read_positive_number(entry, report_);
-    if (!number || (*number >= kLeastCameraScale && *number <= kMostCameraScale)) return number;
-    report_.error(entry.value.place, fmt::format("{} must lie between {} and {}", in_quotes(entry.key),
-                                                 kLeastCameraScale, kMostCameraScale));
-    return std::nullopt;
   }
 
   void highlight(const TomlEntry& entry) {
@@ -565,7 +335,7 @@ class SceneKeys {
     if (const auto level = quality_level_from(*name)) {
       scene_.quality = *level;
     } else {
-      unknown("quality", {*name, entry.value.place}, quality_level_names());
+      report_unknown("quality", {*name, entry.value.place}, quality_level_names(), report_);
     }
   }
 
@@ -635,12 +405,8 @@ class SceneKeys {
   void vary(const TomlEntry& entry) {
     scene_.vary.clear();
     lesson_scene_.vary_places.clear();
-    const auto* table = entry.value.as<TomlTable>();
-    if (table == nullptr) {
-      report_.error(entry.value.place, "\"vary\" takes a table, found " + std::string(entry.value.kind()),
-                    "write vary = { omega3 = { from = 1, to = 9 } }");
-      return;
-    }
+    const TomlTable* table = read_table(entry, "vary = { omega3 = { from = 1, to = 9 } }", report_);
+    if (table == nullptr) return;
     if (table->entries.size() > kMaxVariations)
       report_.error(entry.value.place,
                     "at most two numbers can be varied, found " + std::to_string(table->entries.size()));
@@ -958,21 +724,6 @@ Quat attitude_from(const std::vector<double>& wxyz) {
   double largest = 0;
   for (double x : wxyz) largest = std::max(largest, std::abs(x));
   return Quat(wxyz[0] / largest, wxyz[1] / largest, wxyz[2] / largest, wxyz[3] / largest).normalized();
-}
-
-Scene finished(const LessonScene& scene, const LessonBodies& bodies) { return finish(scene, bodies).scene; }
-
-Result<Scene, SceneFault> finished_or_fault(const LessonScene& scene, const LessonBodies& bodies) {
-  Finished finished = finish(scene, bodies);
-  if (finished.of_weight) return Failure<SceneFault>{*finished.of_weight};
-  if (finished.of_start) return Failure<SceneFault>{*finished.of_start};
-  return std::move(finished.scene);
-}
-
-Scene finished(const std::vector<LessonScene>& scenes, const LessonBodies& bodies) {
-  Scene first = finished(scenes.front(), bodies);
-  for (std::size_t i = 1; i < scenes.size(); ++i) first.beside.push_back(finished(scenes[i], bodies));
-  return first;
 }
 
 std::vector<PlacedText> read_scene_keys(const TomlTable& table, const LessonBodies& bodies,

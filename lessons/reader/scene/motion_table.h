@@ -3,8 +3,8 @@
 #pragma once
 
 #include "lessons/reader/front_matter/keys.h"
-#include "lessons/reader/front_matter/scene_keys.h"
 #include "lessons/reader/markdown/inline_text.h"
+#include "lessons/reader/scene/scene_keys.h"
 
 namespace polhode {
 

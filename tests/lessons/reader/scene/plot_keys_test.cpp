@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/plot_keys.h"
+#include "lessons/reader/scene/plot_keys.h"
 
 #include "physics/body/euler_angles.h"
 #include "render/scene/model/model.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/top_start.h"
+#include "lessons/reader/scene/top_start.h"
 
 #include "base/angles.h"
 #include "base/numbers.h"
 #include "base/spelling.h"
-#include "lessons/reader/front_matter/scene_keys.h"
+#include "lessons/reader/scene/scene_keys.h"
 #include "physics/analysis/symmetric_top.h"
 #include "physics/body/euler_angles.h"
 

@@ -2,7 +2,7 @@
 // The key `meters` of a scene: plots with a name, and plots of the lesson's own.
 #pragma once
 
-#include "lessons/reader/front_matter/quantity_key.h"
+#include "lessons/reader/scene/quantity_key.h"
 #include "render/scene/description/meter.h"
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/motion_table.h"
+#include "lessons/reader/scene/motion_table.h"
 
 #include "base/utf8.h"
 #include "lessons/claims/expressions/expression_tex.h"
@@ -231,18 +231,10 @@ class MotionTableReader {
   /// The motion of a row, without what pictures show of it.
   Scene scene_of(const TomlTable& changes, SourcePlace place, double at_s) {
     Scene scene = finished(changed_motion(scene_, changes, place, bodies_, words_, texts_), bodies_);
-    scene.at_s = at_s;
-    scene.still_s.reset();
+    scene = without_picture(std::move(scene), at_s);
     // Nothing is followed further than to that time.
     scene.duration_s = std::max(std::abs(at_s), std::numeric_limits<double>::min());
     scene.attitude = attitude_spec(scene);
-    scene.show = {};
-    scene.marks = {};
-    scene.meters.clear();
-    scene.highlight.clear();
-    scene.caption.clear();
-    scene.vary.clear();
-    scene.motion.ghost = false;
     return scene;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/mark_keys.h"
+#include "lessons/reader/scene/mark_keys.h"
 
 #include "base/numbers.h"
 #include "base/spelling.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/mark_keys.h"
+#include "lessons/reader/scene/mark_keys.h"
 
-#include "lessons/reader/front_matter/scene_keys.h"
 #include "lessons/reader/reader.h"
+#include "lessons/reader/scene/scene_keys.h"
 #include "render/scene/model/model.h"
 #include "tests/lessons/support.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/result.h"
-#include "lessons/reader/front_matter/scene_keys.h"
+#include "lessons/reader/scene/scene_keys.h"
 
 #include <span>
 #include <string>

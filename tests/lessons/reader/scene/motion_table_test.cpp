@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/motion_table.h"
+#include "lessons/reader/scene/motion_table.h"
 
 #include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/reader.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/quantity_key.h"
+#include "lessons/reader/scene/quantity_key.h"
 
-#include "lessons/reader/front_matter/scene_keys.h"
+#include "lessons/reader/scene/scene_keys.h"
 #include "physics/body/euler.h"
 #include "render/scene/model/model.h"
 #include "tests/lessons/support.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/varied_scene.h"
+#include "lessons/reader/scene/varied_scene.h"
 
 #include "lessons/reader/reader.h"
 #include "render/scene/model/model.h"

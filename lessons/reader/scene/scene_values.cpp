@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/front_matter/scene_values.h"
+#include "lessons/reader/scene/scene_values.h"
 
 #include "base/angles.h"
-#include "lessons/reader/front_matter/scene_keys.h"
 #include "lessons/reader/front_matter/toml_text.h"
+#include "lessons/reader/scene/scene_keys.h"
 #include "physics/body/torque_text.h"
 
 #include <fmt/format.h>
