@@ -178,6 +178,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/euler-moved", [](const Now& s) { return Sides2(s.times_I(s.star_w()), s.N() - w_x_L(s)); }},
     {"euler-equations/euler-solved", [](const Now& s) { return Sides2(s.star_w(), (s.N() - w_x_L(s)).cwiseQuotient(s.I())); }},
     {"euler-equations/determinant", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
+    {"euler-equations/determinant-signs", [](const Now& s) { return Sides2(w_x_L(s), by_cofactors(s)); }},
     {"euler-equations/determinant-first", [](const Now& s) { return Sides2(by_cofactors(s)[0], by_cofactors(s)[0]); }},
     {"euler-equations/determinant-second", [](const Now& s) { return Sides2(by_cofactors(s)[1], by_cofactors(s)[1]); }},
     {"euler-equations/determinant-third", [](const Now& s) { return Sides2(by_cofactors(s)[2], by_cofactors(s)[2]); }},
