@@ -200,6 +200,8 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/energy-first-row", [](const Now& s) { return Sides2(s.w()[0] * s.I()[0] * s.star_w()[0] + product(s, 0), 0.0); }},
     {"euler-equations/energy-dot", [](const Now& s) { return Sides2(s.w().dot(s.star_L()) + s.w().dot(w_x_L(s)), 0.0); }},
     {"euler-equations/energy-vector", [](const Now& s) { return Sides2(s.w().dot(w_x_L(s)), 0.0); }},
+    {"euler-equations/energy-two-products", [](const Now& s) { return Sides2(product(s, 1) + product(s, 2), s.w().prod() * (s.I()[1] - s.I()[2])); }},
+    {"euler-equations/energy-vector-L", [](const Now& s) { return Sides2(s.L().dot(w_x_L(s)), 0.0); }},
     {"euler-equations/energy-cancel", [](const Now& s) { return Sides2(sum_of_products(s), 0.0); }},
     {"euler-equations/energy-left", [](const Now& s) { return Sides2(s.w().dot(s.star_L()), 0.0); }},
     {"euler-equations/energy-cancel-tempting", [](const Now& s) { return Sides2(product(s, 0), 0.0); }},
