@@ -213,6 +213,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
        const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
        return Sides2(I1 * (I3 - I2) + I2 * (I1 - I3) + I3 * (I2 - I1), 0.0); }},
     {"euler-equations/momentum-left", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), 0.0); }},
+    {"euler-equations/momentum-torque", [](const Now& s) { return Sides2(s.L().dot(s.star_L()), s.L().dot(s.N())); }},
     {"euler-equations/magnitude-square", [](const Now& s) { return Sides2(s.L().squaredNorm(), s.I().cwiseAbs2().dot(s.w().cwiseAbs2())); }},
     {"euler-equations/magnitude-conserved", [](const Now& s) { return Sides2(L2_rate(s), 0.0); }},
     {"euler-equations/magnitude-bounds", [](const Now& s) { return Sides2(2 * s.T() * s.I()[0], 2 * s.T() * s.I()[2]); }},
@@ -226,6 +227,9 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/poinsot-energy", [](const Now& s) { return Sides2(s.w().dot(s.L()), 2 * s.T()); }},
     {"euler-equations/poinsot-distance", [](const Now& s) {
        return Sides2(s.w().dot(s.L()) / s.L().squaredNorm() * s.L(), 2 * s.T() / s.L().squaredNorm() * s.L()); }},
+    {"euler-equations/poinsot-square", [](const Now& s) {
+       const double two_T = s.w().dot(s.L()), L2 = s.L().squaredNorm();
+       return Sides2(two_T * two_T / L2, two_T * two_T / L2); }},
     {"euler-equations/poinsot-normal", [](const Now& s) { return Sides2(T_rate(s), s.L().dot(s.ddt_w())); }},
     {"euler-equations/poinsot-no-slip", [](const Now& s) { return Sides2(s.w().cross(s.w()), 0.0); }},
     {"euler-equations/poinsot-speed", [](const Now& s) { return Sides2(s.ddt_w().norm(), s.star_w().norm()); }},
