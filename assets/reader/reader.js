@@ -87,7 +87,7 @@
       equation.append(button);
     }
 
-  const wide = document.querySelectorAll(".formula, .wide");
+  const wide = document.querySelectorAll(".formula, .wide, .long");
   const letScroll = () => {
     for (const part of wide) {
       if (part.scrollWidth > part.clientWidth) {

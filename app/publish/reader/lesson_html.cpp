@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/reader/lesson_html.h"
 
+#include "base/utf8.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "render/palette.h"
 #include "render/typeset/line_formulas.h"
@@ -29,6 +30,20 @@ std::optional<int> number_of(const std::string& marker) {
   const auto read = std::from_chars(marker.data(), marker.data() + marker.size(), number);
   if (read.ec != std::errc{}) return std::nullopt;
   return number;
+}
+
+/// Whether a formula may be wider than a narrow screen: browsers do not break it.
+bool is_long(std::string_view mathml) {
+  constexpr int kSigns = 20;  // some 300 px at the size of the text
+  int signs = 0;
+  bool in_tag = false;
+  for (const char c : mathml.substr(0, mathml.find("<annotation"))) {
+    if (c == '<' || c == '>')
+      in_tag = c == '<';
+    else if (!in_tag && starts_character(c))
+      ++signs;
+  }
+  return signs > kSigns;
 }
 
 /// The lists that are open, one in an item of the other.
@@ -108,12 +123,13 @@ std::string LessonHtml::formula(const Math& math, std::string_view tex, bool dis
     return found == lesson_.symbols.end() ? "" : class_of_role(found->second.role);
   };
   const auto address = [this](std::string_view link) { return address_of(link); };
-  return mathml(numbers_.put_into(math), {.display = display,
-                                          .symbols = &symbols_,
-                                          .class_of = class_of,
-                                          .address_of = address,
-                                          .words = speech_.words(math),
-                                          .tex = std::string(tex)});
+  const std::string html = mathml(numbers_.put_into(math), {.display = display,
+                                                            .symbols = &symbols_,
+                                                            .class_of = class_of,
+                                                            .address_of = address,
+                                                            .words = speech_.words(math),
+                                                            .tex = std::string(tex)});
+  return !display && is_long(html) ? "<span class=\"long\">" + html + "</span>" : html;
 }
 
 std::string LessonHtml::note_mark(const TextSpan& span) const {

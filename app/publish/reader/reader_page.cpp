@@ -235,7 +235,8 @@ class ReaderText {
     html += "</p>\n";
     if (!row.claimed.empty()) {
       html += "<ul class=\"claimed\" aria-label=\"Claimed\">\n";
-      for (const std::string& tex : row.claimed) html += "<li>" + html_.line('$' + tex + '$') + "</li>\n";
+      for (const std::string& tex : row.claimed)
+        html += "<li><div class=\"formula\">" + html_.line('$' + tex + '$') + "</div></li>\n";
       html += "</ul>\n";
     }
     return html + live_html(step, claim, model) + "</div>\n";
@@ -273,9 +274,8 @@ class ReaderText {
   }
 
   static std::string img(const ReaderPicture& picture) {
-    return fmt::format(
-        "<img width=\"{}\" height=\"{}\" decoding=\"async\" loading=\"lazy\" alt=\"{}\" src=\"{}\"/>",
-        picture.size.width, picture.size.height, html_escaped(picture.alt), picture.source);
+    return fmt::format("<img width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{}\"/>", picture.size.width,
+                       picture.size.height, html_escaped(picture.alt), picture.source);
   }
 
   /// Steps that go on with a scene have no figure of their own.
