@@ -6,6 +6,7 @@
 #include "render/palette.h"
 #include "render/typeset/line_formulas.h"
 #include "render/typeset/math/mathml.h"
+#include "render/typeset/math/tree.h"
 
 #include <fmt/format.h>
 
@@ -118,6 +119,7 @@ std::string LessonHtml::address_of(std::string_view link) const {
 }
 
 std::string LessonHtml::formula(const Math& math, std::string_view tex, bool display) const {
+  if (const std::string link = reference_alone(math); !link.empty()) return link;
   const auto class_of = [this](std::string_view name) {
     const auto found = lesson_.symbols.find(std::string(name));
     return found == lesson_.symbols.end() ? "" : class_of_role(found->second.role);
@@ -130,6 +132,17 @@ std::string LessonHtml::formula(const Math& math, std::string_view tex, bool dis
                                                             .words = speech_.words(math),
                                                             .tex = std::string(tex)});
   return !display && is_long(html) ? "<span class=\"long\">" + html + "</span>" : html;
+}
+
+/// A formula that is nothing but \eqref: words to a reader, with a link.
+std::string LessonHtml::reference_alone(const Math& math) const {
+  if (!math.root || math.references.size() != 1) return {};
+  const MathNode& term = without_groups(*math.root);
+  if (term.kind != MathNode::Kind::term || !is_link_name(term.text)) return {};
+  const std::string& number = without_groups(term.children.front()).text;
+  const std::string address = address_of(term.text);
+  return address.empty() ? html_escaped(number)
+                         : fmt::format("<a href=\"{}\">{}</a>", html_escaped(address), html_escaped(number));
 }
 
 std::string LessonHtml::note_mark(const TextSpan& span) const {

@@ -52,6 +52,7 @@ class LessonHtml {
  private:
   std::string spans(const std::vector<TextSpan>& spans) const;
   std::string span(const TextSpan& span) const;
+  std::string reference_alone(const Math& math) const;
   std::string note_mark(const TextSpan& span) const;
   std::string table(const TextTable& table) const;
 

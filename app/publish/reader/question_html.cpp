@@ -21,7 +21,7 @@ class QuestionHtml {
 
   std::string all(const std::string& shown) const {
     std::string html = fmt::format(
-        "<form class=\"question\" id=\"{0}\" data-type=\"{1}\"{2} aria-labelledby=\"{0}.label\" "
+        "<form class=\"question\" id=\"{0}\" data-type=\"{1}\"{2} "
         "autocomplete=\"off\">\n<p class=\"label\" id=\"{0}.label\">{3}</p>\n<div class=\"prompt\" "
         "id=\"{0}.prompt\">{4}</div>\n",
         id_, is_judged() ? name_of_type() : "open", data(),

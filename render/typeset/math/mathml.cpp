@@ -105,15 +105,17 @@ bool is_digit(const MathNode& node) {
 
 class Writer {
  public:
-  explicit Writer(const MathMlStyle& style) : style_(style), symbols_(style.symbols) {}
+  Writer(const Math& math, const MathMlStyle& style)
+      : style_(style), symbols_(style.symbols), has_links_(!math.references.empty()) {}
 
   std::string run(const MathNode& root) {
     std::string attributes = style_.display ? " display=\"block\"" : "";
-    if (!style_.words.empty())
-      attributes += attribute("aria-label", style_.words) + attribute("alttext", style_.words);
+    // A name would hide the links that stand in it.
+    if (!style_.words.empty() && !has_links_) attributes += attribute("aria-label", style_.words);
+    if (!style_.words.empty()) attributes += attribute("alttext", style_.words);
     text_ = "<math" + attributes + '>';
     if (!style_.tex.empty()) text_ += "<semantics>";
-    group([&] { node(root); });
+    argument(root);
     if (!style_.tex.empty())
       text_ +=
           "<annotation encoding=\"application/x-tex\">" + escaped(style_.tex) + "</annotation></semantics>";
@@ -156,7 +158,12 @@ class Writer {
   /// What takes the place of one element.
   void argument(const MathNode& node_of_it) {
     if (node_of_it.absent()) return element("mrow", "", "");
-    group([&] { node(node_of_it); });
+    group([&] {
+      if (node_of_it.kind == Kind::row && node_of_it.children.size() > 1)
+        atoms(node_of_it.children);
+      else
+        node(node_of_it);
+    });
   }
 
   // ---- Rows
@@ -168,6 +175,15 @@ class Writer {
   }
 
   void atoms(const std::vector<MathNode>& children) { atoms(children, 0); }
+
+  /// Of what only colours, names or strikes out: its atoms are those of the row that it stands in.
+  void contents(const MathNode& n) {
+    for (const MathNode& child : n.children)
+      if (child.kind == Kind::row)
+        atoms(child.children);
+      else
+        node(child);
+  }
 
   void atoms(const std::vector<MathNode>& children, std::size_t first) {
     for (std::size_t i = first; i < children.size(); ++i) {
@@ -228,7 +244,7 @@ class Writer {
       case Kind::row:
         return row(n);
       case Kind::alphabet:
-        return atoms(n.children);
+        return contents(n);
       case Kind::symbol:
         return symbol(n);
       case Kind::text:
@@ -236,7 +252,7 @@ class Writer {
       case Kind::space:
         return open("mspace", attribute("width", in_em(n.amount)) + '/');
       case Kind::color:
-        return around("mrow", attribute("mathcolor", hex(n.color)), [&] { atoms(n.children); });
+        return around("mrow", attribute("mathcolor", hex(n.color)), [&] { contents(n); });
       case Kind::term:
         return term(n);
       case Kind::scripts:
@@ -376,7 +392,7 @@ class Writer {
   void term(const MathNode& n) {
     const std::string address =
         style_.address_of && n.text.find('#') != std::string::npos ? style_.address_of(n.text) : "";
-    if (address.empty()) return around("mrow", "", [&] { atoms(n.children); });
+    if (address.empty()) return around("mrow", "", [&] { contents(n); });
     around("mtext", "", [&] { element("a", attribute("href", address), words_of(n)); });
     before_ = MathClass::ordinary;
   }
@@ -616,7 +632,7 @@ class Writer {
     const std::string_view name = n.character == U'/'    ? "cancel-up"
                                   : n.character == U'\\' ? "cancel-down"
                                                          : "cancel-x";
-    around("mrow", attribute("class", name), [&] { atoms(n.children); });
+    around("mrow", attribute("class", name), [&] { contents(n); });
     before_ = n.atom;
   }
 
@@ -635,6 +651,7 @@ class Writer {
 
   const MathMlStyle& style_;
   MathSymbols symbols_;
+  bool has_links_;
   std::string text_;
   MathClass before_ = MathClass::opening;  ///< of what was written last
   const MathNode* next_ = nullptr;         ///< what comes next in the row
@@ -643,7 +660,7 @@ class Writer {
 }  // namespace
 
 std::string mathml(const Math& math, const MathMlStyle& style) {
-  return math.root ? Writer(style).run(*math.root) : std::string();
+  return math.root ? Writer(math, style).run(*math.root) : std::string();
 }
 
 }  // namespace polhode

@@ -27,8 +27,8 @@ struct MathMlStyle {
   /// The address that a reference leads to, from its link (ShownReference::link); empty: nowhere. May be
   /// null.
   std::function<std::string(std::string_view link)> address_of{};
-  std::string words;  ///< what a reader says of all of it (spoken); empty: what the parts say
-  std::string tex;    ///< to copy; empty: there is none
+  std::string words{};  ///< what a reader says of all of it (spoken); empty: what the parts say
+  std::string tex{};    ///< to copy; empty: there is none
 };
 
 /// One `math` element, well-formed as XML too: nothing of the formula can end it. Without the tag. Numbers
