@@ -103,7 +103,7 @@ std::string equation_id(const Stage& stage, const Equation& equation) { return s
 
 std::string note_id(const Stage& stage, int number) { return fmt::format("{}/note.{}", stage.id, number); }
 
-LessonHtml::LessonHtml(const Lesson& lesson, const SpeechText& speech, const PageNumbers& numbers,
+LessonHtml::LessonHtml(const Lesson& lesson, const SpeechText& speech, const TextNumbers& numbers,
                        std::set<std::string> stages)
     : lesson_(lesson), speech_(speech), numbers_(numbers), stages_(std::move(stages)) {
   for (const auto& [name, symbol] : lesson.symbols) symbols_.push_back({name, symbol.math, {}});
@@ -125,13 +125,37 @@ std::string LessonHtml::formula(const Math& math, std::string_view tex, bool dis
     return found == lesson_.symbols.end() ? "" : class_of_role(found->second.role);
   };
   const auto address = [this](std::string_view link) { return address_of(link); };
-  const std::string html = mathml(numbers_.put_into(math), {.display = display,
-                                                            .symbols = &symbols_,
-                                                            .class_of = class_of,
-                                                            .address_of = address,
-                                                            .words = speech_.words(math),
-                                                            .tex = std::string(tex)});
+  const std::string html = mathml(numbers_.shown.put_into(math), {.display = display,
+                                                                  .symbols = &symbols_,
+                                                                  .class_of = class_of,
+                                                                  .address_of = address,
+                                                                  .words = speech_.words(math),
+                                                                  .tex = tex_to_copy(math, tex)});
   return !display && is_long(html) ? "<span class=\"long\">" + html + "</span>" : html;
+}
+
+/// As other programs read it: with its numbers, and without what only this one knows.
+std::string LessonHtml::tex_to_copy(const Math& math, std::string_view tex) const {
+  const auto tex_of = [this](int id) {
+    const auto found = numbers_.tex.find(id);
+    return found == numbers_.tex.end() ? "\\ldots" : found->second;
+  };
+  std::string copy;
+  std::size_t at = 0;
+  for (const LiveNumber& number : math.live) {
+    if (number.whole.begin < at || number.whole.end > tex.size()) continue;
+    copy += tex.substr(at, number.whole.begin - at);
+    copy += '{' + (number.typed.empty() ? tex_of(number.id) : number.typed) + '}' + unit_tex(number.unit);
+    at = number.whole.end;
+  }
+  copy += tex.substr(at);
+  for (const std::string_view command : {"\\term{", "\\proved{"})
+    for (std::size_t found; (found = copy.find(command)) != copy.npos;) {
+      const bool is_named = command == "\\term{";
+      const std::size_t end = is_named ? copy.find('}', found) + 1 : found + command.size() - 1;
+      copy.erase(found, end - found);
+    }
+  return copy;
 }
 
 /// A formula that is nothing but \eqref: words to a reader, with a link.
@@ -246,7 +270,8 @@ std::string LessonHtml::line(std::string_view words) const {
   for (const SourceSpan& found : formulas_of_line(words)) {
     add_words(words.substr(at, found.begin - 1 - at));
     const std::string_view tex = words.substr(found.begin, found.end - found.begin);
-    const auto math = parse_math(tex, lesson_.macros);
+    auto math = parse_math(tex, lesson_.macros);
+    if (math) math->live.clear();  // only numbers that are shown as they are typed are left in such a line
     html += math ? formula(*math, tex) : html_escaped(tex);
     at = found.end + 1;
   }

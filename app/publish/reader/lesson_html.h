@@ -9,6 +9,7 @@
 #include "app/publish/html_text.h"
 #include "lessons/reader/lesson.h"
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -26,11 +27,17 @@ std::string equation_id(const Stage& stage, const Equation& equation);
 /// "stage/note.2"
 std::string note_id(const Stage& stage, int number);
 
+/// The computed numbers of texts as they stand still.
+struct TextNumbers {
+  PageNumbers shown;
+  std::map<int, std::string> tex{};  ///< of those that have a value, by their ids
+};
+
 class LessonHtml {
  public:
   /// All outlive it. `numbers` has the computed ones of every text that is asked for.
   /// @param stages that are on the page, by their ids: no link leads to another
-  LessonHtml(const Lesson& lesson, const SpeechText& speech, const PageNumbers& numbers,
+  LessonHtml(const Lesson& lesson, const SpeechText& speech, const TextNumbers& numbers,
              std::set<std::string> stages);
 
   /// A formula as a `math` element, with its words, and its TeX to copy.
@@ -52,13 +59,14 @@ class LessonHtml {
  private:
   std::string spans(const std::vector<TextSpan>& spans) const;
   std::string span(const TextSpan& span) const;
+  std::string tex_to_copy(const Math& math, std::string_view tex) const;
   std::string reference_alone(const Math& math) const;
   std::string note_mark(const TextSpan& span) const;
   std::string table(const TextTable& table) const;
 
   const Lesson& lesson_;
   const SpeechText& speech_;
-  const PageNumbers& numbers_;
+  const TextNumbers& numbers_;
   std::set<std::string> stages_;
   std::vector<MathSymbol> symbols_;
   const Stage* stage_ = nullptr;

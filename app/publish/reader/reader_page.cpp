@@ -2,6 +2,7 @@
 #include "app/publish/reader/reader_page.h"
 
 #include "app/export/picture_metadata.h"
+#include "app/narration/number_text.h"
 #include "app/narration/still_numbers.h"
 #include "app/narration/verdict_row.h"
 #include "app/publish/html_frame.h"
@@ -34,8 +35,8 @@ std::set<std::string> stages_in(const ReaderEdition& edition) {
 }
 
 /// All that the texts of the edition show, as on the stills of their steps.
-PageNumbers numbers_in(const ReaderEdition& edition, const Fonts& fonts, const Effort& effort) {
-  PageNumbers numbers(edition.lesson, fonts);
+TextNumbers numbers_in(const ReaderEdition& edition, const Fonts& fonts, const Effort& effort) {
+  TextNumbers numbers{PageNumbers(edition.lesson, fonts)};
   StillNumbers stills(effort);
   for (const Stage& stage : edition.lesson.stages) {
     if (!is_in(edition, stage)) continue;
@@ -45,7 +46,10 @@ PageNumbers numbers_in(const ReaderEdition& edition, const Fonts& fonts, const E
       const StillNumbers::Values& values = stills.of(edition.lesson, step);
       for (const int id : ids) {
         const auto value = values.find(id);
-        numbers.keep(id, value != values.end() ? std::optional(value->second) : std::nullopt);
+        numbers.shown.keep(id, value != values.end() ? std::optional(value->second) : std::nullopt);
+        if (value == values.end()) continue;
+        const int digits = edition.lesson.numbers[static_cast<std::size_t>(id)].written.digits;
+        numbers.tex.emplace(id, number_tex(value->second, digits));
       }
     }
   }
@@ -311,7 +315,7 @@ class ReaderText {
 
   const ReaderEdition& edition_;
   SpeechText speech_;
-  PageNumbers numbers_;
+  TextNumbers numbers_;
   LessonHtml html_;
   ReaderFigures figures_;
   const Scene* figure_ = nullptr;  ///< that was shown last in the stage
