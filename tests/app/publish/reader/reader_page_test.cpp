@@ -59,7 +59,7 @@ First **words**, *others*, `code <b>`, [a link](https://example.org/?a=1&b=2), [
 [^n]: A note with $\vec\omega$.
 
 ```math law
-\frac{d\vec L}{dt} = \vec N \tag{5}
+\term{rate}{\frac{d\vec L}{dt}} = \vec N \tag{5}
 ```
 ```claim law law
 ddt(L) = N
@@ -78,6 +78,7 @@ The same picture, by $\eqref{law}$.
 ```scene
 omega = [0.0, 0.0, 2.0]
 show  = ["omega"]
+caption = 'It keeps to $\value[unit={rad/s}]{2.00}{norm(omega)}$'
 ```
 ```ask pick
 type    = "choice"
@@ -349,6 +350,17 @@ TEST(Reader, AFigureHasItsWordsAndItsNumbers) {
   EXPECT_EQ(image.attribute("width"), "960");
   EXPECT_EQ(words_of(*all_named(*figures[0], "figcaption").at(0)), "It turns at 3.01 rad/s");
   EXPECT_THAT(words_of(edition().root), HasSubstr("it turns at 3.01 rad/s."));
+  EXPECT_EQ(words_of(*all_named(*figures[1], "figcaption").at(0)), "It keeps to 2.00 rad/s");
+}
+
+TEST(Reader, TheTexToCopyHasItsNumbers) {
+  std::set<std::string> tex;
+  for (const XmlNode* note : all_named(edition().root, "annotation")) tex.insert(note->children.front().text);
+  EXPECT_TRUE(tex.contains("{3.01}" + unit_tex("rad/s"))) << testing::PrintToString(tex);
+  for (const std::string& one : tex) {
+    EXPECT_THAT(one, Not(HasSubstr("\\live")));
+    EXPECT_THAT(one, Not(HasSubstr("\\term")));
+  }
 }
 
 TEST(Reader, AVerdictStandsInWords) {
