@@ -5,6 +5,7 @@
 #include "app/page/loaded_lesson.h"
 #include "app/publish/html_text.h"
 #include "tests/app/publish/example_deck.h"
+#include "tests/app/publish/reader/example_edition.h"
 #include "tests/support/paths.h"
 #include "tests/support/xml.h"
 
@@ -26,91 +27,10 @@ using testing::IsEmpty;
 using testing::Not;
 namespace fs = std::filesystem;
 
-constexpr const char* kLesson = R"lesson(+++
-format = 1
-id     = "edition"
-title  = "An <edition> & more"
-author = ["A. B."]
-language = "en-GB"
-outcomes = ["read it"]
-[references]
-LL = "Landau & Lifshitz"
-[symbols]
-omega = { tex = '\vec\omega', role = "omega", say = "angular velocity", unit = "rad/s" }
-[scene]
-body   = "textbook"
-omega  = [0.2, 0.1, 3.0]
-+++
-# How $\vec\omega$ moves {moves}
-## The first step
-First **words**, *others*, `code <b>`, [a link](https://example.org/?a=1&b=2), [there](#asked), [elsewhere](other#x) and
-[cite: LL, §36][^n]. At $t = 0$ it turns at $\live[unit={rad/s}]{norm(omega)}$.
-
-- one
-- two
-  1. inside
-  2. twice
-- three
-
-| body | period |
-|:--|--:|
-| coin | $0.2$ s |
-
-[^n]: A note with $\vec\omega$.
-
-```math law
-\term{rate}{\frac{d\vec L}{dt}} = \vec N \tag{5}
-```
-```claim law law
-ddt(L) = N
-```
-```scene
-show    = ["energy-ellipsoid", "omega"]
-caption = 'It turns at $\live[unit={rad/s}]{norm(omega)}$'
-at      = 0.5
-```
----
-> [!said] It **stops**.
-
-The same picture, by $\eqref{law}$.
-
-# Questions {asked}
-```scene
-omega = [0.0, 0.0, 2.0]
-show  = ["omega"]
-caption = 'It keeps to $\value[unit={rad/s}]{2.00}{norm(omega)}$'
-```
-```ask pick
-type    = "choice"
-prompt  = "Which is it?"
-choices = ["One & only.", 'Two $\vec\omega$.']
-answer  = 2
-because = 'It is \<two>.'
-hints   = ["Guess."]
-```
-```ask rank
-type    = "order"
-prompt  = "Order them."
-choices = ["small", "large", "middle"]
-answer  = [1, 3, 2]
-```
-```ask count
-type    = "number"
-prompt  = "How fast?"
-answer  = "norm(omega)"
-unit    = "rad/s"
-```
-```ask write
-type    = "expression"
-prompt  = "Write the energy."
-answer  = "I1*w1"
-```
-)lesson";
-
 /// What the program makes of the lesson above, or of another text.
 class Edition {
  public:
-  explicit Edition(const std::string& lesson = kLesson, const std::vector<std::string>& more = {}) {
+  explicit Edition(const std::string& lesson = kEditionLesson, const std::vector<std::string>& more = {}) {
     write_text(folder_ / "edition.md", lesson);
     std::vector<std::string> words = {"export", (folder_ / "edition.md").string(), "--reader",
                                       (folder_ / "page.html").string()};
@@ -281,7 +201,7 @@ TEST(Reader, ItsPolicyIsThatOfItsStyleAndScript) {
 }
 
 TEST(Reader, SaysEveryWordOfTheLesson) {
-  const auto lesson = check_lesson(kLesson, "edition.md");
+  const auto lesson = check_lesson(kEditionLesson, "edition.md");
   ASSERT_TRUE(lesson.lesson);
   const LostWords words(*lesson.lesson, edition().root);
   EXPECT_THAT(words.lost(), IsEmpty());
@@ -399,14 +319,14 @@ TEST(Reader, EveryControlHasAName) {
 TEST(Reader, RepeatsToTheByte) { EXPECT_TRUE(Edition().html == edition().html); }
 
 TEST(Reader, APartOfALessonLeadsNowhereElse) {
-  const Edition part(kLesson, {"--stage", "moves"});
+  const Edition part(kEditionLesson, {"--stage", "moves"});
   EXPECT_THAT(part.run.err, HasSubstr("2 steps in "));
   EXPECT_THAT(part.html, Not(HasSubstr("#asked")));
   EXPECT_THAT(words_of(part.root), HasSubstr("there, elsewhere and"));
 }
 
 TEST(Reader, NothingOfALessonBecomesMarkup) {
-  std::string lesson = kLesson;
+  std::string lesson = kEditionLesson;
   const std::string bad = R"(\</p>\<script>alert(1)\</script>\<img src=x onerror=alert(1)>\"'\]\]>)";
   const auto put = [&](const std::string& at, const std::string& what) {
     const std::size_t found = lesson.find(at);
