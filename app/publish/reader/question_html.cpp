@@ -122,7 +122,7 @@ class QuestionHtml {
       const std::string words = words_of(*ask_.number);
       return words.empty() ? "" : "<p>" + html_escaped(words) + "</p>\n";
     }
-    std::string html = "<p class=\"right\">";
+    std::string html = "<p class=\"solution\">";
     for (std::size_t i = 0; i < ask_.answers.size(); ++i) {
       const auto choice = static_cast<std::size_t>(ask_.answers[i] - 1);
       html += i > 0 ? " then " : "";

@@ -309,7 +309,7 @@ class ReaderText {
     std::string html = "<div class=\"moments\">\n";
     for (const ReaderPicture& picture : *moments)
       html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", img(picture),
-                          html_.line(fmt::format("$t$ = {:.4g} s", picture.t_s)));
+                          html_.line(fmt::format("$t$ = {:.3g} s", picture.t_s)));
     return html + "</div>\n";
   }
 
