@@ -233,7 +233,7 @@ double small_type(const PageRequest& request, double px) {
   return request.scrolls ? std::max(px, kLeastSmall) : px;
 }
 
-PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const LongestNumbers& in_captions,
+PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, std::vector<std::string> captions,
                             const Fonts& fonts) {
   FigurePlace place{.rect = grid.figure,
                     .caption_px = small_type(request, kCaptionSize * grid.small_em),
@@ -244,8 +244,7 @@ PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, const 
     place.ground = colors_of(request.theme).backdrop;
     place.background = {Background::Kind::color, *place.ground};
   }
-  const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
-  place.captions = captions_at(request.lesson, step, *request.model, request.t_s, in_captions);
+  place.captions = std::move(captions);
   return place_figure(*request.model, request.t_s, place, fonts);
 }
 
@@ -477,7 +476,9 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   if (request.scrolls) add_bar_of_new(request, text, grid.em, page.sheet);
   add_column(request, text, page.sheet, fonts);
   if (!request.model) return page;
-  PlacedFigure figure = figure_on_page(request, grid, text.in_captions, fonts);
+  const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
+  PlacedFigure figure = figure_on_page(
+      request, grid, captions_at(request.lesson, step, *request.model, request.t_s, text.in_captions), fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
   add_meters(request, figure.plots, grid, page.sheet, fonts);
@@ -485,6 +486,37 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
     page.meters = page.figure;
     page.figure = {};
   }
+  return page;
+}
+
+namespace {
+
+// Of a picture without text, beside its width.
+constexpr double kPictureEm = 1.0 / 27.0;  ///< type as large beside the figure as on a slide
+constexpr double kPictureFigure = 0.62, kPicturePlots = 0.3;
+
+}  // namespace
+
+Size picture_size_of(const SceneModel& model, int width) {
+  const std::size_t rows = are_plots_alone(model) ? 0 : meter_rows(model);
+  const double parts = kPictureFigure + kPicturePlots * static_cast<double>(rows);
+  return {width, static_cast<int>(std::lround(parts * width))};
+}
+
+Page compose_picture(const PageRequest& request, const Fonts& fonts) {
+  const SceneModel& model = *request.model;
+  const double w = request.size.width, h = request.size.height, em = kPictureEm * w;
+  const double rows = are_plots_alone(model) ? 0.0 : static_cast<double>(meter_rows(model));
+  const double below = kPicturePlots * rows / (kPictureFigure + kPicturePlots * rows) * h;
+  const Grid grid{em, em, {}, rounded(0, 0, w, h - below), {0, h - below, w, h}};
+  Page page;
+  PlacedFigure figure =
+      figure_on_page(request, grid, std::vector<std::string>(shown_models(model).size()), fonts);
+  page.insets = std::move(figure.insets);
+  append(page.sheet, std::move(figure.sheet), {0, 0});
+  add_meters(request, figure.plots, grid, page.sheet, fonts);
+  page.meters = grid.meters;
+  page.figure = {0, 0, w, h - below};
   return page;
 }
 

@@ -5,6 +5,7 @@
 #include "app/publish/deck.h"
 #include "app/publish/deck_assets.h"
 #include "app/publish/deck_picture.h"
+#include "app/publish/html_frame.h"
 #include "app/publish/html_text.h"
 #include "render/image/png.h"
 #include "render/image/webp.h"
@@ -12,9 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <deque>
-#include <functional>
 #include <future>
 #include <map>
 #include <thread>
@@ -32,11 +31,6 @@ class Sink {
  private:
   const AppendBytes& append_;
 };
-
-std::string hex(const Color& color) {
-  const auto level = [](float part) { return static_cast<int>(std::lround(part * 255)); };
-  return fmt::format("#{:02x}{:02x}{:02x}", level(color.r), level(color.g), level(color.b));
-}
 
 /// The page of a printed slide is as large as the first one's picture.
 std::string style_of(const Deck& deck, Size first) {
@@ -177,19 +171,6 @@ Status append_slides(const Deck& deck, Size first, const Sink& sink, const DeckP
   return success();
 }
 
-/// Each {{name}} of the frame, in order, is what `put` appends for it.
-Status append_frame(std::string_view frame, const Sink& sink,
-                    const std::function<Status(const std::string&)>& put) {
-  for (std::size_t open = frame.find("{{"); open != std::string_view::npos; open = frame.find("{{")) {
-    const std::size_t close = frame.find("}}", open);
-    Status status = sink(frame.substr(0, open));
-    if (status) status = put(std::string(frame.substr(open + 2, close - open - 2)));
-    if (!status) return status;
-    frame.remove_prefix(close + 2);
-  }
-  return sink(frame);
-}
-
 }  // namespace
 
 Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on) try {
@@ -220,7 +201,7 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
       {"script", script},
   };
   const Sink sink(append);
-  return append_frame(deck_assets::kDeckHtml, sink, [&](const std::string& name) {
+  return append_frame(deck_assets::kDeckHtml, append, [&](const std::string& name) {
     return name == "slides" ? append_slides(deck, first, sink, go_on) : sink(texts.at(name));
   });
 } catch (const std::exception& error) {  // no memory, no thread

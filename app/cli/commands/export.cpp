@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode export: pictures of a lesson as PNG files, or its text.
+// polhode export: pictures of a lesson as PNG files, its text, or what is made of both.
 #include "app/cli/commands/commands.h"
 #include "app/cli/commands/export_options.h"
 #include "app/cli/lesson_lookup.h"
@@ -12,6 +12,7 @@
 #include "app/publish/ffmpeg.h"
 #include "app/publish/film.h"
 #include "app/publish/lesson_deck.h"
+#include "app/publish/reader/reader_page.h"
 #include "base/files/temporary_file.h"
 #include "base/printable.h"
 #include "base/sha256.h"
@@ -193,13 +194,17 @@ Outcome<ExitCode> make_all(const PictureExport& e, const InterruptWatch& watch) 
   return ExitCode::done;
 }
 
+void refuse_folder(const char* option, const std::string& file) {
+  std::error_code unknown;  // told where the file is written
+  if (fs::is_directory(file, unknown))
+    throw CommandError(ExitCode::failed,
+                       fmt::format("{}: {} is a folder; give it a name of its own", option, file));
+}
+
 /// Before all is drawn for nothing.
 void refuse_folders(const ExportOutput& out) {
-  std::error_code unknown;  // told where the file is written
-  for (const auto& [option, file] : {std::pair{"--film", &out.film}, std::pair{"--deck", &out.deck}})
-    if (fs::is_directory(*file, unknown))
-      throw CommandError(ExitCode::failed,
-                         fmt::format("{}: {} is a folder; give it a name of its own", option, *file));
+  refuse_folder("--film", out.film);
+  refuse_folder("--deck", out.deck);
 }
 
 /// What lies in the folder of the pictures. FILE.parts is a name that others can guess, and what is in it
@@ -252,7 +257,40 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
   return ExitCode::done;
 }
 
+/// What is drawn goes into the file as it is made, so there is nothing to go on with after a stop.
+ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
+  for (const std::string& id : out.stages) static_cast<void>(stage_of(loaded.lesson, id));
+  refuse_folder("--reader", out.file);
+  or_fail(make_folder(fs::absolute(out.file).parent_path()));
+  const InterruptWatch watch;
+  const auto context = or_fail(open_context(out.context));
+  const Fonts fonts = or_fail(Fonts::open());
+  or_fail(check_type_of(loaded, fonts));
+  const auto renderer = or_fail(Renderer::create(*context, fonts));
+  const ReaderEdition edition{loaded.lesson, out.stages, {out.theme, out.quality}};
+  const std::size_t count = steps_of(edition);
+  ReaderEnd end = ReaderEnd::stopped;
+  {
+    const ProgressBar progress(static_cast<std::int64_t>(count));
+    const auto go_on = [&](std::size_t step, const Stage& stage) {
+      progress.show(static_cast<std::int64_t>(step), stage.id);
+      return !watch.interrupted();
+    };
+    end = or_fail(write_reader(out.file, edition, *renderer, out.durability, go_on, until_interrupted()));
+  }
+  if (end == ReaderEnd::stopped) {
+    say("polhode: interrupted; {} was not written\n", out.file);
+    return ExitCode::interrupted;
+  }
+  say("{} step{} in {}\n", count, count == 1 ? "" : "s", out.file);
+  return ExitCode::done;
+}
+
 ExitCode run_export(const TypedExport& typed) {
+  if (!typed.reader.empty()) {
+    const ReaderOutput out = reader_output(typed);
+    return export_reader(or_fail(load_lesson(typed.lesson)), out);
+  }
   const ExportOptions options = export_options(typed);
   ExportOutput out = export_output(typed);
   const LoadedLesson loaded = or_fail(load_lesson(typed.lesson));
@@ -296,6 +334,7 @@ Command export_command() {
        {"--film", &typed->film, "make a film (mp4, webm, gif, apng); without -o its frames are removed",
         "FILE"},
        {"--deck", &typed->deck, "make slides (html, pdf); without -o their pictures are removed", "FILE"},
+       {"--reader", &typed->reader, "make a page of text to read (html), with figures and questions", "FILE"},
        {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN"},
        {"--context", &typed->context, "OpenGL from auto, osmesa or egl (default: auto)", "KIND"},
        {"--shard", &typed->shard, "only every N-th picture, from the I-th, of 1 to N", "I/N|slurm"},
@@ -308,6 +347,9 @@ Command export_command() {
       "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
       "A transcript is plain text with the formulas in words.\n"
       "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
+      "A reader's page is one HTML file of text, formulas and figures, for any screen or screen reader; of "
+      "the\n"
+      "other options --stage, --theme and --quality (of its figures), --sync and --context go with it.\n"
       "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"

@@ -156,7 +156,63 @@ std::vector<std::string> resume_words(const TypedExport& typed, const std::vecto
   return words;
 }
 
+Durability durability_of(const std::string& typed) {
+  return choice("--sync", typed, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
+}
+
+ContextKind context_of(const std::string& typed) {
+  constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
+  return kKinds[choice("--context", typed, {"auto", "osmesa", "egl"})];
+}
+
+Theme theme_of(const std::string& typed) {
+  return static_cast<Theme>(choice("--theme", typed, {"paper", "dark"}));
+}
+
+std::optional<QualityLevel> quality_of(const std::string& typed) {
+  if (typed.empty()) return std::nullopt;
+  return static_cast<QualityLevel>(choice("--quality", typed, quality_level_names()));
+}
+
+bool has_ending(const std::string& file, std::initializer_list<std::string_view> endings) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
+}
+
 }  // namespace
+
+ReaderOutput reader_output(const TypedExport& typed) {
+  refuse_given({{"--what", typed.what},
+                {"--profile", typed.profile},
+                {"--each", typed.each},
+                {"--size", typed.size},
+                {"--background", typed.background},
+                {"--dpi", typed.dpi},
+                {"--fps", typed.fps},
+                {"--seconds", typed.seconds},
+                {"--at", typed.at},
+                {"--frames", typed.frames},
+                {"--text-size", typed.text_size},
+                {"--png", typed.png},
+                {"--film", typed.film},
+                {"--deck", typed.deck},
+                {"--output", typed.folder},
+                {"--shard", typed.shard},
+                {"--jobs", typed.jobs}},
+               "does not go with --reader, which makes one file of text and figures");
+  if (typed.skip_existing)
+    throw usage("--skip-existing does not go with --reader, which makes one file of text and figures");
+  if (!has_ending(typed.reader, {".html", ".htm"}))
+    throw usage(fmt::format("--reader {}: the name has to end in .html", typed.reader));
+  return {typed.reader,
+          typed.stages,
+          theme_of(typed.theme),
+          quality_of(typed.quality),
+          durability_of(typed.sync),
+          context_of(typed.context)};
+}
 
 ExportOptions export_options(const TypedExport& typed) {
   ExportOptions options;
@@ -182,9 +238,8 @@ ExportOptions export_options(const TypedExport& typed) {
     options.frames = read_or_refuse(frame_range_from(typed.frames), "--frames", typed.frames,
                                     "a range A:B with 0 <= A < B, like 0:48");
   options.background = background_name(typed.background, options.what);
-  options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
-  if (!typed.quality.empty())
-    options.quality = static_cast<QualityLevel>(choice("--quality", typed.quality, quality_level_names()));
+  options.theme = theme_of(typed.theme);
+  options.quality = quality_of(typed.quality);
   options.text_scale = text_scale_of(typed.text_size);
   options.dpi = dpi_of(typed.dpi, typed.size, options.what);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
@@ -200,7 +255,7 @@ ExportOutput export_output(const TypedExport& typed) {
   if (!out.keep_folder) {
     const std::string& file = typed.film.empty() ? typed.deck : typed.film;
     if (file.empty())
-      throw usage("--output DIR is needed: where the files go (or --film FILE, or --deck FILE)");
+      throw usage("--output DIR is needed: where the files go (or --film, --deck or --reader FILE)");
     out.folder = file + ".parts";
   }
   out.skip_existing = typed.skip_existing;
@@ -212,10 +267,8 @@ ExportOutput export_output(const TypedExport& typed) {
   if (!typed.jobs.empty()) out.jobs = static_cast<int>(whole_number("--jobs", typed.jobs, 1, kMostJobs));
   out.resume = resume_words(typed, {});
   out.resume_all = resume_words(typed, {"--shard", "--jobs"});
-  out.durability =
-      choice("--sync", typed.sync, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
-  constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
-  out.context = kKinds[choice("--context", typed.context, {"auto", "osmesa", "egl"})];
+  out.durability = durability_of(typed.sync);
+  out.context = context_of(typed.context);
   return out;
 }
 

@@ -661,5 +661,35 @@ TEST(PageOfADerivation, HasTheLinesBelowTheQuestion) {
   EXPECT_EQ(glyphs(), typed + 5) << "and the word of the chip";
 }
 
+// For documents that have the words themselves.
+TEST(PictureOfAStep, IsFigureAndPlotsWithoutWords) {
+  const Lesson lesson = lesson_of(
+      "# A stage {one}\nWords.\n```scene\nshow = [\"omega\"]\ncaption = \"Caption\"\nmeters = []\n```\n");
+  const Lesson plotted = lesson_of(
+      "# A stage {one}\nWords.\n```scene\nshow = [\"omega\"]\ncaption = \"Caption\"\nmeters = "
+      "[\"energy\"]\n```\n");
+  const auto picture = [](const Lesson& of, int width) {
+    const Stage& stage = of.stages.front();
+    const SceneModel model = make_model(*stage.steps.front().scene, Product::page);
+    const Size size = picture_size_of(model, width);
+    const PageRequest request{.lesson = of, .stage = stage, .model = &model, .size = size};
+    return std::pair(size, compose_picture(request, test_fonts()));
+  };
+  const auto [size, plain] = picture(lesson, 960);
+  const auto [higher, with_plot] = picture(plotted, 960);
+  EXPECT_EQ(size.width, 960);
+  EXPECT_EQ(plain.insets.size(), 1u);
+  EXPECT_GT(higher.height, size.height);
+  EXPECT_NEAR(with_plot.figure.height(), size.height, 1) << "the figure is as large as without a plot";
+  EXPECT_GT(with_plot.sheet.texts.size(), plain.sheet.texts.size());
+  for (const auto& [of, page] : {std::pair(size, &plain), std::pair(higher, &with_plot)})
+    for (const PlacedType& text : page->sheet.texts) {
+      EXPECT_NE(text.text, "Caption");
+      const PixelBox box = box_of(text);
+      EXPECT_TRUE(box.x0 >= 0 && box.x1 <= of.width && box.y0 >= 0 && box.y1 <= of.height) << text.text;
+    }
+  EXPECT_EQ(picture(plotted, 480).first.height, (higher.height + 1) / 2) << "the same at any size";
+}
+
 }  // namespace
 }  // namespace polhode

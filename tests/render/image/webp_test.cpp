@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <webp/decode.h>
 
+#include <cmath>
+
 namespace polhode {
 namespace {
 
@@ -43,6 +45,23 @@ TEST(Webp, RefusesWhatTheFormatHasNot) {
   EXPECT_FALSE(encode_webp(Image{}));
   EXPECT_FALSE(encode_webp(test::uniform({kMaxWebpSide + 1, 1}, 0, 0, 0)));
   EXPECT_TRUE(encode_webp(test::uniform({kMaxWebpSide, 1}, 0, 0, 0)));
+}
+
+TEST(SmallWebp, LosesWhatNobodySees) {
+  const Image image = test::scenic({640, 360}, false);
+  const auto bytes = encode_small_webp(image);
+  ASSERT_TRUE(bytes) << bytes.error();
+  const Image shown = decoded(*bytes);
+  ASSERT_EQ(shown.size, image.size);
+  double squares = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) {
+    const double off = static_cast<double>(shown.rgba[i]) - image.rgba[i];
+    squares += off * off;
+  }
+  constexpr double kBarelySeen = 4;  // of 256 levels: 36 dB
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(image.rgba.size())), kBarelySeen);
+  EXPECT_LT(2 * bytes->size(), encode_webp(image)->size());
+  EXPECT_EQ(*bytes, *encode_small_webp(image));
 }
 
 }  // namespace

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+#include "app/publish/reader/lesson_html.h"
+
+#include "base/utf8.h"
+#include "lessons/reader/markdown/footnotes.h"
+#include "render/palette.h"
+#include "render/typeset/line_formulas.h"
+#include "render/typeset/math/mathml.h"
+#include "render/typeset/math/tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace polhode {
+
+namespace {
+
+/// Schemes that open a page or a mail, and run nothing.
+bool leads_to_the_web(std::string_view link) {
+  constexpr std::array<std::string_view, 3> kSchemes = {"https://", "http://", "mailto:"};
+  return std::any_of(kSchemes.begin(), kSchemes.end(),
+                     [&](std::string_view scheme) { return link.starts_with(scheme); });
+}
+
+/// Of "2." or "2)" the number; nothing of a bullet.
+std::optional<int> number_of(const std::string& marker) {
+  int number = 0;
+  const auto read = std::from_chars(marker.data(), marker.data() + marker.size(), number);
+  if (read.ec != std::errc{}) return std::nullopt;
+  return number;
+}
+
+/// Whether a formula may be wider than a narrow screen: browsers do not break it.
+bool is_long(std::string_view mathml) {
+  constexpr int kSigns = 20;  // some 300 px at the size of the text
+  int signs = 0;
+  bool in_tag = false;
+  for (const char c : mathml.substr(0, mathml.find("<annotation"))) {
+    if (c == '<' || c == '>')
+      in_tag = c == '<';
+    else if (!in_tag && starts_character(c))
+      ++signs;
+  }
+  return signs > kSigns;
+}
+
+/// The lists that are open, one in an item of the other.
+class Lists {
+ public:
+  explicit Lists(std::string& html) : html_(html) {}
+
+  /// Before a block of this depth.
+  void close_to(std::size_t depth) {
+    while (open_.size() > depth) close();
+  }
+
+  void begin_item(std::size_t depth, const std::string& marker) {
+    const std::optional<int> number = number_of(marker);
+    close_to(depth);
+    if (open_.size() == depth && open_.back().is_numbered != number.has_value()) close();
+    if (open_.size() == depth && number && *number <= open_.back().last) close();
+    if (open_.size() == depth) html_ += "</li>\n";
+    while (open_.size() < depth) {
+      open_.push_back({number.has_value()});
+      html_ += number ? "<ol>\n" : "<ul>\n";
+      if (open_.size() < depth) html_ += "<li>";
+    }
+    html_ += number ? fmt::format("<li value=\"{}\">", *number) : "<li>";
+    open_.back().last = number.value_or(0);
+  }
+
+  std::size_t depth() const { return open_.size(); }
+
+ private:
+  struct List {
+    bool is_numbered = false;
+    int last = 0;
+  };
+
+  void close() {
+    html_ += open_.back().is_numbered ? "</li>\n</ol>\n" : "</li>\n</ul>\n";
+    open_.pop_back();
+  }
+
+  std::string& html_;
+  std::vector<List> open_;
+};
+
+}  // namespace
+
+std::string class_of_role(std::string_view role) {
+  return role_from(role) && role != "axes" ? "r-" + std::string(role) : "";
+}
+
+std::string step_id(const Stage& stage, std::size_t step) {
+  return fmt::format("{}/step.{}", stage.id, step);
+}
+
+std::string equation_id(const Stage& stage, const Equation& equation) { return stage.id + '/' + equation.id; }
+
+std::string note_id(const Stage& stage, int number) { return fmt::format("{}/note.{}", stage.id, number); }
+
+LessonHtml::LessonHtml(const Lesson& lesson, const SpeechText& speech, const TextNumbers& numbers,
+                       std::set<std::string> stages)
+    : lesson_(lesson), speech_(speech), numbers_(numbers), stages_(std::move(stages)) {
+  for (const auto& [name, symbol] : lesson.symbols) symbols_.push_back({name, symbol.math, {}});
+}
+
+std::string LessonHtml::address_of(std::string_view link) const {
+  if (link.starts_with(kCiteLink)) return '#' + std::string(link);
+  if (link.starts_with('#')) {
+    const std::string stage(link.substr(1, link.find('/') - 1));
+    return stages_.contains(stage) ? std::string(link) : "";
+  }
+  return leads_to_the_web(link) ? std::string(link) : "";
+}
+
+std::string LessonHtml::formula(const Math& math, std::string_view tex, bool display) const {
+  if (const std::string link = reference_alone(math); !link.empty()) return link;
+  const auto class_of = [this](std::string_view name) {
+    const auto found = lesson_.symbols.find(std::string(name));
+    return found == lesson_.symbols.end() ? "" : class_of_role(found->second.role);
+  };
+  const auto address = [this](std::string_view link) { return address_of(link); };
+  const std::string html = mathml(numbers_.shown.put_into(math), {.display = display,
+                                                                  .symbols = &symbols_,
+                                                                  .class_of = class_of,
+                                                                  .address_of = address,
+                                                                  .words = speech_.words(math),
+                                                                  .tex = tex_to_copy(math, tex)});
+  return !display && is_long(html) ? "<span class=\"long\">" + html + "</span>" : html;
+}
+
+/// As other programs read it: with its numbers, and without what only this one knows.
+std::string LessonHtml::tex_to_copy(const Math& math, std::string_view tex) const {
+  const auto tex_of = [this](int id) {
+    const auto found = numbers_.tex.find(id);
+    return found == numbers_.tex.end() ? "\\ldots" : found->second;
+  };
+  std::string copy;
+  std::size_t at = 0;
+  for (const LiveNumber& number : math.live) {
+    if (number.whole.begin < at || number.whole.end > tex.size()) continue;
+    copy += tex.substr(at, number.whole.begin - at);
+    copy += '{' + (number.typed.empty() ? tex_of(number.id) : number.typed) + '}' + unit_tex(number.unit);
+    at = number.whole.end;
+  }
+  copy += tex.substr(at);
+  for (const std::string_view command : {"\\term{", "\\proved{"})
+    for (std::size_t found; (found = copy.find(command)) != copy.npos;) {
+      const bool is_named = command == "\\term{";
+      const std::size_t end = is_named ? copy.find('}', found) + 1 : found + command.size() - 1;
+      copy.erase(found, end - found);
+    }
+  return copy;
+}
+
+/// A formula that is nothing but \eqref: words to a reader, with a link.
+std::string LessonHtml::reference_alone(const Math& math) const {
+  if (!math.root || math.references.size() != 1) return {};
+  const MathNode& term = without_groups(*math.root);
+  if (term.kind != MathNode::Kind::term || !is_link_name(term.text)) return {};
+  const std::string& number = without_groups(term.children.front()).text;
+  const std::string address = address_of(term.text);
+  return address.empty() ? html_escaped(number)
+                         : fmt::format("<a href=\"{}\">{}</a>", html_escaped(address), html_escaped(number));
+}
+
+std::string LessonHtml::note_mark(const TextSpan& span) const {
+  if (stage_ == nullptr || span.text.empty()) return {};
+  for (const Step& step : stage_->steps)
+    for (const Footnote* note : blocks_of<Footnote>(step))
+      if (span.text == raised_number(note->number))
+        return fmt::format("<a class=\"note-mark\" role=\"doc-noteref\" href=\"#{}\">{}</a>",
+                           html_escaped(note_id(*stage_, note->number)), html_escaped(span.text));
+  return {};
+}
+
+std::string LessonHtml::span(const TextSpan& span) const {
+  std::string html;
+  if (span.kind == TextSpan::Kind::math) {
+    html = formula(span.math, span.text);
+  } else {
+    html = note_mark(span);
+    if (html.empty()) html = html_escaped(span.text);
+  }
+  if (span.code) html = "<code>" + html + "</code>";
+  if (span.italic) html = "<em>" + html + "</em>";
+  if (span.bold) html = "<strong>" + html + "</strong>";
+  return html;
+}
+
+std::string LessonHtml::spans(const std::vector<TextSpan>& all) const {
+  std::string html;
+  for (std::size_t i = 0; i < all.size();) {
+    const std::string& link = all[i].link;
+    const std::string address = link.empty() ? "" : address_of(link);
+    if (!address.empty()) html += "<a href=\"" + html_escaped(address) + "\">";
+    // One link for all that it holds, a formula too.
+    const std::size_t first = i;
+    for (; i < all.size() && (i == first || (!address.empty() && all[i].link == link)); ++i) {
+      html += span(all[i]);
+      if (all[i].break_after) html += "<br/>\n";
+    }
+    if (!address.empty()) html += "</a>";
+  }
+  return html;
+}
+
+std::string LessonHtml::table(const TextTable& table) const {
+  static constexpr std::array<std::string_view, 3> kPlaces = {"left", "center", "right"};
+  const auto row_of = [&](const std::vector<TextTable::Cell>& cells, bool is_head) {
+    std::string html = "<tr>";
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const std::string_view place = kPlaces[static_cast<std::size_t>(table.columns[c])];
+      // An empty head names nothing.
+      const std::string_view name = is_head && !cells[c].empty() ? "th" : "td";
+      html += fmt::format("<{} class=\"{}\"{}>{}</{}>", name, place, name == "th" ? " scope=\"col\"" : "",
+                          spans(cells[c]), name);
+    }
+    return html + "</tr>\n";
+  };
+  std::string html =
+      "<div class=\"wide\"><table>\n<thead>" + row_of(table.rows.front(), true) + "</thead>\n<tbody>\n";
+  for (std::size_t r = 1; r < table.rows.size(); ++r) html += row_of(table.rows[r], false);
+  return html + "</tbody>\n</table></div>\n";
+}
+
+std::string LessonHtml::blocks(const RichText& text) const {
+  std::string html;
+  Lists lists(html);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const TextBlock& block = text[i];
+    const auto depth = static_cast<std::size_t>(std::max(block.indent, 0));
+    if (block.is_table()) {
+      lists.close_to(0);
+      html += table(block.table);
+    } else if (!block.marker.empty() && depth > 0) {
+      lists.begin_item(depth, block.marker);
+      html += spans(block.spans);
+    } else {
+      lists.close_to(depth);
+      html += "<p>" + spans(block.spans) + "</p>\n";
+    }
+  }
+  lists.close_to(0);
+  return html;
+}
+
+std::string LessonHtml::line(const RichText& text) const {
+  std::string html;
+  for (const TextBlock& block : text) {
+    if (!html.empty()) html += ' ';
+    html += spans(block.spans);
+  }
+  return html;
+}
+
+std::string LessonHtml::line(std::string_view words) const {
+  std::string html;
+  const auto add_words = [&](std::string_view plain) {
+    std::string text(plain);
+    for (std::size_t at = 0; (at = text.find("\\$", at)) != text.npos; ++at) text.erase(at, 1);
+    html += html_escaped(text);
+  };
+  std::size_t at = 0;
+  for (const SourceSpan& found : formulas_of_line(words)) {
+    add_words(words.substr(at, found.begin - 1 - at));
+    const std::string_view tex = words.substr(found.begin, found.end - found.begin);
+    auto math = parse_math(tex, lesson_.macros);
+    if (math) math->live.clear();  // only numbers that are shown as they are typed are left in such a line
+    html += math ? formula(*math, tex) : html_escaped(tex);
+    at = found.end + 1;
+  }
+  add_words(words.substr(at));
+  return html;
+}
+
+}  // namespace polhode

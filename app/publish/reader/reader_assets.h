@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// The files of assets/reader/, compiled in by CMake. Internal to app/publish/reader/.
+#pragma once
+
+namespace polhode::reader_assets {
+
+extern const char* const kReaderHtml;
+extern const char* const kReaderCss;
+extern const char* const kReaderJs;
+
+}  // namespace polhode::reader_assets

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "app/publish/reader/reader_figure.h"
+
+#include "app/narration/alt_text.h"
+#include "app/page/live_numbers.h"
+#include "app/page/page.h"
+#include "app/publish/html_text.h"
+#include "render/gl/passes/background.h"
+#include "render/image/webp.h"
+
+#include <fmt/format.h>
+
+namespace polhode {
+
+namespace {
+
+Background ground_of(Theme theme) { return {Background::Kind::color, colors_of(theme).paper}; }
+
+}  // namespace
+
+ReaderFigures::ReaderFigures(const Lesson& lesson, const SpeechText& speech, Renderer& renderer,
+                             const Look& look, const Effort& effort)
+    : lesson_(lesson), speech_(speech), renderer_(renderer), look_(look), models_(Product::page, effort) {}
+
+Outcome<ReaderPicture> ReaderFigures::picture(const Stage& stage, int step, double t_s, int width) {
+  const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
+  const SceneModel& model = model_of(of);
+  if (const Done computable = check_computable(stage, model, t_s); !computable) return passed_on(computable);
+  const PageRequest request{.lesson = lesson_,
+                            .stage = stage,
+                            .step = step,
+                            .model = &model,
+                            .t_s = t_s,
+                            .size = picture_size_of(model, width),
+                            .theme = look_.theme,
+                            .quality = look_.quality};
+  const Page page = compose_picture(request, renderer_.fonts());
+  const Result<Image> image = renderer_.draw(page.sheet, page.insets, request.size, ground_of(look_.theme));
+  if (!image) return failed(image);
+  const Result<std::vector<std::uint8_t>> webp = encode_small_webp(*image);
+  if (!webp) return failed(webp);
+  ReaderPicture made{request.size, "data:image/webp;base64," + base64(*webp), {}, t_s};
+  made.alt = alt_text(model, speech_.words_of_scenes(of, *of.scene), t_s);
+  if (const std::string plots = speech_.words_of_plots(*of.scene); !plots.empty())
+    made.alt += " Plotted: " + plots;
+  return made;
+}
+
+Outcome<ReaderPicture> ReaderFigures::still(const Stage& stage, int step) {
+  const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
+  return picture(stage, step, still_time_s(*of.scene), kReaderPictureWidth);
+}
+
+Outcome<std::vector<ReaderPicture>> ReaderFigures::moments(const Stage& stage, int step,
+                                                           const PlayedInterval& interval) {
+  std::vector<ReaderPicture> all;
+  for (int i = 0; i < kReaderMoments; ++i) {
+    const double part = static_cast<double>(i) / (kReaderMoments - 1);
+    const double t_s = interval.from_s + part * (interval.to_s - interval.from_s);
+    Outcome<ReaderPicture> one = picture(stage, step, t_s, kReaderMomentWidth);
+    if (!one) return passed_on(one);
+    all.push_back(std::move(one).value());
+  }
+  return all;
+}
+
+std::vector<std::string> ReaderFigures::captions(const Step& step) {
+  const SceneModel& model = model_of(step);
+  std::vector<std::string> all = captions_at(lesson_, step, model, still_time_s(*step.scene));
+  if (have_one_caption(shown_scenes(*step.scene))) all = {all[step.scene->before]};
+  std::erase(all, "");
+  return all;
+}
+
+}  // namespace polhode

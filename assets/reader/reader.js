@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// Judges choices, orders and numbers, copies formulas, and lets the keyboard scroll what is wider than the
+// page. Without it everything can be read; with it nothing is kept beyond the page.
+"use strict";
+(() => {
+  const say = (form, good, words, parts) => {
+    const output = form.querySelector("output");
+    output.className = good ? "good" : "bad";
+    const first = document.createElement("p");
+    first.textContent = words;
+    output.replaceChildren(first, ...parts.map((part) => part.cloneNode(true)));
+  };
+  const inside = (form, selector) =>
+    [...form.querySelectorAll(".answer " + selector)].flatMap((part) =>
+      [...part.children].filter((child) => !child.classList.contains("letter")));
+
+  const judgeChoice = (form) => {
+    const picked = form.querySelector("input:checked");
+    if (!picked) return say(form, false, "Pick one of the choices.", []);
+    const right = picked.value === form.dataset.answer;
+    const reply = inside(form, `.reply[data-choice="${picked.value}"]`);
+    say(form, right, right ? "Right." : "Not right.", right ? [...reply, ...inside(form, ".because")] : reply);
+    if (right) showMoments(form);
+  };
+  const showMoments = (form) => {
+    if (form.querySelector(".answer .moments")) form.querySelector(".answer").open = true;
+  };
+
+  const judgeOrder = (form) => {
+    const places = [...form.querySelectorAll("select")].map((select) => select.value);
+    if (places.some((place) => place === "") || new Set(places).size !== places.length)
+      return say(form, false, "Give each of them a place of its own.", []);
+    const order = places.map((_, i) => String(places.indexOf(String(i + 1)) + 1)).join(" ");
+    const right = order === form.dataset.answer;
+    say(form, right, right ? "Right." : "Not right.", right ? inside(form, ".because") : []);
+  };
+
+  // "4.2", "-4,200", "1.2e3", "1.2·10^3", "1.2 × 10³", with the unit of the question or without one.
+  const numberOf = (text, unit) => {
+    const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+    let typed = text.trim().replace(/[\u2212\u2013]/g, "-");
+    typed = typed.replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+/g, (power) => {
+      const plain = [...power].map((c) => (c === "⁻" ? "-" : raised.indexOf(c))).join("");
+      return /10$/.test(typed.slice(0, typed.indexOf(power))) ? "^" + plain : power;
+    });
+    const found = /^([-+]?(?:\d+\.?\d*|\.\d+))\s*(?:e([-+]?\d+)|[·×x*]\s*10\s*\^\s*\{?([-+]?\d+)\}?)?\s*(.*)$/i.exec(typed);
+    if (!found) return null;
+    const bare = (words) => words.replace(/[\s\u00a0·*]/g, "");
+    if (found[4] !== "" && bare(found[4]) !== bare(unit)) return null;
+    return Number(found[1] + "e" + (found[2] || found[3] || "0"));
+  };
+  const judgeNumber = (form) => {
+    const { value, within, unit } = form.dataset;
+    const typed = numberOf(form.querySelector("input").value, unit);
+    if (typed === null || !Number.isFinite(typed))
+      return say(form, false, "Type a number" + (unit ? " in " + unit : "") + ", such as 1.5 or 2e-3.", []);
+    const right = Math.abs(typed - Number(value)) <= Number(within);
+    say(form, right, right ? "Right." : "Not right.", right ? inside(form, ".because") : []);
+  };
+
+  const judges = { choice: judgeChoice, order: judgeOrder, number: judgeNumber };
+  for (const form of document.querySelectorAll("form.question")) {
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      const judge = judges[form.dataset.type];
+      if (judge) judge(form);
+    });
+    const line = form.querySelector(".judge");
+    if (line) line.hidden = false;
+  }
+
+  if (navigator.clipboard)
+    for (const equation of document.querySelectorAll(".equation")) {
+      const tex = equation.querySelector("annotation");
+      if (!tex) continue;
+      const tag = equation.querySelector(".tag");
+      const button = document.createElement("button");
+      button.type = "button";
+      button.className = "tex";
+      button.textContent = "TeX";
+      button.setAttribute("aria-label", "Copy the TeX" + (tag ? " of equation " + tag.textContent : ""));
+      button.addEventListener("click", async () => {
+        await navigator.clipboard.writeText(tex.textContent.trim());
+        button.textContent = "copied";
+        setTimeout(() => { button.textContent = "TeX"; }, 2000);
+      });
+      equation.append(button);
+    }
+
+  const wide = document.querySelectorAll(".formula, .wide, .long");
+  const letScroll = () => {
+    for (const part of wide) {
+      if (part.scrollWidth > part.clientWidth) {
+        part.tabIndex = 0;
+        part.setAttribute("role", "group");
+        part.setAttribute("aria-label", "Wider than the page; scrolls");
+      } else if (part.hasAttribute("tabindex")) {
+        for (const name of ["tabindex", "role", "aria-label"]) part.removeAttribute(name);
+      }
+    }
+  };
+  letScroll();
+  let waits = 0;
+  addEventListener("resize", () => {
+    clearTimeout(waits);
+    waits = setTimeout(letScroll, 150);
+  });
+})();

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// The text edition in a real browser: how it fits, what it judges, and that it runs nothing else.
+#include "tests/app/publish/browser.h"
+#include "tests/app/publish/reader/example_edition.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace polhode {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+class ReaderInBrowser : public testing::Test {
+ protected:
+  void SetUp() override {
+    browser_ = Browser::start(360, 740);
+    if (!browser_) GTEST_SKIP() << "no Chromium is installed";
+  }
+
+  void open(const std::string& lesson, const std::string& hash = "") {
+    write_text(folder_ / "edition.md", lesson);
+    const fs::path page = folder_ / "page.html";
+    const ProgramRun run = polhode({"export", (folder_ / "edition.md").string(), "--reader", page.string()});
+    ASSERT_EQ(run.code, 0) << run.err;
+    browser_->open(page, hash);
+  }
+
+  Json value_of(const std::string& expression) { return browser_->value_of(expression); }
+  /// Of a question's id.
+  static std::string form(const std::string& id) { return "document.getElementById('asked/ask." + id + "')"; }
+  std::string said(const std::string& id) {
+    return value_of(form(id) + ".querySelector('output').innerText");
+  }
+  void check(const std::string& id) { value_of(form(id) + ".querySelector('button').click()"); }
+
+  ScratchFolder folder_;
+  std::unique_ptr<Browser> browser_;
+};
+
+TEST_F(ReaderInBrowser, FitsANarrowScreenAndComplainsOfNothing) {
+  open(kEditionLesson);
+  for (const int width : {320, 360, 768, 1280, 3840}) {
+    browser_->resize(width, 740);
+    EXPECT_LE(value_of("document.documentElement.scrollWidth").get<int>(), width);
+  }
+  EXPECT_EQ(value_of("[...document.images].every(image => image.complete && image.naturalWidth > 0)"), true);
+  EXPECT_EQ(value_of("[...document.querySelectorAll('math')].every(m => m.offsetParent === null || "
+                     "m.getBoundingClientRect().height > 5)"),
+            true);
+  EXPECT_THAT(browser_->complaints(), IsEmpty());
+}
+
+// WCAG 2.2, 1.4.12.
+TEST_F(ReaderInBrowser, BearsTheSpacingOfText) {
+  open(kEditionLesson);
+  browser_->resize(320, 740);
+  value_of(
+      "for (const e of document.querySelectorAll('p, li, label, h2, h3')) { e.style.letterSpacing = "
+      "'0.12em'; "
+      "e.style.wordSpacing = '0.16em'; e.style.lineHeight = '1.5'; e.style.marginBottom = '2em'; }");
+  EXPECT_LE(value_of("document.documentElement.scrollWidth").get<int>(), 320);
+}
+
+TEST_F(ReaderInBrowser, JudgesChoices) {
+  open(kEditionLesson);
+  EXPECT_EQ(said("pick"), "");
+  check("pick");
+  EXPECT_THAT(said("pick"), HasSubstr("Pick one"));
+  value_of(form("pick") + ".querySelectorAll('input')[0].click()");
+  check("pick");
+  EXPECT_EQ(said("pick"), "Not right.");
+  value_of(form("pick") + ".querySelectorAll('input')[1].click()");
+  check("pick");
+  EXPECT_THAT(said("pick"), testing::AllOf(HasSubstr("Right."), HasSubstr("It is <two>.")));
+}
+
+TEST_F(ReaderInBrowser, JudgesOrders) {
+  open(kEditionLesson);
+  const auto place = [&](std::array<int, 3> places) {
+    for (int i = 0; i < 3; ++i)
+      value_of(form("rank") + ".querySelectorAll('select')[" + std::to_string(i) + "].value = '" +
+               std::to_string(places[static_cast<std::size_t>(i)]) + "'");
+    check("rank");
+    return said("rank");
+  };
+  check("rank");
+  EXPECT_THAT(said("rank"), HasSubstr("a place of its own"));
+  EXPECT_THAT(place({1, 1, 2}), HasSubstr("a place of its own"));
+  EXPECT_EQ(place({1, 2, 3}), "Not right.");
+  EXPECT_EQ(place({1, 3, 2}), "Right.") << "small, middle, large";
+}
+
+TEST_F(ReaderInBrowser, JudgesNumbers) {
+  open(kEditionLesson);
+  const auto typed = [&](const std::string& text) {
+    value_of(form("count") + ".querySelector('input').value = " + Json(text).dump());
+    check("count");
+    return said("count");
+  };
+  for (const char* right : {"2", "2.0", " 2.00 rad/s", "2e0", "0.2·10^1", "0.2 × 10¹", "20e-1", "1.99"})
+    EXPECT_EQ(typed(right), "Right.") << right;
+  for (const char* wrong : {"3", "-2", "−2", "2e1", "0.2"}) EXPECT_EQ(typed(wrong), "Not right.") << wrong;
+  for (const char* unread : {"", "two", "2 m", "2 rad", "2,0", "e5", "NaN"})
+    EXPECT_THAT(typed(unread), HasSubstr("Type a number in rad/s")) << unread;
+}
+
+TEST_F(ReaderInBrowser, KeepsAndSendsNothing) {
+  open(kEditionLesson);
+  value_of(form("pick") + ".querySelectorAll('input')[1].click()");
+  check("pick");
+  browser_->reload();
+  EXPECT_EQ(said("pick"), "");
+  EXPECT_EQ(value_of(form("pick") + ".querySelectorAll('input:checked').length"), 0);
+  EXPECT_THAT(browser_->complaints(), IsEmpty());
+}
+
+TEST_F(ReaderInBrowser, TheKeyboardGoesToTheTextAndToControls) {
+  open(kEditionLesson);
+  browser_->press("Tab");
+  EXPECT_EQ(value_of("document.activeElement.className"), "skip");
+  EXPECT_GE(value_of("document.activeElement.getBoundingClientRect().top").get<double>(), 0.0);
+  for (int i = 0; i < 200 && value_of("document.activeElement.name") != "asked/ask.pick"; ++i)
+    browser_->press("Tab");
+  EXPECT_EQ(value_of("document.activeElement.name"), "asked/ask.pick");
+  EXPECT_NE(value_of("getComputedStyle(document.activeElement).outlineStyle"), "none");
+}
+
+TEST_F(ReaderInBrowser, RunsNothingOfALesson) {
+  std::string lesson = kEditionLesson;
+  const auto put = [&](const std::string& at, const std::string& what) {
+    const std::size_t found = lesson.find(at);
+    ASSERT_NE(found, std::string::npos) << at;
+    lesson.replace(found, at.size(), what);
+  };
+  put("An <edition> & more", "</title></style><script>window.ran = 1</script>");
+  put("Landau & Lifshitz", "<svg onload=window.ran=1>");
+  put("First **words**", "\\<script>window.ran = 1\\</script>\\<img src=x onerror=window.ran=1>");
+  put("One & only.", "\\\\<iframe src=https://example.org>");
+  open(lesson);
+  EXPECT_EQ(value_of("window.ran === undefined"), true);
+  EXPECT_EQ(value_of("document.querySelectorAll('svg, iframe').length"), 0);
+  EXPECT_EQ(value_of("document.scripts.length"), 1);
+  EXPECT_THAT(browser_->complaints(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace polhode
