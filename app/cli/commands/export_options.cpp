@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kMostDpi = 100'000;
 constexpr int kMostJobs = 256;
-const std::vector<std::string> kWhats = {"page", "equation", "figure", "transcript"};
 
 /// The place of `typed` in `choices`, or `standard` if nothing was typed.
 std::size_t choice(std::string_view option, const std::string& typed, const std::vector<std::string>& choices,
@@ -101,7 +100,8 @@ std::string background_name(const std::string& typed, What what) {
     return "paper";
   }
   if (typed.empty()) return what == What::figure ? "studio" : "paper";
-  const std::vector<std::string> names = {"studio", "paper", "white", "transparent", "#rrggbb"};
+  std::vector<std::string> names = export_words().background;
+  names.emplace_back("#rrggbb");
   if (!background_from(typed))
     throw usage(fmt::format("--background: \"{}\" is none of {}{}", typed, fmt::join(names, ", "),
                             did_you_mean(typed, names)));
@@ -156,16 +156,36 @@ std::vector<std::string> resume_words(const TypedExport& typed, const std::vecto
   return words;
 }
 
+std::vector<std::string> names_of_sizes() {
+  std::vector<std::string> names;
+  for (const NamedSize& size : named_sizes()) names.push_back(size.name);
+  return names;
+}
+
 }  // namespace
+
+const ExportWords& export_words() {
+  static const ExportWords words = {.what = {"page", "equation", "figure", "transcript"},
+                                    .each = {"stage", "step", "frame"},
+                                    .size = names_of_sizes(),
+                                    .background = {"studio", "paper", "white", "transparent"},
+                                    .theme = {"paper", "dark"},
+                                    .profile = {"page", "slides"},
+                                    .quality = quality_level_names(),
+                                    .png = {"fast", "small"},
+                                    .sync = {"end", "frame"},
+                                    .context = {"auto", "osmesa", "egl"}};
+  return words;
+}
 
 ExportOptions export_options(const TypedExport& typed) {
   ExportOptions options;
-  options.what = static_cast<What>(choice("--what", typed.what, kWhats));
+  options.what = static_cast<What>(choice("--what", typed.what, export_words().what));
   options.stages = typed.stages;
-  options.profile = static_cast<Profile>(choice("--profile", typed.profile, {"page", "slides"}, 1));
+  options.profile = static_cast<Profile>(choice("--profile", typed.profile, export_words().profile, 1));
   constexpr std::size_t kStages = 0, kSteps = 1, kFrames = 2;
   const bool is_of_slides = options.what == What::page && options.profile == Profile::slides;
-  options.each = static_cast<Each>(choice("--each", typed.each, {"stage", "step", "frame"},
+  options.each = static_cast<Each>(choice("--each", typed.each, export_words().each,
                                           !typed.film.empty() ? kFrames
                                           : is_of_slides      ? kSteps
                                                               : kStages));
@@ -182,12 +202,12 @@ ExportOptions export_options(const TypedExport& typed) {
     options.frames = read_or_refuse(frame_range_from(typed.frames), "--frames", typed.frames,
                                     "a range A:B with 0 <= A < B, like 0:48");
   options.background = background_name(typed.background, options.what);
-  options.theme = static_cast<Theme>(choice("--theme", typed.theme, {"paper", "dark"}));
+  options.theme = static_cast<Theme>(choice("--theme", typed.theme, export_words().theme));
   if (!typed.quality.empty())
-    options.quality = static_cast<QualityLevel>(choice("--quality", typed.quality, quality_level_names()));
+    options.quality = static_cast<QualityLevel>(choice("--quality", typed.quality, export_words().quality));
   options.text_scale = text_scale_of(typed.text_size);
   options.dpi = dpi_of(typed.dpi, typed.size, options.what);
-  options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
+  options.png = static_cast<PngPacking>(choice("--png", typed.png, export_words().png));
   return options;
 }
 
@@ -213,9 +233,9 @@ ExportOutput export_output(const TypedExport& typed) {
   out.resume = resume_words(typed, {});
   out.resume_all = resume_words(typed, {"--shard", "--jobs"});
   out.durability =
-      choice("--sync", typed.sync, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
+      choice("--sync", typed.sync, export_words().sync) == 1 ? Durability::sync : Durability::rename_only;
   constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
-  out.context = kKinds[choice("--context", typed.context, {"auto", "osmesa", "egl"})];
+  out.context = kKinds[choice("--context", typed.context, export_words().context)];
   return out;
 }
 

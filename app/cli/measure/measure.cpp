@@ -16,6 +16,7 @@
 #include "base/files/atomic_file.h"
 #include "base/spelling.h"
 #include "physics/analysis/characteristic_time.h"
+#include "physics/method_facts.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>
@@ -166,7 +167,7 @@ Command measure_command() {
   Command command = {
       "measure",
       "Speed against accuracy: of methods, or of pictures",
-      {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " "},
+      {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " ", false, offer_lessons()},
        {"--stage", &typed->stage, "the stage whose last scene is measured, or STAGE:STEP", "STAGE[:STEP]"}}};
   const auto add = [&](const std::vector<CommandOption>& options) {
     command.options.insert(command.options.end(), options.begin(), options.end());
@@ -175,11 +176,12 @@ Command measure_command() {
   add({{"--periods", &typed->periods, "after N polhode periods; of none, of turns (default: 100)", "N"},
        {"--tolerance", &typed->tolerance, "recommend the cheapest with both errors at most E (pictures: rms)",
         "E"},
-       {"--method", &typed->methods, "this method; repeat for more (default: all that serve)", "NAME"},
+       {"--method", &typed->methods, "this method; repeat for more (default: all that serve)", "NAME", false,
+        offer(method_names())},
        {"--seconds", &typed->seconds, "spend about S seconds of CPU time on it (default: 8)", "S"},
        {"--all", &typed->all, "every row in the table"},
-       {"--csv", &typed->csv, "write every row to this file as CSV", "F"},
-       {"--plot", &typed->plot, "draw the work-precision diagram, 1920x1080", "F.png"},
+       {"--csv", &typed->csv, "write every row to this file as CSV", "F", false, offer_files()},
+       {"--plot", &typed->plot, "draw the work-precision diagram, 1920x1080", "F.png", false, offer_files()},
        {"--json", &typed->json, "every row and the recommended one as JSON, instead of the table"},
        {"--rendering", &typed->rendering, "measure pictures instead: qualities against time"}});
   command.footer = fmt::format(

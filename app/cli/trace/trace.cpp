@@ -12,6 +12,7 @@
 #include "physics/analysis/characteristic_time.h"
 #include "physics/analysis/horizon.h"
 #include "physics/analysis/motion_errors.h"
+#include "physics/method_facts.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
@@ -167,11 +168,12 @@ ExitCode trace(const TypedOptions& typed) {
 
 Command trace_command() {
   const auto typed = std::make_shared<TypedOptions>();
-  Command command = {"trace",
-                     "Print the numbers of a motion as CSV or JSON",
-                     {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " "},
-                      {"--stage", &typed->stage, "its scene: the last of a stage, or that of a step, from 1",
-                       "STAGE[:STEP]"}}};
+  Command command = {
+      "trace",
+      "Print the numbers of a motion as CSV or JSON",
+      {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " ", false, offer_lessons()},
+       {"--stage", &typed->stage, "its scene: the last of a stage, or that of a step, from 1",
+        "STAGE[:STEP]"}}};
   const auto of_body = problem_options(typed->problem, false);
   command.options.insert(command.options.end(), of_body.begin(), of_body.end());
   command.options.insert(
@@ -184,12 +186,13 @@ Command trace_command() {
         "or: over P polhode periods; of none, turns 2 pi/|omega|; with --samples", "P"},
        {"--samples", &typed->times.samples, "... or N rows, 2 or more, both ends included", "N"},
        {"--method", &typed->method.method, "see below (default: the scene's, or the best that serves)",
-        "NAME"},
+        "NAME", false, offer(method_names())},
        {"--step", &typed->method.step, "step in s, needed by methods with a fixed one", "H"},
        {"--tolerance", &typed->method.tolerance, "of dormand-prince-5 and -8 (default: 1e-10)", "E"},
        {"--columns", &typed->columns, "those to print, in this order, see below (default: t to Lz)",
         "NAME,..."},
-       {"--format", &typed->format, "form of the result (default: csv)", "csv|json"}});
+       {"--format", &typed->format, "form of the result (default: csv)", "csv|json", false,
+        offer({"csv", "json"})}});
   command.footer = fmt::format(
       "{}\n{}\n"
       "Times of a LESSON need not be said: 101 rows, or --samples N, over the duration of the scene.\n"
