@@ -39,7 +39,7 @@ if(POLHODE_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 # What is released is hardened as Debian hardens its packages: checked copies and a guarded stack; code at addresses that
 # nobody can foresee, and tables of other libraries' functions that nobody can write to. The program reads lessons, pictures
-# and reports of others. It costs no frame a measurable time (tests/bench/README.md).
+# and reports of others.
 target_compile_options(polhode_settings INTERFACE
   $<$<CONFIG:Release>:-fstack-protector-strong$<SEMICOLON>-U_FORTIFY_SOURCE$<SEMICOLON>-D_FORTIFY_SOURCE=2$<SEMICOLON>-fPIE>)
 target_link_options(polhode_settings INTERFACE $<$<CONFIG:Release>:LINKER:-z,relro,-z,now$<SEMICOLON>-pie>)
