@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace polhode {
 
@@ -156,7 +157,21 @@ ExitCode measure_pictures(const TypedOptions& typed) {
   return measure_rendering(request);
 }
 
+/// Said before seconds of measuring, and not after them.
+void check_files(const TypedOptions& typed) {
+  if (!typed.plot.empty() && !typed.plot.ends_with(".png"))
+    throw usage(fmt::format("--plot {}: the name has to end in .png", typed.plot));
+  for (const std::string& file : {typed.csv, typed.plot}) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, error))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("cannot write {}: there is no folder {}", file, folder.string()));
+  }
+}
+
 ExitCode measure(const TypedOptions& typed) {
+  check_files(typed);
   return typed.rendering ? measure_pictures(typed) : measure_motion(typed);
 }
 
