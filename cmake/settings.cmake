@@ -37,6 +37,12 @@ endif()
 if(POLHODE_PRECOMPILE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(polhode_settings INTERFACE -Wno-stringop-overflow -Wno-stringop-overread -Wno-restrict)
 endif()
+# What is released is hardened as Debian hardens its packages: checked copies and a guarded stack; code at addresses that
+# nobody can foresee, and tables of other libraries' functions that nobody can write to. The program reads lessons, pictures
+# and reports of others.
+target_compile_options(polhode_settings INTERFACE
+  $<$<CONFIG:Release>:-fstack-protector-strong$<SEMICOLON>-U_FORTIFY_SOURCE$<SEMICOLON>-D_FORTIFY_SOURCE=2$<SEMICOLON>-fPIE>)
+target_link_options(polhode_settings INTERFACE $<$<CONFIG:Release>:LINKER:-z,relro,-z,now$<SEMICOLON>-pie>)
 if(POLHODE_WARNINGS_AS_ERRORS)
   target_compile_options(polhode_settings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
 endif()

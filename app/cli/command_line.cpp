@@ -40,20 +40,32 @@ std::string unexpected_word(const CLI::App& app, const CLI::App& command) {
                      did_you_mean(word.substr(0, word.find('=')), known_words(command)));
 }
 
+/// "Exit codes: 0 done, 1 ...", broken where a line would be longer than the help is wide.
+std::string exit_codes_line() {
+  constexpr std::size_t kHelpColumns = 100;
+  std::string text, line = "Exit codes:";
+  for (const auto& [code, meaning] : exit_meanings()) {
+    const bool is_last = code == exit_meanings().back().code;
+    const std::string item = fmt::format(" {} {}{}", static_cast<int>(code), meaning, is_last ? "." : ",");
+    if (line.size() + item.size() > kHelpColumns) {
+      text += line + "\n";
+      line = item.substr(1);
+    } else {
+      line += item;
+    }
+  }
+  return text + line + "\n";
+}
+
 /// Version flag and layout of the help, which the commands inherit.
 void describe_program(CLI::App& app) {
   constexpr std::size_t kOptionColumns = 28;
-  app.set_version_flag("--version", program_name_and_version(), "Print the version and exit");
-  app.set_help_flag("-h,--help", "Print this help and exit");
+  app.set_version_flag(kVersionFlag.names, program_name_and_version(), kVersionFlag.about);
+  app.set_help_flag(kHelpFlag.names, kHelpFlag.about);
   app.get_formatter()->column_width(kOptionColumns);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.get_formatter()->label("Subcommands", "Commands");
-  app.footer(
-      "LESSON is an id, looked up in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons,\n"
-      "or a file. Numbers may be decimal or hexadecimal (0x1.8p+1).\n"
-      "Exit codes: 0 done, 1 failed while running, 2 usage, 3 lesson, body or state invalid,\n"
-      "4 compared and different, a wrong answer, an export or a class not whole, 130 interrupted.\n"
-      "See: polhode COMMAND --help");
+  app.footer(fmt::format("{}\n{}See: polhode COMMAND --help", kLessonAndNumbers, exit_codes_line()));
 }
 
 /// What is said to a line that is no command to run: help, the version, or what is wrong with it.
@@ -131,9 +143,36 @@ CommandWords words_of(const CLI::App& command) {
 
 }  // namespace
 
+Offered offer(std::vector<std::string> words) { return {Offered::nothing, std::move(words)}; }
+Offered offer_files() { return {Offered::files}; }
+Offered offer_folders() { return {Offered::folders}; }
+Offered offer_lessons(std::vector<std::string> or_words) { return {Offered::lessons, std::move(or_words)}; }
+
+std::vector<std::string> spellings_of(std::string_view names) {
+  std::vector<std::string> parts;
+  for (std::size_t comma; (comma = names.find(',')) != names.npos; names.remove_prefix(comma + 1))
+    parts.emplace_back(names.substr(0, comma));
+  parts.emplace_back(names);
+  return parts;
+}
+
+std::vector<std::string> CommandOption::spellings() const { return spellings_of(names); }
+
+const std::vector<ExitMeaning>& exit_meanings() {
+  static const std::vector<ExitMeaning> meanings = {
+      {ExitCode::done, "done"},
+      {ExitCode::failed, "failed while running"},
+      {ExitCode::usage, "usage"},
+      {ExitCode::invalid, "lesson, body or state invalid"},
+      {ExitCode::different, "compared and different, a wrong answer, an export or a class not whole"},
+      {ExitCode::interrupted, "interrupted"}};
+  return meanings;
+}
+
 ExitCode run_command_line(const std::vector<Command>& commands, int argc, const char* const* argv) {
-  CLI::App app("Lecture companion for the rotation of a rigid body.", "polhode");
+  CLI::App app(kProgramAbout, "polhode");
   describe_program(app);
+  app.require_subcommand(0, 1);  // the name of a second one is a value: polhode help export
   for (const Command& command : commands) {
     CLI::App& added = *app.add_subcommand(command.name, command.about);
     for (const CommandOption& option : command.options) add_option(added, option);

@@ -7,10 +7,22 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
 namespace polhode {
+
+/// What a shell offers where a value is typed: these words, or names that it looks up.
+struct Offered {
+  enum Names { nothing, files, folders, lessons };  ///< lessons: their ids, and files
+  Names names = nothing;
+  std::vector<std::string> words = {};
+};
+Offered offer(std::vector<std::string> words);
+Offered offer_files();
+Offered offer_folders();
+Offered offer_lessons(std::vector<std::string> or_words = {});
 
 /// One option of a command, a flag, or an argument known by its place.
 struct CommandOption {
@@ -26,6 +38,13 @@ struct CommandOption {
   /// A blank: not at all.
   std::string form = {};
   bool required = false;
+  Offered offered = {};  ///< for the value
+
+  bool is_flag() const { return std::holds_alternative<bool*>(target); }
+  bool is_argument() const { return !names.starts_with('-'); }
+  bool may_be_repeated() const { return std::holds_alternative<std::vector<std::string>*>(target); }
+  /// "-o", "--output"; of an argument its one name.
+  std::vector<std::string> spellings() const;
 };
 
 /// The words of a command line that says the same as the one that was read, in the order of the options and
@@ -41,6 +60,29 @@ struct Command {
   /// A word such as -w1*w2 is a value and no option; --long options and -h remain.
   bool dash_begins_value = false;
 };
+
+/// A flag that is no command's own.
+struct CommonFlag {
+  const char *names, *about;
+};
+inline constexpr CommonFlag kHelpFlag = {"-h,--help", "Print this help and exit"};  ///< of every command, too
+inline constexpr CommonFlag kVersionFlag = {"--version", "Print the version and exit"};
+
+/// What the program is, in one sentence, and what holds for all its commands.
+inline constexpr const char* kProgramAbout = "Lecture companion for the rotation of a rigid body.";
+inline constexpr const char* kLessonAndNumbers =
+    "LESSON is an id, looked up in $POLHODE_LESSONS, ./lessons and PROGRAM/../share/polhode/lessons,\n"
+    "or a file. Numbers may be decimal or hexadecimal (0x1.8p+1).";
+
+struct ExitMeaning {
+  ExitCode code;
+  const char* meaning;
+};
+/// How the program can end, in the order of the codes.
+const std::vector<ExitMeaning>& exit_meanings();
+
+/// The parts of "-o,--output".
+std::vector<std::string> spellings_of(std::string_view names);
 
 /// Reads the line and runs the command it names. Answers --help and --version on stdout; a mistake gets one
 /// message on stderr, with "did you mean", and ExitCode::usage. @throws what the command throws

@@ -35,6 +35,12 @@ bool is_plain_name(std::string_view name) {
 
 bool names_file(std::string_view name) { return name.find('/') != name.npos || name.ends_with(".md"); }
 
+/// False for a pipe of a lesson's name, which nobody may write to.
+bool is_regular(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
 bool opens_with_front_matter(const fs::path& path) {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   char start[3] = {};
@@ -89,7 +95,7 @@ std::vector<FoundLesson> lessons_in(const std::vector<fs::path>& folders) {
       FoundLesson lesson{entry->path().stem().string(), entry->path()};
       const bool known =
           std::any_of(found.begin(), found.end(), [&](const auto& f) { return f.id == lesson.id; });
-      if (lesson.path.extension() == ".md" && is_plain_name(lesson.id) && !known &&
+      if (lesson.path.extension() == ".md" && is_plain_name(lesson.id) && !known && is_regular(lesson.path) &&
           opens_with_front_matter(lesson.path))
         found.push_back(std::move(lesson));
     }
@@ -103,8 +109,7 @@ Outcome<fs::path> find_lesson(std::string_view name, const std::vector<fs::path>
   if (is_plain_name(name)) {
     for (const fs::path& folder : folders) {
       fs::path path = folder / (std::string(name) + ".md");
-      std::error_code error;
-      if (fs::exists(path, error)) return path;
+      if (is_regular(path)) return path;
     }
   }
   return unknown_lesson(name, folders);

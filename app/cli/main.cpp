@@ -18,10 +18,7 @@ ExitCode fail(ExitCode code, const char* text) {
 
 ExitCode run(int argc, char** argv) {
   try {
-    return run_command_line({list_command(), play_command(), export_command(), verify_command(),
-                             lint_command(), info_command(), trace_command(), measure_command(),
-                             answer_command(), answers_command(), derive_command(), compare_command()},
-                            argc, argv);
+    return run_command_line(program_commands(), argc, argv);
   } catch (const CommandError& error) {
     return fail(error.code, error.what());
   } catch (const std::domain_error& error) {

@@ -164,7 +164,7 @@ Command answer_command() {
   return {
       "answer",
       "Judge an answer to a question of a lesson",
-      {{"LESSON", &options->lesson, "Lesson file or id", "", true},
+      {{"LESSON", &options->lesson, "Lesson file or id", "", true, offer_lessons()},
        {"STAGE", &options->stage, "Id of the stage", "", true},
        {"ASK", &options->ask, "Id of the question", "", true},
        {"ANSWER", &options->answer, "What is answered, as its type wants it"},

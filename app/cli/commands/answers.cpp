@@ -115,22 +115,24 @@ ExitCode answers(const Options& options) {
 
 Command answers_command() {
   const auto options = std::make_shared<Options>();
-  return {"answers",
-          "Show, forget or hand in answers to a lesson; collect those of a class",
-          {{"LESSON", &options->words, "Lesson file or id; or collect, and the reports of a class",
-            "LESSON | collect FILE...", true},
-           {"--report", &options->report, "Write a report to hand in; - is stdout", "FILE"},
-           {"--name", &options->name, "Your name in the report; without it there is none", "NAME"},
-           {"--reset", &options->reset, "Forget all answers to the lesson, and their hints"},
-           {"--csv", &options->csv, "collect: a table of students and questions, as CSV"},
-           {"--reasons", &options->reasons, "collect: what was wrong, and how often, for each question"},
-           {"--lesson", &options->lesson, "collect: the lesson, if it is not found by its id", "LESSON"},
-           {"-o,--output", &options->output, "collect: a file instead of stdout", "FILE"}},
-          "A report has answers, tries, hints and reasons, and a checksum that guards against accidents;\n"
-          "it is no signature. collect judges what is called right again, with the lesson. Of a student\n"
-          "with several reports the newest counts, by the time of its file. Each report that is skipped\n"
-          "gets a line that says why. Exit code 4 if one was skipped, or called right what is not; else 0.",
-          [options](const CommandWords&) { return answers(*options); }};
+  return {
+      "answers",
+      "Show, forget or hand in answers to a lesson; collect those of a class",
+      {{"LESSON", &options->words, "Lesson file or id; or collect, and the reports of a class",
+        "LESSON | collect FILE...", true, offer_lessons({"collect"})},
+       {"--report", &options->report, "Write a report to hand in; - is stdout", "FILE", false, offer_files()},
+       {"--name", &options->name, "Your name in the report; without it there is none", "NAME"},
+       {"--reset", &options->reset, "Forget all answers to the lesson, and their hints"},
+       {"--csv", &options->csv, "collect: a table of students and questions, as CSV"},
+       {"--reasons", &options->reasons, "collect: what was wrong, and how often, for each question"},
+       {"--lesson", &options->lesson, "collect: the lesson, if it is not found by its id", "LESSON", false,
+        offer_lessons()},
+       {"-o,--output", &options->output, "collect: a file instead of stdout", "FILE", false, offer_files()}},
+      "A report has answers, tries, hints and reasons, and a checksum that guards against accidents;\n"
+      "it is no signature. collect judges what is called right again, with the lesson. Of a student\n"
+      "with several reports the newest counts, by the time of its file. Each report that is skipped\n"
+      "gets a line that says why. Exit code 4 if one was skipped, or called right what is not; else 0.",
+      [options](const CommandWords&) { return answers(*options); }};
 }
 
 }  // namespace polhode

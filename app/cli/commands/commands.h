@@ -18,5 +18,11 @@ Command answer_command();
 Command answers_command();
 Command derive_command();
 Command compare_command();
+Command completion_command();
+/// @param others the names of the other commands, which a shell offers.
+Command help_command(std::vector<std::string> others);
+
+/// All of them, in the order of the help.
+std::vector<Command> program_commands();
 
 }  // namespace polhode

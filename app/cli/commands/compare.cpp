@@ -61,9 +61,10 @@ Command compare_command() {
   const auto options = std::make_shared<Options>();
   return {"compare",
           "Compare two PNG files by the golden rule",
-          {{"A", &options->a, "PNG file", " ", true},
-           {"B", &options->b, "PNG file", " ", true},
-           {"--diff", &options->diff, "write a picture of the differences, in red", "FILE.png"},
+          {{"A", &options->a, "PNG file", " ", true, offer_files()},
+           {"B", &options->b, "PNG file", " ", true, offer_files()},
+           {"--diff", &options->diff, "write a picture of the differences, in red", "FILE.png", false,
+            offer_files()},
            {"--json", &options->json, "equal, pixels, over_3, over_fraction and max as JSON"}},
           "Equal: same size, at most 0.02 % of the pixels off by more than 3 levels in any channel (alpha\n"
           "too), none by more than 48. Exit code 4 if different, 1 if a file cannot be read.",

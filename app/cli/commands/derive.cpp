@@ -121,10 +121,11 @@ Command derive_command() {
   const auto options = std::make_shared<Options>();
   return {"derive",
           "Judge a derivation, line by line from standard input",
-          {{"LESSON", &options->lesson, "Lesson file or id", "", true},
+          {{"LESSON", &options->lesson, "Lesson file or id", "", true, offer_lessons()},
            {"STAGE", &options->stage, "Id of the stage", "", true},
            {"ASK", &options->ask, "Id of the question, which is of the type derive", "", true},
-           {"--hint", &options->hint, "What to do next: 1 what to use, 2 how, 3 the line itself", "1|2|3"},
+           {"--hint", &options->hint, "What to do next: 1 what to use, 2 how, 3 the line itself", "1|2|3",
+            false, offer({"1", "2", "3"})},
            {"--json", &options->json, "Each line's verdict, slip, reason and TeX as JSON"}},
           wrapped("A line is one equation, such as \"dL/dt = d*L/dt + omega x L\". What is typed: " +
                       std::string(kWordsOfDerivations) + ".",

@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kMostDpi = 100'000;
 constexpr int kMostJobs = 256;
-const std::vector<std::string> kWhats = {"page", "equation", "figure", "transcript"};
 
 /// The place of `typed` in `choices`, or `standard` if nothing was typed.
 std::size_t choice(std::string_view option, const std::string& typed, const std::vector<std::string>& choices,
@@ -101,7 +100,8 @@ std::string background_name(const std::string& typed, What what) {
     return "paper";
   }
   if (typed.empty()) return what == What::figure ? "studio" : "paper";
-  const std::vector<std::string> names = {"studio", "paper", "white", "transparent", "#rrggbb"};
+  std::vector<std::string> names = export_words().background;
+  names.emplace_back("#rrggbb");
   if (!background_from(typed))
     throw usage(fmt::format("--background: \"{}\" is none of {}{}", typed, fmt::join(names, ", "),
                             did_you_mean(typed, names)));
@@ -157,21 +157,21 @@ std::vector<std::string> resume_words(const TypedExport& typed, const std::vecto
 }
 
 Durability durability_of(const std::string& typed) {
-  return choice("--sync", typed, {"end", "frame"}) == 1 ? Durability::sync : Durability::rename_only;
+  return choice("--sync", typed, export_words().sync) == 1 ? Durability::sync : Durability::rename_only;
 }
 
 ContextKind context_of(const std::string& typed) {
   constexpr ContextKind kKinds[] = {ContextKind::any, ContextKind::osmesa, ContextKind::egl};
-  return kKinds[choice("--context", typed, {"auto", "osmesa", "egl"})];
+  return kKinds[choice("--context", typed, export_words().context)];
 }
 
 Theme theme_of(const std::string& typed) {
-  return static_cast<Theme>(choice("--theme", typed, {"paper", "dark"}));
+  return static_cast<Theme>(choice("--theme", typed, export_words().theme));
 }
 
 std::optional<QualityLevel> quality_of(const std::string& typed) {
   if (typed.empty()) return std::nullopt;
-  return static_cast<QualityLevel>(choice("--quality", typed, quality_level_names()));
+  return static_cast<QualityLevel>(choice("--quality", typed, export_words().quality));
 }
 
 bool has_ending(const std::string& file, std::initializer_list<std::string_view> endings) {
@@ -181,7 +181,27 @@ bool has_ending(const std::string& file, std::initializer_list<std::string_view>
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
+std::vector<std::string> names_of_sizes() {
+  std::vector<std::string> names;
+  for (const NamedSize& size : named_sizes()) names.push_back(size.name);
+  return names;
+}
+
 }  // namespace
+
+const ExportWords& export_words() {
+  static const ExportWords words = {.what = {"page", "equation", "figure", "transcript"},
+                                    .each = {"stage", "step", "frame"},
+                                    .size = names_of_sizes(),
+                                    .background = {"studio", "paper", "white", "transparent"},
+                                    .theme = {"paper", "dark"},
+                                    .profile = {"page", "slides"},
+                                    .quality = quality_level_names(),
+                                    .png = {"fast", "small"},
+                                    .sync = {"end", "frame"},
+                                    .context = {"auto", "osmesa", "egl"}};
+  return words;
+}
 
 ReaderOutput reader_output(const TypedExport& typed) {
   refuse_given({{"--what", typed.what},
@@ -216,12 +236,12 @@ ReaderOutput reader_output(const TypedExport& typed) {
 
 ExportOptions export_options(const TypedExport& typed) {
   ExportOptions options;
-  options.what = static_cast<What>(choice("--what", typed.what, kWhats));
+  options.what = static_cast<What>(choice("--what", typed.what, export_words().what));
   options.stages = typed.stages;
-  options.profile = static_cast<Profile>(choice("--profile", typed.profile, {"page", "slides"}, 1));
+  options.profile = static_cast<Profile>(choice("--profile", typed.profile, export_words().profile, 1));
   constexpr std::size_t kStages = 0, kSteps = 1, kFrames = 2;
   const bool is_of_slides = options.what == What::page && options.profile == Profile::slides;
-  options.each = static_cast<Each>(choice("--each", typed.each, {"stage", "step", "frame"},
+  options.each = static_cast<Each>(choice("--each", typed.each, export_words().each,
                                           !typed.film.empty() ? kFrames
                                           : is_of_slides      ? kSteps
                                                               : kStages));
@@ -242,7 +262,7 @@ ExportOptions export_options(const TypedExport& typed) {
   options.quality = quality_of(typed.quality);
   options.text_scale = text_scale_of(typed.text_size);
   options.dpi = dpi_of(typed.dpi, typed.size, options.what);
-  options.png = static_cast<PngPacking>(choice("--png", typed.png, {"fast", "small"}));
+  options.png = static_cast<PngPacking>(choice("--png", typed.png, export_words().png));
   return options;
 }
 

@@ -21,6 +21,13 @@ struct TypedExport {
   std::vector<std::string> words;  ///< the command line, program and options, without --skip-existing
 };
 
+/// The words that those options take which take a word, in the order of their enumerations; of a size and a
+/// background there are others.
+struct ExportWords {
+  std::vector<std::string> what, each, size, background, theme, profile, quality, png, sync, context;
+};
+const ExportWords& export_words();
+
 /// @throws CommandError usage: what is malformed, out of range, or does not go with the kind of export.
 ExportOptions export_options(const TypedExport& typed);
 

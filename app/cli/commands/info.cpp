@@ -270,7 +270,7 @@ Command info_command() {
   return {
       "info",
       "What a lesson is about, what its scenes require, and their numbers",
-      {{"LESSON", &options->lesson, "Id or file", " ", true},
+      {{"LESSON", &options->lesson, "Id or file", " ", true, offer_lessons()},
        {"--json", &options->json, "the same as JSON, costs in ns"}},
       "Of a page of each stage's last scene: setup is the time to choose the motion and compute the\n"
       "parts required, call that of one evaluation at a time t; both measured now, medians. Horizon: how\n"

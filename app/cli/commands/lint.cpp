@@ -194,7 +194,7 @@ Command lint_command() {
   return {
       "lint",
       "Check lessons, prove claims; print file:line:column: error|warning: ...",
-      {{"FILE", &options->files, "Lesson files or ids", "...", true},
+      {{"FILE", &options->files, "Lesson files or ids", "...", true, offer_lessons()},
        {"--explain", &options->explain, "print the scene of a step, or the last of a stage, with every key",
         "STAGE[:STEP]"},
        {"--json", &options->json, "file, line, column, severity, message and hint as JSON"}},

@@ -162,8 +162,8 @@ Command play_command() {
   return {
       "play",
       "Walk through a lesson in a window",
-      {{"LESSON", &options->lesson, "Lesson file or id"},
-       {"--stage", &options->stage, "Begin at this stage, wherever you were"},
+      {{"LESSON", &options->lesson, "Lesson file or id", "", false, offer_lessons()},
+       {"--stage", &options->stage, "Begin at this stage, wherever you were", "ID"},
        {"--watch", &options->watch, "For authors: read the lesson again whenever its file changes"}},
       "Left and Right, or Page Up and Page Down as remote clickers send them, go through the steps,\n"
       "Up and Down through the stages; press ? in the window for all its keys. Place, answers and\n"

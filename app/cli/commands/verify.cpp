@@ -85,7 +85,7 @@ Command verify_command() {
   return {
       "verify",
       "Find what is missing, damaged or foreign in an export",
-      {{"DIR", &options->folder, "folder of an export", " ", true},
+      {{"DIR", &options->folder, "folder of an export", " ", true, offer_folders()},
        {"--json", &options->json, "the same as JSON: ok, files, missing, damaged, foreign, resume, ..."}},
       "Every file is read: its bytes have to be those that were written (sha256 in manifest.json), or in an\n"
       "unfinished export those of a whole picture of the plan. manifest.json itself is taken as it is. Then\n"

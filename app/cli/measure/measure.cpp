@@ -16,6 +16,7 @@
 #include "base/files/atomic_file.h"
 #include "base/spelling.h"
 #include "physics/analysis/characteristic_time.h"
+#include "physics/method_facts.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 namespace polhode {
 
@@ -155,7 +157,21 @@ ExitCode measure_pictures(const TypedOptions& typed) {
   return measure_rendering(request);
 }
 
+/// Said before seconds of measuring, and not after them.
+void check_files(const TypedOptions& typed) {
+  if (!typed.plot.empty() && !typed.plot.ends_with(".png"))
+    throw usage(fmt::format("--plot {}: the name has to end in .png", typed.plot));
+  for (const std::string& file : {typed.csv, typed.plot}) {
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, error))
+      throw CommandError(ExitCode::failed,
+                         fmt::format("cannot write {}: there is no folder {}", file, folder.string()));
+  }
+}
+
 ExitCode measure(const TypedOptions& typed) {
+  check_files(typed);
   return typed.rendering ? measure_pictures(typed) : measure_motion(typed);
 }
 
@@ -166,7 +182,7 @@ Command measure_command() {
   Command command = {
       "measure",
       "Speed against accuracy: of methods, or of pictures",
-      {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " "},
+      {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " ", false, offer_lessons()},
        {"--stage", &typed->stage, "the stage whose last scene is measured, or STAGE:STEP", "STAGE[:STEP]"}}};
   const auto add = [&](const std::vector<CommandOption>& options) {
     command.options.insert(command.options.end(), options.begin(), options.end());
@@ -175,11 +191,12 @@ Command measure_command() {
   add({{"--periods", &typed->periods, "after N polhode periods; of none, of turns (default: 100)", "N"},
        {"--tolerance", &typed->tolerance, "recommend the cheapest with both errors at most E (pictures: rms)",
         "E"},
-       {"--method", &typed->methods, "this method; repeat for more (default: all that serve)", "NAME"},
+       {"--method", &typed->methods, "this method; repeat for more (default: all that serve)", "NAME", false,
+        offer(method_names())},
        {"--seconds", &typed->seconds, "spend about S seconds of CPU time on it (default: 8)", "S"},
        {"--all", &typed->all, "every row in the table"},
-       {"--csv", &typed->csv, "write every row to this file as CSV", "F"},
-       {"--plot", &typed->plot, "draw the work-precision diagram, 1920x1080", "F.png"},
+       {"--csv", &typed->csv, "write every row to this file as CSV", "F", false, offer_files()},
+       {"--plot", &typed->plot, "draw the work-precision diagram, 1920x1080", "F.png", false, offer_files()},
        {"--json", &typed->json, "every row and the recommended one as JSON, instead of the table"},
        {"--rendering", &typed->rendering, "measure pictures instead: qualities against time"}});
   command.footer = fmt::format(

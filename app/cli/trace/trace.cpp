@@ -12,6 +12,7 @@
 #include "physics/analysis/characteristic_time.h"
 #include "physics/analysis/horizon.h"
 #include "physics/analysis/motion_errors.h"
+#include "physics/method_facts.h"
 #include "render/scene/model/scene_problem.h"
 
 #include <fmt/format.h>
@@ -48,22 +49,44 @@ constexpr const char* kMethodHelp =
     "implicit-midpoint-exp, moser-veselov-2, moser-veselov-6, moser-veselov-10; adaptive\n"
     "dormand-prince-5, dormand-prince-8.";
 
-/// Tells each row to `print`; returns the first time at which there is no state.
+/// What is not all numbers: the first row without a state, or else the first with a column that is too large.
+struct Overflow {
+  double t_s;
+  std::optional<std::string_view> column;  ///< none: no state
+};
+
+std::optional<Overflow> overflow_in(const Trace& trace, double t_s, const RigidBodyState& state,
+                                    const TraceRow& row) {
+  if (!is_finite(state)) return Overflow{t_s, {}};
+  const auto large = std::find_if(row.begin(), row.end(), [](double value) { return !std::isfinite(value); });
+  if (large == row.end()) return {};
+  return Overflow{t_s, trace.columns[static_cast<std::size_t>(large - row.begin())].name};
+}
+
+/// Tells each row to `print`, and whether it has a state.
 template <class Print>
-std::optional<double> for_each_row(const Trace& trace, const Print& print) {
-  std::optional<double> overflow_s;
+std::optional<Overflow> for_each_row(const Trace& trace, const Print& print) {
+  std::optional<Overflow> overflow;
   for (std::int64_t i = 0; i < trace.times.count(); ++i) {
     const double t_s = trace.times(i);
     const RigidBodyState state = trace.traced.motion->at(t_s);
-    print(i, trace_row(trace.columns, trace.problem, t_s, state));
-    if (!overflow_s && !is_finite(state)) overflow_s = t_s;
+    const TraceRow row = trace_row(trace.columns, trace.problem, t_s, state);
+    const bool has_state = is_finite(state);
+    if (!overflow || (overflow->column && !has_state)) {
+      const auto here = overflow_in(trace, t_s, state, row);
+      if (here) overflow = here;
+    }
+    print(i, row, has_state);
   }
-  return overflow_s;
+  return overflow;
 }
 
-std::optional<double> print_csv(const Trace& trace) {
+/// Rows without a state are left out.
+std::optional<Overflow> print_csv(const Trace& trace) {
   fmt::print("{}", trace_csv_header(trace.columns));
-  return for_each_row(trace, [](std::int64_t, const TraceRow& row) { fmt::print("{}", csv_line(row)); });
+  return for_each_row(trace, [](std::int64_t, const TraceRow& row, bool has_state) {
+    if (has_state) fmt::print("{}", csv_line(row));
+  });
 }
 
 std::string number_or_null(double value) { return std::isfinite(value) ? digits17(value) : "null"; }
@@ -85,18 +108,18 @@ std::string json_members(const Horizon& horizon) {
                      number_or_null(horizon.periods_1e_1.value_or(NAN)));
 }
 
-std::optional<double> print_json(const Trace& trace) {
+std::optional<Overflow> print_json(const Trace& trace) {
   const Problem& problem = trace.problem;
   fmt::print("{{\"method\":\"{}\",\"period\":{},{},\n\"rows\":[", trace.traced.motion->method(),
              number_or_null(polhode_period(problem).value_or(NAN)), json_members(horizon_of(problem)));
-  const auto overflow_s = for_each_row(trace, [&](std::int64_t i, const TraceRow& row) {
+  const auto overflow = for_each_row(trace, [&](std::int64_t i, const TraceRow& row, bool) {
     fmt::print("{}\n{{", i == 0 ? "" : ",");
     for (std::size_t c = 0; c < row.size(); ++c)
       fmt::print("{}\"{}\":{}", c == 0 ? "" : ",", trace.columns[c].name, number_or_null(row[c]));
     fmt::print("}}");
   });
   fmt::print("\n]}}\n");
-  return overflow_s;
+  return overflow;
 }
 
 bool wants_json(const std::string& format) {
@@ -106,11 +129,25 @@ bool wants_json(const std::string& format) {
 }
 
 void check_reach(const Motion& motion, const TraceTimes& times) {
+  if (!std::isfinite(times.furthest_s())) throw usage("there is a time that is too large for a double");
   if (times.furthest_s() <= motion.max_time_s()) return;
   throw CommandError(ExitCode::usage,
                      fmt::format("{:.6g} s is further than the {:.6g} s that {} reaches with this step or "
                                  "tolerance; give a larger --step or --tolerance",
                                  times.furthest_s(), motion.max_time_s(), motion.method()));
+}
+
+/// A sentence where the last time is further than the phase is known to 0.1 rad; else empty.
+std::string beyond_horizon(const Trace& trace) {
+  const Horizon horizon = horizon_of(trace.problem);
+  const double furthest_s = trace.times.furthest_s();
+  if (!horizon.periods_1e_1 ||
+      furthest_s <= *horizon.periods_1e_1 * characteristic_time(trace.problem).value_or(0))
+    return "";
+  return fmt::format(
+      "t = {:.6g} s is beyond the horizon: rounding of the inputs alone moves the phase by more than 0.1 rad "
+      "there",
+      furthest_s);
 }
 
 void print_note(const std::string& note) {
@@ -155,23 +192,27 @@ ExitCode trace(const TypedOptions& typed) {
 
   print_note(trace.traced.note);
   if (!json) print_note(sentence(horizon_of(trace.problem)));
-  const auto overflow_s = json ? print_json(trace) : print_csv(trace);
-  if (overflow_s)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("the motion cannot be computed at t = {:.6g} s: {}", *overflow_s,
-                                   why_no_state(motion, trace.problem, *overflow_s)));
-  return ExitCode::done;
+  print_note(beyond_horizon(trace));
+  const auto overflow = json ? print_json(trace) : print_csv(trace);
+  if (!overflow) return ExitCode::done;
+  if (overflow->column)
+    throw CommandError(ExitCode::failed, fmt::format("{} at t = {:.6g} s is too large for a double",
+                                                     *overflow->column, overflow->t_s));
+  throw CommandError(ExitCode::failed,
+                     fmt::format("the motion cannot be computed at t = {:.6g} s: {}", overflow->t_s,
+                                 why_no_state(motion, trace.problem, overflow->t_s)));
 }
 
 }  // namespace
 
 Command trace_command() {
   const auto typed = std::make_shared<TypedOptions>();
-  Command command = {"trace",
-                     "Print the numbers of a motion as CSV or JSON",
-                     {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " "},
-                      {"--stage", &typed->stage, "its scene: the last of a stage, or that of a step, from 1",
-                       "STAGE[:STEP]"}}};
+  Command command = {
+      "trace",
+      "Print the numbers of a motion as CSV or JSON",
+      {{"LESSON", &typed->lesson, "Id or file, with --stage; or:", " ", false, offer_lessons()},
+       {"--stage", &typed->stage, "its scene: the last of a stage, or that of a step, from 1",
+        "STAGE[:STEP]"}}};
   const auto of_body = problem_options(typed->problem, false);
   command.options.insert(command.options.end(), of_body.begin(), of_body.end());
   command.options.insert(
@@ -184,12 +225,13 @@ Command trace_command() {
         "or: over P polhode periods; of none, turns 2 pi/|omega|; with --samples", "P"},
        {"--samples", &typed->times.samples, "... or N rows, 2 or more, both ends included", "N"},
        {"--method", &typed->method.method, "see below (default: the scene's, or the best that serves)",
-        "NAME"},
+        "NAME", false, offer(method_names())},
        {"--step", &typed->method.step, "step in s, needed by methods with a fixed one", "H"},
        {"--tolerance", &typed->method.tolerance, "of dormand-prince-5 and -8 (default: 1e-10)", "E"},
        {"--columns", &typed->columns, "those to print, in this order, see below (default: t to Lz)",
         "NAME,..."},
-       {"--format", &typed->format, "form of the result (default: csv)", "csv|json"}});
+       {"--format", &typed->format, "form of the result (default: csv)", "csv|json", false,
+        offer({"csv", "json"})}});
   command.footer = fmt::format(
       "{}\n{}\n"
       "Times of a LESSON need not be said: 101 rows, or --samples N, over the duration of the scene.\n"

@@ -2,6 +2,7 @@
 #include "app/session/saved/state_file.h"
 
 #include "base/files/atomic_file.h"
+#include "base/files/file_bytes.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,8 +13,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 #include <thread>
 
@@ -28,14 +27,13 @@ constexpr int kFormat = 1;
 
 Failure<StateFileError> fails(std::string text) { return {{std::move(text)}}; }
 
-/// A folder of the file's name opens, and throws when it is read.
+/// Some hundred bytes for each question; a lesson of kMaxLessonBytes has at most some ten thousand.
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
+
 StateFileResult<std::string> whole_text(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  try {
-    if (file) return std::string{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  } catch (const std::ios_base::failure&) {  // said below
-  }
-  return fails(fmt::format("cannot read {}", path.string()));
+  const auto bytes = read_file_bytes(path, kMostBytes);
+  if (!bytes) return fails(fmt::format("cannot read {}: {}", path.string(), bytes.error()));
+  return std::string(bytes->begin(), bytes->end());
 }
 
 StateFileResult<std::string> set_aside(const fs::path& path) {

@@ -8,6 +8,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace polhode {
 namespace {
@@ -32,6 +33,15 @@ class LessonLookup : public testing::Test {
 TEST_F(LessonLookup, FindsIdsInTheOrderOfTheFolders) {
   EXPECT_EQ(*find_lesson("spin", folders), scratch / "first/spin.md");
   EXPECT_EQ(*find_lesson("tumble", folders), scratch / "second/tumble.md");
+}
+
+TEST_F(LessonLookup, PassesOverWhatIsNoFile) {
+  ASSERT_EQ(mkfifo((scratch / "first/pipe.md").c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo((scratch / "first/tumble.md").c_str(), 0600), 0);
+  fs::create_directory(scratch / "first/folder.md");
+  EXPECT_EQ(lessons_in(folders).size(), 2u);
+  EXPECT_EQ(*find_lesson("tumble", folders), scratch / "second/tumble.md");
+  EXPECT_FALSE(find_lesson("pipe", folders));
 }
 
 TEST_F(LessonLookup, TakesFilesAsTheyAre) {

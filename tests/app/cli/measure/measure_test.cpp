@@ -140,6 +140,15 @@ TEST(Measure, DrawsADiagram) {
   EXPECT_EQ(measure({"--plot", "/proc/none/work.png"}).code, 1);
 }
 
+TEST(Measure, RefusesFilesBeforeItMeasures) {
+  const ProgramRun nowhere = measure({"--csv", "/proc/none/rows.csv"});
+  EXPECT_EQ(nowhere.code, 1);
+  EXPECT_EQ(nowhere.err, "polhode: cannot write /proc/none/rows.csv: there is no folder /proc/none\n");
+  const ProgramRun kind = measure({"--plot", "work.jpg"});
+  EXPECT_EQ(kind.code, 2);
+  EXPECT_THAT(kind.err, testing::HasSubstr("--plot work.jpg: the name has to end in .png"));
+}
+
 TEST(Measure, TakesTheSceneOfAStage) {
   const ProgramRun run = polhode({"measure", test_lesson("tiny.md"), "--stage", "steady", "--periods", "1",
                                   "--method", "uniform", "--json"});

@@ -222,6 +222,32 @@ TEST(Trace, NeverPutsNaNInJson) {
   EXPECT_TRUE(Json::parse(run.out)["rows"][0]["w1"].is_null());
 }
 
+TEST(Trace, HasNoRowWhereThereIsNoState) {
+  const ProgramRun run =
+      trace("1,2,2.5", "1e200,1e200,1e200", {"--times", "0,1,0", "--method", "rk4", "--step", "0.5"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("cannot be computed at t = 1 s"));
+  EXPECT_EQ(run.out.find("nan"), run.out.npos) << run.out;
+}
+
+TEST(Trace, SaysWhatOverflows) {
+  const ProgramRun energy = trace("1,1,1.5", "1e300,1,0", {"--times", "0"});
+  EXPECT_EQ(energy.code, 1);
+  EXPECT_THAT(energy.err, HasSubstr("T at t = 0 s is too large for a double"));
+  EXPECT_EQ(trace("1,1,1.5", "1e300,1,0", {"--times", "0", "--columns", "t,w1"}).code, 0);
+  const ProgramRun time = trace("1,1,1.5", "1e-308,0,0", {"--periods", "1", "--samples", "2"});
+  EXPECT_EQ(time.code, 2);
+  EXPECT_THAT(time.err, HasSubstr("a time that is too large for a double"));
+}
+
+TEST(Trace, SaysWhatLiesBeyondTheHorizon) {
+  const auto told = [](const std::string& time) {
+    return trace("1,1.75,2.5", "0.9,0.4,1", {"--times", time, "--format", "json"}).err;
+  };
+  EXPECT_THAT(told("1e300"), HasSubstr("t = 1e+300 s is beyond the horizon"));
+  EXPECT_EQ(told("1e6").find("beyond"), std::string::npos);
+}
+
 // |L|² is neither in range here; |L| is.
 TEST(Trace, TheLengthOfLOverflowsOnlyWhenItDoes) {
   const auto huge = rows_of(trace("3e300,4e300,5e300", "1,1,0", {"--times", "0"}).out);

@@ -5,10 +5,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <string>
 
 namespace polhode {
 namespace {
@@ -44,6 +49,26 @@ TEST(StateLock, AnyOtherFailureIsSaid) {
   ASSERT_FALSE(lock);
   EXPECT_FALSE(lock.error().is_held);
   EXPECT_THAT(lock.error().text, HasSubstr("a.lock: Input/output error"));
+}
+
+std::string why_unreadable(const std::filesystem::path& file) {
+  const auto read = read_state_file(file, "the log", [](const nlohmann::ordered_json&) {});
+  return read ? "it was read" : read.error().text;
+}
+
+// A pipe is never waited for, and a link to an endless file not followed to its end.
+TEST(ReadStateFile, TakesRegularFilesOfAPossibleSizeAlone) {
+  const ScratchFolder scratch;
+  ASSERT_EQ(mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(why_unreadable(scratch / "pipe"),
+              HasSubstr("cannot read " + (scratch / "pipe").string() + ": "));
+  std::filesystem::create_symlink("/dev/zero", scratch / "endless");
+  EXPECT_THAT(why_unreadable(scratch / "endless"), HasSubstr("cannot read"));
+  std::filesystem::create_directory(scratch / "folder");
+  EXPECT_THAT(why_unreadable(scratch / "folder"), HasSubstr("cannot read"));
+  write_text(scratch / "large", "");
+  std::filesystem::resize_file(scratch / "large", std::uintmax_t{1} << 30);  // all holes
+  EXPECT_THAT(why_unreadable(scratch / "large"), HasSubstr("larger than it can be"));
 }
 
 }  // namespace
