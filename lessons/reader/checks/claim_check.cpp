@@ -71,6 +71,8 @@ class ClaimCheck {
           still_.reset();
           model_.reset();
           shown_.reset();
+          if (&step == &stage.steps.front()) check_text(stage.title_text, step);
+          check_text(step.title, step);
           for (const Block& block : step.blocks) {
             if (report_.is_full()) return report_.take();
             check_block(block, step, place);
@@ -167,23 +169,28 @@ class ClaimCheck {
   void check(const Footnote& note, const Step& step) { check_text(note.text, step); }
 
   /// What stands around the numbers of a text.
-  void check_text(const RichText& text, const Step& step, bool is_prompt = false) {
+  enum class TextOf { lesson, prompt, choice };
+  void check_text(const RichText& text, const Step& step, TextOf of = TextOf::lesson) {
     const auto motions = [&] { return motions_of(step); };
-    statement_check_.check_text(text, motions);
-    if (!is_prompt) statement_check_.check_typed_numbers(text, motions);  // what is given is the question's
+    if (of == TextOf::choice)
+      statement_check_.check_choice(text, motions);
+    else
+      statement_check_.check_text(text, motions);
+    if (of != TextOf::prompt)
+      statement_check_.check_typed_numbers(text, motions);  // what is given is the question's
     if (numbers_in(text).empty()) return;
     number_check_.check_computed_tables(text);
     if (step.scene && model_of(step) != nullptr) number_check_.check_text(text, motion_of(step));
   }
 
   void check(const Ask& ask, const Step& step) {
-    check_text(ask.prompt_text, step, true);
+    check_text(ask.prompt_text, step, TextOf::prompt);
     for (const auto* texts : {&ask.replies, &ask.hint_texts})
       for (const RichText& text : *texts) check_text(text, step);
     // A choice that is wrong may say what is not so.
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
       if (ask.type == Question::Type::order || ask.answers == std::vector{static_cast<int>(i) + 1})
-        check_text(ask.choice_texts[i], step);
+        check_text(ask.choice_texts[i], step, TextOf::choice);
     check_text(ask.because, step);
     check_prompt(
         ask, lesson_, prover_, [&] { return motions_of(step); }, report_, effort_);

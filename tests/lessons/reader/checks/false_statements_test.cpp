@@ -76,6 +76,100 @@ TEST(Statements, ThatAreNotSoAreErrors) {
                "If both are equal, then:\n\n" + math("", "I_1 = I_2")});
 }
 
+// 2026-11-24: a word of a list switched the check off, whatever it said.
+TEST(Statements, AreFreeWhereTheSentenceSaysForWhat) {
+  expect_false({R"(For every rigid body $T = 0$.)",
+                R"(With (1) we get $T = 0$.)",
+                R"(No doubt $T = 0$.)",
+                R"(There is no doubt that $T = 0$.)",
+                R"(No torque acts, so $\vec\omega = 0$.)",
+                R"(Without doubt $T = 0$.)",
+                R"(It is not hard to see that $T = 0$.)",
+                R"(When we look at it, $T = 0$.)",
+                R"(Once more $T = 0$.)",
+                R"(If anything, $T = 0$.)",
+                R"(Let us see: $T = 0$.)",
+                R"(Not only $T = 0$, it is small.)",
+                R"(Nothing is wrong in $T = 1$ J.)",
+                R"(For all of it: $T = 0$.)",
+                R"(The sum is given by $T = 0$.)",
+                R"(It does not turn, so $T = 0$.)",
+                R"(As we know, $T = 0$.)",
+                R"(This is such a body, and $T = 0$.)",
+                R"(Never forget that $T = 0$.)",
+                R"(The set is whole: $T = 0$.)",
+                "With these we get\n\n" + math("", "T = 0"),
+                "No torque acts, so\n\n" + math("", "T = 0"),
+                math("", R"(T = 0 \quad\text{for every body})")});
+  expect_true({R"(For $I_1 = I_2$ one has $\dot\omega_3 = 0$.)",
+               R"(With $\omega_1 = 0$ it is a steady spin.)",
+               R"(With the energy $T = 7$ J it would turn faster.)",
+               R"(Take $\omega_1 = 0$.)",
+               R"(Now let $T = 7$ J.)",
+               R"(Consider a body of which $I_1 = I_2$. Then $\dot\omega_3 = 0$.)",
+               R"(Suppose that $T = 0$.)",
+               R"(It does not follow that $\vec\omega = 0$.)",
+               R"(This does not mean that $\vec\omega = 0$ and $T = 0$.)",
+               R"(The line $T = 0$ is wrong.)",
+               R"(When the body is at rest, $T = 0$.)",
+               R"(A state such that $T = 0$ is at rest.)",
+               R"(The curve on which $T = 7$ J lies inside.)",
+               R"(Neither $T = 0$ nor $\vec L = 0$ is so.)",
+               R"(It isn't $T = 0$.)",
+               R"(No body has $I_1 = 5 I_2$.)",
+               R"(Either $T = 0$ or it turns.)",
+               R"(For small $\omega_1$ one finds $\omega_3 = 0$.)",
+               R"(Here $2T = \vec\omega\cdot\vec L$, if you like.)",
+               "Without torque\n\n" + math("", R"(\frac{d\vec L}{dt} = 0)"),
+               math("", R"(\dot\omega_3 = 0 \quad\text{for } I_1 = I_2)"),
+               math("", R"(\text{if } \omega_1 = 0 \text{ then } T = 0)")});
+}
+
+TEST(Statements, ThatSomethingDoesNotChangeAreOfAllTimes) {
+  expect_false({math("", R"(\vec\omega = \text{const})"), R"(Here $\omega_1 = \text{const}$.)",
+                math("", R"(\omega_2 = \mathrm{const.})")});
+  expect_true({math("", R"(\vec L = \text{const})"), R"(Here $T = \text{const}$.)"});
+  EXPECT_THAT(complaints_about(math("", R"(T = \text{const})"), "torque = \"body:0,0.5,0\""), Not(IsEmpty()));
+  EXPECT_THAT(
+      complaints_about(R"(Here $\vec L = \text{const}$.)", "omega = [0, 3, 0]\ntorque = \"body:0,0.5,0\""),
+      Not(IsEmpty()));
+}
+
+// An assumption that no word names is none of the sentence.
+TEST(Statements, OfAnAssumptionNameIt) {
+  const std::string scene =
+      "\n\n```scene\nbody = \"plate\"\nomega = [0.5, 3, 0.7]\nshow = [\"omega\", \"L\"]\n```\n";
+  const std::string tables = std::string(kTables) + "[assume]\nsymmetric = \"I2 = I1\"\n";
+  EXPECT_THAT(complaints_of(R"(Here $\dot\omega_3 = 0$.)" + scene, tables), Not(IsEmpty()));
+  EXPECT_THAT(complaints_of(R"(Here $I_1 = I_2$.)" + scene, tables), Not(IsEmpty()));
+  EXPECT_THAT(complaints_of(R"(Of a symmetric body without torque $\dot\omega_3 = 0$.)" + scene, tables),
+              IsEmpty());
+  EXPECT_THAT(complaints_of(R"(Of a symmetric body $\dot\omega_1 = 0$.)" + scene, tables), Not(IsEmpty()));
+}
+
+TEST(Statements, OfVectorsAndOfTimes) {
+  expect_false({R"(At first $\vec\omega = (0.5, 2, 0.7)$ rad/s.)",
+                R"(Here $\vec\omega = (3, 0, 0)\,\text{rad/s}$.)", R"(Here $\vec L = (1, 2, 3)$.)",
+                R"(Here $\vec L \parallel \vec\omega$.)", R"(Here $\vec L \perp \vec\omega$.)",
+                R"(Here $2T \ne \vec\omega\cdot\vec L$.)", R"(Here $\vec L \ne \vec L$.)",
+                R"(At $t = 1$ s, $\omega_2 = 3$ rad/s.)",
+                R"(At $t = 0.7$ s the body has $\omega_1 = 0.5$ rad/s.)"});
+  expect_true({R"(At first $\vec\omega = (0.5, 3, 0.7)$ rad/s.)", R"(At first $\vec\omega = (0.5, 3, 0.7)$.)",
+               R"(Here $\vec\omega = (\omega_1, \omega_2, \omega_3)$.)",
+               R"(Here $\vec L \nparallel \vec\omega$.)",
+               R"(Here $\vec L = (I_1\omega_1, I_2\omega_2, I_3\omega_3)$.)",
+               R"(Here $\vec\omega\times\vec L \perp \vec\omega$.)", R"(Here $\vec L \ne 0$.)",
+               R"(Here $\omega_1 \ne \omega_2$.)", R"(At $t = 0$ the body has $\omega_2 = 3$ rad/s.)",
+               R"(From $t = 0$ to $t = 1$ s, $\omega_2 = 3$ rad/s.)"});
+}
+
+TEST(Statements, OfHeadlinesAreChecked) {
+  const std::string scene =
+      "\n\n```scene\nbody = \"plate\"\nomega = [0.5, 3, 0.7]\nshow = [\"omega\", \"L\"]\n```\n";
+  EXPECT_THAT(complaints_of("## Here $T = 0$\n\nText." + scene, kTables), Not(IsEmpty()));
+  EXPECT_THAT(complaints_of("## Here $T > 0$\n\nText." + scene, kTables), IsEmpty());
+}
+
 TEST(Statements, OfQuestionsAreCheckedButForTheChoicesThatAreWrong) {
   const std::string head = "```ask q\ntype = \"choice\"\nprompt = \"Which holds?\"\n";
   EXPECT_THAT(complaints_about(head + "because = 'It is $T = 1$ J.'\n\n- [x] one\n- [ ] other\n  No.\n```\n"),
