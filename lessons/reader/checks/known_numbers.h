@@ -5,6 +5,7 @@
 #include "lessons/notation/tex_sides.h"
 #include "lessons/reader/lesson.h"
 
+#include <optional>
 #include <vector>
 
 namespace polhode {
@@ -21,5 +22,10 @@ struct ShownMotion {
 /// no such unit.
 bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std::vector<ShownMotion>& motions,
                      const Effort& effort);
+
+/// Whether it is the number of a quantity on one of these motions, likewise; nothing where none has a value
+/// of it.
+std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
+                                 const std::vector<ShownMotion>& motions, const Effort& effort);
 
 }  // namespace polhode

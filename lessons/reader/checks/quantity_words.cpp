@@ -27,7 +27,7 @@ struct Said {
 using Pair = std::pair<std::string_view, std::string_view>;
 
 /// What has a name of its own wherever the rotation of a body is written about.
-constexpr std::array<Pair, 25> kWords{{
+constexpr std::array<Pair, 29> kWords{{
     {"energy", "T"},
     {"kinetic energy", "T"},
     {"rotational energy", "T"},
@@ -44,6 +44,10 @@ constexpr std::array<Pair, 25> kWords{{
     {"turns a minute", "(30*norm(omega)/pi)"},
     {"revolutions per minute", "(30*norm(omega)/pi)"},
     {"one turn", "(2*pi/norm(omega))"},
+    {"full turn", "(2*pi/norm(omega))"},
+    {"whole turn", "(2*pi/norm(omega))"},
+    {"full revolution", "(2*pi/norm(omega))"},
+    {"one revolution", "(2*pi/norm(omega))"},
     {"time of one turn", "(2*pi/norm(omega))"},
     {"angular velocity", "omega"},
     {"angular momentum", "L"},
@@ -119,13 +123,14 @@ class NameReader {
     return said ? expression(*said) : std::nullopt;
   }
 
-  std::optional<Expression> at_end() const {
+  std::optional<Expression> at_end(VectorsSaid vectors) const {
     if (formulas_.size() > 9) return std::nullopt;
     const std::string_view all(words_);
     for (std::size_t begin = 0; begin < all.size(); ++begin) {
       if (begin > 0 && all[begin - 1] != ' ') continue;
-      const auto said = read(all.substr(begin));
+      auto said = read(all.substr(begin));
       if (!said) continue;
+      if (vectors == VectorsSaid::as_vectors) said->is_vector = false;
       return goes_on(all.substr(0, begin)) ? std::nullopt : expression(*said);
     }
     return std::nullopt;
@@ -294,7 +299,8 @@ class NameReader {
       if (const auto of = read(words.substr(kVertical.size()), depth + 1); of && of->is_vector)
         return scalar("dot(" + of->text + ", ez)");
     if (words.starts_with("ratio ")) return read(words.substr(6), depth + 1);
-    for (const std::string_view root : {"square of ", "length of ", "magnitude of ", "absolute value of "}) {
+    for (const std::string_view root :
+         {"square of ", "length of ", "magnitude of ", "absolute value of ", "norm of ", "size of "}) {
       if (!words.starts_with(root)) continue;
       const auto of = read(words.substr(root.size()), depth + 1);
       if (!of) return std::nullopt;
@@ -402,8 +408,9 @@ std::optional<Expression> quantity_of_common_name(const std::string& name, const
   return NameReader(stretches_of(name), lesson, false).whole(VectorsSaid::as_vectors);
 }
 
-std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson) {
-  return NameReader(line, lesson).at_end();
+std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson,
+                                               VectorsSaid vectors) {
+  return NameReader(line, lesson).at_end(vectors);
 }
 
 }  // namespace polhode

@@ -4,8 +4,10 @@
 #include "base/numbers.h"
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/live_claims.h"
+#include "lessons/reader/checks/clause.h"
 #include "lessons/reader/checks/lint_budget.h"
-#include "lessons/reader/checks/number_check.h"
+#include "lessons/reader/checks/quantity_words.h"
+#include "lessons/reader/checks/typed_numbers.h"
 #include "lessons/reader/text_units.h"
 
 #include <algorithm>
@@ -123,79 +125,65 @@ void StatementCheck::check_lines(const RichText& text, const Motions& motions, b
           i + 1 < spans.size() && spans[i + 1].kind == TextSpan::Kind::text && !spans[i].break_after;
       // "$\\vec\\omega = (0, 2, 0)$" chosen is a state.
       if (is_choice && spans.size() == 1 && !sentences.stated(i).components.empty()) continue;
-      check(sentences.stated(i),
-            {standing, spans[i].text, spans[i].source.begin, goes_on ? unit_behind(spans[i + 1].text) : ""},
-            motions);
+      const Context context{standing, spans[i].text, spans[i].source.begin,
+                            goes_on ? unit_behind(spans[i + 1].text) : ""};
+      check(sentences.stated(i), context, motions);
+      if (const auto said = said_of_formula(spans, i); said && standing.is_stated)
+        check(*said, context, motions);
     }
   });
 }
 
-namespace {
-
-struct FoundNumber {
-  TypedNumber number;
-  std::size_t offset = 0;  ///< in the span
-};
-
-/// "5 kJ", "27°" in plain text.
-std::vector<FoundNumber> numbers_with_units(const std::string& text) {
-  std::vector<FoundNumber> found;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (!is_digit(text[i])) continue;
-    const std::size_t begin = i;
-    std::size_t point = text.npos;
-    while (i < text.size() && (is_digit(text[i]) || (text[i] == '.' && point == text.npos &&
-                                                     i + 1 < text.size() && is_digit(text[i + 1])))) {
-      if (text[i] == '.') point = i;
-      ++i;
-    }
-    const bool is_part = begin > 0 && (is_letter(text[begin - 1]) || text[begin - 1] == '.' ||
-                                       text[begin - 1] == '^' || text[begin - 1] == '_');
-    const auto value = parse_number(text.substr(begin, i - begin));
-    std::string unit = unit_behind(std::string_view(text).substr(i));
-    if (is_part || !value || unit.empty()) continue;
-    const double last = point == text.npos ? 1 : std::pow(10.0, -static_cast<double>(i - point - 1));
-    found.push_back({{*value, last, std::move(unit)}, begin});
-  }
-  return found;
+void StatementCheck::refuse_number(const TypedNumber& number, std::size_t offset, const std::string& why) {
+  report_.error(report_.source().place_of(std::min(offset, report_.source().text().size())), why,
+                "write \\value" + (number.unit.empty() ? "" : "[unit={" + number.unit + "}]") + '{' +
+                    digits(number.value, 6) +
+                    "}{EXPRESSION}; what is given of the world is a constant: [constants]");
 }
 
-}  // namespace
-
 void StatementCheck::check_typed_numbers(const RichText& text, const Motions& motions) {
-  const auto check_number = [&](const TypedNumber& number, std::size_t offset) {
-    if (is_known_number(number, lesson_, motions(), effort_)) return;
-    report_.error(report_.source().place_of(std::min(offset, report_.source().text().size())),
-                  "nobody computes this number with its unit, " + in_quotes(number.unit),
-                  "write \\value[unit={" + number.unit + "}]{" + digits(number.value, 6) +
-                      "}{EXPRESSION}; what is given of the world is a constant: [constants]");
-  };
-  for_each_line(text, lesson_, [&](const std::vector<TextSpan>& spans) {
+  for_each_line(text, lesson_, [&](const std::vector<TextSpan>& line) {
+    const std::vector<TextSpan> spans = with_numbers_apart(line);
+    std::optional<Sentences> sentences;
     for (std::size_t i = 0; i < spans.size() && !report_.is_full(); ++i) {
-      const TextSpan& span = spans[i];
-      if (span.kind == TextSpan::Kind::text) {
-        // A blank that no line breaks at is a stretch of its own.
-        std::string words;
-        std::vector<std::pair<std::size_t, std::size_t>> places;
-        for (; i < spans.size() && spans[i].kind == TextSpan::Kind::text; ++i) {
-          places.emplace_back(words.size(), spans[i].source.begin);
-          words += spans[i].code ? std::string(spans[i].text.size(), '-') : spans[i].text;
-          if (spans[i].break_after) words += '\n';
-        }
-        --i;
-        for (const FoundNumber& one : numbers_with_units(words)) {
-          const auto next = std::find_if(places.begin(), places.end(),
-                                         [&](const auto& place) { return place.first > one.offset; });
-          check_number(one.number, std::prev(next)->second + one.offset - std::prev(next)->first);
-        }
-      } else if (auto typed = read_typed(span.math)) {
-        const bool goes_on =
-            i + 1 < spans.size() && spans[i + 1].kind == TextSpan::Kind::text && !span.break_after;
-        if (typed->unit.empty() && goes_on) typed->unit = unit_behind(spans[i + 1].text);
-        check_number(*typed, span.source.begin);
+      auto typed = spans[i].kind == TextSpan::Kind::math ? read_typed(spans[i].math) : std::nullopt;
+      if (!typed) continue;
+      const bool goes_on =
+          i + 1 < spans.size() && spans[i + 1].kind == TextSpan::Kind::text && !spans[i].break_after;
+      if (typed->unit.empty() && goes_on) typed->unit = unit_behind(spans[i + 1].text);
+      // "The energy is 5 J": not that of anything else.
+      std::vector<TextSpan> clause = clause_before(spans, i);
+      const bool is_joined = take_verb(clause) && has_words(clause);
+      const auto said = is_joined ? quantity_said_at_end(clause, lesson_) : std::nullopt;
+      if (said) {
+        if (!sentences) sentences.emplace(spans, lesson_.notation);
+        if (!sentences->standing_of(i).is_stated) continue;
+        if (is_number_of(*typed, *said, motions(), effort_).value_or(true)) continue;
+        refuse_number(*typed, spans[i].source.begin,
+                      "this number is not that of " + said->text + ", which is said of it");
+      } else if (!is_known_number(*typed, lesson_, motions(), effort_)) {
+        refuse_number(*typed, spans[i].source.begin,
+                      "nobody computes this number with its unit, " + in_quotes(typed->unit));
       }
     }
   });
+  for (const TextBlock& block : text)
+    if (!has_own_motions(block.table, lesson_)) check_rows(block.table, motions);
+}
+
+/// "| energy | 5 J |": a row of one number, and what it is in the first cell.
+void StatementCheck::check_rows(const TextTable& table, const Motions& motions) {
+  for (std::size_t r = 1; r < table.rows.size() && !report_.is_full(); ++r) {
+    const auto& row = table.rows[r];
+    const auto said = quantity_said(row.front(), lesson_);
+    if (!said || said->type() == ExpressionType::vector) continue;
+    std::vector<std::pair<TypedNumber, std::size_t>> numbers;
+    for (std::size_t c = 1; c < row.size(); ++c)
+      if (auto number = number_in_cell(row[c])) numbers.emplace_back(*number, row[c].front().source.begin);
+    if (numbers.size() != 1 || is_number_of(numbers[0].first, *said, motions(), effort_).value_or(true))
+      continue;
+    refuse_number(numbers[0].first, numbers[0].second, "this number is not that of its row, " + said->text);
+  }
 }
 
 /// No claim beside a formula makes right what adds metres to seconds.
@@ -214,6 +202,32 @@ void StatementCheck::check_units(const Statements& stated, std::size_t offset) {
       return refuse(link.source,
                     "the left side is " + to_string(*left) + ", the right side " + to_string(*right));
   }
+}
+
+/// "The energy is $2T$": what the words say that a formula is.
+std::optional<StatedLink> StatementCheck::said_of_formula(const std::vector<TextSpan>& line,
+                                                          std::size_t at) const {
+  if (read_typed(line[at].math)) return std::nullopt;  // check_typed_numbers
+  const auto is = read_side(line[at].math, lesson_.notation);
+  if (!is) return std::nullopt;
+  // "is $I_1$ times the rate"
+  const bool goes_on = at + 1 < line.size() && !line[at].break_after &&
+                       (line[at + 1].kind == TextSpan::Kind::math ||
+                        !starts_with_any(line[at + 1].text, {".", ",", ";", ":", "!", ")"}));
+  if (goes_on) return std::nullopt;
+  std::vector<TextSpan> clause = clause_before(line, at);
+  const auto relation = take_verb(clause);
+  if (!relation || !has_words(clause)) return std::nullopt;
+  const bool is_vector = is->type() == ExpressionType::vector;
+  const auto said =
+      quantity_said_at_end(clause, lesson_, is_vector ? VectorsSaid::as_vectors : VectorsSaid::as_lengths);
+  if (!said) return std::nullopt;
+  StatedLink link;
+  link.left.is = said;
+  link.right.is = is;
+  link.relation = *relation;
+  link.source = {0, static_cast<std::uint32_t>(line[at].text.size())};
+  return link;
 }
 
 void StatementCheck::check_display(const Equation& equation, const RichText* before, const Motions& motions) {

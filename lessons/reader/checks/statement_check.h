@@ -12,7 +12,7 @@
 #include "lessons/reader/lesson.h"
 
 #include <functional>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +36,8 @@ class StatementCheck {
   /// The same of a choice, which may name a state by its components.
   void check_choice(const RichText& text, const Motions& motions);
   /// The same of its numbers with units, outside of such statements: each is one that the lesson or its
-  /// motion has (known_numbers.h).
+  /// motion has (known_numbers.h), and where words say of what, "the energy is 5 J", it is that of it; so are
+  /// rows of tables with one number.
   void check_typed_numbers(const RichText& text, const Motions& motions);
   /// The statements of a display; `before` is the text that leads to it.
   void check_display(const Equation& equation, const RichText* before, const Motions& motions);
@@ -52,6 +53,9 @@ class StatementCheck {
   void check(const Statements& stated, const Context& context, const Motions& motions);
   void check(const StatedLink& link, const Context& context, const Motions& motions);
   void check(const StatedComponents& components, const Context& context, const Motions& motions);
+  std::optional<StatedLink> said_of_formula(const std::vector<TextSpan>& line, std::size_t at) const;
+  void check_rows(const TextTable& table, const Motions& motions);
+  void refuse_number(const TypedNumber& number, std::size_t offset, const std::string& why);
   void check_units(const Statements& stated, std::size_t offset);
   void refuse(const StatedLink& link, const Context& context, const std::string& why,
               const std::string& hint);

@@ -186,6 +186,31 @@ TEST(TypedNumbers, AreComputedOrGiven) {
                "A day has 24 hours, a year 365 days.", "It is shown after 0.2 s."});
 }
 
+// 2026-11-24: a number was taken for right if anything of its unit had it.
+TEST(TypedNumbers, AreOfWhatIsSaid) {
+  expect_false({"The smallest moment is 2.9 kg m².", R"(The rate about axis 2 is $0.5$ rad/s.)",
+                "The angular speed is 0.7 rad/s.", "The energy is always 9.1 J.",
+                "| what | is |\n|---|---|\n| energy | 19.671 J |\n",
+                "| what | is |\n|---|---|\n| $I_3$ | 2 kg m² |\n"});
+  expect_true(
+      {"The smallest moment is 1 kg m².", "The largest moment is $2.9$ kg m².", "The energy is 9.84 J.",
+       "If the rate about axis 2 is 0.5 rad/s, it is slow.", "The rate about axis 2 is at first 3 rad/s.",
+       "| what | is |\n|---|---|\n| energy | 9.84 J |\n", "| what | is |\n|---|---|\n| $I_3$ | 2.9 kg m² |\n",
+       "| what | a | b |\n|---|---|---|\n| $I_1$ | 1 kg m² | 2 kg m² |\n"});
+}
+
+TEST(NamesInWords, AreHeldAgainstTheFormulaBehindThem) {
+  expect_false({"The energy is $2T$.", R"(The energy is $\vec\omega\cdot\vec L$.)",
+                R"(The angular momentum is $2\mathbf I\cdot\vec\omega$.)", "The largest moment is $I_1$.",
+                "Half the energy is always $T$.", R"(The ratio of $I_1$ to $I_3$ is $I_3/I_1$.)"});
+  expect_true({"The energy is $T$.", R"(Twice the energy is $\vec\omega\cdot\vec L$.)",
+               R"(The angular momentum is $\mathbf I\cdot\vec\omega$.)", "The largest moment is $I_3$.",
+               R"(The angular momentum is $\vec L$.)",
+               R"(The angle between $\vec\omega$ and $\vec L$ is $\alpha$.)",
+               R"(The length of $\vec L$ is $\sqrt{\vec L\cdot\vec L}$.)", "The energy is not $2T$.",
+               "The energy is $2T$ divided by 2.", "Is the energy $2T$?"});
+}
+
 TEST(NamesInWords, AreHeldAgainstTheNumberBehindThem) {
   expect_false({R"(Half the energy is $\live[unit={J}]{T}$.)",
                 R"(The angular speed is $\live[unit={rad/s}]{w2}$.)",
@@ -196,6 +221,9 @@ TEST(NamesInWords, AreHeldAgainstTheNumberBehindThem) {
                 R"(The ratio of the smallest to the largest moment is $\live{I3/I1}$.)",
                 R"(The body makes $\live[unit={rad/s}]{norm(omega)}$ turns a second.)",
                 R"(One turn lasts $\live[unit={s}]{1/norm(omega)}$.)",
+                R"(A full turn takes $\live[unit={s}]{1/norm(omega)}$.)",
+                R"(The energy is always $\live[unit={J}]{2*T}$.)",
+                R"(The norm of $\vec L$ is $\live[unit={kg m²/s}]{norm(L)/2}$.)",
                 R"(The rate about axis 1 is $\live[unit={rad/s}]{w3}$.)"});
   expect_true({R"(Half of $I_3$ is $\live[unit={kg m²}]{I3/2}$.)",
                R"(A tenth of $T$ is $\live[unit={J}]{T/10}$.)",
