@@ -89,7 +89,11 @@ class KnownNumbers {
                                   motion.model.span_s, step_s, scene.poses.over_s})
         if (is_near(time_s)) return true;
     }
-    constexpr Dimension kLength{0, 1, 0}, kMass{1, 0, 0};
+    constexpr Dimension kLength{0, 1, 0}, kMass{1, 0, 0}, kForce{1, 1, -2};
+    // What the motion has none of is nothing that it contradicts.
+    const bool has_force = !scene.torque.empty() || !scene.F_S.isZero();
+    if ((unit_.dimension == kLength && !scene.body.shape) || (unit_.dimension == kForce && !has_force))
+      return true;
     if (unit_.dimension == kMass && is_near(scene.body.mass_kg)) return true;
     if (unit_.dimension == kLength)
       for (const double size_m : motion.model.solid.size_m)

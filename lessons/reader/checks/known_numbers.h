@@ -18,8 +18,8 @@ struct ShownMotion {
 
 /// Whether "5 J" is, to half a unit of its last digit, a number that the lesson declares as a constant, or
 /// that one of these motions has at its still or as it begins: its energy, a moment, a component of ω, a
-/// time, or what the lesson defines. True as well of angles that are constructed, 90° or 45°, and of what has
-/// no such unit.
+/// time, or what the lesson defines. True as well of angles that are constructed, 90° or 45°, of what has no
+/// such unit, and of lengths and forces where the body has no size or no force.
 bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std::vector<ShownMotion>& motions,
                      const Effort& effort);
 

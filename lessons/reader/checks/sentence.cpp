@@ -27,9 +27,20 @@ bool is_conjunction(const SentencePart& part) {
                           "provided", "whether", "while", "as"});
 }
 /// What begins a sentence that supposes.
+bool is_supposing(const SentencePart& part) {
+  return is_one_of(part, {"let", "suppose", "supposing", "assume", "assuming", "imagine", "consider"});
+}
+/// The base form of a verb that begins a clause tells the reader to do something to the body. Not "note" or
+/// "recall", which state.
 bool is_imperative(const SentencePart& part) {
-  return is_one_of(part, {"let", "take", "set", "put", "choose", "consider", "suppose", "supposing", "assume",
-                          "assuming", "imagine"});
+  return is_supposing(part) || is_one_of(part, {"take", "set",  "put",   "choose", "hold", "wait",    "throw",
+                                                "turn", "spin", "give",  "start",  "drop", "release", "push",
+                                                "pull", "keep", "bring", "make",   "lift", "wind"});
+}
+/// Behind one that may be a noun, "turn the book", "the turn".
+bool is_object(const SentencePart& part) {
+  return part.is_formula() || is_one_of(part, {"it", "the", "a", "an", "this", "them", "your", "its", "both",
+                                               "all", "one", "for", "with", "any"});
 }
 bool is_before_imperative(const SentencePart& part) {
   return part.kind == Kind::pause ||
@@ -96,11 +107,11 @@ void Sentences::add_words(const std::string& text, std::size_t span) {
     } else if (c == kRelationMark) {
       end_word();
       parts_.push_back({Kind::equation, "", span});
-    } else if (std::string_view(".?!;").find(c) != std::string_view::npos &&
+    } else if (std::string_view(".?!").find(c) != std::string_view::npos &&
                (i + 1 == text.size() || is_blank(static_cast<unsigned char>(text[i + 1])))) {
       end_word();
       parts_.push_back({c == '?' ? Kind::question : Kind::end, "", span});
-    } else if (std::string_view(",:()[]").find(c) != std::string_view::npos) {
+    } else if (std::string_view(",:;()[]").find(c) != std::string_view::npos) {
       end_word();
       parts_.push_back({Kind::pause, "", span});
     } else {
@@ -182,7 +193,7 @@ bool Sentences::is_supposed(Range sentence) const {
     if (part.kind == Kind::question) return true;
     if (is_conjunction(part) && is_condition(i, sentence)) return true;
     if (is_imperative(part) && (is_first || is_before_imperative(parts_[i - 1])) && i + 1 < sentence.end &&
-        !is_person(parts_[i + 1]))
+        (is_supposing(part) ? !is_person(parts_[i + 1]) : is_object(parts_[i + 1])))
       return true;
     const bool is_which = is_one_of(part, {"which"}) && !is_first &&
                           (is_preposition(parts_[i - 1]) || is_one_of(parts_[i - 1], {"on", "along", "in"}));
@@ -199,7 +210,11 @@ bool Sentences::is_supposed(Range sentence) const {
     const std::size_t equation = equation_behind(i, sentence);
     if (equation < parts_.size() && parts_[equation].kind == Kind::equation) return true;
   }
-  const bool goes_on = sentence.begin > 0 && is_one_of(parts_[sentence.begin], {"then"});
+  // "Then", "In such a spin", "What remains is"
+  std::size_t begin = sentence.begin;
+  if (begin + 1 < sentence.end && is_one_of(parts_[begin], {"in"})) ++begin;
+  const bool goes_on =
+      sentence.begin > 0 && is_one_of(parts_[begin], {"then", "this", "that", "such", "what"});
   return goes_on && parts_[sentence.begin - 1].kind != Kind::question &&
          is_supposed(sentence_around(sentence.begin - 1));
 }
@@ -222,6 +237,27 @@ bool Sentences::is_denied(Range clause, std::size_t own) const {
     if (is_one_of(parts_[i], {"either"})) is_unreal = true;  // one of two
   }
   return is_unreal || denials % 2 == 1;
+}
+
+/// The noun behind an indefinite article is the last word before a verb, a preposition or a pause.
+bool Sentences::has_kind_of_body(Range sentence) const {
+  constexpr std::size_t kWordsOfNoun = 4;
+  for (std::size_t i = sentence.begin; i < sentence.end; ++i) {
+    if (!is_one_of(parts_[i], {"a", "an", "any"})) continue;
+    std::size_t end = i + 1;
+    while (end < sentence.end && end <= i + kWordsOfNoun && parts_[end].kind == Kind::word &&
+           !is_preposition(parts_[end]) &&
+           !is_one_of(parts_[end],
+                      {"has", "have", "is", "of", "in", "one", "two", "all", "the", "that", "which"}))
+      ++end;
+    const bool has_noun =
+        end > i + 1 && !is_one_of(parts_[end - 1], {"body", "motion", "state", "case", "rule", "law"});
+    const bool is_ended = end == sentence.end || end <= i + kWordsOfNoun;
+    const bool is_subject = i == sentence.begin || is_one_of(parts_[i - 1], {"for", "of", "in", "to"}) ||
+                            parts_[i - 1].kind == Kind::pause;
+    if (has_noun && is_ended && is_subject) return true;
+  }
+  return false;
 }
 
 Standing Sentences::standing_of(std::size_t span) const {
@@ -252,6 +288,7 @@ Standing Sentences::standing_of(std::size_t span) const {
     if (is_denied(clause, own)) standing.is_stated = false;
   }
   if (is_supposed(sentence)) standing.is_stated = false;
+  standing.has_kind_of_body = has_kind_of_body(sentence);
   return standing;
 }
 

@@ -35,8 +35,9 @@ struct SentencePart {
 /// How a formula stands in its sentence.
 struct Standing {
   bool is_stated = true;
-  std::optional<double> at_s;  ///< "at $t = 2$ s": when
-  std::string words;           ///< of the sentence, small letters, one blank between two
+  std::optional<double> at_s;     ///< "at $t = 2$ s": when
+  std::string words;              ///< of the sentence, small letters, one blank between two
+  bool has_kind_of_body = false;  ///< "a sphere", "an egg", "any coin": not "a body"
 };
 
 /// A line, taken apart to sentences. A sentence is free to say what is not so in general only where it says
@@ -71,6 +72,7 @@ class Sentences {
   bool is_condition(std::size_t conjunction, Range sentence) const;
   /// An equation that a preposition stands before; npos.
   std::size_t equation_behind(std::size_t preposition, Range sentence) const;
+  bool has_kind_of_body(Range sentence) const;
   bool is_denied(Range clause, std::size_t own) const;
 
   Parts parts_;

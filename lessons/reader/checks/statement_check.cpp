@@ -155,16 +155,14 @@ void StatementCheck::check_typed_numbers(const RichText& text, const Motions& mo
       std::vector<TextSpan> clause = clause_before(spans, i);
       const bool is_joined = take_verb(clause) && has_words(clause);
       const auto said = is_joined ? quantity_said_at_end(clause, lesson_) : std::nullopt;
-      if (said) {
-        if (!sentences) sentences.emplace(spans, lesson_.notation);
-        if (!sentences->standing_of(i).is_stated) continue;
-        if (is_number_of(*typed, *said, motions(), effort_).value_or(true)) continue;
-        refuse_number(*typed, spans[i].source.begin,
-                      "this number is not that of " + said->text + ", which is said of it");
-      } else if (!is_known_number(*typed, lesson_, motions(), effort_)) {
-        refuse_number(*typed, spans[i].source.begin,
-                      "nobody computes this number with its unit, " + in_quotes(typed->unit));
-      }
+      const bool is_right = said ? is_number_of(*typed, *said, motions(), effort_).value_or(true)
+                                 : is_known_number(*typed, lesson_, motions(), effort_);
+      if (is_right) continue;
+      if (!sentences) sentences.emplace(spans, lesson_.notation);
+      if (!sentences->standing_of(i).is_stated) continue;
+      refuse_number(*typed, spans[i].source.begin,
+                    said ? "this number is not that of " + said->text + ", which is said of it"
+                         : "nobody computes this number with its unit, " + in_quotes(typed->unit));
     }
   });
   for (const TextBlock& block : text)
@@ -378,6 +376,18 @@ void StatementCheck::check(const StatedComponents& components, const Context& co
                    on_body.empty() ? "" : "on the axes of the body " + on_body);
 }
 
+/// "A rod has $I_2 = I_3$": what is said of the moments of a kind of body is not said of the one that is
+/// shown.
+bool StatementCheck::is_of_a_kind_of_body(const StatedLink& link, const Standing& standing) {
+  const auto is_of_moments = [](const Expression& side) {
+    return std::all_of(side.nodes.begin(), side.nodes.end(), [](const ExpressionNode& node) {
+      return node.operation != Operation::quantity || node.quantity == Quantity::I1 ||
+             node.quantity == Quantity::I2 || node.quantity == Quantity::I3;
+    });
+  };
+  return standing.has_kind_of_body && is_of_moments(*link.left.is) && is_of_moments(*link.right.is);
+}
+
 void StatementCheck::check(const StatedLink& link, const Context& context, const Motions& motions) {
   if (!link.left.is || !link.right.is) return;
   StatedLink stated = link;
@@ -391,7 +401,8 @@ void StatementCheck::check(const StatedLink& link, const Context& context, const
     spend(effort_, kClaimLineEvaluations);
     if (is_provable(sides) && prover_.settle(sides, Assumption::free) == Verdict::holds)
       return refuse(link, context, "both sides are always equal", "write =");
-  } else if (is_claimed(sides) || holds_in_general(stated, context.standing, motions)) {
+  } else if (is_claimed(sides) || is_of_a_kind_of_body(link, context.standing) ||
+             holds_in_general(stated, context.standing, motions)) {
     return;
   }
   refuse_on_motion(link, context, motions, why_not({stated}, context.standing, motions()));

@@ -63,6 +63,7 @@ class StatementCheck {
                         const std::string& why);
   void check_lines(const RichText& text, const Motions& motions, bool is_choice);
   bool holds_in_general(const StatedLink& link, const Standing& standing, const Motions& motions) const;
+  static bool is_of_a_kind_of_body(const StatedLink& link, const Standing& standing);
   bool may_be_free(const Standing& standing, const std::vector<ShownMotion>& motions) const;
   bool is_claimed(const Equality& equality) const;
   /// Empty where all of them are so at one time of one of the motions, or none can tell.
