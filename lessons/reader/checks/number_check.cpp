@@ -52,6 +52,13 @@ std::vector<double> times_of(const NumbersMotion& motion, bool still_alone) {
   return times_s;
 }
 
+/// 60*norm(omega)/(2*pi), or 30*norm(omega)/pi: a rate of seconds is one of minutes.
+bool counts_sixty(const Expression& expression) {
+  return std::any_of(expression.nodes.begin(), expression.nodes.end(), [](const ExpressionNode& node) {
+    return node.operation == Operation::number && (node.number.value == 60 || node.number.value == 30);
+  });
+}
+
 bool has_typed(const Math& math) {
   return std::any_of(math.live.begin(), math.live.end(),
                      [](const LiveNumber& n) { return !n.typed.empty(); });
@@ -364,7 +371,7 @@ void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t a
     const std::string why = number.written.unit == "Hz" ? "" : why_not_in(number.expression, "Hz");
     if (number.written.unit.find("rad") != std::string::npos || !why.empty())
       return refuse(number, "this number counts radians, and turns are said of it", "divide it by 2*pi");
-    if (is_in_minutes)
+    if (is_in_minutes && !counts_sixty(number.expression))
       return refuse(number, "this number is of seconds, and minutes are said of it", "multiply it by 60");
   }
   if (starts_with_any(text, {"%", "percent", "per cent"})) return check_behind_unit("%");

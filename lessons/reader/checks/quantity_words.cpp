@@ -155,10 +155,10 @@ class NameReader {
   static bool goes_on(std::string_view before) {
     before = without_blanks(before);
     const std::string_view word = before.substr(before.rfind(' ') + 1);
-    constexpr std::array<std::string_view, 24> kGoingOn{
-        "of",   "and",    "to",      "by",      "between", "over",  "than",  "from",
-        "per",  "times",  "squared", "along",   "plus",    "minus", "with",  "or",
-        "rate", "change", "mean",    "kinetic", "its",     "half",  "twice", "as"};
+    constexpr std::array<std::string_view, 28> kGoingOn{
+        "of",      "and",   "to",    "by",    "between", "over",   "than", "from",   "per",  "times",
+        "squared", "along", "plus",  "minus", "with",    "or",     "rate", "change", "mean", "kinetic",
+        "its",     "half",  "twice", "as",    "about",   "around", "in",   "for"};
     return std::find(kGoingOn.begin(), kGoingOn.end(), word) != kGoingOn.end();
   }
 
