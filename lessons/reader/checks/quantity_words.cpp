@@ -27,7 +27,7 @@ struct Said {
 using Pair = std::pair<std::string_view, std::string_view>;
 
 /// What has a name of its own wherever the rotation of a body is written about.
-constexpr std::array<Pair, 29> kWords{{
+constexpr std::array<Pair, 31> kWords{{
     {"energy", "T"},
     {"kinetic energy", "T"},
     {"rotational energy", "T"},
@@ -50,6 +50,8 @@ constexpr std::array<Pair, 29> kWords{{
     {"one revolution", "(2*pi/norm(omega))"},
     {"time of one turn", "(2*pi/norm(omega))"},
     {"angular velocity", "omega"},
+    {"omega", "omega"},
+    {"l", "L"},
     {"angular momentum", "L"},
     {"torque", "N"},
     {"vertical", "ez"},
@@ -187,6 +189,11 @@ class NameReader {
       if (words.starts_with(article))
         if (auto said = read(words.substr(article.size()), depth + 1)) return said;
     if (words.size() == 2 && words[0] == kFormula) return formula(words[1]);
+    // Energy may be that of the flight, too.
+    for (const std::string_view behind :
+         {" of the body", " of a body", " of this body", " vector", " in space"})
+      if (words.ends_with(behind) && words.find("energy") == words.npos)
+        if (auto said = read(words.substr(0, words.size() - behind.size()), depth + 1)) return said;
     if (auto said = with_factor(words, depth)) return said;
     if (auto said = of_others(words, depth)) return said;
     if (auto said = of_axis(words)) return said;
@@ -294,6 +301,15 @@ class NameReader {
     if (auto said = of_two(words, "component of ", " along ", depth, component)) return said;
     for (const std::string_view by : {" divided by ", " over "})
       if (auto said = of_two(words, "", by, depth, with("/"))) return said;
+    constexpr std::array<Pair, 3> kOrdinals{{{"first", "e1"}, {"second", "e2"}, {"third", "e3"}}};
+    for (const auto& [ordinal, axis_of] : kOrdinals) {
+      const std::string before = std::string(ordinal) + " component of ";
+      if (!words.starts_with(before)) continue;
+      const auto of = read(words.substr(before.size()), depth + 1);
+      return of && of->is_vector
+                 ? std::optional(scalar("dot(" + of->text + ", " + std::string(axis_of) + ')'))
+                 : std::nullopt;
+    }
     constexpr std::string_view kVertical = "vertical component of ";
     if (words.starts_with(kVertical))
       if (const auto of = read(words.substr(kVertical.size()), depth + 1); of && of->is_vector)
@@ -335,6 +351,11 @@ class NameReader {
       const std::string most = larger("I1", larger("I2", "I3")), least = smaller("I1", smaller("I2", "I3"));
       if (words == "largest" || words == "greatest") return Said{most, false};
       if (words == "smallest" || words == "least") return Said{least, false};
+      if (of != " moment") {
+        if (words == "first") return Said{"I1", false};
+        if (words == "second") return Said{"I2", false};
+        if (words == "third") return Said{"I3", false};
+      }
       if (words == "intermediate" || words == "middle")
         return scalar("I1 + I2 + I3 - " + most + " - " + least);
       return std::nullopt;

@@ -324,6 +324,53 @@ TEST(Symbols, AreSaidAsWhatTheyMean) {
   EXPECT_THAT(with(R"x(say = "kinetic energy", means = "dot(L, omega)/2")x"), IsEmpty());
 }
 
+// 2026-11-24: of symbols without "means" nobody read what is said of them.
+TEST(Symbols, AreSaidAsWhatTheyAre) {
+  const auto with = [](const std::string& symbol, const std::string& table = "symbols") {
+    return complaints_of("Text.\n\n```scene\nshow = [\"omega\", \"L\"]\n```\n",
+                         "[" + table + "]\n" + symbol + "\n");
+  };
+  for (const char* symbol :
+       {R"(a = { tex = '\alpha', say = "the angular momentum of the body", means = "omega" })",
+        R"x(a = { tex = 'E_1', say = "a", means = "norm(omega)" })x",
+        R"(a = { tex = '\alpha', say = "second component of the angular velocity", means = "w1" })",
+        R"(a = { tex = '\alpha', say = "component of omega along axis 2", means = "w1" })",
+        R"(a = { tex = '\alpha', say = "largest moment", means = "I1" })",
+        R"(omega = { tex = '\vec\omega', say = "linear velocity" })",
+        R"(omega = { tex = '\vec\omega', say = "angular momentum vector" })",
+        R"(L = { tex = '\vec L', say = "angular velocity in space" })",
+        R"(T = { tex = 'T', say = "total momentum of the body" })",
+        R"(I1 = { tex = 'I_1', say = "largest moment" })",
+        R"(I1 = { tex = 'I_1', say = "moment about axis 2" })",
+        R"(I2 = { tex = 'I_2', say = "first principal moment" })",
+        R"(w1 = { tex = '\omega_1', say = "second component of the angular velocity" })",
+        R"(w1 = { tex = '\omega_1', say = "rate about axis 3" })",
+        R"(e1 = { tex = '\hat e_1', say = "axis 2" })", R"(x = { tex = '\vec L', say = "angular velocity" })",
+        R"(x = { tex = '\alpha', say = "angular momentum", unit = "rad/s" })"})
+    EXPECT_THAT(with(symbol), Not(IsEmpty())) << symbol;
+  for (const char* symbol :
+       {R"(u = { means = "T", tex = 'u', say = "cosine of the tilt" })",
+        R"x(u = { means = "dot(ez, e3)", tex = 'u', say = "tilt" })x",
+        R"x(u = { means = "acos(dot(ez, e3))", tex = 'u', say = "cosine of the tilt" })x"})
+    EXPECT_THAT(with(symbol, "define"), Not(IsEmpty())) << symbol;
+  for (const char* symbol :
+       {R"(omega = { tex = '\vec\omega', say = "angular velocity of the body" })",
+        R"(T = { tex = 'T', say = "kinetic energy of the rotation" })",
+        R"(I1 = { tex = 'I_1', say = "moment of inertia about axis 1" })",
+        R"(w1 = { tex = '\omega_1', say = "first component of the angular velocity" })",
+        R"(e3 = { tex = '\hat e_3', say = "symmetry axis" })",
+        R"(N = { tex = '\vec N', say = "torque of the weight" })",
+        R"(Om = { tex = '\vec\Omega', say = "rate of precession", means = "L/I1", unit = "rad/s" })"})
+    EXPECT_THAT(with(symbol), IsEmpty()) << symbol;
+  for (
+      const char* symbol :
+      {R"x(theta = { means = "acos(dot(ez, e3))", tex = '\theta', say = "tilt", unit = "rad" })x",
+       R"x(u = { means = "dot(ez, e3)", tex = 'u', say = "cosine of the tilt" })x",
+       R"x(pphi = { means = "dot(L, ez)", tex = 'p_\varphi', say = "vertical component of the angular momentum" })x",
+       R"x(tip = { means = "ddt(L)", tex = 'r', say = "the velocity of the tip of L" })x"})
+    EXPECT_THAT(with(symbol, "define"), IsEmpty()) << symbol;
+}
+
 TEST(Captions, TypeWhatIsSo) {
   EXPECT_THAT(complaints_about("Text.", "caption = 'ω₂ = 1 rad/s'"), Not(IsEmpty()));
   EXPECT_THAT(complaints_about("Text.", "caption = 'ω₂ = 3 rad/s'"), IsEmpty());
