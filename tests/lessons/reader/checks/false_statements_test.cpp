@@ -252,7 +252,9 @@ TEST(NamesInWords, AreHeldAgainstColumnsAndPlots) {
                "| axis | moment |\n|---|---|\n| 1 | $\\live{I1}$ |\n| 3 | $\\live{I3}$ |\n"});
   for (const char* keys :
        {R"(meters = [{ plot = "T", title = "Length of $\\vec L$" }])",
-        R"(meters = [{ plot = "T/10", title = "Energy" }])",
+        R"(meters = [{ plot = "T/10", title = "Energy" }])", R"(meters = [{ plot = "2*T", tex = ['T'] }])",
+        R"(meters = [{ plot = "-w1", tex = ['\omega_1'] }])",
+        R"(arrows = [{ of = "I1*omega", tex = '\vec v' }])", R"(meters = [{ plot = "w1", tex = ['E'] }])",
         R"(meters = [{ plot = "w1", title = "Spin about axis 2" }])",
         R"(meters = [{ plot = "w1", title = '$\omega_1$ against $\omega_2$', against = "w3" }])",
         R"(meters = [{ plot = ["w1", "w2"], tex = ['\text{axis 2}', '\text{axis 1}'] }])",
