@@ -16,8 +16,9 @@ namespace polhode {
 /// a time and of a torque. Empty: the letter is anybody's.
 std::vector<Dimension> dimensions_of_letter(char32_t letter);
 
-/// The same of words that are the name of a quantity and nothing more: "the angular momentum", "total
-/// energy", not "change of the energy".
+/// The same of words that are the name of a quantity, or of a part of one, and what more is said of it: "the
+/// angular momentum", "energy of the spin", "component of the torque", not "change of the
+/// energy".
 std::vector<Dimension> dimensions_of_words(std::string_view words);
 
 /// Whether a name that can have these dimensions is one for a quantity of that; true of any where none is

@@ -208,6 +208,10 @@ std::string printed_letters(const std::vector<std::string>& letters) {
 std::optional<NoAnswer> why_no_answer(const Expression& answer, const Question& question,
                                       const Prover& prover) {
   if (auto found = restated(answer, question, prover)) return found;
+  // Where none acts N is 0, and would be an answer wherever that is one.
+  if (assumption_of(question) == Assumption::free && letters_used(answer).contains("N") &&
+      !letters_used(*question.expression).contains("N"))
+    return NoAnswer{"no torque acts here: say what is left without N", "letters"};
   if (question.letters.empty()) return std::nullopt;
   for (const std::string& letter : letters_used(answer))
     if (std::find(question.letters.begin(), question.letters.end(), letter) == question.letters.end())

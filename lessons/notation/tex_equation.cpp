@@ -377,20 +377,6 @@ class EquationReader {
            unit_tex(math_.live[*index].unit).ends_with("\\text{" + side[1].node->text + '}');
   }
 
-  /// "T = \text{const}": its rate is 0, of a vector that as seen from space.
-  static bool is_constant(Items side) {
-    std::string words;
-    for (const TexItem& item : side) {
-      if (item.sub != nullptr || item.sup != nullptr) return false;
-      const bool is_letter = item.kind == ItemKind::operand && item.node->kind == Kind::symbol &&
-                             item.node->character < 0x80 &&
-                             (item.node->alphabet == Alphabet::upright || item.node->character == U'.');
-      if (item.kind != ItemKind::text && !is_letter) return false;
-      words += is_letter ? std::string(1, static_cast<char>(item.node->character)) : words_of(item);
-    }
-    return words == "const" || words == "const." || words == "constant";
-  }
-
   void add(const Sentence& sentence) {
     EquationSentence read;
     read.joint = sentence.joint;
@@ -411,7 +397,8 @@ class EquationReader {
       if (i == begin)
         throw TexFault(i < items.size() ? items[i].span : items.back().span,
                        "a side is missing beside this =");
-      if (left && is_constant(items.subspan(begin, i - begin)) &&
+      // Its rate is 0, of a vector that as seen from space.
+      if (left && says_constant(items.subspan(begin, i - begin)) &&
           items[begin - 1].is(ItemKind::relation, U'=')) {
         const SourceSpan span = items[begin].span;
         if (i < items.size()) throw TexFault(items[i].span, "what does not change ends a chain");

@@ -393,6 +393,22 @@ std::string words_of(const MathNode& node) {
   return words;
 }
 
+bool says_constant(std::span<const TexItem> side) {
+  std::string words;
+  for (const TexItem& item : side) {
+    if (item.sub != nullptr || item.sup != nullptr || item.node == nullptr) return false;
+    const bool is_letter = item.kind == TexItem::Kind::operand && item.node->kind == MathNode::Kind::symbol &&
+                           item.node->character < 0x80 &&
+                           (item.node->alphabet == Alphabet::upright || item.node->character == U'.');
+    if (item.kind != TexItem::Kind::text && !is_letter) return false;
+    words += is_letter ? std::string(1, static_cast<char>(item.node->character)) : item.node->text;
+  }
+  const std::size_t begin = words.find_first_not_of(' ');
+  if (begin == words.npos) return false;
+  words = words.substr(begin, words.find_last_not_of(' ') - begin + 1);
+  return words == "const" || words == "const." || words == "constant";
+}
+
 std::optional<Relation> relation_of(const TexItem& item) {
   switch (item.character) {
     case U'=':

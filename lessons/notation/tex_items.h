@@ -7,6 +7,7 @@
 #include "render/typeset/math/tree.h"
 
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -72,6 +73,9 @@ bool states_something(const MathNode& words);
 
 /// The words of \text, one behind the other; empty of what is more than words.
 std::string words_of(const MathNode& node);
+
+/// "\text{const}", "\text{constant}" as all of a side: what stands before its = does not change.
+bool says_constant(std::span<const TexItem> side);
 
 /// Nothing of \sim, arrows and others, of which nothing is proved.
 std::optional<Relation> relation_of(const TexItem& item);

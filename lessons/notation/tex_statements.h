@@ -19,18 +19,30 @@ struct StatedSide {
   bool is_time() const { return !is; }
 };
 
-/// Two neighbours in a chain.
+/// Two neighbours in a chain. "a ∥ b" is a × b = 0 and "a ⊥ b" a·b = 0; "a = const" says that its rate is 0.
 struct StatedLink {
   StatedSide left, right;
   Relation relation = Relation::equal;
-  SourceSpan source;          ///< of both, in the TeX
-  bool ends_formula = false;  ///< what stands behind the formula stands behind it
+  bool is_denied = false;        ///< ≠: equal they are not
+  bool is_of_all_times = false;  ///< "= const": at one instant it says nothing
+  SourceSpan source;             ///< of both, in the TeX
+  bool ends_formula = false;     ///< what stands behind the formula stands behind it
 };
+
+/// "\vec\omega = (0.5, 3, 0.7)": on which axes is left open.
+struct StatedComponents {
+  std::vector<StatedLink> on_body, on_space;  ///< three each
+};
+
+inline constexpr char kRelationMark = '\x01';
 
 struct Statements {
   std::vector<StatedLink> links;
+  std::vector<StatedComponents> components;
   std::vector<std::pair<Expression, SourceSpan>> sides;  ///< all that are read, of links or not
-  std::string words;                                     ///< that stand among them: "if"
+  /// Those that stand among them, and kRelationMark for each sign of relation: of "T = 0 if N = 0" the
+  /// words are "if" between two marks.
+  std::string words;
   bool is_condition = false;  ///< an arrow, or a condition in brackets, makes of them what is not stated
 };
 

@@ -64,6 +64,26 @@ void note_citations(AboutKeys& about, const std::map<std::string, bool>& cited, 
             [](const Reference& a, const Reference& b) { return a.key < b.key; });
 }
 
+/// What a lesson defines and writes nowhere is left from an earlier text, or misspelt where it is meant.
+void note_unused_macros(const MathMacros& macros, const SourceText& source, Report& report) {
+  const std::string_view text = source.text();
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto ends_at = [&](std::size_t at) { return at == text.size() || !is_letter(text[at]); };
+  const std::size_t table = std::min(text.find("macros"), text.size());
+  for (const auto& [name, macro] : macros) {
+    const std::string command = '\\' + name;
+    bool is_used = false;
+    for (std::size_t at = 0; !is_used && (at = text.find(command, at)) != text.npos; at += command.size())
+      is_used = ends_at(at + command.size());
+    if (is_used) continue;
+    std::size_t at = table;  // its key, the first of that name there
+    while ((at = text.find(name, at)) != text.npos && (is_letter(text[at - 1]) || !ends_at(at + name.size())))
+      ++at;
+    report.warning(source.place_of(std::min(at, text.size())),
+                   "macro " + in_quotes(name) + " is used nowhere", "leave it out");
+  }
+}
+
 }  // namespace
 
 LessonReading read_lesson(std::string_view text, std::string_view file_name) {
@@ -79,6 +99,7 @@ LessonReading read_lesson(std::string_view text, std::string_view file_name) {
     const std::vector<OutsideReference> linked = resolve_references(stages, report);
     others.insert(others.end(), linked.begin(), linked.end());
     note_citations(front.about, texts.citable(), report);
+    note_unused_macros(texts.macros(), source, report);
     if (!report.has_errors()) {
       reading.lesson = Lesson{std::move(front.id),
                               std::move(front.title),

@@ -85,7 +85,7 @@ class ExpressionJudge {
     if (const auto found = indices()) return *found;
     if (assumption_ == Assumption::identity && equals(answer_, Assumption::motion))
       return wrong("law", "this follows from the equations of motion; here it has to hold whatever ω̇ is");
-    if (assumption_ != Assumption::free && !question_.given.sets_torque() && !has_torque() &&
+    if (assumption_ != Assumption::free && !question_.given.sets_torque() && !has_torque(answer_) &&
         !vanishes_without_torque() && equals(answer_, Assumption::free))
       return wrong("torque", "this is right without torque only");
     return not_equal();
@@ -93,9 +93,9 @@ class ExpressionJudge {
 
   static AnswerJudgement not_equal() { return wrong("other", "not equal to what is asked for"); }
 
-  bool has_torque() const {
-    return answer_.uses(Quantity::N) || answer_.uses(Quantity::N1) || answer_.uses(Quantity::N2) ||
-           answer_.uses(Quantity::N3);
+  static bool has_torque(const Expression& expression) {
+    return expression.uses(Quantity::N) || expression.uses(Quantity::N1) || expression.uses(Quantity::N2) ||
+           expression.uses(Quantity::N3);
   }
 
   /// Then that an answer is right without torque says nothing.

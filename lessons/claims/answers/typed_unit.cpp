@@ -53,7 +53,9 @@ std::optional<TypedUnit> named(std::string_view name) {
   for (const Named& more : kMore)
     if (more.name == name) return more.unit;
   const std::string with_mu = name.starts_with('u') ? "µ" + std::string(name.substr(1)) : std::string(name);
-  const auto scaled = name.empty() || name == "1" ? std::nullopt : scaled_unit(with_mu);
+  // A million radians are nobody's unit, and "Grad" is a degree in German.
+  const bool is_of_angles = name.ends_with("rad") && name != "rad" && name != "mrad" && with_mu != "µrad";
+  const auto scaled = name.empty() || name == "1" || is_of_angles ? std::nullopt : scaled_unit(with_mu);
   if (!scaled) return std::nullopt;
   TypedUnit unit{*scaled};
   unit.cycles = name.ends_with("Hz") ? 1 : 0;
@@ -102,8 +104,8 @@ std::optional<int> power_of(std::string_view text) {
   return is_negative ? -digit : digit;
 }
 
-/// "kgm2": names and the power of the last.
-std::optional<TypedUnit> factor(std::string_view text, int sign) {
+/// The bytes of a name at the front: letters, %, µ and °.
+std::size_t size_of_name(std::string_view text) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '%'; };
   std::size_t end = 0;
   while (end < text.size()) {
@@ -114,8 +116,23 @@ std::optional<TypedUnit> factor(std::string_view text, int sign) {
     if (length == 0) break;
     end += length;
   }
-  const auto power = power_of(text.substr(end));
-  return power && end > 0 ? run_of(text.substr(0, end), sign * *power) : std::nullopt;
+  return end;
+}
+
+/// "kgm2", "kgm²s⁻¹": names, each run of them with the power of its last.
+std::optional<TypedUnit> factor(std::string_view text, int sign) {
+  TypedUnit unit{{kNumber, 1}};
+  while (!text.empty()) {
+    const std::size_t names = size_of_name(text);
+    std::size_t end = names;
+    while (end < text.size() && size_of_name(text.substr(end)) == 0) ++end;
+    const auto power = power_of(text.substr(names, end - names));
+    const auto run = power && names > 0 ? run_of(text.substr(0, names), sign * *power) : std::nullopt;
+    if (!run) return std::nullopt;
+    unit = product(unit, *run, 1);
+    text.remove_prefix(end);
+  }
+  return unit;
 }
 
 }  // namespace

@@ -71,6 +71,8 @@ class ClaimCheck {
           still_.reset();
           model_.reset();
           shown_.reset();
+          if (&step == &stage.steps.front()) check_text(stage.title_text, step);
+          check_text(step.title, step);
           for (const Block& block : step.blocks) {
             if (report_.is_full()) return report_.take();
             check_block(block, step, place);
@@ -91,19 +93,53 @@ class ClaimCheck {
   /// "angular momentum" is L, and nothing else that has its unit.
   void check_spoken_names() {
     for (const auto& [name, symbol] : lesson_.symbols) {
-      if (symbol.means.empty() || symbol.means == "I" || symbol.means == "J") continue;
-      const auto said = quantity_of_common_name(symbol.say, lesson_);
-      const SourceText text(symbol.means);
-      Report unused(text, "");
-      const auto means =
-          said ? read_expression(symbol.means, {1, 1}, unused, &lesson_.notation.vocabulary) : std::nullopt;
-      if (!means || !fit(said->type(), means->type())) continue;
-      const Equality sides{*said, *means};
-      if (!is_provable(sides) || prover_.settle(sides, Assumption::identity) != Verdict::fails) continue;
-      report_.error(source_.place_of(std::min(symbol.offset, source_.text().size())),
-                    "symbol " + in_quotes(name) + " is said as " + in_quotes(symbol.say) + ", which is " +
-                        said->text + ", and means " + symbol.means,
-                    "say what it is");
+      if (symbol.means == "I" || symbol.means == "J") continue;
+      const std::string& text = symbol.means.empty() ? name : symbol.means;
+      const SourceText source(text);
+      Report unused(source, "");
+      const auto means = read_expression(text, {1, 1}, unused, &lesson_.notation.vocabulary);
+      if (!means) continue;
+      for (const std::string* words : {&symbol.say, &symbol.note}) {
+        const auto said = quantity_of_common_name(*words, lesson_);
+        if (!said || !fit(said->type(), means->type()) || may_be_same(*said, *means)) continue;
+        report_.error(source_.place_of(std::min(symbol.offset, source_.text().size())),
+                      "symbol " + in_quotes(name) + " is said as " + in_quotes(*words) + ", which is " +
+                          said->text + ", and means " + text,
+                      "say what it is");
+        break;
+      }
+    }
+  }
+
+  /// What no proof decides, such as the largest of three moments, may be so in some scene of the lesson.
+  bool may_be_same(const Expression& a, const Expression& b) {
+    const Equality sides{a, b};
+    if (is_provable(sides)) return prover_.settle(sides, Assumption::identity) != Verdict::fails;
+    bool is_told = false;
+    const Scene* last = nullptr;
+    for (const Stage& stage : lesson_.stages)
+      for (const Step& step : stage.steps) {
+        if (!step.scene || step.scene.get() == last) continue;
+        last = step.scene.get();
+        const auto live = state_of_first(*step.scene);
+        const auto x = live ? live_number(a, *live) : std::nullopt,
+                   y = live ? live_number(b, *live) : std::nullopt;
+        if (!x || !y) continue;
+        is_told = true;
+        constexpr double kRounding = 1e-9;
+        if (std::abs(*x - *y) <= kRounding * (std::abs(*x) + std::abs(*y))) return true;
+      }
+    return !is_told;
+  }
+  /// Of the scene without those beside it, as it begins; nothing if it cannot be.
+  std::optional<LiveState> state_of_first(const Scene& scene) const {
+    Scene alone = scene;
+    alone.beside.clear();
+    alone.before = 0;
+    try {
+      return live_state(make_model(alone, Product::numbers, effort_), 0);
+    } catch (const std::domain_error&) {
+      return std::nullopt;
     }
   }
 
@@ -167,23 +203,28 @@ class ClaimCheck {
   void check(const Footnote& note, const Step& step) { check_text(note.text, step); }
 
   /// What stands around the numbers of a text.
-  void check_text(const RichText& text, const Step& step, bool is_prompt = false) {
+  enum class TextOf { lesson, prompt, choice };
+  void check_text(const RichText& text, const Step& step, TextOf of = TextOf::lesson) {
     const auto motions = [&] { return motions_of(step); };
-    statement_check_.check_text(text, motions);
-    if (!is_prompt) statement_check_.check_typed_numbers(text, motions);  // what is given is the question's
+    if (of == TextOf::choice)
+      statement_check_.check_choice(text, motions);
+    else
+      statement_check_.check_text(text, motions);
+    if (of != TextOf::prompt)
+      statement_check_.check_typed_numbers(text, motions);  // what is given is the question's
     if (numbers_in(text).empty()) return;
     number_check_.check_computed_tables(text);
     if (step.scene && model_of(step) != nullptr) number_check_.check_text(text, motion_of(step));
   }
 
   void check(const Ask& ask, const Step& step) {
-    check_text(ask.prompt_text, step, true);
+    check_text(ask.prompt_text, step, TextOf::prompt);
     for (const auto* texts : {&ask.replies, &ask.hint_texts})
       for (const RichText& text : *texts) check_text(text, step);
     // A choice that is wrong may say what is not so.
     for (std::size_t i = 0; i < ask.choice_texts.size(); ++i)
       if (ask.type == Question::Type::order || ask.answers == std::vector{static_cast<int>(i) + 1})
-        check_text(ask.choice_texts[i], step);
+        check_text(ask.choice_texts[i], step, TextOf::choice);
     check_text(ask.because, step);
     check_prompt(
         ask, lesson_, prover_, [&] { return motions_of(step); }, report_, effort_);

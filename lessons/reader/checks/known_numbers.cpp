@@ -54,6 +54,12 @@ constexpr std::array<std::string_view, 36> kKnown{
     "most_tilt",
 };
 
+/// To half a unit of its last digit.
+bool is_near(const TypedNumber& number, const ScaledUnit& unit, double value) {
+  return std::abs(std::abs(value) / unit.size - std::abs(number.value)) <=
+         0.5 * number.last_digit * (1 + 1e-9);
+}
+
 class KnownNumbers {
  public:
   KnownNumbers(const TypedNumber& number, const ScaledUnit& unit, const Lesson& lesson, const Effort& effort)
@@ -83,7 +89,11 @@ class KnownNumbers {
                                   motion.model.span_s, step_s, scene.poses.over_s})
         if (is_near(time_s)) return true;
     }
-    constexpr Dimension kLength{0, 1, 0}, kMass{1, 0, 0};
+    constexpr Dimension kLength{0, 1, 0}, kMass{1, 0, 0}, kForce{1, 1, -2};
+    // What the motion has none of is nothing that it contradicts.
+    const bool has_force = !scene.torque.empty() || !scene.F_S.isZero();
+    if ((unit_.dimension == kLength && !scene.body.shape) || (unit_.dimension == kForce && !has_force))
+      return true;
     if (unit_.dimension == kMass && is_near(scene.body.mass_kg)) return true;
     if (unit_.dimension == kLength)
       for (const double size_m : motion.model.solid.size_m)
@@ -106,10 +116,7 @@ class KnownNumbers {
     return !unit || *unit == unit_.dimension;
   }
 
-  bool is_near(double value) const {
-    return std::abs(std::abs(value) / unit_.size - std::abs(number_.value)) <=
-           0.5 * number_.last_digit * (1 + 1e-9);
-  }
+  bool is_near(double value) const { return polhode::is_near(number_, unit_, value); }
 
   bool is_value(std::string_view text, MotionNumbers& numbers) const {
     const SourceText source(text);
@@ -139,6 +146,21 @@ bool is_constructed(const TypedNumber& number, const ScaledUnit& unit) {
 }
 
 }  // namespace
+
+std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
+                                 const std::vector<ShownMotion>& motions, const Effort& effort) {
+  const ScaledUnit unit = scaled_unit(number.unit).value_or(ScaledUnit{});
+  const auto dimension = has_motion_words(quantity) ? std::nullopt : dimension_of(quantity, {}).dimension;
+  if (dimension && !number.unit.empty() && *dimension != unit.dimension) return false;
+  std::optional<bool> is_so;
+  for (const ShownMotion& motion : motions)
+    for (const double t_s : {motion.still_s, 0.0}) {
+      MotionNumbers numbers(motion.model, t_s, effort);
+      if (const auto value = numbers.value_of(quantity))
+        is_so = is_so.value_or(false) || is_near(number, unit, *value);
+    }
+  return is_so;
+}
 
 bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std::vector<ShownMotion>& motions,
                      const Effort& effort) {

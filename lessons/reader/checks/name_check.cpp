@@ -38,10 +38,30 @@ class NameCheck {
     const bool is_name = said && has_name(*said);
     if (const auto shown = said && !is_name ? expression_of(curve) : named(curve))
       check_scalar(*shown, curve.text, tex);
+    if (is_name && !named(curve) && is_multiple(curve, *said)) return refuse("the curve of", curve.text, tex);
     check_axis(curve, tex, "the curve of");
     const auto of_said = is_name ? dimension_of(*said, {}).dimension : std::nullopt;
     if (of_said && !can_have({*of_said}, dimension(curve))) return refuse("the curve of", curve.text, tex);
     check_kind(curve, tex, "the curve of");
+  }
+
+  /// 2T as T: what has no name of its own may stand for what it is called, but not as a simple multiple of
+  /// it.
+  bool is_multiple(const SceneQuantity& curve, const Expression& said) const {
+    const auto shown = expression_of(curve);
+    if (!shown || said.type() == ExpressionType::vector) return false;
+    constexpr std::array<double, 9> kFactors{2, 0.5, 3, 1.0 / 3, 4, 0.25, 10, 0.1, -1};
+    return std::any_of(kFactors.begin(), kFactors.end(), [&](double factor) {
+      int told = 0;
+      for (const LiveState& live : states_) {
+        const auto a = live_number(*shown, live), b = live_number(said, live);
+        if (!a || !b || !is_more_than_rounding(*a, *b)) continue;
+        constexpr double kRounding = 1e-9;
+        if (std::abs(*a - factor * *b) > kRounding * std::abs(*a)) return false;
+        ++told;
+      }
+      return told > 0;
+    });
   }
 
   void check_scalar(const Expression& shown, const std::string& text, const std::string& tex) {
@@ -154,12 +174,12 @@ class NameCheck {
       if (of_size && !can_have({*of_size}, dimension_of(*shown, {}).dimension))
         return refuse("the tip of", of.text, tex);
     }
-    if (named(of)) {
-      check_kind(of, tex, "the tip of");
-      const auto of_said = said ? dimension_of(*said, {}).dimension : std::nullopt;
-      if (of_said && shown && !can_have({*of_said}, dimension_of(*shown, {}).dimension))
-        return refuse("the tip of", of.text, tex);
-    }
+    check_kind(of, tex, "the tip of");
+    // What is drawn without a unit may stand for anything.
+    const auto of_said = said ? dimension_of(*said, {}).dimension : std::nullopt;
+    const auto of_shown = shown ? dimension_of(*shown, {}).dimension : std::nullopt;
+    if (of_said && (named(of) || of_shown != kNumber) && !can_have({*of_said}, of_shown))
+      return refuse("the tip of", of.text, tex);
     check_multiple(of, tex);
     if (!said || !shown || said->type() != ExpressionType::vector) return;
     for (const LiveState& live : states_) {

@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof/proof.h"
+#include "lessons/reader/checks/clause.h"
 #include "lessons/reader/checks/quantity_words.h"
 #include "lessons/reader/text_units.h"
 
@@ -49,6 +50,13 @@ std::vector<double> times_of(const NumbersMotion& motion, bool still_alone) {
   for (int i = 0; i < (still_alone ? 0 : kMeasuredTimes); ++i)
     times_s.push_back(motion.model.span_s * i / (kMeasuredTimes - 1));
   return times_s;
+}
+
+/// 60*norm(omega)/(2*pi), or 30*norm(omega)/pi: a rate of seconds is one of minutes.
+bool counts_sixty(const Expression& expression) {
+  return std::any_of(expression.nodes.begin(), expression.nodes.end(), [](const ExpressionNode& node) {
+    return node.operation == Operation::number && (node.number.value == 60 || node.number.value == 30);
+  });
 }
 
 bool has_typed(const Math& math) {
@@ -236,72 +244,6 @@ void NumberCheck::check_spans(const std::vector<TextSpan>& spans, const NumbersM
   }
 }
 
-namespace {
-
-/// The stretches of the clause before a number, and the words that join it to the number: "is", "has the
-/// length".
-std::vector<TextSpan> clause_before(const std::vector<TextSpan>& spans, std::size_t at) {
-  std::vector<TextSpan> clause;
-  for (std::size_t k = at; k > 0; --k) {
-    TextSpan span = spans[k - 1];
-    if (span.kind == TextSpan::Kind::text) {
-      const std::size_t last = span.text.find_last_not_of(": ");
-      const std::size_t end = last == span.text.npos ? last : span.text.find_last_of(".,;:!?()", last);
-      if (end != span.text.npos) {
-        span.text.erase(0, end + 1);
-        clause.insert(clause.begin(), std::move(span));
-        break;
-      }
-    }
-    clause.insert(clause.begin(), std::move(span));
-  }
-  return clause;
-}
-
-/// Cut off the end of a clause what joins it to a number.
-std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
-  if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
-  std::string& text = clause.back().text;
-  std::string_view rest = without_blanks(text);
-  const std::string all(rest);
-  constexpr std::array<std::pair<std::string_view, Relation>, 16> kVerbs{
-      {{"is about", Relation::approximate},
-       {"is nearly", Relation::approximate},
-       {"is now", Relation::equal},
-       {"is only", Relation::equal},
-       {"is", Relation::equal},
-       {"was", Relation::equal},
-       {"equals", Relation::equal},
-       {"comes to", Relation::equal},
-       {"amounts to", Relation::equal},
-       {"lasts", Relation::equal},
-       {"takes", Relation::equal},
-       {":", Relation::equal},
-       {"has the length", Relation::equal},
-       {"has the magnitude", Relation::equal},
-       {"has a length of", Relation::equal},
-       {"are", Relation::equal}}};
-  for (const auto& [verb, relation] : kVerbs) {
-    if (!rest.ends_with(verb)) continue;
-    rest.remove_suffix(verb.size());
-    const bool is_word = verb == ":" || rest.empty() || !is_letter(rest.back());
-    if (!is_word) continue;
-    text = std::string(rest);
-    if (verb.starts_with("has")) clause.emplace(clause.begin())->text = "length of ";
-    return relation;
-  }
-  return std::nullopt;
-}
-
-/// A formula alone before the verb is compared as formulas are.
-bool has_words(const std::vector<TextSpan>& clause) {
-  return std::any_of(clause.begin(), clause.end(), [](const TextSpan& span) {
-    return span.kind == TextSpan::Kind::text && !without_blanks(span.text).empty();
-  });
-}
-
-}  // namespace
-
 /// What stands before a formula that a number begins.
 void NumberCheck::check_before(const std::vector<TextSpan>& spans, std::size_t at, std::size_t index,
                                const NumbersMotion& motion) {
@@ -429,7 +371,7 @@ void NumberCheck::check_behind(const std::vector<TextSpan>& spans, std::size_t a
     const std::string why = number.written.unit == "Hz" ? "" : why_not_in(number.expression, "Hz");
     if (number.written.unit.find("rad") != std::string::npos || !why.empty())
       return refuse(number, "this number counts radians, and turns are said of it", "divide it by 2*pi");
-    if (is_in_minutes)
+    if (is_in_minutes && !counts_sixty(number.expression))
       return refuse(number, "this number is of seconds, and minutes are said of it", "multiply it by 60");
   }
   if (starts_with_any(text, {"%", "percent", "per cent"})) return check_behind_unit("%");

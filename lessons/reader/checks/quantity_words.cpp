@@ -27,7 +27,7 @@ struct Said {
 using Pair = std::pair<std::string_view, std::string_view>;
 
 /// What has a name of its own wherever the rotation of a body is written about.
-constexpr std::array<Pair, 25> kWords{{
+constexpr std::array<Pair, 31> kWords{{
     {"energy", "T"},
     {"kinetic energy", "T"},
     {"rotational energy", "T"},
@@ -44,8 +44,14 @@ constexpr std::array<Pair, 25> kWords{{
     {"turns a minute", "(30*norm(omega)/pi)"},
     {"revolutions per minute", "(30*norm(omega)/pi)"},
     {"one turn", "(2*pi/norm(omega))"},
+    {"full turn", "(2*pi/norm(omega))"},
+    {"whole turn", "(2*pi/norm(omega))"},
+    {"full revolution", "(2*pi/norm(omega))"},
+    {"one revolution", "(2*pi/norm(omega))"},
     {"time of one turn", "(2*pi/norm(omega))"},
     {"angular velocity", "omega"},
+    {"omega", "omega"},
+    {"l", "L"},
     {"angular momentum", "L"},
     {"torque", "N"},
     {"vertical", "ez"},
@@ -119,13 +125,14 @@ class NameReader {
     return said ? expression(*said) : std::nullopt;
   }
 
-  std::optional<Expression> at_end() const {
+  std::optional<Expression> at_end(VectorsSaid vectors) const {
     if (formulas_.size() > 9) return std::nullopt;
     const std::string_view all(words_);
     for (std::size_t begin = 0; begin < all.size(); ++begin) {
       if (begin > 0 && all[begin - 1] != ' ') continue;
-      const auto said = read(all.substr(begin));
+      auto said = read(all.substr(begin));
       if (!said) continue;
+      if (vectors == VectorsSaid::as_vectors) said->is_vector = false;
       return goes_on(all.substr(0, begin)) ? std::nullopt : expression(*said);
     }
     return std::nullopt;
@@ -150,10 +157,10 @@ class NameReader {
   static bool goes_on(std::string_view before) {
     before = without_blanks(before);
     const std::string_view word = before.substr(before.rfind(' ') + 1);
-    constexpr std::array<std::string_view, 24> kGoingOn{
-        "of",   "and",    "to",      "by",      "between", "over",  "than",  "from",
-        "per",  "times",  "squared", "along",   "plus",    "minus", "with",  "or",
-        "rate", "change", "mean",    "kinetic", "its",     "half",  "twice", "as"};
+    constexpr std::array<std::string_view, 28> kGoingOn{
+        "of",      "and",   "to",    "by",    "between", "over",   "than", "from",   "per",  "times",
+        "squared", "along", "plus",  "minus", "with",    "or",     "rate", "change", "mean", "kinetic",
+        "its",     "half",  "twice", "as",    "about",   "around", "in",   "for"};
     return std::find(kGoingOn.begin(), kGoingOn.end(), word) != kGoingOn.end();
   }
 
@@ -182,6 +189,11 @@ class NameReader {
       if (words.starts_with(article))
         if (auto said = read(words.substr(article.size()), depth + 1)) return said;
     if (words.size() == 2 && words[0] == kFormula) return formula(words[1]);
+    // Energy may be that of the flight, too.
+    for (const std::string_view behind :
+         {" of the body", " of a body", " of this body", " vector", " in space"})
+      if (words.ends_with(behind) && words.find("energy") == words.npos)
+        if (auto said = read(words.substr(0, words.size() - behind.size()), depth + 1)) return said;
     if (auto said = with_factor(words, depth)) return said;
     if (auto said = of_others(words, depth)) return said;
     if (auto said = of_axis(words)) return said;
@@ -289,12 +301,22 @@ class NameReader {
     if (auto said = of_two(words, "component of ", " along ", depth, component)) return said;
     for (const std::string_view by : {" divided by ", " over "})
       if (auto said = of_two(words, "", by, depth, with("/"))) return said;
+    constexpr std::array<Pair, 3> kOrdinals{{{"first", "e1"}, {"second", "e2"}, {"third", "e3"}}};
+    for (const auto& [ordinal, axis_of] : kOrdinals) {
+      const std::string before = std::string(ordinal) + " component of ";
+      if (!words.starts_with(before)) continue;
+      const auto of = read(words.substr(before.size()), depth + 1);
+      return of && of->is_vector
+                 ? std::optional(scalar("dot(" + of->text + ", " + std::string(axis_of) + ')'))
+                 : std::nullopt;
+    }
     constexpr std::string_view kVertical = "vertical component of ";
     if (words.starts_with(kVertical))
       if (const auto of = read(words.substr(kVertical.size()), depth + 1); of && of->is_vector)
         return scalar("dot(" + of->text + ", ez)");
     if (words.starts_with("ratio ")) return read(words.substr(6), depth + 1);
-    for (const std::string_view root : {"square of ", "length of ", "magnitude of ", "absolute value of "}) {
+    for (const std::string_view root :
+         {"square of ", "length of ", "magnitude of ", "absolute value of ", "norm of ", "size of "}) {
       if (!words.starts_with(root)) continue;
       const auto of = read(words.substr(root.size()), depth + 1);
       if (!of) return std::nullopt;
@@ -329,6 +351,11 @@ class NameReader {
       const std::string most = larger("I1", larger("I2", "I3")), least = smaller("I1", smaller("I2", "I3"));
       if (words == "largest" || words == "greatest") return Said{most, false};
       if (words == "smallest" || words == "least") return Said{least, false};
+      if (of != " moment") {
+        if (words == "first") return Said{"I1", false};
+        if (words == "second") return Said{"I2", false};
+        if (words == "third") return Said{"I3", false};
+      }
       if (words == "intermediate" || words == "middle")
         return scalar("I1 + I2 + I3 - " + most + " - " + least);
       return std::nullopt;
@@ -402,8 +429,9 @@ std::optional<Expression> quantity_of_common_name(const std::string& name, const
   return NameReader(stretches_of(name), lesson, false).whole(VectorsSaid::as_vectors);
 }
 
-std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson) {
-  return NameReader(line, lesson).at_end();
+std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson,
+                                               VectorsSaid vectors) {
+  return NameReader(line, lesson).at_end(vectors);
 }
 
 }  // namespace polhode

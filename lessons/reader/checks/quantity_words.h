@@ -27,7 +27,8 @@ std::optional<Expression> quantity_said(const std::vector<TextSpan>& name, const
 
 /// The same of the longest end of a line that can be read, unless what stands before it goes on with it: of
 /// "at first half of $T$" half of T.
-std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson);
+std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson,
+                                               VectorsSaid vectors = VectorsSaid::as_lengths);
 
 /// What a name in words means wherever the rotation of a body is written about, whatever the lesson calls so.
 std::optional<Expression> quantity_of_common_name(const std::string& name, const Lesson& lesson);

@@ -3,14 +3,16 @@
 // called proved.
 #pragma once
 
+#include "lessons/claims/live_claims.h"
 #include "lessons/claims/proof/proof.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/notation/tex_statements.h"
 #include "lessons/reader/checks/known_numbers.h"
+#include "lessons/reader/checks/sentence.h"
 #include "lessons/reader/lesson.h"
 
 #include <functional>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,28 +29,55 @@ class StatementCheck {
   /// What is claimed in it, false or not, may be spoken of.
   void begin_stage(const Stage& stage);
   /// An error for each statement that can be read and is not so: neither in general, of the free body, of the
-  /// motion of the step or under an assumption of the lesson, nor claimed in the stage. What a sentence
-  /// supposes, asks or denies is not stated. `motions` is asked at most once, where it matters.
+  /// motion of the step, nor under an assumption of the lesson that the sentence names; nor claimed in the
+  /// stage. What a sentence supposes, asks or denies is not stated (sentence.h), and "at $t = 2$ s" it is
+  /// stated of that time. `motions` is asked where it matters.
   void check_text(const RichText& text, const Motions& motions);
+  /// The same of a choice, which may name a state by its components.
+  void check_choice(const RichText& text, const Motions& motions);
   /// The same of its numbers with units, outside of such statements: each is one that the lesson or its
-  /// motion has (known_numbers.h).
+  /// motion has (known_numbers.h), and where words say of what, "the energy is 5 J", it is that of it; so are
+  /// rows of tables with one number.
   void check_typed_numbers(const RichText& text, const Motions& motions);
   /// The statements of a display; `before` is the text that leads to it.
   void check_display(const Equation& equation, const RichText* before, const Motions& motions);
 
  private:
-  void check(const StatedLink& link, const std::string& unit_behind, const std::string& tex,
-             std::size_t offset, const Motions& motions);
+  /// Where a statement stands, and what is told of it.
+  struct Context {
+    const Standing& standing;
+    const std::string& tex;
+    std::size_t offset = 0;  ///< of the TeX in the source
+    std::string unit_behind = {};
+  };
+  void check(const Statements& stated, const Context& context, const Motions& motions);
+  void check(const StatedLink& link, const Context& context, const Motions& motions);
+  void check(const StatedComponents& components, const Context& context, const Motions& motions);
+  std::optional<StatedLink> said_of_formula(const std::vector<TextSpan>& line, std::size_t at) const;
+  void check_rows(const TextTable& table, const Motions& motions);
+  void refuse_number(const TypedNumber& number, std::size_t offset, const std::string& why);
   void check_units(const Statements& stated, std::size_t offset);
-  bool holds_in_general(const Equality& equality, Relation relation) const;
+  void refuse(const StatedLink& link, const Context& context, const std::string& why,
+              const std::string& hint);
+  void refuse_on_motion(const StatedLink& link, const Context& context, const Motions& motions,
+                        const std::string& why);
+  void check_lines(const RichText& text, const Motions& motions, bool is_choice);
+  bool holds_in_general(const StatedLink& link, const Standing& standing, const Motions& motions) const;
+  static bool is_of_a_kind_of_body(const StatedLink& link, const Standing& standing);
+  bool may_be_free(const Standing& standing, const std::vector<ShownMotion>& motions) const;
   bool is_claimed(const Equality& equality) const;
-  std::string why_not(const StatedLink& link, const std::vector<ShownMotion>& motions) const;
+  /// Empty where all of them are so at one time of one of the motions, or none can tell.
+  std::string why_not(const std::vector<StatedLink>& links, const Standing& standing,
+                      const std::vector<ShownMotion>& motions) const;
+  /// Empty if it is so at this state.
+  std::string why_not(const StatedLink& link, const LiveState& live) const;
 
   const Lesson& lesson_;
   Report& report_;
   const Effort& effort_;
   Prover prover_;
   std::vector<const ClaimLine*> claimed_;
+  std::string headline_;  ///< of the stage, in small letters: it may name an assumption
 };
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/expressions/expression_names.h"
+#include "lessons/claims/motion_words.h"
 #include "lessons/notation/tex_sides.h"
 #include "render/typeset/math/tree.h"
 
@@ -61,14 +62,23 @@ std::string role_of_quantity(const std::string& name) {
 }
 
 /// Nothing where it cannot be told.
-std::optional<Dimension> dimension_of_symbol(const std::string& name, const Symbol& symbol,
-                                             const FrontMatter& front) {
-  const Vocabulary& vocabulary = front.notation.vocabulary;
+std::optional<Expression> expression_of_symbol(const std::string& name, const Symbol& symbol,
+                                               const FrontMatter& front) {
   const std::string& text = symbol.means.empty() ? name : symbol.means;
   const SourceText source(text);
   Report unused(source, "");
-  const auto expression = read_expression(text, {1, 1}, unused, &vocabulary);
-  return expression ? dimension_of(*expression, front.dimensions).dimension : std::nullopt;
+  return read_expression(text, {1, 1}, unused, &front.notation.vocabulary);
+}
+
+/// Whether words are the name of an angle, or of its cosine or sine.
+enum class SaidOfAngle { nothing, angle, cosine };
+SaidOfAngle said_of_angle(std::string words) {
+  for (char& c : words) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const std::string_view article : {"the ", "its ", "a ", "an "})
+    if (words.starts_with(article)) words.erase(0, article.size());
+  const std::string first = words.substr(0, words.find(' '));
+  if (first == "cosine" || first == "sine") return SaidOfAngle::cosine;
+  return first == "angle" || first == "tilt" ? SaidOfAngle::angle : SaidOfAngle::nothing;
 }
 
 bool is_quantity(const std::string& name) {
@@ -202,14 +212,31 @@ std::string without_alphabets(std::string tex) {
 void check_name(const TomlEntry& entry, const Symbol& symbol, const FrontMatter& front, Report& report) {
   const bool is_known = is_quantity(entry.key);
   const Vocabulary::Word* word = front.notation.vocabulary.find(entry.key);
-  if (!is_known && word == nullptr && symbol.means.empty()) return;
-  const auto dimension = dimension_of_symbol(entry.key, symbol, front);
   const auto refuse = [&](const std::string& why, const std::string& hint) {
     report.error(entry.place, "symbol " + in_quotes(entry.key) + ' ' + why, hint);
   };
+  const char32_t letter = symbol.math.root ? letter_of_name(symbol.math) : U'\0';
   const bool is_alone = symbol.tex.find_first_of("_^'") == std::string::npos;
-  const auto of_letter = symbol.math.root && is_alone ? dimensions_of_letter(letter_of_name(symbol.math))
-                                                      : std::vector<Dimension>();
+  // With an index E is still an energy; p_φ is no momentum, and an ω_A may be drawn without a unit.
+  const bool keeps_kind = letter == U'E';
+  const auto of_letter =
+      letter != U'\0' && (is_alone || keeps_kind) ? dimensions_of_letter(letter) : std::vector<Dimension>();
+  if (!is_known && word == nullptr && symbol.means.empty()) {
+    // Of what means nothing there are letter, words and unit alone.
+    const auto of_words = dimensions_of_words(symbol.say);
+    const auto unit = symbol.unit.empty() ? std::nullopt : dimension_of_unit(symbol.unit);
+    if (!can_have(of_words, unit) || !can_have(of_letter, unit))
+      return refuse("has the unit of another quantity", "say what it is");
+    const bool agree = of_letter.empty() || of_words.empty() ||
+                       std::any_of(of_words.begin(), of_words.end(),
+                                   [&](const Dimension& one) { return can_have(of_letter, one); });
+    if (!agree)
+      refuse("is printed as another quantity than " + in_quotes(symbol.say),
+             "take another letter, or say what it is");
+    return;
+  }
+  const auto expression = expression_of_symbol(entry.key, symbol, front);
+  const auto dimension = expression ? dimension_of(*expression, front.dimensions).dimension : std::nullopt;
   const bool is_constant = word != nullptr && word->constant();
   if (is_constant && !dimension && !of_letter.empty())
     return refuse("is printed as a quantity of " + to_string(of_letter.front()) + ", and has no unit",
@@ -221,6 +248,20 @@ void check_name(const TomlEntry& entry, const Symbol& symbol, const FrontMatter&
   if (!can_have(dimensions_of_words(symbol.say), dimension))
     return refuse("is " + to_string(*dimension) + ", and is said as " + in_quotes(symbol.say),
                   "say what it is");
+  if (dimension && *dimension != kNumber && said_of_angle(symbol.say) != SaidOfAngle::nothing)
+    return refuse("is " + to_string(*dimension) + ", and is said as " + in_quotes(symbol.say),
+                  "say what it is");
+  if (expression && dimension == kNumber && expression->type() == ExpressionType::scalar) {
+    const SaidOfAngle said = said_of_angle(symbol.say);
+    const Operation last = expression->nodes.back().operation;
+    const bool is_angle = last == Operation::acos || last == Operation::atan2;
+    const bool is_ratio = expression->order() == 0 && (word == nullptr || !word->constant()) &&
+                          !why_not_in(*expression, "rad").empty();
+    if ((said == SaidOfAngle::cosine && is_angle) || (said == SaidOfAngle::angle && is_ratio))
+      return refuse((is_angle ? "is an angle, and is said as " : "is no angle, and is said as ") +
+                        in_quotes(symbol.say),
+                    "say what it is");
+  }
   const std::string own = role_of_quantity(entry.key);
   const bool is_role_of_quantity = symbol.role == "omega" || symbol.role == "L" || symbol.role == "N";
   if (!own.empty() && is_role_of_quantity && symbol.role != own)

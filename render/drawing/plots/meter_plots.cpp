@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string_view>
 
 namespace polhode {
 namespace {
@@ -179,6 +180,21 @@ std::vector<double> values_of(const SceneQuantity& quantity, const PlotUnit& uni
   return values;
 }
 
+/// Angles of −π to π, such as atan2 gives, go on where they come round: a curve of φ over several turns is
+/// not torn. Between neighbours nothing that is sampled at all turns by three quarters.
+void join_turns(std::vector<double>& angles, double turn) {
+  double turns = 0;
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    const double step = angles[i] + turns - angles[i - 1];
+    if (std::abs(step) > 0.75 * turn) turns -= std::copysign(turn, step);
+    angles[i] += turns;
+  }
+}
+
+bool is_unit_of_angles(std::string_view unit) {
+  return unit == "rad" || unit == "deg" || unit == "°" || unit == "mrad";
+}
+
 /// The role of the body axis that a name is of: of `T_2`, `\omega_2^2` or "row 2", but not of the sum 2T.
 /// Empty where it is of none, or of several.
 std::string axis_role_of(const std::string& name) {
@@ -250,6 +266,9 @@ TimePlot plot_of_quantities(const OwnPlot& own, const SceneModel& model, const S
     if (role.empty()) role = axis_role_of(i < own.tex.size() ? own.tex[i] : own.curves[i].tex);
     roles.push_back(std::move(role));
   }
+  // Who says a range, −180 to 180, wants to see them come round.
+  if (is_unit_of_angles(own.y.unit) && !own.range && !own.against)
+    for (TimeSeries& series : plot.series) join_turns(series.y, 2 * std::numbers::pi * own.y.per_si);
   if (own.is_log) make_logarithmic(plot);
   give_looks(plot.series, roles);
   if (!own.against) return plot;

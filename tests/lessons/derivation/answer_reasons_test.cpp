@@ -181,6 +181,11 @@ TEST(NoAnswer, SaysOfWhatIsTrueThatItIs) {
   EXPECT_EQ(reason("What is $\\vec\\omega\\cdot\\mathbf I\\cdot\\dot{\\vec\\omega}$?", "0", "modulo = 'free'",
                    "dot(omega, N)"),
             "this is true, and it can be written without ω");
+  for (const char* zero : {"N1", "dot(e1, N)"})
+    EXPECT_EQ(reason("What is $\\vec\\omega\\cdot\\mathbf I\\cdot\\dot{\\vec\\omega}$?", "0",
+                     "modulo = 'free'", zero),
+              "no torque acts here: say what is left without N")
+        << zero;
   EXPECT_EQ(reason(kMiddle, "w3*w1*(I1 - I3)", "", "dot(omega, cross(inertia(omega), e2))"),
             "this is true, and the cross product in it is to be worked out");
   EXPECT_EQ(reason(kLength, kLengthAnswer, kLengthLetters, "dot(L, omega)"),

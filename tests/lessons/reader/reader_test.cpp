@@ -12,6 +12,7 @@ namespace {
 using testing::complaints;
 using ::testing::ElementsAre;
 using testing::front_matter;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::lesson_with;
 
@@ -55,6 +56,13 @@ TEST(ReadLesson, GivesALessonInSpiteOfWarnings) {
   const LessonReading reading = read_lesson(lesson_with("It costs $5.\n"), "sample.md");
   EXPECT_EQ(reading.diagnostics.size(), 1U);
   EXPECT_TRUE(reading.lesson);
+}
+
+TEST(ReadLesson, WarnsOfMacrosThatAreUsedNowhere) {
+  const std::string macros = "[macros]\nw = '\\vec\\omega'\nww = '\\w_2'\n";
+  const auto unused = [&](const std::string& body) { return testing::complaints_of(body, macros); };
+  EXPECT_THAT(unused("Here $\\w$.\n"), ElementsAre(HasSubstr("\"ww\" is used nowhere")));
+  EXPECT_THAT(unused("Here $\\ww$.\n"), IsEmpty());
 }
 
 TEST(ReadLesson, ReportsFrontMatterAndTextAtOnce) {

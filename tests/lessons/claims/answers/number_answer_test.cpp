@@ -51,13 +51,14 @@ INSTANTIATE_TEST_SUITE_P(
         Typed{10 * std::numbers::pi, "rad/s", "300 rpm"}, Typed{5, "Hz", "300 rpm"}, Typed{5, "Hz", "5 1/s"},
         Typed{0.25, "1", "25 %"}, Typed{0.25, "1", ".25"}, Typed{2, "1", "+2."}, Typed{4.2, "J", "4.2 Nm"},
         Typed{4.2, "J", "4.2 J."}, Typed{4.2, "J", "4.2 Ws"}, Typed{4.2, "J", "4.2 kg m2/s2"},
-        Typed{4.2, "J", "4.2 kg m2 s-2"}, Typed{4.2, "J", "4.2 kgm² s⁻²"}, Typed{4.2, "J", "4200000 uJ"},
-        Typed{7.2e6, "J", "2 kWh"}, Typed{4.2, "J", "4.2 N*m"}, Typed{42000, "J", "4.2 × 10⁴ J"},
-        Typed{4200, "J", "4.2·10^3"}, Typed{4200, "J", "4.2⋅10³J"}, Typed{0.0042, "J", "4.2×10⁻³"},
-        Typed{4200, "J", "4.2*10**3"}, Typed{3, "rad/s", "3 s^-1"}, Typed{3, "rad/s", "3 s⁻¹"},
-        Typed{3, "rad/s", "3 s^(-1)"}, Typed{3, "rad/s", "180 1/min"}, Typed{3, "rad/s", "180 rad/min"},
-        Typed{5, "Hz", "300 /min"}, Typed{5, "Hz", "300 rev/min"}, Typed{90, "deg", "0.25 rev"},
-        Typed{0.1, "1/s", "0.1 rad/s"}, Typed{2, "1", "2 m/m"}));
+        Typed{4.2, "J", "4.2 kg m2 s-2"}, Typed{4.2, "J", "4.2 kgm² s⁻²"}, Typed{4.2, "J", "4.2 kg m²s⁻²"},
+        Typed{4.2, "J", "4.2 kgm2s-2"}, Typed{4.2, "J", "4200000 uJ"}, Typed{7.2e6, "J", "2 kWh"},
+        Typed{4.2, "J", "4.2 N*m"}, Typed{42000, "J", "4.2 × 10⁴ J"}, Typed{4200, "J", "4.2·10^3"},
+        Typed{4200, "J", "4.2⋅10³J"}, Typed{0.0042, "J", "4.2×10⁻³"}, Typed{4200, "J", "4.2*10**3"},
+        Typed{3, "rad/s", "3 s^-1"}, Typed{3, "rad/s", "3 s⁻¹"}, Typed{3, "rad/s", "3 s^(-1)"},
+        Typed{3, "rad/s", "180 1/min"}, Typed{3, "rad/s", "180 rad/min"}, Typed{5, "Hz", "300 /min"},
+        Typed{5, "Hz", "300 rev/min"}, Typed{90, "deg", "0.25 rev"}, Typed{0.1, "1/s", "0.1 rad/s"},
+        Typed{2, "1", "2 m/m"}));
 
 struct Slipped {
   double right;
@@ -125,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Unread{"4.2 4", "nothing is computed here", 5}, Unread{"1e999", "too large", 0},
                       Unread{"1e-999", "too small", 0}, Unread{"4.2 J/", "unknown unit \"J/\"", 5},
                       Unread{"4.2 J//s", "unknown unit", 5}, Unread{"4.2 m/s/s", "unknown unit", 5},
-                      Unread{"4.2 hJ", "unknown unit", 5}, Unread{"4.2 J^0", "unknown unit", 5},
+                      Unread{"4.2 hJ", "unknown unit", 5}, Unread{"4.2 Grad", "unknown unit", 5},
+                      Unread{"4.2 krad/s", "unknown unit", 5}, Unread{"4.2 J^0", "unknown unit", 5},
                       Unread{"4.2 1", "nothing is computed here", 5}, Unread{"e3", "no number", 1},
                       Unread{"−−4", "no number", 2}));
 

@@ -76,6 +76,100 @@ TEST(Statements, ThatAreNotSoAreErrors) {
                "If both are equal, then:\n\n" + math("", "I_1 = I_2")});
 }
 
+// 2026-11-24: a word of a list switched the check off, whatever it said.
+TEST(Statements, AreFreeWhereTheSentenceSaysForWhat) {
+  expect_false({R"(For every rigid body $T = 0$.)",
+                R"(With (1) we get $T = 0$.)",
+                R"(No doubt $T = 0$.)",
+                R"(There is no doubt that $T = 0$.)",
+                R"(No torque acts, so $\vec\omega = 0$.)",
+                R"(Without doubt $T = 0$.)",
+                R"(It is not hard to see that $T = 0$.)",
+                R"(When we look at it, $T = 0$.)",
+                R"(Once more $T = 0$.)",
+                R"(If anything, $T = 0$.)",
+                R"(Let us see: $T = 0$.)",
+                R"(Not only $T = 0$, it is small.)",
+                R"(Nothing is wrong in $T = 1$ J.)",
+                R"(For all of it: $T = 0$.)",
+                R"(The sum is given by $T = 0$.)",
+                R"(It does not turn, so $T = 0$.)",
+                R"(As we know, $T = 0$.)",
+                R"(This is such a body, and $T = 0$.)",
+                R"(Never forget that $T = 0$.)",
+                R"(The set is whole: $T = 0$.)",
+                "With these we get\n\n" + math("", "T = 0"),
+                "No torque acts, so\n\n" + math("", "T = 0"),
+                math("", R"(T = 0 \quad\text{for every body})")});
+  expect_true({R"(For $I_1 = I_2$ one has $\dot\omega_3 = 0$.)",
+               R"(With $\omega_1 = 0$ it is a steady spin.)",
+               R"(With the energy $T = 7$ J it would turn faster.)",
+               R"(Take $\omega_1 = 0$.)",
+               R"(Now let $T = 7$ J.)",
+               R"(Consider a body of which $I_1 = I_2$. Then $\dot\omega_3 = 0$.)",
+               R"(Suppose that $T = 0$.)",
+               R"(It does not follow that $\vec\omega = 0$.)",
+               R"(This does not mean that $\vec\omega = 0$ and $T = 0$.)",
+               R"(The line $T = 0$ is wrong.)",
+               R"(When the body is at rest, $T = 0$.)",
+               R"(A state such that $T = 0$ is at rest.)",
+               R"(The curve on which $T = 7$ J lies inside.)",
+               R"(Neither $T = 0$ nor $\vec L = 0$ is so.)",
+               R"(It isn't $T = 0$.)",
+               R"(No body has $I_1 = 5 I_2$.)",
+               R"(Either $T = 0$ or it turns.)",
+               R"(For small $\omega_1$ one finds $\omega_3 = 0$.)",
+               R"(Here $2T = \vec\omega\cdot\vec L$, if you like.)",
+               "Without torque\n\n" + math("", R"(\frac{d\vec L}{dt} = 0)"),
+               math("", R"(\dot\omega_3 = 0 \quad\text{for } I_1 = I_2)"),
+               math("", R"(\text{if } \omega_1 = 0 \text{ then } T = 0)")});
+}
+
+TEST(Statements, ThatSomethingDoesNotChangeAreOfAllTimes) {
+  expect_false({math("", R"(\vec\omega = \text{const})"), R"(Here $\omega_1 = \text{const}$.)",
+                math("", R"(\omega_2 = \mathrm{const.})")});
+  expect_true({math("", R"(\vec L = \text{const})"), R"(Here $T = \text{const}$.)"});
+  EXPECT_THAT(complaints_about(math("", R"(T = \text{const})"), "torque = \"body:0,0.5,0\""), Not(IsEmpty()));
+  EXPECT_THAT(
+      complaints_about(R"(Here $\vec L = \text{const}$.)", "omega = [0, 3, 0]\ntorque = \"body:0,0.5,0\""),
+      Not(IsEmpty()));
+}
+
+// An assumption that no word names is none of the sentence.
+TEST(Statements, OfAnAssumptionNameIt) {
+  const std::string scene =
+      "\n\n```scene\nbody = \"plate\"\nomega = [0.5, 3, 0.7]\nshow = [\"omega\", \"L\"]\n```\n";
+  const std::string tables = std::string(kTables) + "[assume]\nsymmetric = \"I2 = I1\"\n";
+  EXPECT_THAT(complaints_of(R"(Here $\dot\omega_3 = 0$.)" + scene, tables), Not(IsEmpty()));
+  EXPECT_THAT(complaints_of(R"(Here $I_1 = I_2$.)" + scene, tables), Not(IsEmpty()));
+  EXPECT_THAT(complaints_of(R"(Of a symmetric body without torque $\dot\omega_3 = 0$.)" + scene, tables),
+              IsEmpty());
+  EXPECT_THAT(complaints_of(R"(Of a symmetric body $\dot\omega_1 = 0$.)" + scene, tables), Not(IsEmpty()));
+}
+
+TEST(Statements, OfVectorsAndOfTimes) {
+  expect_false({R"(At first $\vec\omega = (0.5, 2, 0.7)$ rad/s.)",
+                R"(Here $\vec\omega = (3, 0, 0)\,\text{rad/s}$.)", R"(Here $\vec L = (1, 2, 3)$.)",
+                R"(Here $\vec L \parallel \vec\omega$.)", R"(Here $\vec L \perp \vec\omega$.)",
+                R"(Here $2T \ne \vec\omega\cdot\vec L$.)", R"(Here $\vec L \ne \vec L$.)",
+                R"(At $t = 1$ s, $\omega_2 = 3$ rad/s.)",
+                R"(At $t = 0.7$ s the body has $\omega_1 = 0.5$ rad/s.)"});
+  expect_true({R"(At first $\vec\omega = (0.5, 3, 0.7)$ rad/s.)", R"(At first $\vec\omega = (0.5, 3, 0.7)$.)",
+               R"(Here $\vec\omega = (\omega_1, \omega_2, \omega_3)$.)",
+               R"(Here $\vec L \nparallel \vec\omega$.)",
+               R"(Here $\vec L = (I_1\omega_1, I_2\omega_2, I_3\omega_3)$.)",
+               R"(Here $\vec\omega\times\vec L \perp \vec\omega$.)", R"(Here $\vec L \ne 0$.)",
+               R"(Here $\omega_1 \ne \omega_2$.)", R"(At $t = 0$ the body has $\omega_2 = 3$ rad/s.)",
+               R"(From $t = 0$ to $t = 1$ s, $\omega_2 = 3$ rad/s.)"});
+}
+
+TEST(Statements, OfHeadlinesAreChecked) {
+  const std::string scene =
+      "\n\n```scene\nbody = \"plate\"\nomega = [0.5, 3, 0.7]\nshow = [\"omega\", \"L\"]\n```\n";
+  EXPECT_THAT(complaints_of("## Here $T = 0$\n\nText." + scene, kTables), Not(IsEmpty()));
+  EXPECT_THAT(complaints_of("## Here $T > 0$\n\nText." + scene, kTables), IsEmpty());
+}
+
 TEST(Statements, OfQuestionsAreCheckedButForTheChoicesThatAreWrong) {
   const std::string head = "```ask q\ntype = \"choice\"\nprompt = \"Which holds?\"\n";
   EXPECT_THAT(complaints_about(head + "because = 'It is $T = 1$ J.'\n\n- [x] one\n- [ ] other\n  No.\n```\n"),
@@ -92,6 +186,31 @@ TEST(TypedNumbers, AreComputedOrGiven) {
                "A day has 24 hours, a year 365 days.", "It is shown after 0.2 s."});
 }
 
+// 2026-11-24: a number was taken for right if anything of its unit had it.
+TEST(TypedNumbers, AreOfWhatIsSaid) {
+  expect_false({"The smallest moment is 2.9 kg m².", R"(The rate about axis 2 is $0.5$ rad/s.)",
+                "The angular speed is 0.7 rad/s.", "The energy is always 9.1 J.",
+                "| what | is |\n|---|---|\n| energy | 19.671 J |\n",
+                "| what | is |\n|---|---|\n| $I_3$ | 2 kg m² |\n"});
+  expect_true(
+      {"The smallest moment is 1 kg m².", "The largest moment is $2.9$ kg m².", "The energy is 9.84 J.",
+       "If the rate about axis 2 is 0.5 rad/s, it is slow.", "The rate about axis 2 is at first 3 rad/s.",
+       "| what | is |\n|---|---|\n| energy | 9.84 J |\n", "| what | is |\n|---|---|\n| $I_3$ | 2.9 kg m² |\n",
+       "| what | a | b |\n|---|---|---|\n| $I_1$ | 1 kg m² | 2 kg m² |\n"});
+}
+
+TEST(NamesInWords, AreHeldAgainstTheFormulaBehindThem) {
+  expect_false({"The energy is $2T$.", R"(The energy is $\vec\omega\cdot\vec L$.)",
+                R"(The angular momentum is $2\mathbf I\cdot\vec\omega$.)", "The largest moment is $I_1$.",
+                "Half the energy is always $T$.", R"(The ratio of $I_1$ to $I_3$ is $I_3/I_1$.)"});
+  expect_true({"The energy is $T$.", R"(Twice the energy is $\vec\omega\cdot\vec L$.)",
+               R"(The angular momentum is $\mathbf I\cdot\vec\omega$.)", "The largest moment is $I_3$.",
+               R"(The angular momentum is $\vec L$.)",
+               R"(The angle between $\vec\omega$ and $\vec L$ is $\alpha$.)",
+               R"(The length of $\vec L$ is $\sqrt{\vec L\cdot\vec L}$.)", "The energy is not $2T$.",
+               "The energy is $2T$ divided by 2.", "Is the energy $2T$?"});
+}
+
 TEST(NamesInWords, AreHeldAgainstTheNumberBehindThem) {
   expect_false({R"(Half the energy is $\live[unit={J}]{T}$.)",
                 R"(The angular speed is $\live[unit={rad/s}]{w2}$.)",
@@ -102,6 +221,9 @@ TEST(NamesInWords, AreHeldAgainstTheNumberBehindThem) {
                 R"(The ratio of the smallest to the largest moment is $\live{I3/I1}$.)",
                 R"(The body makes $\live[unit={rad/s}]{norm(omega)}$ turns a second.)",
                 R"(One turn lasts $\live[unit={s}]{1/norm(omega)}$.)",
+                R"(A full turn takes $\live[unit={s}]{1/norm(omega)}$.)",
+                R"(The energy is always $\live[unit={J}]{2*T}$.)",
+                R"(The norm of $\vec L$ is $\live[unit={kg m²/s}]{norm(L)/2}$.)",
                 R"(The rate about axis 1 is $\live[unit={rad/s}]{w3}$.)"});
   expect_true({R"(Half of $I_3$ is $\live[unit={kg m²}]{I3/2}$.)",
                R"(A tenth of $T$ is $\live[unit={J}]{T/10}$.)",
@@ -130,7 +252,9 @@ TEST(NamesInWords, AreHeldAgainstColumnsAndPlots) {
                "| axis | moment |\n|---|---|\n| 1 | $\\live{I1}$ |\n| 3 | $\\live{I3}$ |\n"});
   for (const char* keys :
        {R"(meters = [{ plot = "T", title = "Length of $\\vec L$" }])",
-        R"(meters = [{ plot = "T/10", title = "Energy" }])",
+        R"(meters = [{ plot = "T/10", title = "Energy" }])", R"(meters = [{ plot = "2*T", tex = ['T'] }])",
+        R"(meters = [{ plot = "-w1", tex = ['\omega_1'] }])",
+        R"(arrows = [{ of = "I1*omega", tex = '\vec v' }])", R"(meters = [{ plot = "w1", tex = ['E'] }])",
         R"(meters = [{ plot = "w1", title = "Spin about axis 2" }])",
         R"(meters = [{ plot = "w1", title = '$\omega_1$ against $\omega_2$', against = "w3" }])",
         R"(meters = [{ plot = ["w1", "w2"], tex = ['\text{axis 2}', '\text{axis 1}'] }])",
@@ -200,6 +324,53 @@ TEST(Symbols, AreSaidAsWhatTheyMean) {
   EXPECT_THAT(with(R"(say = "kinetic energy", means = "2*T")"), Not(IsEmpty()));
   EXPECT_THAT(with(R"x(say = "energy", means = "T + dot(L, omega)")x"), IsEmpty());
   EXPECT_THAT(with(R"x(say = "kinetic energy", means = "dot(L, omega)/2")x"), IsEmpty());
+}
+
+// 2026-11-24: of symbols without "means" nobody read what is said of them.
+TEST(Symbols, AreSaidAsWhatTheyAre) {
+  const auto with = [](const std::string& symbol, const std::string& table = "symbols") {
+    return complaints_of("Text.\n\n```scene\nshow = [\"omega\", \"L\"]\n```\n",
+                         "[" + table + "]\n" + symbol + "\n");
+  };
+  for (const char* symbol :
+       {R"(a = { tex = '\alpha', say = "the angular momentum of the body", means = "omega" })",
+        R"x(a = { tex = 'E_1', say = "a", means = "norm(omega)" })x",
+        R"(a = { tex = '\alpha', say = "second component of the angular velocity", means = "w1" })",
+        R"(a = { tex = '\alpha', say = "component of omega along axis 2", means = "w1" })",
+        R"(a = { tex = '\alpha', say = "largest moment", means = "I1" })",
+        R"(omega = { tex = '\vec\omega', say = "linear velocity" })",
+        R"(omega = { tex = '\vec\omega', say = "angular momentum vector" })",
+        R"(L = { tex = '\vec L', say = "angular velocity in space" })",
+        R"(T = { tex = 'T', say = "total momentum of the body" })",
+        R"(I1 = { tex = 'I_1', say = "largest moment" })",
+        R"(I1 = { tex = 'I_1', say = "moment about axis 2" })",
+        R"(I2 = { tex = 'I_2', say = "first principal moment" })",
+        R"(w1 = { tex = '\omega_1', say = "second component of the angular velocity" })",
+        R"(w1 = { tex = '\omega_1', say = "rate about axis 3" })",
+        R"(e1 = { tex = '\hat e_1', say = "axis 2" })", R"(x = { tex = '\vec L', say = "angular velocity" })",
+        R"(x = { tex = '\alpha', say = "angular momentum", unit = "rad/s" })"})
+    EXPECT_THAT(with(symbol), Not(IsEmpty())) << symbol;
+  for (const char* symbol :
+       {R"(u = { means = "T", tex = 'u', say = "cosine of the tilt" })",
+        R"x(u = { means = "dot(ez, e3)", tex = 'u', say = "tilt" })x",
+        R"x(u = { means = "acos(dot(ez, e3))", tex = 'u', say = "cosine of the tilt" })x"})
+    EXPECT_THAT(with(symbol, "define"), Not(IsEmpty())) << symbol;
+  for (const char* symbol :
+       {R"(omega = { tex = '\vec\omega', say = "angular velocity of the body" })",
+        R"(T = { tex = 'T', say = "kinetic energy of the rotation" })",
+        R"(I1 = { tex = 'I_1', say = "moment of inertia about axis 1" })",
+        R"(w1 = { tex = '\omega_1', say = "first component of the angular velocity" })",
+        R"(e3 = { tex = '\hat e_3', say = "symmetry axis" })",
+        R"(N = { tex = '\vec N', say = "torque of the weight" })",
+        R"(Om = { tex = '\vec\Omega', say = "rate of precession", means = "L/I1", unit = "rad/s" })"})
+    EXPECT_THAT(with(symbol), IsEmpty()) << symbol;
+  for (
+      const char* symbol :
+      {R"x(theta = { means = "acos(dot(ez, e3))", tex = '\theta', say = "tilt", unit = "rad" })x",
+       R"x(u = { means = "dot(ez, e3)", tex = 'u', say = "cosine of the tilt" })x",
+       R"x(pphi = { means = "dot(L, ez)", tex = 'p_\varphi', say = "vertical component of the angular momentum" })x",
+       R"x(tip = { means = "ddt(L)", tex = 'r', say = "the velocity of the tip of L" })x"})
+    EXPECT_THAT(with(symbol, "define"), IsEmpty()) << symbol;
 }
 
 TEST(Captions, TypeWhatIsSo) {

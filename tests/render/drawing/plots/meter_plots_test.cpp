@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -182,6 +183,21 @@ TEST(MeterPlots, OwnCurvesAreToldApart) {
       EXPECT_NE(series[i].dash, series[k].dash) << "in print";
       EXPECT_FALSE(series[i].role.ink == series[k].role.ink) << i << ' ' << k;
     }
+}
+
+TEST(MeterPlots, OfAnglesAreNotTornWhereTheyComeRound) {
+  const auto turning = [](double t_s, const Vec3&) { return std::remainder(3 * t_s, 2 * std::numbers::pi); };
+  OwnPlot own{.curves = {quantity("phi", turning)}, .y = {"deg", 180 / std::numbers::pi}};
+  const auto largest_step = [](const std::vector<double>& y) {
+    double largest = 0;
+    for (std::size_t i = 1; i < y.size(); ++i) largest = std::max(largest, std::abs(y[i] - y[i - 1]));
+    return largest;
+  };
+  const SceneModel model = page_of({}, {own});
+  EXPECT_LT(largest_step(meter_plots(model, 0)[0].series[0].y), 90);
+  own.range = std::pair(-180.0, 180.0);
+  const SceneModel ranged = page_of({}, {own});
+  EXPECT_GT(largest_step(meter_plots(ranged, 0)[0].series[0].y), 270);
 }
 
 TEST(MeterPlots, WhatIsNotDefinedLeavesGaps) {

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/checks/clause.h"
+
+#include "lessons/reader/text_units.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+/// Cut off the end of a text, as a word of its own.
+bool take_last_word(std::string_view& text, std::string_view word) {
+  if (!text.ends_with(word)) return false;
+  const std::string_view rest = text.substr(0, text.size() - word.size());
+  if (word != ":" && !rest.empty() && is_letter(rest.back())) return false;
+  text = without_blanks(rest);
+  return true;
+}
+
+}  // namespace
+
+std::vector<TextSpan> clause_before(const std::vector<TextSpan>& line, std::size_t at) {
+  std::vector<TextSpan> clause;
+  for (std::size_t k = at; k > 0; --k) {
+    TextSpan span = line[k - 1];
+    if (span.kind == TextSpan::Kind::text) {
+      const std::size_t last = span.text.find_last_not_of(": ");
+      const std::size_t end = last == span.text.npos ? last : span.text.find_last_of(".,;:!?()", last);
+      if (end != span.text.npos) {
+        span.text.erase(0, end + 1);
+        clause.insert(clause.begin(), std::move(span));
+        break;
+      }
+    }
+    clause.insert(clause.begin(), std::move(span));
+  }
+  return clause;
+}
+
+std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
+  if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
+  constexpr std::array<std::string_view, 6> kNearly{"about",   "nearly", "almost",
+                                                    "roughly", "some",   "approximately"};
+  constexpr std::array<std::string_view, 14> kAdverbs{"now",    "only",      "always", "then", "exactly",
+                                                      "just",   "thus",      "here",   "also", "therefore",
+                                                      "simply", "precisely", "again",  "still"};
+  constexpr std::array<std::string_view, 16> kVerbs{
+      "is equal to", "is given by", "has the value", "is",    "was",     "are",     "equals",   "comes to",
+      "amounts to",  "lasts",       "takes",         "stays", "remains", "becomes", "measures", ":"};
+  constexpr std::array<std::string_view, 5> kOfLength{"has the length", "has the magnitude",
+                                                      "has a length of", "has the size", "has the norm"};
+  std::string& text = clause.back().text;
+  const std::string all = text;
+  std::string_view rest = without_blanks(all);
+  Relation relation = Relation::equal;
+  const auto take = [&](std::string_view word) { return take_last_word(rest, word); };
+  if (std::any_of(kNearly.begin(), kNearly.end(), take))
+    relation = Relation::approximate;
+  else
+    std::any_of(kAdverbs.begin(), kAdverbs.end(), take);
+  const bool is_of_length = std::any_of(kOfLength.begin(), kOfLength.end(), take);
+  if (!is_of_length && std::none_of(kVerbs.begin(), kVerbs.end(), take)) return std::nullopt;
+  text = std::string(rest);
+  if (is_of_length) clause.emplace(clause.begin())->text = "length of ";
+  return relation;
+}
+
+bool has_words(const std::vector<TextSpan>& clause) {
+  return std::any_of(clause.begin(), clause.end(), [](const TextSpan& span) {
+    return span.kind == TextSpan::Kind::text && !without_blanks(span.text).empty();
+  });
+}
+
+}  // namespace polhode

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The clause of a line that speaks of what stands behind it: "half of $I_3$ is".
+#pragma once
+
+#include "lessons/claims/relation.h"
+#include "render/typeset/rich_text.h"
+
+#include <optional>
+#include <vector>
+
+namespace polhode {
+
+/// The stretches of the clause before one of a line, whole formulas and the end of a text.
+std::vector<TextSpan> clause_before(const std::vector<TextSpan>& line, std::size_t at);
+
+/// Cut off the end of a clause what joins it to what follows, "is", "is always", "has the length": what it
+/// says of both. Nothing of other words.
+std::optional<Relation> take_verb(std::vector<TextSpan>& clause);
+
+/// Whether there is more in it than a formula.
+bool has_words(const std::vector<TextSpan>& clause);
+
+}  // namespace polhode

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "lessons/reader/checks/sentence.h"
+
+#include "lessons/claims/customary_names.h"
+#include "lessons/claims/expressions/dimension.h"
+#include "lessons/reader/checks/formula_signs.h"
+#include "lessons/reader/text_units.h"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <string_view>
+
+namespace polhode {
+namespace {
+
+using Kind = SentencePart::Kind;
+using Words = std::initializer_list<std::string_view>;
+
+bool is_one_of(const SentencePart& part, Words words) {
+  return part.kind == Kind::word && std::find(words.begin(), words.end(), part.word) != words.end();
+}
+
+/// What begins a clause on which another depends.
+bool is_conjunction(const SentencePart& part) {
+  return is_one_of(part, {"if", "when", "whenever", "where", "wherever", "unless", "once", "until", "till",
+                          "provided", "whether", "while", "as"});
+}
+/// What begins a sentence that supposes.
+bool is_supposing(const SentencePart& part) {
+  return is_one_of(part, {"let", "suppose", "supposing", "assume", "assuming", "imagine", "consider"});
+}
+/// The base form of a verb that begins a clause tells the reader to do something to the body. Not "note" or
+/// "recall", which state.
+bool is_imperative(const SentencePart& part) {
+  return is_supposing(part) || is_one_of(part, {"take", "set",  "put",   "choose", "hold", "wait",    "throw",
+                                                "turn", "spin", "give",  "start",  "drop", "release", "push",
+                                                "pull", "keep", "bring", "make",   "lift", "wind"});
+}
+/// Behind one that may be a noun, "turn the book", "the turn".
+bool is_object(const SentencePart& part) {
+  return part.is_formula() || is_one_of(part, {"it", "the", "a", "an", "this", "them", "your", "its", "both",
+                                               "all", "one", "for", "with", "any"});
+}
+bool is_before_imperative(const SentencePart& part) {
+  return part.kind == Kind::pause ||
+         is_one_of(part, {"now", "then", "and", "first", "next", "instead", "us"});
+}
+/// With an equation behind it a condition. Not "by" or "to": "is given by", "comes to".
+bool is_preposition(const SentencePart& part) {
+  return is_one_of(part, {"with", "without", "for", "at", "given", "under", "than", "unlike", "except"});
+}
+/// The reader and the writer: what they do is no condition on a body.
+bool is_person(const SentencePart& part) { return is_one_of(part, {"we", "you", "one", "i", "us"}); }
+
+bool denies(const SentencePart& part) {
+  if (part.kind == Kind::word && (part.word.ends_with("n't") || part.word.ends_with("n’t"))) return true;
+  return is_one_of(
+      part, {"not", "no", "never", "cannot", "neither", "nobody", "nothing", "none", "nowhere", "false",
+             "wrong", "untrue", "doubt", "doubts", "doubted", "deny", "denied", "denies"});
+}
+/// Behind "not": that what follows is so.
+bool is_to_be_so(const SentencePart& part) {
+  return is_one_of(part, {"true", "so", "follow", "follows", "mean", "means", "imply", "implies", "say",
+                          "says", "case", "give", "prove", "think", "believe", "claim", "suppose"});
+}
+
+bool begins_clause(const SentencePart& part) {
+  return is_one_of(
+      part, {"so", "but", "because", "since", "hence", "thus", "therefore", "although", "though", "whereas"});
+}
+
+bool is_blank(unsigned char c) { return c == ' ' || c == '\n' || c == '\t'; }
+
+}  // namespace
+
+Sentences::Sentences(const std::vector<TextSpan>& line, const EquationNotation& notation) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i].kind == TextSpan::Kind::math)
+      add_formula(line, i, notation);
+    else if (!line[i].code)
+      add_words(line[i].text, i);
+  }
+}
+
+void Sentences::add_words(const std::string& text, std::size_t span) {
+  std::string word;
+  const auto end_word = [&] {
+    if (word.empty()) return;
+    SentencePart part{Kind::word, std::move(word), span};
+    word.clear();
+    const bool is_not_so = part.word == "so" && !parts_.empty() && denies(parts_.back());
+    if (begins_clause(part) && !is_not_so) parts_.push_back({Kind::pause, "", span});
+    parts_.push_back(std::move(part));
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view rest = std::string_view(text).substr(i);
+    const char c = text[i];
+    std::string_view after_blank = rest;
+    if (is_blank(static_cast<unsigned char>(c)) || take_blank(after_blank)) {
+      end_word();
+      if (!after_blank.empty() && after_blank.size() < rest.size()) i += rest.size() - after_blank.size() - 1;
+    } else if (rest.starts_with("–") || rest.starts_with("—")) {
+      end_word();
+      parts_.push_back({Kind::pause, "", span});
+      i += std::string_view("–").size() - 1;
+    } else if (c == kRelationMark) {
+      end_word();
+      parts_.push_back({Kind::equation, "", span});
+    } else if (std::string_view(".?!").find(c) != std::string_view::npos &&
+               (i + 1 == text.size() || is_blank(static_cast<unsigned char>(text[i + 1])))) {
+      end_word();
+      parts_.push_back({c == '?' ? Kind::question : Kind::end, "", span});
+    } else if (std::string_view(",:;()[]").find(c) != std::string_view::npos) {
+      end_word();
+      parts_.push_back({Kind::pause, "", span});
+    } else {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  end_word();
+}
+
+void Sentences::add_formula(const std::vector<TextSpan>& line, std::size_t span,
+                            const EquationNotation& notation) {
+  const Math& math = line[span].math;
+  const Statements& stated = stated_.emplace(span, stated_in(math, notation)).first->second;
+  const auto is_letter_of_word = [](char c) { return is_letter(c); };
+  if (std::any_of(stated.words.begin(), stated.words.end(), is_letter_of_word))
+    return add_words(stated.words, span);
+  SentencePart part{Kind::formula, "", span};
+  if (math.root && (!relations_in(*math.root).empty() || says_no_equality(*math.root)))
+    part.kind = Kind::equation;
+  for (const StatedLink& link : stated.links) {
+    if (!link.left.is_time() || !link.right.typed || link.relation != Relation::equal) continue;
+    std::string unit = link.right.typed->unit;
+    if (unit.empty() && span + 1 < line.size() && line[span + 1].kind == TextSpan::Kind::text)
+      unit = unit_behind(line[span + 1].text);
+    const auto scaled = scaled_unit(unit);
+    part.kind = Kind::time;
+    part.t_s = link.right.typed->value * (scaled ? scaled->size : 1);
+  }
+  parts_.push_back(std::move(part));
+}
+
+Sentences::Range Sentences::sentence_around(std::size_t part) const {
+  const auto ends = [&](std::size_t i) {
+    return parts_[i].kind == Kind::end || parts_[i].kind == Kind::question;
+  };
+  Range range{part, part};
+  while (range.begin > 0 && !ends(range.begin - 1)) --range.begin;
+  while (range.end < parts_.size() && !ends(range.end)) ++range.end;
+  range.end = std::min(range.end + 1, parts_.size());
+  return range;
+}
+
+/// "if any", "where possible", "when we look", "once more" suppose nothing.
+bool Sentences::is_condition(std::size_t conjunction, Range sentence) const {
+  const SentencePart& word = parts_[conjunction];
+  std::size_t end = conjunction + 1;
+  bool has_equation = false;
+  for (; end < sentence.end && parts_[end].kind != Kind::pause; ++end)
+    has_equation = has_equation || parts_[end].kind == Kind::equation;
+  const std::size_t first = conjunction + 1;
+  if (first >= end) return false;
+  const bool is_comparison = word.word == "as" || word.word == "while";
+  if (is_comparison) return word.word == "as" && is_one_of(parts_[first], {"long"}) && has_equation;
+  if (word.word == "once" && is_one_of(parts_[first], {"more", "again"})) return false;
+  if (has_equation) return true;
+  constexpr std::size_t kSubjectAndPredicate = 2;
+  return !is_person(parts_[first]) && end - first >= kSubjectAndPredicate;
+}
+
+std::size_t Sentences::equation_behind(std::size_t preposition, Range sentence) const {
+  constexpr std::size_t kWordsOfName = 4;
+  std::string name;
+  for (std::size_t i = preposition + 1; i < sentence.end && i <= preposition + 1 + kWordsOfName; ++i) {
+    if (parts_[i].is_formula()) {
+      const bool is_of_quantity = name.empty() || !dimensions_of_words(name).empty() || name == " moments" ||
+                                  name == " the moments" || name == " components";
+      return is_of_quantity && parts_[i].kind != Kind::formula ? i : parts_.size();
+    }
+    if (parts_[i].kind != Kind::word) break;
+    name += ' ' + parts_[i].word;
+  }
+  return parts_.size();
+}
+
+bool Sentences::is_supposed(Range sentence) const {
+  for (std::size_t i = sentence.begin; i < sentence.end; ++i) {
+    const SentencePart& part = parts_[i];
+    const bool is_first = i == sentence.begin;
+    if (part.kind == Kind::question) return true;
+    if (is_conjunction(part) && is_condition(i, sentence)) return true;
+    if (is_imperative(part) && (is_first || is_before_imperative(parts_[i - 1])) && i + 1 < sentence.end &&
+        (is_supposing(part) ? !is_person(parts_[i + 1]) : is_object(parts_[i + 1])))
+      return true;
+    const bool is_which = is_one_of(part, {"which"}) && !is_first &&
+                          (is_preposition(parts_[i - 1]) || is_one_of(parts_[i - 1], {"on", "along", "in"}));
+    const bool is_such = is_one_of(part, {"that"}) && !is_first && is_one_of(parts_[i - 1], {"such"});
+    const bool is_instead = is_one_of(part, {"of"}) && !is_first && is_one_of(parts_[i - 1], {"instead"});
+    if ((is_which || is_such || is_instead) && i + 1 < sentence.end && parts_[i + 1].kind == Kind::equation)
+      return true;
+    // "for small $\\omega_1$"
+    const bool has_limit = i + 2 < sentence.end &&
+                           is_one_of(parts_[i + 1], {"small", "large", "fixed", "given"}) &&
+                           parts_[i + 2].is_formula();
+    if (is_one_of(part, {"for", "at", "with"}) && has_limit) return true;
+    if (!is_preposition(part)) continue;
+    const std::size_t equation = equation_behind(i, sentence);
+    if (equation < parts_.size() && parts_[equation].kind == Kind::equation) return true;
+  }
+  // "Then", "In such a spin", "What remains is"
+  std::size_t begin = sentence.begin;
+  if (begin + 1 < sentence.end && is_one_of(parts_[begin], {"in"})) ++begin;
+  const bool goes_on =
+      sentence.begin > 0 && is_one_of(parts_[begin], {"then", "this", "that", "such", "what"});
+  return goes_on && parts_[sentence.begin - 1].kind != Kind::question &&
+         is_supposed(sentence_around(sentence.begin - 1));
+}
+
+bool Sentences::is_denied(Range clause, std::size_t own) const {
+  int denials = 0;
+  bool is_unreal = false;
+  std::size_t that = clause.begin;  // what stands before the last "that" speaks of another clause
+  for (std::size_t i = clause.begin; i < own; ++i)
+    if (is_one_of(parts_[i], {"that"})) that = i;
+  const bool is_of_clause = that == clause.begin || is_to_be_so(parts_[that - 1]) || denies(parts_[that - 1]);
+  for (std::size_t i = is_of_clause ? clause.begin : that; i < clause.end; ++i) {
+    const bool is_of_torque =
+        i > clause.begin && is_one_of(parts_[i], {"no"}) && is_preposition(parts_[i - 1]);
+    const bool is_only = i + 1 < clause.end && is_one_of(parts_[i], {"not"}) &&
+                         is_one_of(parts_[i + 1], {"only", "just", "merely"});
+    const bool is_without = i > clause.begin && is_one_of(parts_[i - 1], {"without", "beyond"});
+    if (denies(parts_[i]) && !is_of_torque && !is_only && !is_without) ++denials;
+    is_unreal = is_unreal || is_one_of(parts_[i], {"would", "were", "could", "might"});
+    if (is_one_of(parts_[i], {"either"})) is_unreal = true;  // one of two
+  }
+  return is_unreal || denials % 2 == 1;
+}
+
+/// The noun behind an indefinite article is the last word before a verb, a preposition or a pause.
+bool Sentences::has_kind_of_body(Range sentence) const {
+  constexpr std::size_t kWordsOfNoun = 4;
+  for (std::size_t i = sentence.begin; i < sentence.end; ++i) {
+    if (!is_one_of(parts_[i], {"a", "an", "any"})) continue;
+    std::size_t end = i + 1;
+    while (end < sentence.end && end <= i + kWordsOfNoun && parts_[end].kind == Kind::word &&
+           !is_preposition(parts_[end]) &&
+           !is_one_of(parts_[end],
+                      {"has", "have", "is", "of", "in", "one", "two", "all", "the", "that", "which"}))
+      ++end;
+    const bool has_noun =
+        end > i + 1 && !is_one_of(parts_[end - 1], {"body", "motion", "state", "case", "rule", "law"});
+    const bool is_ended = end == sentence.end || end <= i + kWordsOfNoun;
+    const bool is_subject = i == sentence.begin || is_one_of(parts_[i - 1], {"for", "of", "in", "to"}) ||
+                            parts_[i - 1].kind == Kind::pause;
+    if (has_noun && is_ended && is_subject) return true;
+  }
+  return false;
+}
+
+Standing Sentences::standing_of(std::size_t span) const {
+  Standing standing;
+  const auto is_own = [&](const SentencePart& part) { return part.span == span; };
+  const auto first = std::find_if(parts_.begin(), parts_.end(), is_own);
+  if (first == parts_.end()) return standing;
+  const Range sentence = sentence_around(static_cast<std::size_t>(first - parts_.begin()));
+  int times = 0;
+  for (std::size_t i = sentence.begin; i < sentence.end; ++i) {
+    if (parts_[i].kind == Kind::word) standing.words += (standing.words.empty() ? "" : " ") + parts_[i].word;
+    if (parts_[i].kind != Kind::time || is_own(parts_[i])) continue;
+    ++times;
+    standing.at_s = parts_[i].t_s;
+    // "After $t = 1$ s", "until $t = 2$ s" is a while, of which nobody can be asked.
+    std::size_t before = i;
+    while (before > sentence.begin && is_one_of(parts_[before - 1], {"the", "time"})) --before;
+    const bool is_at = before > sentence.begin && is_one_of(parts_[before - 1], {"at", "for", "with"});
+    if (!is_at) standing.is_stated = false;
+  }
+  if (times > 1) standing.is_stated = false;
+  // Words in the formula may part it to several clauses: each of its equations is looked at.
+  for (std::size_t own = sentence.begin; own < sentence.end && standing.is_stated; ++own) {
+    if (!is_own(parts_[own]) || !parts_[own].is_formula()) continue;
+    Range clause{own, own + 1};
+    while (clause.begin > sentence.begin && parts_[clause.begin - 1].kind != Kind::pause) --clause.begin;
+    while (clause.end < sentence.end && parts_[clause.end].kind != Kind::pause) ++clause.end;
+    if (is_denied(clause, own)) standing.is_stated = false;
+  }
+  if (is_supposed(sentence)) standing.is_stated = false;
+  standing.has_kind_of_body = has_kind_of_body(sentence);
+  return standing;
+}
+
+}  // namespace polhode
