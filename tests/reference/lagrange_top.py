@@ -38,7 +38,11 @@ def steady(I1, I3, mgl, theta, w3, fast):
 def tops():
     """name, I1, I3, mgl, q0, w0: I1 across the axis, I3 along it."""
     r = random.uniform
-    some = lambda: (r(0.5, 1.5), r(0.1, 1.9), r(0.3, 3))
+
+    def some():
+        I1 = r(0.5, 1.5)
+        return I1, I1 * r(0.1, 1.9), r(0.3, 3)
+
     quat = lambda: [random.gauss(0, 1) for _ in range(4)]
     for i in range(12):
         yield f"generic_{i}", *some(), quat(), [random.gauss(0, 3) for _ in range(3)]
