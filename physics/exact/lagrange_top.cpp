@@ -53,13 +53,6 @@ std::optional<TopAxis> axis_of_weight(const Torque& torque) {
 
 bool is_symmetric_about(const PrincipalMoments& I, int c) { return I[(c + 1) % 3] == I[(c + 2) % 3]; }
 
-TopAxis top_axis(const PrincipalMoments& I, const Torque& torque) {
-  if (const auto why = why_no_top(I, torque)) throw std::domain_error(*why);
-  TopAxis top = *axis_of_weight(torque);
-  if (top.axis < 0) top.axis = is_symmetric_about(I, 2) ? 2 : is_symmetric_about(I, 1) ? 1 : 0;
-  return top;
-}
-
 // The largest root of x³ + b x² + c x + d, of which all roots are real: Newton's method from Fujiwara's bound
 // goes down to it without a jump over it, by a third at least of the way to the next root.
 DD largest_root(const DD& b, const DD& c, const DD& d) {
@@ -102,6 +95,13 @@ std::optional<std::string> why_no_top(const PrincipalMoments& I, const Torque& t
   if (top->axis < 0 && !is_symmetric_about(I, 0) && !is_symmetric_about(I, 1) && !is_symmetric_about(I, 2))
     return "no two moments are equal";
   return std::nullopt;
+}
+
+TopAxis top_axis(const PrincipalMoments& I, const Torque& torque) {
+  if (const auto why = why_no_top(I, torque)) throw std::domain_error(*why);
+  TopAxis top = *axis_of_weight(torque);
+  if (top.axis < 0) top.axis = is_symmetric_about(I, 2) ? 2 : is_symmetric_about(I, 1) ? 1 : 0;
+  return top;
 }
 
 // What the series give at one time, without the factors that turn with it.
@@ -517,9 +517,8 @@ void LagrangeTopMotion::Setup::set_amplitudes() {
 void LagrangeTopMotion::Setup::set_start() {
   const Shape at = shape(f, f.v0);
   // ω_a + iω_b turns with the second over the first: where one of these is zero, it tells its direction.
-  const Complex P = direction(std::conj(at.P)), Q = direction(std::conj(at.Q));
-  f.start_P = product(direction(at_P), P);
-  f.start_Q = product(direction(at_Q), Q);
+  f.start_P = product(direction(at_P), direction(std::conj(at.P)));
+  f.start_Q = product(direction(at_Q), direction(std::conj(at.Q)));
   const Complex relative = direction(product(direction(at_E), std::conj(f.C_E * at.E)));
   if (f.start_P == 0.0) f.start_P = product(f.start_Q, std::conj(relative));
   if (f.start_Q == 0.0) f.start_Q = product(f.start_P, relative);

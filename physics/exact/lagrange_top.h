@@ -44,6 +44,8 @@ struct TopAxis {
 /// (HeavyTop, of which several add up), along a principal axis, and the moments across that axis equal. No
 /// tolerance: equal is equal to the last bit.
 std::optional<std::string> why_no_top(const PrincipalMoments& I, const Torque& torque);
+/// @throws std::domain_error with why_no_top.
+TopAxis top_axis(const PrincipalMoments& I, const Torque& torque);
 
 /// What a top's motion is known by. θ is the angle of its axis, towards the centre of mass, from the
 /// vertical.

@@ -39,7 +39,7 @@ Quat quaternion_of(const Json& x) { return {number(x[0]), number(x[1]), number(x
 
 const Json& references() {
   static const Json whole = [] {
-    std::ifstream file(source_dir() / "tests/reference/lagrange_top.json");
+    std::ifstream file(test::source_dir() / "tests/reference/lagrange_top.json");
     return Json::parse(file);
   }();
   return whole.at("cases");
