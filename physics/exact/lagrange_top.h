@@ -62,7 +62,7 @@ struct TopFacts {
 /// Invariant: why_no_top is empty. Also a top without weight, and a body that hangs.
 class LagrangeTopMotion final : public Motion {
  public:
-  /// Some 10 to 20 µs: the roots and the complete integrals.
+  /// Some 4 µs: the roots and the complete integrals.
   /// @throws std::domain_error if checked(Problem) does, and with why_no_top.
   explicit LagrangeTopMotion(const Problem& problem);
 
