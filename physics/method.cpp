@@ -2,6 +2,7 @@
 #include "physics/method.h"
 
 #include "physics/exact/asymmetric_motion.h"
+#include "physics/exact/lagrange_top.h"
 #include "physics/exact/symmetric_motion.h"
 #include "physics/exact/uniform_motion.h"
 #include "physics/integrators/dormand_prince.h"
@@ -61,6 +62,8 @@ std::optional<std::string> why_not(Method method, const Problem& problem) {
     return "it serves torque that depends on attitude alone";
   if (method == M::uniform && !is_steady(problem.I, problem.start.w_B)) return "the rotation is not steady";
   if (method == M::symmetric && !symmetry_axis(problem.I)) return "no two moments are equal";
+  if (method == M::lagrange_top && problem.torque.empty()) return "no weight acts";
+  if (method == M::lagrange_top) return why_no_top(problem.I, problem.torque);
   return std::nullopt;
 }
 
@@ -71,9 +74,13 @@ std::vector<std::string> serving_methods(const Problem& problem) {
   return names;
 }
 
-Method default_method(const Problem& problem) {
-  return problem.torque.empty() ? M::exact : M::dormand_prince_8;
+std::optional<Method> closed_form(const Problem& problem) {
+  if (problem.torque.empty()) return M::exact;
+  if (!why_not(M::lagrange_top, problem)) return M::lagrange_top;
+  return std::nullopt;
 }
+
+Method default_method(const Problem& problem) { return closed_form(problem).value_or(M::dormand_prince_8); }
 
 std::unique_ptr<const Motion> make_motion(const Problem& unchecked, const MethodChoice& choice,
                                           const Effort& effort) {
@@ -92,6 +99,8 @@ std::unique_ptr<const Motion> make_motion(const Problem& unchecked, const Method
       return std::make_unique<UniformMotion>(problem.I, problem.start);
     case M::symmetric:
       return std::make_unique<SymmetricMotion>(problem.I, problem.start);
+    case M::lagrange_top:
+      return std::make_unique<LagrangeTopMotion>(problem);
     case M::explicit_euler:
       return explicit_euler_motion(problem, *choice.step_s, effort);
     case M::explicit_midpoint:

@@ -22,7 +22,10 @@ std::optional<std::string> why_not(Method method, const Problem& problem);
 /// Names of the methods that can serve it.
 std::vector<std::string> serving_methods(const Problem& problem);
 
-/// exact without torque, else dormand_prince_8.
+/// The closed form that a motion is held against: exact without torque, lagrange_top for a symmetric top
+/// under its weight alone; nothing under another torque.
+std::optional<Method> closed_form(const Problem& problem);
+/// The closed form where there is one, else dormand_prince_8.
 Method default_method(const Problem& problem);
 
 struct MethodChoice {

@@ -16,6 +16,8 @@ constexpr std::array kFacts = {
     MethodFacts{M::exact, "exact", "closed form", none, Torques::none, 0, "T, L in space, |q|"},
     MethodFacts{M::uniform, "uniform", "steady rotation", none, Torques::none, 0, "T, L in space, |q|"},
     MethodFacts{M::symmetric, "symmetric", "symmetric top", none, Torques::none, 0, "T, L in space, |q|"},
+    MethodFacts{M::lagrange_top, "lagrange-top", "heavy symmetric top", none, Torques::of_attitude, 0,
+                "under weight: T + V, L_z, L_3, |q|"},
     MethodFacts{M::explicit_euler, "explicit-euler", "explicit Euler", fixed, Torques::any, 1, "nothing"},
     MethodFacts{M::explicit_midpoint, "explicit-midpoint", "explicit midpoint", fixed, Torques::any, 2,
                 "nothing"},

@@ -15,6 +15,7 @@ enum class Method {
   exact,  ///< the best closed form there is for the body: uniform, symmetric or asymmetric
   uniform,
   symmetric,
+  lagrange_top,  ///< the heavy symmetric top, closed form
   explicit_euler,
   explicit_midpoint,
   rk4,

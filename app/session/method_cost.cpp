@@ -83,11 +83,12 @@ ParetoStep step_of(const WorkPrecisionRow& row) {
   return {choice, row.error(), row.ns_per_period, name_of_step(choice)};
 }
 
-/// Those that go step by step and, without torque, the best closed form.
+/// Those that go step by step and, where there is one, the closed form.
 std::vector<Method> methods_for(const Problem& problem) {
   std::vector<Method> methods;
   for (const MethodFacts& facts : all_methods())
-    if ((goes_step_by_step(facts.method) || facts.method == Method::exact) && !why_not(facts.method, problem))
+    if ((goes_step_by_step(facts.method) || facts.method == closed_form(problem)) &&
+        !why_not(facts.method, problem))
       methods.push_back(facts.method);
   return methods;
 }
@@ -116,8 +117,8 @@ std::vector<ParetoStep> measured_front(const Problem& problem, double cpu_second
 
 AccuracyMeter::AccuracyMeter(const SceneModel& model)
     : problem_(problem_of(model.scene)), choice_(choice_of(model, problem_)) {
-  if (problem_.torque.empty() && goes_step_by_step(choice_.method))
-    exact_ = make_motion(problem_, {Method::exact});
+  const auto exact = closed_form(problem_);
+  if (exact && goes_step_by_step(choice_.method)) exact_ = make_motion(problem_, {*exact});
 }
 
 AccuracyMeter::~AccuracyMeter() = default;
@@ -137,7 +138,7 @@ std::vector<ParetoStep> pareto_steps(const std::vector<WorkPrecisionRow>& rows) 
   std::vector<ParetoStep> steps, exact;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (front[i]) steps.push_back(step_of(rows[i]));
-    if (rows[i].method == Method::exact && rows[i].error() < kNoAnswer) exact.push_back(step_of(rows[i]));
+    if (!goes_step_by_step(rows[i].method) && rows[i].error() < kNoAnswer) exact.push_back(step_of(rows[i]));
   }
   std::stable_sort(steps.begin(), steps.end(), [](const ParetoStep& a, const ParetoStep& b) {
     return a.ns_per_period < b.ns_per_period;

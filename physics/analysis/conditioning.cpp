@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/analysis/conditioning.h"
 
+#include "physics/exact/lagrange_top.h"
 #include "physics/exact/polhode_constants.h"
 #include "physics/exact/symmetric_motion.h"
 #include "physics/exact/uniform_motion.h"
@@ -81,6 +82,38 @@ double closed_form_error(const PrincipalMoments& I, const Vec3& w_B, double t_s)
   const Vec3 relative = I.vector() / middle_of(I.vector());  // 2 at most
   const double rate = w_B.stableNorm() + relative.cwiseProduct(w_B).stableNorm();
   return 0x1p-53 * (4 + 5 * rate * std::abs(t_s) + phase);
+}
+
+// Moments and weight enlarged alike change nothing: the derivative by I1 is at most those by I3 and the
+// weight.
+double top_error(const Problem& problem, double t_s) {
+  constexpr double kApart = 0x1p-40;
+  const RigidBodyState now = LagrangeTopMotion(problem).at(t_s);
+  double cond_w = 0, cond_q = 0;
+  const auto add = [&](const Problem& changed, double t, int times = 1) {
+    const RigidBodyState then = LagrangeTopMotion(changed).at(t);
+    const double size = now.w_B.stableNorm();
+    if (size > 0) cond_w += times * (then.w_B - now.w_B).stableNorm() / (size * kApart);
+    cond_q += times * now.q_SB.angularDistance(then.q_SB) / kApart;
+  };
+  add(problem, t_s * (1 + kApart));
+  for (int i = 0; i < 3; ++i) {
+    Problem changed = problem;
+    changed.start.w_B[i] *= 1 + kApart;
+    add(changed, t_s);
+  }
+  for (int i = 0; i < 4; ++i) {
+    Problem changed = problem;
+    changed.start.q_SB.coeffs()[i] *= 1 + kApart;
+    add(changed, t_s);
+  }
+  Vec3 I = problem.I.vector();
+  I[top_axis(problem.I, problem.torque).axis] *= 1 - kApart;  // less, for no moment exceeds the two others
+  add({PrincipalMoments(I[0], I[1], I[2]), problem.start, problem.torque}, t_s, 2);
+  Problem heavier = problem;
+  for (TorqueTerm& term : heavier.torque) std::get<HeavyTop>(term).mgr *= 1 + kApart;
+  add(heavier, t_s, 2);
+  return 4 * 0x1p-53 * (1 + std::max(cond_w, cond_q));
 }
 
 }  // namespace polhode

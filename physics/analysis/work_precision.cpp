@@ -37,6 +37,10 @@ Reference reference_of(const Problem& problem, double end_s, std::int64_t most) 
     const double own = closed_form_error(problem.I, problem.start.w_B, end_s);
     return {make_motion(problem, {Method::exact})->at(end_s), {own, own}};
   }
+  if (closed_form(problem) == Method::lagrange_top) {
+    const double own = top_error(problem, end_s);
+    return {make_motion(problem, {Method::lagrange_top})->at(end_s), {own, own}};
+  }
   const auto end_with = [&](double tolerance) {
     return make_motion(problem, {Method::dormand_prince_8, {}, tolerance, most})->at(end_s);
   };

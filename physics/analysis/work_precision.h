@@ -2,11 +2,11 @@
 // The trade between speed and accuracy, measured: what each method costs and how wrong it is after some
 // periods, over a range of steps or tolerances.
 //
-// Error: at the end, against the closed form, whose own error is closed_form_error; under a torque against
-// Dormand-Prince 8(5,3) at kReferenceTolerance, whose own is estimated by the next looser tolerance. No error
-// is given as less than the reference's own, not even that of the reference method itself. Drift: the largest
-// over kDriftSamples times and the end. Cost: CPU time of this thread, from making the motion to its state at
-// the end; median of repeats, of long runs a single one.
+// Error: at the end, against the closed form, whose own error is closed_form_error or top_error; where there
+// is none against Dormand-Prince 8(5,3) at kReferenceTolerance, whose own is estimated by the next looser
+// tolerance. No error is given as less than the reference's own, not even that of the reference method
+// itself. Drift: the largest over kDriftSamples times and the end. Cost: CPU time of this thread, from making
+// the motion to its state at the end; median of repeats, of long runs a single one.
 #pragma once
 
 #include "base/result.h"

@@ -30,6 +30,7 @@
 #pragma once
 
 #include "physics/exact/polhode_constants.h"
+#include "physics/exact/theta_series.h"
 #include "physics/motion.h"
 
 #include <array>
@@ -63,7 +64,6 @@ class AsymmetricMotion final : public Motion {
   /// How the theta functions are summed: in the nome q of k, in that of k' (k² > 0.97), or k = 1.
   enum class Series { in_nome, in_complementary_nome, separatrix };
   Series series() const { return f_.series; }
-  using ThetaSeries = std::array<double, 5>;  ///< coefficients n = 0 … 4 of a theta function
 
  private:
   // Rates in units of 2^e_w, exact. Arrays of three go along the axes a, b, c.

@@ -11,18 +11,6 @@ namespace {
 
 constexpr Extended kPi = std::numbers::pi_v<Extended>;
 
-// Σ c_n sin((2n+1)x)/sin x as a polynomial in sin²x; Σ (−1)ⁿ c_n cos((2n+1)x)/cos x in cos²x. DLMF 18.5.2
-AsymmetricMotion::ThetaSeries odd_harmonics(const AsymmetricMotion::ThetaSeries& c) {
-  return {c[0] + 3 * c[1] + 5 * c[2] + 7 * c[3] + 9 * c[4], -4 * c[1] - 20 * c[2] - 56 * c[3] - 120 * c[4],
-          16 * c[2] + 112 * c[3] + 432 * c[4], -64 * c[3] - 576 * c[4], 256 * c[4]};
-}
-
-// Σ c_n cos(2nx) as a polynomial in sin²x; Σ (−1)ⁿ c_n cos(2nx) in cos²x. DLMF 18.5.1
-AsymmetricMotion::ThetaSeries even_harmonics(const AsymmetricMotion::ThetaSeries& c) {
-  return {c[0] + c[1] + c[2] + c[3] + c[4], -2 * c[1] - 8 * c[2] - 18 * c[3] - 32 * c[4],
-          8 * c[2] + 48 * c[3] + 160 * c[4], -32 * c[3] - 256 * c[4], 128 * c[4]};
-}
-
 // u_0 = offset + (0 or 2K), |offset| ≤ K; half a period flips the signs of sn and cn.
 struct InitialPhase {
   Extended offset;
@@ -162,11 +150,8 @@ struct ThetaConstants {
   Extended sn_K, cn_0, dn_0;
 };
 
-ThetaConstants constants_in_nome(const AsymmetricMotion::ThetaSeries& E,
-                                 const AsymmetricMotion::ThetaSeries& F) {
-  const auto at_1 = [](const AsymmetricMotion::ThetaSeries& c) {
-    return std::accumulate(c.rbegin(), c.rend(), Extended{0});
-  };
+ThetaConstants constants_in_nome(const ThetaSeries& E, const ThetaSeries& F) {
+  const auto at_1 = [](const ThetaSeries& c) { return std::accumulate(c.rbegin(), c.rend(), Extended{0}); };
   return {at_1(E) / at_1(F), at_1(E) / F[0], at_1(F) / F[0]};
 }
 

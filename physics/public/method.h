@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The methods that follow a body in time, each by its name, and the motion that one of them makes.
 //
-// Offers   make_motion: the closed form of torque-free motion, or an integrator, behind one interface; the
-//          table of methods: what each is called, which torques it serves, its order, what it keeps; Effort
-//          and Budget: to be told what a motion costs while it is computed, to stop it or to limit it.
+// Offers   make_motion: the closed form of a free body or of a symmetric top, or an integrator, behind one
+//          interface; the table of methods: what each is called, which torques it serves, its order, what it
+//          keeps; Effort and Budget: to be told what a motion costs while it is computed, to stop it or to
+//          limit it.
 // Units    step_s in s; tolerance: error of one step, ω relative and q absolute.
 // Frames   those of motion.h.
 // Errors   std::domain_error from make_motion: a state or torque that is not finite, a method that does not

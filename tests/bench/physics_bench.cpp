@@ -157,6 +157,22 @@ void print_call_row(const BenchProblem& p, const Goal& goal) {
            ns_per_call(paired.a_s), ns_per_call(paired.b_s), ns_per_call(to_own.b_s), to_own.ratio.median)});
 }
 
+/// The heavy top at times in no order.
+void print_top_row(const BenchProblem& yardstick, const Goal& goal) {
+  const Problem top{
+      {1, 1, 0.5}, {Quat(0.9, 0.3, -0.2, 0.1), Vec3(0.3, -0.8, 5)}, {HeavyTop{2, Vec3::UnitZ()}}};
+  const MotionPtr exact = make_motion(top, {Method::lagrange_top});
+  const std::vector<double> t_s = scattered_times(yardstick, kCalls);
+  const Paired paired = in_turns(
+      kTurns, [&] { return seconds_of_calls(*exact, t_s); }, [&] { return seconds_of_rk4_steps(yardstick); });
+  const double setup_s = cpu_s([&] {
+    for (int i = 0; i < 1000; ++i) g_sink = make_motion(top, {Method::lagrange_top})->at(1).w_B.x();
+  });
+  print({"heavy top (ω, q) call / RK4 step of 7 states, free", paired.ratio, goal,
+         fmt::format("{:.1f} ns; yardstick {:.1f} ns a step; set up in {:.1f} µs", ns_per_call(paired.a_s),
+                     ns_per_call(paired.b_s), setup_s / 1000 * 1e6)});
+}
+
 void print_w_call_row(const BenchProblem& p, const Goal& goal) {
   const MotionPtr exact = exact_motion(p);
   const std::vector<double> t_s = scattered_times(p, kCalls);
@@ -436,6 +452,7 @@ void run(bool with_peers, double first_of_all_s) {
   print_row_heading();
   print_call_row(generic, at_most(3, 2.5));
   print_call_row(near, at_most(3.5));
+  print_top_row(generic, at_most(6));
   print_w_call_row(generic, at_most(2));
   print_w_call_row(near, at_most(2));
   print_batch_rows(generic);

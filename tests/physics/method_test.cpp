@@ -51,6 +51,24 @@ TEST(Methods, EveryOneThatServesMakesAMotionThatStartsAtTheStart) {
     }
 }
 
+TEST(Methods, AClosedFormIsTheDefaultWhereThereIsOne) {
+  const PrincipalMoments symmetric(1, 1, 0.5);
+  const Torque weight{HeavyTop{0.5, Vec3::UnitZ()}};
+  EXPECT_EQ(closed_form({kAsymmetric, kTumbling, {}}), Method::exact);
+  EXPECT_EQ(closed_form({symmetric, kTumbling, weight}), Method::lagrange_top);
+  EXPECT_EQ(default_method({symmetric, kTumbling, weight}), Method::lagrange_top);
+  EXPECT_FALSE(closed_form({kAsymmetric, kTumbling, weight}));
+  EXPECT_EQ(default_method({kAsymmetric, kTumbling, weight}), Method::dormand_prince_8);
+  EXPECT_EQ(default_method({symmetric, kTumbling, {weight[0], LinearDamping{0.1}}}),
+            Method::dormand_prince_8);
+  EXPECT_EQ(why_not(Method::lagrange_top, {kAsymmetric, kTumbling, weight}),
+            "the two moments across the axis of the weight are not equal");
+  EXPECT_EQ(why_not(Method::lagrange_top, {symmetric, kTumbling, {}}), "no weight acts");
+  const auto motion = make_motion({symmetric, kTumbling, weight}, {Method::lagrange_top});
+  EXPECT_EQ(motion->method(), "lagrange-top");
+  EXPECT_TRUE(motion->at(-1e6).w_B.allFinite());
+}
+
 TEST(Methods, ARefusalNamesThoseThatServe) {
   const Problem damped{kAsymmetric, kTumbling, {LinearDamping{0.1}}};
   EXPECT_THAT(serving_methods(damped), Not(Contains("splitting")));

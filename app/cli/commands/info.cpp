@@ -10,6 +10,8 @@
 #include "base/printable.h"
 #include "base/stopwatch.h"
 #include "physics/analysis/horizon.h"
+#include "physics/exact/lagrange_top.h"
+#include "physics/method.h"
 #include "render/scene/model/model.h"
 
 #include <fmt/format.h>
@@ -19,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace polhode {
 
@@ -79,7 +82,14 @@ StageInfo info_of(const Stage& stage) {
   return info;
 }
 
+/// What the closed form of a heavy top tells of its motion as a whole.
+std::optional<TopFacts> means_of(const SceneFacts& facts) {
+  if (closed_form(facts.problem) != Method::lagrange_top) return std::nullopt;
+  return LagrangeTopMotion(facts.problem).facts();
+}
+
 Json to_json(const SceneFacts& facts) {
+  const std::optional<TopFacts> means = means_of(facts);
   const Vec3& I = facts.body.moments.vector();
   const auto rate = [](const auto& from, auto member) {
     return from ? number_or_null((*from).*member) : Json(nullptr);
@@ -99,6 +109,8 @@ Json to_json(const SceneFacts& facts) {
             {"slow", rate(facts.steady, &SteadyPrecession::slow)},
             {"fast", rate(facts.steady, &SteadyPrecession::fast)},
             {"nutation", rate(facts.nutation, &Nutation::rate)},
+            {"mean_precession", rate(means, &TopFacts::mean_precession)},
+            {"mean_spin", rate(means, &TopFacts::mean_spin)},
             {"theta_least_deg",
              facts.nutation ? Json(facts.nutation->theta_least_rad * kDegreesPerRadian) : Json(nullptr)},
             {"theta_most_deg",
@@ -197,8 +209,12 @@ std::string rates_text(const SceneFacts& facts) {
   }
   if (!facts.nutation) return text + " no nutation";
   const auto [least, most, rate] = *facts.nutation;
-  return text + fmt::format(" nutation {:.6g} between {:.6g} and {:.6g} deg", rate, least * kDegreesPerRadian,
-                            most * kDegreesPerRadian);
+  text += fmt::format(" nutation {:.6g} between {:.6g} and {:.6g} deg", rate, least * kDegreesPerRadian,
+                      most * kDegreesPerRadian);
+  if (const auto means = means_of(facts))
+    text +=
+        fmt::format(", on average precession {:.6g}, spin {:.6g}", means->mean_precession, means->mean_spin);
+  return text;
 }
 
 std::string steps_text(const SceneFacts& facts) {
@@ -282,7 +298,8 @@ Command info_command() {
       "under gravity alone the two steady precessions at its present tilt theta and spin, roots of\n"
       "I1 cos(theta) x^2 - I3 w3 x + m g l = 0, and its nutation: 2 pi by the exact period of theta between\n"
       "its turning points, or that of a small one, where it precesses steadily or sleeps. theta is the tilt\n"
-      "of the axis towards the centre of mass.",
+      "of the axis towards the centre of mass. On average, over a nutation, phi grows at the rate of\n"
+      "precession and psi at that of the spin (without half a turn where the axis passes the vertical).",
       [options](const CommandWords&) { return show_info(options->lesson, options->json); }};
 }
 

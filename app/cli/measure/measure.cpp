@@ -92,7 +92,7 @@ WorkPrecision measured(const Problem& problem, const WorkPrecisionPlan& plan) {
 }
 
 void print_notes(const Problem& problem, const WorkPrecisionPlan& plan, const WorkPrecision& found) {
-  const std::string reference = problem.torque.empty()
+  const std::string reference = closed_form(problem)
                                     ? "the closed form"
                                     : fmt::format("dormand-prince-8 at tolerance {:g}", kReferenceTolerance);
   say("polhode: {:g} {} of {:.6g} s, against {}, itself good to about {:.0e}\n", plan.periods,

@@ -44,7 +44,7 @@ struct Trace {
 };
 
 constexpr const char* kMethodHelp =
-    "Methods: exact, uniform, symmetric (closed forms); with a fixed step explicit-euler,\n"
+    "Methods: exact, uniform, symmetric, lagrange-top (closed forms); with a fixed step explicit-euler,\n"
     "explicit-midpoint, rk4, rk4-projected, splitting, implicit-midpoint (Cayley attitude),\n"
     "implicit-midpoint-exp, moser-veselov-2, moser-veselov-6, moser-veselov-10; adaptive\n"
     "dormand-prince-5, dormand-prince-8.";
@@ -235,7 +235,8 @@ Command trace_command() {
   command.footer = fmt::format(
       "{}\n{}\n"
       "Times of a LESSON need not be said: 101 rows, or --samples N, over the duration of the scene.\n"
-      "Without a method: exact without torque, dormand-prince-8 with one.\n"
+      "Without a method: exact without torque, lagrange-top for a symmetric top under its weight\n"
+      "alone, dormand-prince-8 under any other torque.\n"
       "Columns: t in s; w1 w2 w3 in rad/s, body axes; qw qx qy qz body to space; T in J; L = |L|;\n"
       "Lx Ly Lz in kg m^2/s, space axes. If asked for also theta_deg phi_deg psi_deg, Euler's angles\n"
       "z-x-z (theta is that of axis 3 from the vertical; phi, psi from -180 to 180); e3x e3y e3z, axis 3\n"

@@ -507,7 +507,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        Row::Speaks::of_motion},
       {{"motion",
         R"(a method (below), or `{ method = "rk4", step = 0.02 }`, `{ method = "dormand-prince-8", tolerance = 1e-10 }`; step in s; `ghost = true` draws the exact body, translucent, beside the computed one)",
-        R"(without torque `"exact"`, with it `"dormand-prince-8"`)"},
+        R"(without torque `"exact"`, for a symmetric top under its weight alone `"lagrange-top"`, else `"dormand-prince-8"`)"},
        &SceneKeys::motion,
        [](const Scene& scene) { return text_of(scene.motion); },
        Row::Speaks::of_motion},

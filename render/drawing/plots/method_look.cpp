@@ -8,6 +8,7 @@ PlotLook look_of(Method method) {
     case Method::exact:
     case Method::uniform:
     case Method::symmetric:
+    case Method::lagrange_top:
       return PlotLook::star;
     case Method::explicit_euler:
     case Method::explicit_midpoint:

@@ -42,11 +42,10 @@ std::unique_ptr<const Motion> reference_motion(const Problem& problem, const Eff
 
 MethodTable method_table(const Problem& problem, double step_s, double t_s, const Effort& effort,
                          const std::vector<Method>& chosen) {
-  const bool is_free = problem.torque.empty();
   const auto reference = reference_motion(problem, effort);
   const RigidBodyState end = reference->at(t_s);
   MethodTable table{t_s, step_s, {}};
-  if (is_free) table.rows.push_back(row_of(*reference, Method::exact, problem, t_s));
+  if (const auto exact = closed_form(problem)) table.rows.push_back(row_of(*reference, *exact, problem, t_s));
   for (const MethodFacts& facts : all_methods()) {
     const bool is_chosen =
         chosen.empty() || std::find(chosen.begin(), chosen.end(), facts.method) != chosen.end();

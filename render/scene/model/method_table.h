@@ -39,7 +39,7 @@ inline constexpr std::int64_t kMostStillSteps = 2'000'000;
 /// Steps that a plot of orders shows, each half of the one before.
 inline constexpr int kOrderSteps = 7;
 
-/// As exact as a still can have it: the closed form; under a torque Dormand-Prince 8 at a tolerance near
+/// As exact as a still can have it: the closed form; without one Dormand-Prince 8 at a tolerance near
 /// rounding, 1e-13, where that of a measurement (kReferenceTolerance) may take longer.
 /// @throws std::domain_error as make_motion does.
 std::unique_ptr<const Motion> reference_motion(const Problem& problem, const Effort& effort = {});

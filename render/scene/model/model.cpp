@@ -38,6 +38,8 @@ std::string why(const MotionSpec& spec, const MethodChoice& choice, const Motion
                 const Requirements& needs) {
   if (choice.method == Method::exact) return why_closed_form(motion, needs);
   if (spec.method) return "the scene asks for it";
+  if (choice.method == Method::lagrange_top)
+    return "weight alone on a symmetric top: closed form by theta functions";
   return "torque acts: no closed form, " + std::string(facts_of(choice.method).term) + " with error control";
 }
 
