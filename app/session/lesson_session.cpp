@@ -457,6 +457,7 @@ std::vector<const Ask*> LessonSession::questions() const {
 
 const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view text) {
   using Mark = AnswerJudgement::Mark;
+  leave_answered();
   JudgedAnswer& judged = judged_[ask.id] = {
       std::string(text), ask.task ? judge_state(*ask.task, text, effort_)
                                   : judge_with_reasons(ask, text, Prover(), line_notation(lesson(), ask))};
@@ -510,6 +511,7 @@ DerivationWork& LessonSession::derivation(const Ask& ask) {
 }
 
 void LessonSession::derive(const Ask& ask, std::string_view line) {
+  leave_answered();
   DerivationWork& work = derivation(ask);
   const bool was_done = work.is_done();
   const LineJudgement& judgement = work.add(line);
@@ -520,6 +522,7 @@ void LessonSession::derive(const Ask& ask, std::string_view line) {
 }
 
 void LessonSession::undo_derived_line(const Ask& ask) {
+  leave_answered();
   derivation(ask).undo();
   if (const auto kept = answers_.find(answer_name(stage().id, ask.id)); kept != answers_.end())
     kept->second.last = derivation(ask).text();
@@ -566,6 +569,7 @@ void LessonSession::show_hint(const Ask& ask) {
 }
 
 void LessonSession::forget_answer(const Ask& ask) {
+  leave_answered();
   answers_.erase(answer_name(stage().id, ask.id));
   judged_.erase(ask.id);
   derivations_.erase(ask.id);

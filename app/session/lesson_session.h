@@ -147,9 +147,12 @@ class LessonSession {
   bool undo();
   /// Follows nothing any more; a motion that was changed begins at the scene's own time.
   void reset_edits();
+  /// Whether a figure can show what makes it one: a body, its ω and torque, and nothing besides.
+  bool can_show(const Counterexample& counter) const;
   /// The body of a counterexample in place of the lesson's, as it turns and with its torque, without the
-  /// lesson's caption; leaving it gives back what was shown before, with the camera of now. What goes to
-  /// another scene, or back to the lesson's, leaves it too.
+  /// lesson's caption; the body, its axes and ω are seen even if the lesson shows others. Leaving it gives
+  /// back what was shown before, with the camera of now. What goes to another scene, or back to the lesson's,
+  /// leaves it too, and so does another answer on this step. Refused where it cannot be shown.
   Status show_counterexample(const Counterexample& counter);
   void leave_counterexample();
   /// What is shown; null: none, or its body was changed since.
@@ -220,6 +223,7 @@ class LessonSession {
 
  private:
   void arrive(Place place);
+  void leave_answered();
   void show_lesson_scene();
   Scene scene_with(const SceneEdits& edits) const;
   void make_model_of(const SceneEdits& edits);

@@ -35,7 +35,7 @@ void say_who_has_keys(const PanelContext& context) {
 }
 
 void show_it_button(PanelContext& context, const Counterexample& counter) {
-  if (!counter.body || !context.session.has_scene()) return;
+  if (!context.session.can_show(counter)) return;
   const Counterexample* shown = context.session.counterexample();
   const bool is_shown = shown != nullptr && shown->state == counter.state;
   ImGui::BeginDisabled(is_shown);
