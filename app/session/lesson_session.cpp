@@ -113,7 +113,6 @@ void LessonSession::arrive(Place place) {
   judged_.clear();
   derivations_.clear();
   awaited_.reset();
-  notes_shown_ = false;
   const bool both = left != nullptr && has_scene();
   if (same_stage && (left == step().scene || (both && *left == *step().scene))) return;
 
@@ -588,13 +587,16 @@ void LessonSession::change_text_scale(int steps) {
 
 void LessonSession::set_presenting(bool presenting) {
   if (presenting != presenting_) {
-    notes_shown_ = black_ = false;
+    has_speaker_ = black_ = false;
     if (presenting) panel = Panel::none;
   }
   presenting_ = presenting;
 }
 
-void LessonSession::show_notes(bool shown) { notes_shown_ = presenting_ && shown; }
+void LessonSession::set_speaker(bool wanted) {
+  if (wanted) set_presenting(true);
+  has_speaker_ = wanted;
+}
 
 bool LessonSession::is_moving() const { return playing_ || transition() < 1; }
 

@@ -204,13 +204,13 @@ class LessonSession {
   Panel panel = Panel::none;
   Preferences preferences{};
   void change_text_scale(int steps);  ///< of kTextScaleFactor; a single one never goes past normal size
-  /// The page alone, for an audience. It begins and ends without notes.
+  /// The page alone, for an audience.
   bool is_presenting() const { return presenting_; }
   void set_presenting(bool presenting);
-  /// What comes next and what is to be said, on the audience's screen: only while presenting, and only at the
-  /// place where they were asked for. Going on hides them.
-  bool are_notes_shown() const { return notes_shown_; }
-  void show_notes(bool shown);
+  /// A window of the speaker's own, with the author's notes, beside the one of the audience, which has none
+  /// of them. It comes with presenting and goes with it.
+  bool has_speaker() const { return has_speaker_; }
+  void set_speaker(bool wanted);
   /// A black screen, so that an audience looks up: only while presenting.
   bool is_black() const { return black_; }
   void set_black(bool black) { black_ = presenting_ && black; }
@@ -272,7 +272,7 @@ class LessonSession {
     double to_s = 0;
   };
   std::optional<Awaited> awaited_;  ///< likewise
-  bool presenting_ = false, notes_shown_ = false, black_ = false;
+  bool presenting_ = false, has_speaker_ = false, black_ = false;
 };
 
 }  // namespace polhode
