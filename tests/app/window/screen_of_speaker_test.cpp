@@ -96,10 +96,10 @@ TEST_F(SpeakerTest, SeesThePageWhileTheAudienceSeesBlack) {
 
 TEST_F(SpeakerTest, WalksAndJumpsByTheMouse) {
   both();
-  for (float down = 470; down < 560 && session.place() == Place{}; down += 8) click_here(130, down);
+  for (float row = 470; row < 560 && session.place() == Place{}; row += 8) click_here(130, row);
   EXPECT_EQ(session.place(), (Place{0, 1})) << "its button Next";
   session.go_to({});
-  for (float down = 780; down > 560 && session.place() == Place{}; down -= 8) click_here(120, down);
+  for (float row = 780; row > 560 && session.place() == Place{}; row -= 8) click_here(120, row);
   EXPECT_EQ(session.place(), (Place{1, 0})) << "the second stage in the outline";
   EXPECT_TRUE(session.has_speaker());
 }

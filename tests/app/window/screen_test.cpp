@@ -464,8 +464,8 @@ TEST_F(ScreenTest, AFigureThatIsSavedInTheDarkIsDark) {
     screen->requests().save_as = SaveAs::figure;
     frame(2);
   }
-  const Image light = read_png(folder / "02-newton-step2-figure.png").value(),
-              dark = read_png(folder / "02-newton-step2-figure-2.png").value();
+  const Image light = read_png(folder / "02-newton-step2-figure.png").value().image,
+              dark = read_png(folder / "02-newton-step2-figure-2.png").value().image;
   const Color ground = colors_of(Theme::dark).backdrop;
   EXPECT_NEAR(dark.pixel(3, 3)[0], 255 * ground.r, 1);
   EXPECT_NEAR(dark.pixel(3, 3)[2], 255 * ground.b, 1);
