@@ -63,7 +63,7 @@ TEST_F(SpeakerTest, NotesAreOnTheSpeakersScreenAlone) {
   both();
   EXPECT_EQ(screen->read().rgba, audience.rgba);
   const Image without = speaker->read();
-  EXPECT_GT(differing(with_notes, without, 780, 400, 1280, 800), 200);
+  EXPECT_GT(differing(with_notes, without, 780, 355, 1280, 800), 200);
   EXPECT_EQ(differing(with_notes, without, 0, 30, 740, 400), 0) << "the page is the same";
 }
 
