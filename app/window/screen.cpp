@@ -157,7 +157,8 @@ bool Screen::press_from_afar(LessonSession& session, std::string_view key, bool 
 
 /// B is the key for a black screen on every desk. Digits are the number of a stage, which Enter goes to.
 bool Screen::press_while_presenting(LessonSession& session, std::string_view key) {
-  const bool is_digit = key.size() == 1 && key[0] >= '0' && key[0] <= '9';
+  // No number begins with 0, which alone is a command.
+  const bool is_digit = key.size() == 1 && key[0] >= (digits_.empty() ? '1' : '0') && key[0] <= '9';
   if (is_digit && session.panel == Panel::none && digits_.size() < 4) {
     digits_ += key;
     tell(fmt::format("Enter: go to stage {}", digits_));
