@@ -32,7 +32,7 @@ class Notes {
   void add(const Callout& callout) {
     std::vector<NoteLink> links;
     const std::string words = speech_.words(callout, &links);
-    add(Kind::callout, "", words, std::move(links));
+    add(callout.kind == Callout::Kind::notes ? Kind::to_say : Kind::callout, "", words, std::move(links));
   }
   void add(const Claim&) {}
   void add(const Footnote& note) {
@@ -75,6 +75,7 @@ std::vector<StepNote> notes_of(const SpeechText& speech, const Stage& stage, int
   const auto begin = static_cast<std::size_t>(first - 1), end = static_cast<std::size_t>(last);
   for (std::size_t i = begin; i < end; ++i) {
     const Step& step = stage.steps[i];
+    for (const Callout& note : step.notes) notes.add(note);
     notes.add_title(speech.words(step.title));
     for (const Block& block : step.blocks) std::visit([&](const auto& b) { notes.add(b); }, block);
     if (i == 0 || step.captions != stage.steps[i - 1].captions)

@@ -341,16 +341,18 @@ Sheet live_values(const PageRequest& request, const Stack& stack, const Fonts& f
   return sheet;
 }
 
-std::vector<Page::Choice> choices_in(const FittedText& text) {
-  std::vector<Page::Choice> choices;
+/// Where a click answers a question of the present step, or opens it.
+void add_questions(const FittedText& text, Page& page) {
   for (const ColumnPiece& piece : text.stack.pieces)
-    for (const ChoiceRows& rows : piece.choices)
-      for (std::size_t i = 0; piece.is_new && i + 1 < rows.y.size(); ++i)
-        choices.push_back({rows.ask,
-                           i,
-                           {text.corner.x() + rows.x0, text.corner.y() + rows.y[i], text.corner.x() + rows.x1,
-                            text.corner.y() + rows.y[i + 1]}});
-  return choices;
+    for (const QuestionRows& rows : piece.questions)
+      for (std::size_t i = 0; piece.is_new && i + 1 < rows.y.size(); ++i) {
+        const PixelBox box{text.corner.x() + rows.x0, text.corner.y() + rows.y[i], text.corner.x() + rows.x1,
+                           text.corner.y() + rows.y[i + 1]};
+        if (picks_choice(rows.ask->type))
+          page.choices.push_back({rows.ask, i, box});
+        else
+          page.open_questions.push_back({rows.ask, box});
+      }
 }
 
 /// Beside all that the present step adds to what was there.
@@ -465,7 +467,7 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   page.formula_scale = text.formula_scale;
   page.equations = text.equations;
   page.whole_from = text.whole_from;
-  page.choices = choices_in(text);
+  add_questions(text, page);
   page.hidden = text.hidden;
   page.overflow = text.overflow;
   page.column = grid.text;

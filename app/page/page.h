@@ -112,6 +112,12 @@ struct Page {
     PixelBox box;
   };
   std::vector<Choice> choices{};
+  /// Likewise those of its questions that are typed, put in order or set by the hand, each as a whole.
+  struct OpenQuestion {
+    const Ask* ask = nullptr;
+    PixelBox box;
+  };
+  std::vector<OpenQuestion> open_questions{};
   /// Of a page that scrolls: how much of the column is above the page, and how much there is to scroll, px.
   double hidden = 0, overflow = 0;
   /// Where text and meters stand; bars and panels of the column reach one em further to each side.

@@ -217,7 +217,10 @@ class PageLint {
       found_.push_back({Severity::error, file_, place_, page.error(), kSplit});
       return false;
     }
-    if (request.size.width == kPages[0].width) check_framing(request, *page);
+    if (request.size.width == kPages[0].width) {
+      check_framing(request, *page, "at the still");
+      check_predictions(request);
+    }
     if (page->scale < kLeastScale)
       warn(fmt::format("step {} of stage \"{}\" is long: {} its type has {:.0f} % of the normal size",
                        request.step, request.stage.id, on_page(), 100.0 * page->scale),
@@ -231,7 +234,7 @@ class PageLint {
 
   /// What lies outside the pane that it belongs to: an arrow whose tip is not seen says nothing, and half a
   /// body is not what its lesson shows.
-  void check_framing(const PageRequest& request, const Page& page) {
+  void check_framing(const PageRequest& request, const Page& page, std::string_view when) {
     bool arrow = false, body = false;
     for (const Inset& inset : page.insets)
       for (const Pane& pane : inset.figure.panes) {
@@ -245,9 +248,21 @@ class PageLint {
           body = body || std::any_of(mesh.positions.begin(), mesh.positions.end(), is_outside);
       }
     const std::string where =
-        fmt::format("step {} of stage \"{}\": at the still ", request.step, request.stage.id);
+        fmt::format("step {} of stage \"{}\": {} ", request.step, request.stage.id, when);
     if (arrow) warn(where + "the tip of an arrow lies outside the picture", kFrame);
     if (body) warn(where + "the body is cut by the edge of the picture", kFrame);
+  }
+
+  /// What a prediction is held against has to be seen when it is over.
+  void check_predictions(PageRequest request) {
+    if (request.model == nullptr) return;
+    for (const Ask* ask : blocks_of<Ask>(request.stage.steps[static_cast<std::size_t>(request.step - 1)])) {
+      if (!ask->plays) continue;
+      spend(effort_, kPageEvaluations);
+      request.t_s = ask->plays->to_s;
+      const Result<Page> end = compose_page(request, fonts_);
+      if (end) check_framing(request, *end, fmt::format("when \"{}\" has been played", ask->id));
+    }
   }
 
   void warn(std::string message, std::string hint) {

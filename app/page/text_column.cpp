@@ -538,17 +538,19 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   plain.between = ask.type == Ask::Type::derive ? 0.8 : 0.28;
   Result<ColumnPiece> piece =
       labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
-  if (!piece || least_ == 0 || !picks_choice(ask.type)) return piece;
-  ChoiceRows rows{&ask, label_indent(), width_, {}};
+  if (!piece || least_ == 0) return piece;
+  QuestionRows rows{&ask, label_indent(), width_, {}};
+  if (!picks_choice(ask.type)) rows.y.push_back(0);
   RichText above = ask.prompt_text;
   for (const RichText& choice : ask.choice_texts) {
+    if (!picks_choice(ask.type)) break;
     const Result<ColumnPiece> so_far = piece_of(set(above, plain), em, 0);
     if (!so_far) return failure(so_far.error());
     rows.y.push_back(so_far->height);
     above.insert(above.end(), choice.begin(), choice.end());
   }
   rows.y.push_back(piece->height);
-  piece->choices.push_back(std::move(rows));
+  piece->questions.push_back(std::move(rows));
   return piece;
 }
 
@@ -603,9 +605,9 @@ Stack stack(const std::vector<const ColumnPiece*>& pieces) {
                            .is_main = piece.is_main,
                            .is_new = piece.is_new,
                            .panel = piece.panel});
-    for (ChoiceRows rows : piece.choices) {
+    for (QuestionRows rows : piece.questions) {
       for (double& y : rows.y) y += made.height;
-      made.pieces.back().choices.push_back(std::move(rows));
+      made.pieces.back().questions.push_back(std::move(rows));
     }
     add(made.pieces.back(), piece, {0, made.height});
     made.height += piece.height;

@@ -29,11 +29,12 @@ struct LiveNumberSlot {
   LiveRoom room;
 };
 
-/// The rows of a question's choices, px.
-struct ChoiceRows {
+/// The rows of a question that a click is for, px: of its choices, or, where it has none to pick, one row
+/// that is all of it.
+struct QuestionRows {
   const Ask* ask = nullptr;
   double x0 = 0, x1 = 0;
-  std::vector<double> y;  ///< of each choice its upper edge, and the lower one of the last
+  std::vector<double> y;  ///< of each row its upper edge, and the lower one of the last
 };
 
 /// Something in the column: its drawing from the upper left corner, and the room it takes.
@@ -45,11 +46,11 @@ struct ColumnPiece {
   double formula_scale = 1;  ///< of a display: its size beside the normal one; below 1 where it was too wide
   std::vector<LiveSlot> live{};
   std::vector<LiveNumberSlot> numbers{};
-  std::vector<ChoiceRows> choices{};     ///< of a page that can be clicked: one at most
-  const void* of = nullptr;              ///< the part of the lesson it shows: the same on another page
-  std::optional<std::size_t> formula{};  ///< of an equation: which of the sheet's texts it is
-  bool is_main = false;                  ///< the equation that its step has come to
-  bool is_new = false;                   ///< of the present step
+  std::vector<QuestionRows> questions{};  ///< of a page that can be clicked: one at most
+  const void* of = nullptr;               ///< the part of the lesson it shows: the same on another page
+  std::optional<std::size_t> formula{};   ///< of an equation: which of the sheet's texts it is
+  bool is_main = false;                   ///< the equation that its step has come to
+  bool is_new = false;                    ///< of the present step
   std::size_t panel = 0;  ///< how many of the sheet's shapes, from the first, are panel and bar of the focus
 };
 

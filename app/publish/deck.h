@@ -62,7 +62,8 @@ enum class DeckEnd { written, stopped };
 Result<DeckEnd> write_deck(const std::filesystem::path& file, DeckKind kind, const Deck& deck,
                            Durability durability = Durability::rename_only, const DeckProgress& go_on = {});
 
-/// What write_deck writes. Both also fail where `go_on`, which is not empty, says false.
+/// What write_deck writes. In a PDF the notes lie behind the pictures, as its text: that of who speaks is
+/// left out. Both also fail where `go_on`, which is not empty, says false.
 Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
 Status append_pdf_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
 

@@ -58,6 +58,8 @@ const char* class_of(StepNote::Kind kind) {
       return "question";
     case StepNote::Kind::note:
       return "note";
+    case StepNote::Kind::to_say:
+      return "to-say";
     case StepNote::Kind::figure:
       break;
   }

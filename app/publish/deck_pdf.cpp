@@ -248,7 +248,10 @@ class PdfDeck {
 }  // namespace
 
 Status append_pdf_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on) try {
-  PdfDeck(deck, go_on).write(append);
+  Deck handed_out = deck;
+  for (DeckSlide& slide : handed_out.slides)
+    std::erase_if(slide.notes, [](const StepNote& note) { return note.kind == StepNote::Kind::to_say; });
+  PdfDeck(handed_out, go_on).write(append);
   return success();
 } catch (const std::exception& error) {
   return failure(error.what());

@@ -34,8 +34,6 @@ void leave(LessonSession& session) {
     session.set_black(false);
   else if (session.panel != Panel::none)
     session.panel = Panel::none;
-  else if (session.are_notes_shown())
-    session.show_notes(false);
   else if (session.is_presenting())
     session.set_presenting(false);
   else if (!session.lit().empty())
@@ -187,8 +185,8 @@ constexpr std::array kCommands = {
     CommandFacts{C::present, "P, F5", "Window", "present: the page alone", false,
                  [](LessonSession& session) { session.set_presenting(!session.is_presenting()); }},
     CommandFacts{C::notes, "N", "Window",
-                 "while presenting, and until you go on: what comes next and what to say, on the same screen",
-                 false, [](LessonSession& session) { session.show_notes(!session.are_notes_shown()); }},
+                 "present with a window of your own: what comes next, your notes, the time", false,
+                 [](LessonSession& session) { session.set_speaker(!session.has_speaker()); }},
     CommandFacts{C::black, ".", "Window",
                  "while presenting, as B: a black screen; there a number and Enter lead to a stage", false,
                  [](LessonSession& session) { session.set_black(!session.is_black()); }},

@@ -113,7 +113,6 @@ void LessonSession::arrive(Place place) {
   judged_.clear();
   derivations_.clear();
   awaited_.reset();
-  notes_shown_ = false;
   const bool both = left != nullptr && has_scene();
   if (same_stage && (left == step().scene || (both && *left == *step().scene))) return;
 
@@ -457,6 +456,7 @@ std::vector<const Ask*> LessonSession::questions() const {
 
 const AnswerJudgement& LessonSession::answer(const Ask& ask, std::string_view text) {
   using Mark = AnswerJudgement::Mark;
+  leave_answered();
   JudgedAnswer& judged = judged_[ask.id] = {
       std::string(text), ask.task ? judge_state(*ask.task, text, effort_)
                                   : judge_with_reasons(ask, text, Prover(), line_notation(lesson(), ask))};
@@ -510,6 +510,7 @@ DerivationWork& LessonSession::derivation(const Ask& ask) {
 }
 
 void LessonSession::derive(const Ask& ask, std::string_view line) {
+  leave_answered();
   DerivationWork& work = derivation(ask);
   const bool was_done = work.is_done();
   const LineJudgement& judgement = work.add(line);
@@ -520,6 +521,7 @@ void LessonSession::derive(const Ask& ask, std::string_view line) {
 }
 
 void LessonSession::undo_derived_line(const Ask& ask) {
+  leave_answered();
   derivation(ask).undo();
   if (const auto kept = answers_.find(answer_name(stage().id, ask.id)); kept != answers_.end())
     kept->second.last = derivation(ask).text();
@@ -566,6 +568,7 @@ void LessonSession::show_hint(const Ask& ask) {
 }
 
 void LessonSession::forget_answer(const Ask& ask) {
+  leave_answered();
   answers_.erase(answer_name(stage().id, ask.id));
   judged_.erase(ask.id);
   derivations_.erase(ask.id);
@@ -584,13 +587,16 @@ void LessonSession::change_text_scale(int steps) {
 
 void LessonSession::set_presenting(bool presenting) {
   if (presenting != presenting_) {
-    notes_shown_ = black_ = false;
+    has_speaker_ = black_ = false;
     if (presenting) panel = Panel::none;
   }
   presenting_ = presenting;
 }
 
-void LessonSession::show_notes(bool shown) { notes_shown_ = presenting_ && shown; }
+void LessonSession::set_speaker(bool wanted) {
+  if (wanted) set_presenting(true);
+  has_speaker_ = wanted;
+}
 
 bool LessonSession::is_moving() const { return playing_ || transition() < 1; }
 

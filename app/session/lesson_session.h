@@ -147,9 +147,12 @@ class LessonSession {
   bool undo();
   /// Follows nothing any more; a motion that was changed begins at the scene's own time.
   void reset_edits();
+  /// Whether a figure can show what makes it one: a body, its ω and torque, and nothing besides.
+  bool can_show(const Counterexample& counter) const;
   /// The body of a counterexample in place of the lesson's, as it turns and with its torque, without the
-  /// lesson's caption; leaving it gives back what was shown before, with the camera of now. What goes to
-  /// another scene, or back to the lesson's, leaves it too.
+  /// lesson's caption; the body, its axes and ω are seen even if the lesson shows others. Leaving it gives
+  /// back what was shown before, with the camera of now. What goes to another scene, or back to the lesson's,
+  /// leaves it too, and so does another answer on this step. Refused where it cannot be shown.
   Status show_counterexample(const Counterexample& counter);
   void leave_counterexample();
   /// What is shown; null: none, or its body was changed since.
@@ -201,13 +204,13 @@ class LessonSession {
   Panel panel = Panel::none;
   Preferences preferences{};
   void change_text_scale(int steps);  ///< of kTextScaleFactor; a single one never goes past normal size
-  /// The page alone, for an audience. It begins and ends without notes.
+  /// The page alone, for an audience.
   bool is_presenting() const { return presenting_; }
   void set_presenting(bool presenting);
-  /// What comes next and what is to be said, on the audience's screen: only while presenting, and only at the
-  /// place where they were asked for. Going on hides them.
-  bool are_notes_shown() const { return notes_shown_; }
-  void show_notes(bool shown);
+  /// A window of the speaker's own, with the author's notes, beside the one of the audience, which has none
+  /// of them. It comes with presenting and goes with it.
+  bool has_speaker() const { return has_speaker_; }
+  void set_speaker(bool wanted);
   /// A black screen, so that an audience looks up: only while presenting.
   bool is_black() const { return black_; }
   void set_black(bool black) { black_ = presenting_ && black; }
@@ -220,6 +223,7 @@ class LessonSession {
 
  private:
   void arrive(Place place);
+  void leave_answered();
   void show_lesson_scene();
   Scene scene_with(const SceneEdits& edits) const;
   void make_model_of(const SceneEdits& edits);
@@ -268,7 +272,7 @@ class LessonSession {
     double to_s = 0;
   };
   std::optional<Awaited> awaited_;  ///< likewise
-  bool presenting_ = false, notes_shown_ = false, black_ = false;
+  bool presenting_ = false, has_speaker_ = false, black_ = false;
 };
 
 }  // namespace polhode

@@ -18,13 +18,27 @@ Torque torque_of(const CounterBody& body) {
   return N_B.isZero(0) ? Torque{} : Torque{BodyTorque{N_B}};
 }
 
+/// So that what is said of the body is seen, whatever the lesson's figure shows of its own: how it lies, its
+/// axes, ω, and the torque.
+void show_what_is_said(SceneEdits& edits, const Scene& lesson_scene) {
+  const bool has_surface =
+      lesson_scene.show.contains(Overlay::energy_ellipsoid) && !edits.off.contains(Overlay::energy_ellipsoid);
+  for (const Overlay overlay :
+       {Overlay::shape, Overlay::omega, Overlay::N, Overlay::axes_body, Overlay::labels})
+    if (overlay != Overlay::shape || !has_surface) set_shown(edits, lesson_scene, overlay, true);
+}
+
 }  // namespace
+
+bool LessonSession::can_show(const Counterexample& counter) const {
+  return has_scene() && counter.body && !counter.body->has_more;
+}
 
 /// The numbers stay as they are, so that what is said of them is true of the figure; what is small or slow is
 /// shown by a clock of its own. What is not said stays as in the lesson's scene: the torque, with its arrow,
 /// and that L points up or down.
 Status LessonSession::show_counterexample(const Counterexample& counter) {
-  if (!counter.body) return failure("this counterexample has no body to be shown");
+  if (!can_show(counter)) return failure("no figure can show this counterexample");
   const CounterBody& shown = *counter.body;
   const auto body = body_with_moments(vector(shown.I));
   if (!body) return failure(body.error());
@@ -41,10 +55,16 @@ Status LessonSession::show_counterexample(const Counterexample& counter) {
   const bool is_turned = x != 0 || y != 0 || z != 0;
   edits.attitude.reset();
   if (is_turned) edits.attitude = Quat(w, x, y, z).normalized();
+  show_what_is_said(edits, lesson_scene());
   edits.is_counterexample = true;
   if (const Status made = set_edits(edits); !made) return made;
   aside_ = Aside{counter, before, t_s};
   return success();
+}
+
+/// Another answer may be right, or fail for another body. What was changed by hand meanwhile stays.
+void LessonSession::leave_answered() {
+  if (counterexample() != nullptr) leave_counterexample();
 }
 
 void LessonSession::leave_counterexample() {

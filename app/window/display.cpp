@@ -31,7 +31,7 @@ Size fitting(Size size) {
           std::max(kLeastHeight, std::min(size.height, room.height))};
 }
 
-WindowPointer make_glfw_window(bool with_opengl, Size size) {
+WindowPointer make_glfw_window(bool with_opengl, Size size, GLFWwindow* shared = nullptr) {
   const bool is_known = size.width > 0 && size.height > 0;
   size = is_known ? fitting(size) : Size{kWidth, kHeight};
   glfwDefaultWindowHints();
@@ -46,7 +46,7 @@ WindowPointer make_glfw_window(bool with_opengl, Size size) {
   } else {
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   }
-  WindowPointer window(glfwCreateWindow(size.width, size.height, "polhode", nullptr, nullptr));
+  WindowPointer window(glfwCreateWindow(size.width, size.height, "polhode", nullptr, shared));
   if (window)
     glfwSetWindowSizeLimits(window.get(), kLeastWidth, kLeastHeight, GLFW_DONT_CARE, GLFW_DONT_CARE);
   return window;
@@ -144,6 +144,96 @@ Status Display::fall_back(const Fonts& fonts, const std::string& why, Size size)
   screen_ = std::move(screen).value();
   fallback_ = why;
   return success();
+}
+
+int monitor_count() {
+  int count = 0;
+  glfwGetMonitors(&count);
+  return count;
+}
+
+namespace {
+
+/// Where a window can be on a monitor without covering its bars.
+void move_onto(GLFWmonitor* monitor, GLFWwindow* window) {
+  int x = 0, y = 0, width = 0, height = 0;
+  glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+  glfwSetWindowPos(window, x, y);
+}
+
+/// To the right of another window where there is room; else whoever manages windows knows a place.
+void move_beside(GLFWmonitor* monitor, GLFWwindow* first, GLFWwindow* second) {
+  int left = 0, top = 0, room = 0, unused = 0, x = 0, y = 0, width = 0;
+  glfwGetMonitorWorkarea(monitor, &left, &top, &room, &unused);
+  glfwGetWindowPos(first, &x, &y);
+  glfwGetWindowSize(first, &width, &unused);
+  if (x + 2 * width <= left + room) glfwSetWindowPos(second, x + width, y);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SecondDisplay>> SecondDisplay::open(const Display& first, const char* title) {
+  std::unique_ptr<SecondDisplay> second(new SecondDisplay(first));
+  Size size;
+  glfwGetWindowSize(first.window(), &size.width, &size.height);
+  const bool has_opengl = first.fallback().empty();
+  second->window_ = make_glfw_window(has_opengl, size, has_opengl ? first.window() : nullptr);
+  if (!second->window_) return failure(last_glfw_error());
+  glfwSetWindowTitle(second->window(), title);
+  if (has_opengl) {
+    if (const Status shared = second->share(); !shared) return failure(shared.error());
+  } else {
+    auto plain = PlainWindow::create(second->window());
+    if (!plain) return failure(plain.error());
+    second->plain_ = std::move(plain).value();
+  }
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  if (count > 1) {
+    move_onto(monitors[count - 1], first.window());
+    move_onto(monitors[0], second->window());
+  } else if (count == 1) {
+    move_beside(monitors[0], first.window(), second->window());
+  }
+  return second;
+}
+
+Status SecondDisplay::share() {
+  auto context = context_of_window(window());
+  Status made = success();
+  if (context) {
+    auto table = Gl::load(**context);
+    if (table) {
+      gl_ = *table;
+      gl_->GenFramebuffers(1, &around_);
+      glfwSwapInterval(0);  // the first one waits for its screen
+      context_ = std::move(context).value();
+    } else {
+      made = failure(table.error());
+    }
+  } else {
+    made = failure(context.error());
+  }
+  glfwMakeContextCurrent(first_.window());
+  return made;
+}
+
+SecondDisplay::~SecondDisplay() {
+  window_.reset();  // with its context and what that has
+  if (first_.fallback().empty()) glfwMakeContextCurrent(first_.window());
+}
+
+void SecondDisplay::present(const Framebuffer& picture) {
+  if (plain_) return plain_->show(picture.read());
+  const Size size = picture.size();
+  glfwMakeContextCurrent(window());
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, around_);
+  gl_->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.texture(), 0);
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_->BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
+                       GL_NEAREST);
+  glfwSwapBuffers(window());
+  glfwMakeContextCurrent(first_.window());
 }
 
 bool FullScreen::is_on() const { return glfwGetWindowMonitor(window_) != nullptr; }

@@ -56,6 +56,32 @@ class Display {
   std::string fallback_;
 };
 
+/// A second window beside a display's, for pictures that are drawn in that one's context.
+class SecondDisplay {
+ public:
+  /// On another monitor than the first, which goes to the last one if there are several. The first must
+  /// outlive it. Leaves the first's context the current one.
+  static Result<std::unique_ptr<SecondDisplay>> open(const Display& first, const char* title);
+  ~SecondDisplay();
+
+  GLFWwindow* window() const { return window_.get(); }
+  void present(const Framebuffer& picture);
+
+ private:
+  explicit SecondDisplay(const Display& first) : first_(first) {}
+  Status share();
+
+  const Display& first_;
+  WindowPointer window_;
+  std::unique_ptr<PlainWindow> plain_;
+  std::unique_ptr<GlContext> context_;
+  std::optional<Gl> gl_;  ///< of its own context, which has the first's textures
+  unsigned around_ = 0;   ///< a framebuffer of its own around one of these
+};
+
+/// How many monitors there are.
+int monitor_count();
+
 /// Fills the screen of the monitor that the window is on, and gives the window back its place.
 class FullScreen {
  public:

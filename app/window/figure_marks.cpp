@@ -39,9 +39,8 @@ bool is_changed(SceneEdits edits) {
 std::string words_of_chip(const LessonSession& session) {
   const Counterexample* counter = session.counterexample();
   if (counter == nullptr)
-    return session.is_aside() ? "a body for which it fails, then changed by hand" : "changed by hand";
-  return fmt::format("a body for which it fails: {}{}", counter->state,
-                     counter->body->has_more ? " (the figure shows body, ω and N alone)" : "");
+    return session.is_aside() ? "a body for which an answer failed, then changed by hand" : "changed by hand";
+  return fmt::format("a body for which it fails: {}", counter->state);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ PageRequest request_of(const LessonSession& session, const PageLook& look) {
           .quality = {},
           .text_scale = session.preferences.text_scale,
           .runs = true,
-          .scrolls = true,
+          .scrolls = !look.fits,
           .covered = look.covered,
           .derivation = session.shown_derivation()};
 }

@@ -19,6 +19,7 @@ struct PageLook {
   double resolution = 1;               ///< of figures, while something moves
   bool keep_text = false;              ///< while ω is dragged: the text as it was set before
   double covered = 0;                  ///< px at the right edge that a panel lies over
+  bool fits = false;                   ///< nothing is scrolled: the text is as small as it has to be
   bool operator==(const PageLook&) const = default;
 };
 

@@ -7,7 +7,6 @@
 #include "app/window/controls/widgets.h"
 #include "app/window/figure_marks.h"
 #include "app/window/number_sliders.h"
-#include "app/window/speaker_notes.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -66,20 +65,8 @@ Screen::Screen(std::unique_ptr<const Gl> gl, std::unique_ptr<Renderer> renderer,
       controls_(std::move(controls)),
       imgui_(imgui),
       page_(std::make_unique<PageView>(*gl_, *renderer_)),
-      preview_(std::make_unique<PageView>(*gl_, *renderer_)),
       texts_(std::make_unique<LessonTexts>(*gl_, *renderer_)) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;
-  io.LogFilename = nullptr;
-  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
-  io.ConfigWindowsMoveFromTitleBarOnly = true;
-#if IMGUI_VERSION_NUM < 18700
-  for (int key = 0; key < ImGuiKey_COUNT; ++key)
-    io.KeyMap[key] = key;  // until a window's back end knows better
-#else
-  io.ConfigInputTrickleEventQueue = false;  // what goes into one frame: app/window/controls/input_portion.h
-#endif
+  begin_controls();
 }
 
 Screen::~Screen() { ImGui::DestroyContext(imgui_); }
@@ -109,13 +96,8 @@ float Screen::panel_width(const LessonSession& session, Size size) const {
 /// side: nothing of the text moves.
 Region Screen::page_region(const LessonSession& session, Size size) const {
   Region region{0, 0, static_cast<float>(size.width), static_cast<float>(size.height)};
-  if (session.is_presenting()) {
-    if (session.are_notes_shown()) region.width = std::round(0.68F * region.width);
-  } else {
-    region.height -= bar_height(*sizes_, region.width);
-  }
-  if (!session.are_notes_shown() && !stands_side_by_side(whole(region)))
-    region.width -= panel_width(session, size);
+  if (!session.is_presenting()) region.height -= bar_height(*sizes_, region.width);
+  if (!stands_side_by_side(whole(region))) region.width -= panel_width(session, size);
   return region;
 }
 
@@ -129,6 +111,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   static constexpr std::array<std::string_view, 13> kOfPanels = {
       "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
       "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
+  ImGui::SetCurrentContext(imgui_);
   const bool typing = ImGui::GetIO().WantTextInput;
   if (!is_repeated) session.begin_change();
   if (typing && key == "Escape") {  // of the field alone: the panel stays
@@ -150,7 +133,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
                                 session.lit().empty() && !session.is_presenting();
   const bool was_presenting = session.is_presenting();
   if (do_command(session, *command)) {
-    if (session.is_presenting() && !was_presenting)
+    if (session.is_presenting() && !was_presenting && !session.has_speaker())
       tell("Escape ends the presentation; . is a black screen, a number and Enter a stage.");
     panel_takes_focus_ = session.panel != before && session.panel != Panel::none;
     if (*command == Command::leave) {
@@ -162,9 +145,20 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   return do_in_window(session, *command);
 }
 
+bool Screen::press_from_afar(LessonSession& session, std::string_view key, bool is_repeated) {
+  ImGui::SetCurrentContext(imgui_);
+  ImGui::SetWindowFocus(nullptr);
+  ImGui::GetIO().WantTextInput = false;
+  panels_.leave_keys();
+  const bool is_done = press(session, key, is_repeated);
+  panel_takes_focus_ = false;
+  return is_done;
+}
+
 /// B is the key for a black screen on every desk. Digits are the number of a stage, which Enter goes to.
 bool Screen::press_while_presenting(LessonSession& session, std::string_view key) {
-  const bool is_digit = key.size() == 1 && key[0] >= '0' && key[0] <= '9';
+  // No number begins with 0, which alone is a command.
+  const bool is_digit = key.size() == 1 && key[0] >= (digits_.empty() ? '1' : '0') && key[0] <= '9';
   if (is_digit && session.panel == Panel::none && digits_.size() < 4) {
     digits_ += key;
     tell(fmt::format("Enter: go to stage {}", digits_));
@@ -260,7 +254,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   symbols_.draw_note(session, page_->symbols(), sizes_->em);
   Region free = page_region(session, frame.size);
   free.width -= covered_width(session, frame.size);
-  notices_.draw(free, *theme_, sizes_->padding, clock_s_);
+  if (!session.has_speaker()) draw_notices(free, sizes_->padding);
   if (!session.is_black()) draw_scroll_marks(session);
   draw_invitation(session);
   ImGui::Render();
@@ -286,6 +280,10 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   return success();
 }
 
+void Screen::draw_notices(const Region& region, float padding) const {
+  notices_.draw(region, *theme_, padding, clock_s_);
+}
+
 Result<bool> Screen::show_page(LessonSession& session, const Region& region, double resolution) {
   const PageLook look{.size = whole(region),
                       .focus = symbols_.place(),
@@ -301,25 +299,7 @@ Result<bool> Screen::show_page(LessonSession& session, const Region& region, dou
   gl_->Clear(GL_COLOR_BUFFER_BIT);
   if (session.is_black()) return painted ? *painted : true;
   if (painted) page_->picture().copy_to(*picture_, 0, picture_->size().height - look.size.height);
-  if (session.are_notes_shown()) show_preview(session, region);
   return painted ? *painted : true;
-}
-
-/// The step that comes next, small, in the upper right corner. Its place is left empty if it cannot be set:
-/// that is told when it is reached.
-void Screen::show_preview(const LessonSession& session, const Region& page) {
-  const auto next = session.next_place();
-  if (!next) return;
-  if (!next_ || next_->place() != *next || &next_->lesson() != &session.lesson()) {
-    next_ = std::make_unique<LessonSession>(session.loaded_pointer());
-    next_->go_to(*next);
-  }
-  next_->preferences = session.preferences;
-  next_->preferences.reduced_motion = true;
-  const Region at = preview_region(page, picture_->size());
-  if (!preview_->show(*next_, {.size = whole(at)})) return;
-  preview_->picture().copy_to(*picture_, static_cast<int>(at.x),
-                              picture_->size().height - static_cast<int>(at.y) - whole(at).height);
 }
 
 void Screen::lay_out_controls(LessonSession& session, const Region& page, Size size) {
@@ -332,15 +312,14 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
                        .frame_ms = 1e3 * page_s_,
                        .clock_s = clock_s_,
                        .lessons = lessons_,
-                       .take_focus = std::exchange(panel_takes_focus_, false)};
+                       .take_focus = std::exchange(panel_takes_focus_, false) || requests_.type_answer,
+                       .typed_to = std::exchange(requests_.type_answer_to, nullptr)};
+  requests_.type_answer = false;
   const bool lists_lessons = session.panel == Panel::outline || session.panel == Panel::question;
   if (lists_lessons && find_lessons_) lessons_ = std::exchange(find_lessons_, nullptr)();
   panels_.begin_frame();
   texts_->begin_frame(session.lesson(), session.step(), session.preferences.theme, sizes_->em);
-  if (session.is_presenting()) {
-    if (session.is_black()) return;
-    if (session.are_notes_shown()) draw_notes(context, page, size);
-  }
+  if (session.is_black()) return;
   const float panel = panel_width(session, size);
   if (panel > 0) panels_.draw(context, {width - panel, 0, panel, page.height});
   if (session.is_presenting()) return;
@@ -351,7 +330,7 @@ void Screen::lay_out_controls(LessonSession& session, const Region& page, Size s
 void Screen::lay_out_sliders(LessonSession& session) {
   varies_ = false;
   const PixelBox& at = page_->page().figure;
-  if (session.is_black() || at.width() <= 0 || (session.is_presenting() && session.are_notes_shown())) return;
+  if (session.is_black() || at.width() <= 0) return;
   // What of it is beside a panel, or as much as these need.
   constexpr float kLeastRoom = 18;  // em
   const ImVec2& size = ImGui::GetIO().DisplaySize;
@@ -382,13 +361,7 @@ void Screen::use_pointer(LessonSession& session, const Region& page) {
     ImGui::SetWindowFocus(nullptr);
     symbols_.leave(session);
   }
-  const Page::Choice* choice = on_page ? choice_at(session, {io.MousePos.x, io.MousePos.y}) : nullptr;
-  draw_choices(session, choice);
-  if (choice && io.MouseClicked[0]) {
-    session.answer(*choice->ask, std::string(1, letter_of_choice(choice->number)));
-    session.panel = Panel::question;  // where the reply stands
-    return;
-  }
+  if (use_questions(session, on_page)) return;
   if (walks_by_click(session, {io.MousePos.x, io.MousePos.y}, on_page && !under)) return;
   if (!drag_.is_held() && !on_page) return;
   const std::string refusal =
@@ -436,6 +409,7 @@ void Screen::copy() {
 }
 
 double Screen::seconds_to_wake(const LessonSession& session) const {
+  ImGui::SetCurrentContext(imgui_);
   const bool moving = session.is_moving();
   if (moving || !is_full_) return 0;
   if (ImGui::GetIO().WantTextInput) return 0.3;  // the caret blinks

@@ -37,6 +37,8 @@ class Screen {
   /// A key as app/session/command.h names it; repeated while it is held. False: it is for the panel that
   /// has the focus, or for nobody.
   bool press(LessonSession& session, std::string_view key, bool is_repeated = false);
+  /// The same in the speaker's window, where it is for the page whatever has the focus here.
+  bool press_from_afar(LessonSession& session, std::string_view key, bool is_repeated);
   /// Lets time pass, then draws. What goes wrong with the page is shown in its place.
   Status draw(LessonSession& session, const ScreenFrame& frame);
 
@@ -62,11 +64,19 @@ class Screen {
   const Framebuffer& picture() const { return *picture_; }
   Image read() const { return picture_->read(); }
 
-  // For tests. A user reads the notice, sees the page, and types the folder into its field.
+  // What the speaker's window shows and draws with.
 
-  const std::string& notice() const { return notices_.told(); }  ///< told last
-  const PageView& page() const { return *page_; }                ///< with the places of the last frame
+  const PageView& page() const { return *page_; }  ///< with the places of the last frame
+  const SpeechText& speech() const { return *speech_; }
+  /// Into the current ImGui context. Beside a speaker's window they are not for the audience.
+  void draw_notices(const Region& region, float padding) const;
   Renderer& renderer() { return *renderer_; }
+  const Gl& gl() const { return *gl_; }
+  ImGuiContext* imgui() const { return imgui_; }
+
+  // For tests. A user reads the notice, and types the folder into its field.
+
+  const std::string& notice() const { return notices_.told(); }                   ///< told last
   const LessonTexts& texts() const { return *texts_; }                            ///< in the panels
   void set_folder(const std::string& folder) { panels_.save().folder = folder; }  ///< where things are saved
 
@@ -87,8 +97,9 @@ class Screen {
   void draw_invitation(const LessonSession& session);
   const Page::Choice* choice_at(const LessonSession& session, const Vec2& at) const;
   void draw_choices(const LessonSession& session, const Page::Choice* pointed_at) const;
+  const Page::OpenQuestion* question_at(const LessonSession& session, const Vec2& at) const;
+  bool use_questions(LessonSession& session, bool on_page);
   Result<bool> show_page(LessonSession& session, const Region& region, double resolution);
-  void show_preview(const LessonSession& session, const Region& region);
   void lay_out_controls(LessonSession& session, const Region& page, Size size);
   void lay_out_sliders(LessonSession& session);
   void use_pointer(LessonSession& session, const Region& page);
@@ -100,7 +111,7 @@ class Screen {
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<ControlPass> controls_;
   ImGuiContext* imgui_;
-  std::unique_ptr<PageView> page_, preview_;
+  std::unique_ptr<PageView> page_;
   std::optional<Framebuffer> picture_;
   Pace pace_;
   WindowRequests requests_;
@@ -114,7 +125,6 @@ class Screen {
   const Lesson* spoken_ = nullptr;  ///< the lesson of speech_
   std::optional<ControlSizes> sizes_;
   std::optional<Theme> theme_;
-  std::unique_ptr<LessonSession> next_;  ///< at the step after this one, for its preview
   std::string stage_title_;
   double clock_s_ = 0, page_s_ = 0, frame_s_ = 0, pointed_s_ = 0;  ///< pointed_s_: the pointer moved
   bool is_full_ = true, was_moving_ = false;

@@ -51,6 +51,43 @@ void Screen::draw_choices(const LessonSession& session, const Page::Choice* poin
   }
 }
 
+/// Of the present step's, not of the page before.
+const Page::OpenQuestion* Screen::question_at(const LessonSession& session, const Vec2& at) const {
+  const std::vector<const Ask*> asked = session.questions();
+  for (const Page::OpenQuestion& question : page_->page().open_questions) {
+    const PixelBox& box = question.box;
+    const bool is_in = at.x() >= box.x0 && at.x() < box.x1 && at.y() >= box.y0 && at.y() < box.y1;
+    if (is_in && std::find(asked.begin(), asked.end(), question.ask) != asked.end()) return &question;
+  }
+  return nullptr;
+}
+
+/// A click on a choice picks it, one on another question leads to where it is answered. True: it did.
+bool Screen::use_questions(LessonSession& session, bool on_page) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Vec2 at(io.MousePos.x, io.MousePos.y);
+  const Page::Choice* choice = on_page ? choice_at(session, at) : nullptr;
+  draw_choices(session, choice);
+  const Page::OpenQuestion* question = on_page ? question_at(session, at) : nullptr;
+  if (question != nullptr) {
+    const PixelBox& box = question->box;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    ImGui::GetBackgroundDrawList()->AddRect({static_cast<float>(box.x0), static_cast<float>(box.y0)},
+                                            {static_cast<float>(box.x1), static_cast<float>(box.y1)},
+                                            ImGui::GetColorU32(ImGuiCol_CheckMark), 0.3F * sizes_->em, 0,
+                                            0.1F * sizes_->em);
+  }
+  if (!io.MouseClicked[0] || (choice == nullptr && question == nullptr)) return false;
+  session.panel = Panel::question;  // where the reply stands
+  if (choice != nullptr) {
+    session.answer(*choice->ask, std::string(1, letter_of_choice(choice->number)));
+  } else {
+    requests_.type_answer = true;
+    requests_.type_answer_to = question->ask;
+  }
+  return true;
+}
+
 /// Before an audience a click beside the figure goes on, as everywhere.
 bool Screen::walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const {
   if (!session.is_presenting() || !is_free || !ImGui::GetIO().MouseClicked[0]) return false;

@@ -4,6 +4,7 @@
 #include "app/window/controls/control_input.h"
 #include "app/window/display.h"
 #include "app/window/frame_log.h"
+#include "app/window/speaker_window.h"
 #include "base/interrupt.h"
 
 #define GLFW_INCLUDE_NONE
@@ -35,8 +36,13 @@ class Loop {
       : session_(session),
         options_(options),
         display_(display),
-        control_input_(display_.window(), session, display_.screen()),
+        control_input_(display_.window(),
+                       [this](std::string_view key, bool is_repeated) {
+                         return screen().press(session_, key, is_repeated);
+                       }),
         full_screen_(display_.window()) {
+    ImGui::SetCurrentContext(screen().imgui());
+    input_.imgui = screen().imgui();
     listen(display_.window(), input_);
     ImGui_ImplGlfw_InitForOther(display_.window(), false);
     if (!display_.fallback().empty())
@@ -44,7 +50,11 @@ class Loop {
     screen().set_lessons(options.lessons);
     if (!options.notice.empty()) screen().tell(options.notice);
   }
-  ~Loop() { ImGui_ImplGlfw_Shutdown(); }
+  ~Loop() {
+    speaker_.reset();
+    ImGui::SetCurrentContext(screen().imgui());
+    ImGui_ImplGlfw_Shutdown();
+  }
   Loop(const Loop&) = delete;
   Loop& operator=(const Loop&) = delete;
 
@@ -54,9 +64,11 @@ class Loop {
       while (!glfwWindowShouldClose(display_.window()) && !is_over() && !watch.interrupted()) {
         wait();
         look_for_changes();
-        if (!must_draw()) continue;
-        if (Status drawn = draw(); !drawn) return failure(drawn.error());
-        keep();
+        if (must_draw()) {
+          if (Status drawn = draw(); !drawn) return failure(drawn.error());
+          keep();
+        }
+        if (Status drawn = draw_for_speaker(); !drawn) return failure(drawn.error());
       }
     } catch (const Interrupted&) {  // while a motion was computed
     }
@@ -87,8 +99,9 @@ class Loop {
 
   void wait() {
     const double now_s = glfwGetTime();
-    const double until_s =
+    double until_s =
         input_.settling > 0 ? drawn_s_ + kLeastFrame_s : std::max(wake_s_, drawn_s_ + kLeastFrame_s);
+    if (speaker_) until_s = std::min(until_s, speaker_->wakes_at_s() + kLeastFrame_s);
     if (until_s <= now_s)
       glfwPollEvents();
     else
@@ -110,30 +123,51 @@ class Loop {
 
   Status draw() {
     const double now_s = glfwGetTime();
+    ImGui::SetCurrentContext(screen().imgui());
     ImGui_ImplGlfw_NewFrame();
     control_input_.feed(input_.waiting);
-    const ScreenFrame frame = measured_frame(now_s);
+    ScreenFrame frame = frame_of_window(display_.window());
+    frame.seconds = drawn_s_ > 0 ? now_s - drawn_s_ : 0;
     drawn_s_ = now_s;
     if (Status drawn = screen().draw(session_, frame); !drawn) return drawn;
     display_.present();
     frame_log_.note(session_.is_moving(), screen().is_full());
     input_.settling = input_.waiting.empty() ? std::max(0, input_.settling - 1) : kSettlingFrames;
     wake_s_ = now_s + screen().seconds_to_wake(session_);
+    if (speaker_) speaker_->follow_audience();
     follow_requests();
     update_title();
     return success();
   }
 
-  ScreenFrame measured_frame(double now_s) {
-    ScreenFrame frame;
-    glfwGetFramebufferSize(display_.window(), &frame.size.width, &frame.size.height);
-    frame.size = {std::max(1, frame.size.width), std::max(1, frame.size.height)};
-    float scale_x = 1, scale_y = 1;
-    glfwGetWindowContentScale(display_.window(), &scale_x, &scale_y);
-    ImGui::GetIO().DisplayFramebufferScale = {1, 1};
-    frame.scale = std::clamp(static_cast<double>(std::max(scale_x, scale_y)), 1.0, 4.0);
-    frame.seconds = drawn_s_ > 0 ? now_s - drawn_s_ : 0;
-    return frame;
+  /// The speaker's window comes and goes as the session wants it, and is drawn where it has something new.
+  Status draw_for_speaker() {
+    if (speaker_ && speaker_->is_closed()) session_.set_speaker(false);
+    if (speaker_ && !session_.has_speaker()) {
+      speaker_.reset();
+      input_.settling = kSettlingFrames;
+    }
+    if (!speaker_ && session_.has_speaker()) open_for_speaker();
+    const double now_s = glfwGetTime();
+    if (!speaker_ || now_s < speaker_->wakes_at_s() + kLeastFrame_s - kClock_s) return success();
+    const Result<bool> used = speaker_->draw(now_s);
+    if (!used) return failure(used.error());
+    if (*used) input_.settling = kSettlingFrames;
+    return success();
+  }
+
+  /// Where there can be none, the page stays alone and says so.
+  void open_for_speaker() {
+    if (!presenting_) was_full_ = full_screen_.is_on();
+    full_screen_.set(false);  // so that it can be moved
+    auto opened = SpeakerWindow::open(display_, session_);
+    if (opened) {
+      speaker_ = std::move(opened).value();
+    } else {
+      session_.set_speaker(false);
+      screen().tell("There is no window for the speaker: " + opened.error());
+    }
+    input_.settling = kSettlingFrames;
   }
 
   void follow_requests() {
@@ -142,11 +176,15 @@ class Loop {
       screen().requests().full_screen = false;
     }
     if (std::exchange(screen().requests().leave_full_screen, false)) full_screen_.set(false);
-    if (session_.is_presenting() != presenting_) {
-      presenting_ = session_.is_presenting();
-      if (presenting_) was_full_ = full_screen_.is_on();
-      full_screen_.set(presenting_ || was_full_);
-    }
+    if (session_.has_speaker() && !speaker_) return;  // its window decides where this one goes
+    const bool is_new = session_.is_presenting() != presenting_;
+    if (!is_new && (speaker_ != nullptr) == has_speaker_) return;
+    presenting_ = session_.is_presenting();
+    has_speaker_ = speaker_ != nullptr;
+    if (is_new && presenting_ && !has_speaker_) was_full_ = full_screen_.is_on();
+    // On the only screen there is, both have to be seen.
+    const bool fills = presenting_ && (!session_.has_speaker() || monitor_count() > 1);
+    full_screen_.set(fills || (was_full_ && !session_.has_speaker()));
   }
 
   void update_title() {
@@ -163,8 +201,10 @@ class Loop {
   ControlInput control_input_;
   FullScreen full_screen_;
   FrameLog frame_log_;
+  std::unique_ptr<SpeakerWindow> speaker_;
   std::string title_, lesson_errors_;
   bool presenting_ = false, was_full_ = false;  ///< before it presented
+  bool has_speaker_ = false;                    ///< when it was looked at last
   double drawn_s_ = 0, wake_s_ = 0, looked_s_ = 0;
 };
 

@@ -93,6 +93,7 @@ std::vector<int> numbers_in(const Block& block) {
 std::vector<int> numbers_in(const Step& step) {
   std::vector<int> ids;
   for (const Block& block : step.blocks) append_to(ids, numbers_in(block));
+  for (const Callout& note : step.notes) append_to(ids, numbers_in(note.text));
   return ids;
 }
 

@@ -46,7 +46,7 @@ struct Equation {
 
 /// A call-out: a block quote that opens with [!KIND].
 struct Callout {
-  enum class Kind { said, meant, note, example, quote, aside, derivation } kind = Kind::said;
+  enum class Kind { said, meant, note, example, quote, aside, derivation, notes } kind = Kind::said;
   std::string markdown;
   RichText text;  ///< of a quote with the name below it
   SourcePlace place;
@@ -62,14 +62,15 @@ struct CalloutNames {
   std::string_view words;  ///< before it where it is said
 };
 /// All kinds, in the order of the enumeration.
-inline constexpr std::array<CalloutNames, 7> kCallouts = {
+inline constexpr std::array<CalloutNames, 8> kCallouts = {
     {{Callout::Kind::said, "said", "As said", "The lecture said"},
      {Callout::Kind::meant, "meant", "As meant", "What it meant"},
      {Callout::Kind::note, "note", "Note", "Note"},
      {Callout::Kind::example, "example", "Example", "Example"},
      {Callout::Kind::quote, "quote", "Quote", "Quote"},
      {Callout::Kind::aside, "aside", "Aside", "Aside"},
-     {Callout::Kind::derivation, "derivation", "Derivation", "Derivation"}}};
+     {Callout::Kind::derivation, "derivation", "Derivation", "Derivation"},
+     {Callout::Kind::notes, "notes", "Notes", "To say"}}};
 constexpr const CalloutNames& names_of(Callout::Kind kind) {
   return kCallouts[static_cast<std::size_t>(kind)];
 }
@@ -117,6 +118,9 @@ inline constexpr std::string_view kRecallsNothing = "none";
 struct Step {
   RichText title{};  ///< what the step comes to, in a sentence; empty: it has none
   std::vector<Block> blocks;
+  /// Of the kind notes: what its author means to say, which is for who speaks. It stands on no page and in no
+  /// transcript, and is therefore no block.
+  std::vector<Callout> notes{};
   /// Null: text alone. Steps that go on with a scene share it.
   std::shared_ptr<const Scene> scene;
   /// Of the scene and those beside it, in the order in which they stand; null where one has none. Steps that

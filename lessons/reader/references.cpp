@@ -49,6 +49,7 @@ class References {
     for (Stage& stage : stages_)
       for (Step& step : stage.steps) {
         for (Block& block : step.blocks) std::visit([&](auto& one) { resolve(one, stage); }, block);
+        for (Callout& note : step.notes) resolve(note, stage);
         resolve_recalled(step, stage);
       }
     return std::move(outside_);

@@ -382,7 +382,10 @@ void StageBuilder::add_prose(const MarkdownBlock& block) {
 void StageBuilder::add_quote(const MarkdownBlock& block) {
   for (Callout& callout : read_callouts(block.first_line, block.last_line, texts_)) {
     ++parts_;
-    step().blocks.push_back(std::move(callout));
+    if (callout.kind == Callout::Kind::notes)
+      step().notes.push_back(std::move(callout));
+    else
+      step().blocks.push_back(std::move(callout));
   }
 }
 

@@ -114,18 +114,25 @@ Image Display::picture() const {
   return image;
 }
 
-std::optional<unsigned> Display::window_of(pid_t process) const {
+std::vector<unsigned> Display::windows_of(pid_t process) const {
+  std::vector<unsigned> windows;
   const auto cookie = xcb_query_tree(connection_->to, connection_->root);
   const auto tree = owned(xcb_query_tree_reply(connection_->to, cookie, nullptr));
-  if (!tree) return std::nullopt;
+  if (!tree) return windows;
   const xcb_window_t* children = xcb_query_tree_children(tree.get());
   for (int i = 0; i < xcb_query_tree_children_length(tree.get()); ++i) {
     const std::string id = connection_->property(children[i], "_NET_WM_PID");
     std::uint32_t owner = 0;
     if (id.size() == sizeof owner) std::memcpy(&owner, id.data(), sizeof owner);
-    if (owner == static_cast<std::uint32_t>(process) && !title_of(children[i]).empty()) return children[i];
+    if (owner == static_cast<std::uint32_t>(process) && !title_of(children[i]).empty())
+      windows.push_back(children[i]);
   }
-  return std::nullopt;
+  return windows;
+}
+
+std::optional<unsigned> Display::window_of(pid_t process) const {
+  const std::vector<unsigned> windows = windows_of(process);
+  return windows.empty() ? std::nullopt : std::optional(windows.front());
 }
 
 std::string Display::title_of(unsigned window) const { return connection_->property(window, "_NET_WM_NAME"); }

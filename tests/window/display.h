@@ -33,6 +33,8 @@ class Display {
   Image picture() const;
   /// As it was asked for last.
   const Image& last_picture() const { return last_picture_; }
+  /// Those of this process that have a title, the lowest first.
+  std::vector<unsigned> windows_of(pid_t process) const;
   /// Of the first window of this process that has a title.
   std::optional<unsigned> window_of(pid_t process) const;
   std::string title_of(unsigned window) const;

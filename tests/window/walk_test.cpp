@@ -73,19 +73,6 @@ TEST_F(Walk, AClickerGoesFromStepToStep) {
   EXPECT_TRUE(lesson.comes_to(1, 2));
 }
 
-// Notes of another time never come up before an audience.
-TEST_F(Walk, APresentationBeginsWithoutNotes) {
-  PlayedLesson lesson(display(), home(), {kPlayed});
-  lesson.press({"p"});
-  const Image alone = lesson.picture_at_rest();
-  lesson.press({"n"});
-  ASSERT_TRUE(lesson.changes_from(alone));
-  lesson.press({"p", "p"});
-  EXPECT_TRUE(eventually([&] { return lesson.picture_at_rest().rgba == alone.rgba; }));
-  lesson.press({"p", "n", "p"});
-  EXPECT_TRUE(eventually([&] { return lesson.picture_at_rest().rgba == alone.rgba; }));
-}
-
 TEST_F(Walk, TheMouseAloneGoesThroughTheLectureAndBack) {
   PlayedLesson lesson(display(), home(), {kLecture});
   int steps = 0;

@@ -26,7 +26,7 @@ namespace {
 
 struct Options {
   std::string lesson = "euler-equations", stage;
-  bool watch = false;
+  bool watch = false, speaker = false;
 };
 
 Outcome<std::shared_ptr<const LoadedLesson>> load(const std::string& name, const Fonts& fonts) {
@@ -131,6 +131,7 @@ WindowEnd play_one(const Options& options, const Fonts& fonts) {
     const Stage& stage = stage_of(loaded->lesson, options.stage);
     session.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
   }
+  session.set_speaker(options.speaker);
   window.keep = [&](const LessonSession& now) { return progress.keep(now); };
   window.lessons = [&] { return lessons_with_progress(session); };
   window.size = kept_size();
@@ -164,6 +165,9 @@ Command play_command() {
       "Walk through a lesson in a window",
       {{"LESSON", &options->lesson, "Lesson file or id", "", false, offer_lessons()},
        {"--stage", &options->stage, "Begin at this stage, wherever you were", "ID"},
+       {"--speaker", &options->speaker,
+        "Present: the page alone, and beside it a window of yours with the next step, your notes and the "
+        "time"},
        {"--watch", &options->watch, "For authors: read the lesson again whenever its file changes"}},
       "Left and Right, or Page Up and Page Down as remote clickers send them, go through the steps,\n"
       "Up and Down through the stages; press ? in the window for all its keys. Place, answers and\n"

@@ -12,6 +12,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace polhode {
 
 namespace fs = std::filesystem;
@@ -49,6 +51,14 @@ Result<fs::path> write_text(const fs::path& path, const std::string& text) {
   return path;
 }
 
+/// A figure stands before the studio; in the dark window before the ground that it has there.
+std::string figure_background(Theme theme) {
+  if (theme == Theme::paper) return "studio";
+  const Color& ground = colors_of(theme).backdrop;
+  const auto byte = [](float part) { return std::lround(255 * part); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(ground.r), byte(ground.g), byte(ground.b));
+}
+
 ExportOptions export_options_of(const LessonSession& session, SaveAs what, const SaveOptions& chosen) {
   ExportOptions options;
   options.what = what_of(what);
@@ -59,7 +69,9 @@ ExportOptions export_options_of(const LessonSession& session, SaveAs what, const
   options.profile = Profile::page;
   options.text_scale = session.preferences.text_scale;
   if (what == SaveAs::equation) options.dpi = kDefaultEquationDpi;
-  options.background = chosen.transparent ? "transparent" : what == SaveAs::figure ? "studio" : "paper";
+  options.background = chosen.transparent       ? "transparent"
+                       : what == SaveAs::figure ? figure_background(options.theme)
+                                                : "paper";
   return options;
 }
 

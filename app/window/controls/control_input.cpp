@@ -2,6 +2,7 @@
 #include "app/window/controls/control_input.h"
 
 #include "app/window/controls/key_names.h"
+#include "render/image/image.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -86,7 +87,7 @@ void listen(GLFWwindow* window, Input& input) {
     if (!entered) input_of(w).waiting.push_back({.kind = Kind::pointer, .x = -FLT_MAX, .y = -FLT_MAX});
   });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-    input_of(w);
+    ImGui::SetCurrentContext(input_of(w).imgui);
     ImGui_ImplGlfw_WindowFocusCallback(w, focused);
   });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { input_of(w); });
@@ -119,7 +120,7 @@ bool ControlInput::is_command(const InputEvent& event) {
     const char* letter = glfwGetKeyName(event.code, event.scancode);
     name = key_name(event.code, event.modifiers, letter ? letter : "");
   }
-  return !name.empty() && screen_.press(session_, name, is_repeated_);
+  return !name.empty() && press_(name, is_repeated_);
 }
 
 void ControlInput::give(const InputEvent& event) {

@@ -88,6 +88,21 @@ void load_control_fonts(const ControlSizes& sizes, const Fonts& fonts) {
   add_small_signs(regular, small);
 }
 
+void begin_controls() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+  io.ConfigWindowsMoveFromTitleBarOnly = true;
+#if IMGUI_VERSION_NUM < 18700
+  for (int key = 0; key < ImGuiKey_COUNT; ++key)
+    io.KeyMap[key] = key;  // until a window's back end knows better
+#else
+  io.ConfigInputTrickleEventQueue = false;  // what goes into one frame: app/window/controls/input_portion.h
+#endif
+}
+
 ImFont* bold_control_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
 
 void set_control_style(Theme theme, const ControlSizes& sizes) {

@@ -20,6 +20,9 @@ struct ControlSizes {
 /// At a scale: 1 for a display of about 96 dots per inch.
 ControlSizes control_sizes(double scale);
 
+/// Settings of the current ImGui context, which was just made.
+void begin_controls();
+
 /// Builds the fonts of the current ImGui context: Heros, with signs and Greek from Pagella Math: all that a
 /// page may have, but for characters beyond 16 bits. Superscripts and subscripts of digits, + − = ( ) are
 /// small signs of Heros.

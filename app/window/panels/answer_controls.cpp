@@ -10,6 +10,11 @@
 
 namespace polhode {
 
+bool is_typed(const Ask& ask) {
+  return ask.type == Ask::Type::expression || ask.type == Ask::Type::number || ask.type == Ask::Type::order ||
+         ask.type == Ask::Type::derive;
+}
+
 void keep_typing(bool is_wanted) {
   if (is_wanted)
     ImGui::SetKeyboardFocusHere(-1);
@@ -35,7 +40,7 @@ void say_who_has_keys(const PanelContext& context) {
 }
 
 void show_it_button(PanelContext& context, const Counterexample& counter) {
-  if (!counter.body || !context.session.has_scene()) return;
+  if (!context.session.can_show(counter)) return;
   const Counterexample* shown = context.session.counterexample();
   const bool is_shown = shown != nullptr && shown->state == counter.state;
   ImGui::BeginDisabled(is_shown);

@@ -9,6 +9,9 @@
 
 namespace polhode {
 
+/// Whether an answer to it is typed into a field.
+bool is_typed(const Ask& ask);
+
 /// A field with room for a button of these words behind it. True if Enter was pressed and there is a text.
 /// A panel that was opened by a key begins in its first field.
 bool text_field(PanelContext& context, const char* id, const char* form, const char* button,

@@ -124,7 +124,10 @@ void draw_panel_buttons(PanelContext& context) {
                is_marked = is_of_questions && asks_something(session);
     ImGui::BeginDisabled(is_of_questions && !has_questions(session));
     const std::string tooltip = is_marked ? "There is a question here (Q)" : told(facts.command);
-    if (toggle_button(facts.name, is_on, tooltip)) session.panel = is_on ? Panel::none : facts.panel;
+    if (toggle_button(facts.name, is_on, tooltip)) {
+      session.panel = is_on ? Panel::none : facts.panel;
+      context.requests.type_answer = is_of_questions && !is_on;
+    }
     ImGui::EndDisabled();
     if (is_marked) mark_last();
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/controls/widgets.h"
+#include "app/window/panels/answer_controls.h"
 #include "app/window/panels/panel_facts.h"
 #include "app/window/panels/panels.h"
 
@@ -22,16 +23,12 @@ const char* title_of(Panel panel) {
 
 namespace {
 
-bool is_typed(const Ask* ask) {
-  return ask->type == Ask::Type::expression || ask->type == Ask::Type::number ||
-         ask->type == Ask::Type::order || ask->type == Ask::Type::derive;
-}
-
 /// Whether the panel that is open has something to be typed.
 bool has_text_field(const LessonSession& session) {
   if (session.panel == Panel::save) return true;
   const std::vector<const Ask*> asks = session.questions();
-  return session.panel == Panel::question && std::any_of(asks.begin(), asks.end(), is_typed);
+  return session.panel == Panel::question &&
+         std::any_of(asks.begin(), asks.end(), [](const Ask* ask) { return is_typed(*ask); });
 }
 
 }  // namespace
@@ -71,6 +68,8 @@ void Panels::make_edits(PanelContext& context) {
   refusal_ = made ? "" : made.error();
   context.requests.edits.reset();
 }
+
+void Panels::leave_keys() { has_focus_ = takes_keys_ = awaits_text_ = false; }
 
 void Panels::begin_frame() {
   method_.count_frame();

@@ -18,7 +18,9 @@ namespace polhode {
 /// What cannot be done while a panel is drawn; the panels or the window do it afterwards.
 struct WindowRequests {
   bool quit = false, full_screen = false, leave_full_screen = false;
-  std::string open_lesson{};  ///< id of another lesson; empty: none
+  bool type_answer = false;             ///< the panel of questions was opened by the mouse, to be typed in
+  const Ask* type_answer_to = nullptr;  ///< the one that was clicked; null: none
+  std::string open_lesson{};            ///< id of another lesson; empty: none
   std::optional<SaveAs> save_as{};
   std::string clipboard{};  ///< to be copied; empty: nothing
   /// They make another model, and what is being drawn refers to the present one.
@@ -40,7 +42,8 @@ struct PanelContext {
   double frame_ms = 0;                         ///< wall time of the last frame in which a page was drawn
   double clock_s = 0;                          ///< since the window opened
   const std::vector<LessonProgress>& lessons;  ///< all that there are, this one among them
-  bool take_focus = false;                     ///< the panel was just opened by a key
+  bool take_focus = false;                     ///< the panel was just opened by a key, or to be typed in
+  const Ask* typed_to = nullptr;               ///< whose field takes it; null: the first that there is
   bool has_keys = false;                       ///< keys are for the panel (Panels::has_focus)
 };
 

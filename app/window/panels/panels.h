@@ -105,6 +105,8 @@ class Panels {
   bool awaits_text() const { return awaits_text_; }
   /// F6: from now on until the focus goes elsewhere they are for the panel of questions too.
   void take_keys() { takes_keys_ = true; }
+  /// What is pressed from now on is for the page, whatever had the focus.
+  void leave_keys();
   std::optional<double> seconds_to_wake() const { return method_.seconds_to_wake(); }
   SavePanel& save() { return save_; }
 

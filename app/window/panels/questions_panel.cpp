@@ -12,6 +12,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace polhode {
 
@@ -214,10 +215,17 @@ void QuestionsPanel::draw_earlier(PanelContext& context, bool is_alone) {
 void QuestionsPanel::draw(PanelContext& context) {
   const std::vector<const Ask*> questions = context.session.questions();
   const bool is_end = !context.session.next_place();
+  const auto typed =
+      std::find_if(questions.begin(), questions.end(), [](auto* ask) { return is_typed(*ask); });
+  const Ask* first = typed == questions.end() ? nullptr : *typed;
+  const Ask* focused = std::exchange(context.take_focus, false)
+                           ? (context.typed_to != nullptr ? context.typed_to : first)
+                           : nullptr;
   for (std::size_t i = 0; i < questions.size(); ++i) {
+    context.take_focus = questions[i] == focused;
     draw_question(context, *questions[i], i + 1, questions.size());
-    context.take_focus = false;
   }
+  context.take_focus = false;
   if (is_end) {
     draw_summary(context);
     draw_lessons(context);

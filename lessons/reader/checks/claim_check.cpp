@@ -77,6 +77,10 @@ class ClaimCheck {
             if (report_.is_full()) return report_.take();
             check_block(block, step, place);
           }
+          for (const Callout& note : step.notes) {
+            if (report_.is_full()) return report_.take();
+            check_block(Block(note), step, place);
+          }
           check_captions(step);
           if (step.scene && step.scene != scene_) check_names(step);
           scene_ = step.scene;

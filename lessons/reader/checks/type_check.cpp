@@ -46,6 +46,7 @@ class TypeCheck {
   void check(const Step& step) {
     text(step.title, heading());
     for (const Block& block : step.blocks) std::visit([this](const auto& b) { check(b); }, block);
+    for (const Callout& note : step.notes) check(note);
     for (const auto& caption : step.captions)
       if (caption) in_figure(caption);
     for (const auto& label : step.labels) in_figure(label);

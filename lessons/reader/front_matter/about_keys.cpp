@@ -91,7 +91,8 @@ void read_labels(const TomlEntry& entry, About& about, Report& report) {
   const TomlTable* table = table_of(entry, "write [labels], and said = \"…\" below", report);
   if (table == nullptr) return;
   std::vector<KeyHandler> handlers;
-  for (const CalloutNames& names : kCallouts)
+  for (const CalloutNames& names : kCallouts) {
+    if (names.kind == Callout::Kind::notes) continue;  // they stand beside nothing
     handlers.push_back(
         {std::string(names.name), [&about, &report, kind = names.kind](const TomlEntry& label) {
            std::string text;
@@ -105,6 +106,7 @@ void read_labels(const TomlEntry& entry, About& about, Report& report) {
            else if (!text.empty())
              about.labels[kind] = std::move(text);
          }});
+  }
   read_keys(*table, "[labels]", handlers, report);
 }
 

@@ -154,14 +154,10 @@ TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
   press("?");
   EXPECT_EQ(session.panel, Panel::none) << "the same key again closes it";
   press("P");
-  press("N");
   press("B");
   session.light("omega");
-  EXPECT_TRUE(session.are_notes_shown());
   press("Escape");
   EXPECT_EQ(session.panel, Panel::none) << "it lies over the page";
-  press("Escape");
-  EXPECT_FALSE(session.are_notes_shown());
   EXPECT_TRUE(session.is_presenting());
   press("Escape");
   EXPECT_FALSE(session.is_presenting());
@@ -170,31 +166,29 @@ TEST(Command, OpensOnePanelAtATimeAndLeavesWhatIsOnTop) {
   EXPECT_EQ(session.lit(), "");
 }
 
-// The audience sees the same screen: notes are there for as long as they were asked for, and nowhere else.
-TEST(Command, NotesAreShownOnlyWhereTheyAreAskedFor) {
+// The speaker's window comes with presenting and goes with it, and stays where one goes on.
+TEST(Command, TheSpeakerHasAWindowWhilePresenting) {
   LessonSession session(example());
   const auto press = [&](const char* key) { do_command(session, command_of(key).value()); };
   press("N");
-  EXPECT_FALSE(session.are_notes_shown()) << "nobody presents";
-  press("P");
-  EXPECT_FALSE(session.are_notes_shown()) << "they were asked for before";
+  EXPECT_TRUE(session.is_presenting());
+  EXPECT_TRUE(session.has_speaker());
   press("N");
-  EXPECT_TRUE(session.are_notes_shown());
-  press("N");
-  EXPECT_FALSE(session.are_notes_shown());
-  for (const char* leaving : {"P", "F5"}) {
-    press("N");
+  EXPECT_TRUE(session.is_presenting()) << "before the audience nothing changes";
+  EXPECT_FALSE(session.has_speaker());
+  for (const char* leaving : {"P", "F5", "Escape"}) {
+    session.set_speaker(true);
     press(leaving);
-    EXPECT_FALSE(session.are_notes_shown()) << leaving;
+    EXPECT_FALSE(session.is_presenting()) << leaving;
+    EXPECT_FALSE(session.has_speaker()) << leaving;
     press("P");
-    EXPECT_FALSE(session.are_notes_shown()) << "of the last time";
+    EXPECT_FALSE(session.has_speaker()) << "that of the last time";
+    press("P");
   }
+  press("N");
   for (const char* going : {"Right", "PageDown", "Left", "Down", "Up", "End", "Home"}) {
-    press("N");
-    press("0");
-    EXPECT_TRUE(session.are_notes_shown()) << "the same step";
     press(going);
-    EXPECT_FALSE(session.are_notes_shown()) << going;
+    EXPECT_TRUE(session.has_speaker()) << going;
   }
 }
 

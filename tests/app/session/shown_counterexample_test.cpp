@@ -84,6 +84,54 @@ TEST(ShownCounterexample, TurnsUnderTheTorqueThatIsSaid) {
   EXPECT_FALSE(session.show_counterexample(counter).ok());
 }
 
+// Whatever the lesson's figure shows of its own: what the words speak of has to be seen.
+TEST(ShownCounterexample, IsSeen) {
+  LessonSession session(test::loaded_text(
+      "+++\nformat = 1\nid = \"bare\"\ntitle = \"Bare\"\n+++\n# Asked {asked}\nText.\n\n"
+      "```scene\nomega = [0, 12, 0.1]\nshow = [\"axes-space\"]\n```\n"
+      "```ask a\ntype = \"expression\"\nprompt = \"What?\"\nanswer = \"w1*w2*(I2 - I1)\"\n```\n"));
+  const Scene before = session.model()->scene;
+  const AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  ASSERT_TRUE(session.show_counterexample(*judged.counterexample));
+  for (const Overlay overlay : {Overlay::shape, Overlay::omega, Overlay::axes_body})
+    EXPECT_TRUE(session.model()->scene.show.contains(overlay)) << static_cast<int>(overlay);
+  session.leave_counterexample();
+  EXPECT_EQ(session.model()->scene, before);
+}
+
+// A, dA/dt and constants are in no figure: one that shows the rest would say nothing.
+TEST(ShownCounterexample, IsNotOfferedWhereNoFigureShowsIt) {
+  LessonSession session(lesson());
+  AnswerJudgement judged = session.answer(*session.questions().front(), "w1*w2*(I1 - I2)");
+  Counterexample& counter = *judged.counterexample;
+  EXPECT_TRUE(session.can_show(counter));
+  counter.body->has_more = true;
+  EXPECT_FALSE(session.can_show(counter));
+  EXPECT_FALSE(session.show_counterexample(counter).ok());
+  EXPECT_FALSE(session.is_aside());
+}
+
+TEST(ShownCounterexample, GoesWithTheAnswerThatFailed) {
+  LessonSession session(lesson());
+  const Ask& ask = *session.questions().front();
+  const Counterexample counter = *session.answer(ask, "w1*w2*(I1 - I2)").counterexample;
+  ASSERT_TRUE(session.show_counterexample(counter));
+  session.answer(ask, "w1*w2*I3");
+  EXPECT_FALSE(session.is_aside()) << "that one fails for another body";
+  ASSERT_TRUE(session.show_counterexample(counter));
+  session.answer(ask, "w1*w2*(I2 - I1)");
+  EXPECT_FALSE(session.is_aside());
+  ASSERT_TRUE(session.show_counterexample(counter));
+  session.forget_answer(ask);
+  EXPECT_FALSE(session.is_aside());
+  ASSERT_TRUE(session.show_counterexample(counter));
+  SceneEdits edits = session.edits();
+  edits.w0_B = Vec3(1, 2, 3);
+  ASSERT_TRUE(session.set_edits(edits));
+  session.answer(ask, "w1");
+  EXPECT_EQ(session.edits().w0_B, Vec3(1, 2, 3)) << "what was made by hand stays";
+}
+
 // A question about a torque keeps its arrow.
 TEST(ShownCounterexample, KeepsTheTorqueOfWhichItSaysNothing) {
   LessonSession session(test::loaded_text(

@@ -73,6 +73,35 @@ TEST_F(QuestionsPanelTest, AChoiceIsClickedWhereItStands) {
   EXPECT_EQ(session.record(ask)->tries, before.tries) << "it is answered";
 }
 
+// One that is typed is answered in the panel, which a click on it opens; one may type at once.
+TEST_F(QuestionsPanelTest, AQuestionIsOpenedWhereItStands) {
+  const Ask& ask = go_to_question("hold-steady");
+  frame(3);
+  const auto& questions = screen->page().page().open_questions;
+  ASSERT_EQ(questions.size(), 1U);
+  EXPECT_EQ(questions.front().ask, &ask);
+  const PixelBox box = questions.front().box;
+  click(0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1));
+  frame(3);
+  EXPECT_EQ(session.panel, Panel::question);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  const Place asked = session.place();
+  EXPECT_FALSE(screen->press(session, "Right"));
+  EXPECT_EQ(session.place(), asked);
+}
+
+// By the button in the bar as by the key.
+TEST_F(QuestionsPanelTest, ItsFieldHasTheCursorHoweverItWasOpened) {
+  go_to_question("hold-steady");
+  frame(3);
+  click(1104, 775);
+  ASSERT_EQ(session.panel, Panel::question);
+  frame(3);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  for (const char* key : {"W", "G", "-", "S"}) EXPECT_FALSE(screen->press(session, key)) << key;
+  EXPECT_EQ(session.panel, Panel::question);
+}
+
 // An answer that is typed beside its field opens no panel and changes nothing.
 TEST_F(QuestionsPanelTest, AMissedClickTypesNoCommands) {
   go_to_question("hold-steady");

@@ -4,7 +4,7 @@
 #include "app/export/picture_maker.h"
 #include "app/session/figure_interaction.h"
 #include "app/session/steering.h"
-#include "app/window/speaker_notes.h"
+#include "render/image/png.h"
 #include "tests/app/window/screen_harness.h"
 #include "tests/base/files/folder.h"
 
@@ -58,20 +58,6 @@ int varied(const Image& image, const Region& part) {
     for (int x = x0; x < x0 + static_cast<int>(part.width); ++x)
       count += std::memcmp(image.pixel(x, y), image.pixel(x0, y0), 4) != 0;
   return count;
-}
-
-TEST_F(ScreenTest, WhatComesNextIsShownBesideThePageWhilePresenting) {
-  session.set_presenting(true);
-  session.show_notes(true);
-  frame(3);
-  const Size page = screen->page().picture().size();
-  const Region at =
-      preview_region({0, 0, static_cast<float>(page.width), static_cast<float>(page.height)}, kSize);
-  EXPECT_GT(varied(screen->read(), at), 2000);
-  const auto& stages = session.lesson().stages;
-  session.go_to({stages.size() - 1, stages.back().steps.size() - 1});
-  frame(3);
-  EXPECT_EQ(session.next_place(), std::nullopt);
 }
 
 TEST_F(ScreenTest, NothingIsDrawnAnewThatHasNotChanged) {
@@ -359,10 +345,6 @@ TEST_F(ScreenTest, NothingIsWrittenThatTheControlFontHasNot) {
         walked.panel = static_cast<Panel>(panel);
         expect_none(walked, missing, fmt::format("{}, stage {}, panel {}", id, stage, panel));
       }
-      walked.set_presenting(true);
-      walked.show_notes(true);
-      expect_none(walked, missing, fmt::format("{}, stage {}, notes", id, stage));
-      walked.set_presenting(false);
     }
   }
   screen->tell("\u6F22");
@@ -469,6 +451,25 @@ TEST_F(ScreenTest, WhatIsSavedIsToldByItsRealPath) {
   EXPECT_TRUE(std::filesystem::exists(real / "01-frames-step1-2.png"));
   EXPECT_EQ(screen->notice(), "saved: " + (real / "01-frames-step1-2.png").string());
   EXPECT_FALSE(std::filesystem::exists("~")) << "here";
+}
+
+// As export makes it before this colour.
+TEST_F(ScreenTest, AFigureThatIsSavedInTheDarkIsDark) {
+  const test::Folder folder;
+  session.go_to({1, 1});
+  frame(2);
+  screen->set_folder(folder.path().string());
+  for (const Theme theme : {Theme::paper, Theme::dark}) {
+    session.preferences.theme = theme;
+    screen->requests().save_as = SaveAs::figure;
+    frame(2);
+  }
+  const Image light = read_png(folder / "02-newton-step2-figure.png").value().image,
+              dark = read_png(folder / "02-newton-step2-figure-2.png").value().image;
+  const Color ground = colors_of(Theme::dark).backdrop;
+  EXPECT_NEAR(dark.pixel(3, 3)[0], 255 * ground.r, 1);
+  EXPECT_NEAR(dark.pixel(3, 3)[2], 255 * ground.b, 1);
+  EXPECT_GT(light.pixel(3, 3)[0], 150);
 }
 
 TEST_F(ScreenTest, WhatCannotBeSavedIsTold) {

@@ -74,7 +74,7 @@ TEST(Bookmark, NumbersAreTakenWithinTheirBounds) {
   EXPECT_EQ(read_preferences(scratch.path())->preferences.text_scale, kMostTextScale);
 }
 
-// Whether notes are shown is nobody's preference: an audience would see them.
+// Whether there is a window for the speaker is nobody's preference.
 TEST(Bookmark, NotesAreNotKept) {
   const ScratchFolder scratch;
   write_text(
@@ -85,12 +85,14 @@ TEST(Bookmark, NotesAreNotKept) {
   EXPECT_THAT(reading.warning, IsEmpty());
   session.preferences = reading.preferences;
   session.set_presenting(true);
-  EXPECT_FALSE(session.are_notes_shown());
-  session.show_notes(true);
+  EXPECT_FALSE(session.has_speaker());
+  session.set_speaker(true);
   ASSERT_TRUE(write_preferences(scratch.path(), session.preferences));
   ASSERT_TRUE(write_bookmark(scratch.path(), "example", bookmark_of(session)));
   for (const char* file : {"preferences.json", "example.place.json"})
-    EXPECT_THAT(text_of(scratch / file), ::testing::Not(HasSubstr("notes"))) << file;
+    EXPECT_THAT(text_of(scratch / file),
+                ::testing::Not(testing::AnyOf(HasSubstr("notes"), HasSubstr("speaker"))))
+        << file;
 }
 
 TEST(Bookmark, OfAnotherVersionIsLeftAsItIs) {

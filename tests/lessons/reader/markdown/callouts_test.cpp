@@ -54,7 +54,7 @@ std::string words_of(const RichText& text) {
   return words;
 }
 
-TEST(Callouts, AreOfSevenKinds) {
+TEST(Callouts, AreOfEightKinds) {
   for (const CalloutNames& names : kCallouts) {
     if (names.kind == Callout::Kind::derivation) continue;
     TextReport at("> [!" + std::string(names.name) + "] Words.");

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/screen_of_speaker.h"
+
+#include "app/session/answers/answer_text.h"
+#include "app/window/controls/widgets.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+namespace polhode {
+
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
+
+/// "14:05"
+std::string time_of_day() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  return fmt::format("{:02}:{:02}", local.tm_hour, local.tm_min);
+}
+
+/// "7:05", "1:07:05"
+std::string duration_text(double seconds) {
+  const auto all = static_cast<long>(seconds);
+  const long hours = all / 3600, minutes = all / 60 % 60, rest = all % 60;
+  return hours > 0 ? fmt::format("{}:{:02}:{:02}", hours, minutes, rest)
+                   : fmt::format("{}:{:02}", minutes, rest);
+}
+
+/// "Step 7 of 238", counted through all stages.
+std::string count_text(const LessonSession& session) {
+  std::size_t before = 0, all = 0;
+  for (std::size_t i = 0; i < session.lesson().stages.size(); ++i) {
+    const std::size_t steps = session.lesson().stages[i].steps.size();
+    before += i < session.place().stage ? steps : 0;
+    all += steps;
+  }
+  return fmt::format("Step {} of {}", before + session.place().step + 1, all);
+}
+
+/// Of this shape, as large as the region holds, in its upper left corner.
+Region fitted(const Region& region, Size shape) {
+  const float scale = std::min(region.width / static_cast<float>(std::max(1, shape.width)),
+                               region.height / static_cast<float>(std::max(1, shape.height)));
+  return {region.x, region.y, std::floor(scale * static_cast<float>(shape.width)),
+          std::floor(scale * static_cast<float>(shape.height))};
+}
+
+Size whole(const Region& region) {
+  return {std::max(1, static_cast<int>(region.width)), std::max(1, static_cast<int>(region.height))};
+}
+
+void begin_area(const char* name, const Region& region) {
+  ImGui::SetNextWindowPos({region.x, region.y});
+  ImGui::SetNextWindowSize({region.width, region.height});
+  ImGui::Begin(name, nullptr, kFixed);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ScreenOfSpeaker>> ScreenOfSpeaker::create(Screen& audience) {
+  auto controls = ControlPass::create(audience.gl());
+  if (!controls) return failure(controls.error());
+  ImGuiContext* imgui = ImGui::CreateContext();
+  ImGui::SetCurrentContext(imgui);
+  return std::unique_ptr<ScreenOfSpeaker>(new ScreenOfSpeaker(audience, std::move(controls).value(), imgui));
+}
+
+ScreenOfSpeaker::ScreenOfSpeaker(Screen& audience, std::unique_ptr<ControlPass> controls, ImGuiContext* imgui)
+    : audience_(audience),
+      controls_(std::move(controls)),
+      imgui_(imgui),
+      next_page_(audience.gl(), audience.renderer()),
+      texts_(audience.gl(), audience.renderer()) {
+  begin_controls();
+}
+
+ScreenOfSpeaker::~ScreenOfSpeaker() { ImGui::DestroyContext(imgui_); }
+
+void ScreenOfSpeaker::adopt_style(const LessonSession& session, const ScreenFrame& frame) {
+  const ControlSizes sizes = control_sizes(frame.scale);
+  const Theme theme = session.preferences.theme;
+  if (sizes_ != sizes) {
+    load_control_fonts(sizes, audience_.renderer().fonts());
+    controls_->load_fonts();
+  }
+  if (sizes_ != sizes || theme_ != theme) set_control_style(theme, sizes);
+  sizes_ = sizes;
+  theme_ = theme;
+}
+
+/// The page takes three fifths of the width; below it what is pressed and where we are; beside it what comes
+/// next, and what is to be said.
+ScreenOfSpeaker::Areas ScreenOfSpeaker::areas_of(Size size) const {
+  const auto width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+  const float gap = sizes_->padding, left = std::round(0.6F * width);
+  const float top = gap + 1.9F * sizes_->em, bar = 2 * sizes_->bar;
+  const Region room{gap, top, left - 2 * gap, 0.62F * height};
+  const Region page = fitted(room, audience_.picture().size());
+  const float below = page.y + page.height;
+  const Region beside{left + gap, top, width - left - 2 * gap, 0.5F * height};
+  const Region next = fitted(beside, audience_.page().picture().size());
+  const float under = next.y + next.height + gap;
+  return {.page = page,
+          .controls = {0, below, left, bar},
+          .outline = {0, below + bar, left, std::max(1.0F, height - below - bar)},
+          .next = next,
+          .notes = {left, under, width - left, std::max(1.0F, height - under)}};
+}
+
+void ScreenOfSpeaker::draw_controls(LessonSession& session, const Region& region) {
+  begin_area("walk", region);
+  const float em = sizes_->em;
+  ImGui::BeginDisabled(!session.previous_place());
+  if (icon_button("back", Icon::back, "Back", told(Command::previous_step), 4.9F * em))
+    session.previous_step();
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  ImGui::BeginDisabled(!session.next_place());
+  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em)) session.next_step();
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  const bool playing = session.is_playing();
+  ImGui::BeginDisabled(!session.has_scene());
+  if (icon_button("play", playing ? Icon::pause : Icon::play, "", told(Command::play_pause), 2.1F * em))
+    session.set_playing(!playing);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (toggle_button("Black", session.is_black(), told(Command::black)))
+    session.set_black(!session.is_black());
+  ImGui::SameLine();
+  if (toggle_button("End", false, told(Command::leave))) session.set_presenting(false);
+  ImGui::PushFont(bold_control_font());
+  ImGui::TextUnformatted(fmt::format("{}   {} elapsed", time_of_day(), duration_text(elapsed_s())).c_str());
+  ImGui::PopFont();
+  ImGui::SameLine();
+  if (ImGui::SmallButton("from 0:00")) begun_s_ = clock_s_;
+  tooltip_of_last("Begin to count the time again");
+  ImGui::SameLine();
+  ImGui::TextUnformatted(fmt::format("  {}; stage {} of {}, step {} of {}", count_text(session),
+                                     session.place().stage + 1, session.lesson().stages.size(),
+                                     session.place().step + 1, session.stage().steps.size())
+                             .c_str());
+  ImGui::End();
+}
+
+void ScreenOfSpeaker::draw_outline(LessonSession& session, const Region& region) {
+  begin_area("outline", region);
+  const std::vector<Stage>& stages = session.lesson().stages;
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    std::string title = audience_.speech().words_of_title(stages[i]);
+    if (!title.empty() && title.back() == '.') title.pop_back();
+    const bool is_here = i == session.place().stage;
+    if (ImGui::Selectable(fmt::format("{}   {}##{}", i + 1, title, i).c_str(), is_here))
+      session.go_to({i, 0});
+    if (!is_here || outlined_ == session.place()) continue;
+    ImGui::SetScrollHereY(0.3F);
+    outlined_ = session.place();
+  }
+  ImGui::End();
+}
+
+/// What the author means to say, what a derivation leaves out on the page, and what is right: none of it is
+/// before the audience.
+void ScreenOfSpeaker::draw_notes(const LessonSession& session, const Region& region) {
+  begin_area("notes", region);
+  const Step& step = session.step();
+  for (const Callout& note : step.notes) texts_.show(note.text);
+  if (step.notes.empty()) quiet_words("There is no note to this step.");
+  for (const Callout* callout : blocks_of<Callout>(step)) {
+    if (callout->kind != Callout::Kind::derivation) continue;
+    heading("Derivation");
+    texts_.show(callout->title);
+    texts_.show(callout->text, TextInk::quiet);
+  }
+  for (const Ask* ask : session.questions()) {
+    heading("Answer");
+    texts_.show(answer_text(session.lesson(), *ask));
+  }
+  ImGui::End();
+}
+
+/// All that the audience sees; the page even while its screen is black.
+void ScreenOfSpeaker::show_page(const LessonSession& session, const Region& region) {
+  const Framebuffer& shown = session.is_black() ? audience_.page().picture() : audience_.picture();
+  const Region at = fitted(region, shown.size());
+  shown.copy_to(*picture_, static_cast<int>(at.x),
+                picture_->size().height - static_cast<int>(at.y) - whole(at).height, whole(at));
+}
+
+/// Its place is left empty where there is none, or where it cannot be set: that is told when it is reached.
+void ScreenOfSpeaker::show_next(const LessonSession& session, const Region& region) {
+  const auto next = session.next_place();
+  if (!next) return;
+  if (!next_ || next_->place() != *next || &next_->lesson() != &session.lesson()) {
+    next_ = std::make_unique<LessonSession>(session.loaded_pointer(), session.effort());
+    next_->go_to(*next);
+  }
+  next_->preferences = session.preferences;
+  next_->preferences.reduced_motion = true;
+  if (!next_page_.show(*next_, {.size = whole(region), .fits = true})) return;
+  next_page_.picture().copy_to(*picture_, static_cast<int>(region.x),
+                               picture_->size().height - static_cast<int>(region.y) - whole(region).height);
+}
+
+Status ScreenOfSpeaker::draw(LessonSession& session, const ScreenFrame& frame) {
+  ImGui::SetCurrentContext(imgui_);
+  clock_s_ += frame.seconds;
+  adopt_style(session, frame);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)};
+  io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
+  ImGui::NewFrame();
+  if (!picture_ || picture_->size() != frame.size) {
+    picture_.reset();
+    auto made = Framebuffer::create(audience_.gl(), frame.size, 0);
+    if (!made) return failure(made.error());
+    picture_ = std::move(made).value();
+  }
+  const Areas areas = areas_of(frame.size);
+  texts_.begin_frame(session.lesson(), session.step(), session.preferences.theme, sizes_->em);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto label = [&](const Region& below, const char* words, ImGuiCol color) {
+    list.AddText(bold_control_font(), sizes_->em, {below.x, below.y - 1.5F * sizes_->em},
+                 ImGui::GetColorU32(color), words);
+  };
+  if (session.is_black())
+    label(areas.page, "The audience's screen is black", ImGuiCol_NavHighlight);
+  else
+    label(areas.page, "Before the audience", ImGuiCol_Text);
+  label(areas.next, session.next_place() ? "Next" : "This is the last step", ImGuiCol_Text);
+  draw_notes(session, areas.notes);
+  draw_outline(session, areas.outline);
+  draw_controls(session, areas.controls);
+  audience_.draw_notices({0, 0, areas.page.width, areas.page.y + areas.page.height}, sizes_->padding);
+  ImGui::Render();
+
+  picture_->bind();
+  const ImVec4& ground = ImGui::GetStyle().Colors[ImGuiCol_WindowBg];
+  audience_.gl().ClearColor(ground.x, ground.y, ground.z, 1);
+  audience_.gl().Clear(GL_COLOR_BUFFER_BIT);
+  show_page(session, areas.page);
+  show_next(session, areas.next);
+  controls_->draw(*ImGui::GetDrawData(), *picture_);
+  audience_.gl().Finish();
+  return success();
+}
+
+double ScreenOfSpeaker::seconds_to_wake() const {
+  return std::max(0.01, 1 - std::fmod(clock_s_ - begun_s_, 1.0));
+}
+
+}  // namespace polhode

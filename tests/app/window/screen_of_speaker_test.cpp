@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// What only the speaker sees.
+#include "app/window/screen_of_speaker.h"
+
+#include "tests/app/window/screen_harness.h"
+
+#include <cstring>
+
+namespace polhode {
+namespace {
+
+std::string lesson_with(const std::string& notes) {
+  return "+++\nformat = 1\nid = \"talk\"\ntitle = \"Talk\"\n+++\n# One {one}\nText of one.\n" + notes +
+         "\n\n---\nMore of it.\n\n# Two {two}\nText of two.\n\n```scene\nomega = [0, 1, 0.1]\n```\n";
+}
+
+class SpeakerTest : public ScreenTest {
+ protected:
+  SpeakerTest() {
+    session.replace_lesson(test::loaded_text(lesson_with("\n> [!notes] Say that $\\omega$ is not $L$.")));
+    session.go_to({});
+    session.set_speaker(true);
+    frame(2);
+    speaker = std::move(ScreenOfSpeaker::create(*screen)).value();
+  }
+  void both(int count = 3) {
+    for (int i = 0; i < count; ++i) {
+      ImGui::SetCurrentContext(screen->imgui());
+      frame();
+      ImGui::SetCurrentContext(speaker->imgui());
+      ImGui::GetIO().MousePos = {at_x, at_y};
+      ImGui::GetIO().MouseDown[0] = pressed;
+      const Status drawn = speaker->draw(session, {.size = kSize, .scale = 1, .seconds = 0.02});
+      ASSERT_TRUE(drawn) << drawn.error();
+    }
+  }
+  void click_here(float to_x, float to_y) {
+    at_x = to_x;
+    at_y = to_y;
+    both(2);
+    pressed = true;
+    both(2);
+    pressed = false;
+    both(3);
+  }
+
+  std::unique_ptr<ScreenOfSpeaker> speaker;
+  float at_x = -1, at_y = -1;
+  bool pressed = false;
+};
+
+int differing(const Image& a, const Image& b, int x0, int y0, int x1, int y1) {
+  int count = 0;
+  for (int row = y0; row < y1; ++row)
+    for (int at = x0; at < x1; ++at) count += std::memcmp(a.pixel(at, row), b.pixel(at, row), 4) != 0;
+  return count;
+}
+
+TEST_F(SpeakerTest, NotesAreOnTheSpeakersScreenAlone) {
+  both();
+  const Image audience = screen->read(), with_notes = speaker->read();
+  session.replace_lesson(test::loaded_text(lesson_with("")));
+  both();
+  EXPECT_EQ(screen->read().rgba, audience.rgba);
+  const Image without = speaker->read();
+  EXPECT_GT(differing(with_notes, without, 780, 355, 1280, 800), 200);
+  EXPECT_EQ(differing(with_notes, without, 0, 30, 740, 400), 0) << "the page is the same";
+}
+
+TEST_F(SpeakerTest, ShowsThePageTheNextStepAndWhereWeAre) {
+  both();
+  const Image first = speaker->read();
+  ASSERT_TRUE(screen->press_from_afar(session, "Right", false));
+  EXPECT_EQ(session.place(), (Place{0, 1}));
+  both();
+  const Image second = speaker->read();
+  EXPECT_GT(differing(first, second, 10, 40, 700, 400), 100) << "the page";
+  EXPECT_GT(differing(first, second, 790, 40, 1270, 330), 100) << "what comes next";
+  session.go_to({1, 0});
+  both();
+  EXPECT_GT(differing(second, speaker->read(), 10, 40, 700, 400), 100);
+}
+
+TEST_F(SpeakerTest, SeesThePageWhileTheAudienceSeesBlack) {
+  both();
+  const Image before = speaker->read();
+  ASSERT_TRUE(screen->press_from_afar(session, ".", false));
+  both();
+  EXPECT_TRUE(session.is_black());
+  const Image black = screen->read();
+  EXPECT_EQ(black.pixel(640, 400)[0] + black.pixel(640, 400)[1] + black.pixel(640, 400)[2], 0);
+  const Image now = speaker->read();
+  EXPECT_EQ(differing(before, now, 12, 36, 740, 440), 0);
+  EXPECT_GT(differing(before, now, 0, 0, 740, 34), 20) << "and is told so";
+}
+
+TEST_F(SpeakerTest, WalksAndJumpsByTheMouse) {
+  both();
+  for (float row = 470; row < 560 && session.place() == Place{}; row += 8) click_here(130, row);
+  EXPECT_EQ(session.place(), (Place{0, 1})) << "its button Next";
+  session.go_to({});
+  for (float row = 780; row > 560 && session.place() == Place{}; row -= 8) click_here(120, row);
+  EXPECT_EQ(session.place(), (Place{1, 0})) << "the second stage in the outline";
+  EXPECT_TRUE(session.has_speaker());
+}
+
+TEST_F(SpeakerTest, IsToldWhatTheAudienceIsNot) {
+  both();
+  const Image audience = screen->read();
+  screen->press_from_afar(session, "2", false);
+  both();
+  EXPECT_EQ(screen->read().rgba, audience.rgba) << "a number that is being typed";
+  screen->press_from_afar(session, "Enter", false);
+  EXPECT_EQ(session.place(), (Place{1, 0}));
+}
+
+TEST_F(SpeakerTest, CountsTheTime) {
+  const double before_s = speaker->elapsed_s();
+  both(50);
+  EXPECT_NEAR(speaker->elapsed_s() - before_s, 1, 1e-9);
+  EXPECT_LE(speaker->seconds_to_wake(), 1);
+  EXPECT_GT(speaker->seconds_to_wake(), 0);
+}
+
+}  // namespace
+}  // namespace polhode
