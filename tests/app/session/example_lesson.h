@@ -18,6 +18,7 @@ std::shared_ptr<const LoadedLesson> loaded_lesson(const std::string& id);
 std::shared_ptr<const LoadedLesson> example();
 
 /// Of every lesson that comes with the program.
-inline const char* const kLessons[] = {"euler-equations", "intermediate-axis", "numerical-lab"};
+inline const char* const kLessons[] = {"euler-equations", "symmetric-top", "intermediate-axis", "heavy-top",
+                                       "numerical-lab"};
 
 }  // namespace polhode::test

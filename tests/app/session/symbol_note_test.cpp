@@ -4,6 +4,7 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
 #include "lessons/reader/reader.h"
+#include "tests/app/session/example_lesson.h"
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
@@ -132,7 +133,7 @@ std::vector<std::string> terms_on(const Step& step) {
 
 TEST(SymbolNote, OfEverySymbolOfTheLessonsSaysSomething) {
   const SceneModel model = make_model(steady());
-  for (const char* id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
+  for (const char* id : test::kLessons) {
     const Lesson lesson = lesson_named(id);
     for (const auto& [name, symbol] : lesson.symbols) {
       const SymbolNote note = note_of(lesson, name, &model, 0.3);

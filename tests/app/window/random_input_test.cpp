@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iterator>
 #include <random>
 
 namespace polhode {
@@ -198,7 +199,7 @@ TEST_F(RandomInput, LeavesASoundSession) {
   const Amount wanted = amount();
   for (int sequence = 0; sequence < wanted.sequences; ++sequence) {
     const test::Folder state, saved;
-    const char* id = test::kLessons[sequence % 3];
+    const char* id = test::kLessons[static_cast<std::size_t>(sequence) % std::size(test::kLessons)];
     Hand hand(static_cast<unsigned>(1000 + sequence));
     played = std::make_unique<LessonSession>(test::loaded_lesson(id));
     SavedProgress progress(*played, state.path());

@@ -336,7 +336,8 @@ TEST(TexEquation, APremiseAboutTheSpinIsThatOfOneEquation) {
 // what is claimed of these stands on the page under them.
 TEST(TexEquationOfLessons, FiveOfSixVerdictsAreAboutThePrintedLine) {
   std::size_t printed = 0, all = 0;
-  for (const std::string id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
+  for (const std::string id :
+       {"euler-equations", "symmetric-top", "intermediate-axis", "heavy-top", "numerical-lab"}) {
     auto reading = read_lesson(testing::read_file(test::source_dir() / "lessons" / (id + ".md")), id);
     ASSERT_TRUE(reading.lesson);
     EXPECT_FALSE(prove_claims(*reading.lesson));

@@ -88,7 +88,8 @@ TEST(TexOfAnExpression, KeepsTogetherWhatIsScaled) {
 
 TEST(TexOfAnExpression, OfEveryClaimOfTheLessonsIsReadAsTheSameFunction) {
   int count = 0;
-  for (const std::string id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
+  for (const std::string id :
+       {"euler-equations", "symmetric-top", "intermediate-axis", "heavy-top", "numerical-lab"}) {
     const auto reading = read_lesson(testing::read_file(test::source_dir() / "lessons" / (id + ".md")), id);
     ASSERT_TRUE(reading.lesson);
     for (const Stage& stage : reading.lesson->stages)
