@@ -432,7 +432,9 @@ class ScaledText {
   /// Whether a claim is not the formula that it stands at, and holds: on a slide its badge would seem to be
   /// of the formula.
   bool is_beside(const Claim& claim) const {
-    return claim.origin == Claim::Origin::beside && verdicts_.at(&claim).certainty != Certainty::refuted;
+    const Certainty certainty = verdicts_.at(&claim).certainty;
+    const bool holds = certainty == Certainty::proved || certainty == Certainty::stated;
+    return claim.origin == Claim::Origin::beside && holds;
   }
 
   /// The kind of the first claim on an equation: without it a recalled one would seem to hold always.

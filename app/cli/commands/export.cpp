@@ -341,6 +341,8 @@ Command export_command() {
         "FILE", false, offer_files()},
        {"--deck", &typed->deck, "make slides (html, pdf); without -o their pictures are removed", "FILE",
         false, offer_files()},
+       {"--reader", &typed->reader, "make a page of text to read (html), with figures and questions", "FILE",
+        false, offer_files()},
        {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN", false,
         offer(export_words().sync)},
        {"--context", &typed->context, "OpenGL from auto, osmesa or egl (default: auto)", "KIND", false,
@@ -356,9 +358,8 @@ Command export_command() {
       "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
       "A transcript is plain text with the formulas in words.\n"
       "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
-      "A reader's page is one HTML file of text, formulas and figures, for any screen or screen reader; of "
-      "the\n"
-      "other options --stage, --theme and --quality (of its figures), --sync and --context go with it.\n"
+      "A reader's page is one HTML file of text, formulas and figures, for any screen or screen reader;\n"
+      "--stage, --theme and --quality of its figures, --sync and --context are the options that go with it.\n"
       "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"

@@ -165,9 +165,7 @@ Command play_command() {
       "Walk through a lesson in a window",
       {{"LESSON", &options->lesson, "Lesson file or id", "", false, offer_lessons()},
        {"--stage", &options->stage, "Begin at this stage, wherever you were", "ID"},
-       {"--speaker", &options->speaker,
-        "Present: the page alone, and beside it a window of yours with the next step, your notes and the "
-        "time"},
+       {"--speaker", &options->speaker, "Present, with a window of your own: next step, notes, time"},
        {"--watch", &options->watch, "For authors: read the lesson again whenever its file changes"}},
       "Left and Right, or Page Up and Page Down as remote clickers send them, go through the steps,\n"
       "Up and Down through the stages; press ? in the window for all its keys. Place, answers and\n"

@@ -190,22 +190,37 @@ std::vector<MarkdownBlock> blocks_of(const Stage& stage, std::size_t step, const
   return blocks;
 }
 
-constexpr std::string_view kLeftOut = "*(A table of other motions is left out here.)*";
+/// Whether the block asks for a state that is made of the scene.
+bool asks_for_state(const Stage& stage, const MarkdownBlock& block) {
+  for (const Step& step : stage.steps)
+    for (const Ask* ask : blocks_of<Ask>(step))
+      if (ask->task && ask->place.line >= block.first_line && ask->place.line <= block.last_line) return true;
+  return false;
+}
 
-/// The scene stands where the stage's first one stood; later ones change nothing. A table is left out where
-/// its motions were made of another one: of this one some may not even be possible.
+/// What stands in place of a block that is made of another motion: of this one its rows may not be possible,
+/// nor what is to be reached. Empty: the block itself.
+std::string_view instead_of(const MarkdownBlock& block, std::string_view kind, const LessonSession& session) {
+  const bool is_table = kind == "table";
+  if (!is_table && !asks_for_state(session.stage(), block)) return {};
+  if (session.has_scene() && shows_motion(session.stage(), block.first_line, session.model()->scene))
+    return {};
+  return is_table ? "*(A table of other motions is left out here.)*"
+                  : "*(A question about another motion is left out here.)*";
+}
+
+/// The scene stands where the stage's first one stood; later ones change nothing.
 std::string steps_of(const LessonSession& session, std::string scene_keys) {
   const SourceText source(session.lesson().source);
   std::string text;
   for (const MarkdownBlock& block : blocks_of(session.stage(), session.place().step, source)) {
     const std::string_view kind = kind_of(source, block);
-    const bool stays =
-        kind != "table" ||
-        (session.has_scene() && shows_motion(session.stage(), block.first_line, session.model()->scene));
+    const std::string_view instead = instead_of(block, kind, session);
     if (kind == "scene")
       text += fmt::format("\n```scene\n{}```\n", std::exchange(scene_keys, {}));
     else
-      text += fmt::format("\n{}\n", stays ? source.lines(block.first_line, block.last_line) : kLeftOut);
+      text +=
+          fmt::format("\n{}\n", instead.empty() ? source.lines(block.first_line, block.last_line) : instead);
   }
   return text;
 }

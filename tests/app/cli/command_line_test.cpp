@@ -469,8 +469,7 @@ TEST(Lint, ExplainsTheSceneOfAStep) {
   EXPECT_THAT(run.out, testing::StartsWith("```scene\nbody = \"top\"\nomega = [0.0, 0.0, 60.0]\n"));
   EXPECT_THAT(run.out, HasSubstr("\nduration = 0.5\n"));
   EXPECT_THAT(run.out, HasSubstr("\nat = 0.0  # default\n"));
-  EXPECT_THAT(run.out,
-              HasSubstr("\nmotion = { method = \"dormand-prince-8\", tolerance = 1e-10 }  # default\n"));
+  EXPECT_THAT(run.out, HasSubstr("\nmotion = { method = \"lagrange-top\" }  # default\n"));
   EXPECT_THAT(run.out, HasSubstr("\nmeters = []  # default\n"));
 
   // In the same lesson it is the same motion, and says all of it.

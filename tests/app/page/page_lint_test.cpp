@@ -79,18 +79,18 @@ TEST(PageLint, WhatTheEdgeOfThePictureCutsIsWarnedOf) {
   EXPECT_THAT(with("\"shape\"", 3.0)[0].message, HasSubstr("the body is cut by the edge"));
 }
 
-// A book that is pushed leaves the picture of its still.
+// A book that is pushed is in the middle of its way at the still.
 TEST(PageLint, WhatAPredictionPlaysIsSeenToItsEnd) {
   const auto with = [](const std::string& to, const std::string& camera) {
     return found_in(
-        "a\n\n```scene\nbody = \"book\"\nomega = [0, 0, 0]\nvelocity = [0, 3, 0]\nat = 0\nduration = 2\n"
+        "a\n\n```scene\nbody = \"book\"\nomega = [0, 0, 0]\nvelocity = [0, 3, 0]\nat = 1\nduration = 2\n"
         "show = [\"shape\"]\ncamera = { azimuth_deg = 0, elevation_deg = 60" +
         camera + " }\n```\n```ask a\ntype = \"predict\"\nprompt = \"Where?\"\nplays = [0, " + to +
         "]\n\n- [x] there\n- [ ] here\n```\n");
   };
   EXPECT_TRUE(with("2", "").empty()) << "the whole film is held";
-  EXPECT_TRUE(with("0.01", ", hold = \"still\"").empty());
-  const auto found = with("2", ", hold = \"still\"");
+  EXPECT_TRUE(with("1", ", zoom = 2").empty());
+  const auto found = with("2", ", zoom = 2");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("when \"a\" has been played the body is cut by the edge"));
 }

@@ -3,6 +3,7 @@
 #include "app/page/page.h"
 #include "app/page/page_text.h"
 #include "app/page/page_theme.h"
+#include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/reader.h"
 #include "tests/app/page/sheet_checks.h"
 
@@ -37,7 +38,9 @@ constexpr double kSmallest = 0.62;  ///< em: ticks of plots, labels of call-outs
 class Slides {
  public:
   explicit Slides(const std::string& stages, Size size = kSlides[0])
-      : lesson_(lesson_of(stages)), size_(size) {}
+      : lesson_(lesson_of(stages)), size_(size) {
+    EXPECT_FALSE(prove_claims(lesson_)) << "there is time enough";
+  }
 
   const Stage& stage() const { return lesson_.stages[0]; }
   PageRequest request(int step, const SceneModel* model) const {
@@ -172,12 +175,14 @@ TEST(Slide, OfTwoEqualDisplaysNeitherIsLess) {
   EXPECT_EQ(panels_of(Slides(one + lesser).page(1)), 1u) << "it has no number";
 }
 
-TEST(Slide, SaysWhatIsClaimedBesideAFormula) {
+TEST(Slide, HasNoVerdictOfWhatIsClaimedBesideAFormulaUnlessItIsFalse) {
   const std::string formula = "# A stage {s}\n\n```math a\n\\vec a_S = R\\,\\vec a_{S^*}\n```\n\n";
   const std::string claim = "```claim a identity in-other-words\ndot(e1, e2) = 0\n```\n";
+  const std::string wrong = "```claim a false in-other-words\ndot(L, L) = 0\n```\n";
   const std::size_t without = Slides(formula).page(1).sheet.texts.size();
-  EXPECT_EQ(Slides(formula + claim).page(1).sheet.texts.size(), without + 2)
-      << "the word, and how it is meant";
+  EXPECT_EQ(Slides(formula + claim).page(1).sheet.texts.size(), without)
+      << "it would seem to be of the formula";
+  EXPECT_GT(Slides(formula + wrong).page(1).sheet.texts.size(), without);
 }
 
 TEST(Slide, PlotsThatStandAloneHaveTheFiguresPlace) {

@@ -94,7 +94,8 @@ TEST(TexOfAnExpression, OfEveryClaimOfTheLessonsIsReadAsTheSameFunction) {
     ASSERT_TRUE(reading.lesson);
     for (const Stage& stage : reading.lesson->stages)
       for (const Step& step : stage.steps)
-        for (const Claim* claim : blocks_of<Claim>(step))
+        for (const Claim* claim : blocks_of<Claim>(step)) {
+          if (claim->kind == ClaimKind::measured) continue;  // it may have roots and angles: no proof has
           for (const ClaimLine& line : claim->lines)
             for (const Expression* side : {&line.equality.left, &line.equality.right}) {
               const bool has_components = side->text.find("Jx") != std::string::npos ||
@@ -104,6 +105,7 @@ TEST(TexOfAnExpression, OfEveryClaimOfTheLessonsIsReadAsTheSameFunction) {
               expect_same_function(*side, reading.lesson->notation);
               ++count;
             }
+        }
   }
   EXPECT_GT(count, 200);
 }

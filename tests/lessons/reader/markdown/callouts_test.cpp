@@ -37,7 +37,7 @@ TEST(Callouts, ReportWhatIsNone) {
   EXPECT_THAT(
       plain.lines(),
       ElementsAre("1:3: error: a quote opens with the kind of call-out that it is: [!said] or another "
-                  "(one of said, meant, note, example, quote, aside, derivation)"));
+                  "(one of said, meant, note, example, quote, aside, derivation, notes)"));
   TextReport unknown("> [!meent] So.");
   callouts_from(unknown);
   EXPECT_THAT(unknown.lines(),
