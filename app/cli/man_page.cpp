@@ -162,6 +162,7 @@ std::string man_page(const std::vector<Command>& commands) {
   text += exit_status();
   text += ".SH ENVIRONMENT\n";
   text += entry(bold("POLHODE_LESSONS"), "A folder of lessons that is looked in first.");
+  text += entry(bold("POLHODE_FONTS"), "A folder of font files that is looked in first.");
   text += entry(
       bold("XDG_STATE_HOME"),
       "Where place, answers and preferences are kept, in a folder polhode; otherwise in ~/.local/state.");

@@ -73,7 +73,8 @@ Result<Ffmpeg> Ffmpeg::start(const std::vector<std::string>& arguments, const In
   if (!run.words_) {
     const int error = errno;
     ::close(ends[1]);
-    return failure(reason(error));
+    return failure(fmt::format("what ffmpeg says needs a temporary file, and {} takes none: {}", P_tmpdir,
+                               std::strerror(error)));
   }
   std::vector<std::string> words = {"ffmpeg", "-nostdin", "-hide_banner", "-v", "error", "-y"};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -3,6 +3,7 @@
 
 #include "app/publish/ffmpeg.h"
 #include "base/files/atomic_file.h"
+#include "base/files/left_behind.h"
 #include "base/files/temporary_file.h"
 #include "render/image/png.h"
 
@@ -271,7 +272,7 @@ Status write_film(const FilmRequest& request, const InterruptWatch& watch,
   std::error_code error;
   fs::create_directories(folder_of(request.file), error);
   if (error) return cannot(error.message());
-  for (const fs::path& unfinished : left_behind_in(folder_of(request.file))) fs::remove(unfinished, error);
+  remove_left_behind_in(folder_of(request.file));
   const Result<Header> frame = frame_of(request);
   if (!frame) return cannot(frame.error());
   const Status made = Film(request, *frame, watch, show).make();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/temporary_file.h"
 
+#include "base/files/left_behind.h"
+
 #include <signal.h>
 #include <unistd.h>
 
@@ -60,10 +62,10 @@ std::optional<pid_t> process_here(std::string_view name) {
 
 bool is_gone(pid_t process) { return ::kill(process, 0) != 0 && errno == ESRCH; }
 
-bool is_old(const fs::path& file) {
+bool is_older(const fs::path& file, std::chrono::hours age) {
   std::error_code error;
   const auto written = fs::last_write_time(file, error);
-  return !error && fs::file_time_type::clock::now() - written > std::chrono::hours(1);
+  return !error && fs::file_time_type::clock::now() - written > age;
 }
 
 }  // namespace
@@ -78,16 +80,24 @@ bool is_temporary_name(std::string_view name) {
 }
 
 std::vector<fs::path> left_behind_in(const fs::path& folder) {
+  using namespace std::chrono_literals;
   std::vector<fs::path> found;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (!is_temporary_name(name)) continue;
     const auto process = process_here(name);
-    if (process ? is_gone(*process) : is_old(entry->path())) found.push_back(entry->path());
+    const bool is_left =
+        process ? is_gone(*process) || is_older(entry->path(), 24h) : is_older(entry->path(), 1h);
+    if (is_left) found.push_back(entry->path());
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+void remove_left_behind_in(const fs::path& folder) {
+  std::error_code ignored;
+  for (const fs::path& file : left_behind_in(folder)) fs::remove(file, ignored);
 }
 
 }  // namespace polhode

@@ -29,11 +29,17 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
+/// So many bytes behind those that are packed are readable, and 0. ISA-L compares 32 bytes at once and may
+/// look beyond the end; nothing it meets there, and nothing an earlier stream left in its work memory, is to
+/// decide which of two equally good matches it takes.
+inline constexpr std::size_t kPackerPadding = 64;
+
 /// Packs one stream after the other. One thread at a time.
 class Packer {
  public:
   virtual ~Packer() = default;
-  /// At most 2 GiB at once. Valid until the next call. Throws std::length_error, std::bad_alloc.
+  /// At most 2 GiB at once. Precondition: kPackerPadding zeros lie behind `bytes`. Valid until the next call.
+  /// Throws std::length_error, std::bad_alloc.
   virtual std::span<const std::uint8_t> pack(std::span<const std::uint8_t> bytes) = 0;
 };
 

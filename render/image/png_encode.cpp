@@ -11,6 +11,7 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstdio>
+#include <cstring>
 #include <new>
 
 namespace polhode {
@@ -142,11 +143,13 @@ Result<std::span<const std::uint8_t>> PngEncoder::encode(const Image& image, con
   const Result<Texts> texts = encode_text(metadata);
   if (!texts) return failure(texts.error());
 
-  std::uint8_t* filtered = state_->filtered.at_least(filtered_bytes(image.size, PngChannels::rgba));
+  std::uint8_t* filtered =
+      state_->filtered.at_least(filtered_bytes(image.size, PngChannels::rgba) + kPackerPadding);
   const PngChannels channels = state_->packing == PngPacking::fast ? filter_rows_fast(image, filtered)
                                                                    : filter_rows_well(image, filtered);
-  const std::span<const std::uint8_t> packed =
-      state_->packer->pack({filtered, filtered_bytes(image.size, channels)});
+  const std::size_t bytes = filtered_bytes(image.size, channels);
+  std::memset(filtered + bytes, 0, kPackerPadding);
+  const std::span<const std::uint8_t> packed = state_->packer->pack({filtered, bytes});
 
   Writer& writer = state_->writer;
   writer.bytes.clear();

@@ -10,7 +10,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -57,15 +63,27 @@ struct OpenFace {
   mutable std::unordered_map<std::uint32_t, GlyphBox> boxes;
 };
 
-/// Debian's folder, and the one of TeX Live from upstream.
-OpenFace open_face(FT_Library library, const std::string& file) {
-  constexpr std::array<const char*, 3> kFolders = {"/usr/share/texmf/fonts/opentype/public/",
-                                                   "/usr/share/texlive/texmf-dist/fonts/opentype/public/",
-                                                   "/usr/share/fonts/opentype/"};
-  for (const char* folder : kFolders) {
-    const std::string path = folder + file;
+/// Where the file may be: in the folder that $POLHODE_FONTS names, in Debian's, in the one of TeX Live from
+/// upstream.
+std::vector<std::filesystem::path> places_of(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> places;
+  const char* chosen = std::getenv("POLHODE_FONTS");
+  if (chosen && *chosen) places.push_back(chosen / file.filename());
+  for (const char* folder :
+       {"/usr/share/texmf/fonts/opentype/public", "/usr/share/texlive/texmf-dist/fonts/opentype/public",
+        "/usr/share/fonts/opentype"})
+    places.push_back(folder / file);
+  return places;
+}
+
+Result<OpenFace> open_face(FT_Library library, const FontFile& wanted) {
+  for (const std::filesystem::path& path : places_of(wanted.file)) {
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) continue;
     FT_Face outlines = nullptr;
-    if (FT_New_Face(library, path.c_str(), 0, &outlines) != 0) continue;
+    if (FT_New_Face(library, path.c_str(), 0, &outlines) != 0)
+      return failure(std::string("font ") + wanted.name + " cannot be read: " + path.string() +
+                     " is damaged or not readable, or there is too little memory");
     OpenFace opened;
     opened.path = path;
     opened.outlines.reset(outlines);
@@ -79,7 +97,7 @@ OpenFace open_face(FT_Library library, const std::string& file) {
     hb_blob_destroy(blob);
     return opened;
   }
-  return {};
+  return failure(std::string("font ") + wanted.name + " not found: install the package " + wanted.package);
 }
 
 GlyphMask mask_of(const FT_Bitmap& bitmap, int left, int top) {
@@ -143,12 +161,9 @@ Result<Fonts> Fonts::open() {
   auto faces = std::make_unique<Faces>();
   faces->library.reset(library);
   for (int i = 0; i < kFaceCount; ++i) {
-    const FontFile& wanted = file_of(i);
-    OpenFace& face = faces->faces[static_cast<std::size_t>(i)];
-    face = open_face(library, wanted.file);
-    if (!face.outlines)
-      return failure(std::string("font ") + wanted.name + " not found: install the package " +
-                     wanted.package);
+    Result<OpenFace> face = open_face(library, file_of(i));
+    if (!face) return failure(face.error());
+    faces->faces[static_cast<std::size_t>(i)] = std::move(*face);
   }
   faces->buffer.reset(hb_buffer_create());
   return Fonts(std::move(faces));

@@ -72,6 +72,12 @@ for file in share/bash-completion/completions/polhode share/zsh/vendor-completio
   share/icons/hicolor/{32x32,48x48,64x64,128x128,256x256,512x512}/apps/polhode.png; do
   has "polhode/usr/$file"
 done
+for library in libeigen3-dev nlohmann-json3-dev libcli11-dev libtomlplusplus-dev libimgui-dev; do
+  zgrep -q "^Compiled in from Debian's package $library," polhode/usr/share/doc/polhode/NOTICES.gz ||
+    wrong "no notice of the licence of $library"
+done
+zgrep -q 'package libeigen3-dev,' libpolhode-physics-dev/usr/share/doc/libpolhode-physics-dev/NOTICES.gz ||
+  wrong "no notice of Eigen's licence"
 has libpolhode-physics-dev/usr/include/polhode/method.h
 has polhode-doc/usr/share/doc/polhode-doc/docs/interface.md
 

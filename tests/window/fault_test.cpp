@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <fstream>
 
@@ -98,6 +99,23 @@ TEST_F(Fault, AnAuthorSeesWhatIsWrongBesideTheLastGoodLesson) {
   write_text(file, replaced(text, "# A figure", "# Another figure") +
                        "\n---\n\n```math untrue\nT = 1\n```\n\n```claim untrue identity\nT = 1\n```\n");
   EXPECT_TRUE(lesson.changes_from(right)) << "the step that was added, and that its claim is not true";
+}
+
+// HOSTILE F14: the window waited for somebody to write to the pipe, and heard nobody any more.
+TEST_F(Fault, APipeInPlaceOfTheLessonIsNotWaitedFor) {
+  const fs::path file = home().folder / "edited.md";
+  write_text(file, text_of(kPlayed));
+  PlayedLesson lesson(display(), home(), {file.string(), "--watch"});
+  lesson.press({"Right"});
+  ASSERT_TRUE(lesson.comes_to(1, 2));
+  const Image good = lesson.picture_at_rest();
+  fs::remove(file);
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  EXPECT_TRUE(lesson.changes_from(good)) << "it is said";
+  lesson.press({"Left"});
+  EXPECT_TRUE(lesson.comes_to(1, 1));
+  lesson.close();
+  EXPECT_EQ(lesson.process().wait(), 0);
 }
 
 }  // namespace

@@ -18,6 +18,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
+
 namespace polhode {
 
 namespace fs = std::filesystem;
@@ -47,6 +50,12 @@ class LessonWatch {
     const auto now = time();
     if (now == written_) return;
     written_ = now;
+    // A pipe may have nobody who writes: it would be waited for.
+    std::error_code error;
+    if (const auto status = fs::status(path_, error); fs::exists(status) && !fs::is_regular_file(status)) {
+      errors = printable(fmt::format("cannot read lesson {}: it is not a file", path_.string()));
+      return;
+    }
     const auto loaded = load(path_.string(), fonts_);
     errors = loaded ? "" : printable(loaded.error().text);
     if (!loaded || (*loaded)->sha256 == sha256_) return;

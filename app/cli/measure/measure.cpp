@@ -111,8 +111,9 @@ void print_result(const MeasureReport& report, const TypedOptions& typed) {
     fmt::print("{}", json_text(report));
   else
     fmt::print(
-        "{}\n* no row is both faster and more accurate (Pareto front); + none that goes step by step\n{}",
-        table_text(report, typed.all), advice_text(report));
+        "{}\n* no row is both faster and more accurate (Pareto front); + none that goes step by step;\n"
+        "  no mark: an error of {:g} or more is no answer\n{}",
+        table_text(report, typed.all), kNoAnswer, advice_text(report));
 }
 
 ExitCode measure_motion(const TypedOptions& typed) {
@@ -198,7 +199,8 @@ Command measure_command() {
        {"--csv", &typed->csv, "write every row to this file as CSV", "F", false, offer_files()},
        {"--plot", &typed->plot, "draw the work-precision diagram, 1920x1080", "F.png", false, offer_files()},
        {"--json", &typed->json, "every row and the recommended one as JSON, instead of the table"},
-       {"--rendering", &typed->rendering, "measure pictures instead: qualities against time"}});
+       {"--rendering", &typed->rendering,
+        "measure pictures instead: qualities against time (1.4 GB of memory)"}});
   command.footer = fmt::format(
       "{}\n"
       "Errors: at the end, of omega relative to its length, of attitude as an angle in rad, against the\n"

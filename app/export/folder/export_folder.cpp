@@ -3,6 +3,7 @@
 
 #include "app/export/timeline.h"
 #include "base/files/file_link.h"
+#include "base/files/left_behind.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -116,8 +117,7 @@ Result<FolderState> inspect_folder(const fs::path& folder, const ExportIdentity&
 }
 
 Result<FolderState> begin_in(const fs::path& folder, const Marker& mine) {
-  std::error_code ignored;
-  for (const fs::path& file : left_behind_in(folder)) fs::remove(file, ignored);
+  remove_left_behind_in(folder);
   auto state = inspect_folder(folder, mine.of);
   if (!state || state->finished) return state;
   PosixFileOps files;

@@ -3,6 +3,7 @@
 
 #include "app/export/folder/export_folder.h"
 #include "app/export/folder/picture_check.h"
+#include "app/export/json_values.h"
 #include "base/files/file_bytes.h"
 #include "base/files/temporary_file.h"
 #include "base/numbers.h"
@@ -45,7 +46,7 @@ Json record_in(const fs::path& path) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return nullptr;
   std::ifstream file(path, std::ios::binary);
-  Json json = Json::parse(file, nullptr, false);
+  Json json = shallow_json(file);
   const bool whole = json.is_object() && json.contains("files") && json["files"].is_array() &&
                      json.contains("lesson") && json["lesson"].is_object() && json.contains("options") &&
                      json["options"].is_object();

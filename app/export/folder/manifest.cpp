@@ -144,7 +144,7 @@ Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem:
   if (!file && errno == ENOENT) return std::optional<ManifestSummary>();
   if (!file) return failure("cannot read " + path.string() + ": " + std::generic_category().message(errno));
   FileCounter counter;
-  const Json json = Json::parse(file, std::ref(counter), false);
+  const Json json = shallow_json(file, std::ref(counter));
   const bool whole = json.is_object() && json.contains("lesson") && json["lesson"].is_object() &&
                      json.contains("options") && json["options"].is_object();
   const auto text = [](const Json& of, const char* name) {
@@ -170,7 +170,7 @@ Result<Checksums> checksums_in_manifest(const std::filesystem::path& path) {
     checksums[text("file")] = text("sha256");
     return false;
   };
-  if (Json::parse(file, take, false).is_discarded())
+  if (shallow_json(file, take).is_discarded())
     return failure(path.string() + " is not a manifest of polhode");
   return checksums;
 }

@@ -32,6 +32,15 @@ std::string difference(const PngSummary& png, Size size, const PngMetadata& meta
   return {};
 }
 
+/// So long a file of a picture can be, with room: pixels that do not get smaller when they are packed, and
+/// texts.
+std::uintmax_t most_bytes(Size size) {
+  constexpr std::uintmax_t kEachPixel = 5, kTexts = std::uintmax_t{4} * kMaxPngTextBytes;
+  return std::min(kMaxPictureBytes, kTexts + kEachPixel *
+                                                 static_cast<std::uintmax_t>(std::max(size.width, 0)) *
+                                                 static_cast<std::uintmax_t>(std::max(size.height, 0)));
+}
+
 }  // namespace
 
 PictureCheck check_picture(const std::filesystem::path& file, Size size, const PngMetadata& metadata,
@@ -41,7 +50,7 @@ PictureCheck check_picture(const std::filesystem::path& file, Size size, const P
   if (status.type() == std::filesystem::file_type::not_found)
     return is_not_whole(State::missing, "it is not there");
   if (!std::filesystem::is_regular_file(status)) return is_not_whole(State::another, "it is not a file");
-  const auto bytes = read_file_bytes(file);
+  const auto bytes = read_file_bytes(file, most_bytes(size));
   if (!bytes) return is_not_whole(State::damaged, bytes.error());
   const Result<PngChunks> png = read_png_chunks(*bytes);
   if (!png) return is_not_whole(State::damaged, png.error());

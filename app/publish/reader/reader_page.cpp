@@ -8,6 +8,7 @@
 #include "app/publish/html_frame.h"
 #include "app/publish/reader/question_html.h"
 #include "app/publish/reader/reader_assets.h"
+#include "base/files/left_behind.h"
 #include "base/interrupt.h"
 #include "lessons/reader/markdown/footnotes.h"
 
@@ -391,6 +392,7 @@ Outcome<ReaderEnd> write_reader(const std::filesystem::path& file, const ReaderE
                                 Renderer& renderer, Durability durability, const ReaderProgress& go_on,
                                 const Effort& effort) {
   Stop stop;
+  remove_left_behind_in(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
   const Status written = write_file_in_pieces(
       file,
       [&](const AppendBytes& append) {

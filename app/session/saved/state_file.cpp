@@ -3,6 +3,7 @@
 
 #include "base/files/atomic_file.h"
 #include "base/files/file_bytes.h"
+#include "base/files/left_behind.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -37,8 +38,10 @@ StateFileResult<std::string> whole_text(const fs::path& path) {
 }
 
 StateFileResult<std::string> set_aside(const fs::path& path) {
-  const fs::path aside = path.string() + ".damaged";
   std::error_code error;
+  fs::path aside = path.string() + ".damaged";
+  for (int i = 2; fs::exists(fs::symlink_status(aside, error)); ++i)
+    aside = fmt::format("{}.damaged-{}", path.string(), i);
   fs::rename(path, aside, error);
   if (error)
     return fails(fmt::format("{} is damaged and cannot be set aside: {}", path.string(), error.message()));
@@ -114,6 +117,7 @@ StateFileResult<std::string> read_state_file(const fs::path& path, const std::st
 
 StateFileResult<std::monostate> write_state_file(const fs::path& path, const Json& members) {
   if (auto made = make_folder_of(path); !made) return made;
+  remove_left_behind_in(path.parent_path());
   Json json{{"format", kFormat}};
   json.update(members);
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

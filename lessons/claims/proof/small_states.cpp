@@ -579,8 +579,8 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
     return true;
   };
   for_each_state(depends, look_at);
-  // Where inequalities are given, the states above may all be beyond them.
-  if (!is_order(relation) && given.bounds.empty()) return found;
+  // Where inequalities are given, the states above may all be beyond them; and a premise may hold in none.
+  if (!is_order(relation) && given.bounds.empty() && !premise) return found;
   std::mt19937_64 random(1);
   for (int n = 0; n < kMixedStates && !found; ++n) look_at(mixed_numbers(random));
   for (int n = 0; n < kMixedStates && !found && !given.bounds.empty(); ++n) look_at(uneven_numbers(random));

@@ -10,9 +10,10 @@ namespace polhode {
 /// Of at most six digits; "−" is its minus.
 std::string number_text(double value);
 
-/// The first state in which the sides are not so related, and the premise, if there is one, holds. In words;
-/// what neither depends on under the assumption is left out. `tried`: in how many states both sides are
-/// defined.
+/// The first state in which the sides are not so related, and the premise, if there is one, holds; with a
+/// premise, or where an order is stated or given, also among some hundred states of random small numbers. In
+/// words; what neither depends on under the assumption is left out. `tried`: in how many states both sides
+/// are defined.
 std::optional<Counterexample> first_small_state(const Equality& sides, const Equality* premise,
                                                 Assumption assumption, const Given& given = {},
                                                 Relation relation = Relation::equal, int* tried = nullptr);

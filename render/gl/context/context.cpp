@@ -5,8 +5,10 @@
 
 #include <GL/glcorearb.h>
 #include <dlfcn.h>
+#include <sys/resource.h>
 
 #include <cstdio>
+#include <string>
 
 namespace polhode {
 
@@ -40,7 +42,25 @@ ContextResult open_any(const char* osmesa_library, const char* egl_library) {
   return failure("No off-screen OpenGL. EGL: " + egl.error() + " OSMesa: " + osmesa.error());
 }
 
+namespace {
+
+/// Mesa compiles shaders as it goes, and a compiler without memory ends the program: what is left to it is
+/// looked at before. With 600 MB of addresses (Mesa 22.3, two threads) it did not come to its first picture,
+/// with 700 it did.
+Status check_memory() {
+  constexpr rlim_t kLeast = rlim_t{640} << 20;
+  rlimit addresses{};
+  if (getrlimit(RLIMIT_AS, &addresses) != 0 || addresses.rlim_cur == RLIM_INFINITY ||
+      addresses.rlim_cur >= kLeast)
+    return success();
+  return failure("Drawing needs 640 MiB of memory or more, and no more than " +
+                 std::to_string(addresses.rlim_cur >> 20) + " MiB are allowed here (ulimit -v).");
+}
+
+}  // namespace
+
 Result<std::unique_ptr<GlContext>> open_context(ContextKind kind) {
+  if (const Status memory = check_memory(); !memory) return failure(memory.error());
   if (kind == ContextKind::osmesa) return open_osmesa();
   if (kind == ContextKind::egl) return open_egl();
   return open_any();

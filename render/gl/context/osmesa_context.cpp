@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
+#include <string_view>
 
 namespace polhode {
 namespace {
@@ -69,9 +71,21 @@ class OsmesaContext : public GlContext {
   std::array<std::uint8_t, 4 * kSide * kSide> buffer_{};
 };
 
+/// OSMesa asks for no other than these two, and does not look whether it got the one that the environment
+/// names.
+Status check_driver() {
+  const char* name = std::getenv("GALLIUM_DRIVER");
+  if (!name || !*name) return success();
+  for (const std::string_view known : {"llvmpipe", "softpipe"})
+    if (known == name) return success();
+  return failure(std::string("OSMesa has no driver \"") + name +
+                 "\"; set GALLIUM_DRIVER to llvmpipe, softpipe or nothing.");
+}
+
 }  // namespace
 
 ContextResult open_osmesa(const char* library_name) {
+  if (const Status driver = check_driver(); !driver) return failure(driver.error());
   const Result<KeptLibrary> library = KeptLibrary::open(library_name, kPackage);
   if (!library) return failure(library.error());
   const Result<Osmesa> osmesa = load(*library);

@@ -246,6 +246,33 @@ TEST_F(Verify, FindsAManifestThatListsAFileTwiceOrAnImpossibleSize) {
   EXPECT_THAT(json(4)["foreign"], ElementsAre(kFirst));
 }
 
+// HOSTILE F11: it was read whole, and took as much memory.
+TEST_F(Verify, FindsAFileThatIsLongerThanItsPictureCanBe) {
+  fs::resize_file(file(kFirst), std::uintmax_t{1} << 30);
+  EXPECT_EQ(json(4)["reasons"][kFirst], "it is larger than it can be");
+}
+
+// Found by hand beside the fuzzer: printing and copying such a value went as deep as it does, and ended the
+// program.
+TEST_F(Verify, TakesARecordThatNestsAsDeepAsItLikes) {
+  const Json whole = Json::parse(text_of(file(kManifestName)));
+  constexpr int kDeep = 200'000;
+  const std::string deep = std::string(kDeep, '[') + std::string(kDeep, ']');
+  for (const char* key : {"options", "files", "lesson"})
+    for (const char* name : {kManifestName, kMarkerName}) {
+      Json record = whole;
+      record[key]["stage"] = "DEEP";
+      if (std::string_view(key) == "files") record[key] = Json::array({"DEEP"});
+      std::string text = record.dump();
+      text.replace(text.find("\"DEEP\""), 6, deep);
+      write_text(file(name), text);
+      EXPECT_LE(polhode({"verify", folder()}).code, 4) << key << ' ' << name;
+      EXPECT_LE(polhode(small_export(folder())).code, 1) << key << ' ' << name;
+      write_text(file(kManifestName), whole.dump());
+      fs::remove(file(kMarkerName));
+    }
+}
+
 TEST_F(Verify, FindsAManifestWithoutTheChecksumOfAFile) {
   const Json whole = Json::parse(text_of(file(kManifestName)));
   for (const bool erased : {true, false}) {

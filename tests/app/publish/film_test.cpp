@@ -354,6 +354,22 @@ TEST_F(Film, AnInterruptedExportKeepsItsFramesAndNothingHalf) {
   EXPECT_THAT(names_in(other.path()), ElementsAre("f.mp4.parts"));
 }
 
+// HOSTILE F16: it said that there is no ffmpeg, or that it cannot be started.
+TEST_F(Film, WithoutAPlaceForATemporaryFileSaysSo) {
+  if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "there is no other place for files";
+  const std::string mount = "mount -t tmpfs -o ro none /tmp";
+  if (std::system(("unshare -m sh -c '" + mount + "' 2>/dev/null").c_str()) != 0)
+    GTEST_SKIP() << "nothing can be mounted here";
+  RunOptions options;
+  options.wrapper = {"unshare", "-m", "sh", "-c", mount + " && exec \"$@\"", "sh"};
+  ::setenv("TMPDIR", "/dev/shm", 1);
+  const ScratchFolder elsewhere;
+  const ProgramRun run = export_film(elsewhere, "f.mp4", {"--fps", "2", "--seconds", "1"}, options);
+  ::unsetenv("TMPDIR");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.err, HasSubstr("a temporary file, and /tmp takes none: Read-only file system"));
+}
+
 TEST_F(Film, WhatAKilledExportLeftGoesWithTheNext) {
   {
     // Writes to its last argument, as ffmpeg does.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/temporary_file.h"
 
+#include "base/files/left_behind.h"
 #include "tests/base/files/folder.h"
 
 #include <gmock/gmock.h>
@@ -36,8 +37,8 @@ std::string name_of_the_dead(int i) {
   return {name, static_cast<std::size_t>(count)};
 }
 
-void make_old(const fs::path& file) {
-  fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::minutes(61));
+void make_old(const fs::path& file, std::chrono::minutes age = std::chrono::minutes(61)) {
+  fs::last_write_time(file, fs::file_time_type::clock::now() - age);
 }
 
 TEST(TemporaryFile, HasANameOfItsProcess) {
@@ -56,6 +57,26 @@ TEST(TemporaryFile, OfADeadProcessIsLeftBehind) {
   put(folder / temporary_name(0), {1});
   make_old(folder / temporary_name(0));  // a clock may be set, and a living process may wait
   EXPECT_THAT(left_behind_in(folder.path()), ElementsAre(folder / dead));
+}
+
+// HOSTILE F12: it was kept for ever where another process had got the number of a killed one.
+TEST(TemporaryFile, OfANumberThatWasGivenAgainIsLeftBehindAfterADay) {
+  const Folder folder;
+  put(folder / temporary_name(0), {1});
+  make_old(folder / temporary_name(0), std::chrono::hours(23));
+  EXPECT_THAT(left_behind_in(folder.path()), IsEmpty());
+  make_old(folder / temporary_name(0), std::chrono::hours(25));
+  EXPECT_THAT(left_behind_in(folder.path()), ElementsAre(folder / temporary_name(0)));
+}
+
+TEST(TemporaryFile, WhatIsLeftBehindIsRemoved) {
+  const Folder folder;
+  put(folder / name_of_the_dead(3), {1});
+  put(folder / temporary_name(0), {1});
+  remove_left_behind_in(folder.path());
+  EXPECT_FALSE(fs::is_empty(folder.path()));
+  EXPECT_TRUE(fs::exists(folder / temporary_name(0)));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
 TEST(TemporaryFile, OfAnotherMachineIsLeftBehindOnlyWhenOld) {

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "render/typeset/fonts.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <numeric>
 
 namespace polhode {
 namespace {
+
+namespace fs = std::filesystem;
 
 class FontsTest : public testing::Test {
  protected:
@@ -99,6 +106,40 @@ TEST_F(FontsTest, TheInkBoxHoldsGlyphsAndRules) {
   list.rules.push_back(r);
   EXPECT_DOUBLE_EQ(ink_box(list, *fonts_).y1, 22);
   EXPECT_DOUBLE_EQ(ink_box(list, *fonts_).x1, 300);
+}
+
+/// A folder for $POLHODE_FONTS, while it lives.
+class ChosenFonts {
+ public:
+  ChosenFonts() {
+    std::string name = (fs::temp_directory_path() / "polhode-fonts-XXXXXX").string();
+    if (!mkdtemp(name.data())) std::abort();
+    path_ = name;
+    ::setenv("POLHODE_FONTS", path_.c_str(), 1);
+  }
+  ~ChosenFonts() {
+    ::unsetenv("POLHODE_FONTS");
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ChosenFonts(const ChosenFonts&) = delete;
+  ChosenFonts& operator=(const ChosenFonts&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// HOSTILE F16: a font that could not be read, for want of memory, was told to be missing.
+TEST(FontFiles, ThatCannotBeReadAreNamed) {
+  const ChosenFonts chosen;
+  EXPECT_TRUE(Fonts::open().ok()) << "an empty folder takes nothing away";
+  const fs::path damaged = chosen.path() / "texgyrepagella-italic.otf";
+  std::ofstream(damaged) << "no font";
+  const auto fonts = Fonts::open();
+  ASSERT_FALSE(fonts.ok());
+  EXPECT_THAT(fonts.error(), testing::AllOf(testing::HasSubstr("TeX Gyre Pagella Italic cannot be read"),
+                                            testing::HasSubstr(damaged.string())));
 }
 
 }  // namespace

@@ -51,6 +51,28 @@ TEST(StateLock, AnyOtherFailureIsSaid) {
   EXPECT_THAT(lock.error().text, HasSubstr("a.lock: Input/output error"));
 }
 
+// HOSTILE F12: those of killed processes were never removed.
+TEST(WriteStateFile, RemovesWhatAKilledProcessLeft) {
+  const ScratchFolder scratch;
+  const std::filesystem::path left = scratch / ".polhode-00000000-1-0.part";
+  write_text(left, "{");
+  std::filesystem::last_write_time(left, std::filesystem::file_time_type::clock::now() - 61min);
+  ASSERT_TRUE(write_state_file(scratch / "a.json", {{"a", 1}}));
+  EXPECT_THAT(names_in(scratch.path()), testing::ElementsAre("a.json"));
+}
+
+// HOSTILE F13: the second damaged file took the place of the first.
+TEST(ReadStateFile, SetsEveryDamagedFileAside) {
+  const ScratchFolder scratch;
+  for (const char* text : {"one", "two", "three"}) {
+    write_text(scratch / "a.json", text);
+    EXPECT_TRUE(read_state_file(scratch / "a.json", "the log", [](const nlohmann::ordered_json&) {}));
+  }
+  EXPECT_EQ(text_of(scratch / "a.json.damaged"), "one");
+  EXPECT_EQ(text_of(scratch / "a.json.damaged-2"), "two");
+  EXPECT_EQ(text_of(scratch / "a.json.damaged-3"), "three");
+}
+
 std::string why_unreadable(const std::filesystem::path& file) {
   const auto read = read_state_file(file, "the log", [](const nlohmann::ordered_json&) {});
   return read ? "it was read" : read.error().text;

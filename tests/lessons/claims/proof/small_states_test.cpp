@@ -73,6 +73,19 @@ TEST(SmallStates, OfAPremiseItHoldsAndTheConclusionFails) {
   EXPECT_FALSE(first_small_state(conclusion, &never, Assumption::motion));
 }
 
+// VERIFY A4: these were taken to follow, perhaps, because the premise held in no state that was tried.
+TEST(SmallStates, OfAPremiseThatSeldomHoldsOneIsFound) {
+  const struct {
+    const char *left, *right, *left_behind, *right_behind;
+  } kInferences[] = {{"dot(A, v)", "dot(A, F)", "v", "F"}, {"w1^2", "4", "w1", "2"}, {"T", "7", "w1", "1"}};
+  for (const auto& one : kInferences) {
+    const Equality premise = equality(one.left, one.right),
+                   conclusion = equality(one.left_behind, one.right_behind);
+    EXPECT_TRUE(first_small_state(conclusion, &premise, Assumption::motion))
+        << one.left << " = " << one.right;
+  }
+}
+
 // A body in which Jzz − Jyy is 1 whatever one tries would hide a factor.
 TEST(SmallStates, NoDifferenceOfMomentsIsTheSameInAll) {
   for (const char* difference : {"I1 - I2", "I2 - I3", "I3 - I1", "Jxx - Jyy", "Jyy - Jzz", "Jzz - Jxx"})

@@ -7,6 +7,7 @@
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cstdlib>
 #include <string>
@@ -65,6 +66,27 @@ TEST_P(EachContext, MeetsTheLimitsWeBuildOn) {
   EXPECT_GE(found.renderbuffer_side, 3840) << "4K";
   EXPECT_GE(found.texture_side, 3840);
   EXPECT_THAT(driver_name(*gl), HasSubstr("; "));
+}
+
+// HOSTILE F16: both ended the program within Mesa.
+TEST(Context, ADriverThatOsmesaLacksIsAnError) {
+  ::setenv("GALLIUM_DRIVER", "nonsense", 1);
+  const ContextResult context = open_context(ContextKind::osmesa);
+  ::unsetenv("GALLIUM_DRIVER");
+  ASSERT_FALSE(context.ok());
+  EXPECT_THAT(context.error(), AllOf(HasSubstr("\"nonsense\""), HasSubstr("llvmpipe")));
+}
+
+TEST(Context, TooLittleMemoryIsAnError) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_AS, &before), 0);
+  rlimit less = before;
+  less.rlim_cur = 500 << 20;
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &less), 0);
+  const ContextResult context = open_context(ContextKind::any);
+  ASSERT_EQ(setrlimit(RLIMIT_AS, &before), 0);
+  ASSERT_FALSE(context.ok());
+  EXPECT_THAT(context.error(), AllOf(HasSubstr("500 MiB"), HasSubstr("ulimit -v")));
 }
 
 TEST(Context, ManyOpenOneAfterAnother) {

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// For whoever is about to write files into a folder.
+#pragma once
+
+#include <filesystem>
+
+namespace polhode {
+
+/// Removes the temporary files there that nobody will finish (left_behind_in, temporary_file.h). What cannot
+/// be removed stays.
+void remove_left_behind_in(const std::filesystem::path& folder);
+
+}  // namespace polhode
