@@ -64,6 +64,16 @@ class Now {
     return ddt([](const Now& now) { return now.star_w()[0]; });
   }
 
+  /// The vertical; u = cos θ of the axis 3; Ω, at which the azimuth of its tip in space grows, and θ̇.
+  Vec3 z() const { return to_body(Vec3::UnitZ()); }
+  double u() const { return R()(2, 2); }
+  double sine() const { return std::hypot(R()(0, 2), R()(1, 2)); }
+  double Omega() const {
+    const Vec3 tip = R().col(2), speed = R() * w().cross(e(3));
+    return (tip[0] * speed[1] - tip[1] * speed[0]) / (sine() * sine());
+  }
+  double theta_rate() const { return -(R() * w().cross(e(3)))[2] / sine(); }
+
   double m() const { return translation().mass_kg; }
   Vec3 v() const { return to_body(translation().v_S); }
   Vec3 F() const { return to_body(translation().F_S); }
@@ -129,6 +139,30 @@ double L2_rate(const Now& s) {
 double L2_minus_2TI(const Now& s, int i) { return s.L().squaredNorm() - 2 * s.T() * s.I()[i]; }
 /// I_i (I_i − I_k) ω_i²: what |L|² − 2T I_k is the sum of.
 double part(const Now& s, int i, int k) { return s.I()[i] * (s.I()[i] - s.I()[k]) * s.w()[i] * s.w()[i]; }
+
+/// The symmetric top: the rate at which ω goes round on the body, L/I1, and the sum of two arrows.
+double lambda(const Now& s) { return (s.I()[2] - s.I()[0]) / s.I()[0] * s.w()[2]; }
+Vec3 wobble(const Now& s) { return s.L() / s.I()[0]; }
+Vec3 sum_of_two_arrows(const Now& s) { return wobble(s) + (1 - s.I()[2] / s.I()[0]) * s.w()[2] * s.e(3); }
+double out_of_plane(const Now& s) { return s.L().dot(s.w().cross(s.e(3))); }
+
+/// The heavy top: 1 kg, 10 cm from the pivot; its friction is 0.001 N m s.
+constexpr double kWeightTimesArm_Nm = 1.0 * 9.80665 * 0.1, kFriction_Nms = 0.001;
+double height_energy(const Now& s) { return kWeightTimesArm_Nm * s.u(); }
+double spin_momentum(const Now& s) { return s.I()[2] * s.w()[2]; }
+/// Left side of the condition of steady precession.
+double steady_left(const Now& s) {
+  return spin_momentum(s) * s.Omega() - s.I()[0] * s.Omega() * s.Omega() * s.u();
+}
+double energy_rate(const Now& s) {
+  return s.ddt([](const Now& now) { return now.T() + height_energy(now); });
+}
+/// Energy without that of the spin.
+double rest_energy(const Now& s) { return s.T() + height_energy(s) - 0.5 * spin_momentum(s) * s.w()[2]; }
+double least_spin(const Now& s, double cosine) {
+  return 2 * std::sqrt(s.I()[0] * kWeightTimesArm_Nm * cosine) / s.I()[2];
+}
+
 Vec3 w_x_L(const Now& s) { return s.w().cross(s.L()); }
 Vec3 seen_from_body_plus_turn(const Now& s) { return s.star_L() + w_x_L(s); }
 
@@ -234,6 +268,104 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"euler-equations/poinsot-no-slip", [](const Now& s) { return Sides2(s.w().cross(s.w()), 0.0); }},
     {"euler-equations/poinsot-speed", [](const Now& s) { return Sides2(s.ddt_w().norm(), s.star_w().norm()); }},
 
+    {"symmetric-top/third", [](const Now& s) {
+       return Sides2(s.I()[2] * s.star_w()[2], (s.I()[0] - s.I()[1]) * s.w()[0] * s.w()[1]); }},
+    {"symmetric-top/third-zero", [](const Now& s) { return Sides2(s.star_w()[2], 0.0); }},
+    {"symmetric-top/third-false", [](const Now& s) { return Sides2(s.star_w()[2], 0.0); }},
+    {"symmetric-top/L-split", [](const Now& s) {
+       return Sides2(s.L(), s.I()[0] * s.w() + (s.I()[2] - s.I()[0]) * s.w()[2] * s.e(3)); }},
+    {"symmetric-top/lambda", [](const Now& s) { return Sides2(lambda(s), lambda(s)); }},
+    {"symmetric-top/turning", [](const Now& s) { return Sides2(s.star_w(), lambda(s) * s.e(3).cross(s.w())); }},
+    {"symmetric-top/radius", [](const Now& s) {
+       return Sides2(s.ddt([](const Now& now) { return now.w().head<2>().squaredNorm(); }), 0.0); }},
+    {"symmetric-top/pace", [](const Now& s) { return Sides2(s.ddt(lambda), 0.0); }},
+    {"symmetric-top/harmonic", [](const Now& s) { return Sides2(s.second_w1(), -lambda(s) * lambda(s) * s.w()[0]); }},
+    {"symmetric-top/forwards", [](const Now& s) { return Sides2(lambda(s), 0.0); }},
+    {"symmetric-top/lean", [](const Now& s) {
+       const auto squared_tangent = [](const Vec3& x) { return x.head<2>().squaredNorm() / (x[2] * x[2]); };
+       const double ratio = s.I()[0] / s.I()[2];
+       return Sides2(squared_tangent(s.L()), ratio * ratio * squared_tangent(s.w())); }},
+    {"symmetric-top/L-cone", [](const Now& s) {
+       return Sides2(s.ddt([](const Now& now) { return now.L()[2]; }), 0.0); }},
+    {"symmetric-top/split", [](const Now& s) { return Sides2(s.w(), sum_of_two_arrows(s)); }},
+    {"symmetric-top/coplanar", [](const Now& s) { return Sides2(out_of_plane(s), 0.0); }},
+    {"symmetric-top/coplanar-false", [](const Now& s) { return Sides2(out_of_plane(s), 0.0); }},
+    {"symmetric-top/coplanar-rest", [](const Now& s) {
+       return Sides2(out_of_plane(s), (s.I()[0] - s.I()[1]) * s.w()[0] * s.w()[1]); }},
+    {"symmetric-top/axis-rate", [](const Now& s) { return Sides2(s.ddt_e(3), wobble(s).cross(s.e(3))); }},
+    {"symmetric-top/omega-rate", [](const Now& s) { return Sides2(s.ddt_w(), wobble(s).cross(s.w())); }},
+    {"symmetric-top/wobble-rate", [](const Now& s) { return Sides2(wobble(s)[2], s.I()[2] / s.I()[0] * s.w()[2]); }},
+    {"symmetric-top/rolls", [](const Now& s) {
+       return Sides2(lambda(s) * s.e(3).cross(s.w()), wobble(s).cross(s.w())); }},
+    {"symmetric-top/outside", [](const Now& s) { return Sides2((1 - s.I()[2] / s.I()[0]) * s.w()[2], 0.0); }},
+    {"symmetric-top/inside", [](const Now& s) { return Sides2((1 - s.I()[2] / s.I()[0]) * s.w()[2], 0.0); }},
+    {"symmetric-top/flattest", [](const Now& s) { return Sides2(s.I()[2], 2 * s.I()[0]); }},
+    {"symmetric-top/flat-plate", [](const Now& s) { return Sides2(s.I()[2], 2 * s.I()[0]); }},
+    {"symmetric-top/plate-rate", [](const Now& s) { return Sides2(wobble(s)[2], 2 * s.w()[2]); }},
+    {"symmetric-top/ball-rate", [](const Now& s) { return Sides2(wobble(s)[2] / s.w()[2], s.I()[2] / s.I()[0]); }},
+    {"symmetric-top/needs-torque", [](const Now& s) { return Sides2(s.ddt_L(), s.N()); }},
+    {"symmetric-top/near-constant", [](const Now& s) { return Sides2(s.star_w()[2], 0.0); }},
+    {"symmetric-top/near-ellipse", [](const Now& s) {
+       const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
+       return Sides2(s.second_w1(), -(I3 - I1) * (I3 - I2) / (I1 * I2) * s.w()[2] * s.w()[2] * s.w()[0]); }},
+    {"symmetric-top/recap-split", [](const Now& s) { return Sides2(s.w(), sum_of_two_arrows(s)); }},
+
+    {"heavy-top/torque", [](const Now& s) { return Sides2(s.N(), kWeightTimesArm_Nm * s.z().cross(s.e(3))); }},
+    {"heavy-top/size", [](const Now& s) { return Sides2(s.N().norm(), kWeightTimesArm_Nm * s.sine()); }},
+    {"heavy-top/work", [](const Now& s) { return Sides2(T_rate(s), s.N().dot(s.w())); }},
+    {"heavy-top/t-tempting", [](const Now& s) { return Sides2(T_rate(s), 0.0); }},
+    {"heavy-top/potential", [](const Now& s) { return Sides2(height_energy(s), height_energy(s)); }},
+    {"heavy-top/energy", [](const Now& s) { return Sides2(energy_rate(s), 0.0); }},
+    {"heavy-top/vertical", [](const Now& s) {
+       return Sides2(s.ddt([](const Now& now) { return now.L().dot(now.z()); }), 0.0); }},
+    {"heavy-top/third", [](const Now& s) {
+       return Sides2(s.ddt([](const Now& now) { return now.L()[2]; }), out_of_plane(s)); }},
+    {"heavy-top/third-term", [](const Now& s) {
+       return Sides2(out_of_plane(s), (s.I()[0] - s.I()[1]) * s.w()[0] * s.w()[1]); }},
+    {"heavy-top/spin", [](const Now& s) {
+       return Sides2(s.ddt([](const Now& now) { return now.L()[2]; }), 0.0); }},
+    {"heavy-top/spin-tempting", [](const Now& s) { return Sides2(s.star_w()[2], 0.0); }},
+    {"heavy-top/L-tempting", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
+    {"heavy-top/LN-tempting", [](const Now& s) { return Sides2(s.L().dot(s.N()), 0.0); }},
+    {"heavy-top/L-steady", [](const Now& s) {
+       const double upright = s.I()[0] * s.Omega();
+       return Sides2(s.L(), upright * s.z() + (spin_momentum(s) - upright * s.u()) * s.e(3)); }},
+    {"heavy-top/L-turns", [](const Now& s) {
+       return Sides2(s.Omega() * s.z().cross(s.L()), steady_left(s) * s.z().cross(s.e(3))); }},
+    {"heavy-top/condition", [](const Now& s) { return Sides2(steady_left(s), kWeightTimesArm_Nm); }},
+    {"heavy-top/quadratic", [](const Now& s) {
+       return Sides2(s.I()[0] * s.Omega() * s.Omega() * s.u() + kWeightTimesArm_Nm, spin_momentum(s) * s.Omega()); }},
+    {"heavy-top/exists", [](const Now& s) {
+       const double spin = spin_momentum(s), four_I_u = 4 * s.I()[0] * s.u(), root = spin - 2 * s.I()[0] * s.u() * s.Omega();
+       return Sides2(spin * spin - four_I_u * steady_left(s), root * root); }},
+    {"heavy-top/least-spin", [](const Now& s) { return Sides2(least_spin(s, s.u()), least_spin(s, s.u())); }},
+    {"heavy-top/law", [](const Now& s) { return Sides2(s.ddt_L(), s.N()); }},
+    {"heavy-top/perpendicular", [](const Now& s) { return Sides2(s.L().dot(s.N()), 0.0); }},
+    {"heavy-top/tilt", [](const Now& s) {
+       return Sides2(s.I()[0] * s.ddt([](const Now& now) { return now.theta_rate(); }),
+                     (kWeightTimesArm_Nm - steady_left(s)) * s.sine()); }},
+    {"heavy-top/vertical-two", [](const Now& s) {
+       return Sides2(s.L().dot(s.z()), spin_momentum(s) * s.u() + s.I()[0] * s.Omega() * s.sine() * s.sine()); }},
+    {"heavy-top/rate-of-turn", [](const Now& s) {
+       return Sides2(s.Omega(), (s.L().dot(s.z()) - spin_momentum(s) * s.u()) / (s.I()[0] * s.sine() * s.sine())); }},
+    {"heavy-top/path-rate", [](const Now& s) {
+       return Sides2(s.I()[0] * s.sine() * s.sine() * s.Omega(), s.L().dot(s.z()) - spin_momentum(s) * s.u()); }},
+    {"heavy-top/rest-energy", [](const Now& s) { return Sides2(rest_energy(s), rest_energy(s)); }},
+    {"heavy-top/rest-constant", [](const Now& s) { return Sides2(s.ddt(rest_energy), 0.0); }},
+    {"heavy-top/one-dimension", [](const Now& s) {
+       const double falling = 0.5 * s.I()[0] * s.theta_rate() * s.theta_rate();
+       const double round = 0.5 * s.I()[0] * std::pow(s.Omega() * s.sine(), 2);
+       return Sides2(rest_energy(s), falling + round + height_energy(s)); }},
+    {"heavy-top/near-vertical", [](const Now& s) {
+       const double spin = spin_momentum(s), u = s.u(), I1 = s.I()[0], mgl = kWeightTimesArm_Nm;
+       return Sides2(std::pow(spin - spin * u, 2) / (2 * I1 * (1 - u * u)) + mgl * u - mgl,
+                     (1 - u) * (spin * spin / (2 * I1 * (1 + u)) - mgl)); }},
+    {"heavy-top/threshold", [](const Now& s) { return Sides2(least_spin(s, 1), least_spin(s, 1)); }},
+    {"heavy-top/damped-energy", [](const Now& s) { return Sides2(energy_rate(s), -kFriction_Nms * s.w().squaredNorm()); }},
+    {"heavy-top/damped-spin", [](const Now& s) {
+       return Sides2(s.I()[2] * s.star_w()[2], -kFriction_Nms * s.w()[2]); }},
+    {"heavy-top/recap-steady", [](const Now& s) { return Sides2(steady_left(s), kWeightTimesArm_Nm); }},
+
     {"intermediate-axis/no-torque-balance",
      [](const Now& s) { return Sides2(-w_x_L(s) - s.times_I(s.star_w()), 0.0); }},
     {"intermediate-axis/small-second", [](const Now& s) {
@@ -288,7 +420,7 @@ std::vector<ClaimLine> one_equation(const Claim& claim) {
 /// app/narration/verdict_row.h has it.
 template <class Use>
 void for_each_shown_pair(const Use& use) {
-  for (const char* id : {"euler-equations", "intermediate-axis", "numerical-lab"}) {
+  for (const char* id : {"euler-equations", "symmetric-top", "intermediate-axis", "heavy-top", "numerical-lab"}) {
     const auto path = test::source_dir() / "lessons" / (std::string(id) + ".md");
     const LessonReading reading = read_lesson(testing::read_file(path), id);
     ASSERT_TRUE(reading.lesson) << id;
