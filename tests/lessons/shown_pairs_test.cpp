@@ -368,6 +368,11 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
 
     {"intermediate-axis/no-torque-balance",
      [](const Now& s) { return Sides2(-w_x_L(s) - s.times_I(s.star_w()), 0.0); }},
+    {"intermediate-axis/spins-component", [](const Now& s) {
+       return Sides2(w_x_L(s)[0], s.w()[1] * s.w()[2] * (s.I()[2] - s.I()[1])); }},
+    {"intermediate-axis/recap-product", [](const Now& s) {
+       return Sides2(s.I()[0] * s.star_w()[0] * s.I()[2] * s.star_w()[2],
+                     (s.I()[2] - s.I()[1]) * (s.I()[1] - s.I()[0]) * s.w()[1] * s.w()[1] * s.w()[0] * s.w()[2]); }},
     {"intermediate-axis/small-second", [](const Now& s) {
        return Sides2(s.I()[1] * s.star_w()[1], (s.I()[2] - s.I()[0]) * s.w()[2] * s.w()[0]); }},
     {"intermediate-axis/growth-product", [](const Now& s) {
@@ -396,6 +401,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"intermediate-axis/extremes-difference", [](const Now& s) { return Sides2(L2_minus_2TI(s, 1), part(s, 2, 1) + part(s, 0, 1)); }},
 
     {"numerical-lab/task-equations", [](const Now& s) { return Sides2(s.times_I(s.star_w()), s.N() - w_x_L(s)); }},
+    {"numerical-lab/lab-length", [](const Now& s) { return Sides2(L2_rate(s), 2 * s.L().dot(s.N())); }},
     {"numerical-lab/order-energy", [](const Now& s) { return Sides2(2 * s.T(), s.I().dot(s.w().cwiseAbs2())); }},
     {"numerical-lab/splitting-parts", [](const Now& s) { return Sides2(s.star_L(), s.L().cross(s.w())); }},
     {"numerical-lab/splitting-energy", [](const Now& s) { return Sides2(s.T(), 0.5 * s.I().dot(s.w().cwiseAbs2())); }},
