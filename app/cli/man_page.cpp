@@ -140,9 +140,11 @@ constexpr Example kExamples[] = {
     {"polhode play euler-equations --stage poinsot", "The lesson in a window, from that stage on."},
     {"polhode export euler-equations -o slides --stage poinsot",
      "A slide of each step of the stage, and manifest.json, in the folder slides."},
-    {"polhode export euler-equations --deck lecture.pdf", "All slides in one file; or lecture.html."},
+    {"polhode export euler-equations --deck lecture.pdf",
+     "All slides in one file; or lecture.html, lecture.pptx."},
     {"polhode export euler-equations --film poinsot.mp4 --what figure --stage poinsot --seconds 8",
      "A film of the figure, by ffmpeg."},
+    {"polhode export --site public", "All lessons as pages for the web, with an index and a search."},
     {"polhode trace --inertia 1,1.75,2.5 --omega 0.2,0.1,3 --periods 2 --samples 9", "A motion as numbers."},
     {"polhode lint my-lesson.md", "Whether every claim of a lesson is proved; what is wrong, and where."}};
 

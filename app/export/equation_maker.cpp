@@ -96,13 +96,21 @@ class EquationMaker : public PictureMaker {
   Outcome<Image> draw(const PlannedPicture& picture) override {
     const auto canvas = canvas_of(picture);
     if (!canvas) return passed_on(canvas);
+    const Outcome<Sheet> flat = sheet(picture);
+    if (!flat) return passed_on(flat);
+    return outcome_of(context_.renderer.draw(*flat, canvas->size, background_of(context_.options)));
+  }
+
+  Outcome<Sheet> sheet(const PlannedPicture& picture) override {
+    const auto canvas = canvas_of(picture);
+    if (!canvas) return passed_on(canvas);
     const auto [line, next, way] = shown_in(picture);
     Sheet sheet;
     const DisplayList& list = lists_.at(line);
     sheet.texts.push_back({.list = way == 0.0 ? list : morph(list, lists_.at(next), way),
                            .at = {canvas->x, canvas->y},
                            .moving = picture.equation == nullptr});
-    return outcome_of(context_.renderer.draw(sheet, canvas->size, background_of(context_.options)));
+    return sheet;
   }
 
   bool same_bytes(const PlannedPicture& a, const PlannedPicture& b) const override {

@@ -44,6 +44,7 @@ std::vector<std::size_t> steps_with(const Stage& stage, What what) {
 struct Subject {
   Place place;
   std::string stem;
+  std::string ending;
 };
 
 PlannedPicture picture_of(const Subject& subject, std::size_t step, const Equation* equation,
@@ -58,7 +59,7 @@ PlannedPicture picture_of(const Subject& subject, std::size_t step, const Equati
           std::nullopt,
           0,
           0,
-          subject.stem + rest_of_name + ".png"};
+          subject.stem + rest_of_name + subject.ending};
 }
 
 /// A step's last equation is what it has come to.
@@ -134,6 +135,18 @@ Status plan_films(const std::vector<Film>& films, const ExportOptions& options, 
 
 }  // namespace
 
+const char* name_of(PictureFormat format) {
+  switch (format) {
+    case PictureFormat::svg:
+      return "svg";
+    case PictureFormat::pdf:
+      return "pdf";
+    case PictureFormat::png:
+      break;
+  }
+  return "png";
+}
+
 Result<ExportPlan> plan_export(const Lesson& lesson, const ExportOptions& options) {
   const auto stages = selected_stages(lesson, options.stages);
   if (!stages) return failure(stages.error());
@@ -142,7 +155,8 @@ Result<ExportPlan> plan_export(const Lesson& lesson, const ExportOptions& option
   const auto last_number = static_cast<std::int64_t>(lesson.stages.size());
   for (const Place& place : *stages) {
     const auto number = static_cast<std::int64_t>(place.number);
-    const Subject subject{place, fmt::format("{}-{}", zero_padded(number, last_number, 2), place.stage->id)};
+    const Subject subject{place, fmt::format("{}-{}", zero_padded(number, last_number, 2), place.stage->id),
+                          fmt::format(".{}", name_of(options.format))};
     std::vector<std::size_t> steps = steps_with(*place.stage, options.what);
     if (steps.empty())
       plan.left_out.push_back(place.stage->id);

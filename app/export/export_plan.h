@@ -16,6 +16,10 @@ namespace polhode {
 
 enum class What { page, equation, figure, transcript };
 enum class Each { stage, step, frame };
+/// Pixels, or outlines: svg and pdf are for equations, whose type they have as curves.
+enum class PictureFormat { png, svg, pdf };
+/// "svg", as files end and manifests say.
+const char* name_of(PictureFormat format);
 
 /// The options that decide the bytes of an export; what is not here (folder, context, syncing) does not.
 struct ExportOptions {
@@ -34,10 +38,13 @@ struct ExportOptions {
   double text_scale = 1;                ///< of pages
   int dpi = 0;                          ///< noted in the files, 0: none; of equations also their size
   PngPacking png = PngPacking::fast;
+  PictureFormat format = PictureFormat::png;
 };
 
 /// Of equations: 12 pt type has so many dots per inch where nothing else is said.
 inline constexpr int kDefaultEquationDpi = 300;
+/// Of outlines it is the grid on which type stands: that of a printer.
+inline constexpr int kDefaultOutlineDpi = 600;
 /// Fewer give no legible formula.
 inline constexpr int kFewestEquationDpi = 24;
 
@@ -63,11 +70,11 @@ struct ExportPlan {
   std::vector<std::string> left_out;     ///< ids of selected stages that have nothing of the kind to draw
 };
 
-/// NN-<stage>.png, NN-<stage>-step<K>.png or NN-<stage>-frame<F>.png; equations stage by stage are
-/// NN-<stage>-<equation>.png. A stage is shown at its last step with something of the kind to draw: a scene,
-/// an equation; pages have all steps. The frames of a stage are shared evenly among its steps, in order;
-/// those of equations belong to the last one. Not for transcripts.
-/// The error: an unknown stage, a range beyond the frames there are, too many frames.
+/// In the options' format, with its ending: NN-<stage>.png, NN-<stage>-step<K>.png or
+/// NN-<stage>-frame<F>.png; equations stage by stage are NN-<stage>-<equation>.png. A stage is shown at its
+/// last step with something of the kind to draw: a scene, an equation; pages have all steps. The frames of a
+/// stage are shared evenly among its steps, in order; those of equations belong to the last one. Not for
+/// transcripts. The error: an unknown stage, a range beyond the frames there are, too many frames.
 Result<ExportPlan> plan_export(const Lesson& lesson, const ExportOptions& options);
 
 /// t of a picture that has a scene, s. @param speed simulated seconds per shown second

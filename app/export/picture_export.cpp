@@ -5,6 +5,9 @@
 #include "app/export/picture_maker.h"
 #include "app/export/picture_metadata.h"
 #include "app/export/picture_writer.h"
+#include "base/files/file_bytes.h"
+#include "base/sha256.h"
+#include "render/vector/vector_picture.h"
 
 #include <fmt/format.h>
 
@@ -72,8 +75,61 @@ Result<Keepable> keepable(const PictureExport& e, const FolderState& before) {
   return Keepable{true, std::move(recorded).value()};
 }
 
+/// What a file of outlines says of itself is what a PNG says.
+VectorPicture vector_picture(const PictureExport& e, Sheet sheet, const PictureDescription& description,
+                             const PngMetadata& metadata) {
+  const Background background = background_of(e.options);
+  VectorPicture picture{
+      .sheet = std::move(sheet),
+      .width = static_cast<double>(description.size.width),
+      .height = static_cast<double>(description.size.height),
+      .px_per_inch = static_cast<double>(e.options.dpi),
+      .background = background.kind == Background::Kind::transparent ? Color{0, 0, 0, 0} : sky_of(background),
+      .title = description.alt,
+      .language = e.loaded.lesson.about.language};
+  for (const auto& [keyword, text] : metadata.text) {
+    if (keyword == "Title") picture.description = text;
+    if (keyword == "Software") picture.program = text;
+    if (keyword == "Author") picture.author += (picture.author.empty() ? "" : ", ") + text;
+  }
+  return picture;
+}
+
+Outcome<std::string> outlines_of(const PictureExport& e, PictureMaker& maker, const Fonts& fonts,
+                                 const PlannedPicture& picture, const PictureDescription& description,
+                                 const PngMetadata& metadata) try {
+  Outcome<Sheet> sheet = maker.sheet(picture);
+  if (!sheet) return passed_on(sheet);
+  const VectorPicture made = vector_picture(e, std::move(sheet).value(), description, metadata);
+  return e.options.format == PictureFormat::svg ? svg_of(made, fonts) : pdf_of(made, fonts);
+} catch (const Interrupted&) {
+  throw;
+} catch (const std::exception& error) {  // of qpdf
+  return failure_of(Fault::failed, error.what());
+}
+
+/// Outlines cost less than what a check of a file could tell: they are made, and the file that is the same
+/// stays as it is.
+Done put_outlines(const PictureExport& e, const std::string& name, std::string outlines,
+                  const Keepable& keepable, PictureWriter& writer, PicturesMade& made) {
+  if (keepable.any) {
+    const auto there = read_file_bytes(e.out.folder / name);
+    std::string sha256 = sha256_hex(outlines);
+    if (there && sha256_hex(*there) == sha256) {
+      made.checksums[name] = std::move(sha256);
+      ++made.count;
+      ++made.kept;
+      return done();
+    }
+  }
+  const Status put = writer.put({.name = name, .outlines = std::move(outlines)});
+  if (!put) return failed(put);
+  ++made.count;
+  return done();
+}
+
 /// Draws and puts. @throws Interrupted
-Done put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& keepable,
+Done put_pictures(const PictureExport& e, PictureMaker& maker, const Fonts& fonts, const Keepable& keepable,
                   const TellProgress& tell, const InterruptWatch& watch, PictureWriter& writer,
                   PicturesMade& made) {
   const PlannedPicture* before = nullptr;  // the one put last
@@ -85,6 +141,13 @@ Done put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& k
     if (!description) return passed_on(description);
     PngMetadata metadata =
         picture_metadata(e.loaded.lesson, *picture.stage, description->alt, description->t_s, e.options.dpi);
+    if (e.options.format != PictureFormat::png) {
+      Outcome<std::string> outlines = outlines_of(e, maker, fonts, picture, *description, metadata);
+      if (!outlines) return passed_on(outlines);
+      Done put = put_outlines(e, picture.file, std::move(outlines).value(), keepable, writer, made);
+      if (!put) return put;
+      continue;
+    }
     if (keepable.any) {
       PictureCheck there = check_picture(e.out.folder / picture.file, description->size, metadata);
       if (keepable.takes(picture.file, there)) {
@@ -100,7 +163,8 @@ Done put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& k
       if (!drawn) return passed_on(drawn);
       image = std::move(drawn).value();
     }
-    const Status put = writer.put({picture.file, std::move(image), std::move(metadata)});
+    const Status put =
+        writer.put({.name = picture.file, .image = std::move(image), .metadata = std::move(metadata)});
     if (!put) return failed(put);
     ++made.count;
     before = &picture;
@@ -109,12 +173,13 @@ Done put_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& k
 }
 
 /// Draws and writes until all are there or someone interrupts.
-Outcome<PicturesMade> write_pictures(const PictureExport& e, PictureMaker& maker, const Keepable& keepable,
-                                     const TellProgress& tell, const InterruptWatch& watch) {
+Outcome<PicturesMade> write_pictures(const PictureExport& e, PictureMaker& maker, const Fonts& fonts,
+                                     const Keepable& keepable, const TellProgress& tell,
+                                     const InterruptWatch& watch) {
   PictureWriter writer(e.out.folder, e.options.png, e.out.durability);
   PicturesMade made;
   try {
-    const Done put = put_pictures(e, maker, keepable, tell, watch, writer, made);
+    const Done put = put_pictures(e, maker, fonts, keepable, tell, watch, writer, made);
     if (!put) return passed_on(put);
   } catch (const Interrupted&) {  // what was put is written
   }
@@ -254,7 +319,7 @@ Done make_pictures(const PictureExport& e, const TellProgress& tell, const Inter
   if (!before) return failed(before);
   const Result<Keepable> kept = keepable(e, *before);
   if (!kept) return failed(kept);
-  Outcome<PicturesMade> written = write_pictures(e, *maker, *kept, tell, watch);
+  Outcome<PicturesMade> written = write_pictures(e, *maker, *fonts, *kept, tell, watch);
   if (!written) return passed_on(written);
   made = std::move(written).value();
   if (made.interrupted) return done();

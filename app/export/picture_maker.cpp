@@ -23,6 +23,11 @@ Done check_computable(const Stage& stage, const SceneModel& model, double t_s) {
                                 t_s, why_no_state(*model.motion, problem_of(model.scene), t_s)));
 }
 
+Outcome<Sheet> PictureMaker::sheet(const PlannedPicture& picture) {
+  return failure_of(Fault::usage,
+                    fmt::format("stage \"{}\": what stands in space has no outlines", picture.stage->id));
+}
+
 Background background_of(const ExportOptions& options) {
   if (options.what != What::figure && options.background == "paper")
     return {Background::Kind::color, colors_of(options.theme).paper};

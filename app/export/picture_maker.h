@@ -30,6 +30,8 @@ class PictureMaker {
   /// Draws nothing, so that a process can write the manifest of pictures which others have drawn.
   virtual Outcome<PictureDescription> describe(const PlannedPicture& picture) = 0;
   virtual Outcome<Image> draw(const PlannedPicture& picture) = 0;
+  /// What is drawn, before it is pixels, of a kind that lies flat: equations. Others fail.
+  virtual Outcome<Sheet> sheet(const PlannedPicture& picture);
   /// Whether two pictures are known, without drawing, to have the same bytes as files. Frames of a scene
   /// never are, even where nothing in it moves: each file has its t.
   virtual bool same_bytes(const PlannedPicture&, const PlannedPicture&) const { return false; }

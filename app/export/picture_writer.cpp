@@ -41,12 +41,12 @@ void PictureWriter::work() {
   for (;;) {
     changed_.wait(lock, [&] { return !waiting_.empty() || stop_; });
     if (stop_) return;
-    const PictureFile picture = std::move(waiting_.front());
+    PictureFile picture = std::move(waiting_.front());
     waiting_.pop_front();
     writing_ = true;
     changed_.notify_all();
     lock.unlock();
-    Status status = write(picture);
+    Status status = write(std::move(picture));
     lock.lock();
     writing_ = false;
     if (!status) {
@@ -58,18 +58,22 @@ void PictureWriter::work() {
   }
 }
 
-Status PictureWriter::write(const PictureFile& picture) try {
+Status PictureWriter::write(PictureFile&& picture) try {
   const std::filesystem::path path = folder_ / picture.name;
-  if (picture.image) {
+  const bool is_new = picture.image || !picture.outlines.empty();
+  if (!picture.outlines.empty()) {
+    outlines_ = std::move(picture.outlines);
+    bytes_ = bytes_of(outlines_);
+  } else if (picture.image) {
     const auto bytes = encoder_.encode(*picture.image, picture.metadata);
     if (!bytes) return failure("Cannot write " + path.string() + ": " + bytes.error());
     bytes_ = *bytes;
   }
   assert(!bytes_.empty());
-  checksums_[picture.name] = picture.image ? sha256_hex(bytes_) : checksums_.at(last_);
+  checksums_[picture.name] = is_new ? sha256_hex(bytes_) : checksums_.at(last_);
   // A second name of the file before it. Where there can be none, or it is to be flushed: bytes of its own.
   const std::filesystem::path before = folder_ / std::exchange(last_, picture.name);
-  if (!picture.image && durability_ == Durability::rename_only) {
+  if (!is_new && durability_ == Durability::rename_only) {
     PosixFileOps files;
     if (link_file_atomically(files, before, path)) return success();
   }

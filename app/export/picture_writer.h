@@ -17,13 +17,14 @@
 
 namespace polhode {
 
-/// A picture on its way to disk. One without an image is the same as the picture put before it, and becomes a
-/// hard link to that one's file, where there can be one. A link or device that already has its name is
-/// replaced, not followed.
+/// A picture on its way to disk: pixels, or a file of outlines. One with neither is the same as the picture
+/// put before it, and becomes a hard link to that one's file, where there can be one. A link or device that
+/// already has its name is replaced, not followed.
 struct PictureFile {
   std::string name;
-  std::optional<Image> image;
-  PngMetadata metadata;
+  std::optional<Image> image{};
+  PngMetadata metadata{};
+  std::string outlines{};  ///< the bytes of the file; empty: it is made of the image
 };
 
 /// Encodes and writes in the order of put(). Holds kWaiting pictures at most besides the one it encodes, so
@@ -49,13 +50,14 @@ class PictureWriter {
 
  private:
   void work();
-  Status write(const PictureFile& picture);
+  Status write(PictureFile&& picture);
 
   const std::filesystem::path folder_;
   const Durability durability_;
   // These the thread alone uses, until finish() has waited for it.
   PngEncoder encoder_;
-  std::span<const std::uint8_t> bytes_{};  ///< of the file written last; in encoder_
+  std::string outlines_;
+  std::span<const std::uint8_t> bytes_{};  ///< of the file written last; in encoder_, or in outlines_
   std::string last_;                       ///< name of that file
   Checksums checksums_;                    ///< of all files written
 

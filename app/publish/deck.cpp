@@ -28,6 +28,7 @@ std::optional<DeckKind> deck_kind_of(const fs::path& file) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (ending == ".html" || ending == ".htm") return DeckKind::html;
   if (ending == ".pdf") return DeckKind::pdf;
+  if (ending == ".pptx") return DeckKind::pptx;
   return std::nullopt;
 }
 
@@ -44,7 +45,9 @@ Result<DeckPicture> read_deck_picture(const fs::path& file) {
 
 Result<DeckEnd> write_deck(const fs::path& file, DeckKind kind, const Deck& deck, Durability durability,
                            const DeckProgress& go_on) {
-  const auto append_deck = kind == DeckKind::html ? append_html_deck : append_pdf_deck;
+  const auto append_deck = kind == DeckKind::html  ? append_html_deck
+                           : kind == DeckKind::pdf ? append_pdf_deck
+                                                   : append_pptx_deck;
   bool stopped = false;
   const DeckProgress noted = [&](std::size_t slide) {
     stopped = go_on && !go_on(slide);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Slides: pictures of a lesson in one file that is shown as it is, with what is said to each of them. An HTML
 // deck is a page for any browser, without network; a PDF deck has the words as invisible text behind the
-// pictures, and an outline. Bytes depend on the deck alone.
+// pictures, and an outline; a PPTX deck is for the programs of presentations (PowerPoint, LibreOffice
+// Impress), with titles, notes and sections as those have them. Bytes depend on the deck alone.
 #pragma once
 
 #include "app/narration/step_note.h"
@@ -47,8 +48,8 @@ PaperSize paper_size(Size picture, int dpi);
 /// "Title, step 2 of 3"
 std::string name_of(const DeckSlide& slide);
 
-enum class DeckKind { html, pdf };
-/// By the ending: .html, .htm or .pdf, in any case.
+enum class DeckKind { html, pdf, pptx };
+/// By the ending: .html, .htm, .pdf or .pptx, in any case.
 std::optional<DeckKind> deck_kind_of(const std::filesystem::path& file);
 
 /// Told which slide comes next, from 0; false stops.
@@ -63,8 +64,10 @@ Result<DeckEnd> write_deck(const std::filesystem::path& file, DeckKind kind, con
                            Durability durability = Durability::rename_only, const DeckProgress& go_on = {});
 
 /// What write_deck writes. In a PDF the notes lie behind the pictures, as its text: that of who speaks is
-/// left out. Both also fail where `go_on`, which is not empty, says false.
+/// left out. In a PPTX two slides of the same name get a number behind it. All also fail where `go_on`, which
+/// is not empty, says false.
 Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
 Status append_pdf_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
+Status append_pptx_deck(const Deck& deck, const AppendBytes& append, const DeckProgress& go_on);
 
 }  // namespace polhode

@@ -5,9 +5,9 @@
 #include "app/export/picture_metadata.h"
 #include "app/publish/deck.h"
 #include "app/publish/deck_picture.h"
-#include "app/publish/pdf_file.h"
 #include "app/publish/pdf_text_layer.h"
 #include "render/image/png.h"
+#include "render/vector/pdf_file.h"
 
 #include <fmt/format.h>
 

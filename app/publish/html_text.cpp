@@ -1,39 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/html_text.h"
 
+#include "base/markup.h"
 #include "base/sha256.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace polhode {
 
-std::string html_escaped(std::string_view utf8) {
-  std::string text;
-  text.reserve(utf8.size());
-  for (const char c : utf8) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      case '\'':
-        text += "&#39;";
-        break;
-      default:
-        text += static_cast<unsigned char>(c) < 0x20 && c != '\n' ? ' ' : c;
-    }
-  }
-  return text;
-}
+std::string html_escaped(std::string_view utf8) { return escaped(utf8); }
 
 std::string base64(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

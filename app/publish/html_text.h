@@ -9,8 +9,7 @@
 
 namespace polhode {
 
-/// For text and for attributes in double quotes: & < > " ' become references, so no text can end either.
-/// Control characters, which HTML does not have, become blanks.
+/// What base/markup.h calls escaped: for text and for attributes in double quotes.
 std::string html_escaped(std::string_view utf8);
 
 /// RFC 4648, with padding.

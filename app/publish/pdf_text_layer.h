@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/publish/deck.h"
-#include "app/publish/pdf_file.h"
+#include "render/vector/pdf_file.h"
 
 #include <map>
 #include <set>

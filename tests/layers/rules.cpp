@@ -41,7 +41,7 @@ const std::vector<Room>& rooms() {
   static const Names kPage = Names{"app/page/",  "render/figure/", "render/drawing/",
                                    "render/gl/", "render/image/",  "render/palette.h"} +
                              kNarration;
-  static const Names kExport = Names{"app/export/"} + kPage;
+  static const Names kExport = Names{"app/export/", "render/vector/"} + kPage;
   static const Names kSession = Names{"app/session/"} + kExport;
   static const Names kWindow = Names{"app/window/"} + kSession;
   static const Names kProgram = {"app/", "lessons/", "render/", "physics/", "base/"};
@@ -69,6 +69,10 @@ const std::vector<Room>& rooms() {
        {"render/figure/", "render/drawing/", "render/palette.h", "render/typeset/", "render/image/", "base/"},
        Names{"Eigen/", "GL/", "EGL/", "KHR/"} + kPosix,
        kConsole},
+      {"render/vector/",
+       {"render/drawing/", "render/palette.h", "render/typeset/", "base/"},
+       {"Eigen/", "fmt/", "qpdf/"},
+       kConsoleAndFiles},
       {"render/palette", {"base/"}, {}, kConsoleAndFiles},
       {"lessons/diagnostics/", {"base/"}, {}, kConsoleAndFiles},
       {"lessons/claims/", Names{"lessons/diagnostics/"} + kScene, {"Eigen/"}, kConsoleAndFiles},
@@ -78,7 +82,8 @@ const std::vector<Room>& rooms() {
       {"app/narration/", kNarration, {"fmt/"}, kConsoleAndFiles},
       {"app/page/", kPage, {"fmt/"}, kConsole},
       {"app/export/", kExport, kFormats + kPosix, kConsole},
-      {"app/publish/", Names{"app/publish/"} + kExport, Names{"fmt/", "qpdf/"} + kPosix, kConsole},
+      {"app/publish/", Names{"app/publish/"} + kExport, Names{"fmt/", "nlohmann/", "archive"} + kPosix,
+       kConsole},
       {"app/session/", kSession, kFormats + kPosix, kConsole},
       {"app/window/panels/", kWindow, kControls, kConsole},
       {"app/window/screen", kWindow, kControls, kConsole},  // drawn off-screen too, without GLFW
@@ -104,7 +109,7 @@ const std::vector<Room>& rooms() {
       {"tests/",
        kProgram + Names{"tests/"},
        kProgramLibraries + Names{"gtest/", "gmock/", "benchmark/", "GL/", "EGL/", "png.h", "zlib.h", "webp/",
-                                 "imgui.h", "malloc.h", "poll.h", "spawn.h", "stdlib.h"},
+                                 "archive", "imgui.h", "malloc.h", "poll.h", "spawn.h", "stdlib.h"},
        {},
        false},
   };

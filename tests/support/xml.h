@@ -50,6 +50,8 @@ class XmlReader {
   /// The one element of the document. What script and style hold is text, whatever it is.
   /// @throws std::runtime_error with the place
   XmlNode run() {
+    if (text_.starts_with("<?xml ")) at_ = text_.find("?>") + 2;
+    blanks();
     skip("<!DOCTYPE html>");
     blanks();
     XmlNode root = element();
@@ -76,7 +78,8 @@ class XmlReader {
   std::string word() {
     const std::size_t begin = at_;
     const auto is_of_name = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+             c == ':';
     };
     while (at_ < text_.size() && is_of_name(text_[at_])) ++at_;
     if (begin == at_) fail("no name");

@@ -2,6 +2,7 @@
 // polhode export: pictures of a lesson as PNG files, its text, or what is made of both.
 #include "app/cli/commands/commands.h"
 #include "app/cli/commands/export_options.h"
+#include "app/cli/commands/export_site.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
@@ -223,6 +224,8 @@ void look_into_folder(const ExportIdentity& mine, const ExportOutput& out) {
                          fmt::format("{} holds files of something else; {}", folder, kAdvice));
 }
 
+}  // namespace
+
 ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
   const ExportPlan plan = or_usage(plan_export(loaded.lesson, options));
   note_left_out(plan, options.what);
@@ -239,6 +242,8 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
     return ExitCode::interrupted;
   }
 }
+
+namespace {
 
 ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& options,
                            const ExportOutput& out) {
@@ -287,17 +292,21 @@ ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
 }
 
 ExitCode run_export(const TypedExport& typed) {
+  if (!typed.site.empty()) return export_site(typed);
+  for (const auto& [name, given] :
+       {std::pair{"--url", !typed.url.empty()}, std::pair{"--with", !typed.with.empty()}})
+    if (given) throw usage(std::string(name) + " goes with --site");
+  const std::string& name = lesson_of(typed);
   if (!typed.reader.empty()) {
     const ReaderOutput out = reader_output(typed);
-    return export_reader(or_fail(load_lesson(typed.lesson)), out);
+    return export_reader(or_fail(load_lesson(name)), out);
   }
   const ExportOptions options = export_options(typed);
   ExportOutput out = export_output(typed);
-  const LoadedLesson loaded = or_fail(load_lesson(typed.lesson));
+  const LoadedLesson loaded = or_fail(load_lesson(name));
   // Told by `polhode verify` wherever that is run.
-  if (fs::path(typed.lesson) == loaded.path)
-    std::replace(out.resume_all.begin(), out.resume_all.end(), typed.lesson,
-                 fs::absolute(loaded.path).string());
+  if (fs::path(name) == loaded.path)
+    std::replace(out.resume_all.begin(), out.resume_all.end(), name, fs::absolute(loaded.path).string());
   or_fail(check_type_of(loaded, or_fail(Fonts::open())));
   return options.what == What::transcript ? export_transcript(loaded, options, out)
                                           : export_pictures(loaded, options, out);
@@ -310,7 +319,8 @@ Command export_command() {
   return {
       "export",
       "Export a lesson's pages, equations and figures as PNG files, or its text",
-      {{"LESSON", &typed->lesson, "id or file", " ", true, offer_lessons()},
+      {{"LESSON", &typed->lessons, "id or file; with --site any number (default: all)", " ", false,
+        offer_lessons()},
        {"-o,--output", &typed->folder, "folder for the files; made if missing", "DIR", false,
         offer_folders()},
        {"--stage", &typed->stages, "only this stage; repeat for more (default: all)", "ID"},
@@ -326,7 +336,8 @@ Command export_command() {
         offer(export_words().theme)},
        {"--background", &typed->background, "studio (default of figures), paper, white, transparent, #rrggbb",
         "NAME", false, offer(export_words().background)},
-       {"--dpi", &typed->dpi, "dots per inch to note in the files; sizes 12 pt equations (300)", "N"},
+       {"--dpi", &typed->dpi,
+        "dots per inch to note in the files; sizes 12 pt equations (300; svg, pdf: 600)", "N"},
        {"--fps", &typed->fps, "frames per shown second of frames and films (default: 30)", "N|A/B"},
        {"--seconds", &typed->seconds, "shown seconds per stage of frames, per still of a film (default: 8)",
         "S"},
@@ -337,12 +348,20 @@ Command export_command() {
        {"--text-size", &typed->text_size, "of pages: 0.7 to 2 times the normal type (default: 1)", "X"},
        {"--png", &typed->png, "fast to pack, or small and slow (default: fast)", "KIND", false,
         offer(export_words().png)},
+       {"--format", &typed->format, "of equations: png, or their outlines as svg or pdf (default: png)",
+        "KIND", false, offer(export_words().format)},
        {"--film", &typed->film, "make a film (mp4, webm, gif, apng); without -o its frames are removed",
         "FILE", false, offer_files()},
-       {"--deck", &typed->deck, "make slides (html, pdf); without -o their pictures are removed", "FILE",
-        false, offer_files()},
+       {"--deck", &typed->deck, "make slides (html, pdf, pptx); without -o their pictures are removed",
+        "FILE", false, offer_files()},
        {"--reader", &typed->reader, "make a page of text to read (html), with figures and questions", "FILE",
         false, offer_files()},
+       {"--site", &typed->site, "make a folder for the web: pages to read, and an index with a search", "DIR",
+        false, offer_folders()},
+       {"--url", &typed->url, "of --site: where the folder will lie, for sitemap and pictures of links",
+        "ADDRESS"},
+       {"--with", &typed->with, "of --site: slides (html, pdf, pptx) or film (mp4) too; repeat for more",
+        "KIND", false, offer(export_words().with)},
        {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN", false,
         offer(export_words().sync)},
        {"--context", &typed->context, "OpenGL from auto, osmesa or egl (default: auto)", "KIND", false,
@@ -353,13 +372,19 @@ Command export_command() {
        {"--skip-existing", &typed->skip_existing, "keep what is there and whole; goes on after a stop"}},
       "A slide has the text of one step in large type, its figure and plots, and what it goes on from in a\n"
       "line at the foot. A page has as much of the steps before as there is room for, in smaller type.\n"
-      "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next.\n"
+      "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next. As svg "
+      "or\n"
+      "pdf it has its type as curves, needs no fonts, and its words as title or alternative text.\n"
       "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
       "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
       "A transcript is plain text with the formulas in words.\n"
-      "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
+      "A deck is one HTML file for any browser (? tells its keys), a PDF, or a PPTX for PowerPoint and\n"
+      "LibreOffice, with the transcript as notes.\n"
       "A reader's page is one HTML file of text, formulas and figures, for any screen or screen reader;\n"
       "--stage, --theme and --quality of its figures, --sync and --context are the options that go with it.\n"
+      "A site is a page of each lesson and index.html in the order of the course, without a server's help;\n"
+      "addresses such as ID.html#stage and #stage/step.2 stay. A lesson that has not changed is not drawn\n"
+      "again. --theme, --quality, --sync and --context go with it as with a reader's page.\n"
       "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"

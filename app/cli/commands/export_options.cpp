@@ -65,6 +65,7 @@ void check_combination(const TypedExport& typed, What what, Each each) {
                   {"--text-size", typed.text_size},
                   {"--dpi", typed.dpi},
                   {"--png", typed.png},
+                  {"--format", typed.format},
                   {"--film", typed.film},
                   {"--deck", typed.deck},
                   {"--shard", typed.shard},
@@ -85,9 +86,19 @@ void check_combination(const TypedExport& typed, What what, Each each) {
   if (each == Each::frame)
     refuse_given({{"--deck", typed.deck}}, "goes with --each stage or step: slides have no frames");
   if (!typed.deck.empty() && !deck_kind_of(typed.deck))
-    throw usage(fmt::format("--deck {}: the name has to end in .html or .pdf", typed.deck));
+    throw usage(fmt::format("--deck {}: the name has to end in .html, .pdf or .pptx", typed.deck));
   if (what == What::figure)
     refuse_given({{"--theme", typed.theme}}, "goes with pages and equations; a figure has its --background");
+}
+
+void check_outlines(const TypedExport& typed, const ExportOptions& options) {
+  if (options.format == PictureFormat::png) return;
+  const std::string name = "--format " + typed.format;
+  if (options.what != What::equation)
+    throw usage(name + " goes with --what equation: the outlines of type; pages and figures are pixels");
+  if (options.each == Each::frame) throw usage(name + " goes with --each stage or step");
+  const std::string reason = "is of pixels, and does not go with " + name;
+  refuse_given({{"--png", typed.png}, {"--film", typed.film}, {"--deck", typed.deck}}, reason);
 }
 
 std::string background_name(const std::string& typed, What what) {
@@ -126,10 +137,11 @@ Size size_of(const std::string& typed, What what) {
   return size;
 }
 
-int dpi_of(const std::string& typed, const std::string& typed_size, What what) {
+int dpi_of(const std::string& typed, const std::string& typed_size, What what, PictureFormat format) {
   const bool sets_size = what == What::equation;
   const auto named = named_size(typed_size);
-  if (typed.empty()) return sets_size ? kDefaultEquationDpi : named ? named->dpi : 0;
+  const int of_equations = format == PictureFormat::png ? kDefaultEquationDpi : kDefaultOutlineDpi;
+  if (typed.empty()) return sets_size ? of_equations : named ? named->dpi : 0;
   return static_cast<int>(whole_number("--dpi", typed, sets_size ? kFewestEquationDpi : 1, kMostDpi));
 }
 
@@ -198,8 +210,10 @@ const ExportWords& export_words() {
                                     .profile = {"page", "slides"},
                                     .quality = quality_level_names(),
                                     .png = {"fast", "small"},
+                                    .format = {"png", "svg", "pdf"},
                                     .sync = {"end", "frame"},
-                                    .context = {"auto", "osmesa", "egl"}};
+                                    .context = {"auto", "osmesa", "egl"},
+                                    .with = {"html", "pdf", "pptx", "mp4"}};
   return words;
 }
 
@@ -216,6 +230,7 @@ ReaderOutput reader_output(const TypedExport& typed) {
                 {"--frames", typed.frames},
                 {"--text-size", typed.text_size},
                 {"--png", typed.png},
+                {"--format", typed.format},
                 {"--film", typed.film},
                 {"--deck", typed.deck},
                 {"--output", typed.folder},
@@ -234,6 +249,56 @@ ReaderOutput reader_output(const TypedExport& typed) {
           context_of(typed.context)};
 }
 
+const std::string& lesson_of(const TypedExport& typed) {
+  if (typed.lessons.empty()) throw usage("LESSON is required");
+  if (typed.lessons.size() > 1)
+    throw usage(
+        fmt::format("unexpected argument \"{}\": only --site takes more than one lesson", typed.lessons[1]));
+  return typed.lessons.front();
+}
+
+SiteOutput site_output(const TypedExport& typed) {
+  refuse_given({{"--what", typed.what},
+                {"--profile", typed.profile},
+                {"--each", typed.each},
+                {"--size", typed.size},
+                {"--background", typed.background},
+                {"--dpi", typed.dpi},
+                {"--fps", typed.fps},
+                {"--seconds", typed.seconds},
+                {"--at", typed.at},
+                {"--frames", typed.frames},
+                {"--text-size", typed.text_size},
+                {"--png", typed.png},
+                {"--format", typed.format},
+                {"--film", typed.film},
+                {"--deck", typed.deck},
+                {"--reader", typed.reader},
+                {"--output", typed.folder},
+                {"--shard", typed.shard},
+                {"--jobs", typed.jobs}},
+               "does not go with --site, which makes pages of whole lessons");
+  if (typed.skip_existing || !typed.stages.empty())
+    throw usage(fmt::format("{} does not go with --site, which makes pages of whole lessons",
+                            typed.skip_existing ? "--skip-existing" : "--stage"));
+  SiteOutput out{.folder = typed.site,
+                 .url = typed.url,
+                 .with = {},
+                 .theme = theme_of(typed.theme),
+                 .quality = quality_of(typed.quality),
+                 .durability = durability_of(typed.sync),
+                 .context = context_of(typed.context)};
+  if (!out.url.empty() && !out.url.starts_with("https://") && !out.url.starts_with("http://"))
+    throw usage(fmt::format("--url {}: it has to begin with https:// or http://", out.url));
+  if (!out.url.empty() && out.url.back() != '/') out.url += '/';
+  for (const std::string& word : typed.with) {
+    const auto kind = static_cast<SiteCopy>(choice("--with", word, export_words().with));
+    if (std::find(out.with.begin(), out.with.end(), kind) == out.with.end()) out.with.push_back(kind);
+  }
+  std::sort(out.with.begin(), out.with.end());
+  return out;
+}
+
 ExportOptions export_options(const TypedExport& typed) {
   ExportOptions options;
   options.what = static_cast<What>(choice("--what", typed.what, export_words().what));
@@ -246,6 +311,8 @@ ExportOptions export_options(const TypedExport& typed) {
                                           : is_of_slides      ? kSteps
                                                               : kStages));
   check_combination(typed, options.what, options.each);
+  options.format = static_cast<PictureFormat>(choice("--format", typed.format, export_words().format));
+  check_outlines(typed, options);
   if (!typed.size.empty()) options.size = size_of(typed.size, options.what);
   if (!typed.fps.empty())
     options.fps = read_or_refuse(frame_rate_from(typed.fps), "--fps", typed.fps,
@@ -261,7 +328,7 @@ ExportOptions export_options(const TypedExport& typed) {
   options.theme = theme_of(typed.theme);
   options.quality = quality_of(typed.quality);
   options.text_scale = text_scale_of(typed.text_size);
-  options.dpi = dpi_of(typed.dpi, typed.size, options.what);
+  options.dpi = dpi_of(typed.dpi, typed.size, options.what, options.format);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, export_words().png));
   return options;
 }

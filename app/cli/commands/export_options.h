@@ -12,11 +12,13 @@ namespace polhode {
 
 /// As typed; empty where not given.
 struct TypedExport {
-  std::string lesson, folder;
+  std::vector<std::string> lessons;
+  std::string folder;
   std::vector<std::string> stages;
   std::string each, what, size, fps, seconds, at, frames, background, theme, profile, quality, text_size, dpi,
-      png, sync, context;
-  std::string film, deck, reader, shard, jobs;
+      png, format, sync, context;
+  std::string film, deck, reader, site, url, shard, jobs;
+  std::vector<std::string> with;
   bool skip_existing = false;
   std::vector<std::string> words;  ///< the command line, program and options, without --skip-existing
 };
@@ -24,7 +26,8 @@ struct TypedExport {
 /// The words that those options take which take a word, in the order of their enumerations; of a size and a
 /// background there are others.
 struct ExportWords {
-  std::vector<std::string> what, each, size, background, theme, profile, quality, png, sync, context;
+  std::vector<std::string> what, each, size, background, theme, profile, quality, png, format, sync, context,
+      with;
 };
 const ExportWords& export_words();
 
@@ -43,6 +46,24 @@ struct ReaderOutput {
 /// @throws CommandError usage: what is malformed, or does not go with a text edition. Precondition: one is
 /// asked for.
 ReaderOutput reader_output(const TypedExport& typed);
+
+/// The one lesson of an export that is no site. @throws CommandError usage: none or several
+const std::string& lesson_of(const TypedExport& typed);
+
+/// What lies beside the page of each lesson of a site.
+enum class SiteCopy { html_slides, pdf_slides, pptx_slides, film };
+
+struct SiteOutput {
+  std::string folder;
+  std::string url;  ///< with a slash at its end; empty: not given
+  std::vector<SiteCopy> with;
+  Theme theme = Theme::paper;
+  std::optional<QualityLevel> quality;
+  Durability durability = Durability::rename_only;
+  ContextKind context = ContextKind::any;
+};
+/// @throws CommandError usage: what is malformed, or does not go with a site. Precondition: one is asked for.
+SiteOutput site_output(const TypedExport& typed);
 
 /// @throws CommandError usage
 ExportOutput export_output(const TypedExport& typed);

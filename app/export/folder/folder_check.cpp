@@ -166,7 +166,7 @@ class Check {
 
   /// Films and decks may lie beside the pictures they are made of.
   static bool is_made_of_pictures(const fs::path& name) {
-    constexpr std::array kEndings = {".mp4", ".webm", ".gif", ".apng", ".html", ".htm", ".pdf"};
+    constexpr std::array kEndings = {".mp4", ".webm", ".gif", ".apng", ".html", ".htm", ".pdf", ".pptx"};
     std::string ending = name.extension().string();
     for (char& c : ending)
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -227,8 +227,9 @@ class Check {
   /// @param words PROGRAM export LESSON [--option VALUE]… --skip-existing
   static bool may_be_offered(const std::vector<std::string>& words) {
     static const std::set<std::string> kOptions = {
-        "--output", "--stage",      "--what", "--each", "--size",    "--fps",       "--seconds", "--at",
-        "--theme",  "--background", "--dpi",  "--png",  "--quality", "--text-size", "--frames",  "--profile"};
+        "--output",  "--stage",     "--what",   "--each",       "--size",  "--fps",
+        "--seconds", "--at",        "--theme",  "--background", "--dpi",   "--png",
+        "--quality", "--text-size", "--frames", "--profile",    "--format"};
     if (!shows_as_it_is(words) || !is_argument(words[2])) return false;
     for (std::size_t i = 3; i + 1 < words.size(); i += 2)
       if (!kOptions.contains(words[i]) || words[i + 1].starts_with("--")) return false;

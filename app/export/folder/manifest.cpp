@@ -116,7 +116,9 @@ std::string options_json(const ExportOptions& options) {
   if (options.what == What::page && options.profile == Profile::slides) json["profile"] = "slides";
   if (options.text_scale != 1.0) json["text_size"] = options.text_scale;
   json["dpi"] = options.dpi ? Json(options.dpi) : Json(nullptr);
-  json["png"] = picture ? Json(options.png == PngPacking::small ? "small" : "fast") : Json(nullptr);
+  const bool pixels = options.format == PictureFormat::png;
+  if (!pixels) json["format"] = name_of(options.format);
+  json["png"] = picture && pixels ? Json(options.png == PngPacking::small ? "small" : "fast") : Json(nullptr);
   return dumped(json);
 }
 

@@ -115,6 +115,9 @@ std::string LessonHtml::address_of(std::string_view link) const {
     const std::string stage(link.substr(1, link.find('/') - 1));
     return stages_.contains(stage) ? std::string(link) : "";
   }
+  const std::size_t id_end = std::min(link.find('#'), link.size());
+  if (const std::string id(link.substr(0, id_end)); lessons_.contains(id))
+    return id + ".html" + std::string(link.substr(id_end));
   return leads_to_the_web(link) ? std::string(link) : "";
 }
 

@@ -51,6 +51,9 @@ class LessonHtml {
   /// What a link of the lesson leads to, as a browser takes it; empty: it leads to nothing here.
   std::string address_of(std::string_view link) const;
 
+  /// Links to these other lessons lead to ID.html beside the page.
+  void lead_to(std::set<std::string> lessons) { lessons_ = std::move(lessons); }
+
   /// Marks of footnotes lead from here on to those of this stage; null: nowhere.
   void number_notes_of(const Stage* stage) { stage_ = stage; }
 
@@ -67,7 +70,7 @@ class LessonHtml {
   const Lesson& lesson_;
   const SpeechText& speech_;
   const TextNumbers& numbers_;
-  std::set<std::string> stages_;
+  std::set<std::string> stages_, lessons_;
   std::vector<MathSymbol> symbols_;
   const Stage* stage_ = nullptr;
 };

@@ -8,6 +8,7 @@
 #include "app/publish/html_frame.h"
 #include "app/publish/reader/question_html.h"
 #include "app/publish/reader/reader_assets.h"
+#include "app/publish/reader/reader_style.h"
 #include "base/files/left_behind.h"
 #include "base/interrupt.h"
 #include "lessons/reader/markdown/footnotes.h"
@@ -71,34 +72,6 @@ std::string_view class_of(Certainty certainty) {
   return "open";
 }
 
-std::string colors_in(const ReaderEdition& edition, Theme theme) {
-  const PageColors& colors = colors_of(theme);
-  std::string css = fmt::format(
-      "--paper: {}; --ink: {}; --quiet: {}; --accent: {}; --panel: {}; --line: {}; --said: {}; --meant: {}; "
-      "--question: {};",
-      hex(colors.paper), hex(colors.ink), hex(colors.quiet), hex(colors.accent), hex(colors.panel),
-      hex(colors.line), hex(colors.said), hex(colors.meant), hex(colors.question));
-  std::set<std::string> roles;
-  for (const auto& [name, symbol] : edition.lesson.symbols) roles.insert(symbol.role);
-  for (const std::string& role : roles)
-    if (const std::string name = class_of_role(role); !name.empty())
-      css += fmt::format(" --{}: {};", name, hex(on_paper(role_from(role)->ink, theme)));
-  return css;
-}
-
-/// Light or dark is the reader's choice; paper is always light.
-std::string style_of(const ReaderEdition& edition) {
-  std::string css =
-      fmt::format("\n:root {{ color-scheme: light dark; {} }}\n", colors_in(edition, Theme::paper)) +
-      fmt::format("@media screen and (prefers-color-scheme: dark) {{ :root {{ {} }} }}\n",
-                  colors_in(edition, Theme::dark));
-  std::set<std::string> names;
-  for (const auto& [name, symbol] : edition.lesson.symbols) names.insert(class_of_role(symbol.role));
-  for (const std::string& name : names)
-    if (!name.empty()) css += fmt::format(".{0} {{ color: var(--{0}); }}\n", name);
-  return css + reader_assets::kReaderCss;
-}
-
 /// The steps of an edition, one after the other.
 class ReaderText {
  public:
@@ -107,7 +80,9 @@ class ReaderText {
         speech_(edition.lesson, effort),
         numbers_(numbers_in(edition, renderer.fonts(), effort)),
         html_(edition.lesson, speech_, numbers_, stages_in(edition)),
-        figures_(edition.lesson, speech_, renderer, edition.look, effort) {}
+        figures_(edition.lesson, speech_, renderer, edition.look, effort) {
+    if (edition.place) html_.lead_to(edition.place->lessons);
+  }
 
   std::string outline() const {
     std::string html;
@@ -172,6 +147,25 @@ class ReaderText {
                         : "<section class=\"references\" aria-labelledby=\"page.references\">\n<h2 "
                           "id=\"page.references\">References</h2>\n<ul>\n" +
                               html + "</ul>\n</section>\n";
+  }
+
+  /// What can be looked for.
+  std::vector<ReaderEntry> entries() const {
+    std::vector<ReaderEntry> all;
+    for_each_stage([&](const Stage& stage, std::size_t) {
+      all.push_back({ReaderEntry::Kind::stage, stage.id, html_.line(stage.title_text),
+                     speech_.words(stage.title_text)});
+      for (std::size_t i = 0; i < stage.steps.size(); ++i) {
+        const Step& step = stage.steps[i];
+        if (!step.title.empty())
+          all.push_back({ReaderEntry::Kind::step, step_id(stage, i + 1), html_.line(step.title),
+                         speech_.words(step.title)});
+        for (const Equation* equation : blocks_of<Equation>(step))
+          all.push_back({ReaderEntry::Kind::equation, equation_id(stage, *equation),
+                         html_.formula(equation->math, equation->tex), speech_.words(*equation)});
+      }
+    });
+    return all;
   }
 
   template <class Do>
@@ -322,6 +316,26 @@ class ReaderText {
   const Scene* figure_ = nullptr;  ///< that was shown last in the stage
 };
 
+/// How the page is found on the web, and how it looks where it is linked to.
+std::string head_of(const ReaderEdition& edition) {
+  if (!edition.place) return {};
+  const ReaderPlace& place = *edition.place;
+  const std::string outcomes = fmt::format("{}", fmt::join(edition.lesson.about.outcomes, "; "));
+  return social_head(place.url, edition.lesson.id + ".html", edition.lesson.title, outcomes, place.preview);
+}
+
+std::string link_to_index(const ReaderEdition& edition) {
+  if (!edition.place) return {};
+  return fmt::format("<p class=\"site\"><a href=\"{}\">All lessons</a></p>\n", kSiteIndex);
+}
+
+std::string link_to_next(const ReaderEdition& edition) {
+  if (!edition.place || edition.place->next.empty()) return {};
+  const ReaderPlace& place = *edition.place;
+  return fmt::format("<p class=\"site next\">The next lesson: <a href=\"{}.html\">{}</a></p>\n",
+                     html_escaped(place.next), html_escaped(place.next_title));
+}
+
 /// The error, where it is no full disk.
 struct Stop {
   bool stopped = false;
@@ -352,7 +366,7 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
                      const ReaderProgress& go_on, const Effort& effort, Stop& stop) try {
   const Lesson& lesson = edition.lesson;
   ReaderText text(edition, renderer, effort);
-  const std::string style = style_of(edition);
+  const std::string style = reader_style(lesson);
   const std::string script = std::string("\n") + reader_assets::kReaderJs;
   // Nothing is fetched, and nothing runs but what is written here, whatever the lesson says.
   const std::string policy = fmt::format(
@@ -368,6 +382,9 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
       {"about", text.about()},
       {"outline", text.outline()},
       {"references", text.references()},
+      {"head", head_of(edition)},
+      {"index", link_to_index(edition)},
+      {"next", link_to_next(edition)},
   };
   return append_frame(reader_assets::kReaderHtml, append, [&](const std::string& name) {
     return name == "stages" ? append_stages(text, append, go_on, stop) : append(bytes_of(texts.at(name)));
@@ -380,6 +397,10 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
 }
 
 }  // namespace
+
+std::vector<ReaderEntry> entries_of(const ReaderEdition& edition, Renderer& renderer, const Effort& effort) {
+  return ReaderText(edition, renderer, effort).entries();
+}
 
 std::size_t steps_of(const ReaderEdition& edition) {
   std::size_t count = 0;

@@ -11,15 +11,27 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace polhode {
 
+/// Where a page lies among others of a site (app/publish/site/): ID.html beside each other, and an index.
+struct ReaderPlace {
+  std::set<std::string> lessons{};   ///< ids of those that links of the lesson may lead to
+  std::string next{}, next_title{};  ///< the lesson behind this one; empty: none
+  std::string url{};                 ///< of the folder on the web, with a slash at its end; may be empty
+  std::string preview{};             ///< name of a picture of 1200 x 630 px; empty: none
+};
+inline constexpr const char* kSiteIndex = "index.html";
+
 struct ReaderEdition {
   const Lesson& lesson;
   std::vector<std::string> stages{};  ///< ids; empty: all. Nothing leads to the others
   ReaderFigures::Look look{};  ///< of the figures: texts follow the reader's own wish for light or dark
+  std::optional<ReaderPlace> place{};  ///< absent: it lies alone
 };
 
 /// Told which of the edition's steps comes next, from 0, and the stage it is of; false stops.
@@ -28,6 +40,17 @@ using ReaderProgress = std::function<bool(std::size_t step, const Stage& stage)>
 enum class ReaderEnd { written, stopped };
 
 std::size_t steps_of(const ReaderEdition& edition);
+
+/// What can be looked for on the page: headings and equations, in their order.
+struct ReaderEntry {
+  enum class Kind { stage, step, equation } kind = Kind::stage;
+  std::string id;     ///< the page's address behind '#'
+  std::string html;   ///< within a line
+  std::string words;  ///< as it is read aloud
+};
+/// @throws what `effort` throws
+std::vector<ReaderEntry> entries_of(const ReaderEdition& edition, Renderer& renderer,
+                                    const Effort& effort = {});
 
 /// The file appears whole or not at all: if `go_on`, which may be empty, says false, or `effort` throws
 /// Interrupted, it is stopped, and what stood under the name stays. One figure is in memory at a time.

@@ -92,7 +92,7 @@ TEST(DeckHtml, ADeckOfNothingIsAPageToo) {
 }
 
 TEST(Deck, ADamagedPictureLeavesNoFileAndIsNamed) {
-  for (const DeckKind kind : {DeckKind::html, DeckKind::pdf}) {
+  for (const DeckKind kind : {DeckKind::html, DeckKind::pdf, DeckKind::pptx}) {
     const ScratchFolder folder, out;
     const Deck deck = example_deck(folder);
     const std::string png = text_of(deck.slides[4].png);
@@ -107,7 +107,7 @@ TEST(Deck, ADamagedPictureLeavesNoFileAndIsNamed) {
 }
 
 TEST(Deck, CanBeStoppedAtAnySlideAndLeavesTheOldFile) {
-  for (const DeckKind kind : {DeckKind::html, DeckKind::pdf})
+  for (const DeckKind kind : {DeckKind::html, DeckKind::pdf, DeckKind::pptx})
     for (const std::size_t last : {0u, 3u, 5u}) {
       const ScratchFolder folder, out;
       const Deck deck = example_deck(folder);
@@ -125,6 +125,7 @@ TEST(Deck, TheKindIsInTheName) {
   EXPECT_EQ(deck_kind_of("a/b.html"), DeckKind::html);
   EXPECT_EQ(deck_kind_of("b.HTM"), DeckKind::html);
   EXPECT_EQ(deck_kind_of("b.Pdf"), DeckKind::pdf);
+  EXPECT_EQ(deck_kind_of("b.pptx"), DeckKind::pptx);
   for (const char* other : {"b", "b.pdf.png", ".html", "pdf", ""})
     EXPECT_EQ(deck_kind_of(other), std::nullopt);
 }

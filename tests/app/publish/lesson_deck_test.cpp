@@ -139,18 +139,18 @@ ProgramRun export_deck(const std::filesystem::path& file, std::vector<std::strin
 
 TEST(ExportDeck, LeavesTheDeckAlone) {
   const ScratchFolder folder;
-  for (const char* name : {"deck.html", "deck.pdf"}) {
+  for (const char* name : {"deck.html", "deck.pdf", "deck.pptx"}) {
     const ProgramRun run = export_deck(folder / "made" / name, {"--each", "step"});
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_THAT(run.err, HasSubstr("4 slides in "));
   }
-  EXPECT_THAT(names_in(folder / "made"), ElementsAre("deck.html", "deck.pdf"));
+  EXPECT_THAT(names_in(folder / "made"), ElementsAre("deck.html", "deck.pdf", "deck.pptx"));
   EXPECT_THAT(text_of(folder / "made/deck.html"), HasSubstr("aria-label=\"A steady spin, step 2 of 2\""));
 }
 
 TEST(ExportDeck, IsTheSameWithAndWithoutAFolderForThePictures) {
   const ScratchFolder folder;
-  for (const char* ending : {".html", ".pdf"}) {
+  for (const char* ending : {".html", ".pdf", ".pptx"}) {
     const std::string a = std::string("a") + ending, b = std::string("b") + ending;
     ASSERT_EQ(export_deck(folder / a).code, 0);
     ASSERT_EQ(export_deck(folder / b, {"-o", (folder / "kept").string()}).code, 0);
@@ -250,7 +250,7 @@ TEST(ExportDeck, SaysWhatCannotBe) {
     EXPECT_THAT(run.err, HasSubstr(text));
     EXPECT_THAT(names_in(folder.path()), testing::IsEmpty());
   };
-  expect(export_deck(folder / "deck.odp"), "has to end in .html or .pdf");
+  expect(export_deck(folder / "deck.odp"), "has to end in .html, .pdf or .pptx");
   expect(export_deck(folder / "deck.html", {"--each", "frame"}), "goes with --each stage or step");
   expect(polhode({"export", test_lesson("tiny.md"), "--what", "transcript", "--deck",
                   (folder / "a.html").string()}),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/publish/pdf_file.h"
+#include "render/vector/pdf_file.h"
 
 #include <qpdf/Pipeline.hh>
 #include <qpdf/QPDF.hh>

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "app/publish/site/site_index.h"
+
+#include "app/export/picture_metadata.h"
+#include "app/publish/html_frame.h"
+#include "app/publish/html_text.h"
+#include "app/publish/reader/reader_style.h"
+#include "app/publish/site/site_assets.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace polhode {
+
+namespace {
+
+constexpr const char* kLead =
+    "Each equation stands beside a body that moves by it, and below it whether it was proved. The pages can "
+    "be read on any screen, by a screen reader, without network and without script.";
+
+/// `lang` of what is in another language than the page.
+std::string language_of(const Lesson& lesson, const std::string& of_page) {
+  const std::string& language = lesson.about.language;
+  return language == of_page ? "" : fmt::format(" lang=\"{}\"", html_escaped(language));
+}
+
+const Lesson* find(const std::vector<SiteIndexLesson>& lessons, const std::string& id) {
+  for (const SiteIndexLesson& one : lessons)
+    if (one.lesson.id == id) return &one.lesson;
+  return nullptr;
+}
+
+std::string link_to(const Lesson& lesson) {
+  return fmt::format("<a href=\"{}.html\">{}</a>", html_escaped(lesson.id), html_escaped(lesson.title));
+}
+
+/// A line of what one should know; it may be another lesson.
+std::string prerequisite(const std::vector<SiteIndexLesson>& lessons, const std::string& line) {
+  const Lesson* lesson = find(lessons, line);
+  return lesson == nullptr ? html_escaped(line) : link_to(*lesson);
+}
+
+std::string lesson_html(const std::vector<SiteIndexLesson>& all, std::size_t i) {
+  const SiteIndexLesson& one = all[i];
+  const Lesson& lesson = one.lesson;
+  std::string html = fmt::format(
+      "<li class=\"lesson\"{}>\n<div class=\"about\">\n<h2><span class=\"number\">{}</span>{}</h2>\n",
+      language_of(lesson, all.front().lesson.about.language), i + 1, link_to(lesson));
+  if (!lesson.about.authors.empty())
+    html += fmt::format("<p class=\"authors\">{}</p>\n",
+                        html_escaped(fmt::format("{}", fmt::join(lesson.about.authors, ", "))));
+  if (!lesson.about.outcomes.empty()) {
+    html += "<h3>What you will be able to do</h3>\n<ul>\n";
+    for (const std::string& line : lesson.about.outcomes) html += "<li>" + html_escaped(line) + "</li>\n";
+    html += "</ul>\n";
+  }
+  if (!lesson.about.prerequisites.empty()) {
+    html += "<h3>What you should know</h3>\n<ul>\n";
+    for (const std::string& line : lesson.about.prerequisites)
+      html += "<li>" + prerequisite(all, line) + "</li>\n";
+    html += "</ul>\n";
+  }
+  if (!one.downloads.empty()) {
+    std::vector<std::string> links;
+    for (const SiteDownload& download : one.downloads)
+      links.push_back(
+          fmt::format("<a href=\"{}\">{}</a>", html_escaped(download.file), html_escaped(download.words)));
+    html += fmt::format("<p>To take along: {}</p>\n", fmt::join(links, ", "));
+  }
+  html += "</div>\n";
+  // It says nothing that is not said beside it.
+  if (!one.picture.empty())
+    html += fmt::format("<img width=\"{}\" height=\"{}\" alt=\"\" src=\"{}\"/>\n", kPreviewWidth,
+                        kPreviewHeight, one.picture);
+  return html + "</li>\n";
+}
+
+/// Words that the script looks through: those of the entry, and its name in addresses.
+std::string entry_html(const Lesson& lesson, const ReaderEntry& entry) {
+  return fmt::format("<li{} data-words=\"{} {}\"><a href=\"{}.html#{}\">{}</a></li>\n",
+                     entry.kind == ReaderEntry::Kind::stage ? "" : " class=\"within\"",
+                     html_escaped(entry.words), html_escaped(entry.id), html_escaped(lesson.id),
+                     html_escaped(entry.id), entry.html);
+}
+
+std::string entries_html(const std::vector<SiteIndexLesson>& lessons) {
+  std::string html;
+  for (const SiteIndexLesson& one : lessons) {
+    html += fmt::format("<details{}>\n<summary>{}</summary>\n<ul>\n",
+                        language_of(one.lesson, lessons.front().lesson.about.language),
+                        html_escaped(one.lesson.title));
+    for (const ReaderEntry& entry : one.entries) html += entry_html(one.lesson, entry);
+    html += "</ul>\n</details>\n";
+  }
+  return html;
+}
+
+/// With the colours of the symbols of all lessons.
+std::string style_of(const std::vector<SiteIndexLesson>& lessons) {
+  Lesson all;
+  for (const SiteIndexLesson& one : lessons)
+    for (const auto& [name, symbol] : one.lesson.symbols)
+      all.symbols.emplace(one.lesson.id + ' ' + name, symbol);
+  return reader_style(all) + site_assets::kSiteCss;
+}
+
+}  // namespace
+
+std::vector<std::size_t> course_order(const std::vector<const Lesson*>& lessons) {
+  std::map<std::string, std::size_t> place;
+  std::set<std::string> follow;
+  for (std::size_t i = 0; i < lessons.size(); ++i) {
+    place.emplace(lessons[i]->id, i);
+    follow.insert(lessons[i]->about.next);
+  }
+  std::vector<std::size_t> order;
+  std::set<std::size_t> taken;
+  const auto take_chain = [&](std::size_t i) {
+    while (taken.insert(i).second) {
+      order.push_back(i);
+      const auto next = place.find(lessons[i]->about.next);
+      if (next == place.end()) return;
+      i = next->second;
+    }
+  };
+  for (const auto& [id, i] : place)
+    if (!follow.contains(id)) take_chain(i);
+  for (const auto& [id, i] : place) take_chain(i);  // those that lead round in a circle
+  return order;
+}
+
+std::string site_index_html(const std::vector<SiteIndexLesson>& lessons, const std::string& url,
+                            const std::string& preview) {
+  const std::string style = style_of(lessons), script = std::string("\n") + site_assets::kSiteJs;
+  std::string shown;
+  for (std::size_t i = 0; i < lessons.size(); ++i) shown += lesson_html(lessons, i);
+  const std::map<std::string, std::string> texts = {
+      {"language", html_escaped(lessons.empty() ? "en" : lessons.front().lesson.about.language)},
+      // Nothing is fetched, and nothing runs but what is written here, whatever the lessons say.
+      {"policy",
+       fmt::format("default-src 'none'; img-src data:; style-src {}; script-src {}; base-uri 'none'; "
+                   "form-action 'none'",
+                   policy_hash(style), policy_hash(script))},
+      {"program", html_escaped(program_name_and_version())},
+      {"title", html_escaped(kSiteTitle)},
+      {"head", social_head(url, "", kSiteTitle, kLead, preview)},
+      {"style", style},
+      {"lead", html_escaped(kLead)},
+      {"lessons", shown},
+      {"entries", entries_html(lessons)},
+      {"script", script},
+  };
+  return filled_frame(site_assets::kSiteHtml, texts);
+}
+
+std::string sitemap_xml(const std::string& url, const std::vector<std::string>& files) {
+  std::string xml =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<urlset "
+      "xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n";
+  for (const std::string& file : files) xml += "<url><loc>" + escaped(url + file) + "</loc></url>\n";
+  return xml + "</urlset>\n";
+}
+
+}  // namespace polhode
