@@ -78,7 +78,7 @@ const std::vector<Room>& rooms() {
       {"app/narration/", kNarration, {"fmt/"}, kConsoleAndFiles},
       {"app/page/", kPage, {"fmt/"}, kConsole},
       {"app/export/", kExport, kFormats + kPosix, kConsole},
-      {"app/publish/", Names{"app/publish/"} + kExport, Names{"fmt/", "qpdf/"} + kPosix, kConsole},
+      {"app/publish/", Names{"app/publish/"} + kExport, Names{"fmt/", "qpdf/", "libdeflate.h"} + kPosix, kConsole},
       {"app/session/", kSession, kFormats + kPosix, kConsole},
       {"app/window/panels/", kWindow, kControls, kConsole},
       {"app/window/screen", kWindow, kControls, kConsole},  // drawn off-screen too, without GLFW

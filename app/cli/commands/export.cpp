@@ -12,6 +12,7 @@
 #include "app/publish/ffmpeg.h"
 #include "app/publish/film.h"
 #include "app/publish/lesson_deck.h"
+#include "app/publish/live/sandbox_page.h"
 #include "app/publish/reader/reader_page.h"
 #include "base/files/temporary_file.h"
 #include "base/printable.h"
@@ -257,17 +258,35 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
   return ExitCode::done;
 }
 
+/// Where the program for pages is looked for: $POLHODE_WEB alone, if set and not empty; else where ./web
+/// builds it in a source folder, and where it is installed beside the lessons.
+std::vector<fs::path> web_folders() {
+  if (const char* chosen = std::getenv("POLHODE_WEB"); chosen && *chosen) return {chosen};
+  return {"build/web", lesson_folders().back().parent_path() / "web"};
+}
+
+/// The lesson's text once more, the same as was read before.
+LiveParts live_parts_of(const LoadedLesson& loaded) {
+  LiveProgram program = or_fail(read_live_program(web_folders()));
+  std::string text = or_fail(read_lesson_text(loaded.path));
+  if (sha256_hex(text) != loaded.sha256)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("lesson {} has changed meanwhile; try again", loaded.path.string()));
+  return {std::move(program), std::move(text)};
+}
+
 /// What is drawn goes into the file as it is made, so there is nothing to go on with after a stop.
 ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
   for (const std::string& id : out.stages) static_cast<void>(stage_of(loaded.lesson, id));
   refuse_folder("--reader", out.file);
+  const std::optional<LiveParts> live = out.live ? std::optional(live_parts_of(loaded)) : std::nullopt;
   or_fail(make_folder(fs::absolute(out.file).parent_path()));
   const InterruptWatch watch;
   const auto context = or_fail(open_context(out.context));
   const Fonts fonts = or_fail(Fonts::open());
   or_fail(check_type_of(loaded, fonts));
   const auto renderer = or_fail(Renderer::create(*context, fonts));
-  const ReaderEdition edition{loaded.lesson, out.stages, {out.theme, out.quality}};
+  const ReaderEdition edition{loaded.lesson, out.stages, {out.theme, out.quality}, live};
   const std::size_t count = steps_of(edition);
   ReaderEnd end = ReaderEnd::stopped;
   {
@@ -286,7 +305,21 @@ ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
   return ExitCode::done;
 }
 
+ExitCode export_sandbox(const ReaderOutput& out) {
+  refuse_folder("--sandbox", out.file);
+  const LiveProgram program = or_fail(read_live_program(web_folders()));
+  or_fail(make_folder(fs::absolute(out.file).parent_path()));
+  const auto context = or_fail(open_context(out.context));
+  const Fonts fonts = or_fail(Fonts::open());
+  const auto renderer = or_fail(Renderer::create(*context, fonts));
+  or_fail(write_sandbox(out.file, program, *renderer, out.durability));
+  say("a sandbox in {}\n", out.file);
+  return ExitCode::done;
+}
+
 ExitCode run_export(const TypedExport& typed) {
+  if (!typed.sandbox.empty()) return export_sandbox(sandbox_output(typed));
+  if (typed.lesson.empty()) throw usage("LESSON is required");
   if (!typed.reader.empty()) {
     const ReaderOutput out = reader_output(typed);
     return export_reader(or_fail(load_lesson(typed.lesson)), out);
@@ -310,7 +343,7 @@ Command export_command() {
   return {
       "export",
       "Export a lesson's pages, equations and figures as PNG files, or its text",
-      {{"LESSON", &typed->lesson, "id or file", " ", true, offer_lessons()},
+      {{"LESSON", &typed->lesson, "id or file; none with --sandbox", " ", false, offer_lessons()},
        {"-o,--output", &typed->folder, "folder for the files; made if missing", "DIR", false,
         offer_folders()},
        {"--stage", &typed->stages, "only this stage; repeat for more (default: all)", "ID"},
@@ -343,6 +376,9 @@ Command export_command() {
         false, offer_files()},
        {"--reader", &typed->reader, "make a page of text to read (html), with figures and questions", "FILE",
         false, offer_files()},
+       {"--live", &typed->live, "figures of --reader play, turn and start anew in the browser; after ./web"},
+       {"--sandbox", &typed->sandbox, "make a page (html) to throw a body on, of no lesson; after ./web",
+        "FILE", false, offer_files()},
        {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN", false,
         offer(export_words().sync)},
        {"--context", &typed->context, "OpenGL from auto, osmesa or egl (default: auto)", "KIND", false,
@@ -359,7 +395,10 @@ Command export_command() {
       "A transcript is plain text with the formulas in words.\n"
       "A deck is one HTML file for any browser (? tells its keys), or a PDF, with the transcript as notes.\n"
       "A reader's page is one HTML file of text, formulas and figures, for any screen or screen reader;\n"
-      "--stage, --theme and --quality of its figures, --sync and --context are the options that go with it.\n"
+      "--stage, --theme and --quality of its figures, --live, --sync and --context are the options that go\n"
+      "with it. With --live, as in a sandbox, each figure is a picture until it is pressed, and then "
+      "computed\n"
+      "in the page, without network; the program for it is in build/web or PROGRAM/../share/polhode/web.\n"
       "Names of sizes: 16:9 1920x1080, 4k 3840x2160, 4:3 1440x1080, a4 3508x2480 at 300 dpi, for print.\n"
       "Files: NN-STAGE.png, NN-STAGE-EQUATION.png, NN-STAGE-stepK.png, NN-STAGE-frameF.png, LESSON.txt;\n"
       "NN is the stage's place in the lesson. Each appears whole or not at all; manifest.json comes last.\n"

@@ -6,8 +6,10 @@
 #include "app/narration/still_numbers.h"
 #include "app/narration/verdict_row.h"
 #include "app/publish/html_frame.h"
+#include "app/publish/live/live_assets.h"
 #include "app/publish/reader/question_html.h"
 #include "app/publish/reader/reader_assets.h"
+#include "app/publish/reader/reader_style.h"
 #include "base/interrupt.h"
 #include "lessons/reader/markdown/footnotes.h"
 
@@ -56,6 +58,11 @@ TextNumbers numbers_in(const ReaderEdition& edition, const Fonts& fonts, const E
   return numbers;
 }
 
+bool has_computed_caption(const Step& step) {
+  return std::any_of(step.captions.begin(), step.captions.end(),
+                     [](const auto& caption) { return caption && !numbers_in(*caption).empty(); });
+}
+
 std::string_view class_of(Certainty certainty) {
   switch (certainty) {
     case Certainty::proved:
@@ -68,34 +75,6 @@ std::string_view class_of(Certainty certainty) {
       break;
   }
   return "open";
-}
-
-std::string colors_in(const ReaderEdition& edition, Theme theme) {
-  const PageColors& colors = colors_of(theme);
-  std::string css = fmt::format(
-      "--paper: {}; --ink: {}; --quiet: {}; --accent: {}; --panel: {}; --line: {}; --said: {}; --meant: {}; "
-      "--question: {};",
-      hex(colors.paper), hex(colors.ink), hex(colors.quiet), hex(colors.accent), hex(colors.panel),
-      hex(colors.line), hex(colors.said), hex(colors.meant), hex(colors.question));
-  std::set<std::string> roles;
-  for (const auto& [name, symbol] : edition.lesson.symbols) roles.insert(symbol.role);
-  for (const std::string& role : roles)
-    if (const std::string name = class_of_role(role); !name.empty())
-      css += fmt::format(" --{}: {};", name, hex(on_paper(role_from(role)->ink, theme)));
-  return css;
-}
-
-/// Light or dark is the reader's choice; paper is always light.
-std::string style_of(const ReaderEdition& edition) {
-  std::string css =
-      fmt::format("\n:root {{ color-scheme: light dark; {} }}\n", colors_in(edition, Theme::paper)) +
-      fmt::format("@media screen and (prefers-color-scheme: dark) {{ :root {{ {} }} }}\n",
-                  colors_in(edition, Theme::dark));
-  std::set<std::string> names;
-  for (const auto& [name, symbol] : edition.lesson.symbols) names.insert(class_of_role(symbol.role));
-  for (const std::string& name : names)
-    if (!name.empty()) css += fmt::format(".{0} {{ color: var(--{0}); }}\n", name);
-  return css + reader_assets::kReaderCss;
 }
 
 /// The steps of an edition, one after the other.
@@ -132,6 +111,10 @@ class ReaderText {
     };
     list("What you will be able to do", about.outcomes);
     list("What you should know", about.prerequisites);
+    if (edition_.live)
+      html +=
+          "<noscript><p class=\"quiet\">The figures are pictures here. Where the page may run its script, "
+          "which fetches and sends nothing, they can be played, turned and started anew.</p></noscript>\n";
     return html;
   }
 
@@ -282,6 +265,17 @@ class ReaderText {
                        picture.size.height, html_escaped(picture.alt), picture.source);
   }
 
+  /// What assets/web/figures.js has to know of a figure: of which step it is, and whether it rests until it
+  /// is played, for its motion would give a prediction away.
+  std::string live_data(const Stage& stage, int step) const {
+    if (!edition_.live) return {};
+    const auto asks = blocks_of<Ask>(stage.steps[static_cast<std::size_t>(step - 1)]);
+    const bool rests =
+        std::any_of(asks.begin(), asks.end(), [](const Ask* ask) { return ask->plays.has_value(); });
+    return fmt::format(" data-stage=\"{}\" data-step=\"{}\"{}", html_escaped(stage.id), step,
+                       rests ? " data-rest" : "");
+  }
+
   /// Steps that go on with a scene have no figure of their own.
   Outcome<std::string> figure_of(const Stage& stage, int step) {
     const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
@@ -289,11 +283,13 @@ class ReaderText {
     figure_ = of.scene.get();
     const Outcome<ReaderPicture> picture = figures_.still(stage, step);
     if (!picture) return passed_on(picture);
-    std::string html = "<figure>\n" + img(*picture) + '\n';
+    std::string html = "<figure" + live_data(stage, step) + ">\n" + img(*picture) + '\n';
     const std::vector<std::string> captions = figures_.captions(of);
-    if (captions.size() == 1) html += "<figcaption>" + html_.line(captions.front()) + "</figcaption>\n";
+    const std::string open =
+        edition_.live && has_computed_caption(of) ? "<figcaption data-computed>" : "<figcaption>";
+    if (captions.size() == 1) html += open + html_.line(captions.front()) + "</figcaption>\n";
     if (captions.size() > 1) {
-      html += "<figcaption><ol>\n";
+      html += open + "<ol>\n";
       for (const std::string& caption : captions) html += "<li>" + html_.line(caption) + "</li>\n";
       html += "</ol></figcaption>\n";
     }
@@ -351,12 +347,16 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
                      const ReaderProgress& go_on, const Effort& effort, Stop& stop) try {
   const Lesson& lesson = edition.lesson;
   ReaderText text(edition, renderer, effort);
-  const std::string style = style_of(edition);
-  const std::string script = std::string("\n") + reader_assets::kReaderJs;
+  const LiveParts* live = edition.live ? &*edition.live : nullptr;
+  std::string style = reader_style(lesson), script = std::string("\n") + reader_assets::kReaderJs;
+  if (live != nullptr) {
+    style += live_assets::kLiveCss;
+    script += std::string(live_assets::kLiveJs) + live_assets::kFiguresJs;
+  }
   // Nothing is fetched, and nothing runs but what is written here, whatever the lesson says.
   const std::string policy = fmt::format(
-      "default-src 'none'; img-src data:; style-src {}; script-src {}; base-uri 'none'; form-action 'none'",
-      policy_hash(style), policy_hash(script));
+      "default-src 'none'; img-src data:; style-src {}; script-src {}{}; base-uri 'none'; form-action 'none'",
+      policy_hash(style), policy_hash(script), live != nullptr ? ' ' + live_policy(live->program) : "");
   const std::map<std::string, std::string> texts = {
       {"language", html_escaped(lesson.about.language)},
       {"policy", policy},
@@ -365,6 +365,7 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
       {"style", style},
       {"script", script},
       {"about", text.about()},
+      {"live", live != nullptr ? live_elements(live->program, live->lesson_text) : ""},
       {"outline", text.outline()},
       {"references", text.references()},
   };
