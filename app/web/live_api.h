@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a page's script calls: a lesson's figure in a canvas, the same C++ as in the window.
 //
-// One figure at a time in each instance of the module: the step that is shown. A page has one canvas, which it
-// moves to the figure in view, and tells this side which step that is. All judgement is here; the script passes
-// on what happened, asks for a picture where it wants one, and copies words into the page.
+// One figure at a time in each instance of the module: the step that is shown. A page has one canvas, which
+// it moves to the figure in view, and tells this side which step that is. All judgement is here; the script
+// passes on what happened, asks for a picture where it wants one, and copies words into the page.
 //
 // Texts go in and come out as UTF-8. A `const char*` that comes out is valid until the next call. Calls that
 // change something return 1 if it was done and 0 if it was refused, with nothing changed: polhode_message()
@@ -46,9 +46,9 @@ enum {
 /// The height of a picture of this width, px: as high as its plots need. 0 without a scene.
 int polhode_height_for(int width);
 /// Draws the shown step at the present time into the canvas, whose size must be (width, height) px already.
-/// Does nothing, and returns 1, if that picture is already there and was not lost. `resolution`, 0 < … ≤ 1:
-/// the part of its pixels each way with which space is drawn, then enlarged, while something moves on a slow
-/// machine; 1: all.
+/// Does nothing, and returns 1, if that picture is already there and was not lost. Without a canvas it is
+/// refused, but laid out: hands then know where things are. `resolution`, 0 < … ≤ 1: the part of its pixels
+/// each way with which space is drawn, then enlarged, while something moves on a slow machine; 1: all.
 int polhode_draw(int width, int height, int what, double resolution);
 /// 0: on paper (light), 1: dark.
 void polhode_set_theme(int dark);
@@ -73,8 +73,8 @@ enum {
   POLHODE_DOUBLE = 3,  ///< the camera of the lesson again
 };
 /// Returns what is held or lies under the pointer: 0 nothing, 1 the figure (a drag turns it), 2 the tip of
-/// omega (a drag puts it elsewhere, with T kept). A drag over the picture's height turns by half a turn, as in
-/// the window. `reach`, px: 12 css px for a mouse, 24 for a finger.
+/// omega (a drag puts it elsewhere, with T kept). A drag over the picture's height turns by half a turn, as
+/// in the window. `reach`, px: 12 css px for a mouse, 24 for a finger.
 int polhode_pointer(int kind, double x, double y, double reach);
 /// Notches of a wheel, > 0 nearer; of two fingers log(ratio of their distances)/log(1.1).
 void polhode_zoom(double notches);
@@ -113,17 +113,18 @@ const char* polhode_message(void);
 ///   "playing", "speed", "rate" (simulated seconds a shown one), "from", "to" (the time line's),
 ///   "duration", "still" (the t of a still), "period" (of the polhode, null: none), "flips": [t…],
 ///   "method": {"name", "step", "tolerance", "control": "none"|"fixed"|"adaptive", "why", "usual_step"},
-///   "error": {"omega", "attitude"} (of the method against the closed form at t; null: there is none, or it is),
-///   "drift": {"T", "L", "L_direction"} (since the start),
-///   "vary": [{"number", "from", "to", "value", "unit", "tex"}], "overlays": [{"name", "shown", "words"}],
-///   "tips": [{"x", "y"}] (of omega in the last picture), "message" }
+///   "error": {"omega", "attitude"} (of the method against the closed form at t; null: there is none, or it
+///   is), "drift": {"T", "L", "L_direction"} (since the start), "vary": [{"number", "from", "to", "value",
+///   "unit", "tex"}], "overlays": [{"name", "shown", "words"}], "tips": [{"x", "y"}] (of omega in the last
+///   picture), "message" }
 /// Without a scene null.
 const char* polhode_state(void);
 /// { "bodies": [{"name", "moments": [3]}], "methods": [{"name", "words", "keeps", "control", "why_not"}] }
 /// `why_not` is null where the method serves the present scene. Not to be asked for in every frame.
 const char* polhode_choices(void);
 /// { "alt" (what the picture shows now), "captions": [{"text"}] (words for a screen reader),
-///   "readouts": [{"name", "value"}] (ω, |ω|, T, |L|, angle of ω and L, error: as the window's panel says them) }
+///   "readouts": [{"name", "value"}] (ω, |ω|, T, |L|, angle of ω and L, error: as the window's panel says
+///   them) }
 const char* polhode_words(void);
 
 #ifdef __cplusplus

@@ -67,7 +67,7 @@ const std::vector<Room>& rooms() {
       {"render/image/", {"base/"}, Names{"png.h", "zlib.h", "libdeflate.h", "isa-l/", "webp/"}, kConsole},
       {"render/gl/",
        {"render/figure/", "render/drawing/", "render/palette.h", "render/typeset/", "render/image/", "base/"},
-       Names{"Eigen/", "GL/", "EGL/", "KHR/"} + kPosix,
+       Names{"Eigen/", "GL/", "EGL/", "KHR/", "emscripten/"} + kPosix,
        kConsole},
       {"render/palette", {"base/"}, {}, kConsoleAndFiles},
       {"lessons/diagnostics/", {"base/"}, {}, kConsoleAndFiles},
@@ -80,6 +80,7 @@ const std::vector<Room>& rooms() {
       {"app/export/", kExport, kFormats + kPosix, kConsole},
       {"app/publish/", Names{"app/publish/"} + kExport, Names{"fmt/", "qpdf/", "libdeflate.h"} + kPosix, kConsole},
       {"app/session/", kSession, kFormats + kPosix, kConsole},
+      {"app/web/", kSession, Names{"emscripten/"} + kFormats, kConsole},
       {"app/window/panels/", kWindow, kControls, kConsole},
       {"app/window/screen", kWindow, kControls, kConsole},  // drawn off-screen too, without GLFW
       {"app/window/", kWindow, Names{"GLFW/", "X11/", "backends/imgui_impl_glfw.h"} + kControls, kConsole},
