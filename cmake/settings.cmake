@@ -27,6 +27,17 @@ set(polhode_common_headers <algorithm> <array> <chrono> <cmath> <cstdint> <files
 
 add_library(polhode_settings INTERFACE)
 target_include_directories(polhode_settings INTERFACE ${PROJECT_SOURCE_DIR})
+if(EMSCRIPTEN)
+  # What a standard library of 2021 lacks; a newer one needs nothing.
+  include(CheckCXXSourceCompiles)
+  set(CMAKE_REQUIRED_FLAGS -std=c++20)
+  check_cxx_source_compiles("#include <bit>\nint main() { return std::bit_cast<int>(0U); }" POLHODE_HAS_BIT_CAST)
+  unset(CMAKE_REQUIRED_FLAGS)
+  if(NOT POLHODE_HAS_BIT_CAST)
+    target_include_directories(polhode_settings SYSTEM BEFORE INTERFACE ${PROJECT_SOURCE_DIR}/cmake/web/libcxx13)
+    target_link_libraries(polhode_settings INTERFACE polhode_web_headers)
+  endif()
+endif()
 # No contraction to fused multiply-add: Debug and Release, GCC and Clang give the same numbers.
 target_compile_options(polhode_settings INTERFACE -ffp-contract=off)
 if(POLHODE_CCACHE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

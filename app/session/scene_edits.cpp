@@ -39,10 +39,29 @@ void show(OverlaySet& shown, const SceneEdits& edits) {
   }
 }
 
+/// Of the edits those that change a scene beside another one: how it is looked at, and the motion too, as far
+/// as it is the motion of that one, seen in another way.
+SceneEdits edits_beside(const SceneEdits& edits, const Scene& scene, const Scene& other) {
+  SceneEdits of_other = edits;
+  of_other.is_counterexample = false;
+  const bool same_start = other.body == scene.body && other.w0_B == scene.w0_B &&
+                          other.attitude == scene.attitude && other.torque == scene.torque;
+  if (!same_start || edits.is_counterexample) {
+    of_other.body = {};
+    of_other.w0_B = {};
+    of_other.attitude = {};
+    of_other.torque = {};
+  }
+  if (!same_start || edits.is_counterexample || other.motion != scene.motion) of_other.motion = {};
+  return of_other;
+}
+
 }  // namespace
 
 Scene edited(Scene scene, const SceneEdits& edits) {
   const CameraSpec lesson_camera = scene.camera;
+  std::vector<SceneEdits> of_others;
+  for (const Scene& other : scene.beside) of_others.push_back(edits_beside(edits, scene, other));
   if (!scene.attitude) {
     // The plane, shown or not, decides on an attitude that nobody stated. Hiding it does not turn the body
     // over; nor does showing it under a torque, which knows up from down: that would be another motion.
@@ -66,15 +85,8 @@ Scene edited(Scene scene, const SceneEdits& edits) {
   replace(scene.camera, edits.camera);
   replace(scene.quality, edits.quality);
   show(scene.show, edits);
-  SceneEdits of_look = edits;
-  of_look.body = {};
-  of_look.w0_B = {};
-  of_look.attitude = {};
-  of_look.torque = {};
-  of_look.is_counterexample = false;
-  of_look.motion = {};
   for (std::size_t i = 0; i < scene.beside.size(); ++i) {
-    Scene other = edited(scene.beside[i], of_look);
+    Scene other = edited(scene.beside[i], of_others[i]);
     other.camera = camera_beside(lesson_camera, scene.beside[i].camera, scene.camera);
     scene.beside[i] = std::move(other);
   }

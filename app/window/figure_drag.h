@@ -2,8 +2,7 @@
 // The mouse on the figure: it turns and moves the camera, or takes ω by its tip.
 #pragma once
 
-#include "app/session/lesson_session.h"
-#include "render/gl/renderer.h"
+#include "app/session/figure_hand.h"
 
 #include <string>
 #include <vector>
@@ -12,8 +11,8 @@ namespace polhode {
 
 class FigureDrag {
  public:
-  bool is_held() const { return held_ != Held::nothing; }
-  bool holds_omega() const { return held_ == Held::omega; }
+  bool is_held() const { return hand_.held() != FigureHand::On::nothing; }
+  bool holds_omega() const { return hand_.held() == FigureHand::On::omega; }
 
   /// What ImGui's io has of the mouse in this frame, done to the session.
   /// @param insets of the page that is shown
@@ -23,12 +22,13 @@ class FigureDrag {
   std::string use_mouse(LessonSession& session, const std::vector<Inset>& insets, bool on_page, double reach);
 
  private:
-  enum class Held { nothing, camera, omega };
+  FigureHand hand_;
+};
 
-  std::string move(LessonSession& session, const Inset& inset) const;
+std::string move(LessonSession& session, const Inset& inset) const;
 
-  Held held_ = Held::nothing;
-  std::size_t inset_ = 0, pane_ = 0;  ///< where it was taken
+Held held_ = Held::nothing;
+std::size_t inset_ = 0, pane_ = 0;  ///< where it was taken
 };
 
 }  // namespace polhode

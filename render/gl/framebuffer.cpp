@@ -168,6 +168,14 @@ void Framebuffer::copy_to(const Framebuffer& other, int x, int y, Size size) con
                        GL_COLOR_BUFFER_BIT, size == size_ ? GL_NEAREST : GL_LINEAR);
 }
 
+void Framebuffer::show() const {
+  gl_->Disable(GL_SCISSOR_TEST);
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, names_.resolved);
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl_->BlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, GL_COLOR_BUFFER_BIT,
+                       GL_NEAREST);
+}
+
 Image Framebuffer::read() const {
   Image image = Image::blank(size_);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, names_.resolved);

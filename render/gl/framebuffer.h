@@ -34,6 +34,8 @@ class Framebuffer {
   void copy_to(const Framebuffer& other, int x, int y) const { copy_to(other, x, y, size_); }
   /// Enlarged or reduced to `size`, between pixels in proportion.
   void copy_to(const Framebuffer& other, int x, int y, Size size) const;
+  /// Copies the resolved pixels into what the context shows, a canvas of the same size.
+  void show() const;
   /// The texture's pixels, top row first, as they were drawn: alpha stays premultiplied if the drawing
   /// premultiplied. Call resolve() before. 1080p: 2 ms of CPU.
   Image read() const;

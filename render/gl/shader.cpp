@@ -18,10 +18,20 @@ std::string log_of(GLuint object, Query query, Log log) {
   return text.empty() ? "the driver gives no reason" : text;
 }
 
+// The language of OpenGL 3.3, or that of WebGL 2 and OpenGL ES 3, which has to be told how exact numbers are,
+// and has no `noperspective`: where shaders say it, w is 1, and it changes the cost alone.
+std::string_view version_lines(const Gl& gl) {
+  const GLubyte* version = gl.GetString(GL_VERSION);
+  const std::string_view name = version ? reinterpret_cast<const char*>(version) : "";
+  return name.starts_with("OpenGL ES") ? "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                                         "precision highp sampler2D;\n#define noperspective\n"
+                                       : "#version 330 core\n";
+}
+
 Result<GLuint> compile(const Gl& gl, const std::string& name, GLenum stage,
                        const std::vector<std::string_view>& parts) {
   const GLuint shader = gl.CreateShader(stage);
-  std::string source = "#version 330 core\n";
+  std::string source(version_lines(gl));
   for (const std::string_view part : parts) source += part;
   const GLchar* text = source.data();
   const GLint length = static_cast<GLint>(source.size());

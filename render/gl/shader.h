@@ -18,8 +18,8 @@ namespace polhode {
 class Program {
  public:
   /// `name` is for messages ("body"). The error names program, stage and the driver's log.
-  /// Each source is the version line, which this adds, and its parts one after the other: macros, functions
-  /// that several shaders have, the shader.
+  /// Each source is the version lines, which this adds for OpenGL or for OpenGL ES (where GL_ES is defined),
+  /// and its parts one after the other: macros, functions that several shaders have, the shader.
   static Result<Program> create(const Gl& gl, const std::string& name,
                                 const std::vector<std::string_view>& vertex,
                                 const std::vector<std::string_view>& fragment);

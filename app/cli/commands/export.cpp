@@ -13,6 +13,7 @@
 #include "app/publish/ffmpeg.h"
 #include "app/publish/film.h"
 #include "app/publish/lesson_deck.h"
+#include "app/publish/live/sandbox_page.h"
 #include "app/publish/reader/reader_page.h"
 #include "base/files/temporary_file.h"
 #include "base/printable.h"
@@ -262,17 +263,39 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
   return ExitCode::done;
 }
 
+/// Where the program for pages is looked for: $POLHODE_WEB alone, if set and not empty; else where ./web
+/// builds it in a source folder, and where it is installed beside the lessons.
+std::vector<fs::path> web_folders() {
+  if (const char* chosen = std::getenv("POLHODE_WEB"); chosen && *chosen) return {chosen};
+  return {"build/web", lesson_folders().back().parent_path() / "web"};
+}
+
+/// The lesson's text once more, the same as was read before.
+LiveParts live_parts_of(const LoadedLesson& loaded) {
+  LiveProgram program = or_fail(read_live_program(web_folders()));
+  std::string text = or_fail(read_lesson_text(loaded.path));
+  if (sha256_hex(text) != loaded.sha256)
+    throw CommandError(ExitCode::failed,
+                       fmt::format("lesson {} has changed meanwhile; try again", loaded.path.string()));
+  return {std::move(program), std::move(text)};
+}
+
 /// What is drawn goes into the file as it is made, so there is nothing to go on with after a stop.
 ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
   for (const std::string& id : out.stages) static_cast<void>(stage_of(loaded.lesson, id));
   refuse_folder("--reader", out.file);
+  const std::optional<LiveParts> live = out.live ? std::optional(live_parts_of(loaded)) : std::nullopt;
   or_fail(make_folder(fs::absolute(out.file).parent_path()));
   const InterruptWatch watch;
   const auto context = or_fail(open_context(out.context));
   const Fonts fonts = or_fail(Fonts::open());
   or_fail(check_type_of(loaded, fonts));
   const auto renderer = or_fail(Renderer::create(*context, fonts));
-  const ReaderEdition edition{loaded.lesson, out.stages, {out.theme, out.quality}};
+  const ReaderEdition edition{.lesson = loaded.lesson,
+                              .stages = out.stages,
+                              .look = {out.theme, out.quality},
+                              .place = {},
+                              .live = live};
   const std::size_t count = steps_of(edition);
   ReaderEnd end = ReaderEnd::stopped;
   {
@@ -291,11 +314,24 @@ ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
   return ExitCode::done;
 }
 
+ExitCode export_sandbox(const ReaderOutput& out) {
+  refuse_folder("--sandbox", out.file);
+  const LiveProgram program = or_fail(read_live_program(web_folders()));
+  or_fail(make_folder(fs::absolute(out.file).parent_path()));
+  const auto context = or_fail(open_context(out.context));
+  const Fonts fonts = or_fail(Fonts::open());
+  const auto renderer = or_fail(Renderer::create(*context, fonts));
+  or_fail(write_sandbox(out.file, program, *renderer, out.durability));
+  say("a sandbox in {}\n", out.file);
+  return ExitCode::done;
+}
+
 ExitCode run_export(const TypedExport& typed) {
   if (!typed.site.empty()) return export_site(typed);
   for (const auto& [name, given] :
        {std::pair{"--url", !typed.url.empty()}, std::pair{"--with", !typed.with.empty()}})
     if (given) throw usage(std::string(name) + " goes with --site");
+  if (!typed.sandbox.empty()) return export_sandbox(sandbox_output(typed));
   const std::string& name = lesson_of(typed);
   if (!typed.reader.empty()) {
     const ReaderOutput out = reader_output(typed);
@@ -319,8 +355,8 @@ Command export_command() {
   return {
       "export",
       "Export a lesson's pages, equations and figures as PNG files, or its text",
-      {{"LESSON", &typed->lessons, "id or file; with --site any number (default: all)", " ", false,
-        offer_lessons()},
+      {{"LESSON", &typed->lessons, "id or file; with --site any number (default: all), with --sandbox none",
+        " ", false, offer_lessons()},
        {"-o,--output", &typed->folder, "folder for the files; made if missing", "DIR", false,
         offer_folders()},
        {"--stage", &typed->stages, "only this stage; repeat for more (default: all)", "ID"},
@@ -362,6 +398,9 @@ Command export_command() {
         "ADDRESS"},
        {"--with", &typed->with, "of --site: slides (html, pdf, pptx) or film (mp4) too; repeat for more",
         "KIND", false, offer(export_words().with)},
+       {"--live", &typed->live, "figures of --reader play, turn and start anew in the browser; after ./web"},
+       {"--sandbox", &typed->sandbox, "make a page (html) to throw a body on, of no lesson; after ./web",
+        "FILE", false, offer_files()},
        {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN", false,
         offer(export_words().sync)},
        {"--context", &typed->context, "OpenGL from auto, osmesa or egl (default: auto)", "KIND", false,
@@ -381,7 +420,10 @@ Command export_command() {
       "A deck is one HTML file for any browser (? tells its keys), a PDF, or a PPTX for PowerPoint and\n"
       "LibreOffice, with the transcript as notes.\n"
       "A reader's page is one HTML file of text, formulas and figures, for any screen or screen reader;\n"
-      "--stage, --theme and --quality of its figures, --sync and --context are the options that go with it.\n"
+      "--stage, --theme and --quality of its figures, --live, --sync and --context are the options that go\n"
+      "with it. With --live, as in a sandbox, each figure is a picture until it is pressed, and then "
+      "computed\n"
+      "in the page, without network; the program for it is in build/web or PROGRAM/../share/polhode/web.\n"
       "A site is a page of each lesson and index.html in the order of the course, without a server's help;\n"
       "addresses such as ID.html#stage and #stage/step.2 stay. A lesson that has not changed is not drawn\n"
       "again. --theme, --quality, --sync and --context go with it as with a reader's page.\n"

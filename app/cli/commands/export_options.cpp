@@ -217,7 +217,10 @@ const ExportWords& export_words() {
   return words;
 }
 
-ReaderOutput reader_output(const TypedExport& typed) {
+namespace {
+
+/// What goes with one page of HTML alone.
+void refuse_all_of_pictures(const TypedExport& typed, const std::string& reason) {
   refuse_given({{"--what", typed.what},
                 {"--profile", typed.profile},
                 {"--each", typed.each},
@@ -236,13 +239,23 @@ ReaderOutput reader_output(const TypedExport& typed) {
                 {"--output", typed.folder},
                 {"--shard", typed.shard},
                 {"--jobs", typed.jobs}},
-               "does not go with --reader, which makes one file of text and figures");
-  if (typed.skip_existing)
-    throw usage("--skip-existing does not go with --reader, which makes one file of text and figures");
-  if (!has_ending(typed.reader, {".html", ".htm"}))
-    throw usage(fmt::format("--reader {}: the name has to end in .html", typed.reader));
+               reason);
+  if (typed.skip_existing) throw usage("--skip-existing " + reason);
+}
+
+void check_html(std::string_view option, const std::string& file) {
+  if (!has_ending(file, {".html", ".htm"}))
+    throw usage(fmt::format("{} {}: the name has to end in .html", option, file));
+}
+
+}  // namespace
+
+ReaderOutput reader_output(const TypedExport& typed) {
+  refuse_all_of_pictures(typed, "does not go with --reader, which makes one file of text and figures");
+  check_html("--reader", typed.reader);
   return {typed.reader,
           typed.stages,
+          typed.live,
           theme_of(typed.theme),
           quality_of(typed.quality),
           durability_of(typed.sync),
@@ -258,29 +271,11 @@ const std::string& lesson_of(const TypedExport& typed) {
 }
 
 SiteOutput site_output(const TypedExport& typed) {
-  refuse_given({{"--what", typed.what},
-                {"--profile", typed.profile},
-                {"--each", typed.each},
-                {"--size", typed.size},
-                {"--background", typed.background},
-                {"--dpi", typed.dpi},
-                {"--fps", typed.fps},
-                {"--seconds", typed.seconds},
-                {"--at", typed.at},
-                {"--frames", typed.frames},
-                {"--text-size", typed.text_size},
-                {"--png", typed.png},
-                {"--format", typed.format},
-                {"--film", typed.film},
-                {"--deck", typed.deck},
-                {"--reader", typed.reader},
-                {"--output", typed.folder},
-                {"--shard", typed.shard},
-                {"--jobs", typed.jobs}},
-               "does not go with --site, which makes pages of whole lessons");
-  if (typed.skip_existing || !typed.stages.empty())
-    throw usage(fmt::format("{} does not go with --site, which makes pages of whole lessons",
-                            typed.skip_existing ? "--skip-existing" : "--stage"));
+  const std::string reason = "does not go with --site, which makes pages of whole lessons";
+  refuse_all_of_pictures(typed, reason);
+  refuse_given({{"--reader", typed.reader}, {"--sandbox", typed.sandbox}}, reason);
+  if (!typed.stages.empty()) throw usage("--stage " + reason);
+  if (typed.live) throw usage("--live " + reason);
   SiteOutput out{.folder = typed.site,
                  .url = typed.url,
                  .with = {},
@@ -299,7 +294,25 @@ SiteOutput site_output(const TypedExport& typed) {
   return out;
 }
 
+ReaderOutput sandbox_output(const TypedExport& typed) {
+  const std::string reason = "does not go with --sandbox, which makes one page of its own";
+  refuse_all_of_pictures(typed, reason);
+  refuse_given({{"LESSON", typed.lessons.empty() ? std::string() : typed.lessons.front()},
+                {"--reader", typed.reader},
+                {"--theme", typed.theme},
+                {"--quality", typed.quality}},
+               reason);
+  if (!typed.stages.empty()) throw usage("--stage " + reason);
+  check_html("--sandbox", typed.sandbox);
+  return {.file = typed.sandbox,
+          .live = true,
+          .quality = {},
+          .durability = durability_of(typed.sync),
+          .context = context_of(typed.context)};
+}
+
 ExportOptions export_options(const TypedExport& typed) {
+  if (typed.live) throw usage("--live goes with --reader; a --sandbox is live anyway");
   ExportOptions options;
   options.what = static_cast<What>(choice("--what", typed.what, export_words().what));
   options.stages = typed.stages;
@@ -342,7 +355,8 @@ ExportOutput export_output(const TypedExport& typed) {
   if (!out.keep_folder) {
     const std::string& file = typed.film.empty() ? typed.deck : typed.film;
     if (file.empty())
-      throw usage("--output DIR is needed: where the files go (or --film, --deck or --reader FILE)");
+      throw usage(
+          "--output DIR is needed: where the files go (or --film, --deck, --reader or --sandbox FILE)");
     out.folder = file + ".parts";
   }
   out.skip_existing = typed.skip_existing;

@@ -17,8 +17,9 @@ struct TypedExport {
   std::vector<std::string> stages;
   std::string each, what, size, fps, seconds, at, frames, background, theme, profile, quality, text_size, dpi,
       png, format, sync, context;
-  std::string film, deck, reader, site, url, shard, jobs;
+  std::string film, deck, reader, sandbox, site, url, shard, jobs;
   std::vector<std::string> with;
+  bool live = false;
   bool skip_existing = false;
   std::vector<std::string> words;  ///< the command line, program and options, without --skip-existing
 };
@@ -37,15 +38,17 @@ ExportOptions export_options(const TypedExport& typed);
 /// A text edition.
 struct ReaderOutput {
   std::string file;
-  std::vector<std::string> stages;
+  std::vector<std::string> stages{};
+  bool live = false;                    ///< figures can be played
   Theme theme = Theme::paper;           ///< of its figures
   std::optional<QualityLevel> quality;  ///< likewise; absent: the scenes'
   Durability durability = Durability::rename_only;
   ContextKind context = ContextKind::any;
 };
-/// @throws CommandError usage: what is malformed, or does not go with a text edition. Precondition: one is
-/// asked for.
+/// Of a text edition, or of a sandbox, which is a page of no lesson. @throws CommandError usage: what is
+/// malformed, or does not go with it. Precondition: one is asked for.
 ReaderOutput reader_output(const TypedExport& typed);
+ReaderOutput sandbox_output(const TypedExport& typed);
 
 /// The one lesson of an export that is no site. @throws CommandError usage: none or several
 const std::string& lesson_of(const TypedExport& typed);

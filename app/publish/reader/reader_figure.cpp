@@ -22,7 +22,7 @@ ReaderFigures::ReaderFigures(const Lesson& lesson, const SpeechText& speech, Ren
                              const Look& look, const Effort& effort)
     : lesson_(lesson), speech_(speech), renderer_(renderer), look_(look), models_(Product::page, effort) {}
 
-Outcome<ReaderPicture> ReaderFigures::picture(const Stage& stage, int step, double t_s, int width) {
+Outcome<ReaderPicture> ReaderFigures::moment(const Stage& stage, int step, double t_s, Size size) {
   const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
   const SceneModel& model = model_of(of);
   if (const Done computable = check_computable(stage, model, t_s); !computable) return passed_on(computable);
@@ -31,7 +31,7 @@ Outcome<ReaderPicture> ReaderFigures::picture(const Stage& stage, int step, doub
                             .step = step,
                             .model = &model,
                             .t_s = t_s,
-                            .size = picture_size_of(model, width),
+                            .size = size,
                             .theme = look_.theme,
                             .quality = look_.quality};
   const Page page = compose_picture(request, renderer_.fonts());
@@ -48,16 +48,18 @@ Outcome<ReaderPicture> ReaderFigures::picture(const Stage& stage, int step, doub
 
 Outcome<ReaderPicture> ReaderFigures::still(const Stage& stage, int step) {
   const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
-  return picture(stage, step, still_time_s(*of.scene), kReaderPictureWidth);
+  return moment(stage, step, still_time_s(*of.scene), picture_size_of(model_of(of), kReaderPictureWidth));
 }
 
 Outcome<std::vector<ReaderPicture>> ReaderFigures::moments(const Stage& stage, int step,
                                                            const PlayedInterval& interval) {
+  const Size size =
+      picture_size_of(model_of(stage.steps[static_cast<std::size_t>(step - 1)]), kReaderMomentWidth);
   std::vector<ReaderPicture> all;
   for (int i = 0; i < kReaderMoments; ++i) {
     const double part = static_cast<double>(i) / (kReaderMoments - 1);
     const double t_s = interval.from_s + part * (interval.to_s - interval.from_s);
-    Outcome<ReaderPicture> one = picture(stage, step, t_s, kReaderMomentWidth);
+    Outcome<ReaderPicture> one = moment(stage, step, t_s, size);
     if (!one) return passed_on(one);
     all.push_back(std::move(one).value());
   }

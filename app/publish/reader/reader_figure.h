@@ -45,6 +45,8 @@ class ReaderFigures {
   /// The still of a step (from 1), with its plots. Precondition: it has a scene.
   /// Fails where the motion cannot be computed so far, or the driver refuses.
   Outcome<ReaderPicture> still(const Stage& stage, int step);
+  /// Its picture at a time, of any size.
+  Outcome<ReaderPicture> moment(const Stage& stage, int step, double t_s, Size size);
   /// kReaderMoments moments of its motion, evenly from the first to the last instant.
   Outcome<std::vector<ReaderPicture>> moments(const Stage& stage, int step, const PlayedInterval& interval);
 
@@ -53,8 +55,6 @@ class ReaderFigures {
   std::vector<std::string> captions(const Step& step);
 
  private:
-  Outcome<ReaderPicture> picture(const Stage& stage, int step, double t_s, int width);
-
   const Lesson& lesson_;
   const SpeechText& speech_;
   Renderer& renderer_;

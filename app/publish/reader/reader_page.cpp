@@ -6,6 +6,7 @@
 #include "app/narration/still_numbers.h"
 #include "app/narration/verdict_row.h"
 #include "app/publish/html_frame.h"
+#include "app/publish/live/live_assets.h"
 #include "app/publish/reader/question_html.h"
 #include "app/publish/reader/reader_assets.h"
 #include "app/publish/reader/reader_style.h"
@@ -58,6 +59,11 @@ TextNumbers numbers_in(const ReaderEdition& edition, const Fonts& fonts, const E
   return numbers;
 }
 
+bool has_computed_caption(const Step& step) {
+  return std::any_of(step.captions.begin(), step.captions.end(),
+                     [](const auto& caption) { return caption && !numbers_in(*caption).empty(); });
+}
+
 std::string_view class_of(Certainty certainty) {
   switch (certainty) {
     case Certainty::proved:
@@ -108,6 +114,10 @@ class ReaderText {
     };
     list("What you will be able to do", about.outcomes);
     list("What you should know", about.prerequisites);
+    if (edition_.live)
+      html +=
+          "<noscript><p class=\"quiet\">The figures are pictures here. Where the page may run its script, "
+          "which fetches and sends nothing, they can be played, turned and started anew.</p></noscript>\n";
     return html;
   }
 
@@ -277,6 +287,17 @@ class ReaderText {
                        picture.size.height, html_escaped(picture.alt), picture.source);
   }
 
+  /// What assets/web/figures.js has to know of a figure: of which step it is, and whether it rests until it
+  /// is played, for its motion would give a prediction away.
+  std::string live_data(const Stage& stage, int step) const {
+    if (!edition_.live) return {};
+    const auto asks = blocks_of<Ask>(stage.steps[static_cast<std::size_t>(step - 1)]);
+    const bool rests =
+        std::any_of(asks.begin(), asks.end(), [](const Ask* ask) { return ask->plays.has_value(); });
+    return fmt::format(" data-stage=\"{}\" data-step=\"{}\"{}", html_escaped(stage.id), step,
+                       rests ? " data-rest" : "");
+  }
+
   /// Steps that go on with a scene have no figure of their own.
   Outcome<std::string> figure_of(const Stage& stage, int step) {
     const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
@@ -284,11 +305,13 @@ class ReaderText {
     figure_ = of.scene.get();
     const Outcome<ReaderPicture> picture = figures_.still(stage, step);
     if (!picture) return passed_on(picture);
-    std::string html = "<figure>\n" + img(*picture) + '\n';
+    std::string html = "<figure" + live_data(stage, step) + ">\n" + img(*picture) + '\n';
     const std::vector<std::string> captions = figures_.captions(of);
-    if (captions.size() == 1) html += "<figcaption>" + html_.line(captions.front()) + "</figcaption>\n";
+    const std::string open =
+        edition_.live && has_computed_caption(of) ? "<figcaption data-computed>" : "<figcaption>";
+    if (captions.size() == 1) html += open + html_.line(captions.front()) + "</figcaption>\n";
     if (captions.size() > 1) {
-      html += "<figcaption><ol>\n";
+      html += open + "<ol>\n";
       for (const std::string& caption : captions) html += "<li>" + html_.line(caption) + "</li>\n";
       html += "</ol></figcaption>\n";
     }
@@ -366,12 +389,16 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
                      const ReaderProgress& go_on, const Effort& effort, Stop& stop) try {
   const Lesson& lesson = edition.lesson;
   ReaderText text(edition, renderer, effort);
-  const std::string style = reader_style(lesson);
-  const std::string script = std::string("\n") + reader_assets::kReaderJs;
+  const LiveParts* live = edition.live ? &*edition.live : nullptr;
+  std::string style = reader_style(lesson), script = std::string("\n") + reader_assets::kReaderJs;
+  if (live != nullptr) {
+    style += live_assets::kLiveCss;
+    script += std::string(live_assets::kLiveJs) + live_assets::kFiguresJs;
+  }
   // Nothing is fetched, and nothing runs but what is written here, whatever the lesson says.
   const std::string policy = fmt::format(
-      "default-src 'none'; img-src data:; style-src {}; script-src {}; base-uri 'none'; form-action 'none'",
-      policy_hash(style), policy_hash(script));
+      "default-src 'none'; img-src data:; style-src {}; script-src {}{}; base-uri 'none'; form-action 'none'",
+      policy_hash(style), policy_hash(script), live != nullptr ? ' ' + live_policy(live->program) : "");
   const std::map<std::string, std::string> texts = {
       {"language", html_escaped(lesson.about.language)},
       {"policy", policy},
@@ -380,6 +407,7 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
       {"style", style},
       {"script", script},
       {"about", text.about()},
+      {"live", live != nullptr ? live_elements(live->program, live->lesson_text) : ""},
       {"outline", text.outline()},
       {"references", text.references()},
       {"head", head_of(edition)},

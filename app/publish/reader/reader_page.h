@@ -5,6 +5,7 @@
 // look alone, and on the driver that draws.
 #pragma once
 
+#include "app/publish/live/live_program.h"
 #include "app/publish/reader/reader_figure.h"
 #include "base/files/atomic_file.h"
 #include "base/outcome.h"
@@ -27,11 +28,18 @@ struct ReaderPlace {
 };
 inline constexpr const char* kSiteIndex = "index.html";
 
+/// What makes figures move, once they are pressed.
+struct LiveParts {
+  LiveProgram program;
+  std::string lesson_text;  ///< that `lesson` was read from
+};
+
 struct ReaderEdition {
   const Lesson& lesson;
   std::vector<std::string> stages{};  ///< ids; empty: all. Nothing leads to the others
   ReaderFigures::Look look{};  ///< of the figures: texts follow the reader's own wish for light or dark
   std::optional<ReaderPlace> place{};  ///< absent: it lies alone
+  std::optional<LiveParts> live{};     ///< absent: figures are pictures, and nothing else
 };
 
 /// Told which of the edition's steps comes next, from 0, and the stage it is of; false stops.

@@ -2,6 +2,7 @@
 // The panels beside the page, one of which is open: each in a file of its own, with the state that it keeps.
 #pragma once
 
+#include "app/session/accuracy_meter.h"
 #include "app/session/method_cost.h"
 #include "app/window/panels/panel_context.h"
 #include "lessons/claims/live_claims.h"

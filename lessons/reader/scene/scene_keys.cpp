@@ -460,7 +460,8 @@ const Scene& usual() {
 }
 
 std::span<const SceneKeys::Row> SceneKeys::rows() {
-  static const std::array kRows = std::to_array<Row>({
+  // No std::to_array: clang 14 destroys the temporary array at each call, made or not.
+  static const Row kRows[] = {
       {{"body", "name of a body", R"(`"textbook"`)"},
        &SceneKeys::body,
        [](const Scene& scene) { return toml(scene.body.name.c_str()); },
@@ -654,7 +655,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::from,
        [](const Scene&) { return std::string(); },
        Row::Speaks::of_all},
-  });
+  };
   return kRows;
 }
 

@@ -16,7 +16,7 @@ uniform vec3 u_eye;
 out vec4 o_color;
 
 /// 1 / each, by one division.
-vec3 inverse(vec3 x) {
+vec3 reciprocals(vec3 x) {
   vec3 others = x.yzx * x.zxy;
   return others * (1.0 / (x.x * others.x));
 }
@@ -28,7 +28,7 @@ void main() {
   Chord chord = chord_of(glass, ray);
   vec3 near = near_point(glass, chord, ray), far = far_point(glass, chord, ray);
   vec3 near_normal = normal_at(glass, near), far_normal = normal_at(glass, far);
-  vec3 per_length = inverse(sqrt(vec3(dot(near_normal, near_normal), dot(far_normal, far_normal), dot(v_ray, v_ray))));
+  vec3 per_length = reciprocals(sqrt(vec3(dot(near_normal, near_normal), dot(far_normal, far_normal), dot(v_ray, v_ray))));
   ray.per_length = per_length.z;
   ray.to_light = v_to_light * per_length.z;
 #if defined(FAR_SIDE)

@@ -51,7 +51,8 @@ Hit hit_cone(vec3 from, vec3 d, vec3 tip, vec3 x) {
 Hit hit(vec3 from, vec3 d) {
   vec3 x = normalize(v_from - v_to);
   Hit first = hit_cone(from, d, v_to, x), second = hit_cone(from, d, v_from - v_shape.y * x, x);
-  return first.way < 0.0 || (second.way > 0.0 && second.way < first.way) ? second : first;
+  if (first.way < 0.0 || (second.way > 0.0 && second.way < first.way)) return second;  // GLSL ES chooses no structs by ?:
+  return first;
 }
 #else
 Hit hit(vec3 from, vec3 d) {

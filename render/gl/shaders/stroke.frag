@@ -6,7 +6,12 @@ in vec4 v_px;     // across, half width, to the nearer end, above the level belo
 in vec2 v_bow;
 in vec2 v_dash;   // dashes; pixels to a dash and a gap
 #if GLASSES > 0
+#ifdef GL_ES
+uniform Glass u_glass[GLASSES];
+#define v_glass u_glass
+#else
 flat in Glass v_glass[GLASSES];
+#endif
 in vec3 v_towards[GLASSES];
 flat in vec3 v_towards_bow[GLASSES];
 in vec2 v_ray;

@@ -19,9 +19,13 @@ out vec4 v_px;      // across, half width, to the nearer end, above the level
 out vec2 v_bow;     // along the piece, 0 to 1; 4 times the bow to the side, px
 out vec2 v_dash;    // dashes; pixels to a dash and a gap
 #if GLASSES > 0
+#ifndef GL_ES
 uniform Glass u_glass[GLASSES];
+#endif
 uniform mat3 u_to_ball[GLASSES];
-flat out Glass v_glass[GLASSES];  // flat for the reason in floor.vert
+#ifndef GL_ES
+flat out Glass v_glass[GLASSES];  // flat for the reason in floor.vert; of WebGL's 15 varyings it would take too many
+#endif
 out vec3 v_towards[GLASSES];           // of the chord
 flat out vec3 v_towards_bow[GLASSES];  // what its bow adds, times 4
 out vec2 v_ray;     // 1 / length, cosine of the angle with the key light
@@ -52,7 +56,9 @@ void main() {
   v_dash = a_shape.z > 0.0 ? vec2(0.5 * along * a_shape.z, 2.0 * shown / a_shape.z) : vec2(0.25, 4.0);
 #if GLASSES > 0
   for (int i = 0; i < GLASSES; ++i) {
+#ifndef GL_ES
     v_glass[i] = u_glass[i];
+#endif
     v_towards[i] = u_to_ball[i] * near;
     v_towards_bow[i] = u_to_ball[i] * (4.0 * a_bow);
   }

@@ -99,15 +99,15 @@ std::string decoded(const std::string& base64) {
 
 }  // namespace
 
-std::unique_ptr<Browser> Browser::start(int width, int height) {
+std::unique_ptr<Browser> Browser::start(int width, int height, Graphics graphics) {
   const std::string program = chromium();
   if (program.empty()) return nullptr;
   std::unique_ptr<Browser> browser(new Browser);
   std::array<int, 2> commands{}, answers{};
   if (pipe2(commands.data(), O_CLOEXEC) != 0 || pipe2(answers.data(), O_CLOEXEC) != 0)
     throw std::runtime_error("cannot make a pipe");
-  const std::vector<std::string> words = {
-      program, "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
+  std::vector<std::string> words = {
+      program, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--no-first-run",
       "--hide-scrollbars", "--disable-background-networking", "--disable-component-update",
       "--disable-extensions",
       // with a mouse, as on a desktop
@@ -116,6 +116,10 @@ std::unique_ptr<Browser> Browser::start(int width, int height) {
       "--user-data-dir=" + browser->home_.path().string(),
       "--window-size=" + std::to_string(width) + "," + std::to_string(height), "--remote-debugging-pipe",
       "about:blank"};
+  if (graphics == Graphics::webgl)
+    words.insert(words.end() - 1, {"--use-angle=swiftshader", "--enable-unsafe-swiftshader"});
+  else
+    words.insert(words.end() - 1, "--disable-gpu");
   browser->process_ = fork();
   if (browser->process_ == 0) become(program, words, commands[0], answers[1]);
   close(commands[0]);
@@ -238,6 +242,27 @@ void Browser::swipe(double from_x, double to_x, double y) {
   touch("touchStart", {{{"x", from_x}, {"y", y}}});
   for (int i = 1; i <= 4; ++i) touch("touchMove", {{{"x", from_x + (to_x - from_x) * i / 4}, {"y", y}}});
   touch("touchEnd", Json::array());
+}
+
+void Browser::drag(const Vec2& from, const Vec2& to) {
+  const auto mouse = [&](const char* type, const Vec2& at, int buttons) {
+    call("Input.dispatchMouseEvent", {{"type", type},
+                                      {"x", at.x()},
+                                      {"y", at.y()},
+                                      {"button", "left"},
+                                      {"buttons", buttons},
+                                      {"clickCount", 1}});
+  };
+  mouse("mousePressed", from, 1);
+  for (int i = 1; i <= kMovesOfADrag; ++i) mouse("mouseMoved", from + (to - from) * i / kMovesOfADrag, 1);
+  mouse("mouseReleased", to, 0);
+}
+
+void Browser::forbid_scripts() { call("Emulation.setScriptExecutionDisabled", {{"value", true}}); }
+
+void Browser::prefer(const std::string& color_scheme) {
+  call("Emulation.setEmulatedMedia",
+       {{"features", {{{"name", "prefers-color-scheme"}, {"value", color_scheme}}}}});
 }
 
 void Browser::resize(int width, int height) {

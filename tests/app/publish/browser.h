@@ -3,6 +3,7 @@
 // asks what is shown.
 #pragma once
 
+#include "base/vectors.h"
 #include "tests/app/run_program.h"
 
 #include <nlohmann/json.hpp>
@@ -13,8 +14,10 @@ namespace polhode {
 
 class Browser {
  public:
+  /// What draws its pages; WebGL is by Chromium's own software, which needs no graphics card.
+  enum class Graphics { plain, webgl };
   /// Null where no Chromium is installed.
-  static std::unique_ptr<Browser> start(int width, int height);
+  static std::unique_ptr<Browser> start(int width, int height, Graphics graphics = Graphics::plain);
   ~Browser();
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
@@ -27,7 +30,14 @@ class Browser {
   void click(double x, double y);
   /// A finger that goes from one place to another.
   void swipe(double from_x, double to_x, double y);
+  /// The left button pressed, moved so often on a straight line, and let go.
+  void drag(const Vec2& from, const Vec2& to);
+  static constexpr int kMovesOfADrag = 5;
   void resize(int width, int height);
+  /// Pages opened from now on run no script; value_of() does.
+  void forbid_scripts();
+  /// "light" or "dark", as its user prefers.
+  void prefer(const std::string& color_scheme);
   /// The value of an expression; a promise's when it comes. @throws std::runtime_error if it throws
   nlohmann::json value_of(const std::string& expression);
   /// Waits until the expression has the value, up to five seconds; returns what it has then.

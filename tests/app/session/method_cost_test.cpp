@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/session/accuracy_meter.h"
 #include "app/session/method_cost.h"
 
 #include "base/stopwatch.h"

@@ -253,6 +253,23 @@ TEST(SessionScene, WhatChangesTheMotionChangesTheFirstAlone) {
   EXPECT_THAT(other.views, ElementsAre(View::body));
 }
 
+TEST(SessionScene, TheSameMotionSeenInTwoWaysStaysOne) {
+  LessonSession session(lesson_of_scene(
+      "omega = [1, 2, 3]\nattitude = 'L-down'\nscenes = [{ show = ['shape'] }, { show = ['polhode'] }, "
+      "{ motion = { method = 'rk4', step = 0.1 } }]"));
+  const Body book = *find_body("book");
+  ASSERT_TRUE(session.set_edits({.body = book,
+                                 .w0_B = Vec3(0, 4, 0.1),
+                                 .motion = MotionSpec{.method = Method::explicit_euler, .step_s = 0.01}}));
+  const std::vector<SceneModel>& beside = session.model()->beside;
+  for (const SceneModel& other : beside) {
+    EXPECT_EQ(other.scene.body, book);
+    EXPECT_EQ(other.scene.w0_B, Vec3(0, 4, 0.1));
+  }
+  EXPECT_EQ(beside.at(0).scene.motion, session.model()->scene.motion);
+  EXPECT_EQ(beside.at(1).scene.motion.method, Method::rk4) << "it is there to be compared with";
+}
+
 TEST(SessionScene, ANumberIsVariedWhileTimeGoesOn) {
   LessonSession session(lesson_of_scene("omega = [0, 0, 3]\nvary = { omega3 = { from = 1, to = 9 } }"));
   EXPECT_TRUE(session.model()->beside.empty()) << "the slider stands for the filmstrip";

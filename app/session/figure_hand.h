@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A pointer on the figure, whoever has it, a window or a page: a drag turns the camera, or takes ω by its
+// tip.
+#pragma once
+
+#include "app/session/lesson_session.h"
+#include "render/gl/renderer.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+class FigureHand {
+ public:
+  enum class On { nothing, figure, omega };
+
+  /// What is held.
+  On held() const { return held_; }
+  /// What a hand at the point (px of the page) would take: the tip of ω within `reach` px, else the figure.
+  /// @param insets of the page that is shown
+  static On under(const LessonSession& session, const std::vector<Inset>& insets, const Vec2& at,
+                  double reach);
+  /// Takes it. For ω's tip the motion stops.
+  On take(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at, double reach);
+  /// Moves what is held to the point, by (dx, dy) px since the last time.
+  /// @returns why ω cannot be what it was dragged to; empty: it is
+  std::string drag(LessonSession& session, const std::vector<Inset>& insets, const Vec2& at, double dx,
+                   double dy);
+  void let_go() { held_ = On::nothing; }
+
+ private:
+  On held_ = On::nothing;
+  std::size_t inset_ = 0, pane_ = 0;  ///< where it was taken
+};
+
+}  // namespace polhode

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+#include "app/web/live_figure.h"
+
+#include "app/page/page.h"
+#include "app/session/figure_interaction.h"
+#include "app/web/live_json.h"
+#include "physics/body/euler.h"
+#include "physics/method.h"
+#include "render/scene/model/scene_problem.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string>
+
+namespace polhode {
+namespace {
+
+using Json = nlohmann::json;
+constexpr Size kSize{640, 480};
+
+const char* const kLesson = R"(+++
+format = 1
+id = "thrown"
+title = "Thrown"
+[symbols]
+omega = { tex = '\vec\omega', role = "omega", say = "angular velocity", unit = "rad/s" }
++++
+
+# Turning {turning}
+
+The tip of $\vec\omega$ goes round.
+
+```scene
+body    = "textbook"
+omega   = [0.3, 0.2, 3.0]
+show    = ["shape", "omega", "L", "polhode"]
+caption = 'a free body'
+vary    = { omega3 = [1, 4] }
+```
+
+# Words {words}
+
+No figure.
+)";
+
+/// Open at its first step, and laid out, so that hands know where things are.
+void open(LiveFigure& figure) {
+  figure.begin_call();
+  ASSERT_TRUE(figure.open_lesson(kLesson, "thrown.md"));
+  ASSERT_TRUE(figure.show(std::string_view("turning"), 1));
+  ASSERT_TRUE(figure.lay_out(kSize, LiveFigure::Picture::figure, 1));
+}
+
+Json state_of(LiveFigure& figure) { return Json::parse(state_json(figure, "")); }
+
+Vec2 tip_of(LiveFigure& figure) {
+  const Json tip = state_of(figure).at("tips").at(0);
+  return {tip.at("x").get<double>(), tip.at("y").get<double>()};
+}
+
+Vec3 vector_of(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+TEST(LiveFigure, OpensALessonAndShowsTheFigureOfAStep) {
+  LiveFigure figure;
+  open(figure);
+  EXPECT_EQ(state_of(figure).at("stage_id"), "turning");
+  EXPECT_GT(figure.height_for(640), 100);
+  const Json words = Json::parse(words_json(figure));
+  EXPECT_NE(words.at("alt").get<std::string>().find("omega"), std::string::npos) << words;
+  EXPECT_EQ(words.at("captions").at(0).at("text"), "a free body");
+  EXPECT_EQ(Json::parse(choices_json(figure)).at("methods").size(), all_methods().size());
+}
+
+TEST(LiveFigure, RefusesInWords) {
+  LiveFigure figure;
+  EXPECT_EQ(state_json(figure, ""), "null");
+  EXPECT_FALSE(figure.show(1, 1));
+  EXPECT_FALSE(figure.set_omega({1, 2, 3}));
+  open(figure);
+  const Status no_stage = figure.show(std::string_view("nowhere"), 1);
+  ASSERT_FALSE(no_stage);
+  EXPECT_EQ(no_stage.error(), "The lesson has no such stage.");
+  EXPECT_FALSE(figure.show(1, 2));
+  EXPECT_FALSE(figure.show(std::string_view("words"), 1));
+  EXPECT_FALSE(figure.set_moments({1, 1, 3}));  // more than the sum of the other two
+  EXPECT_FALSE(figure.set_method("rk5", 0.01));
+  EXPECT_FALSE(figure.set_body("cloud"));
+  EXPECT_FALSE(figure.show_overlay("halo", true));
+  EXPECT_FALSE(figure.draw(kSize, LiveFigure::Picture::figure, 1)) << "without a canvas";
+  EXPECT_FALSE(state_of(figure).at("changed").get<bool>());
+  const Status wrong = figure.open_lesson("no lesson", "none.md");
+  EXPECT_FALSE(wrong);
+  EXPECT_EQ(state_of(figure).at("stage_id"), "turning") << "the lesson of before stays";
+}
+
+TEST(LiveFigure, TellsTheMotionWithAllItsDigits) {
+  LiveFigure figure;
+  open(figure);
+  ASSERT_TRUE(figure.set_time(1.25));
+  const Json state = state_of(figure);
+  const RigidBodyState now = figure.model()->motion->at(1.25);
+  EXPECT_EQ(vector_of(state.at("omega")), now.w_B);
+  EXPECT_EQ(state.at("quaternion").at(0).get<double>(), now.q_SB.w());
+  EXPECT_EQ(state.at("T").get<double>(), kinetic_energy(figure.model()->scene.body.moments, now.w_B));
+  EXPECT_TRUE(state.at("error").is_null());
+  const Vec3 sum =
+      vector_of(state.at("terms").at("inertial")) + vector_of(state.at("terms").at("gyroscopic"));
+  EXPECT_LT(sum.norm(), 1e-10);  // N = 0; the rate is a difference quotient
+}
+
+TEST(LiveFigure, AMethodHasItsErrorAgainstTheClosedForm) {
+  LiveFigure figure;
+  open(figure);
+  ASSERT_TRUE(figure.set_method("explicit-euler", 0.01));
+  ASSERT_TRUE(figure.set_time(1));
+  const double coarse = state_of(figure).at("error").at("omega").get<double>();
+  ASSERT_TRUE(figure.set_method("rk4", 0.01));
+  const double fine = state_of(figure).at("error").at("omega").get<double>();
+  EXPECT_GT(coarse, 1e3 * fine);
+  EXPECT_GT(fine, 0);
+  ASSERT_TRUE(figure.set_method("", 0));
+  EXPECT_TRUE(state_of(figure).at("error").is_null());
+}
+
+TEST(LiveFigure, TheTipOfOmegaGoesWithTheHandAndKeepsItsEnergy) {
+  LiveFigure figure;
+  open(figure);
+  const double T = state_of(figure).at("T").get<double>();
+  const Vec2 from = tip_of(figure), to = from + Vec2(30, 24);
+  EXPECT_EQ(figure.point_move(from, 12), FigureHand::On::omega);
+  ASSERT_EQ(figure.point_down(from, 12), FigureHand::On::omega);
+  EXPECT_EQ(figure.point_move(to, 12), FigureHand::On::omega);
+  EXPECT_EQ(figure.refused_drag(), "");
+  figure.point_up();
+  ASSERT_TRUE(figure.lay_out(kSize, LiveFigure::Picture::figure, 1));
+  EXPECT_LT((tip_of(figure) - to).norm(), 0.5);  // px; the search ends within 0.2
+  const Json state = state_of(figure);
+  EXPECT_NEAR(state.at("T").get<double>(), T, 1e-12 * T);
+  EXPECT_TRUE(state.at("changed").get<bool>());
+  // What is shown from now on is the motion that starts there.
+  const Scene& scene = figure.model()->scene;
+  ASSERT_TRUE(figure.set_time(2));
+  const auto motion = make_motion(problem_of(scene), {Method::exact});
+  EXPECT_EQ(vector_of(state_of(figure).at("omega")), motion->at(2).w_B);
+  ASSERT_TRUE(figure.undo());
+  EXPECT_EQ(figure.model()->scene.w0_B, Vec3(0.3, 0.2, 3.0));
+  EXPECT_FALSE(figure.undo());
+}
+
+TEST(LiveFigure, ADragBesideItTurnsTheCameraAsInTheWindow) {
+  LiveFigure figure;
+  open(figure);
+  const Inset& inset = figure.insets().at(0);
+  const Vec2 at(inset.place.x + 5, inset.place.y + 5);
+  const CameraSpec wanted = writable(orbited(figure.model()->scene.camera, 40, -25, inset.place.height));
+  ASSERT_EQ(figure.point_down(at, 12), FigureHand::On::figure);
+  figure.point_move(at + Vec2(40, -25), 12);
+  figure.point_up();
+  EXPECT_EQ(figure.session()->camera(), wanted);
+  figure.zoom(2);
+  EXPECT_EQ(figure.session()->camera(), writable(zoomed(wanted, 2)));
+  figure.point_twice();
+  EXPECT_EQ(figure.session()->camera().azimuth_rad,
+            writable(figure.session()->lesson_scene().camera).azimuth_rad);
+}
+
+TEST(LiveFigure, PlaysAndStandsAndIsTheLessonsAgain) {
+  LiveFigure figure;
+  open(figure);
+  EXPECT_FALSE(figure.advance(0.1));
+  figure.set_playing(true);
+  EXPECT_TRUE(figure.advance(0.1));
+  EXPECT_GT(figure.session()->t_s(), still_time_s(figure.session()->lesson_scene()));
+  ASSERT_TRUE(figure.vary(0, 2));
+  EXPECT_EQ(state_of(figure).at("omega0").at(2).get<double>(), 2);
+  ASSERT_TRUE(figure.press_key("R"));
+  EXPECT_FALSE(figure.press_key("Ctrl+Q")) << "a command of the window";
+  ASSERT_TRUE(figure.reset());
+  const Json state = state_of(figure);
+  EXPECT_FALSE(state.at("changed").get<bool>());
+  EXPECT_FALSE(state.at("playing").get<bool>());
+  EXPECT_EQ(state.at("t"), state.at("still"));
+}
+
+TEST(LiveFigure, ASceneWithoutALesson) {
+  LiveFigure figure;
+  figure.begin_call();
+  ASSERT_TRUE(figure.open_scene("body = \"own\"\nomega = [0.1, 2, 0.1]\nshow = [\"shape\", \"omega\"]",
+                                "moments = [1.0, 2.0, 2.9]"));
+  EXPECT_EQ(vector_of(state_of(figure).at("moments")), Vec3(1.0, 2.0, 2.9));
+  EXPECT_FALSE(figure.open_scene("body = \"no-such-body\"", ""));
+}
+
+TEST(LiveFigure, WhatTakesTooLongIsNotComputed) {
+  LiveFigure figure;
+  open(figure);
+  ASSERT_TRUE(figure.set_method("explicit-euler", 1e-3));
+  figure.begin_call();
+  EXPECT_THROW(
+      {
+        static_cast<void>(figure.set_method("rk4", 1e-9));
+        static_cast<void>(figure.set_time(1));
+      },
+      BudgetSpent);
+}
+
+TEST(LiveFigure, DrawsThePictureOfAReadersPage) {
+  auto context = open_context(ContextKind::any);
+  ASSERT_TRUE(context) << context.error();
+  LiveFigure figure;
+  open(figure);
+  ASSERT_TRUE(figure.attach(std::move(context).value()));
+  ASSERT_TRUE(figure.draw(kSize, LiveFigure::Picture::figure, 1));
+  const Result<Image> first = figure.read();
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(figure.draw(kSize, LiveFigure::Picture::figure, 1));
+  EXPECT_EQ(figure.read()->rgba, first->rgba);
+  ASSERT_TRUE(figure.set_time(1));
+  ASSERT_TRUE(figure.draw(kSize, LiveFigure::Picture::figure, 1));
+  EXPECT_NE(figure.read()->rgba, first->rgba);
+  ASSERT_TRUE(figure.reset());
+  ASSERT_TRUE(figure.draw(kSize, LiveFigure::Picture::page, 1)) << "the slide";
+  EXPECT_NE(figure.read()->rgba, first->rgba);
+  figure.detach();
+  EXPECT_FALSE(figure.read());
+  auto again = open_context(ContextKind::any);
+  ASSERT_TRUE(again) << again.error();
+  ASSERT_TRUE(figure.attach(std::move(again).value()));
+  ASSERT_TRUE(figure.draw(kSize, LiveFigure::Picture::figure, 1));
+  EXPECT_EQ(figure.read()->rgba, first->rgba) << "after a context was lost";
+}
+
+}  // namespace
+}  // namespace polhode
