@@ -305,9 +305,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"symmetric-top/ball-rate", [](const Now& s) { return Sides2(wobble(s)[2] / s.w()[2], s.I()[2] / s.I()[0]); }},
     {"symmetric-top/needs-torque", [](const Now& s) { return Sides2(s.ddt_L(), s.N()); }},
     {"symmetric-top/near-constant", [](const Now& s) { return Sides2(s.star_w()[2], 0.0); }},
-    {"symmetric-top/near-ellipse", [](const Now& s) {
-       const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
-       return Sides2(s.second_w1(), -(I3 - I1) * (I3 - I2) / (I1 * I2) * s.w()[2] * s.w()[2] * s.w()[0]); }},
     {"symmetric-top/recap-split", [](const Now& s) { return Sides2(s.w(), sum_of_two_arrows(s)); }},
 
     {"heavy-top/torque", [](const Now& s) { return Sides2(s.N(), kWeightTimesArm_Nm * s.z().cross(s.e(3))); }},
@@ -426,7 +423,8 @@ std::vector<ClaimLine> one_equation(const Claim& claim) {
 /// app/narration/verdict_row.h has it.
 template <class Use>
 void for_each_shown_pair(const Use& use) {
-  for (const char* id : {"euler-equations", "symmetric-top", "intermediate-axis", "heavy-top", "numerical-lab"}) {
+  for (const char* id :
+       {"euler-equations", "symmetric-top", "intermediate-axis", "heavy-top", "numerical-lab"}) {
     const auto path = test::source_dir() / "lessons" / (std::string(id) + ".md");
     const LessonReading reading = read_lesson(testing::read_file(path), id);
     ASSERT_TRUE(reading.lesson) << id;
