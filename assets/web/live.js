@@ -19,7 +19,7 @@ const polhodeLive = (() => {
     return element;
   };
   const number = (value, digits = 4) =>
-    value === null ? "–" : String(Number(value.toPrecision(digits))).replace("-", "\u2212");
+    !Number.isFinite(value) ? "–" : String(Number(value.toPrecision(digits))).replace("-", "\u2212");
 
   /// What this browser lacks; empty: nothing.
   const missing = () =>
@@ -40,11 +40,16 @@ const polhodeLive = (() => {
     wasm ??= unpacked("polhode.wasm");
     lesson ??= unpacked("polhode.lesson");
     const module = await polhodeModule({ wasmBinary: await wasm, print() {}, printErr() {} });
-    const words = new TextDecoder().decode(await lesson);
     const types = (list) => list.map((value) => (typeof value === "string" ? "string" : "number"));
     const call = (name, ...list) => module.ccall("polhode_" + name, "number", types(list), list);
     const said = (name) => module.ccall("polhode_" + name, "string", [], []);
-    if (!call("open_lesson", words, document.title)) throw new Error(said("message"));
+    // A lesson is long, and ccall puts texts onto the stack.
+    const words = await lesson, place = module._malloc(words.length + 1);
+    module.HEAPU8.set(words, place);
+    module.HEAPU8[place + words.length] = 0;
+    const opened = call("open_lesson", place, document.title);
+    module._free(place);
+    if (!opened) throw new Error(said("message"));
     return {
       call, message: () => said("message"), state: () => JSON.parse(said("state")),
       words: () => JSON.parse(said("words")), choices: () => JSON.parse(said("choices")),
@@ -60,9 +65,7 @@ const polhodeLive = (() => {
       this.box = make("div", { class: "live-view", tabindex: "0", role: "group",
         "aria-label": "Live figure. Arrow keys turn it, plus and minus zoom, Space plays." }, this.canvas);
       this.pointers = new Map();
-      this.frame = 0;
-      this.last = null;
-      this.slow = 1;
+      [this.frame, this.last, this.slow] = [0, null, 1];
       this.listen();
       new ResizeObserver(() => this.wake()).observe(this.box);
       new IntersectionObserver((all) => { this.seen = all.at(-1).isIntersecting; this.wake(); }).observe(this.box);

@@ -153,6 +153,11 @@
     make("p", { class: "live-hint" }, "The motion is exact: a formula, by Jacobi’s elliptic functions. A computer that does not know it goes step by step. The exact body is the pale one."),
     method.line, steps.line, off, chart, table);
 
+  const captions = [...document.querySelectorAll("figcaption span")];
+  const ofExact = captions.map((one) => [...one.childNodes]), ofComputed = [
+    ["The body as the method computes it, and the exact one, pale. L should stand still."],
+    ["What the method computes, in Poinsot’s picture: where it errs, ω leaves the plane."]];
+
   // ---- what the view tells --------------------------------------------------------------------------------
   const kinds = (I) => {
     const close = (a, b) => Math.abs(a - b) <= 1e-9 * Math.max(a, b);
@@ -172,7 +177,7 @@
   };
   const host = {
     /// Wide, with the bar below it still in view; on a phone both pictures side by side, and room for controls.
-    height: (width) => Math.round(part("figure").clientWidth < kNarrow ? 0.72 * width : Math.min(0.46 * width, 0.6 * innerHeight * width / part("figure").clientWidth)),
+    height: (width) => Math.round(view.box.clientWidth < kNarrow ? 0.72 * width : Math.min(0.46 * width, 0.6 * innerHeight * width / view.box.clientWidth)),
     drawn(now) {
       if (!now) return;
       const another = !state || now.omega0.join() !== state.omega0.join() || now.body !== state.body;
@@ -197,6 +202,7 @@
       steps.input.disabled = computed.method === kExact;
       moments.forEach((input, i) => { if (document.activeElement !== input) input.value = state.moments[i]; });
       part("throw.verdict").textContent = verdict(state);
+      captions.forEach((one, i) => one.replaceChildren(...(computed.method === kExact ? ofExact : ofComputed)[i]));
       table.querySelectorAll("tr").forEach((row) => { row.toggleAttribute("aria-current", false); });
       rows.children[computed.method]?.setAttribute("aria-current", "true");
       for (const point of chart.querySelectorAll("circle")) point.classList.toggle("now", point.dataset.method === String(computed.method));
@@ -245,7 +251,7 @@
       const wrong = meter.state().error?.attitude;
       made.push({ cost: reached > 0 ? took * 60 / reached : NaN, wrong: wrong ?? NaN });
     }
-    const cells = (one) => [number(one.cost, 2) + " ms", number(one.wrong / kDegree, 2) + "°"];
+    const cells = (one) => [number(one.cost, 2) + " ms", Number.isFinite(one.wrong) ? number(one.wrong / kDegree, 2) + "°" : "breaks down"];
     rows.replaceChildren(...kMethods.map((one, i) => make("tr", {}, make("th", { scope: "row" }, one.words),
       ...(i === kExact ? ["any t at once", "0°"] : cells(made[i])).map((words) => make("td", {}, words)))));
     plot(made);
@@ -260,7 +266,7 @@
     const [x0, x1] = range(made.map((one) => one.cost)), [y0, y1] = range(made.map((one) => one.wrong / kDegree));
     const x = (cost) => 46 + (Math.log10(cost) - x0) / (x1 - x0) * 250, y = (wrong) => 150 - (Math.log10(wrong) - y0) / (y1 - y0) * 130;
     const words = (at, across, up, end) => drawn("text", { x: across, y: up, "text-anchor": end }, at);
-    const power = (n) => (n >= -2 && n <= 3 ? String(10 ** n) : "1e" + n).replace("-", "\u2212");
+    const power = (n) => (n >= -2 && n <= 3 ? String(10 ** n) : "10" + [...String(n)].map((c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[c])).join(""));
     const parts = [drawn("path", { class: "axis", d: "M46 20V150H300" }),
       words("wrong by, °", 4, 10, "start"), words("ms for a minute of motion", 300, 184, "end")];
     for (let n = x0; n <= x1; ++n) parts.push(drawn("path", { d: "M" + x(10 ** n) + " 20V150" }), words(power(n), x(10 ** n), 166, "middle"));
@@ -268,9 +274,9 @@
     for (let n = y0; n <= y1; n += every) parts.push(drawn("path", { d: "M46 " + y(10 ** n) + "H300" }), words(power(n), 40, y(10 ** n) + 4, "end"));
     made.forEach(({ cost, wrong }, i) => {
       if (!(cost > 0) || !(wrong > 0)) return;
-      const at = { cx: x(cost), cy: y(wrong / kDegree) }, left = at.cx > 190;
+      const at = { cx: x(cost), cy: y(wrong / kDegree) };
       parts.push(drawn("circle", { ...at, r: 5, "data-method": i }),
-        words(kMethods[i].words, at.cx + (left ? -10 : 10), at.cy + 4, left ? "end" : "start"));
+        words(kMethods[i].words, Math.min(Math.max(at.cx, 92), 258), at.cy + (i % 2 ? -10 : 18), "middle"));
     });
     chart.replaceChildren(...parts);
   };

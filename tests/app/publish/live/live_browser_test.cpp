@@ -42,20 +42,24 @@ class LiveInBrowser : public testing::Test {
     if (!browser_) GTEST_SKIP() << "no Chromium is installed";
   }
 
-  fs::path write(const std::vector<std::string>& what) {
-    write_text(folder_ / "edition.md", kEditionLesson);
-    const fs::path page = folder_ / "page.html";
+  /// Written once for all tests.
+  static fs::path page(const std::string& name, const std::vector<std::string>& what) {
+    static const ScratchFolder kFolder;
+    const fs::path file = kFolder / (name + ".html");
+    if (fs::exists(file)) return file;
+    write_text(kFolder / "edition.md", kEditionLesson);
+    RunOptions options;
+    options.folder = kFolder.path();
+    options.environment["POLHODE_WEB"] = web_folder().string();
     std::vector<std::string> words = {"export"};
     words.insert(words.end(), what.begin(), what.end());
-    words.push_back(page.string());
-    RunOptions there;
-    there.environment["POLHODE_WEB"] = web_folder().string();
-    const ProgramRun run = polhode(words, there);
+    words.push_back(file.string());
+    const ProgramRun run = polhode(words, options);
     EXPECT_EQ(run.code, 0) << run.err;
-    return page;
+    return file;
   }
-  fs::path reader_page() { return write({(folder_ / "edition.md").string(), "--live", "--reader"}); }
-  fs::path sandbox_page() { return write({"--sandbox"}); }
+  static fs::path reader_page() { return page("reader", {"./edition.md", "--live", "--reader"}); }
+  static fs::path sandbox_page() { return page("sandbox", {"--sandbox"}); }
 
   Json value_of(const std::string& expression) { return browser_->value_of(expression); }
   Json state() { return value_of(std::string(kView) + ".program.state()"); }
@@ -87,7 +91,6 @@ class LiveInBrowser : public testing::Test {
     value_of("document.querySelector('canvas').scrollIntoView({ block: 'center', behavior: 'instant' }), 0");
   }
 
-  ScratchFolder folder_;
   std::unique_ptr<Browser> browser_;
 };
 
