@@ -18,9 +18,9 @@ inline constexpr const char* kTemporaryPrefix = ".polhode-";
 std::string temporary_name(int i);
 bool is_temporary_name(std::string_view name);
 
-/// Temporary files that nobody will finish: of processes that ran here and are gone; of others, whose end
-/// cannot be seen from here, what was last written more than an hour ago. Sorted. A folder that cannot be
-/// read has none.
+/// Temporary files that nobody will finish: of processes that ran here and are gone, or whose number another
+/// one has got, a day after they were written; of others, whose end cannot be seen from here, an hour after.
+/// Sorted. A folder that cannot be read has none.
 std::vector<std::filesystem::path> left_behind_in(const std::filesystem::path& folder);
 
 }  // namespace polhode

@@ -39,7 +39,7 @@ struct GlyphMask {
 /// boxes of glyphs met so far.
 class Fonts {
  public:
-  /// The error names the font that is missing and the Debian package to install. About 1 ms.
+  /// Looks into $POLHODE_FONTS first. The error names the font, and the package or the file. About 1 ms.
   static Result<Fonts> open();
   Fonts(Fonts&&) noexcept;
   Fonts& operator=(Fonts&&) noexcept;

@@ -149,7 +149,8 @@ std::string finding_in_command(std::string_view bytes) {
       words.emplace_back();
     else
       words.back() += c;
-  std::vector<Command> commands = program_commands();
+  const std::vector<Command> real = program_commands();  // what they do keeps what the options point to
+  std::vector<Command> commands = real;
   for (Command& command : commands) command.run = [](const CommandWords&) { return ExitCode::done; };
   std::vector<const char*> line = {"polhode"};
   for (const std::string& word : words) line.push_back(word.c_str());

@@ -51,8 +51,8 @@ class StateLock {
 /// Takes what a file says. Throws any std::exception if it is not such a file.
 using TakeState = std::function<void(const nlohmann::ordered_json&)>;
 
-/// Gives `take` what the file says; of an absent file nothing. A damaged one is set aside as NAME.damaged,
-/// and the answer is a warning that says so; otherwise it is empty. What `take` has got of a damaged file is
+/// Gives `take` what the file says; of an absent file nothing. A damaged one is set aside as NAME.damaged (or
+/// -2, -3 … behind it), and the answer is a warning that says so; else empty. What `take` has got of it is
 /// to be forgotten. `what` names the file in the warning: "the log of answers". Fails if the file is there
 /// but cannot be read, is no regular file or has more than 16 MiB, or has another "format" than 1.
 StateFileResult<std::string> read_state_file(const std::filesystem::path& path, const std::string& what,

@@ -23,25 +23,26 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <string>
 
 namespace {
 
 constexpr std::size_t kMostFiles = 4096;
-std::string folder, count_file;
+// Without constructors: other libraries may open files before this one begins, and after it has ended.
+std::array<char, 4096> folder{}, count_file{};
 std::atomic<long> count{0};
 long fail_at = 0;
 std::array<std::atomic<bool>, kMostFiles> watched{};
 
-std::string variable(const char* name) {
+void take(const char* name, std::array<char, 4096>& to) {
   const char* value = std::getenv(name);
-  return value ? value : "";
+  if (value) std::strncpy(to.data(), value, to.size() - 1);
 }
 
 __attribute__((constructor)) void begin() {
-  fail_at = std::atol(variable("POLHODE_FAULT_AT").c_str());
-  count_file = variable("POLHODE_FAULT_COUNT");
-  folder = variable("POLHODE_FAULT_FOLDER");
+  const char* at = std::getenv("POLHODE_FAULT_AT");
+  fail_at = at ? std::atol(at) : 0;
+  take("POLHODE_FAULT_COUNT", count_file);
+  take("POLHODE_FAULT_FOLDER", folder);
   unsetenv("LD_PRELOAD");
 }
 
@@ -51,9 +52,9 @@ Function* next(const char* name) {
 }
 
 __attribute__((destructor)) void end() {
-  if (count_file.empty()) return;
-  folder.clear();
-  if (FILE* file = next<FILE*(const char*, const char*)>("fopen")(count_file.c_str(), "w")) {
+  if (count_file[0] == '\0') return;
+  folder[0] = '\0';
+  if (FILE* file = next<FILE*(const char*, const char*)>("fopen")(count_file.data(), "w")) {
     std::fprintf(file, "%ld", count.load());
     std::fclose(file);
   }
@@ -67,8 +68,9 @@ bool fails(int error) {
 }
 
 bool is_watched(const char* path) {
-  return !folder.empty() && path && std::strncmp(path, folder.c_str(), folder.size()) == 0 &&
-         (path[folder.size()] == '/' || path[folder.size()] == '\0');
+  const std::size_t length = std::strlen(folder.data());
+  return length > 0 && path && std::strncmp(path, folder.data(), length) == 0 &&
+         (path[length] == '/' || path[length] == '\0');
 }
 
 bool is_watched(int file) {

@@ -57,8 +57,8 @@ const Work kWorks[] = {
     {"pictures", {"--what", "figure", "--size", "48x27", "--each", "step"}, false},
     {"synced", {"--what", "figure", "--size", "48x27", "--stage", "rolling", "--sync", "frame"}, false},
     {"transcript", {"--what", "transcript"}, false},
-    {"html", {"--size", "160x90", "--stage", "words", "--deck", "@/deck.html"}, false},
-    {"pdf", {"--size", "160x90", "--stage", "words", "--deck", "@/deck.pdf"}, false},
+    {"html", {"--size", "320x240", "--stage", "words", "--deck", "@/deck.html"}, false},
+    {"pdf", {"--size", "320x240", "--stage", "words", "--deck", "@/deck.pdf"}, false},
     {"film",
      {"--what", "figure", "--size", "48x27", "--each", "frame", "--fps", "3", "--seconds", "1", "--stage",
       "rolling", "--film", "@/film.gif"},
@@ -145,8 +145,10 @@ TEST_P(Fault, OfAnyOperationIsSaidAndLeavesNothingHalfWritten) {
     const ProgramRun run = polhode(words_of(work, folder), failing(folder, at, scratch / "count"));
     EXPECT_TRUE(run.code == 0 || run.code == 1) << run.code << ' ' << run.err;
     expect_nothing_half_written(work, folder);
-    if (run.code == 0) {
-      EXPECT_TRUE(files_in(folder) == whole_of(work).files) << run.err;
+    if (run.code == 0) {  // what has done its work may fail to be removed: the next run does that
+      auto files = files_in(folder);
+      files.erase(kMarkerName);
+      EXPECT_TRUE(files == whole_of(work).files) << run.err;
     } else {
       EXPECT_THAT(run.err, HasSubstr("polhode: "));
       ++refused;
