@@ -437,12 +437,18 @@ class ScaledText {
     return claim.origin == Claim::Origin::beside && holds;
   }
 
-  /// The kind of the first claim on an equation: without it a recalled one would seem to hold always.
-  std::string word_on(const Equation& equation, const Step& step) const {
-    for (const Block& block : step.blocks)
-      if (const auto* claim = std::get_if<Claim>(&block); claim && claim->equation == equation.id)
-        return verdicts_.at(claim).word + (claim->given.empty() ? "" : ", under an assumption");
-    return "";
+  /// The kind of the first claim on an equation, and what that is given: without it a recalled one would seem
+  /// to hold always.
+  EarlierKind kind_on(const Equation& equation, const Step& step) const {
+    for (const Block& block : step.blocks) {
+      const auto* claim = std::get_if<Claim>(&block);
+      if (!claim || claim->equation != equation.id) continue;
+      const VerdictRow& row = verdicts_.at(claim);
+      const std::string in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
+      const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
+      return {is_of_what_holds ? row.word + ", " + row.note : in_short, in_short};
+    }
+    return {};
   }
 
   /// A slide has no room for rows of numbers, which nobody reads from the back row, nor for what is claimed
@@ -483,7 +489,7 @@ class ScaledText {
     for (const Block& block : request_.stage.steps[i].blocks)
       if (const auto* equation = std::get_if<Equation>(&block); equation && is_repeated(*equation)) {
         pieces.push_back(
-            noted(column_.earlier_equation(*equation, word_on(*equation, request_.stage.steps[i]))));
+            noted(column_.earlier_equation(*equation, kind_on(*equation, request_.stage.steps[i]))));
         pieces.back().of = &block;
         tell_cost_of(pieces.back());
         pieces.back().is_main = equation == focus_of(request_.stage, request_.stage.steps[i]);

@@ -396,15 +396,17 @@ Result<ColumnPiece> TextColumn::equation(const Equation& equation, Focus focus,
   return piece;
 }
 
-Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const std::string& kind) const {
+Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const EarlierKind& kind) const {
   Result<ColumnPiece> set = numbered(equation, kEarlierSize * size_, {});
   if (!set) return set;
   ColumnPiece piece = std::move(set).value();
   piece.gap = 0.4 * size_;
   TextStyle quiet = style(small_size(kVerdictSize), colors().quiet, 0);
   quiet.sans = true;
-  DisplayList word = set_line(kind, quiet, fonts_);
-  if (kind.empty()) return piece;
+  if (kind.words.empty()) return piece;
+  quiet.symbols = nullptr;  // the slots outlive them
+  DisplayList word = set_line(kind.words, quiet, fonts_);
+  if (word.width > width_) word = set_line(kind.in_short, quiet, fonts_);
   Vec2 at{0, piece.sheet.texts.back().at.y()};
   if (word.width + size_ >= piece.sheet.texts.back().at.x()) {  // above a formula that is too wide
     const double line = std::ceil(kVerdictLine * quiet.size);

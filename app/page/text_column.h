@@ -57,6 +57,12 @@ struct ColumnPiece {
 /// How an equation stands among others: in focus between bar and panel, or with the room that these took.
 enum class Focus { none, now, before };
 
+/// What is claimed by an equation of an earlier step.
+struct EarlierKind {
+  std::string words;     ///< with what it is given, as a caption is written; empty: nothing
+  std::string in_short;  ///< where these do not fit into the column
+};
+
 /// px: no type of a window's page is smaller, indices apart.
 inline constexpr double kLeastSmall = 12;
 
@@ -88,7 +94,7 @@ class TextColumn {
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
   /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, or
   /// above it where it is too wide.
-  Result<ColumnPiece> earlier_equation(const Equation& equation, const std::string& kind = {}) const;
+  Result<ColumnPiece> earlier_equation(const Equation& equation, const EarlierKind& kind = {}) const;
   /// A line: "from before", and the equation.
   Result<ColumnPiece> from_before(const Equation& equation) const;
   Result<ColumnPiece> prose(const RichText& text) const;

@@ -660,7 +660,8 @@ Result<std::vector<ClaimLine>, UnreadableEquation> claim_lines_of(const ReadEqua
         return has_angles(link.equality)
                    ? refuse(link.source, std::string(kNoAngles), "measure the claim")
                    : refuse(link.source,
-                            "a length is a root, and a proof has none: it is a whole side, |a| = |b|",
+                            "a length is a root, and a proof has none: it is a whole side, |a| = |b|, or one "
+                            "with moments and numbers as factors",
                             "square both sides, or measure the claim");
       const bool follows = premise != nullptr;
       if (follows && !provable(premise->links[0].equality))

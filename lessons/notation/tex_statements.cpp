@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/notation/tex_statements.h"
 
+#include "lessons/claims/expressions/dimension.h"
 #include "lessons/notation/tex_atoms.h"
 #include "lessons/notation/tex_terms.h"
 #include "lessons/notation/tex_units.h"
@@ -21,6 +22,7 @@ class StatementReader {
     terms_.has_pi = true;
     terms_.any_inertia = has_tensor_component(*math.root);
     items_ = whole_formula(*math.root, kMaxEquationNesting);
+    while (auto inside = inside_of_dress()) items_ = std::move(*inside);
   }
 
   Statements read() {
@@ -31,9 +33,10 @@ class StatementReader {
       const Items items = Items(items_).subspan(begin, i - begin);
       auto side = side_of(items);
       if (left && side && begin > 0) link(*left, items_[begin - 1], *side, i == items_.size());
-      if (i < items_.size() &&
-          (items_[i].is(ItemKind::relation, U'⇒') || items_[i].is(ItemKind::relation, U'⟹')))
-        result_.is_condition = true;
+      // "\Rightarrow T = 0" goes on from what stands before the formula, and is stated.
+      const bool is_arrow = i < items_.size() && (items_[i].is(ItemKind::relation, U'⇒') ||
+                                                  items_[i].is(ItemKind::relation, U'⟹'));
+      if (is_arrow && has_relation_before(i)) result_.is_condition = true;
       const bool goes_on = i < items_.size() && items_[i].kind == ItemKind::relation;
       if (goes_on) result_.words += std::string(" ") + kRelationMark + ' ';
       if (i < items_.size() && items_[i].kind == ItemKind::comma) result_.words += ", ";
@@ -48,10 +51,46 @@ class StatementReader {
   struct Side {
     std::optional<TexValue> value;  ///< nothing: it is the time, t, or one of the two below
     std::optional<TypedNumber> typed;
+    std::optional<double> at_s;
     std::vector<Side> components;  ///< of "(0.5, 3, 0.7)"
     bool is_constant = false;      ///< "\text{const}"
     SourceSpan span;
   };
+
+  /// What stands in braces is stated; a formula in brackets is a condition.
+  std::optional<TexItems> inside_of_dress() const {
+    if (items_.size() != 1 || items_[0].sub != nullptr || items_[0].sup != nullptr) return std::nullopt;
+    const TexItem& all = items_[0];
+    const bool is_dressed = all.kind == ItemKind::group && (all.open == U'{' || all.open == U'⏟');
+    return is_dressed && has_relation(all.inside) ? std::optional(all.inside) : std::nullopt;
+  }
+
+  /// "Since N = 0 ⇒" has one, "\vec\omega ⇒" has not.
+  bool has_relation_before(std::size_t end) const {
+    return std::any_of(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](const TexItem& item) {
+                         return item.kind == ItemKind::relation && item.character != U'⇒' &&
+                                item.character != U'⟹' && item.character != U':';
+                       });
+  }
+
+  /// Of signs of which nothing is proved as well: what is far larger is larger.
+  static std::optional<Relation> relation_stated(const TexItem& sign) {
+    switch (sign.character) {
+      case U'≠':
+      case U'≡':
+        return Relation::equal;
+      case U'≪':
+        return Relation::less;
+      case U'≫':
+        return Relation::greater;
+      case U'≃':
+      case U'≅':
+        return Relation::approximate;
+      default:
+        return relation_of(sign);
+    }
+  }
 
   static bool ends_side(const TexItem& item) {
     return item.kind == ItemKind::relation || item.kind == ItemKind::comma || item.kind == ItemKind::gap ||
@@ -63,13 +102,19 @@ class StatementReader {
   }
 
   StatedSide stated(const Side& side) const {
-    StatedSide stated{std::nullopt, side.typed};
+    StatedSide stated{std::nullopt, side.typed, side.at_s};
     if (side.value) stated.is = expression_of(*side.value, vocabulary_);
     return stated;
   }
 
   void link(const Side& left, const TexItem& sign, const Side& right, bool ends_formula) {
-    if (left.is_constant || !left.components.empty()) return;
+    if (left.is_constant) return;
+    if (!left.components.empty()) {
+      if (left.components.size() == right.components.size())
+        for (std::size_t i = 0; i < left.components.size(); ++i)
+          link(left.components[i], sign, right.components[i], false);
+      return;
+    }
     const SourceSpan span = joined_span(left.span, right.span);
     const auto state = [&](const TexValue& a, const TexValue& b) {
       StatedLink link;
@@ -79,14 +124,15 @@ class StatementReader {
       return link;
     };
     const TexValue zero = atom_value("0", TexValue::Type::zero, span);
-    const bool is_equal = sign.character == U'=', is_not = sign.character == U'≠';
+    const bool is_equal = sign.character == U'=' || sign.character == U'≡', is_not = sign.character == U'≠';
     try {
       if (right.is_constant) {
         if (!left.value || !is_equal) return;
         result_.links.push_back(state(rate_of(*left.value, true, span), zero));
         result_.links.back().is_of_all_times = true;
       } else if (!right.components.empty()) {
-        if (left.value && left.value->is_vector() && is_equal) link_components(left, right);
+        if (left.value && left.value->is_vector() && is_equal && right.components.size() == 3)
+          link_components(left, right);
       } else if (is_direction(sign.character)) {
         if (!left.value || !right.value || !left.value->is_vector() || !right.value->is_vector()) return;
         const bool is_normal = sign.character == U'⟂' || sign.character == U'⊥';
@@ -94,7 +140,7 @@ class StatementReader {
                                         is_normal ? TexValue::Type::scalar : TexValue::Type::vector, span);
         result_.links.push_back(state(product, zero));
         result_.links.back().is_denied = sign.character == U'∦';
-      } else if (const auto relation = is_not ? std::optional(Relation::equal) : relation_of(sign)) {
+      } else if (const auto relation = relation_stated(sign)) {
         result_.links.push_back({stated(left), stated(right), *relation, is_not, false, span, ends_formula});
       }
     } catch (const TexFault&) {  // of such kinds nothing is read
@@ -111,6 +157,7 @@ class StatementReader {
         StatedLink link;
         link.left.is =
             expression_of(called("dot", *left.value, &axis, TexValue::Type::scalar, one.span), vocabulary_);
+        link.left.at_s = left.at_s;
         link.right = stated(one);
         link.source = joined_span(left.span, right.span);
         (axes[0] == '1' ? stated_components.on_body : stated_components.on_space).push_back(std::move(link));
@@ -118,19 +165,37 @@ class StatementReader {
     result_.components.push_back(std::move(stated_components));
   }
 
+  /// Between the commas of "(0.5, 3, 0.7)", or in the cells of a column or a row; empty of what is neither.
+  static std::vector<TexItems> entries_of(const TexItem& item) {
+    if (item.sub != nullptr || item.sup != nullptr) return {};
+    std::vector<TexItems> entries;
+    if (item.kind == ItemKind::group) {
+      if (item.open != U'(' && item.open != U'[') return {};
+      entries.emplace_back();
+      for (const TexItem& one : item.inside)
+        if (one.kind == ItemKind::comma)
+          entries.emplace_back();
+        else
+          entries.back().push_back(one);
+    } else if (item.kind == ItemKind::operand && item.node->kind == MathNode::Kind::grid) {
+      const MathGrid& grid = *item.node->grid;
+      const auto cells = static_cast<int>(item.node->children.size());
+      if ((grid.left != U'(' && grid.left != U'[') || (grid.columns != 1 && grid.columns != cells)) return {};
+      for (const MathNode& cell : item.node->children)
+        entries.push_back(items_of(cell, kMaxEquationNesting - 1));
+    }
+    return entries;
+  }
+
   /// "(0.5, 3, 0.7)\,\text{rad/s}", each with the unit of all; empty of what is none.
   std::vector<Side> components_of(Items items) {
-    if (items.empty() || items.front().kind != ItemKind::group || items.front().sub != nullptr ||
-        items.front().sup != nullptr)
-      return {};
+    const std::vector<TexItems> entries = items.empty() ? std::vector<TexItems>() : entries_of(items.front());
+    if (entries.size() < 2) return {};
     std::string unit;
     if (items.size() > 1 && (unit = unit_of(items.subspan(1))).empty()) return {};
     std::vector<Side> components;
-    const Items inside(items.front().inside);
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= inside.size(); ++i) {
-      if (i < inside.size() && inside[i].kind != ItemKind::comma) continue;
-      const Items one = inside.subspan(begin, i - begin);
+    for (const TexItems& entry : entries) {
+      const Items one(entry);
       if (one.empty()) return {};
       Side side;
       side.span = span_of(one, {});
@@ -141,9 +206,26 @@ class StatementReader {
           side.typed ? atom_value(in_si(*side.typed), TexValue::Type::scalar, side.span) : terms_.side(one);
       if (!side.value->is_scalar()) return {};
       components.push_back(std::move(side));
-      begin = i + 1;
     }
-    return components.size() == 3 ? components : std::vector<Side>();
+    return components;
+  }
+
+  /// "(t)", "(2)", "(t = 2\,\text{s})" behind a quantity: its value then.
+  struct Moment {
+    std::optional<double> at_s;  ///< nothing: at any time
+  };
+  static std::optional<Moment> moment_in(const TexItem& item) {
+    if (item.kind != ItemKind::group || item.open != U'(' || item.sub != nullptr || item.sup != nullptr)
+      return std::nullopt;
+    Items inside(item.inside);
+    const bool begins_with_t = !inside.empty() && is_symbol(inside.front(), U't') && is_plain(inside.front());
+    if (begins_with_t && inside.size() == 1) return Moment{};
+    if (begins_with_t && inside[1].is(ItemKind::relation, U'=')) inside = inside.subspan(2);
+    const auto number = typed_number(inside);
+    const auto unit = number ? scaled_unit(number->unit) : std::nullopt;
+    constexpr Dimension kTime{0, 0, 1};
+    if (!number || (!number->unit.empty() && (!unit || unit->dimension != kTime))) return std::nullopt;
+    return Moment{number->value * (unit ? unit->size : 1)};
   }
 
   std::optional<Side> side_of(Items items) {
@@ -152,6 +234,12 @@ class StatementReader {
     if (items.empty()) return std::nullopt;
     Side side;
     side.span = span_of(items, {});
+    if (const auto moment = items.size() > 1 ? moment_in(items.back()) : std::nullopt)
+      if (auto value = value_before(items.first(items.size() - 1))) {
+        side.value = std::move(value);
+        side.at_s = moment->at_s;
+        return side;
+      }
     if (items.size() == 1 && is_symbol(items.front(), U't') && is_plain(items.front())) return side;
     if (says_constant(items)) {
       side.is_constant = true;
@@ -174,6 +262,26 @@ class StatementReader {
       note_what_is_not_read(items);
       return std::nullopt;
     }
+  }
+
+  /// A quantity by itself, such as T or \vec\omega: of I_1(2) nobody knows that it is no product.
+  std::optional<TexValue> value_before(Items items) {
+    if (items.size() != 1 || items.front().kind != ItemKind::operand || items.front().sup != nullptr)
+      return std::nullopt;
+    try {
+      TexValue value = terms_.side(items);
+      const Expression is = expression_of(value, vocabulary_);
+      const bool is_of_motion = value.is_vector() || value.is_scalar();
+      return is_of_motion && changes(is) ? std::optional(std::move(value)) : std::nullopt;
+    } catch (const TexFault&) {
+      return std::nullopt;
+    }
+  }
+  static bool changes(const Expression& is) {
+    return std::any_of(is.nodes.begin(), is.nodes.end(), [](const ExpressionNode& node) {
+      return node.operation == Operation::quantity && node.quantity != Quantity::I1 &&
+             node.quantity != Quantity::I2 && node.quantity != Quantity::I3 && node.quantity != Quantity::m;
+    });
   }
 
   void note_what_is_not_read(Items items) {
@@ -210,7 +318,8 @@ std::vector<TypedStatement> typed_statements(const Math& math, const EquationNot
   std::vector<TypedStatement> typed;
   for (StatedLink& link : stated_in(math, notation).links) {
     const bool is_of_scalar = link.left.is_time() || link.left.is->type() != ExpressionType::vector;
-    if (link.right.typed && !link.left.typed && is_of_scalar && !link.is_denied)
+    const bool is_typed = link.right.typed && !link.left.typed && !link.is_of_a_time();
+    if (is_typed && is_of_scalar && !link.is_denied)
       typed.push_back({std::move(link.left.is), link.relation, *link.right.typed});
   }
   return typed;

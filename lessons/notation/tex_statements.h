@@ -15,6 +15,7 @@ namespace polhode {
 struct StatedSide {
   std::optional<Expression> is;      ///< of a number with its unit that of SI; nothing: it is the time, t
   std::optional<TypedNumber> typed;  ///< of a number that stands alone
+  std::optional<double> at_s{};      ///< of "T(2)", "T(t = 2\\,\\text{s})": when
 
   bool is_time() const { return !is; }
 };
@@ -27,9 +28,12 @@ struct StatedLink {
   bool is_of_all_times = false;  ///< "= const": at one instant it says nothing
   SourceSpan source;             ///< of both, in the TeX
   bool ends_formula = false;     ///< what stands behind the formula stands behind it
+  bool is_in_words = false;      ///< "vanishes": to a few per cent of what it is at other times
+
+  bool is_of_a_time() const { return left.at_s || right.at_s; }
 };
 
-/// "\vec\omega = (0.5, 3, 0.7)": on which axes is left open.
+/// "\vec\omega = (0.5, 3, 0.7)": on which axes is left open. Of "(T, \omega_1) = (9, 1)" each pair is a link.
 struct StatedComponents {
   std::vector<StatedLink> on_body, on_space;  ///< three each
 };

@@ -607,8 +607,19 @@ void StageBuilder::add_scene(const Fence& fence) {
   std::vector<LessonScene> shown = side_by_side(scene_, front_.bodies, front_.words(), texts_, highlighted_);
   for (std::size_t i = 0; i < std::min(shown.size(), shown_.size()); ++i)  // steps share what stays
     if (shown[i].scene.caption == shown_[i].scene.caption) shown[i].caption = shown_[i].caption;
+  warn_of_hidden_caption(*table, shown);
   shown_ = std::move(shown);
   vary_scene();
+}
+
+/// The caption that scenes side by side have in common stands below those without one of their own.
+void StageBuilder::warn_of_hidden_caption(const TomlTable& table, const std::vector<LessonScene>& shown) {
+  const TomlEntry* entry = table.find("caption");
+  if (entry == nullptr || !scene_.scenes || scene_.scene.caption.empty()) return;
+  const auto is_own = [&](const LessonScene& one) { return one.scene.caption != scene_.scene.caption; };
+  if (std::all_of(shown.begin(), shown.end(), is_own))
+    report_.warning(entry->place, "this caption is not shown: each of the scenes has one of its own",
+                    "leave it out, or those of the scenes");
 }
 
 /// What `vary` asks for, where the scene has such numbers and all can be as far as their ranges go.

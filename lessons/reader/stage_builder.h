@@ -54,6 +54,7 @@ class StageBuilder {
   void add_claim(const Fence& fence);
   void add_scene(const Fence& fence);
   void vary_scene();
+  void warn_of_hidden_caption(const TomlTable& table, const std::vector<LessonScene>& shown);
   bool check_ends(const VariedScene& varied);
   void add_table(const Fence& fence);
   void read_tables();

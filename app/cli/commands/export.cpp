@@ -101,6 +101,22 @@ void note_left_out(const ExportPlan& plan, What what) {
                                    what == What::equation ? "an" : "a", missing));
 }
 
+/// It is exported all the same, with "does not hold" beside it: whoever asked for it should know.
+void note_refuted(const Lesson& lesson, const std::vector<std::string>& stages) {
+  const auto fails = [](const ClaimLine& line) {
+    return line.judgement && line.judgement->verdict == Verdict::fails;
+  };
+  for (const Stage& stage : lesson.stages) {
+    if (!stages.empty() && std::find(stages.begin(), stages.end(), stage.id) == stages.end()) continue;
+    for (std::size_t i = 0; i < stage.steps.size(); ++i)
+      for (const Claim* claim : blocks_of<Claim>(stage.steps[i]))
+        if (std::any_of(claim->lines.begin(), claim->lines.end(), fails))
+          say("polhode: {}:{}: what \"{}\" claims does not hold, and its page says so; polhode lint says "
+              "why\n",
+              stage.id, i + 1, claim->equation);
+  }
+}
+
 Outcome<PicturesMade> make_with_progress(const PictureExport& e, const InterruptWatch& watch) {
   const ProgressBar progress(static_cast<std::int64_t>(e.out.shard.size(e.plan.pictures.size())));
   return make_pictures(
@@ -230,6 +246,7 @@ void look_into_folder(const ExportIdentity& mine, const ExportOutput& out) {
 ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& options, const ExportOutput& out) {
   const ExportPlan plan = or_usage(plan_export(loaded.lesson, options));
   note_left_out(plan, options.what);
+  note_refuted(loaded.lesson, options.stages);
   refuse_folders(out);
   look_into_folder(identity_of(loaded, options), out);
   const PictureExport e{loaded, options, out, plan};
@@ -249,6 +266,7 @@ namespace {
 ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& options,
                            const ExportOutput& out) {
   for (const std::string& id : options.stages) static_cast<void>(stage_of(loaded.lesson, id));
+  note_refuted(loaded.lesson, options.stages);
   const ExportIdentity identity = identity_of(loaded, options);
   or_fail(inspect_folder(out.folder, identity));
   or_fail(make_folder(out.folder));
@@ -283,6 +301,7 @@ LiveParts live_parts_of(const LoadedLesson& loaded) {
 /// What is drawn goes into the file as it is made, so there is nothing to go on with after a stop.
 ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
   for (const std::string& id : out.stages) static_cast<void>(stage_of(loaded.lesson, id));
+  note_refuted(loaded.lesson, out.stages);
   refuse_folder("--reader", out.file);
   const std::optional<LiveParts> live = out.live ? std::optional(live_parts_of(loaded)) : std::nullopt;
   or_fail(make_folder(fs::absolute(out.file).parent_path()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/answers/derivation_work.h"
 
+#include "lessons/derivation/leading_lines.h"
 #include "lessons/reader/questions/line_notation.h"
 
 #include <utility>
@@ -11,6 +12,35 @@ namespace {
 using Mark = LineJudgement::Mark;
 
 bool leads_on(Mark mark) { return mark == Mark::holds || mark == Mark::goal; }
+
+constexpr const char* kBesideTheWay =
+    "true, but no line behind it has a term of it: it does not lead to the goal";
+
+/// Once the goal is there, which lines lead to it. More lines before it may make another use of them.
+void mark_what_leads(const Derivation& derivation, std::vector<DerivationWork::TypedLine>& lines) {
+  std::vector<DerivationWork::TypedLine*> hold;
+  std::vector<DerivedLine> read;
+  for (DerivationWork::TypedLine& line : lines) {
+    const LineJudgement& judgement = line.judgement;
+    if (!leads_on(judgement.mark) && judgement.reason != kBesideTheWay) continue;
+    hold.push_back(&line);
+    read.push_back(*judgement.line);
+  }
+  const std::vector<bool> lead = lines_that_lead(derivation, read);
+  for (std::size_t i = 0; i + 1 < hold.size(); ++i) {
+    hold[i]->judgement.mark = lead[i] ? Mark::holds : Mark::away;
+    hold[i]->judgement.reason = lead[i] ? "" : kBesideTheWay;
+  }
+}
+
+/// Without the goal all that hold may lead to it.
+void forget_what_leads(std::vector<DerivationWork::TypedLine>& lines) {
+  for (DerivationWork::TypedLine& line : lines)
+    if (line.judgement.reason == kBesideTheWay) {
+      line.judgement.mark = Mark::holds;
+      line.judgement.reason.clear();
+    }
+}
 
 }  // namespace
 
@@ -26,8 +56,9 @@ std::vector<DerivedLine> DerivationWork::held() const {
 
 const LineJudgement& DerivationWork::add(std::string_view typed) {
   if (!lines_.empty() && !leads_on(lines_.back().judgement.mark)) lines_.pop_back();
-  if (is_too_short()) lines_.pop_back();  // the goal, before there was a way to it
+  if (is_too_short()) undo();  // the goal, before there was a way to it
   lines_.push_back({std::string(typed), judge_line(derivation_, held(), typed, how_, prover_)});
+  if (is_at_goal()) mark_what_leads(derivation_, lines_);
   return lines_.back().judgement;
 }
 
@@ -37,6 +68,7 @@ std::string DerivationWork::typed_tex() const {
 
 void DerivationWork::undo() {
   if (!lines_.empty()) lines_.pop_back();
+  forget_what_leads(lines_);
 }
 
 std::string DerivationWork::hint(int level) const {

@@ -122,8 +122,10 @@ Result<fs::path> save_as(const LessonSession& session, SaveAs what, const SaveOp
   if (const Status made = make_folder(folder); !made) return failure(made.error());
   if (what == SaveAs::trace)
     return write_text(free_name(folder, stem_of(session), ".csv"), trace_of(session));
-  if (what == SaveAs::scene)
-    return write_text(free_name(folder, stem_of(session) + "-scene", ".md"), lesson_of(session));
+  if (what == SaveAs::scene) {
+    const fs::path path = free_name(folder, stem_of(session) + "-scene", ".md");
+    return write_text(path, lesson_of(session, path.stem().string()));
+  }
   if (what == SaveAs::answers) {
     const auto report = answer_report(session.lesson(), session.answers(), options.student);
     if (!report) return failure(report.error());

@@ -246,10 +246,11 @@ std::string own_body_of(const Body& body, const Torque& torque) {
   return lines;
 }
 
-std::string lesson_of(const LessonSession& session) {
+std::string lesson_of(const LessonSession& session, std::string_view id) {
   const Lesson& lesson = session.lesson();
   const Stage& stage = session.stage();
-  std::string text = fmt::format("+++\nformat = 1\nid = \"{}\"\ntitle = {}\n", stage.id, toml(lesson.title)),
+  std::string text = fmt::format("+++\nformat = 1\nid = \"{}\"\ntitle = {}\n",
+                                 is_id(id) ? id : std::string_view(stage.id), toml(lesson.title)),
               keys;
   if (lesson.notation.xyz_are_body_axes) text += "axes = \"xyz\"\n";
   if (!lesson.about.outcomes.empty()) {  // questions refer to them

@@ -3,6 +3,7 @@
 
 #include "base/spelling.h"
 #include "lessons/claims/expressions/expression_builder.h"
+#include "lessons/claims/expressions/lengths.h"
 #include "lessons/claims/expressions/vocabulary.h"
 
 #include <algorithm>
@@ -337,7 +338,64 @@ bool Expression::uses(Quantity quantity) const {
 
 namespace {
 
-bool is_length(const Expression& side) { return side.nodes.back().operation == Operation::norm; }
+const ExpressionNode& node_of(const Expression& expression, int index) {
+  return expression.nodes[static_cast<std::size_t>(index)];
+}
+
+/// A moment, the mass or a number above 0, and what is made of them without a minus.
+bool is_positive(const Expression& expression, int index) {
+  const ExpressionNode& n = node_of(expression, index);
+  switch (n.operation) {
+    case Operation::number:
+      return n.number.value > 0;
+    case Operation::quantity:
+      return n.quantity == Quantity::I1 || n.quantity == Quantity::I2 || n.quantity == Quantity::I3 ||
+             n.quantity == Quantity::m;
+    case Operation::add:
+    case Operation::multiply:
+    case Operation::divide:
+      return is_positive(expression, n.a) && is_positive(expression, n.b);
+    case Operation::power:
+      return is_positive(expression, n.a);
+    default:
+      return false;
+  }
+}
+
+bool is_length(const Expression& expression, int index) {
+  const ExpressionNode& n = node_of(expression, index);
+  if (n.operation == Operation::norm) return true;
+  if (n.operation == Operation::divide) return is_length(expression, n.a) && is_positive(expression, n.b);
+  return n.operation == Operation::multiply &&
+         ((is_length(expression, n.a) && is_positive(expression, n.b)) ||
+          (is_positive(expression, n.a) && is_length(expression, n.b)));
+}
+
+/// A node with what it is made of, by itself.
+int copy_node(const Expression& expression, int index, std::vector<ExpressionNode>& nodes) {
+  ExpressionNode n = node_of(expression, index);
+  if (n.a >= 0) n.a = copy_node(expression, n.a, nodes);
+  if (n.b >= 0) n.b = copy_node(expression, n.b, nodes);
+  nodes.push_back(n);
+  return static_cast<int>(nodes.size()) - 1;
+}
+
+/// The square of a length, with its factors squared one by one.
+int add_square(ExpressionBuilder& builder, const Expression& expression, int index) {
+  const ExpressionNode& n = node_of(expression, index);
+  if (n.operation != Operation::norm && is_length(expression, index)) {
+    const int a = add_square(builder, expression, n.a), b = add_square(builder, expression, n.b);
+    return n.operation == Operation::multiply ? builder.multiply(a, b, n.begin)
+                                              : builder.divide(a, b, n.begin);
+  }
+  Expression part{expression.text, {}, expression.constants};
+  copy_node(expression, index, part.nodes);
+  if (n.operation == Operation::norm) {
+    part.nodes.back().operation = Operation::norm2;
+    return builder.insert(part, n.begin, n.end);
+  }
+  return builder.power(builder.insert(part, n.begin, n.end), 2, n.begin, n.end);
+}
 
 /// Whether nodes have no roots and no angles: cosines of acos have none.
 bool are_algebraic(const std::vector<ExpressionNode>& nodes) {
@@ -375,19 +433,30 @@ bool has_angles(const Equality& equality) {
   return !are_algebraic(equality.left.nodes) || !are_algebraic(equality.right.nodes);
 }
 
+bool is_length(const Expression& side) { return is_length(side, static_cast<int>(side.nodes.size()) - 1); }
+
 bool is_provable(const Equality& equality) {
-  const auto holds_length = [](const Expression& side) {
-    return std::any_of(side.nodes.begin(), side.nodes.end() - 1,
-                       [](const ExpressionNode& node) { return node.operation == Operation::norm; });
+  const auto has_more_lengths = [](const Expression& side) {
+    const auto lengths = std::count_if(side.nodes.begin(), side.nodes.end(), [](const ExpressionNode& node) {
+      return node.operation == Operation::norm;
+    });
+    return lengths > (is_length(side) ? 1 : 0);
   };
-  return is_length(equality.left) == is_length(equality.right) && !holds_length(equality.left) &&
-         !holds_length(equality.right) && !has_angles(equality);
+  return is_length(equality.left) == is_length(equality.right) && !has_more_lengths(equality.left) &&
+         !has_more_lengths(equality.right) && !has_angles(equality);
 }
 
 Equality with_lengths_squared(Equality equality) {
-  if (is_length(equality.left) && is_length(equality.right))
-    for (Expression* side : {&equality.left, &equality.right})
+  if (!is_length(equality.left) || !is_length(equality.right)) return equality;
+  for (Expression* side : {&equality.left, &equality.right}) {
+    if (side->nodes.back().operation == Operation::norm) {
       side->nodes.back().operation = Operation::norm2;
+      continue;
+    }
+    ExpressionBuilder builder;
+    add_square(builder, *side, static_cast<int>(side->nodes.size()) - 1);
+    side->nodes = builder.take();
+  }
   return equality;
 }
 

@@ -3,6 +3,7 @@
 
 #include "lessons/claims/condition.h"
 #include "lessons/claims/expressions/degree.h"
+#include "lessons/claims/expressions/lengths.h"
 #include "lessons/claims/proof/expansion.h"
 #include "lessons/claims/proof/signs.h"
 #include "lessons/claims/proof/small_states.h"
@@ -137,7 +138,7 @@ std::string root_text(const std::string& square) {
 /// The values of lengths, of whose squares those in `found` are.
 std::optional<Counterexample> with_roots(std::optional<Counterexample> found, const Equality& equality) {
   const auto root = [](std::string& square, const Expression& side) {
-    if (side.nodes.back().operation == Operation::norm) square = root_text(square);
+    if (is_length(side)) square = root_text(square);
   };
   if (found) root(found->left, equality.left), root(found->right, equality.right);
   return found;

@@ -82,6 +82,7 @@ class ClaimCheck {
             check_block(Block(note), step, place);
           }
           check_captions(step);
+          if (step.scene && step.scene != scene_) check_labels(step);
           if (step.scene && step.scene != scene_) check_names(step);
           scene_ = step.scene;
         }
@@ -305,6 +306,13 @@ class ClaimCheck {
     std::vector<const SceneModel*> of_all;
     for (const SceneModel& model : models) of_all.push_back(&model);
     number_check_.check_shared(numbers_in(*first), of_all);
+  }
+
+  /// Lines of text in the figure: those of the first scene, or of what all show.
+  void check_labels(const Step& step) {
+    if (!step.scene->beside.empty()) return;  // whose they are is not kept
+    for (const auto& label : step.labels)
+      if (label) check_text(*label, step);
   }
 
   /// Numbers that an author typed into the captions, on the motions that they stand below.

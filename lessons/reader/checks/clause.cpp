@@ -12,6 +12,12 @@
 namespace polhode {
 namespace {
 
+constexpr std::array<std::string_view, 6> kNearly{"about",   "nearly", "almost",
+                                                  "roughly", "some",   "approximately"};
+constexpr std::array<std::string_view, 14> kAdverbs{"now",    "only",      "always", "then", "exactly",
+                                                    "just",   "thus",      "here",   "also", "therefore",
+                                                    "simply", "precisely", "again",  "still"};
+
 /// Cut off the end of a text, as a word of its own.
 bool take_last_word(std::string_view& text, std::string_view word) {
   if (!text.ends_with(word)) return false;
@@ -43,14 +49,10 @@ std::vector<TextSpan> clause_before(const std::vector<TextSpan>& line, std::size
 
 std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
   if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
-  constexpr std::array<std::string_view, 6> kNearly{"about",   "nearly", "almost",
-                                                    "roughly", "some",   "approximately"};
-  constexpr std::array<std::string_view, 14> kAdverbs{"now",    "only",      "always", "then", "exactly",
-                                                      "just",   "thus",      "here",   "also", "therefore",
-                                                      "simply", "precisely", "again",  "still"};
-  constexpr std::array<std::string_view, 16> kVerbs{
-      "is equal to", "is given by", "has the value", "is",    "was",     "are",     "equals",   "comes to",
-      "amounts to",  "lasts",       "takes",         "stays", "remains", "becomes", "measures", ":"};
+  constexpr std::array<std::string_view, 17> kVerbs{
+      "is equal to", "is given by", "has the value", "is called",  "is",    "was",
+      "are",         "equals",      "comes to",      "amounts to", "lasts", "takes",
+      "stays",       "remains",     "becomes",       "measures",   ":"};
   constexpr std::array<std::string_view, 5> kOfLength{"has the length", "has the magnitude",
                                                       "has a length of", "has the size", "has the norm"};
   std::string& text = clause.back().text;
@@ -66,6 +68,56 @@ std::optional<Relation> take_verb(std::vector<TextSpan>& clause) {
   if (!is_of_length && std::none_of(kVerbs.begin(), kVerbs.end(), take)) return std::nullopt;
   text = std::string(rest);
   if (is_of_length) clause.emplace(clause.begin())->text = "length of ";
+  return relation;
+}
+
+std::optional<Relation> take_comparison(std::vector<TextSpan>& clause) {
+  if (clause.empty() || clause.back().kind != TextSpan::Kind::text) return std::nullopt;
+  constexpr std::array<std::string_view, 5> kGreater{"is more than", "is greater than", "is larger than",
+                                                     "is above", "exceeds"};
+  constexpr std::array<std::string_view, 3> kLess{"is less than", "is smaller than", "is below"};
+  const std::string all = clause.back().text;
+  std::string_view rest = without_blanks(all);
+  const auto take = [&](std::string_view word) { return take_last_word(rest, word); };
+  const bool is_greater = std::any_of(kGreater.begin(), kGreater.end(), take);
+  if (!is_greater && std::none_of(kLess.begin(), kLess.end(), take)) return std::nullopt;
+  clause.back().text = std::string(rest);
+  return is_greater ? Relation::greater : Relation::less;
+}
+
+std::vector<TextSpan> clause_behind(const std::vector<TextSpan>& line, std::size_t at) {
+  std::vector<TextSpan> clause;
+  for (std::size_t k = at + 1; k < line.size(); ++k) {
+    TextSpan span = line[k];
+    if (span.kind == TextSpan::Kind::text) {
+      const std::size_t end = span.text.find_first_of(".,;:!?()");
+      if (end != span.text.npos) {
+        span.text.erase(end);
+        clause.push_back(std::move(span));
+        break;
+      }
+    }
+    clause.push_back(std::move(span));
+  }
+  return clause;
+}
+
+std::optional<Relation> take_verb_at_start(std::vector<TextSpan>& clause) {
+  if (clause.empty() || clause.front().kind != TextSpan::Kind::text) return std::nullopt;
+  std::string_view rest = without_blanks(clause.front().text);
+  const auto take = [&](std::string_view word) {
+    if (!rest.starts_with(word) || (rest.size() > word.size() && is_letter(rest[word.size()]))) return false;
+    rest = without_blanks(rest.substr(word.size()));
+    return true;
+  };
+  constexpr std::array<std::string_view, 9> kVerbs{"is equal to", "is called", "is",      "was",  "are",
+                                                   "equals",      "means",     "remains", "stays"};
+  if (std::none_of(kVerbs.begin(), kVerbs.end(), take)) return std::nullopt;
+  const Relation relation =
+      std::any_of(kNearly.begin(), kNearly.end(), take) ? Relation::approximate : Relation::equal;
+  if (relation == Relation::equal) std::any_of(kAdverbs.begin(), kAdverbs.end(), take);
+  const std::string text(rest);
+  clause.front().text = text;
   return relation;
 }
 

@@ -148,7 +148,8 @@ bool is_constructed(const TypedNumber& number, const ScaledUnit& unit) {
 }  // namespace
 
 std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
-                                 const std::vector<ShownMotion>& motions, const Effort& effort) {
+                                 const std::vector<ShownMotion>& motions, const Effort& effort,
+                                 Relation relation) {
   const ScaledUnit unit = scaled_unit(number.unit).value_or(ScaledUnit{});
   const auto dimension = has_motion_words(quantity) ? std::nullopt : dimension_of(quantity, {}).dimension;
   if (dimension && !number.unit.empty() && *dimension != unit.dimension) return false;
@@ -156,8 +157,14 @@ std::optional<bool> is_number_of(const TypedNumber& number, const Expression& qu
   for (const ShownMotion& motion : motions)
     for (const double t_s : {motion.still_s, 0.0}) {
       MotionNumbers numbers(motion.model, t_s, effort);
-      if (const auto value = numbers.value_of(quantity))
-        is_so = is_so.value_or(false) || is_near(number, unit, *value);
+      const auto value = numbers.value_of(quantity);
+      if (!value) continue;
+      const double typed = number.value * unit.size;
+      const bool is_so_now = relation == Relation::greater ? *value > typed
+                             : relation == Relation::less
+                                 ? *value < typed
+                                 : is_near(number, unit, *value) && (number.value >= 0 || *value < 0);
+      is_so = is_so.value_or(false) || is_so_now;
     }
   return is_so;
 }

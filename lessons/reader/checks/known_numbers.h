@@ -24,8 +24,9 @@ bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std:
                      const Effort& effort);
 
 /// Whether it is the number of a quantity on one of these motions, likewise; nothing where none has a value
-/// of it.
+/// of it. Of greater and less: whether the quantity is that.
 std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
-                                 const std::vector<ShownMotion>& motions, const Effort& effort);
+                                 const std::vector<ShownMotion>& motions, const Effort& effort,
+                                 Relation relation = Relation::equal);
 
 }  // namespace polhode

@@ -181,16 +181,40 @@ class NameCheck {
     if (of_said && (named(of) || of_shown != kNumber) && !can_have({*of_said}, of_shown))
       return refuse("the tip of", of.text, tex);
     check_multiple(of, tex);
+    check_direction(of, tex);
     if (!said || !shown || said->type() != ExpressionType::vector) return;
     for (const LiveState& live : states_) {
       const auto a = live_quantity(*said, live, View::space), b = live_quantity(*shown, live, View::space);
       if (!a || !b) continue;
       const double lengths = std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
       // How long it is drawn is the author's choice; of what has no name of its own only the sense is told.
-      const double least = named(of) ? 1 - kNear : -kNear;
+      const bool is_other_arrow = is_axis(*shown) && !is_axis(*said);
+      const double least = named(of) || is_other_arrow ? 1 - kNear : -kNear;
       if (lengths > 0 && dot(a->components, b->components) < least * lengths)
         return refuse("the tip of", of.text, tex);
     }
+  }
+
+  static bool is_axis(const Expression& shown) {
+    return shown.nodes.size() == 1 && shown.nodes[0].operation == Operation::quantity &&
+           shown.nodes[0].quantity >= Quantity::e1 && shown.nodes[0].quantity <= Quantity::ez;
+  }
+
+  /// "\vec L\times\vec\omega": what is written out does not point the other way.
+  void check_direction(const SceneQuantity& of, const std::string& tex) {
+    const auto said = read_any(tex), shown = expression_of(of);
+    if (!said || !shown || has_name(*said) || said->type() != ExpressionType::vector) return;
+    if (said->uses(Quantity::A)) return;  // any vector that a lesson likes
+    bool is_opposite = false;
+    for (const LiveState& live : states_) {
+      const auto a = live_quantity(*said, live, View::space), b = live_quantity(*shown, live, View::space);
+      if (!a || !b) continue;
+      const double lengths = std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
+      if (lengths == 0) continue;
+      if (dot(a->components, b->components) > -(1 - kNear) * lengths) return;
+      is_opposite = true;
+    }
+    if (is_opposite) refuse("the tip of", of.text, tex);
   }
 
   /// "2\vec L" at the tip of L.

@@ -133,7 +133,7 @@ class NameReader {
       auto said = read(all.substr(begin));
       if (!said) continue;
       if (vectors == VectorsSaid::as_vectors) said->is_vector = false;
-      return goes_on(all.substr(0, begin)) ? std::nullopt : expression(*said);
+      return goes_on_with_name(all.substr(0, begin)) ? std::nullopt : expression(*said);
     }
     return std::nullopt;
   }
@@ -151,17 +151,6 @@ class NameReader {
     }
     while (!line.empty() && (line.back() == ' ' || line.back() == ',')) line.pop_back();
     return line;
-  }
-
-  /// Words that make of the name behind them a part of a longer one.
-  static bool goes_on(std::string_view before) {
-    before = without_blanks(before);
-    const std::string_view word = before.substr(before.rfind(' ') + 1);
-    constexpr std::array<std::string_view, 28> kGoingOn{
-        "of",      "and",   "to",    "by",    "between", "over",   "than", "from",   "per",  "times",
-        "squared", "along", "plus",  "minus", "with",    "or",     "rate", "change", "mean", "kinetic",
-        "its",     "half",  "twice", "as",    "about",   "around", "in",   "for"};
-    return std::find(kGoingOn.begin(), kGoingOn.end(), word) != kGoingOn.end();
   }
 
   std::optional<Expression> expression(const Said& said) const {
@@ -370,6 +359,16 @@ class NameReader {
 };
 
 }  // namespace
+
+bool goes_on_with_name(std::string_view before) {
+  before = without_blanks(before);
+  const std::string_view word = before.substr(before.rfind(' ') + 1);
+  constexpr std::array<std::string_view, 28> kGoingOn{
+      "of",      "and",   "to",    "by",    "between", "over",   "than", "from",   "per",  "times",
+      "squared", "along", "plus",  "minus", "with",    "or",     "rate", "change", "mean", "kinetic",
+      "its",     "half",  "twice", "as",    "about",   "around", "in",   "for"};
+  return std::find(kGoingOn.begin(), kGoingOn.end(), word) != kGoingOn.end();
+}
 
 std::vector<TextSpan> stretches_of(const std::string& line) {
   std::vector<TextSpan> stretches;

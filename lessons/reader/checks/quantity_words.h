@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace polhode {
@@ -29,6 +30,9 @@ std::optional<Expression> quantity_said(const std::vector<TextSpan>& name, const
 /// "at first half of $T$" half of T.
 std::optional<Expression> quantity_said_at_end(const std::vector<TextSpan>& line, const Lesson& lesson,
                                                VectorsSaid vectors = VectorsSaid::as_lengths);
+
+/// Whether a name that stands behind these words is a part of a longer one: "the square of", "half".
+bool goes_on_with_name(std::string_view before);
 
 /// What a name in words means wherever the rotation of a body is written about, whatever the lesson calls so.
 std::optional<Expression> quantity_of_common_name(const std::string& name, const Lesson& lesson);

@@ -33,9 +33,10 @@ bool is_supposing(const SentencePart& part) {
 /// The base form of a verb that begins a clause tells the reader to do something to the body. Not "note" or
 /// "recall", which state.
 bool is_imperative(const SentencePart& part) {
-  return is_supposing(part) || is_one_of(part, {"take", "set",  "put",   "choose", "hold", "wait",    "throw",
-                                                "turn", "spin", "give",  "start",  "drop", "release", "push",
-                                                "pull", "keep", "bring", "make",   "lift", "wind"});
+  return is_supposing(part) ||
+         is_one_of(part, {"change",  "drag", "move",  "tilt", "take",  "set",  "put",   "choose",
+                          "hold",    "wait", "throw", "turn", "spin",  "give", "start", "drop",
+                          "release", "push", "pull",  "keep", "bring", "make", "lift",  "wind"});
 }
 /// Behind one that may be a noun, "turn the book", "the turn".
 bool is_object(const SentencePart& part) {
@@ -58,6 +59,12 @@ bool denies(const SentencePart& part) {
   return is_one_of(
       part, {"not", "no", "never", "cannot", "neither", "nobody", "nothing", "none", "nowhere", "false",
              "wrong", "untrue", "doubt", "doubts", "doubted", "deny", "denied", "denies"});
+}
+/// Who must not do that to a fact has one: "do not forget that".
+bool passes_over(const SentencePart& part) {
+  return is_one_of(part, {"forget",  "forgets",   "forgotten", "overlook", "overlooked", "ignore", "ignored",
+                          "neglect", "neglected", "omit",      "omitted",  "miss",       "missed", "fail",
+                          "fails",   "dispute",   "disputed",  "escape",   "escapes",    "help"});
 }
 /// Behind "not": that what follows is so.
 bool is_to_be_so(const SentencePart& part) {
@@ -102,7 +109,7 @@ void Sentences::add_words(const std::string& text, std::size_t span) {
       if (!after_blank.empty() && after_blank.size() < rest.size()) i += rest.size() - after_blank.size() - 1;
     } else if (rest.starts_with("–") || rest.starts_with("—")) {
       end_word();
-      parts_.push_back({Kind::pause, "", span});
+      parts_.push_back({Kind::pause, ":", span});
       i += std::string_view("–").size() - 1;
     } else if (c == kRelationMark) {
       end_word();
@@ -113,7 +120,7 @@ void Sentences::add_words(const std::string& text, std::size_t span) {
       parts_.push_back({c == '?' ? Kind::question : Kind::end, "", span});
     } else if (std::string_view(",:;()[]").find(c) != std::string_view::npos) {
       end_word();
-      parts_.push_back({Kind::pause, "", span});
+      parts_.push_back({Kind::pause, std::string(1, c), span});
     } else {
       word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
@@ -164,7 +171,9 @@ bool Sentences::is_condition(std::size_t conjunction, Range sentence) const {
   const std::size_t first = conjunction + 1;
   if (first >= end) return false;
   const bool is_comparison = word.word == "as" || word.word == "while";
-  if (is_comparison) return word.word == "as" && is_one_of(parts_[first], {"long"}) && has_equation;
+  if (is_comparison)  // "as long as it turns"
+    return word.word == "as" && is_one_of(parts_[first], {"long"}) && first + 2 < end &&
+           !is_person(parts_[first + 2]);
   if (word.word == "once" && is_one_of(parts_[first], {"more", "again"})) return false;
   if (has_equation) return true;
   constexpr std::size_t kSubjectAndPredicate = 2;
@@ -186,14 +195,32 @@ std::size_t Sentences::equation_behind(std::size_t preposition, Range sentence) 
   return parts_.size();
 }
 
-bool Sentences::is_supposed(Range sentence) const {
+bool Sentences::has_supposition(std::size_t word, Range sentence) const {
+  const SentencePart& object = parts_[word + 1];
+  if (is_person(object) || is_one_of(object, {"nothing", "what", "whatever", "there"})) return false;
+  const bool is_passive = word + 2 < sentence.end && is_one_of(parts_[word + 2], {"be"});
+  return !(is_passive && is_one_of(object, {"it", "this", "that"}));
+}
+
+bool Sentences::is_told_to_do(std::size_t imperative, Range sentence, std::size_t own) const {
+  const std::size_t object = imperative + 1;
+  if (object >= sentence.end || !is_object(parts_[object])) return false;
+  if (object + 1 < sentence.end && is_one_of(parts_[object + 1], {"that"})) return false;
+  const auto explains = [](const SentencePart& part) { return part.kind == Kind::pause && part.word == ":"; };
+  const auto from = parts_.begin() + static_cast<std::ptrdiff_t>(object),
+             to = parts_.begin() + static_cast<std::ptrdiff_t>(std::max(own, object));
+  return std::none_of(from, to, explains);
+}
+
+bool Sentences::is_supposed(Range sentence, std::size_t own) const {
   for (std::size_t i = sentence.begin; i < sentence.end; ++i) {
     const SentencePart& part = parts_[i];
     const bool is_first = i == sentence.begin;
     if (part.kind == Kind::question) return true;
-    if (is_conjunction(part) && is_condition(i, sentence)) return true;
+    const bool is_for_once = !is_first && is_one_of(part, {"once"}) && is_preposition(parts_[i - 1]);
+    if (is_conjunction(part) && !is_for_once && is_condition(i, sentence)) return true;
     if (is_imperative(part) && (is_first || is_before_imperative(parts_[i - 1])) && i + 1 < sentence.end &&
-        (is_supposing(part) ? !is_person(parts_[i + 1]) : is_object(parts_[i + 1])))
+        (is_supposing(part) ? has_supposition(i, sentence) : is_told_to_do(i, sentence, own)))
       return true;
     const bool is_which = is_one_of(part, {"which"}) && !is_first &&
                           (is_preposition(parts_[i - 1]) || is_one_of(parts_[i - 1], {"on", "along", "in"}));
@@ -201,6 +228,12 @@ bool Sentences::is_supposed(Range sentence) const {
     const bool is_instead = is_one_of(part, {"of"}) && !is_first && is_one_of(parts_[i - 1], {"instead"});
     if ((is_which || is_such || is_instead) && i + 1 < sentence.end && parts_[i + 1].kind == Kind::equation)
       return true;
+    // "At the moment of the flip"; by itself "at the moment" is now.
+    const bool is_moment = is_one_of(part, {"at"}) && i + 3 < sentence.end &&
+                           is_one_of(parts_[i + 1], {"the"}) &&
+                           is_one_of(parts_[i + 2], {"moment", "instant", "time"}) &&
+                           (parts_[i + 3].kind == Kind::formula || is_one_of(parts_[i + 3], {"of", "when"}));
+    if (is_moment) return true;
     // "for small $\\omega_1$"
     const bool has_limit = i + 2 < sentence.end &&
                            is_one_of(parts_[i + 1], {"small", "large", "fixed", "given"}) &&
@@ -216,7 +249,14 @@ bool Sentences::is_supposed(Range sentence) const {
   const bool goes_on =
       sentence.begin > 0 && is_one_of(parts_[begin], {"then", "this", "that", "such", "what"});
   return goes_on && parts_[sentence.begin - 1].kind != Kind::question &&
-         is_supposed(sentence_around(sentence.begin - 1));
+         is_supposed(sentence_around(sentence.begin - 1), sentence.begin - 1);
+}
+
+bool Sentences::is_of_passing_over(std::size_t denial, Range clause) const {
+  constexpr std::size_t kWordsBetween = 2;
+  for (std::size_t i = denial + 1; i < clause.end && i <= denial + 1 + kWordsBetween; ++i)
+    if (passes_over(parts_[i])) return true;
+  return false;
 }
 
 bool Sentences::is_denied(Range clause, std::size_t own) const {
@@ -229,12 +269,19 @@ bool Sentences::is_denied(Range clause, std::size_t own) const {
   for (std::size_t i = is_of_clause ? clause.begin : that; i < clause.end; ++i) {
     const bool is_of_torque =
         i > clause.begin && is_one_of(parts_[i], {"no"}) && is_preposition(parts_[i - 1]);
+    const bool is_of_change =
+        i + 1 < clause.end && is_one_of(parts_[i + 1], {"change", "changes", "vary", "varies"});
+    if (is_of_change) continue;  // "does not change" is what is said
     const bool is_only = i + 1 < clause.end && is_one_of(parts_[i], {"not"}) &&
                          is_one_of(parts_[i + 1], {"only", "just", "merely"});
     const bool is_without = i > clause.begin && is_one_of(parts_[i - 1], {"without", "beyond"});
-    if (denies(parts_[i]) && !is_of_torque && !is_only && !is_without) ++denials;
+    if (denies(parts_[i]) && !is_of_torque && !is_only && !is_without && !is_of_passing_over(i, clause))
+      ++denials;
     is_unreal = is_unreal || is_one_of(parts_[i], {"would", "were", "could", "might"});
-    if (is_one_of(parts_[i], {"either"})) is_unreal = true;  // one of two
+    const auto is_or = [](const SentencePart& part) { return is_one_of(part, {"or"}); };
+    if (is_one_of(parts_[i], {"either"}))  // one of two
+      is_unreal = is_unreal || std::any_of(parts_.begin() + static_cast<std::ptrdiff_t>(i),
+                                           parts_.begin() + static_cast<std::ptrdiff_t>(clause.end), is_or);
   }
   return is_unreal || denials % 2 == 1;
 }
@@ -250,8 +297,15 @@ bool Sentences::has_kind_of_body(Range sentence) const {
            !is_one_of(parts_[end],
                       {"has", "have", "is", "of", "in", "one", "two", "all", "the", "that", "which"}))
       ++end;
-    const bool has_noun =
-        end > i + 1 && !is_one_of(parts_[end - 1], {"body", "motion", "state", "case", "rule", "law"});
+    std::string noun;
+    for (std::size_t k = i + 1; k < end; ++k) noun += (noun.empty() ? "" : " ") + parts_[k].word;
+    const bool is_of_the_one = std::any_of(
+        parts_.begin() + static_cast<std::ptrdiff_t>(i + 1),
+        parts_.begin() + static_cast<std::ptrdiff_t>(end), [](const SentencePart& part) {
+          return is_one_of(
+              part, {"body", "motion", "state", "case", "rule", "law", "turn", "flip", "wobble", "spin"});
+        });
+    const bool has_noun = end > i + 1 && dimensions_of_words(noun).empty() && !is_of_the_one;
     const bool is_ended = end == sentence.end || end <= i + kWordsOfNoun;
     const bool is_subject = i == sentence.begin || is_one_of(parts_[i - 1], {"for", "of", "in", "to"}) ||
                             parts_[i - 1].kind == Kind::pause;
@@ -287,7 +341,8 @@ Standing Sentences::standing_of(std::size_t span) const {
     while (clause.end < sentence.end && parts_[clause.end].kind != Kind::pause) ++clause.end;
     if (is_denied(clause, own)) standing.is_stated = false;
   }
-  if (is_supposed(sentence)) standing.is_stated = false;
+  const std::size_t own = static_cast<std::size_t>(first - parts_.begin());
+  if (is_supposed(sentence, own)) standing.is_stated = false;
   standing.has_kind_of_body = has_kind_of_body(sentence);
   return standing;
 }

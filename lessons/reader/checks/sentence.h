@@ -68,7 +68,15 @@ class Sentences {
   void add_words(const std::string& text, std::size_t span);
   void add_formula(const std::vector<TextSpan>& line, std::size_t span, const EquationNotation& notation);
   Range sentence_around(std::size_t part) const;
-  bool is_supposed(Range sentence) const;
+  /// `own` is the formula that it is asked of.
+  bool is_supposed(Range sentence, std::size_t own) const;
+  /// "Let us see", "let it be said" and "suppose what you like" suppose nothing.
+  bool has_supposition(std::size_t word, Range sentence) const;
+  /// "Turn the book by 90°" tells to do something, and what follows is of that; "take it that" does not, and
+  /// what stands behind a colon is not of what is done.
+  bool is_told_to_do(std::size_t imperative, Range sentence, std::size_t own) const;
+  /// "not" in "do not forget that" denies nothing.
+  bool is_of_passing_over(std::size_t denial, Range clause) const;
   bool is_condition(std::size_t conjunction, Range sentence) const;
   /// An equation that a preposition stands before; npos.
   std::size_t equation_behind(std::size_t preposition, Range sentence) const;

@@ -7,6 +7,7 @@
 #include "lessons/reader/checks/clause.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "lessons/reader/checks/quantity_words.h"
+#include "lessons/reader/checks/said_of_formula.h"
 #include "lessons/reader/checks/typed_numbers.h"
 #include "lessons/reader/text_units.h"
 
@@ -93,6 +94,23 @@ bool compares(double l, double r, Relation relation, double allowed) {
   return true;
 }
 
+constexpr double kRounding = 1e-9;  // of what is computed
+
+/// What the digits that are typed on both sides leave open, SI.
+double rounded_off(const StatedLink& link) {
+  const auto of = [&](const StatedSide& side) {
+    if (!side.typed) return 0.0;
+    const auto unit = scaled_unit(side.typed->unit);
+    const double half = 0.5 * side.typed->last_digit * (1 + 1e-9);
+    // Of "= 3" nobody thinks that it is rounded, still less of "= 0".
+    const double least = link.relation == Relation::approximate
+                             ? half
+                             : std::min(half, kRoundedOff * std::abs(side.typed->value));
+    return least * (unit ? unit->size : 1);
+  };
+  return of(link.left) + of(link.right);
+}
+
 }  // namespace
 
 StatementCheck::StatementCheck(const Lesson& lesson, Report& report, const Effort& effort)
@@ -128,8 +146,11 @@ void StatementCheck::check_lines(const RichText& text, const Motions& motions, b
       const Context context{standing, spans[i].text, spans[i].source.begin,
                             goes_on ? unit_behind(spans[i + 1].text) : ""};
       check(sentences.stated(i), context, motions);
-      if (const auto said = said_of_formula(spans, i); said && standing.is_stated)
-        check(*said, context, motions);
+      if (!standing.is_stated) continue;
+      for (const StatedLink& said : said_of_formula(spans, i, lesson_)) check(said, context, motions);
+      if (const std::string why = why_not_called(spans, i, lesson_); !why.empty())
+        report_.error(report_.source().place_of(std::min(context.offset, report_.source().text().size())),
+                      why, "say what it is; where the words before it speak of something else, put a comma");
     }
   });
 }
@@ -140,6 +161,24 @@ void StatementCheck::refuse_number(const TypedNumber& number, std::size_t offset
                     digits(number.value, 6) +
                     "}{EXPRESSION}; what is given of the world is a constant: [constants]");
 }
+
+namespace {
+
+/// "5 J is", "5 kg m² is".
+std::optional<Relation> take_verb_behind_unit(std::vector<TextSpan>& clause) {
+  constexpr int kWordsOfUnit = 4;
+  for (int words = 0; words <= kWordsOfUnit; ++words) {
+    if (const auto relation = take_verb_at_start(clause)) return relation;
+    if (clause.empty() || clause.front().kind != TextSpan::Kind::text) break;
+    const std::string text(without_blanks(clause.front().text));
+    const std::size_t end = text.find(' ');
+    if (end == text.npos) break;
+    clause.front().text = text.substr(end);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 void StatementCheck::check_typed_numbers(const RichText& text, const Motions& motions) {
   for_each_line(text, lesson_, [&](const std::vector<TextSpan>& line) {
@@ -153,34 +192,116 @@ void StatementCheck::check_typed_numbers(const RichText& text, const Motions& mo
       if (typed->unit.empty() && goes_on) typed->unit = unit_behind(spans[i + 1].text);
       // "The energy is 5 J": not that of anything else.
       std::vector<TextSpan> clause = clause_before(spans, i);
-      const bool is_joined = take_verb(clause) && has_words(clause);
-      const auto said = is_joined ? quantity_said_at_end(clause, lesson_) : std::nullopt;
-      const bool is_right = said ? is_number_of(*typed, *said, motions(), effort_).value_or(true)
+      auto relation = take_comparison(clause);
+      if (!relation) relation = take_verb(clause);
+      const bool has_subject =
+          has_words(clause) || (!clause.empty() && clause.front().kind == TextSpan::Kind::math);
+      const bool is_joined = relation && has_subject;
+      auto said = is_joined ? quantity_said_at_end(clause, lesson_) : std::nullopt;
+      std::vector<TextSpan> behind = clause_behind(spans, i);
+      if (!said && (relation = take_verb_behind_unit(behind))) said = quantity_said(behind, lesson_);
+      const bool is_right = said ? is_number_of(*typed, *said, motions(), effort_, *relation).value_or(true)
                                  : is_known_number(*typed, lesson_, motions(), effort_);
       if (is_right) continue;
       if (!sentences) sentences.emplace(spans, lesson_.notation);
-      if (!sentences->standing_of(i).is_stated) continue;
+      const Standing standing = sentences->standing_of(i);
+      // "A coin of 5 g" is not the body that is shown.
+      if (!standing.is_stated || (standing.has_kind_of_body && !said)) continue;
       refuse_number(*typed, spans[i].source.begin,
                     said ? "this number is not that of " + said->text + ", which is said of it"
                          : "nobody computes this number with its unit, " + in_quotes(typed->unit));
     }
   });
   for (const TextBlock& block : text)
-    if (!has_own_motions(block.table, lesson_)) check_rows(block.table, motions);
+    if (!has_own_motions(block.table, lesson_)) check_table(block.table, motions);
 }
 
-/// "| energy | 5 J |": a row of one number, and what it is in the first cell.
-void StatementCheck::check_rows(const TextTable& table, const Motions& motions) {
+namespace {
+
+/// What a row or a column is called, without the unit behind that; nothing where it is called otherwise.
+struct CellName {
+  std::optional<Expression> is;
+  std::string unit;
+};
+CellName name_in(TextTable::Cell cell, const Lesson& lesson) {
+  CellName name;
+  if (!cell.empty() && cell.back().kind == TextSpan::Kind::text)
+    name.unit = take_unit_at_end(cell.back().text);
+  name.is = quantity_said(cell, lesson);
+  const auto is_measured = [](const ExpressionNode& node) { return node.operation == Operation::quantity; };
+  const bool is_quantity = name.is && name.is->type() != ExpressionType::vector &&
+                           std::any_of(name.is->nodes.begin(), name.is->nodes.end(), is_measured);
+  if (!is_quantity) name.is.reset();
+  return name;
+}
+
+struct CellNumber {
+  TypedNumber number;
+  std::size_t offset = 0;
+};
+
+}  // namespace
+
+/// "moment" above the numbers of axes 1, 2 and 3.
+void StatementCheck::check_axes(const TextTable& table, std::size_t column, const Motions& motions) {
+  const auto text_of = [](const TextTable::Cell& cell) { return cell.size() == 1 ? cell.front().text : ""; };
+  const std::string first = in_small_letters(text_of(table.rows.front().front()));
+  if (column == 0 || (first != "axis" && first != "i")) return;
+  std::string name = text_of(table.rows.front()[column]);
+  const std::string unit = take_unit_at_end(name);
   for (std::size_t r = 1; r < table.rows.size() && !report_.is_full(); ++r) {
-    const auto& row = table.rows[r];
-    const auto said = quantity_said(row.front(), lesson_);
-    if (!said || said->type() == ExpressionType::vector) continue;
-    std::vector<std::pair<TypedNumber, std::size_t>> numbers;
-    for (std::size_t c = 1; c < row.size(); ++c)
-      if (auto number = number_in_cell(row[c])) numbers.emplace_back(*number, row[c].front().source.begin);
-    if (numbers.size() != 1 || is_number_of(numbers[0].first, *said, motions(), effort_).value_or(true))
-      continue;
-    refuse_number(numbers[0].first, numbers[0].second, "this number is not that of its row, " + said->text);
+    TextSpan about;
+    about.text = name + " about axis " + text_of(table.rows[r].front());
+    const auto said = quantity_said({about}, lesson_);
+    auto number = said ? number_in_cell(table.rows[r][column]) : std::nullopt;
+    if (!number) continue;
+    if (number->unit.empty()) number->unit = unit;
+    if (!is_number_of(*number, *said, motions(), effort_).value_or(true))
+      refuse_number(*number, table.rows[r][column].front().source.begin,
+                    "this number is not that of its row, " + said->text);
+  }
+}
+
+/// "| energy | 5 J |", or 5 below "energy (J)": what stands beside and below may be of other bodies, but not
+/// all of it. A ratio without a unit may be anybody's.
+void StatementCheck::check_table(const TextTable& table, const Motions& motions) {
+  if (table.rows.empty()) return;
+  std::vector<CellName> heads, rows;
+  for (const TextTable::Cell& cell : table.rows.front()) heads.push_back(name_in(cell, lesson_));
+  for (const auto& row : table.rows) rows.push_back(name_in(row.front(), lesson_));
+  const auto number_at = [&](std::size_t r, std::size_t c) -> std::optional<CellNumber> {
+    const TextTable::Cell& cell = table.rows[r][c];
+    auto number = number_in_cell(cell);
+    if (!number) return std::nullopt;
+    if (number->unit.empty()) number->unit = heads[c].unit.empty() ? rows[r].unit : heads[c].unit;
+    return CellNumber{*number, cell.front().source.begin};
+  };
+  const auto check_line = [&](const Expression& said, const std::vector<CellNumber>& numbers,
+                              const char* of) {
+    if (numbers.empty() || report_.is_full()) return;
+    const bool is_some = std::any_of(numbers.begin(), numbers.end(), [&](const CellNumber& one) {
+      return is_number_of(one.number, said, motions(), effort_).value_or(true);
+    });
+    if (!is_some)
+      refuse_number(numbers.front().number, numbers.front().offset,
+                    "this number is not that of its " + std::string(of) + ", " + said.text);
+  };
+  for (std::size_t r = 1; r < table.rows.size(); ++r) {
+    if (!rows[r].is) continue;
+    std::vector<CellNumber> numbers;
+    for (std::size_t c = 1; c < table.rows[r].size(); ++c)
+      if (const auto number = heads[c].is ? std::nullopt : number_at(r, c)) numbers.push_back(*number);
+    check_line(*rows[r].is, numbers, "row");
+  }
+  for (std::size_t c = 0; c < heads.size(); ++c) {
+    check_axes(table, c, motions);
+    if (!heads[c].is) continue;
+    const auto dimension = dimension_of(*heads[c].is, {}).dimension;
+    std::vector<CellNumber> numbers;
+    for (std::size_t r = 1; r < table.rows.size(); ++r)
+      if (const auto number = rows[r].is ? std::nullopt : number_at(r, c))
+        if (!number->number.unit.empty() || (dimension && *dimension != kNumber)) numbers.push_back(*number);
+    check_line(*heads[c].is, numbers, "column");
   }
 }
 
@@ -200,32 +321,6 @@ void StatementCheck::check_units(const Statements& stated, std::size_t offset) {
       return refuse(link.source,
                     "the left side is " + to_string(*left) + ", the right side " + to_string(*right));
   }
-}
-
-/// "The energy is $2T$": what the words say that a formula is.
-std::optional<StatedLink> StatementCheck::said_of_formula(const std::vector<TextSpan>& line,
-                                                          std::size_t at) const {
-  if (read_typed(line[at].math)) return std::nullopt;  // check_typed_numbers
-  const auto is = read_side(line[at].math, lesson_.notation);
-  if (!is) return std::nullopt;
-  // "is $I_1$ times the rate"
-  const bool goes_on = at + 1 < line.size() && !line[at].break_after &&
-                       (line[at + 1].kind == TextSpan::Kind::math ||
-                        !starts_with_any(line[at + 1].text, {".", ",", ";", ":", "!", ")"}));
-  if (goes_on) return std::nullopt;
-  std::vector<TextSpan> clause = clause_before(line, at);
-  const auto relation = take_verb(clause);
-  if (!relation || !has_words(clause)) return std::nullopt;
-  const bool is_vector = is->type() == ExpressionType::vector;
-  const auto said =
-      quantity_said_at_end(clause, lesson_, is_vector ? VectorsSaid::as_vectors : VectorsSaid::as_lengths);
-  if (!said) return std::nullopt;
-  StatedLink link;
-  link.left.is = said;
-  link.right.is = is;
-  link.relation = *relation;
-  link.source = {0, static_cast<std::uint32_t>(line[at].text.size())};
-  return link;
 }
 
 void StatementCheck::check_display(const Equation& equation, const RichText* before, const Motions& motions) {
@@ -286,18 +381,7 @@ std::string StatementCheck::why_not(const StatedLink& link, const LiveState& liv
   line.equality = {*link.left.is, *link.right.is};
   const auto value = live_value(line, live, View::space);
   if (!value) return "";
-  const auto half_digit = [&](const StatedSide& side) {
-    if (!side.typed) return 0.0;
-    const auto unit = scaled_unit(side.typed->unit);
-    const double half = 0.5 * side.typed->last_digit * (1 + 1e-9);
-    // Of "= 3" nobody thinks that it is rounded, still less of "= 0".
-    const double least = link.relation == Relation::approximate
-                             ? half
-                             : std::min(half, kRoundedOff * std::abs(side.typed->value));
-    return least * (unit ? unit->size : 1);
-  };
-  const double typed = half_digit(link.left) + half_digit(link.right);
-  constexpr double kRounding = 1e-9;
+  const double typed = rounded_off(link);
   const bool are_so = link.relation == Relation::equal && typed == 0
                           ? value->residual <= std::max(value->tolerance, kRounding)
                           : compares(value->left[0], value->right[0], link.relation,
@@ -308,6 +392,28 @@ std::string StatementCheck::why_not(const StatedLink& link, const LiveState& liv
   if (value->is_vector) return "its sides are not equal";
   return "its sides are " + digits(value->left[0], kDigitsOfHint) + " and " +
          digits(value->right[0], kDigitsOfHint);
+}
+
+std::string StatementCheck::why_not(const StatedLink& link, const ShownMotion& motion, double t_s) const {
+  const auto quantity = [&](const StatedSide& side) {
+    const auto live = live_state(motion.model, side.at_s.value_or(t_s));
+    return live ? live_quantity(*side.is, *live, View::space) : std::nullopt;
+  };
+  const auto left = quantity(link.left), right = quantity(link.right);
+  if (!left || !right) return "";
+  double in_words = 0;
+  if (link.is_in_words)
+    for (const double part : {0.0, 0.37, 0.81})
+      if (const auto live = live_state(motion.model, part * motion.model.span_s))
+        if (const auto then = live_quantity(*link.left.is, *live, View::space))
+          for (const double x : then->components) in_words = std::max(in_words, kRoundedOff * std::abs(x));
+  for (std::size_t i = 0; i < (left->is_vector ? left->components.size() : 1); ++i) {
+    const double l = left->components[i], r = right->components[i];
+    const double allowed = rounded_off(link) + in_words + kRounding * (std::abs(l) + std::abs(r));
+    if (compares(l, r, link.relation, allowed) == link.is_denied)
+      return "its sides are " + digits(l, kDigitsOfHint) + " and " + digits(r, kDigitsOfHint);
+  }
+  return "";
 }
 
 std::string StatementCheck::why_not(const std::vector<StatedLink>& links, const Standing& standing,
@@ -327,7 +433,8 @@ std::string StatementCheck::why_not(const std::vector<StatedLink>& links, const 
       if (!live) continue;
       std::string why;
       for (const StatedLink& link : links)
-        if (why.empty()) why = why_not(link, *live);
+        if (why.empty())
+          why = link.is_of_a_time() || link.is_in_words ? why_not(link, motion, t_s) : why_not(link, *live);
       if (why.empty() && !is_of_all_times) return "";
       if (why.empty()) continue;
       is_so = false;
@@ -366,7 +473,7 @@ void StatementCheck::check(const StatedComponents& components, const Context& co
     for (StatedLink& link : links)
       if (link.right.typed && link.right.typed->unit.empty()) take_unit(link.right, context.unit_behind);
     const auto holds = [&](const StatedLink& link) {
-      return holds_in_general(link, context.standing, motions);
+      return !link.is_of_a_time() && holds_in_general(link, context.standing, motions);
     };
     if (std::all_of(links.begin(), links.end(), holds)) return;
   }
@@ -397,7 +504,9 @@ void StatementCheck::check(const StatedLink& link, const Context& context, const
   const Equality sides{*stated.left.is, *stated.right.is};
   if (!fit(sides.left.type(), sides.right.type()))
     return refuse(link, context, "a vector and a number stand beside this sign", "a length is |\\vec a|");
-  if (link.is_denied) {
+  if (stated.is_of_a_time()) {
+    if (motions().empty()) return;
+  } else if (link.is_denied) {
     spend(effort_, kClaimLineEvaluations);
     if (is_provable(sides) && prover_.settle(sides, Assumption::free) == Verdict::holds)
       return refuse(link, context, "both sides are always equal", "write =");

@@ -36,8 +36,8 @@ class StatementCheck {
   /// The same of a choice, which may name a state by its components.
   void check_choice(const RichText& text, const Motions& motions);
   /// The same of its numbers with units, outside of such statements: each is one that the lesson or its
-  /// motion has (known_numbers.h), and where words say of what, "the energy is 5 J", it is that of it; so are
-  /// rows of tables with one number.
+  /// motion has (known_numbers.h), and where words say of what, "the energy is 5 J", it is that of it; in a
+  /// row or a column of a table that is called something, one of its numbers at least.
   void check_typed_numbers(const RichText& text, const Motions& motions);
   /// The statements of a display; `before` is the text that leads to it.
   void check_display(const Equation& equation, const RichText* before, const Motions& motions);
@@ -53,8 +53,8 @@ class StatementCheck {
   void check(const Statements& stated, const Context& context, const Motions& motions);
   void check(const StatedLink& link, const Context& context, const Motions& motions);
   void check(const StatedComponents& components, const Context& context, const Motions& motions);
-  std::optional<StatedLink> said_of_formula(const std::vector<TextSpan>& line, std::size_t at) const;
-  void check_rows(const TextTable& table, const Motions& motions);
+  void check_table(const TextTable& table, const Motions& motions);
+  void check_axes(const TextTable& table, std::size_t column, const Motions& motions);
   void refuse_number(const TypedNumber& number, std::size_t offset, const std::string& why);
   void check_units(const Statements& stated, std::size_t offset);
   void refuse(const StatedLink& link, const Context& context, const std::string& why,
@@ -71,6 +71,8 @@ class StatementCheck {
                       const std::vector<ShownMotion>& motions) const;
   /// Empty if it is so at this state.
   std::string why_not(const StatedLink& link, const LiveState& live) const;
+  /// The same of what is said of times of its own, or of `t_s`.
+  std::string why_not(const StatedLink& link, const ShownMotion& motion, double t_s) const;
 
   const Lesson& lesson_;
   Report& report_;

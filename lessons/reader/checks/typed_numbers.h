@@ -10,11 +10,11 @@
 
 namespace polhode {
 
-/// A line with each number of its text that a unit stands behind as a formula of its own, so that both are
-/// looked at in the same way; its source begins where it is typed.
+/// A line with each number of its text that a unit stands behind, or a verb before and nothing behind, as a
+/// formula of its own, so that both are looked at in the same way; its source begins where it is typed.
 std::vector<TextSpan> with_numbers_apart(const std::vector<TextSpan>& line);
 
-/// The number that a cell is, "5 J" or "$5$ J"; nothing of one that has more or something else.
+/// The number that a cell is, "5 J", "5" or "$5$ J"; nothing of one that has more or something else.
 std::optional<TypedNumber> number_in_cell(const TextTable::Cell& cell);
 
 }  // namespace polhode

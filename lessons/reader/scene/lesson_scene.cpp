@@ -64,6 +64,7 @@ Result<Body, SceneFault> body_of(const LessonScene& scene, const Torque& torque,
 FinishedScene finish(const LessonScene& given, const LessonBodies& bodies) {
   FinishedScene finished{given.scene};
   Scene& scene = finished.scene;
+  if (given.falls) scene.F_S = Vec3(0.0, 0.0, -scene.body.mass_kg * kStandardGravity);
   if (auto torque = torque_of(given, bodies))
     scene.torque = std::move(torque).value();
   else

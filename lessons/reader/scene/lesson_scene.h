@@ -36,6 +36,7 @@ struct LessonScene {
   std::map<std::string, std::shared_ptr<const RichText>> labels{};
   std::vector<PlacedText> shown{};     ///< the overlays of Scene::show, as they are written
   bool weighs = false;                 ///< torque = "weight", besides scene.torque
+  bool falls = false;                  ///< force = "weight", in place of that of the scene
   std::optional<TopStart> start = {};  ///< in place of ω and attitude of the scene
   bool fault_said = false;             ///< it cannot be, and was reported
   std::string same = {};               ///< of the last fence: why the picture stays (Step::same)
@@ -49,7 +50,8 @@ struct LessonScene {
 /// The first of the scenes with the others beside it.
 Scene finished(const std::vector<LessonScene>& scenes, const LessonBodies& bodies);
 
-/// The scene as it is to be modelled: "weight" is a HeavyTop, the first of its torques; a body known by its
+/// The scene as it is to be modelled: "weight" is a HeavyTop, the first of its torques, or the force on the
+/// mass of a body that falls; a body known by its
 /// shape or held at its `pivot_m` has its moments about the pivot (physics/body/pivot.h); a `start` is the ω
 /// and attitude it stands for. Where one of them cannot be had, the reading has said so.
 Scene finished(const LessonScene& scene, const LessonBodies& bodies);

@@ -98,7 +98,16 @@ class SceneKeys {
 
   void omega(const TomlEntry& entry) { assign(scene_.w0_B, read_vector(entry, report_)); }
   void velocity(const TomlEntry& entry) { assign(scene_.v0_S, read_vector(entry, report_)); }
-  void force(const TomlEntry& entry) { assign(scene_.F_S, read_vector(entry, report_)); }
+  void force(const TomlEntry& entry) {
+    const auto* name = entry.value.as<std::string>();
+    lesson_scene_.falls = name != nullptr && *name == "weight";
+    if (lesson_scene_.falls)
+      scene_.F_S = Vec3::Zero();
+    else if (name != nullptr)
+      report_unknown("force", {*name, entry.value.place}, {"weight", "[x, y, z]"}, report_);
+    else
+      assign(scene_.F_S, read_vector(entry, report_));
+  }
   void at(const TomlEntry& entry) { assign(scene_.at_s, read_number(entry, report_)); }
   void still(const TomlEntry& entry) { assign(scene_.still_s, read_number(entry, report_)); }
   void duration(const TomlEntry& entry) { assign(scene_.duration_s, read_positive_number(entry, report_)); }
@@ -211,7 +220,7 @@ class SceneKeys {
 
   void check_pushed(const TomlTable& table) {
     const bool is_free = !lesson_scene_.weighs && !has_heavy(scene_.torque);
-    const bool is_pushed = !scene_.v0_S.isZero(0.0) || !scene_.F_S.isZero(0.0);
+    const bool is_pushed = !scene_.v0_S.isZero(0.0) || !scene_.F_S.isZero(0.0) || lesson_scene_.falls;
     const TomlEntry* named = first_of(table, {"force", "velocity", "torque"});
     if (named != nullptr && !is_free && is_pushed)
       report_.error(
@@ -497,7 +506,9 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::velocity,
        [](const Scene& scene) { return toml(scene.v0_S); },
        Row::Speaks::of_motion},
-      {{"force", "`[x, y, z]`, N, space axes: a constant force on the centre of mass", "`[0, 0, 0]`"},
+      {{"force",
+        R"(`[x, y, z]`, N, space axes: a constant force on the centre of mass; or `"weight"`, that of its mass, along −z)",
+        "`[0, 0, 0]`"},
        &SceneKeys::force,
        [](const Scene& scene) { return toml(scene.F_S); },
        Row::Speaks::of_motion},

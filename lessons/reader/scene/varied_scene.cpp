@@ -10,13 +10,19 @@
 namespace polhode {
 namespace {
 
+/// A scene while its numbers are changed. Moments are set one by one, and are those of a body when all are.
+struct Changing {
+  LessonScene scene;
+  Vec3 moments;
+};
+
 /// A number's place in a scene.
 struct Row {
   VariedNumber facts;
   /// Why the scene has no such number; nothing to be said: it has.
   SceneFault (*why_none)(const LessonScene&, const LessonBodies&);
   double (*get)(const LessonScene&);
-  void (*set)(LessonScene&, double);
+  void (*set)(Changing&, double);
 };
 
 SceneFault omega_is_free(const LessonScene& scene, const LessonBodies&) {
@@ -28,6 +34,15 @@ SceneFault moments_are_given(const LessonScene& scene, const LessonBodies& bodie
   const Body& body = scene.scene.body;
   if (!body.shape || bodies.drawn.contains(body.name)) return {};
   return {"the moments of " + in_quotes(body.name) + " follow from its shape", "give a body by its moments"};
+}
+
+/// Two that stay the same: of a symmetric body those about the axes across that of its symmetry.
+template <int i, int k>
+SceneFault moments_are_equal(const LessonScene& scene, const LessonBodies& bodies) {
+  const PrincipalMoments& I = scene.scene.body.moments;
+  if (I[i] == I[k]) return moments_are_given(scene, bodies);
+  return {fmt::format("I{} is {:.7g} in this scene, and I{} is {:.7g}", i + 1, I[i], k + 1, I[k]),
+          fmt::format("vary I{} alone, or give a body with both the same", i + 1)};
 }
 
 SceneFault has_start(const LessonScene& scene, const LessonBodies&) {
@@ -46,28 +61,29 @@ double omega(const LessonScene& scene) {
   return scene.scene.w0_B[k];
 }
 template <int k>
-void set_omega(LessonScene& scene, double value) {
-  scene.scene.w0_B[k] = value;
+void set_omega(Changing& changing, double value) {
+  changing.scene.scene.w0_B[k] = value;
 }
 
 template <int k>
 double moment(const LessonScene& scene) {
   return scene.scene.body.moments.vector()[k];
 }
+template <int... axes>
+void set_moments(Changing& changing, double value) {
+  ((changing.moments[axes] = value), ...);
+}
 /// @throws std::domain_error if no body has these moments
-template <int k>
-void set_moment(LessonScene& scene, double value) {
-  Body& body = scene.scene.body;
-  Vec3 I = body.moments.vector();
-  I[k] = value;
+void take_moments(Body& body, const Vec3& I) {
+  if (I == body.moments.vector()) return;
   body.moments = PrincipalMoments(I[0], I[1], I[2]);
   if (body.shape) body.shape = equivalent_box(body.moments, body.mass_kg);
 }
 
 /// @throws std::domain_error beyond the half turn that it can be
-void set_tilt(LessonScene& scene, double theta_deg) {
+void set_tilt(Changing& changing, double theta_deg) {
   if (theta_deg < 0 || theta_deg > 180) throw std::domain_error("theta_deg lies between 0 and 180");
-  scene.start->theta_deg = theta_deg;
+  changing.scene.start->theta_deg = theta_deg;
 }
 
 template <double TopStart::*angle>
@@ -75,17 +91,20 @@ double angle_of(const LessonScene& scene) {
   return (*scene.start).*angle;
 }
 template <double TopStart::*angle>
-void set_angle(LessonScene& scene, double value) {
-  (*scene.start).*angle = value;
+void set_angle(Changing& changing, double value) {
+  (*changing.scene.start).*angle = value;
 }
 
 const std::array kRows = std::to_array<Row>({
     {{"omega1", R"(\omega_1)", "ω1", "rad/s"}, omega_is_free, omega<0>, set_omega<0>},
     {{"omega2", R"(\omega_2)", "ω2", "rad/s"}, omega_is_free, omega<1>, set_omega<1>},
     {{"omega3", R"(\omega_3)", "ω3", "rad/s"}, omega_is_free, omega<2>, set_omega<2>},
-    {{"I1", "I_1", "I1", "kg m²"}, moments_are_given, moment<0>, set_moment<0>},
-    {{"I2", "I_2", "I2", "kg m²"}, moments_are_given, moment<1>, set_moment<1>},
-    {{"I3", "I_3", "I3", "kg m²"}, moments_are_given, moment<2>, set_moment<2>},
+    {{"I1", "I_1", "I1", "kg m²"}, moments_are_given, moment<0>, set_moments<0>},
+    {{"I2", "I_2", "I2", "kg m²"}, moments_are_given, moment<1>, set_moments<1>},
+    {{"I3", "I_3", "I3", "kg m²"}, moments_are_given, moment<2>, set_moments<2>},
+    {{"I12", "I_1 = I_2", "I1 = I2", "kg m²"}, moments_are_equal<0, 1>, moment<0>, set_moments<0, 1>},
+    {{"I13", "I_1 = I_3", "I1 = I3", "kg m²"}, moments_are_equal<0, 2>, moment<0>, set_moments<0, 2>},
+    {{"I23", "I_2 = I_3", "I2 = I3", "kg m²"}, moments_are_equal<1, 2>, moment<1>, set_moments<1, 2>},
     {{"theta_deg", R"(\theta)", "θ", "°"}, has_start, angle_of<&TopStart::theta_deg>, set_tilt},
     {{"phi_deg", R"(\varphi)", "φ", "°"},
      has_start,
@@ -102,7 +121,7 @@ const std::array kRows = std::to_array<Row>({
     {{"precession", R"(\dot\varphi)", "rate of φ", "rad/s"},
      has_precession,
      [](const LessonScene& scene) { return std::get<double>(scene.start->precession); },
-     [](LessonScene& scene, double value) { scene.start->precession = value; }},
+     [](Changing& changing, double value) { changing.scene.start->precession = value; }},
 });
 
 const Row* find_row(std::string_view name) {
@@ -157,11 +176,13 @@ VariedScene::VariedScene(LessonScene scene, const LessonBodies& bodies)
 }
 
 Result<Scene> VariedScene::at(const std::vector<double>& values) const {
-  LessonScene scene = written_;
+  Changing changing{written_, written_.scene.body.moments.vector()};
+  LessonScene& scene = changing.scene;
   LessonBodies own = own_;
   try {
     for (std::size_t i = 0; i < values.size(); ++i)
-      find_row(scene.scene.vary[i].number)->set(scene, values[i]);
+      find_row(written_.scene.vary[i].number)->set(changing, values[i]);
+    take_moments(scene.scene.body, changing.moments);
   } catch (const std::domain_error& error) {
     return failure(error.what());
   }

@@ -178,7 +178,7 @@ TEST_P(Column, ATagStandsAtTheRightEdgeOnTheBaselineOfItsEquation) {
 TEST_P(Column, AnEarlierEquationKeepsTheKindOfItsClaimHoweverWideItIs) {
   for (const Equation& equation : blocks_of<Equation>()) {
     const ColumnPiece plain = column().earlier_equation(equation).value(),
-                      marked = column().earlier_equation(equation, "MEASURED").value();
+                      marked = column().earlier_equation(equation, {"MEASURED", "MEASURED"}).value();
     ASSERT_EQ(marked.sheet.texts.size(), plain.sheet.texts.size() + 1);
     EXPECT_EQ(*marked.formula, *plain.formula + 1);
     const PlacedType &word = marked.sheet.texts.front(), &formula = marked.sheet.texts[*marked.formula];

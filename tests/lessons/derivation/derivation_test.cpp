@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/derivation/derivation.h"
 
+#include "lessons/derivation/leading_lines.h"
 #include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -109,6 +111,28 @@ TEST(Derivation, WhatSaysNothingNewIsNoStep) {
        {second, "d*L/dt + omega x L + L x L = N", "omega x L = N - d*L/dt", "d*L/dt + omega x L = (1 + 0) N"})
     EXPECT_EQ(judged({read(second)}, no), Mark::away) << no;
   EXPECT_EQ(judged({read(second)}, "d*(I omega)/dt + omega x L = N"), Mark::holds);
+}
+
+// 2026-11-26: a true line beside the way counted towards `least`.
+TEST(Derivation, WhatStandsBesideTheWayIsNoStepOfIt) {
+  const auto lead = [](std::initializer_list<const char*> typed) {
+    std::vector<DerivedLine> lines;
+    for (const char* one : typed) lines.push_back(line(one));
+    const std::vector<bool> leading = lines_that_lead(Derivation(), lines);
+    return std::count(leading.begin(), leading.end(), true);
+  };
+  const char* const goal = "I d*omega/dt + omega x (I omega) = N";
+  EXPECT_EQ(lead({goal}), 1);
+  EXPECT_EQ(lead({"d*L/dt + omega x L = N", goal}), 2);
+  EXPECT_EQ(lead({"omega . L = omega . I omega", goal}), 1);
+  EXPECT_EQ(lead({"omega x N = omega x dL/dt", "d*L/dt + omega x L = N", goal}), 2);
+  EXPECT_EQ(lead({"dL/dt = d*(I omega)/dt + omega x L", "dL/dt = I d*omega/dt + omega x L",
+                  "I d*omega/dt + omega x L = N", goal}),
+            4);
+  EXPECT_EQ(
+      lead({"I1 w1 w1' = (I2 - I3) w1 w2 w3", "dT/dt = I1 w1 w1' + I2 w2 w2' + I3 w3 w3'", "dT/dt = 0"}), 3);
+  EXPECT_EQ(lead({"I1 omega = L - (I3 - I1) w3 e3", "omega = L/I1 + (1 - I3/I1) w3 e3"}), 2);
+  EXPECT_EQ(lead({"T = 1/2 (I1 w1^2 + I2 w2^2 + I3 w3^2)", "dT/dt = 0"}), 1);
 }
 
 // The tensor is still to be taken out of the rate: who stops there is not at Euler's equation.

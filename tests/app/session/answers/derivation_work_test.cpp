@@ -49,6 +49,22 @@ TEST(DerivationWork, EveryDerivationOfTheLessonsCanBeDoneByItsHints) {
   EXPECT_GE(derivations, 6);
 }
 
+// 2026-11-26: any true line counted.
+TEST(DerivationWork, ALineBesideTheWayIsNotCounted) {
+  const auto loaded = test::loaded_lesson("euler-equations");
+  DerivationWork work(loaded->lesson, derivation_of(loaded->lesson, "derive-six"));
+  EXPECT_EQ(work.add("omega . L = omega . (I omega)").mark, Mark::holds);
+  EXPECT_EQ(work.add("I d*omega/dt + omega x (I omega) = N").mark, Mark::goal);
+  EXPECT_TRUE(work.is_too_short());
+  EXPECT_EQ(work.lines()[0].judgement.mark, Mark::away);
+  EXPECT_THAT(work.lines()[0].judgement.reason, HasSubstr("does not lead to the goal"));
+  work.add("d*L/dt + omega x L = N");
+  EXPECT_EQ(work.lines()[0].judgement.mark, Mark::holds) << "it may be used yet";
+  EXPECT_EQ(work.add("I d*omega/dt + omega x (I omega) = N").mark, Mark::goal);
+  EXPECT_TRUE(work.is_done());
+  EXPECT_EQ(work.count(), 2u);
+}
+
 TEST(DerivationWork, AWrongLineStaysUntilTheNext) {
   const auto loaded = test::loaded_lesson("euler-equations");
   DerivationWork work(loaded->lesson, derivation_of(loaded->lesson, "derive-six"));

@@ -184,6 +184,12 @@ TEST(Proof, ComparesLengthsByTheirSquares) {
   EXPECT_TRUE(holds("norm(ddt(omega)) = norm(star(omega))", K::identity));
   EXPECT_TRUE(holds("norm(omega) = norm(-omega)", K::identity));
   EXPECT_TRUE(holds("norm(ddt(L)) = norm(N)", K::motion));
+  EXPECT_TRUE(holds("norm(L)/I1 = norm(L/I1)", K::identity));
+  EXPECT_TRUE(holds("norm(L/I1) = 2*norm(L)/(I1 + I1)", K::identity));
+  EXPECT_TRUE(holds("I1*norm(omega)*m = m*norm(I1*omega)", K::identity));
+  EXPECT_TRUE(holds("norm(ddt(L))/I3^2 = norm(N)/I3/I3", K::motion));
+  EXPECT_FALSE(holds("norm(L)/I1 = norm(omega)", K::identity));
+  EXPECT_FALSE(holds("norm(L)/I1 = norm(L)/I2", K::identity));
   EXPECT_FALSE(holds("norm(ddt(L)) = norm(N)", K::identity));
   EXPECT_TRUE(holds("norm(star(L)) = norm(N)", K::is_false));
   EXPECT_TRUE(holds("norm(cross(omega, L)) = norm(N) => cross(omega, L) = N", K::non_sequitur));

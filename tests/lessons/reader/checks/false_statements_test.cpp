@@ -125,6 +125,44 @@ TEST(Statements, AreFreeWhereTheSentenceSaysForWhat) {
                math("", R"(\text{if } \omega_1 = 0 \text{ then } T = 0)")});
 }
 
+// 2026-11-26: an imperative freed whatever stood in its sentence, and "not" whatever stood behind it.
+TEST(Statements, AreNotFreeBehindWordsThatInsist) {
+  expect_false({"Take it that $T = 0$.", "One must not forget that $T = 0$.",
+                "One must not forget $T = 0$, whatever happens.", "Nobody can overlook that $T = 0$.",
+                "It cannot escape us that $T = 0$.", "We cannot help seeing that $T = 0$.",
+                "Do not miss the line $T = 0$.", "Put it plainly: $T = 0$.", "Make it clear – $T = 0$."});
+  expect_true({"Take it about axis 3, and $\\omega_1 = 0$.", "Spin it about axis 3: it turns.",
+               "Consider a rod: $I_1 = 0$.", "The line $T = 0$ is not so, do not forget it."});
+}
+
+// 2026-11-26: values at a time, tuples and columns were not read.
+TEST(Statements, OfTuplesColumnsAndValuesAtATime) {
+  expect_false({R"(Here $T(0) = 1$ J.)", R"(Here $\vec\omega(0) = (1, 2, 3)$.)", R"(Here $T(t) = 1$ J.)",
+                R"(Here $\omega_1(0) = \omega_1(1)$.)", R"(Here $\omega_1(t = 1\,\text{s}) = 0.5$ rad/s.)",
+                R"(Here $(I_1, I_2) = (2, 1)$.)", R"(Here $(T, \omega_2) = (1, 3)$.)",
+                R"(Here $\vec\omega = \begin{pmatrix}3\\0\\0\end{pmatrix}$.)", R"(Here $\vec L(2) = 0$.)",
+                math("", R"(\omega_2(0) = 2)")});
+  expect_true({R"(Here $T(0) = T(1)$.)", R"(Here $\vec\omega(0) = (0.5, 3, 0.7)$.)",
+               R"(Here $\omega_2(0) = 3$ rad/s.)", R"(Here $(I_1, I_2) = (1, 2)$.)",
+               R"(Here $\vec\omega(0) = \begin{pmatrix}0.5\\3\\0.7\end{pmatrix}$.)",
+               R"(Here $\omega_1(0) \ne \omega_1(1)$.)", R"(Here $\omega_1(0) = 0.5$.)"});
+}
+
+// 2026-11-26: signs and words that say the same in another way.
+TEST(Statements, OfOtherSignsAndTurnsOfPhrase) {
+  expect_false({R"(Here $T \equiv 0$.)", R"(Here $I_1 \gg I_3$.)", R"(Here $I_3 \ll I_1$.)",
+                R"(Here $\{T = 0\}$.)", math("", R"(\Rightarrow T = 0)"),
+                math("", R"(\vec\omega \Rightarrow T = 0)"), "For once $T = 0$.", "Either way $T = 0$.",
+                "Let it be said: $T = 0$.", "Let there be no doubt: $T = 0$.",
+                "Suppose what you like: $T = 0$.", "Assume nothing else: $T = 0$.",
+                "Half the energy is called $T$.", "At the moment $T = 0$.", "As long as we look, $T = 0$."});
+  expect_true({R"(Here $I_3 \gg 0.1 I_1$.)", R"(Here $\vec\omega\cdot\vec L \equiv 2T$.)",
+               math("", R"(\Rightarrow \vec L = \text{const})"),
+               math("", R"(\omega_1 = 0 \Rightarrow T = 0)"), "Let it rest: then $T = 0$.",
+               "Once it rests, $T = 0$.", "At the moment of the flip $T = 0$.",
+               "As long as it rests, $T = 0$.", "Change the moments so that $\\omega_3$ stays constant."});
+}
+
 TEST(Statements, ThatSomethingDoesNotChangeAreOfAllTimes) {
   expect_false({math("", R"(\vec\omega = \text{const})"), R"(Here $\omega_1 = \text{const}$.)",
                 math("", R"(\omega_2 = \mathrm{const.})")});
@@ -199,6 +237,48 @@ TEST(TypedNumbers, AreOfWhatIsSaid) {
        "| what | a | b |\n|---|---|---|\n| $I_1$ | 1 kg m² | 2 kg m² |\n"});
 }
 
+// 2026-11-26: of a row with several numbers, and below heads, nothing was read.
+TEST(TypedNumbers, InTablesAreOfTheirRowsAndColumns) {
+  const auto table = [](const std::string& heads, const std::string& row) {
+    return "| " + heads + " |\n|---|---|---|\n| " + row + " |\n";
+  };
+  expect_false({table("what | at first | later", "energy | 3 J | 5 J"),
+                table("what | at first | later", "energy (J) | 3 | 5"),
+                table("what | at first (J) | later (J)", "energy | 3 | 5"),
+                table("a | energy | b", "x | 19.7 J | y"), table("a | energy (J) | b", "x | 5 | y"),
+                table("a | $T$ | b", "x | 5 | y"), table("a | largest moment | b", "x | 2 kg m² | y")});
+  expect_true({table("what | at first | of another", "energy | 9.84 J | 19.671 J"),
+               table("what | at first (J) | later (J)", "energy | 9.84 | 9.84"),
+               table("a | energy (J) | b", "x | 9.84 | y"), table("a | $I_3/I_1$ | b", "coin | 1.98 | y"),
+               table("a | energy | b", "x | small | y"), table("a | $T$ | 3", "x | 9.84 | 5")});
+}
+
+// 2026-11-26: only plain digits were read as a number.
+TEST(TypedNumbers, AreReadHoweverTheyAreWritten) {
+  expect_false({"Its energy is 5·10³ J.", "Its energy is 5 × 10^3 J.", "Its energy is 5e3 J.",
+                "Its energy is 5,000 J.", "Its energy is −9.84 J.", "Its energy is 5·10⁻² J."});
+  expect_true({"Its energy is 0.984·10¹ J.", "Its energy is 9.84e0 J.", "The energy, 9.84 J, is kept.",
+               "A coin of 5·10⁻³ kg is light."});
+}
+
+TEST(TypedNumbers, BelowAxesAndLettersAreTheirs) {
+  expect_false({"| $I_1$ | $I_2$ | $I_3$ |\n|---|---|---|\n| 3 | 2 | 1 |\n",
+                "| axis | moment |\n|---|---|\n| 1 | 2.9 |\n| 3 | 1 |\n",
+                "| axis | moment (kg m²) |\n|---|---|\n| 1 | 2.9 |\n",
+                "| | value |\n|---|---|\n| $I_1$ | 3 |\n"});
+  expect_true({"| $I_1$ | $I_2$ | $I_3$ |\n|---|---|---|\n| 1 | 2 | 2.9 |\n",
+               "| axis | moment |\n|---|---|\n| 1 | 1 |\n| 3 | 2.9 |\n",
+               "| axis | colour |\n|---|---|\n| 1 | 7 |\n"});
+}
+
+// 2026-11-26: what is said of a coin was held against the body that is shown.
+TEST(TypedNumbers, OfAKindOfBodyAreNotThoseOfTheOneThatIsShown) {
+  expect_true({"A coin of 5 g is light.", "A person weighs 70 kg.", "Take a book of 300 g.", "Wait 5 s.",
+               "Turn it by 5°.", "Imagine a spin of 100 rad/s.", "A wheel of 2 kg would take 40 J."});
+  expect_false({"An energy of 5 J is in it.", "It has an energy of 5 J.", "A body of 5 kg is shown.",
+                "A turn takes 7 s."});
+}
+
 TEST(NamesInWords, AreHeldAgainstTheFormulaBehindThem) {
   expect_false({"The energy is $2T$.", R"(The energy is $\vec\omega\cdot\vec L$.)",
                 R"(The angular momentum is $2\mathbf I\cdot\vec\omega$.)", "The largest moment is $I_1$.",
@@ -209,6 +289,46 @@ TEST(NamesInWords, AreHeldAgainstTheFormulaBehindThem) {
                R"(The angle between $\vec\omega$ and $\vec L$ is $\alpha$.)",
                R"(The length of $\vec L$ is $\sqrt{\vec L\cdot\vec L}$.)", "The energy is not $2T$.",
                "The energy is $2T$ divided by 2.", "Is the energy $2T$?"});
+}
+
+// 2026-11-26: what stands behind a formula was not read.
+TEST(NamesInWords, AreHeldAgainstTheFormulaBeforeThem) {
+  expect_false({"$T$ is half the energy.", "Here $T$ is twice the kinetic energy.",
+                "$I_1$ is the largest moment.", "$2T$ is called the energy.",
+                "$T$ equals the angular momentum.", "$\\omega_1$ is always the angular speed.",
+                "5 J is the energy.", "$5$ J is the energy.", "It has the angular momentum $T$.",
+                "So the energy $\\omega_1$ is small.", "Its angular velocity $I_1$ is small."});
+  expect_true({"$T$ is the energy.", "$T$ is half of $2T$.", "$I_1$ is the smallest moment.",
+               "Half of $2T$ is the energy.", "$T$ is not half the energy.", "$T$ is the energy of the spin.",
+               "9.84 J is the energy.", "If $T$ is half the energy, what is $2T$?", "The energy $T$ is kept.",
+               "It has the angular momentum $\\vec L$.",
+               "It has the energy $\\frac12\\vec\\omega\\cdot\\vec L$.", "$\\vec L$ is the angular momentum.",
+               "$\\vec\\omega$ is the angular velocity."});
+}
+
+// 2026-11-26: "is larger than", "vanishes", "are parallel" in words were read of no formula.
+TEST(Statements, InWordsAreThoseOfTheirSigns) {
+  expect_false({"$I_1$ is larger than $I_2$.", "$I_1$ exceeds the largest moment.",
+                "$I_3$ is smaller than $I_1$.", "$\\vec L$ is parallel to $\\vec\\omega$.",
+                "$\\vec L$ and $\\vec\\omega$ are parallel.", "$I_1$ and $I_2$ are equal.", "$T$ vanishes.",
+                "$\\omega_2$ is zero.", "$\\vec\\omega$ is constant.", "$\\omega_2$ never changes.",
+                "$\\vec\\omega$ does not change in space.", "$\\vec L$ is perpendicular to $\\vec\\omega$.",
+                "$I_1$ is equal to $I_2$.", "The energy is more than 50 J.", "The energy exceeds 50 J.",
+                "The smallest moment is less than 0.5 kg m²."});
+  expect_true({"$I_3$ is larger than $I_2$.", "$I_1$ is smaller than the largest moment.",
+               "$T$ is conserved.", "$\\vec L$ does not change.",
+               "$\\vec\\omega\\times\\vec L$ is perpendicular to $\\vec\\omega$.",
+               "$\\vec\\omega$ is not constant.", "If $\\omega_2$ is zero, it turns.", "Is $T$ constant?",
+               "$I_1$ and $I_2$ are not equal.", "The energy is less than 50 J.",
+               "$\\vec\\omega$ is constant in a steady spin."});
+}
+
+// 2026-11-26: without a unit a number in words was none.
+TEST(TypedNumbers, OfWhatIsSaidNeedNoUnit) {
+  expect_false({"The ratio of $I_3$ to $I_1$ is 5.", "The energy is 5.", "$I_3/I_1$ is 5.",
+                "The ratio of $I_3$ to $I_1$ is about 5, which is much."});
+  expect_true({"The ratio of $I_3$ to $I_1$ is 2.9.", "The ratio of $I_3$ to $I_1$ is 5 in another body.",
+               "The number of its faces is 6.", "The energy is 9.84."});
 }
 
 TEST(NamesInWords, AreHeldAgainstTheNumberBehindThem) {
@@ -262,13 +382,20 @@ TEST(NamesInWords, AreHeldAgainstColumnsAndPlots) {
         R"(arrows = [{ of = "comp(omega, 1)*e1", tex = '\omega_2' }])",
         R"(notes = [{ text = "axis 2", at = "e1" }])",
         R"(angles = [{ from = "omega", to = "L", tex = '\text{right angle}' }])",
-        R"(areas = [{ from = "omega", to = "L", tex = '\vec L\times\vec\omega', role = "violet" }])"})
+        R"(areas = [{ from = "omega", to = "L", tex = '\vec L\times\vec\omega', role = "violet" }])",
+        R"(arrows = [{ of = "e3", tex = '\vec L' }])",
+        R"x(arrows = [{ of = "cross(omega, L)", tex = '\vec L\times\vec\omega' }])x",
+        R"(notes = [{ text = "The energy is 5 J", at = "e1" }])",
+        R"(notes = [{ text = '$T = 0$', at = "e1" }])"})
     EXPECT_THAT(complaints_about("Text.", keys), Not(IsEmpty())) << keys;
   for (const char* keys :
        {R"x(meters = [{ plot = "norm(L)", title = "Length of $\\vec L$" }])x",
         R"(meters = [{ plot = "w1", title = "Spin about axis 1" }])",
         R"(meters = [{ plot = "w1", title = '$\omega_1$ against $\omega_3$', against = "w3" }])",
         R"(arrows = [{ of = "e1", tex = '\text{axis 1}' }])", R"(notes = [{ text = "axis 1", at = "e1" }])",
+        R"x(arrows = [{ of = "cross(omega, L)", tex = '\vec\omega\times\vec L' }])x",
+        R"(arrows = [{ of = "e3", tex = '\vec r' }])",
+        R"(notes = [{ text = "The energy is 9.84 J", at = "e1" }])",
         R"(areas = [{ from = "omega", to = "L", tex = '\vec\omega\times\vec L', role = "violet" }])"})
     EXPECT_THAT(complaints_about("Text.", keys), IsEmpty()) << keys;
 }

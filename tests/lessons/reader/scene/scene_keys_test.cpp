@@ -163,25 +163,27 @@ class SceneKeysRefuse : public ::testing::TestWithParam<const char*> {};
 TEST_P(SceneKeysRefuse, What) { EXPECT_TRUE(is_refused(GetParam())) << GetParam(); }
 INSTANTIATE_TEST_SUITE_P(
     All, SceneKeysRefuse,
-    ::testing::Values(
-        "omega = [nan, 0, 0]", "omega = [1, 2]", "attitude = [0, 0, 0, 0]", "attitude = [1, 0, 0]",
-        "attitude = [inf, 0, 0, 0]", "attitude = 'L-left'", "attitude = 1", "torque = 'space:1,2'",
-        "torque = 'space:nan,0,0'", "torque = 1", "motion = 'euler'", "motion = 'rk4'", "motion = 1",
-        "motion = { method = 'rk4' }", "motion = { method = 'rk4', step = 0 }",
-        "motion = { method = 'rk4', step = inf }", "motion = { method = 'exact', step = 1 }",
-        "motion = { step = 1 }", "motion = 'moser-veselov-10'", "motion = { method = 'splitting' }",
-        "motion = { method = 'rk4', step = 1, tolerance = 1 }",
-        "motion = { method = 'exact', tolerance = 1e-6 }",
-        "motion = { method = 'dormand-prince-8', step = 1 }",
-        "motion = { method = 'dormand-prince-8', tolerance = 0 }",
-        "motion = { method = 'dormand-prince-8', tolerance = nan }", "motion = { gost = true }",
-        "velocity = 1", "velocity = [nan, 0, 0]", "force = [1, 2]", "arrow = 'side'", "arrow = 1",
-        "views = 'side'", "views = []", "views = ['body', 'body']", "show = 'bars'", "show = [1]",
-        "camera = 'front'", "camera = { zoom = 0 }", "camera = { hold = 'all' }", "camera = { fitted = 3 }",
-        "camera = { fitted = { elevation_deg = 91 } }", "camera = { distance = -1 }",
-        "camera = { elevation_deg = 90.1 }", "camera = { azimuth_deg = nan }", "camera = { roll = 1 }",
-        "at = inf", "duration = 0", "duration = nan", "rate = 0", "rate = '1'", "highlight = 'two words'",
-        "highlight = ['a', 'b', 'c', 'd', 'e']", "quality = 'best'", "caption = 1", "color = 1"));
+    ::testing::Values("omega = [nan, 0, 0]", "omega = [1, 2]", "attitude = [0, 0, 0, 0]",
+                      "attitude = [1, 0, 0]", "attitude = [inf, 0, 0, 0]", "attitude = 'L-left'",
+                      "attitude = 1", "torque = 'space:1,2'", "torque = 'space:nan,0,0'", "torque = 1",
+                      "motion = 'euler'", "motion = 'rk4'", "motion = 1", "motion = { method = 'rk4' }",
+                      "motion = { method = 'rk4', step = 0 }", "motion = { method = 'rk4', step = inf }",
+                      "motion = { method = 'exact', step = 1 }", "motion = { step = 1 }",
+                      "motion = 'moser-veselov-10'", "motion = { method = 'splitting' }",
+                      "motion = { method = 'rk4', step = 1, tolerance = 1 }",
+                      "motion = { method = 'exact', tolerance = 1e-6 }",
+                      "motion = { method = 'dormand-prince-8', step = 1 }",
+                      "motion = { method = 'dormand-prince-8', tolerance = 0 }",
+                      "motion = { method = 'dormand-prince-8', tolerance = nan }", "motion = { gost = true }",
+                      "velocity = 1", "velocity = [nan, 0, 0]", "force = [1, 2]", "force = 'gravity'",
+                      "arrow = 'side'", "arrow = 1", "views = 'side'", "views = []",
+                      "views = ['body', 'body']", "show = 'bars'", "show = [1]", "camera = 'front'",
+                      "camera = { zoom = 0 }", "camera = { hold = 'all' }", "camera = { fitted = 3 }",
+                      "camera = { fitted = { elevation_deg = 91 } }", "camera = { distance = -1 }",
+                      "camera = { elevation_deg = 90.1 }", "camera = { azimuth_deg = nan }",
+                      "camera = { roll = 1 }", "at = inf", "duration = 0", "duration = nan", "rate = 0",
+                      "rate = '1'", "highlight = 'two words'", "highlight = ['a', 'b', 'c', 'd', 'e']",
+                      "quality = 'best'", "caption = 1", "color = 1"));
 
 TEST(SceneKeys, RefuseCaptionsOfSeveralLinesOrTooManyCharacters) {
   EXPECT_TRUE(is_refused("caption = \"a\\nb\""));
@@ -233,6 +235,23 @@ TEST(SceneKeys, RefuseAShapeThatHangsOnNoPrincipalAxis) {
                          "body = \"book\""),
               ElementsAre("15:8: " + says));
   EXPECT_EQ(complaints("torque = \"heavy:1e200,0,0,1\"").size(), 1U) << "moments overflow";
+}
+
+TEST(SceneKeys, AForceThatIsTheWeightIsThatOfTheBodysMass) {
+  const auto force_in = [](const std::string& scenes, std::size_t step) {
+    const LessonReading reading = read_lesson(kRod + ("# A stage {one}\nText.\n" + scenes), "rod.md");
+    if (!reading.lesson) throw std::runtime_error(to_string(reading.diagnostics.front()));
+    return reading.lesson->stages[0].steps.at(step).scene->F_S;
+  };
+  const std::string falls = "```scene\nbody = \"rod\"\nforce = \"weight\"\n```\n";
+  EXPECT_EQ(force_in(falls, 0), Vec3(0, 0, -9.80665));
+  EXPECT_EQ(force_in(falls + "---\n```scene\nbody = \"book\"\n```\n", 1)[2],
+            -find_body("book")->mass_kg * 9.80665)
+      << "of the body that is shown";
+  EXPECT_EQ(force_in(falls + "---\n```scene\nforce = [1, 0, 0]\n```\n", 1), Vec3(1, 0, 0));
+  EXPECT_THAT(testing::complaints(
+                  testing::lesson_with("```scene\ntorque = \"heavy:1,0,0,1\"\nforce = \"weight\"\n```\n")),
+              ElementsAre(::testing::HasSubstr("a body that is held at a pivot does not follow")));
 }
 
 TEST(SceneKeys, PosesAreCountedAndReadBack) {

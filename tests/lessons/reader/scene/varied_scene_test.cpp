@@ -134,6 +134,15 @@ TEST(SideBySide, TheCommonSceneNeedNotBePossible) {
               ElementsAre(HasSubstr("error: \"weight\" turns a body about the point")));
 }
 
+// 2026-11-26: it was left out without a word.
+TEST(SideBySide, ACommonCaptionThatNoneShowsIsSaid) {
+  const std::string common = "caption = 'both'\n";
+  EXPECT_THAT(complaints_about(common + "scenes = [{ caption = 'a' }, { caption = 'b' }]"),
+              ElementsAre(HasSubstr("10:1: warning: this caption is not shown")));
+  EXPECT_THAT(complaints_about(common + "scenes = [{ caption = 'a' }, {}]"), IsEmpty());
+  EXPECT_THAT(complaints_about(common + "scenes = [{}, {}]"), IsEmpty());
+}
+
 TEST(SideBySide, AreModelledTogetherButForNumbers) {
   const Scene first = shown_by("scenes = [{}, { omega = [0, 0, 4] }]");
   const SceneModel page = make_model(first, Product::page);
@@ -185,6 +194,21 @@ TEST(Vary, MomentsAngleAndSpin) {
   EXPECT_NEAR(varied.w0_B[2], 25, 1e-12);
   const Vec3 axis_S = std::get<Quat>(*varied.attitude) * Vec3::UnitZ();
   EXPECT_NEAR(axis_S.z(), std::cos(std::numbers::pi / 3), 1e-12);  // components of 12 decimals
+}
+
+TEST(Vary, TwoMomentsThatStayTheSame) {
+  const std::string body = "[body.a]\nmoments = [1, 1, 1.9]\n";
+  const Step step = step_of(with_scene(
+      "body = 'a'\nvary = { I12 = { from = 0.96, to = 3 }, I3 = { from = 0.1, to = 1.9 } }", body));
+  EXPECT_EQ(step.varied->at({3, 0.1})->body.moments, PrincipalMoments(3, 3, 0.1))
+      << "on the way lie the moments of no body, (3, 1, 0.1)";
+  const std::vector<const Scene*> shown = shown_scenes(*step.scene);
+  EXPECT_EQ(shown.front()->body.moments, PrincipalMoments(0.96, 0.96, 1.9));
+  EXPECT_EQ(shown.front()->label, "$I_1 = I_2$ = 0.96 kg m²");
+  EXPECT_THAT(complaints_about("body = 'a'\nvary = { I13 = { from = 0.9, to = 2 } }", body),
+              ElementsAre(HasSubstr("\"I13\" cannot be varied: I1 is 1 in this scene, and I3 is 1.9")));
+  EXPECT_THAT(complaints_about("body = 'book'\nvary = { I12 = { from = 1, to = 9 } }"),
+              ElementsAre(HasSubstr("\"I12\" cannot be varied")));
 }
 
 TEST(Vary, RangesThatAreNone) {
