@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/saved/window_size.h"
+#include "app/session/saved/window_place.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,19 +15,23 @@ std::filesystem::path path_in(const std::filesystem::path& folder) { return fold
 
 }  // namespace
 
-StateFileResult<Size> read_window_size(const std::filesystem::path& folder) {
-  Size size;
+StateFileResult<WindowPlace> read_window_place(const std::filesystem::path& folder) {
+  WindowPlace place;
   const auto warning =
-      read_state_file(path_in(folder), "the size of the window", [&](const nlohmann::ordered_json& json) {
-        size = {std::clamp(json.at("width").get<int>(), 0, kMost),
-                std::clamp(json.at("height").get<int>(), 0, kMost)};
+      read_state_file(path_in(folder), "the place of the window", [&](const nlohmann::ordered_json& json) {
+        place.size = {std::clamp(json.at("width").get<int>(), 0, kMost),
+                      std::clamp(json.at("height").get<int>(), 0, kMost)};
+        if (json.contains("at")) place.at = json.at("at").get<std::array<int, 2>>();
       });
   if (!warning) return Failure{warning.error()};
-  return warning->empty() ? size : Size{};
+  return warning->empty() ? place : WindowPlace{};
 }
 
-StateFileResult<std::monostate> write_window_size(const std::filesystem::path& folder, Size size) {
-  return write_state_file(path_in(folder), {{"width", size.width}, {"height", size.height}});
+StateFileResult<std::monostate> write_window_place(const std::filesystem::path& folder,
+                                                   const WindowPlace& place) {
+  nlohmann::ordered_json json = {{"width", place.size.width}, {"height", place.size.height}};
+  if (place.at) json["at"] = *place.at;
+  return write_state_file(path_in(folder), json);
 }
 
 }  // namespace polhode
