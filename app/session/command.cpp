@@ -40,6 +40,13 @@ void leave(LessonSession& session) {
     session.light({});
 }
 
+/// To the first (-1) or the last (1) stage that is not passed over.
+void go_to_end(LessonSession& session, int way) {
+  std::size_t stage = way < 0 ? 0 : session.lesson().stages.size() - 1;
+  while (session.passes_over(stage)) stage = way < 0 ? stage + 1 : stage - 1;
+  session.go_to({stage, 0});
+}
+
 /// From space, from the body, both.
 void show_next_view(LessonSession& session) {
   if (!session.has_scene()) return;
@@ -92,11 +99,9 @@ constexpr std::array kCommands = {
                  "beginning of this stage, or the stage before", true,
                  [](LessonSession& session) { session.previous_stage(); }},
     CommandFacts{C::first_stage, "Home", "Walk", "first stage", false,
-                 [](LessonSession& session) { session.go_to({}); }},
+                 [](LessonSession& session) { go_to_end(session, -1); }},
     CommandFacts{C::last_stage, "End", "Walk", "last stage", false,
-                 [](LessonSession& session) {
-                   session.go_to({session.lesson().stages.size() - 1, 0});
-                 }},
+                 [](LessonSession& session) { go_to_end(session, 1); }},
 
     CommandFacts{C::play_pause, "Space", "Time", "play, pause", false,
                  [](LessonSession& session) { session.set_playing(!session.is_playing()); }},
@@ -110,6 +115,8 @@ constexpr std::array kCommands = {
                  [](LessonSession& session) { session.set_speed(session.speed() / 2); }},
     CommandFacts{C::reset_time, "0", "Time", "back to the time of the lesson", false,
                  [](LessonSession& session) { session.reset_time(); }},
+    CommandFacts{C::start_of_time, "Shift+Home", "Time", "to t = 0", false,
+                 [](LessonSession& session) { session.scrub_to(0); }},
     CommandFacts{C::next_flip, ">", "Time", "the next flip", true,
                  [](LessonSession& session) { session.go_to_flip(1); }},
     CommandFacts{C::previous_flip, "<", "Time", "the flip before", true,
@@ -152,6 +159,7 @@ constexpr std::array kCommands = {
     CommandFacts{C::scroll_down, "J", "Understand", "the text of a long stage: further down", true},
     CommandFacts{C::scroll_up, "K", "Understand", "and up again", true},
     CommandFacts{C::copy_step, "Ctrl+C", "Understand", "copy this step as text"},
+    CommandFacts{C::read_aloud, "W", "Understand", "read this step aloud; again: be quiet"},
 
     CommandFacts{C::outline, "O", "Panels", "stages of the lesson", false,
                  [](LessonSession& session) { toggle(session, Panel::outline); }},
@@ -190,9 +198,19 @@ constexpr std::array kCommands = {
     CommandFacts{C::black, ".", "Window",
                  "while presenting, as B: a black screen; there a number and Enter lead to a stage", false,
                  [](LessonSession& session) { session.set_black(!session.is_black()); }},
+    CommandFacts{C::point, "L", "Window", "while presenting: a spot that follows the mouse", false,
+                 [](LessonSession& session) { session.set_pointing(!session.is_pointing()); }},
+    CommandFacts{C::freeze, "H", "Window",
+                 "beside your own window: the audience's page stays while you look elsewhere", false,
+                 [](LessonSession& session) { session.set_frozen(!session.is_frozen()); }},
     CommandFacts{C::save_page, "Ctrl+S", "Window", "save this page"},
     CommandFacts{C::quit, "Ctrl+Q", "Window", "quit"},
 };
+
+/// What moves, turns or changes the figure.
+bool is_of_figure(const CommandFacts& facts) {
+  return facts.group == "Time" || (facts.group == "Body" && facts.command != C::undo);
+}
 
 }  // namespace
 
@@ -216,6 +234,55 @@ bool do_command(LessonSession& session, Command command) {
   const auto act = facts_of(command).act;
   if (act) act(session);
   return act != nullptr;
+}
+
+std::string why_idle(const LessonSession& session, Command command) {
+  if (is_of_figure(facts_of(command)) && !session.has_scene()) return "This step has no figure.";
+  switch (command) {
+    case C::next_step:
+      return session.next_place() ? "" : "This is the end.";
+    case C::next_stage:
+      return session.stage_beside(1) ? "" : "This is the last stage.";
+    case C::previous_step:
+      return session.previous_place() ? "" : "This is the beginning.";
+    case C::previous_stage:
+      return session.place().step > 0 || session.stage_beside(-1) ? "" : "This is the beginning.";
+    case C::next_flip:
+      return session.flip_beside(1) ? "" : "No flip is shown behind this time.";
+    case C::previous_flip:
+      return session.flip_beside(-1) ? "" : "No flip is shown before this time.";
+    case C::start_of_time:
+      return session.t_s() != 0 ? "" : "t is 0 already.";
+    case C::faster:
+      return session.speed() < kFastest ? "" : "It is as fast as can be.";
+    case C::slower:
+      return session.speed() > kSlowest ? "" : "It is as slow as can be.";
+    case C::larger_number:
+    case C::smaller_number:
+      return !session.variations().empty() ? "" : "This step has no number to vary.";
+    case C::larger_second_number:
+    case C::smaller_second_number:
+      return session.variations().size() > 1 ? "" : "This step has no second number to vary.";
+    case C::reset_scene:
+      return !session.edits().empty() || session.is_following() ? "" : "This is the lesson's scene.";
+    case C::undo:
+      return session.can_undo() ? "" : "There is no change to undo.";
+    case C::larger_text:
+      return session.preferences.text_scale < kMostTextScale ? "" : "The text is as large as can be.";
+    case C::smaller_text:
+      return session.preferences.text_scale > kLeastTextScale ? "" : "The text is as small as can be.";
+    case C::normal_text:
+      return session.preferences.text_scale != 1 ? "" : "The text is at 100 %.";
+    case C::black:
+      return session.is_presenting() ? "" : "A black screen is for an audience: P presents.";
+    case C::point:
+      return session.is_presenting() ? "" : "The spot is for an audience: P presents.";
+    case C::freeze:
+      return session.has_speaker() ? ""
+                                   : "The page can stay while you look elsewhere in a window of your own: N.";
+    default:
+      return "";
+  }
 }
 
 }  // namespace polhode

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace polhode {
@@ -21,6 +22,7 @@ enum class Command {
   frame_forward,
   frame_back,
   reset_time,
+  start_of_time,
   next_flip,
   previous_flip,
   faster,
@@ -65,6 +67,9 @@ enum class Command {
   present,
   notes,
   black,
+  freeze,
+  point,
+  read_aloud,
   quit,
 };
 
@@ -91,5 +96,9 @@ const CommandFacts& facts_of(Command command);
 
 /// False for what only a window can do, with nothing changed.
 bool do_command(LessonSession& session, Command command);
+
+/// Why the command has nothing to do here, in a sentence to be told: "This step has no figure."; empty: it
+/// has, or only a window knows.
+std::string why_idle(const LessonSession& session, Command command);
 
 }  // namespace polhode

@@ -63,14 +63,14 @@ LessonSession::~LessonSession() = default;
 
 std::optional<Place> LessonSession::next_place() const {
   if (place_.step + 1 < stage().steps.size()) return Place{place_.stage, place_.step + 1};
-  if (place_.stage + 1 < lesson().stages.size()) return Place{place_.stage + 1, 0};
-  return std::nullopt;
+  const auto next = stage_beside(1);
+  return next ? std::optional(Place{*next, 0}) : std::nullopt;
 }
 
 std::optional<Place> LessonSession::previous_place() const {
   if (place_.step > 0) return Place{place_.stage, place_.step - 1};
-  if (place_.stage == 0) return std::nullopt;
-  return Place{place_.stage - 1, lesson().stages[place_.stage - 1].steps.size() - 1};
+  const auto before = stage_beside(-1);
+  return before ? std::optional(Place{*before, lesson().stages[*before].steps.size() - 1}) : std::nullopt;
 }
 
 bool LessonSession::next_step() {
@@ -86,15 +86,15 @@ bool LessonSession::previous_step() {
 }
 
 bool LessonSession::next_stage() {
-  if (place_.stage + 1 == lesson().stages.size()) return false;
-  go_to({place_.stage + 1, 0});
-  return true;
+  const auto next = stage_beside(1);
+  if (next) go_to({*next, 0});
+  return next.has_value();
 }
 
 bool LessonSession::previous_stage() {
-  if (place_ == Place{}) return false;
-  go_to({place_.step > 0 ? place_.stage : place_.stage - 1, 0});
-  return true;
+  const auto to = place_.step > 0 ? place_.stage : stage_beside(-1);
+  if (to) go_to({*to, 0});
+  return to.has_value();
 }
 
 void LessonSession::go_to(Place place) {
@@ -144,9 +144,10 @@ void LessonSession::keep_edits() {
 }
 
 void LessonSession::set_visited(const std::set<std::string>& stages) {
-  visited_ = {stage().id};
+  std::set<std::string> seen = {stage().id};  // what is given may be visited_ itself
   for (const Stage& known : lesson().stages)
-    if (stages.count(known.id) > 0) visited_.insert(known.id);
+    if (stages.count(known.id) > 0) seen.insert(known.id);
+  visited_ = std::move(seen);
 }
 
 void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
@@ -161,6 +162,7 @@ void LessonSession::replace_lesson(std::shared_ptr<const LoadedLesson> loaded) {
   place_.stage = std::min(place_.stage, stages.size() - 1);
   place_.step = std::min(place_.step, stage().steps.size() - 1);
   set_visited(visited_);
+  set_left_out(left_out_);
   judged_.clear();
   derivations_.clear();
   awaited_.reset();
@@ -264,13 +266,17 @@ void LessonSession::reset_time() {
   set_time(still_time_s(lesson_scene()));
 }
 
-void LessonSession::go_to_flip(int way) {
-  const std::vector<double> flips = shown_flips();
+std::optional<double> LessonSession::flip_beside(int way) const {
   std::optional<double> nearest;
-  for (const double t_s : flips) {
+  for (const double t_s : shown_flips()) {
     const double ahead_s = way * (t_s - t_s_);
     if (ahead_s > 1e-9 * model_->span_s && (!nearest || ahead_s < way * (*nearest - t_s_))) nearest = t_s;
   }
+  return nearest;
+}
+
+void LessonSession::go_to_flip(int way) {
+  const auto nearest = flip_beside(way);
   if (!nearest) return;
   playing_ = false;
   set_time(*nearest);
@@ -583,19 +589,6 @@ void LessonSession::change_text_scale(int steps) {
   // From an end of the range the steps do not meet normal size: it is one of them all the same.
   if (std::abs(steps) == 1 && present != 1 && (present < 1) == (wanted > 1 - 1e-9)) wanted = 1;
   preferences.text_scale = std::abs(wanted - 1) < 1e-9 ? 1 : wanted;
-}
-
-void LessonSession::set_presenting(bool presenting) {
-  if (presenting != presenting_) {
-    has_speaker_ = black_ = false;
-    if (presenting) panel = Panel::none;
-  }
-  presenting_ = presenting;
-}
-
-void LessonSession::set_speaker(bool wanted) {
-  if (wanted) set_presenting(true);
-  has_speaker_ = wanted;
 }
 
 bool LessonSession::is_moving() const { return playing_ || transition() < 1; }

@@ -73,11 +73,15 @@ class LessonSession {
   std::optional<Place> previous_place() const;  ///< nothing at the beginning
   /// Each returns false, and changes nothing, where there is no such place. Steps run on from stage to stage:
   /// before the first step of a stage comes the last one of the stage before. The two for stages go to first
-  /// steps; previous_stage goes to the beginning of the present stage, unless that is where we are.
+  /// steps; previous_stage goes to the beginning of the present stage, unless that is where we are. Before an
+  /// audience all of them pass over the stages that are left out.
   bool next_step();
   bool previous_step();
   bool next_stage();
   bool previous_stage();
+  /// The nearest stage behind (1) or before (-1) the present one that is not passed over; nothing: there is
+  /// none.
+  std::optional<std::size_t> stage_beside(int way) const;
   /// A place that does not exist becomes the nearest that does. On another stage the scene is the lesson's
   /// again, at its own time and at rest, and the camera follows nothing. On another step of the same stage
   /// everything goes on as it is if the scene is the same. If it is another, edits do not go along, except a
@@ -106,6 +110,8 @@ class LessonSession {
   /// To the nearest of shown_flips() after (1) or before (−1) the present time, at rest; stays where there is
   /// none.
   void go_to_flip(int way);
+  /// Its time; nothing: there is none.
+  std::optional<double> flip_beside(int way) const;
   /// Real time passes; a scene with a duration plays it again and again. The motion stops where it cannot be
   /// computed any further.
   void advance(double seconds);
@@ -214,6 +220,21 @@ class LessonSession {
   /// A black screen, so that an audience looks up: only while presenting.
   bool is_black() const { return black_; }
   void set_black(bool black) { black_ = presenting_ && black; }
+  /// The audience goes on seeing what it saw, while the speaker looks elsewhere: only beside a speaker's
+  /// window.
+  bool is_frozen() const { return frozen_; }
+  void set_frozen(bool frozen) { frozen_ = has_speaker_ && frozen; }
+  /// A spot on the audience's page that follows the mouse: only while presenting.
+  bool is_pointing() const { return pointing_; }
+  void set_pointing(bool pointing) { pointing_ = presenting_ && pointing; }
+  /// Ids of stages that are not for this class: while presenting they are passed over, unless that would be
+  /// all of them. Whoever goes to one of them is there all the same.
+  const std::set<std::string>& left_out() const { return left_out_; }
+  void set_left_out(const std::set<std::string>& stages);
+  void leave_out(const std::string& stage, bool is_left_out);
+  /// Those that are for this class, in order: all of them, if none would be left.
+  std::vector<std::size_t> chosen_stages() const;
+  bool passes_over(std::size_t stage) const;
 
   /// How far the page is on its way from the step before to this one, 0…1; 1: it is there. Only a step
   /// forward within a stage has a way.
@@ -272,7 +293,8 @@ class LessonSession {
     double to_s = 0;
   };
   std::optional<Awaited> awaited_;  ///< likewise
-  bool presenting_ = false, has_speaker_ = false, black_ = false;
+  bool presenting_ = false, has_speaker_ = false, black_ = false, frozen_ = false, pointing_ = false;
+  std::set<std::string> left_out_;
 };
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace polhode {
@@ -65,6 +66,20 @@ GLFWmonitor* monitor_at(int x, int y) {
   return glfwGetPrimaryMonitor();
 }
 
+/// One that is unplugged by now shows nothing.
+bool is_on_a_monitor(const std::array<int, 2>& at) {
+  constexpr int kSeen = 100;  // of its units at least
+  int count = 0;
+  GLFWmonitor** monitors = glfwGetMonitors(&count);
+  for (int i = 0; i < count; ++i) {
+    int left = 0, top = 0, width = 0, height = 0;
+    glfwGetMonitorWorkarea(monitors[i], &left, &top, &width, &height);
+    if (at[0] >= left && at[1] >= top && at[0] + kSeen <= left + width && at[1] + kSeen <= top + height)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Glfw>> Glfw::start() {
@@ -86,11 +101,20 @@ Glfw::~Glfw() { glfwTerminate(); }
 
 void WindowDeleter::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 
-Result<std::unique_ptr<Display>> Display::open(const Fonts& fonts, Size size) {
+WindowPlace place_of(GLFWwindow* window) {
+  WindowPlace place{.size = {}, .at = {{0, 0}}};
+  glfwGetWindowSize(window, &place.size.width, &place.size.height);
+  glfwGetWindowPos(window, &(*place.at)[0], &(*place.at)[1]);
+  return place;
+}
+
+Result<std::unique_ptr<Display>> Display::open(const Fonts& fonts, const WindowPlace& place) {
   std::unique_ptr<Display> display(new Display);
-  if (const Status opened = display->open_with_opengl(fonts, size); !opened)
-    if (const Status fallen = display->fall_back(fonts, opened.error(), size); !fallen)
+  if (const Status opened = display->open_with_opengl(fonts, place.size); !opened)
+    if (const Status fallen = display->fall_back(fonts, opened.error(), place.size); !fallen)
       return failure(fallen.error());
+  if (place.at && is_on_a_monitor(*place.at))
+    glfwSetWindowPos(display->window(), (*place.at)[0], (*place.at)[1]);
   return display;
 }
 
@@ -111,12 +135,14 @@ Status Display::open_with_opengl(const Fonts& fonts, Size size) {
 }
 
 void Display::present() {
-  if (plain_) return plain_->show(screen_->read());
-  const Size size = screen_->picture().size();
-  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, screen_->picture().resolved());
+  const Framebuffer& shown = screen_->for_audience();
+  if (plain_) return plain_->show(shown.read());
+  // What is frozen fills a window that has another size by now.
+  const Size from = shown.size(), to = screen_->picture().size();
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, shown.resolved());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  gl_->BlitFramebuffer(0, 0, size.width, size.height, 0, 0, size.width, size.height, GL_COLOR_BUFFER_BIT,
-                       GL_NEAREST);
+  gl_->BlitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height, GL_COLOR_BUFFER_BIT,
+                       from == to ? GL_NEAREST : GL_LINEAR);
   glfwSwapBuffers(window_.get());
 }
 

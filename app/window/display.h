@@ -2,6 +2,7 @@
 // A window on the display, what its pictures are drawn with, and how they get onto it.
 #pragma once
 
+#include "app/session/saved/window_place.h"
 #include "app/window/plain_window.h"
 #include "app/window/screen.h"
 
@@ -32,9 +33,9 @@ using WindowPointer = std::unique_ptr<GLFWwindow, WindowDeleter>;
 /// With the display's OpenGL; where that is not 3.3, off-screen in a plain window. Needs a Glfw.
 class Display {
  public:
-  /// `fonts` must outlive it. `size` in the window's units; empty: the usual one. The error says why neither
-  /// is possible.
-  static Result<std::unique_ptr<Display>> open(const Fonts& fonts, Size size = {});
+  /// `fonts` must outlive it. What is not known of its place is as usual. The error says why neither is
+  /// possible.
+  static Result<std::unique_ptr<Display>> open(const Fonts& fonts, const WindowPlace& place = {});
 
   GLFWwindow* window() const { return window_.get(); }
   Screen& screen() { return *screen_; }
@@ -78,6 +79,9 @@ class SecondDisplay {
   std::optional<Gl> gl_;  ///< of its own context, which has the first's textures
   unsigned around_ = 0;   ///< a framebuffer of its own around one of these
 };
+
+/// In the window's units.
+WindowPlace place_of(GLFWwindow* window);
 
 /// How many monitors there are.
 int monitor_count();

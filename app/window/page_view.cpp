@@ -63,21 +63,21 @@ Status PageView::compose(const LessonSession& session, const PageKey& key) {
   for (FlatShape& mark :
        marks_of(symbols_, key.lit, key.look.focus, colors.marked, colors.question, page_.scale * 16))
     page_.sheet.shapes.push_back(std::move(mark));
-  for (Inset& inset : page_.insets) {
-    inset.resolution = key.look.resolution;
-    inset.figure.caption_px *= key.look.resolution;  // enlarged again
-  }
+  for (Inset& inset : page_.insets) inset.resolution = key.look.resolution;
   return success();
 }
 
 bool PageView::reads_the_same(const TextKey& before, const TextKey& now) {
   return before.loaded == now.loaded && before.place == now.place && before.size == now.size &&
-         before.covered == now.covered && before.preferences == now.preferences &&
+         before.covered == now.covered && before.preferences.text_scale == now.preferences.text_scale &&
          before.derivation == now.derivation;
 }
 
-void PageView::scroll(double by_px) {
-  if (text_) hidden_ = std::clamp(text_->hidden + by_px, 0.0, text_->overflow);
+bool PageView::scroll(double by_px) {
+  if (!text_) return false;
+  const double before = hidden_.value_or(text_->hidden);
+  hidden_ = std::clamp(before + by_px, 0.0, text_->overflow);
+  return *hidden_ != before;
 }
 
 void PageView::scroll_to_see(double y0, double y1) {

@@ -33,8 +33,8 @@ class PageView {
   Result<bool> show(const LessonSession& session, const PageLook& look);
 
   /// Moves the text of the shown step up, px, as far as there is more of it. Another step, or another size,
-  /// begins where it is read from.
-  void scroll(double by_px);
+  /// begins where it is read from. False: there is no more of it.
+  bool scroll(double by_px);
   /// So that what stands from y0 to y1 of the picture is seen.
   void scroll_to_see(double y0, double y1);
 

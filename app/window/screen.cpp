@@ -38,6 +38,27 @@ double control_scale(const LessonSession& session, const ScreenFrame& frame) {
          std::clamp(session.preferences.text_scale, 0.9, 1.5);
 }
 
+/// Of a field in which a text is typed: what makes or moves over characters, and what every field has with
+/// Ctrl.
+bool is_for_field(std::string_view key) {
+  static constexpr std::array<std::string_view, 12> kWithCtrl = {
+      "Ctrl+A",    "Ctrl+C",     "Ctrl+V",    "Ctrl+X",   "Ctrl+Y",         "Ctrl+Z",
+      "Ctrl+Left", "Ctrl+Right", "Ctrl+Home", "Ctrl+End", "Ctrl+Backspace", "Ctrl+Delete"};
+  if (key.starts_with("Ctrl+")) return std::find(kWithCtrl.begin(), kWithCtrl.end(), key) != kWithCtrl.end();
+  return !(key.size() > 1 && key[0] == 'F');
+}
+
+/// What moves in a panel that has the keys.
+bool is_for_panel(std::string_view key) {
+  static constexpr std::array<std::string_view, 13> kOfPanels = {
+      "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
+      "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
+  return std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end();
+}
+
+/// A remote clicker has no others: before an audience they walk, whatever has the keyboard.
+bool is_of_clicker(std::string_view key) { return key == "PageUp" || key == "PageDown"; }
+
 Size whole(const Region& region) {
   return {std::max(1, static_cast<int>(region.width)), std::max(1, static_cast<int>(region.height))};
 }
@@ -108,9 +129,6 @@ float Screen::covered_width(const LessonSession& session, Size size) const {
 }
 
 bool Screen::press(LessonSession& session, std::string_view key, bool is_repeated) {
-  static constexpr std::array<std::string_view, 13> kOfPanels = {
-      "Left",      "Right",  "Up",       "Down", "Space", "Enter",    "Tab",
-      "Shift+Tab", "PageUp", "PageDown", "Home", "End",   "Backspace"};
   ImGui::SetCurrentContext(imgui_);
   const bool typing = ImGui::GetIO().WantTextInput;
   if (!is_repeated) session.begin_change();
@@ -118,10 +136,8 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     ImGui::SetWindowFocus(nullptr);
     return true;
   }
-  if (typing && !key.starts_with("Ctrl+") && !(key.size() > 1 && key[0] == 'F')) return false;
-  if (typing && key.starts_with("Ctrl+") && key != "Ctrl+S") return false;
-  if (panels_.has_focus() && std::find(kOfPanels.begin(), kOfPanels.end(), key) != kOfPanels.end())
-    return false;
+  const bool walks = session.is_presenting() && is_of_clicker(key);
+  if (!walks && ((typing && is_for_field(key)) || (panels_.has_focus() && is_for_panel(key)))) return false;
   if (session.panel == Panel::question && !is_repeated && answer_by_key(session, key)) return true;
   if (session.is_presenting() && press_while_presenting(session, key)) return true;
   const auto command = command_of(key);
@@ -132,9 +148,13 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   requests_.leave_full_screen = *command == Command::leave && before == Panel::none &&
                                 session.lit().empty() && !session.is_presenting();
   const bool was_presenting = session.is_presenting();
+  if (const std::string why = why_idle(session, *command); !why.empty()) {
+    tell(why);
+    return true;
+  }
   if (do_command(session, *command)) {
     if (session.is_presenting() && !was_presenting && !session.has_speaker())
-      tell("Escape ends the presentation; . is a black screen, a number and Enter a stage.");
+      tell("Escape ends the presentation; . is a black screen, L a spot, a number and Enter a stage.");
     panel_takes_focus_ = session.panel != before && session.panel != Panel::none;
     if (*command == Command::leave) {
       symbols_.leave(session);
@@ -179,6 +199,7 @@ bool Screen::press_while_presenting(LessonSession& session, std::string_view key
 }
 
 void Screen::move_symbol(LessonSession& session, int by) {
+  if (page_->symbols().empty()) tell("Nothing on this page has a note.");
   symbols_.move(session, page_->symbols(), by);
   if (const auto place = symbols_.place(); place && *place < page_->symbols().size())
     page_->scroll_to_see(page_->symbols()[*place].box.y0, page_->symbols()[*place].box.y1);
@@ -188,7 +209,9 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
   constexpr double kScrolled = 4;  // em
   switch (command) {
     case Command::switch_focus:
-      if (panels_.has_focus() || session.panel == Panel::none) {
+      if (session.panel == Panel::none) {
+        tell("No panel is open: the keys are the page's.");
+      } else if (panels_.has_focus()) {
         ImGui::SetWindowFocus(nullptr);
       } else {
         panels_.take_keys();
@@ -199,19 +222,25 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
       move_symbol(session, 1);
       break;
     case Command::scroll_down:
-      page_->scroll(kScrolled * sizes_->em);
+      if (!page_->scroll(kScrolled * sizes_->em)) tell("The text ends here.");
       break;
     case Command::scroll_up:
-      page_->scroll(-kScrolled * sizes_->em);
+      if (!page_->scroll(-kScrolled * sizes_->em)) tell("The text begins here.");
       break;
     case Command::copy_step:
-      copy_step(session);
+      requests_.clipboard = words_of_step(session);
+      break;
+    case Command::read_aloud:
+      requests_.read_aloud = words_of_step(session);
       break;
     case Command::previous_symbol:
       move_symbol(session, -1);
       break;
     case Command::explain:
-      if (!follow(session, symbols_.focused(page_->symbols()))) symbols_.toggle_explanation();
+      if (symbols_.focused(page_->symbols()).empty())
+        tell("Tab goes to a symbol or a link first.");
+      else if (!follow(session, symbols_.focused(page_->symbols())))
+        symbols_.toggle_explanation();
       break;
     case Command::save_page:
       requests_.save_as = SaveAs::page;
@@ -251,12 +280,14 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   use_pointer(session, page_region(session, frame.size));
   if (!requests_.clipboard.empty()) copy();
   if (requests_.save_as) save(session);
+  if (!requests_.slides.empty()) name_slides(session);
   symbols_.draw_note(session, page_->symbols(), sizes_->em);
   Region free = page_region(session, frame.size);
   free.width -= covered_width(session, frame.size);
   if (!session.has_speaker()) draw_notices(free, sizes_->padding);
   if (!session.is_black()) draw_scroll_marks(session);
   draw_invitation(session);
+  draw_spot(session);
   ImGui::Render();
 
   if (!picture_ || picture_->size() != frame.size) {
@@ -271,12 +302,25 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   const auto painted = show_page(session, page_region(session, frame.size), resolution);
   if (!painted) return failure(painted.error());
   controls_->draw(*ImGui::GetDrawData(), *picture_);
+  if (const Status kept = keep_for_audience(session); !kept) return kept;
   gl_->Finish();
   frame_s_ = now_s() - begun_s;
   if (*painted) page_s_ = frame_s_;
   if (*painted && moving) pace_.drew(frame_s_);
   is_full_ = resolution == 1.0;
   was_moving_ = session.is_moving();
+  return success();
+}
+
+/// As it is when it is frozen, before anything else is shown.
+Status Screen::keep_for_audience(const LessonSession& session) {
+  is_black_ = session.is_black();
+  if (!session.is_frozen()) frozen_.reset();
+  if (!session.is_frozen() || frozen_) return success();
+  auto made = Framebuffer::create(*gl_, picture_->size(), 0);
+  if (!made) return failure(made.error());
+  frozen_ = std::move(made).value();
+  picture_->copy_to(*frozen_, 0, 0);
   return success();
 }
 
@@ -347,7 +391,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {
-  if (session.is_black()) return;
+  if (session.is_black() || session.is_frozen()) return;  // nobody sees what would be pointed at
   const ImGuiIO& io = ImGui::GetIO();
   const bool on_page = io.MousePos.x >= 0 && io.MousePos.y >= 0 && io.MousePos.x < page.width &&
                        io.MousePos.y < page.height && !io.WantCaptureMouse;
@@ -397,9 +441,19 @@ void Screen::save(LessonSession& session) {
   requests_.save_as.reset();
 }
 
-void Screen::copy_step(const LessonSession& session) {
+/// What is to be made is made beside the window, which goes on.
+void Screen::name_slides(const LessonSession& session) {
+  const std::string ending = std::exchange(requests_.slides, "");
+  const Result<std::filesystem::path> folder = typed_folder(panels_.save().folder);
+  if (folder)
+    requests_.slides_file = slides_path(session, *folder, ending);
+  else
+    tell("not saved: " + folder.error());
+}
+
+std::string Screen::words_of_step(const LessonSession& session) const {
   const int step = static_cast<int>(session.place().step) + 1;
-  requests_.clipboard = stage_title_ + "\n\n" + speech_->words_of_page(session.stage(), step, step) + "\n";
+  return stage_title_ + "\n\n" + speech_->words_of_page(session.stage(), step, step) + "\n";
 }
 
 void Screen::copy() {

@@ -62,9 +62,16 @@ class Screen {
   const std::string& stage_title() const { return stage_title_; }
 
   const Framebuffer& picture() const { return *picture_; }
+  /// What an audience sees: that picture, or the one of the moment when it was frozen. A black screen is
+  /// black.
+  const Framebuffer& for_audience() const { return frozen_ && !is_black_ ? *frozen_ : *picture_; }
   Image read() const { return picture_->read(); }
 
   // What the speaker's window shows and draws with.
+
+  /// Where the spot is while one points in that window, in parts of this picture's size; nothing: not on the
+  /// page there.
+  void point_from_afar(std::optional<Vec2> at) { pointed_from_afar_ = at; }
 
   const PageView& page() const { return *page_; }  ///< with the places of the last frame
   const SpeechText& speech() const { return *speech_; }
@@ -90,7 +97,6 @@ class Screen {
   bool press_while_presenting(LessonSession& session, std::string_view key);
   bool do_in_window(LessonSession& session, Command command);
   void move_symbol(LessonSession& session, int by);
-  void copy_step(const LessonSession& session);
   void scroll_by_wheel();
   bool walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const;
   void draw_scroll_marks(const LessonSession& session);
@@ -105,14 +111,20 @@ class Screen {
   void use_pointer(LessonSession& session, const Region& page);
   bool follow(LessonSession& session, const std::string& link);
   void save(LessonSession& session);
+  void name_slides(const LessonSession& session);
   void copy();
+  std::string words_of_step(const LessonSession& session) const;
+  void draw_spot(const LessonSession& session) const;
+  Status keep_for_audience(const LessonSession& session);
 
   std::unique_ptr<const Gl> gl_;
   std::unique_ptr<Renderer> renderer_;
   std::unique_ptr<ControlPass> controls_;
   ImGuiContext* imgui_;
   std::unique_ptr<PageView> page_;
-  std::optional<Framebuffer> picture_;
+  std::optional<Framebuffer> picture_, frozen_;
+  bool is_black_ = false;  ///< in the last frame
+  std::optional<Vec2> pointed_from_afar_{};
   Pace pace_;
   WindowRequests requests_;
   Panels panels_;

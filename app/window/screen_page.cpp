@@ -111,6 +111,25 @@ void Screen::draw_invitation(const LessonSession& session) {
       ImGui::GetColorU32(ImGuiCol_TextDisabled), words.c_str());
 }
 
+/// The mouse's cursor is too small for a hall, and is not seen in the speaker's window: a spot in its place.
+void Screen::draw_spot(const LessonSession& session) const {
+  if (!session.is_pointing() || session.is_black() || session.is_frozen()) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  ImVec2 at = io.MousePos;
+  if (pointed_from_afar_) {
+    at = {static_cast<float>(pointed_from_afar_->x()) * io.DisplaySize.x,
+          static_cast<float>(pointed_from_afar_->y()) * io.DisplaySize.y};
+  } else {
+    if (at.x < 0 || at.y < 0 || at.x >= io.DisplaySize.x || at.y >= io.DisplaySize.y) return;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  }
+  const float radius = 0.6F * sizes_->em, rim = 0.14F * sizes_->em;
+  constexpr ImU32 kRed = IM_COL32(214, 30, 30, 190), kWhite = IM_COL32(255, 255, 255, 235);
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  list.AddCircleFilled(at, radius, kRed, 32);
+  list.AddCircle(at, radius + 0.5F * rim, kWhite, 32, rim);
+}
+
 void Screen::scroll_by_wheel() {
   constexpr float kNotch = 3;  // em
   const ImGuiIO& io = ImGui::GetIO();

@@ -4,7 +4,8 @@
 #include "app/window/controls/control_input.h"
 #include "app/window/display.h"
 #include "app/window/frame_log.h"
-#include "app/window/speaker_window.h"
+#include "app/window/speaker/speaker_window.h"
+#include "app/window/voice.h"
 #include "base/interrupt.h"
 
 #define GLFW_INCLUDE_NONE
@@ -64,6 +65,7 @@ class Loop {
       while (!glfwWindowShouldClose(display_.window()) && !is_over() && !watch.interrupted()) {
         wait();
         look_for_changes();
+        listen_for_news();
         if (must_draw()) {
           if (Status drawn = draw(); !drawn) return failure(drawn.error());
           keep();
@@ -73,7 +75,7 @@ class Loop {
     } catch (const Interrupted&) {  // while a motion was computed
     }
     WindowEnd end;
-    if (!full_screen_.is_on()) glfwGetWindowSize(display_.window(), &end.size.width, &end.size.height);
+    if (!full_screen_.is_on()) end.place = place_of(display_.window());
     end.lesson = screen().requests().open_lesson;
     if (!end.lesson.empty()) end.kind = WindowEnd::Kind::other_lesson;
     if (watch.interrupted()) end.kind = WindowEnd::Kind::interrupted;
@@ -119,6 +121,30 @@ class Loop {
     lesson_errors_ = errors;
     screen().set_lesson_errors(errors);
     input_.settling = kSettlingFrames;
+  }
+
+  void tell(const std::string& text) {
+    if (text.empty()) return;
+    screen().tell(text);
+    input_.settling = kSettlingFrames;
+  }
+
+  /// Of what goes on beside the window: slides that are made, a voice that cannot speak.
+  void listen_for_news() {
+    if (options_.news) tell(options_.news());
+    tell(voice_.trouble());
+  }
+
+  /// Another step has other words.
+  void read_aloud() {
+    if (read_ && *read_ != session_.place()) voice_.be_quiet();
+    if (!voice_.is_speaking()) read_.reset();
+    const std::string words = std::exchange(screen().requests().read_aloud, "");
+    if (words.empty()) return;
+    if (read_) return voice_.be_quiet();
+    const Status begun = voice_.say(words, session_.lesson().about.language);
+    tell(begun ? "This step is read aloud; the same key stops it." : begun.error());
+    if (begun) read_ = session_.place();
   }
 
   Status draw() {
@@ -176,6 +202,9 @@ class Loop {
       screen().requests().full_screen = false;
     }
     if (std::exchange(screen().requests().leave_full_screen, false)) full_screen_.set(false);
+    read_aloud();
+    if (const auto file = std::exchange(screen().requests().slides_file, {}); !file.empty())
+      tell(options_.make_slides ? options_.make_slides(session_, file) : "");
     if (session_.has_speaker() && !speaker_) return;  // its window decides where this one goes
     const bool is_new = session_.is_presenting() != presenting_;
     if (!is_new && (speaker_ != nullptr) == has_speaker_) return;
@@ -202,6 +231,8 @@ class Loop {
   FullScreen full_screen_;
   FrameLog frame_log_;
   std::unique_ptr<SpeakerWindow> speaker_;
+  Voice voice_;
+  std::optional<Place> read_;  ///< what is read aloud
   std::string title_, lesson_errors_;
   bool presenting_ = false, was_full_ = false;  ///< before it presented
   bool has_speaker_ = false;                    ///< when it was looked at last
@@ -213,7 +244,7 @@ class Loop {
 Result<WindowEnd> run_window(LessonSession& session, const Fonts& fonts, const WindowOptions& options) {
   const auto glfw = Glfw::start();
   if (!glfw) return failure(glfw.error());
-  const auto display = Display::open(fonts, options.size);
+  const auto display = Display::open(fonts, options.place);
   if (!display) return failure(display.error());
   return Loop(session, options, **display).run();
 }

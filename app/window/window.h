@@ -4,6 +4,7 @@
 
 #include "app/session/answers/progress.h"
 #include "app/session/lesson_session.h"
+#include "app/session/saved/window_place.h"
 #include "base/result.h"
 #include "render/typeset/fonts.h"
 
@@ -24,14 +25,19 @@ struct WindowOptions {
   std::string notice{};  ///< to be told at the beginning
   /// What lessons there are, asked for when they are listed.
   std::function<std::vector<LessonProgress>()> lessons{};
-  Size size{};  ///< of the window when it was closed last; empty: not known
+  WindowPlace place{};  ///< of the window when it was closed last
+  /// Begins to make slides of the stages that are chosen, in a file of this name (.html, .pdf), and does not
+  /// wait. The answer is to be told.
+  std::function<std::string(const LessonSession&, const std::filesystem::path& file)> make_slides{};
+  /// Asked a few times a second what has become of that; empty: nothing new.
+  std::function<std::string()> news{};
 };
 
 struct WindowEnd {
   enum class Kind { closed, interrupted, other_lesson };
   Kind kind = Kind::closed;
   std::string lesson{};  ///< id of the other one
-  Size size{};           ///< of the window; empty: it filled the screen
+  WindowPlace place{};   ///< of the window; empty: it filled the screen
 };
 
 /// Runs until the user closes the window, or until a signal, which counts as an interruption. Draws with the

@@ -79,6 +79,7 @@ class GlRenderer final : public Renderer {
   Status find_canvas(Size size, const Quality& quality);
   void forget_canvases();
   void start();
+  void draw_space(const Figure& figure, const Background& background);
   void draw_figure(const Figure& figure, const Background& background);
   Status draw_inset(const Inset& inset, const Framebuffer& page);
   Result<Image> read_picture(const Framebuffer& picture, const Background& background);
@@ -163,8 +164,8 @@ void GlRenderer::start() {
   gl().BlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 
-/// Into the picture of the first canvas.
-void GlRenderer::draw_figure(const Figure& figure, const Background& background) {
+/// Into the picture of the first canvas, all but what is written.
+void GlRenderer::draw_space(const Figure& figure, const Background& background) {
   start();
   const Canvas& on = canvas();
   const Framebuffer& drawn = on.fine ? *on.fine : on.picture;
@@ -178,8 +179,12 @@ void GlRenderer::draw_figure(const Figure& figure, const Background& background)
     on.layer->copy_to(drawn, 0, 0);
   }
   if (on.fine) average();
-  on.picture.bind();
-  passes_.flat->draw(figure, on.size, halo_of(background));
+}
+
+void GlRenderer::draw_figure(const Figure& figure, const Background& background) {
+  draw_space(figure, background);
+  canvas().picture.bind();
+  passes_.flat->draw(figure, canvas().size, halo_of(background));
 }
 
 Result<Image> GlRenderer::draw(const Figure& figure, Size size, const Background& background,
@@ -199,15 +204,26 @@ Status GlRenderer::draw_inset(const Inset& inset, const Framebuffer& page) {
   const PixelRect& at = inset.place;
   if (Status ready = prepare(inset.figure, drawn_size(inset), inset.quality); !ready)
     return failure(ready.error());
-  draw_figure(inset.figure, inset.background);
+  const bool is_enlarged = inset.resolution < 1;
+  if (is_enlarged)
+    draw_space(inset.figure, inset.background);
+  else
+    draw_figure(inset.figure, inset.background);
   const int bottom = page.size().height - at.y - at.height;
+  const auto on_page = [&] {
+    page.bind();
+    gl().Viewport(at.x, bottom, at.width, at.height);
+  };
   if (inset.background.kind != Background::Kind::transparent) {
     canvas().picture.copy_to(page, at.x, bottom, {at.width, at.height});
-    return success();
+  } else {
+    on_page();
+    passes_.figure->lay_over(canvas().picture, at.x, bottom);
   }
-  page.bind();
-  gl().Viewport(at.x, bottom, at.width, at.height);
-  passes_.figure->lay_over(canvas().picture, at.x, bottom);
+  if (is_enlarged) {
+    on_page();
+    passes_.flat->draw(inset.figure, {at.width, at.height}, halo_of(inset.background));
+  }
   return success();
 }
 

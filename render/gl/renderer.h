@@ -43,8 +43,8 @@ struct Inset {
   PixelRect place;
   Background background;
   Quality quality;
-  /// Drawn with this part of its pixels each way, 0 < … ≤ 1, and enlarged: while something moves on a slow
-  /// machine.
+  /// Drawn with this part of its pixels each way, 0 < … ≤ 1, and enlarged, but for what is written in it:
+  /// while something moves on a slow machine.
   double resolution = 1;
 };
 

@@ -82,6 +82,23 @@ TEST_F(TakeAway, WhatWasMadeByHandIsALessonOfTheSameFigure) {
   EXPECT_NE(saved->image.rgba, exported(kPlayed, *saved, "figure", "01-figure-step1.png").rgba);
 }
 
+// They are made beside the window, by the program itself.
+TEST_F(TakeAway, SlidesAreMadeOfTheStagesThatAreChosen) {
+  std::filesystem::create_directories(home().state());
+  write_text(home().state() / "played.place.json",
+             R"({"format": 1, "stage": "figure", "step": 1, "visited": ["figure"], "left_out": ["end"]})");
+  PlayedLesson lesson(display(), home(), {kPlayed});
+  lesson.press({"e"});
+  lesson.picture_at_rest();
+  lesson.click(kSaveSlides);
+  ASSERT_TRUE(eventually([&] { return files(".html").size() == 1; }));
+  const std::string deck = text_of(files(".html").front());
+  EXPECT_NE(deck.find("A question"), std::string::npos);
+  EXPECT_EQ(deck.find("The end"), std::string::npos);
+  const fs::path parts = files(".html").front().string() + ".parts";
+  EXPECT_TRUE(eventually([&] { return !fs::exists(parts); })) << "nothing else is left";
+}
+
 // Asked to close, or torn away at any moment of a save: what is there is whole.
 TEST_F(TakeAway, AWindowClosedDuringASaveLeavesNothingHalfWritten) {
   for (int delay_ms : {0, 0, 20, 60, 100, 140}) {

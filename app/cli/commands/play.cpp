@@ -4,12 +4,13 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
+#include "app/export/background_program.h"
 #include "app/session/answers/answer_log.h"
 #include "app/session/answers/progress.h"
 #include "app/session/edited_step.h"
 #include "app/session/saved/saved_progress.h"
 #include "app/session/saved/state_file.h"
-#include "app/session/saved/window_size.h"
+#include "app/session/saved/window_place.h"
 #include "app/window/window.h"
 #include "base/interrupt.h"
 #include "base/printable.h"
@@ -117,18 +118,62 @@ std::vector<LessonProgress> lessons_with_progress(const LessonSession& session) 
   return all;
 }
 
-void keep_size(Size size) {
+/// Slides of a lesson, made by this program beside the window. They are made to the end when it is closed.
+class SlidesJob {
+ public:
+  /// Of the stages that are chosen. @returns what is to be told
+  std::string begin(const LessonSession& session, const fs::path& file) {
+    if (is_running()) return fmt::format("{} is still being made.", file_.string());
+    std::error_code unknown;
+    const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+    if (unknown) return "not saved: this program does not find itself";
+    std::vector<std::string> words = {program.string(),
+                                      "export",
+                                      session.loaded().path.string(),
+                                      "--deck",
+                                      file.string(),
+                                      "--theme",
+                                      session.preferences.theme == Theme::dark ? "dark" : "paper"};
+    const std::vector<std::size_t> chosen = session.chosen_stages();
+    for (const std::size_t stage : chosen) {
+      if (chosen.size() == session.lesson().stages.size()) break;
+      words.insert(words.end(), {"--stage", session.lesson().stages[stage].id});
+    }
+    auto begun = BackgroundProgram::start(std::move(words));
+    if (!begun) return "not saved: " + begun.error();
+    program_ = std::move(begun).value();
+    file_ = fs::absolute(file, unknown);
+    return fmt::format("Slides of {} stage{} are being made; you can go on.", chosen.size(),
+                       chosen.size() == 1 ? "" : "s");
+  }
+  bool is_running() { return program_ && !program_->code(); }
+  const fs::path& file() const { return file_; }
+  /// What has become of it, once.
+  std::string news() {
+    const auto code = program_ ? program_->code() : std::nullopt;
+    if (!code) return {};
+    const std::string words = program_->last_words();
+    program_.reset();
+    return *code == 0 ? "saved: " + file_.string() : "not saved: " + printable(words);
+  }
+
+ private:
+  std::optional<BackgroundProgram> program_;
+  fs::path file_;
+};
+
+void keep_place(const WindowPlace& place) {
   const auto folder = state_folder();
-  if (folder && size.width > 0) static_cast<void>(write_window_size(*folder, size));
+  if (folder && place.size.width > 0) static_cast<void>(write_window_place(*folder, place));
 }
 
-Size kept_size() {
+WindowPlace kept_place() {
   const auto folder = state_folder();
-  const auto size = folder ? read_window_size(*folder) : StateFileResult<Size>(Size{});
-  return size ? *size : Size{};
+  const auto place = folder ? read_window_place(*folder) : StateFileResult<WindowPlace>(WindowPlace{});
+  return place ? *place : WindowPlace{};
 }
 
-WindowEnd play_one(const Options& options, const Fonts& fonts) {
+WindowEnd play_one(const Options& options, const Fonts& fonts, SlidesJob& slides) {
   const auto loaded = or_fail(load(options.lesson, fonts));
   if (!options.stage.empty()) stage_of(loaded->lesson, options.stage);  // before a window opens
   LessonSession session(loaded, until_interrupted());
@@ -143,23 +188,31 @@ WindowEnd play_one(const Options& options, const Fonts& fonts) {
   session.set_speaker(options.speaker);
   window.keep = [&](const LessonSession& now) { return progress.keep(now); };
   window.lessons = [&] { return lessons_with_progress(session); };
-  window.size = kept_size();
+  window.place = kept_place();
+  window.make_slides = [&](const LessonSession& now, const fs::path& file) {
+    return slides.begin(now, file);
+  };
+  window.news = [&] { return slides.news(); };
   LessonWatch watch(*loaded, fonts);
   if (options.watch)
     window.look_for_changes = [&](LessonSession& now, std::string& errors) { watch.look(now, errors); };
   const WindowEnd end = or_fail(run_window(session, fonts, window));
   if (const std::string notice = progress.keep_at_last(session); !notice.empty())
     say("polhode: {}\n", notice);
-  keep_size(end.size);
+  keep_place(end.place);
   return end;
 }
 
 ExitCode play(Options options) {
   const Fonts fonts = or_fail(Fonts::open());
+  SlidesJob slides;
   while (true) {
-    const WindowEnd end = play_one(options, fonts);
+    const WindowEnd end = play_one(options, fonts, slides);
     if (end.kind == WindowEnd::Kind::interrupted) return ExitCode::interrupted;
-    if (end.kind == WindowEnd::Kind::closed) return ExitCode::done;
+    if (end.kind == WindowEnd::Kind::closed) {
+      if (slides.is_running()) say("polhode: {} is still being made\n", slides.file().string());
+      return ExitCode::done;
+    }
     options.lesson = end.lesson;
     options.stage.clear();
   }

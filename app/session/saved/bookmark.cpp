@@ -40,7 +40,8 @@ StateFileResult<BookmarkReading> read_bookmark(const fs::path& folder, const std
   const auto warning =
       read_state_file(bookmark_path(folder, lesson_id), "the bookmark", [&](const Json& json) {
         bookmark = {json.at("stage").get<std::string>(), step_from(json.at("step")),
-                    json.at("visited").get<std::set<std::string>>()};
+                    json.at("visited").get<std::set<std::string>>(),
+                    json.value("left_out", std::set<std::string>())};
       });
   if (!warning) return Failure{warning.error()};
   return BookmarkReading{std::move(bookmark), *warning};
@@ -48,9 +49,9 @@ StateFileResult<BookmarkReading> read_bookmark(const fs::path& folder, const std
 
 StateFileResult<std::monostate> write_bookmark(const fs::path& folder, const std::string& lesson_id,
                                                const Bookmark& bookmark) {
-  return write_state_file(
-      bookmark_path(folder, lesson_id),
-      {{"stage", bookmark.stage}, {"step", bookmark.step}, {"visited", Json(bookmark.visited)}});
+  Json json = {{"stage", bookmark.stage}, {"step", bookmark.step}, {"visited", Json(bookmark.visited)}};
+  if (!bookmark.left_out.empty()) json["left_out"] = Json(bookmark.left_out);
+  return write_state_file(bookmark_path(folder, lesson_id), json);
 }
 
 StateFileResult<PreferencesReading> read_preferences(const fs::path& folder) {
@@ -74,7 +75,8 @@ StateFileResult<std::monostate> write_preferences(const fs::path& folder, const 
 }
 
 Bookmark bookmark_of(const LessonSession& session) {
-  return {session.stage().id, static_cast<int>(session.place().step) + 1, session.visited()};
+  return {session.stage().id, static_cast<int>(session.place().step) + 1, session.visited(),
+          session.left_out()};
 }
 
 void restore(LessonSession& session, const Bookmark& bookmark) {
@@ -85,6 +87,7 @@ void restore(LessonSession& session, const Bookmark& bookmark) {
     session.go_to({static_cast<std::size_t>(stage - stages.begin()),
                    static_cast<std::size_t>(std::max(1, bookmark.step)) - 1});
   session.set_visited(bookmark.visited);
+  session.set_left_out(bookmark.left_out);
 }
 
 }  // namespace polhode

@@ -18,6 +18,7 @@ struct Bookmark {
   std::string stage;  ///< id; empty: none
   int step = 1;       ///< from 1
   std::set<std::string> visited;
+  std::set<std::string> left_out{};  ///< stages that are not for this class
   bool operator==(const Bookmark&) const = default;
 };
 struct BookmarkReading {

@@ -113,6 +113,10 @@ bool can_save_as(const LessonSession& session, SaveAs what) {
   return session.model() != nullptr;
 }
 
+fs::path slides_path(const LessonSession& session, const fs::path& folder, const std::string& ending) {
+  return free_name(folder, session.lesson().id + "-slides", ending);
+}
+
 Result<fs::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
                          const fs::path& folder, Renderer& renderer) {
   if (!can_save_as(session, what))

@@ -31,4 +31,9 @@ bool can_save_as(const LessonSession& session, SaveAs what);
 Result<std::filesystem::path> save_as(const LessonSession& session, SaveAs what, const SaveOptions& options,
                                       const std::filesystem::path& folder, Renderer& renderer);
 
+/// A name in the folder that is not taken yet for slides of the lesson: quiz-slides.pdf. `ending` has its
+/// dot.
+std::filesystem::path slides_path(const LessonSession& session, const std::filesystem::path& folder,
+                                  const std::string& ending);
+
 }  // namespace polhode

@@ -63,6 +63,12 @@ void tell_modifiers(const InputEvent& key) {
 
 #endif
 
+/// From a control into its field, or to the next.
+bool leads_on(const InputEvent& event) {
+  return event.kind == InputEvent::Kind::key && event.action == GLFW_PRESS &&
+         (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER || event.code == GLFW_KEY_TAB);
+}
+
 }  // namespace
 
 void listen(GLFWwindow* window, Input& input) {
@@ -94,7 +100,8 @@ void listen(GLFWwindow* window, Input& input) {
   glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { input_of(w); });
 }
 
-/// What a command or a click opens has the keyboard a few frames later: what is typed behind it waits.
+/// What a command, a click, Enter or Tab opens has the keyboard a few frames later: what is typed behind it
+/// waits.
 void ControlInput::feed(std::deque<InputEvent>& waiting) {
   InputPortion portion;
   while (wait_ == 0 && !waiting.empty() && portion.takes(waiting.front())) {
@@ -106,7 +113,7 @@ void ControlInput::feed(std::deque<InputEvent>& waiting) {
     }
     portion.add(event);
     give(event);
-    if (event.kind == InputEvent::Kind::button) wait_ = kSettlingFrames;
+    if (event.kind == InputEvent::Kind::button || leads_on(event)) wait_ = kSettlingFrames;
   }
   wait_ = std::max(0, wait_ - 1);
   tell_mouse(pointer_in_pixels(), buttons_);

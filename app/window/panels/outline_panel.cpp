@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace polhode {
 
@@ -30,9 +32,7 @@ bool stage_row(const std::string& title, std::size_t number, bool is_here, bool 
   const ImVec2 words = ImGui::CalcTextSize(title.c_str(), nullptr, false, room);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = words.y + 0.5F * em;
-  ImGui::PushID(static_cast<int>(number));
   const bool chosen = ImGui::Selectable("##stage", is_here, 0, {0, height});
-  ImGui::PopID();
   const float line = at.y + 0.25F * em;
   add_mark({at.x + 0.5F * em, line + 0.5F * em}, em, is_here, is_visited);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -88,17 +88,49 @@ void draw_lessons(PanelContext& context) {
   }
 }
 
+/// Which stages are shown to a class: a mark before each while they are chosen.
+void OutlinePanel::choose_for_class(PanelContext& context) {
+  LessonSession& session = context.session;
+  const std::size_t all = session.lesson().stages.size(), chosen = session.chosen_stages().size();
+  if (!chooses_) {
+    if (chosen < all)
+      quiet_words(fmt::format(
+          "For your class: {} of {} stages; the others are passed over while you present.", chosen, all));
+    if (ImGui::Button("Choose stages for a class…")) chooses_ = true;
+    return;
+  }
+  quiet_words(
+      "What has no mark is passed over while you present, and is not in the slides that Save makes. Without "
+      "any mark all stages are shown.");
+  if (ImGui::Button("Done")) chooses_ = false;
+  ImGui::SameLine();
+  if (ImGui::Button("All")) session.set_left_out({});
+  ImGui::SameLine();
+  if (ImGui::Button("None")) {
+    std::set<std::string> stages;
+    for (const Stage& stage : session.lesson().stages) stages.insert(stage.id);
+    session.set_left_out(stages);
+  }
+}
+
 void OutlinePanel::draw(PanelContext& context) {
   LessonSession& session = context.session;
   const std::vector<Stage>& stages = session.lesson().stages;
   quiet_words(fmt::format("{} of {} stages seen", session.visited().size(), stages.size()));
   draw_progress(context);
+  choose_for_class(context);
   ImGui::BeginChild("stages", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::string title = context.speech.words_of_title(stages[i]);
     if (!title.empty() && title.back() == '.') title.pop_back();
     const bool here = i == session.place().stage;
+    ImGui::PushID(static_cast<int>(i));
+    if (bool is_shown = !session.left_out().contains(stages[i].id); chooses_) {
+      if (ImGui::Checkbox("##shown", &is_shown)) session.leave_out(stages[i].id, !is_shown);
+      ImGui::SameLine();
+    }
     if (stage_row(title, i + 1, here, session.visited().contains(stages[i].id))) session.go_to({i, 0});
+    ImGui::PopID();
     if (!here) continue;
     if (scrolled_to_ != session.place()) {
       ImGui::SetScrollHereY(0.4F);

@@ -9,6 +9,7 @@
 #include "app/window/controls/control_style.h"
 #include "app/window/controls/lesson_texts.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,10 @@ struct WindowRequests {
   const Ask* type_answer_to = nullptr;  ///< the one that was clicked; null: none
   std::string open_lesson{};            ///< id of another lesson; empty: none
   std::optional<SaveAs> save_as{};
-  std::string clipboard{};  ///< to be copied; empty: nothing
+  std::string slides{};                 ///< to be made of the chosen stages: ".html", ".pdf"; empty: none
+  std::filesystem::path slides_file{};  ///< where, once it is known
+  std::string read_aloud{};             ///< what is to be read aloud, or is being read; empty: nothing
+  std::string clipboard{};              ///< to be copied; empty: nothing
   /// They make another model, and what is being drawn refers to the present one.
   std::optional<SceneEdits> edits{};
   std::optional<Counterexample> counterexample{};  ///< to be shown in the figure, likewise

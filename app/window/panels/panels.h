@@ -18,7 +18,10 @@ class OutlinePanel {
   void draw(PanelContext& context);
 
  private:
+  void choose_for_class(PanelContext& context);
+
   std::optional<Place> scrolled_to_;
+  bool chooses_ = false;  ///< stages for a class are being chosen
 };
 
 class BodyPanel {

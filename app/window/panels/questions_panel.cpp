@@ -122,6 +122,30 @@ std::string standing_of(const LessonSession& session, const PlacedAsk& question)
   return record->second.right > 0 ? "answered right" : "not yet right";
 }
 
+bool is_open(const LessonSession& session, const Ask& ask) {
+  const AnswerRecord* record = session.record(ask);
+  return record == nullptr || record->right == 0;
+}
+
+/// The first behind the question of this number that is typed and was not answered right; null: none.
+const Ask* next_typed(const LessonSession& session, std::size_t number) {
+  const std::vector<const Ask*> questions = session.questions();
+  for (std::size_t i = number + 1; i < questions.size(); ++i)
+    if (is_typed(*questions[i]) && is_open(session, *questions[i])) return questions[i];
+  return nullptr;
+}
+
+/// The field that a panel begins with which was opened by a key: of what is still to be answered.
+const Ask* first_typed(const LessonSession& session) {
+  const std::vector<const Ask*> questions = session.questions();
+  const auto first_with = [&](auto&& is_wanted) {
+    const auto found = std::find_if(questions.begin(), questions.end(), is_wanted);
+    return found == questions.end() ? nullptr : *found;
+  };
+  const Ask* open = first_with([&](const Ask* ask) { return is_typed(*ask) && is_open(session, *ask); });
+  return open != nullptr ? open : first_with([](const Ask* ask) { return is_typed(*ask); });
+}
+
 }  // namespace
 
 /// Asks once: what is forgotten does not come back.
@@ -215,15 +239,16 @@ void QuestionsPanel::draw_earlier(PanelContext& context, bool is_alone) {
 void QuestionsPanel::draw(PanelContext& context) {
   const std::vector<const Ask*> questions = context.session.questions();
   const bool is_end = !context.session.next_place();
-  const auto typed =
-      std::find_if(questions.begin(), questions.end(), [](auto* ask) { return is_typed(*ask); });
-  const Ask* first = typed == questions.end() ? nullptr : *typed;
   const Ask* focused = std::exchange(context.take_focus, false)
-                           ? (context.typed_to != nullptr ? context.typed_to : first)
+                           ? (context.typed_to != nullptr ? context.typed_to : first_typed(context.session))
                            : nullptr;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     context.take_focus = questions[i] == focused;
+    const bool was_open = is_open(context.session, *questions[i]);
     draw_question(context, *questions[i], i + 1, questions.size());
+    // Who has typed what is right goes on typing, if there is more.
+    if (is_typed(*questions[i]) && was_open && !is_open(context.session, *questions[i]))
+      focused = next_typed(context.session, i);
   }
   context.take_focus = false;
   if (is_end) {

@@ -57,6 +57,15 @@ void SavePanel::draw(PanelContext& context) {
   heading("Scene");
   offer(context, "Save as a lesson", SaveAs::scene,
         "With all that was changed by hand; polhode export makes the same figure of it");
+  heading("Slides");
+  const std::size_t all = context.session.lesson().stages.size(),
+                    chosen = context.session.chosen_stages().size();
+  quiet_words(chosen == all ? "Of all stages; Outline chooses some for a class."
+                            : fmt::format("Of the {} stages chosen in Outline.", chosen));
+  if (ImGui::Button("Save slides for a browser", {-1, 0})) context.requests.slides = ".html";
+  tooltip_of_last("One file that any browser shows without network; as polhode export --deck makes it");
+  if (ImGui::Button("Save slides as PDF", {-1, 0})) context.requests.slides = ".pdf";
+  tooltip_of_last("The same as a PDF. They are made while you go on");
   heading("Answers");
   ImGui::SetNextItemWidth(-1);
   ImGui::InputTextWithHint("##student", "your name, if it is to stand there", &options.student);

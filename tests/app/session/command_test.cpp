@@ -60,7 +60,7 @@ TEST(Command, WhatOnlyAWindowCanDoIsLeftToIt) {
   const std::set<Command> of_windows = {Command::next_symbol,  Command::previous_symbol, Command::explain,
                                         Command::save_page,    Command::full_screen,     Command::quit,
                                         Command::switch_focus, Command::scroll_down,     Command::scroll_up,
-                                        Command::copy_step};
+                                        Command::copy_step,    Command::read_aloud};
   for (const CommandFacts& facts : all_commands())
     EXPECT_EQ(do_command(session, facts.command), of_windows.count(facts.command) == 0) << facts.does;
 }
@@ -190,6 +190,79 @@ TEST(Command, TheSpeakerHasAWindowWhilePresenting) {
     press(going);
     EXPECT_TRUE(session.has_speaker()) << going;
   }
+}
+
+TEST(Command, TellsWhyItHasNothingToDo) {
+  LessonSession session(example());
+  const auto why = [&](const char* key) { return why_idle(session, command_of(key).value()); };
+  for (const char* key : {"Left", "Up"}) EXPECT_EQ(why(key), "This is the beginning.") << key;
+  for (const char* key : {"Right", "Down", "Space", "0", "V", "G", "Ctrl+Left", "T"})
+    EXPECT_EQ(why(key), "") << key;
+  EXPECT_EQ(why("R"), "This is the lesson's scene.");
+  EXPECT_EQ(why("Ctrl+Z"), "There is no change to undo.");
+  EXPECT_EQ(why("]"), "This step has no number to vary.");
+  for (const char* key : {".", "L", "H"}) EXPECT_NE(why(key), "") << key;
+  session.set_speed(kFastest);
+  EXPECT_NE(why("Shift+Up"), "");
+  EXPECT_EQ(why("Shift+Down"), "");
+  session.go_to({1, 0});
+  for (const char* key : {"Space", "Shift+Right", ">", "0", "V", "Ctrl+Up", "Z", "C", "G", "]", "R"})
+    EXPECT_EQ(why(key), "This step has no figure.") << key;
+  session.go_to({2, 0});
+  EXPECT_EQ(why("Right"), "This is the end.");
+  EXPECT_EQ(why("Down"), "This is the last stage.");
+  session.set_speaker(true);
+  for (const char* key : {".", "L", "H"}) EXPECT_EQ(why(key), "") << key;
+}
+
+// What has nothing to do changes nothing; what has, is not called idle.
+TEST(Command, IsIdleJustWhereItChangesNothing) {
+  const auto seen = [](const LessonSession& session) {
+    return std::tuple(session.place(), session.t_s(), session.speed(), session.is_playing(), session.edits(),
+                      session.camera(), session.is_black(), session.is_pointing(), session.is_frozen());
+  };
+  const auto lesson = example();
+  for (std::size_t stage = 0; stage < lesson->lesson.stages.size(); ++stage)
+    for (const CommandFacts& facts : all_commands()) {
+      LessonSession session(lesson);
+      session.go_to({stage, 0});
+      const auto before = seen(session);
+      if (why_idle(session, facts.command).empty() || !do_command(session, facts.command)) continue;
+      EXPECT_TRUE(seen(session) == before) << facts.does << " in stage " << stage;
+    }
+}
+
+TEST(Command, WalksPastWhatIsNotForThisClass) {
+  LessonSession session(example());
+  const auto press = [&](const char* key) { do_command(session, command_of(key).value()); };
+  session.leave_out("words", true);
+  press("Down");
+  EXPECT_EQ(session.place(), (Place{1, 0})) << "who reads goes through all";
+  press("Home");
+  session.set_presenting(true);
+  press("Down");
+  EXPECT_EQ(session.place(), (Place{2, 0}));
+  press("Left");
+  EXPECT_EQ(session.place(), (Place{0, session.stage().steps.size() - 1}));
+  press("Right");
+  EXPECT_EQ(session.place(), (Place{2, 0}));
+  press("Up");
+  EXPECT_EQ(session.place(), (Place{0, 0}));
+  session.go_to({1, 0});
+  EXPECT_EQ(session.place(), (Place{1, 0})) << "whoever asks for it gets it";
+  session.set_left_out({"free", "top"});
+  press("End");
+  EXPECT_EQ(session.place(), (Place{1, 0}));
+  EXPECT_EQ(why_idle(session, Command::next_step), "This is the end.");
+  EXPECT_EQ(session.chosen_stages(), (std::vector<std::size_t>{1}));
+  session.set_left_out({"free", "words", "top", "unknown"});
+  EXPECT_EQ(session.left_out().size(), 3u);
+  EXPECT_EQ(session.chosen_stages().size(), 3u) << "not even one would be left";
+  press("Home");
+  EXPECT_EQ(session.place(), (Place{0, 0}));
+  session.replace_lesson(example());
+  EXPECT_EQ(session.left_out().size(), 3u);
+  EXPECT_EQ(session.visited().size(), 3u) << "what was seen is kept too";
 }
 
 /// What the keys of the deck do that go to a slide: "ArrowRight" → "wanted + 1", outside the overview and

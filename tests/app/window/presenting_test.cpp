@@ -85,6 +85,42 @@ TEST_F(PresentingTest, AClickBesideTheFigureGoesOn) {
   EXPECT_EQ(session.place(), (Place{0, 1})) << "who reads clicks where he likes";
 }
 
+TEST_F(PresentingTest, ASpotFollowsTheMouse) {
+  for (int i = 0; i < 300; ++i) frame();  // what was told is gone
+  move(300, kSize.height - 60);
+  const Image without = screen->read();
+  screen->press(session, "L");
+  EXPECT_TRUE(session.is_pointing());
+  frame(2);
+  const auto redness = [](const Image& image, int column, int row) {
+    return image.pixel(column, row)[0] - image.pixel(column, row)[1];
+  };
+  const Image with = screen->read();
+  EXPECT_GT(redness(with, 300, kSize.height - 60), redness(without, 300, kSize.height - 60) + 80);
+  EXPECT_EQ(ImGui::GetMouseCursor(), ImGuiMouseCursor_None) << "in place of the cursor";
+  move(340, kSize.height - 60);
+  EXPECT_GT(redness(screen->read(), 340, kSize.height - 60), 80);
+  move(-1, -1);
+  EXPECT_EQ(screen->read().rgba, without.rgba) << "it leaves with the mouse";
+  screen->press(session, "Escape");
+  screen->press(session, "P");
+  EXPECT_FALSE(session.is_pointing());
+}
+
+// What walks for a remote clicker walks whatever has the keyboard.
+TEST_F(PresentingTest, AClickerWalksThoughAPanelIsOpen) {
+  for (const char* key : {"M", "E"}) {
+    session.go_to({0, 0});
+    screen->press(session, key);
+    frame(3);
+    ASSERT_TRUE(screen->press(session, "PageDown")) << key;
+    EXPECT_EQ(session.place(), (Place{0, 1})) << key;
+    EXPECT_FALSE(screen->press(session, "Down")) << key << ": that moves in the panel";
+    screen->press(session, "Escape");
+    frame(2);
+  }
+}
+
 TEST_F(PresentingTest, APanelThatWasOpenIsClosed) {
   screen->press(session, "Escape");
   screen->press(session, "O");

@@ -135,6 +135,65 @@ TEST_F(QuestionsPanelTest, AFieldGivesTheKeyboardBackAtEscape) {
   EXPECT_EQ(session.panel, Panel::none);
 }
 
+// Whatever was chosen by keys in another panel before.
+TEST_F(QuestionsPanelTest, ItsKeysAreThePagesHoweverTheLastPanelWasUsed) {
+  go_to_question("no-torque");
+  screen->press(session, "M");
+  frame(3);
+  give_to_panel(ImGuiKey_DownArrow);
+  ASSERT_TRUE(ImGui::GetIO().NavVisible) << "a control is chosen";
+  screen->press(session, "Q");
+  frame(4);
+  const Place asked = session.place();
+  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_NE(session.place(), asked);
+}
+
+// Of several that are typed the next one has the cursor, and Q begins in the first that is open.
+TEST_F(QuestionsPanelTest, TheCursorGoesOnToWhatIsStillToBeAnswered) {
+  session.replace_lesson(test::loaded_text(R"(+++
+format = 1
+id = "two"
+title = "Two questions"
++++
+# Two {two}
+Two numbers.
+
+```ask first
+type = "expression"
+prompt = "Twice $\\omega_1$?"
+answer = "2*w1"
+hints = ["Add it to itself."]
+```
+```ask second
+type = "expression"
+prompt = "Twice $\\omega_2$?"
+answer = "2*w2"
+hints = ["Add it to itself."]
+```
+)"));
+  const auto enter = [&](const char* text) {
+    ImGui::GetIO().AddInputCharactersUTF8(text);
+    frame(2);
+    give_to_panel(ImGuiKey_Enter);
+    frame(2);
+  };
+  screen->press(session, "Q");
+  frame(5);
+  enter("2*w1");
+  ASSERT_EQ(session.answers().at("two/first").right, 1);
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput) << "that of the second";
+  screen->press(session, "Escape");
+  frame(3);
+  screen->press(session, "Escape");
+  frame(3);
+  screen->press(session, "Q");
+  frame(5);
+  enter("2*w2");
+  ASSERT_EQ(session.answers().at("two/second").right, 1);
+  EXPECT_FALSE(ImGui::GetIO().WantTextInput) << "there is no other";
+}
+
 // What was set once is drawn, not set again: at rest, while the motion plays, and beside another answer.
 TEST_F(QuestionsPanelTest, TextsAreSetWhenTheyChange) {
   const Ask& ask = go_to_question("no-torque");

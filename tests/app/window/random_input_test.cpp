@@ -140,6 +140,9 @@ class RandomInput : public ScreenTest {
     EXPECT_EQ(now.has_scene(), now.model() != nullptr) << told;
     EXPECT_TRUE(!now.is_black() || now.is_presenting()) << told;
     EXPECT_TRUE(!now.has_speaker() || now.is_presenting()) << told;
+    EXPECT_TRUE(!now.is_frozen() || now.has_speaker()) << told;
+    EXPECT_TRUE(!now.is_pointing() || now.is_presenting()) << told;
+    EXPECT_FALSE(now.chosen_stages().empty()) << told;
     EXPECT_TRUE(now.counterexample() == nullptr || now.is_aside()) << told;
     EXPECT_LE(std::abs(now.t_s()), now.model() ? now.model()->reach_s : 0) << told;
     const std::vector<PlacedAsk> asked = questions_of(now.lesson());
@@ -179,6 +182,7 @@ class RandomInput : public ScreenTest {
     EXPECT_EQ(next.place(), played->place()) << told;
     EXPECT_EQ(next.visited(), played->visited()) << told;
     EXPECT_EQ(next.preferences, played->preferences) << told;
+    EXPECT_EQ(next.left_out(), played->left_out()) << told;
     ASSERT_EQ(next.answers().size(), played->answers().size()) << told;
     for (const auto& [name, record] : played->answers()) {
       const AnswerRecord& kept = next.answers().at(name);

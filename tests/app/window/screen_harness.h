@@ -67,6 +67,19 @@ class ScreenTest : public testing::Test {
     down = false;
     frame(3);
   }
+  /// What press() leaves to a panel.
+  void give_to_panel(ImGuiKey key) {
+    const auto tell = [&](bool is_down) {
+#if IMGUI_VERSION_NUM < 18700
+      ImGui::GetIO().KeysDown[key] = is_down;
+#else
+      ImGui::GetIO().AddKeyEvent(key, is_down);
+#endif
+      frame(2);
+    };
+    tell(true);
+    tell(false);
+  }
   const PixelRect& figure() { return screen->page().insets().front().place; }
 
   std::unique_ptr<Screen> screen;

@@ -177,6 +177,19 @@ TEST(Insets, OfLessResolutionFillTheSamePlaceAlike) {
   EXPECT_LT(apart(full, coarse), 0.2 * apart(full, none)) << "edges and type differ, not what is shown";
 }
 
+TEST(Insets, OfLessResolutionAreWrittenInFull) {
+  Drawn drawn;
+  Figure names{{Pane{}}, 16};
+  names.panes[0].title = "seen from space";
+  std::vector<Inset> insets = {{names, {50, 30, 201, 141}, {Background::Kind::color, {1, 1, 1, 1}}, {}}};
+  const Image full = drawn.draw({}, "paper", {300, 200}, insets);
+  insets[0].figure.panes[0].title.clear();
+  EXPECT_NE(drawn.draw({}, "paper", {300, 200}, insets).rgba, full.rgba) << "something is written";
+  insets[0].figure = names;
+  insets[0].resolution = 0.35;
+  EXPECT_EQ(drawn.draw({}, "paper", {300, 200}, insets).rgba, full.rgba);
+}
+
 TEST(Insets, OneThatCannotBeDrawnIsAnErrorAndTheNextPageIsDrawn) {
   Drawn drawn;
   for (const PixelRect& place : {PixelRect{0, 0, 0, 10}, PixelRect{0, 0, 17000, 10}}) {

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const Bookmark kBookmark{"free", 3, {"free", "top"}};
+const Bookmark kBookmark{"free", 3, {"free", "top"}, {"words"}};
 const Preferences kPreferences{Theme::dark, 1.21, true};
 
 TEST(Bookmark, IsReadAsItWasWritten) {

@@ -38,10 +38,12 @@ class ScreenOfSpeaker {
   Areas areas_of(Size size) const;
   void adopt_style(const LessonSession& session, const ScreenFrame& frame);
   void draw_controls(LessonSession& session, const Region& region);
+  void draw_clock(const LessonSession& session);
   void draw_outline(LessonSession& session, const Region& region);
   void draw_notes(const LessonSession& session, const Region& region);
   void show_page(const LessonSession& session, const Region& region);
   void show_next(const LessonSession& session, const Region& region);
+  void point(const LessonSession& session, const Region& page) const;
 
   Screen& audience_;
   std::unique_ptr<ControlPass> controls_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/screen_of_speaker.h"
+#include "app/window/speaker/screen_of_speaker.h"
 
 #include "app/session/answers/answer_text.h"
 #include "app/window/controls/widgets.h"
@@ -36,15 +36,24 @@ std::string duration_text(double seconds) {
                    : fmt::format("{}:{:02}", minutes, rest);
 }
 
-/// "Step 7 of 238", counted through all stages.
+/// "Step 7 of 238", counted through all stages that are for this class. What is passed over has no number.
 std::string count_text(const LessonSession& session) {
   std::size_t before = 0, all = 0;
-  for (std::size_t i = 0; i < session.lesson().stages.size(); ++i) {
+  for (const std::size_t i : session.chosen_stages()) {
     const std::size_t steps = session.lesson().stages[i].steps.size();
     before += i < session.place().stage ? steps : 0;
     all += steps;
   }
+  if (session.passes_over(session.place().stage)) return fmt::format("Not one of the {} chosen steps", all);
   return fmt::format("Step {} of {}", before + session.place().step + 1, all);
+}
+
+/// What follows goes on in this row if there is room for it.
+void same_line_if_fits(const char* words) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float right = ImGui::GetItemRectMax().x + style.ItemSpacing.x + ImGui::CalcTextSize(words).x +
+                      2 * style.FramePadding.x;
+  if (right < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) ImGui::SameLine();
 }
 
 /// Of this shape, as large as the region holds, in its upper left corner.
@@ -134,11 +143,22 @@ void ScreenOfSpeaker::draw_controls(LessonSession& session, const Region& region
   if (icon_button("play", playing ? Icon::pause : Icon::play, "", told(Command::play_pause), 2.1F * em))
     session.set_playing(!playing);
   ImGui::EndDisabled();
-  ImGui::SameLine();
+  same_line_if_fits("Black");
   if (toggle_button("Black", session.is_black(), told(Command::black)))
     session.set_black(!session.is_black());
-  ImGui::SameLine();
+  same_line_if_fits("Spot");
+  if (toggle_button("Spot", session.is_pointing(), told(Command::point)))
+    session.set_pointing(!session.is_pointing());
+  same_line_if_fits("Freeze");
+  if (toggle_button("Freeze", session.is_frozen(), told(Command::freeze)))
+    session.set_frozen(!session.is_frozen());
+  same_line_if_fits("End");
   if (toggle_button("End", false, told(Command::leave))) session.set_presenting(false);
+  draw_clock(session);
+  ImGui::End();
+}
+
+void ScreenOfSpeaker::draw_clock(const LessonSession& session) {
   ImGui::PushFont(bold_control_font());
   ImGui::TextUnformatted(fmt::format("{}   {} elapsed", time_of_day(), duration_text(elapsed_s())).c_str());
   ImGui::PopFont();
@@ -150,7 +170,6 @@ void ScreenOfSpeaker::draw_controls(LessonSession& session, const Region& region
                                      session.place().stage + 1, session.lesson().stages.size(),
                                      session.place().step + 1, session.stage().steps.size())
                              .c_str());
-  ImGui::End();
 }
 
 void ScreenOfSpeaker::draw_outline(LessonSession& session, const Region& region) {
@@ -159,9 +178,12 @@ void ScreenOfSpeaker::draw_outline(LessonSession& session, const Region& region)
   for (std::size_t i = 0; i < stages.size(); ++i) {
     std::string title = audience_.speech().words_of_title(stages[i]);
     if (!title.empty() && title.back() == '.') title.pop_back();
-    const bool is_here = i == session.place().stage;
-    if (ImGui::Selectable(fmt::format("{}   {}##{}", i + 1, title, i).c_str(), is_here))
+    const bool is_here = i == session.place().stage, is_passed = session.passes_over(i);
+    if (is_passed) ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    const char* note = is_passed ? "   (passed over)" : "";
+    if (ImGui::Selectable(fmt::format("{}   {}{}##{}", i + 1, title, note, i).c_str(), is_here))
       session.go_to({i, 0});
+    if (is_passed) ImGui::PopStyleColor();
     if (!is_here || outlined_ == session.place()) continue;
     ImGui::SetScrollHereY(0.3F);
     outlined_ = session.place();
@@ -195,6 +217,14 @@ void ScreenOfSpeaker::show_page(const LessonSession& session, const Region& regi
   const Region at = fitted(region, shown.size());
   shown.copy_to(*picture_, static_cast<int>(at.x),
                 picture_->size().height - static_cast<int>(at.y) - whole(at).height, whole(at));
+}
+
+/// With the mouse over the page here the spot is at the same place of the audience's.
+void ScreenOfSpeaker::point(const LessonSession& session, const Region& page) const {
+  const ImVec2& at = ImGui::GetIO().MousePos;
+  const double x = (at.x - page.x) / page.width, y = (at.y - page.y) / page.height;
+  const bool is_on = session.is_pointing() && x >= 0 && x < 1 && y >= 0 && y < 1;
+  audience_.point_from_afar(is_on ? std::optional(Vec2(x, y)) : std::nullopt);
 }
 
 /// Its place is left empty where there is none, or where it cannot be set: that is told when it is reached.
@@ -235,12 +265,15 @@ Status ScreenOfSpeaker::draw(LessonSession& session, const ScreenFrame& frame) {
   };
   if (session.is_black())
     label(areas.page, "The audience's screen is black", ImGuiCol_NavHighlight);
+  else if (session.is_frozen())
+    label(areas.page, "Before you alone: the audience still sees what it saw", ImGuiCol_NavHighlight);
   else
     label(areas.page, "Before the audience", ImGuiCol_Text);
   label(areas.next, session.next_place() ? "Next" : "This is the last step", ImGuiCol_Text);
   draw_notes(session, areas.notes);
   draw_outline(session, areas.outline);
   draw_controls(session, areas.controls);
+  point(session, areas.page);
   audience_.draw_notices({0, 0, areas.page.width, areas.page.y + areas.page.height}, sizes_->padding);
   ImGui::Render();
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What only the speaker sees.
-#include "app/window/screen_of_speaker.h"
+#include "app/window/speaker/screen_of_speaker.h"
 
 #include "tests/app/window/screen_harness.h"
 
@@ -102,6 +102,56 @@ TEST_F(SpeakerTest, WalksAndJumpsByTheMouse) {
   for (float row = 780; row > 560 && session.place() == Place{}; row -= 8) click_here(120, row);
   EXPECT_EQ(session.place(), (Place{1, 0})) << "the second stage in the outline";
   EXPECT_TRUE(session.has_speaker());
+}
+
+TEST_F(SpeakerTest, PointsOnTheAudiencesPage) {
+  both();
+  const Image before = screen->read();
+  ASSERT_TRUE(screen->press_from_afar(session, "L", false));
+  at_x = 300;
+  at_y = 200;
+  both();
+  const Image pointed = screen->read();
+  // The page is 738 px wide here, and 10 px from the left edge.
+  EXPECT_GT(differing(before, pointed, 480, 260, 520, 310), 200);
+  EXPECT_EQ(differing(before, pointed, 0, 0, 450, 800), 0);
+  at_x = 1000;  // over the notes
+  both();
+  EXPECT_EQ(screen->read().rgba, before.rgba);
+}
+
+TEST_F(SpeakerTest, LooksElsewhereWhileTheAudienceSeesWhatItSaw) {
+  both();
+  const Image before = screen->read();
+  ASSERT_TRUE(screen->press_from_afar(session, "H", false));
+  both();
+  EXPECT_TRUE(session.is_frozen());
+  ASSERT_TRUE(screen->press_from_afar(session, "Right", false));
+  both();
+  EXPECT_EQ(screen->for_audience().read().rgba, before.rgba);
+  EXPECT_NE(screen->read().rgba, before.rgba) << "the speaker sees the step he went to";
+  screen->press_from_afar(session, ".", false);
+  both();
+  const Image black = screen->for_audience().read();
+  EXPECT_EQ(black.pixel(640, 400)[0] + black.pixel(640, 400)[1] + black.pixel(640, 400)[2], 0);
+  screen->press_from_afar(session, ".", false);
+  screen->press_from_afar(session, "H", false);
+  both();
+  EXPECT_NE(screen->for_audience().read().rgba, before.rgba);
+  session.set_frozen(true);
+  session.set_speaker(false);
+  EXPECT_FALSE(session.is_frozen()) << "nobody could look elsewhere";
+}
+
+TEST_F(SpeakerTest, CountsWhatIsForThisClass) {
+  both();
+  const Image all = speaker->read();
+  session.leave_out("two", true);
+  both();
+  EXPECT_GT(differing(all, speaker->read(), 0, 400, 760, 800), 100) << "the count, and the outline";
+  EXPECT_EQ(session.next_place(), (Place{0, 1}));
+  session.go_to({0, 1});
+  EXPECT_EQ(session.next_place(), std::nullopt);
 }
 
 TEST_F(SpeakerTest, IsToldWhatTheAudienceIsNot) {

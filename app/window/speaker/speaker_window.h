@@ -4,7 +4,7 @@
 
 #include "app/window/controls/control_input.h"
 #include "app/window/display.h"
-#include "app/window/screen_of_speaker.h"
+#include "app/window/speaker/screen_of_speaker.h"
 
 #include <memory>
 

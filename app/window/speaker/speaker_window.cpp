@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/speaker_window.h"
+#include "app/window/speaker/speaker_window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "app/export/background_program.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace polhode {
+
+namespace {
+
+constexpr long kMostWords = 600;
+
+/// Which files it has, freed at the end.
+struct StandardFiles {
+  posix_spawn_file_actions_t actions;
+
+  explicit StandardFiles(int words) {
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, words, STDERR_FILENO);
+  }
+  ~StandardFiles() { posix_spawn_file_actions_destroy(&actions); }
+  StandardFiles(const StandardFiles&) = delete;
+  StandardFiles& operator=(const StandardFiles&) = delete;
+};
+
+std::string reason(const std::string& program, int error) {
+  if (error == ENOENT) return "there is no " + program;
+  return fmt::format("{} cannot be started: {}", program, std::strerror(error));
+}
+
+int code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
+
+}  // namespace
+
+Result<BackgroundProgram> BackgroundProgram::start(std::vector<std::string> words) {
+  BackgroundProgram program;
+  program.words_ = std::tmpfile();
+  if (!program.words_) return failure(reason(words.front(), errno));
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const StandardFiles files(::fileno(program.words_));
+  const int error =
+      ::posix_spawnp(&program.process_, pointers.front(), &files.actions, nullptr, pointers.data(), environ);
+  if (error != 0) {
+    program.process_ = 0;
+    return failure(reason(words.front(), error));
+  }
+  return program;
+}
+
+BackgroundProgram::BackgroundProgram(BackgroundProgram&& other) noexcept
+    : process_(std::exchange(other.process_, 0)),
+      code_(other.code_),
+      words_(std::exchange(other.words_, nullptr)) {}
+
+BackgroundProgram& BackgroundProgram::operator=(BackgroundProgram&& other) noexcept {
+  std::swap(process_, other.process_);
+  std::swap(code_, other.code_);
+  std::swap(words_, other.words_);
+  return *this;
+}
+
+BackgroundProgram::~BackgroundProgram() {
+  if (words_) std::fclose(words_);
+}
+
+std::optional<int> BackgroundProgram::code() {
+  int status = 0;
+  if (process_ > 0 && ::waitpid(process_, &status, WNOHANG) == process_) {
+    process_ = 0;
+    code_ = code_of(status);
+  }
+  return code_;
+}
+
+void BackgroundProgram::end() {
+  if (process_ <= 0) return;
+  ::kill(process_, SIGTERM);
+  int status = 0;
+  while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = 0;
+  code_ = code_of(status);
+}
+
+std::string BackgroundProgram::last_words() const {
+  std::fseek(words_, 0, SEEK_END);
+  const long length = std::ftell(words_);
+  std::fseek(words_, std::max(0L, length - kMostWords), SEEK_SET);
+  std::string words(static_cast<std::size_t>(kMostWords), '\0');
+  words.resize(std::fread(words.data(), 1, words.size(), words_));
+  while (!words.empty() && words.back() == '\n') words.pop_back();
+  return words;
+}
+
+}  // namespace polhode

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Another program that runs beside this one: nothing is written to it, what it prints is for nobody, and what
+// it says on stderr is kept for whoever asks why it failed.
+#pragma once
+
+#include "base/result.h"
+
+#include <sys/types.h>
+
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+class BackgroundProgram {
+ public:
+  /// `words`: its path, or its name, which is looked up in PATH, and its arguments. The error says why it
+  /// cannot be started: "there is no spd-say".
+  static Result<BackgroundProgram> start(std::vector<std::string> words);
+  BackgroundProgram(BackgroundProgram&& other) noexcept;
+  BackgroundProgram& operator=(BackgroundProgram&& other) noexcept;
+  /// Where it still runs it goes on, alone.
+  ~BackgroundProgram();
+
+  /// Its exit code, 128 + n where signal n ended it; nothing while it runs. Does not wait.
+  std::optional<int> code();
+  /// Ends it by SIGTERM, and waits for that.
+  void end();
+  /// The end of what it said on stderr, without the last line's end.
+  std::string last_words() const;
+
+ private:
+  BackgroundProgram() = default;
+
+  pid_t process_ = 0;  ///< 0: it has ended
+  std::optional<int> code_;
+  std::FILE* words_ = nullptr;
+};
+
+}  // namespace polhode
