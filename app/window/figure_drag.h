@@ -25,10 +25,4 @@ class FigureDrag {
   FigureHand hand_;
 };
 
-std::string move(LessonSession& session, const Inset& inset) const;
-
-Held held_ = Held::nothing;
-std::size_t inset_ = 0, pane_ = 0;  ///< where it was taken
-};
-
 }  // namespace polhode
