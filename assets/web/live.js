@@ -23,7 +23,7 @@ const polhodeLive = (() => {
 
   /// What this browser lacks; empty: nothing.
   const missing = () =>
-    typeof polhodeModule !== "function" ? "this page was written without its program"
+    typeof createPolhode !== "function" ? "this page was written without its program"
     : typeof WebAssembly !== "object" || typeof DecompressionStream !== "function"
       ? "this browser is too old to run the program in the page"
     : typeof WebGL2RenderingContext === "undefined" ? "this browser draws no pictures in space (it has no WebGL2)"
@@ -39,7 +39,7 @@ const polhodeLive = (() => {
   const newProgram = async () => {
     wasm ??= unpacked("polhode.wasm");
     lesson ??= unpacked("polhode.lesson");
-    const module = await polhodeModule({ wasmBinary: await wasm, print() {}, printErr() {} });
+    const module = await createPolhode({ wasmBinary: await wasm, print() {}, printErr() {} });
     const types = (list) => list.map((value) => (typeof value === "string" ? "string" : "number"));
     const call = (name, ...list) => module.ccall("polhode_" + name, "number", types(list), list);
     const said = (name) => module.ccall("polhode_" + name, "string", [], []);
