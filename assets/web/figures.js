@@ -128,7 +128,7 @@
     }
     worded(words) {
       this.numbers.replaceChildren(...words.readouts.map((one) =>
-        make("div", {}, make("dt", {}, one.name), make("dd", {}, one.value))));
+        make("div", {}, make("dt", {}, one.name), make("dd", {}, one.value.replace(/-(?=\d)/g, "\u2212")))));
     }
     settled(state, words) {
       if (!state || state.playing) return;

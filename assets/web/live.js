@@ -23,7 +23,7 @@ const polhodeLive = (() => {
 
   /// What this browser lacks; empty: nothing.
   const missing = () =>
-    typeof polhodeModule !== "function" ? "this page was written without its program"
+    typeof createPolhode !== "function" ? "this page was written without its program"
     : typeof WebAssembly !== "object" || typeof DecompressionStream !== "function"
       ? "this browser is too old to run the program in the page"
     : typeof WebGL2RenderingContext === "undefined" ? "this browser draws no pictures in space (it has no WebGL2)"
@@ -39,7 +39,7 @@ const polhodeLive = (() => {
   const newProgram = async () => {
     wasm ??= unpacked("polhode.wasm");
     lesson ??= unpacked("polhode.lesson");
-    const module = await polhodeModule({ wasmBinary: await wasm, print() {}, printErr() {} });
+    const module = await createPolhode({ wasmBinary: await wasm, print() {}, printErr() {} });
     const types = (list) => list.map((value) => (typeof value === "string" ? "string" : "number"));
     const call = (name, ...list) => module.ccall("polhode_" + name, "number", types(list), list);
     const said = (name) => module.ccall("polhode_" + name, "string", [], []);
@@ -115,12 +115,11 @@ const polhodeLive = (() => {
       const goesOn = this.program.call("advance", this.last === null ? 0 : Math.min((now - this.last) / 1000, 0.1));
       this.last = goesOn ? now : null;
       const moves = goesOn || this.pointers.size > 0;
-      const ratio = Math.min(devicePixelRatio || 1, 2);
+      const ratio = this.ratio = Math.min(devicePixelRatio || 1, 2);
       const width = Math.max(64, Math.round(this.box.clientWidth * ratio));
       const height = this.host.height?.(width) ?? this.program.call("height_for", width);
       if (this.canvas.width !== width) this.canvas.width = width;
       if (this.canvas.height !== height) this.canvas.height = height;
-      this.ratio = ratio;
       this.program.call("draw", width, height, 0, moves ? this.slow : 1);
       const took = performance.now() - began;
       if (moves) this.slow = took > kSlowFrame_ms ? 0.5 : took < kSlowFrame_ms / 4 ? 1 : this.slow;
@@ -136,7 +135,8 @@ const polhodeLive = (() => {
       if (due("worded", kWordsEvery_ms)) this.word();
     }
     word() {
-      this.words = this.program.words();
+      this.words = this.program.words() ?? this.words;
+      if (!this.words) return;
       this.canvas.setAttribute("aria-label", this.words.alt);
       this.host.worded?.(this.words);
     }
@@ -144,7 +144,7 @@ const polhodeLive = (() => {
       const state = this.program.state();
       this.host.drawn(state);
       this.word();
-      this.host.settled?.(state, this.words);
+      if (this.words) this.host.settled?.(state, this.words);
     }
     edit(act) {
       this.program.call("begin_change");

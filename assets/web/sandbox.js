@@ -208,7 +208,7 @@
       for (const point of chart.querySelectorAll("circle")) point.classList.toggle("now", point.dataset.method === String(computed.method));
     },
     worded(words) {
-      part("throw.numbers").replaceChildren(...words.readouts.map((one) => make("div", {}, make("dt", {}, one.name), make("dd", {}, one.value))));
+      part("throw.numbers").replaceChildren(...words.readouts.map((one) => make("div", {}, make("dt", {}, one.name), make("dd", {}, one.value.replace(/-(?=\d)/g, "\u2212")))));
     },
     settled(now, words) {
       if (!this.touched) return;

@@ -13,7 +13,7 @@
 namespace polhode {
 
 struct LiveProgram {
-  std::string script;  ///< polhode.js as it is: runs as a script of the page, and defines polhodeModule
+  std::string script;  ///< polhode.js as it is: runs as a script of the page, and defines createPolhode
   std::string wasm;    ///< polhode.wasm, packed_for_page
 };
 

@@ -75,7 +75,7 @@ TEST(LiveProgram, WhereItIsMissingOneMessageSaysHowToBuildIt) {
 
 TEST(LiveProgram, OnlyALivePageHasIt) {
   const ScratchFolder folder;
-  put_program(folder / "web", "var polhodeModule;");
+  put_program(folder / "web", "var createPolhode;");
   write_text(folder / "edition.md", kEditionLesson);
   const auto page = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {"export", (folder / "edition.md").string(), "--reader",
@@ -91,7 +91,7 @@ TEST(LiveProgram, OnlyALivePageHasIt) {
   EXPECT_THAT(
       page({"--live"}),
       AllOf(HasSubstr("'wasm-unsafe-eval'"), HasSubstr("<figure data-stage=\"moves\" data-step=\"1\">"),
-            HasSubstr("<figcaption data-computed>"), HasSubstr("<script>var polhodeModule;</script>")));
+            HasSubstr("<figcaption data-computed>"), HasSubstr("<script>var createPolhode;</script>")));
 }
 
 TEST(LiveProgram, OptionsThatDoNotGoWithAPageAreRefused) {
