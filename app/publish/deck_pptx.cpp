@@ -27,6 +27,8 @@ namespace {
 /// Lengths are in English metric units.
 using Emu = std::int64_t;
 constexpr Emu kEmuPerInch = 914'400;
+/// A hundredth of a millimetre.
+constexpr Emu kEmuStep = 360;
 /// What a slide may measure.
 constexpr double kLeastSide_in = 1, kMostSide_in = 56;
 constexpr double kWide = 16.0 / 9;
@@ -83,15 +85,22 @@ struct SlideLayout {
     const double longer = std::max(paper.width_in, paper.height_in);
     const double shorter = std::min(paper.width_in, paper.height_in);
     const double factor = std::min(std::max(1.0, kLeastSide_in / shorter), kMostSide_in / longer);
-    width = emu(std::max(kLeastSide_in, paper.width_in * factor));
-    height = emu(std::max(kLeastSide_in, paper.height_in * factor));
+    const auto side = [&](double inches) {
+      return emu(std::max(kLeastSide_in, inches * factor)) / kEmuStep * kEmuStep;
+    };
+    width = side(paper.width_in);
+    height = side(paper.height_in);
     title = {width / 20, height / 20, width - width / 10, height / 8};
     emu_per_px = scale_of(deck, pictures);
   }
 
+  /// LibreOffice counts in kEmuStep, makes a picture a step less wide and high than it says, and puts it a
+  /// step higher: two steps below the upper edge it lies on the slide as it is, to the pixel, and the strip
+  /// that is left has the colour of the paper.
   Box place(Size picture) const {
     const Emu w = std::llround(picture.width * emu_per_px), h = std::llround(picture.height * emu_per_px);
-    const Emu top = fills ? 0 : title.y + title.height;
+    if (fills) return {0, 2 * kEmuStep, width + kEmuStep, height};
+    const Emu top = title.y + title.height;
     return {(width - w) / 2, top + (height - top - h) / 2, w, h};
   }
 

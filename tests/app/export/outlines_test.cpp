@@ -24,9 +24,13 @@ bool is_installed(const std::string& program) {
 
 /// Of the lecture: a fraction, products, vectors, a matrix; with terms in colour.
 ProgramRun export_as(const std::string& format, const fs::path& folder, std::vector<std::string> more = {}) {
-  std::vector<std::string> words = {"export",   "euler-equations", "-o",      folder.string(), "--what",
-                                    "equation", "--format",        format,    "--dpi",         "600",
-                                    "--stage",  "components",      "--stage", "euler-tensor"};
+  std::vector<std::string> words = {"export",   (test::source_dir() / "lessons/euler-equations.md").string(),
+                                    "-o",       folder.string(),
+                                    "--what",   "equation",
+                                    "--format", format,
+                                    "--dpi",    "600",
+                                    "--stage",  "components",
+                                    "--stage",  "euler-tensor"};
   words.insert(words.end(), more.begin(), more.end());
   return polhode(words);
 }

@@ -84,8 +84,8 @@ class SiteOfTwo : public testing::Test {
 /// Of a page: where its links lead.
 std::set<std::string> links_in(const std::string& html) {
   std::set<std::string> links;
-  for (const test::XmlNode* link : test::all_named(test::read_xml(html), "a"))
-    links.insert(link->attribute("href"));
+  const test::XmlNode page = test::read_xml(html);
+  for (const test::XmlNode* link : test::all_named(page, "a")) links.insert(link->attribute("href"));
   return links;
 }
 
@@ -196,8 +196,8 @@ TEST_F(SiteOfTwo, KnowsWhereItWillLie) {
   const fs::path site = folder_ / "site";
   ASSERT_EQ(make(site, {"--url", "https://example.org/a&b"}).code, 0);
   std::vector<std::string> places;
-  for (const test::XmlNode* place : test::all_named(test::read_xml(text_of(site / "sitemap.xml")), "loc"))
-    places.push_back(place->children.at(0).text);
+  const test::XmlNode map = test::read_xml(text_of(site / "sitemap.xml"));
+  for (const test::XmlNode* place : test::all_named(map, "loc")) places.push_back(place->children.at(0).text);
   EXPECT_THAT(places, ElementsAre("https://example.org/a&b/", "https://example.org/a&b/other.html",
                                   "https://example.org/a&b/edition.html"));
   const std::string page = text_of(site / "edition.html");
