@@ -24,6 +24,6 @@ inline constexpr Point kOmegaWord{239, 144}, kTextFrom{40, 40}, kTextTo{600, 200
 /// The grab of the slider from fast to accurate, at its end: it is blue.
 inline constexpr Point kFrontEnd{1241, 101};
 /// In the panel Save.
-inline constexpr Point kSaveFigure{1114, 201}, kSaveLesson{1114, 421}, kSaveSlides{1114, 508};
+inline constexpr Point kSaveFigure{1114, 201}, kSaveLesson{1114, 421}, kSaveSlides{1114, 523};
 
 }  // namespace polhode::window_test
