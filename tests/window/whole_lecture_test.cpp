@@ -4,6 +4,7 @@
 #include "lessons/claims/answers/answers.h"
 #include "lessons/derivation/derivation.h"
 #include "lessons/reader/lesson.h"
+#include "lessons/reader/questions/number_question.h"
 #include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/reader.h"
 #include "tests/window/controls.h"
@@ -25,7 +26,7 @@ const Lesson& lecture() {
   static const Lesson lesson = [] {
     LessonReading read =
         read_lesson(text_of(test::source_dir() / "lessons/euler-equations.md"), "euler-equations.md");
-    if (!read.lesson) throw std::runtime_error("the lecture cannot be read");
+    if (!read.lesson || compute_answers(*read.lesson)) throw std::runtime_error("the lecture cannot be read");
     return std::move(*read.lesson);
   }();
   return lesson;
