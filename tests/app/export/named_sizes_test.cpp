@@ -10,7 +10,7 @@ namespace {
 
 ExportOptions options_for(const std::string& size, const std::string& dpi = "") {
   TypedExport typed;
-  typed.lesson = "any";
+  typed.lessons = {"any"};
   typed.size = size;
   typed.dpi = dpi;
   return export_options(typed);
