@@ -3,6 +3,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/message.h"
+#include "app/session/saved/answer_file.h"
 #include "app/session/saved/state_file.h"
 #include "base/spelling.h"
 

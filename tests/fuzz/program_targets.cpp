@@ -6,10 +6,10 @@
 #include "app/cli/typed_shard.h"
 #include "app/export/folder/export_folder.h"
 #include "app/export/folder/folder_check.h"
-#include "app/session/answers/answer_log.h"
 #include "app/session/answers/answer_report.h"
+#include "app/session/saved/answer_file.h"
 #include "app/session/saved/bookmark.h"
-#include "app/session/saved/window_size.h"
+#include "app/session/saved/window_place.h"
 #include "base/printable.h"
 #include "base/sha256.h"
 #include "tests/fuzz/targets.h"
@@ -96,7 +96,7 @@ std::string finding_in_state(std::string_view bytes) {
       return {};
     case 'w':
       write(folder / "window.json", text);
-      static_cast<void>(read_window_size(folder));
+      static_cast<void>(read_window_place(folder));
       return {};
     default: {
       write(folder / "preferences.json", text);
@@ -166,7 +166,7 @@ std::string finding_in_command(std::string_view bytes) {
       }),
       finding_in_value([&] { shard_from(words[0]); }), finding_in_value([&] {
         TypedExport typed;
-        typed.lesson = "tiny";
+        typed.lessons = {"tiny"};
         typed.folder = "out";
         typed.size = words[0];
         typed.fps = words[1];

@@ -9,6 +9,7 @@
 #include "app/cli/or_fail.h"
 #include "app/session/answers/answer_report.h"
 #include "app/session/answers/progress.h"
+#include "app/session/saved/answer_file.h"
 #include "app/session/saved/state_file.h"
 #include "base/files/atomic_file.h"
 #include "base/printable.h"

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a learner has answered so far, kept from one run to the next: one file for a lesson in the state
-// folder (state_file.h).
+// What a learner has answered so far. How it is kept from one run to the next: session/saved/answer_file.h.
 #pragma once
 
-#include "app/session/saved/state_file.h"
 #include "lessons/claims/answers/answers.h"
 
-#include <chrono>
-#include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -49,22 +44,5 @@ inline bool is_told(const AnswerRecord& record, std::size_t hints) {
 /// Applies to a log the changes that turned `before`, a copy of it, into `now`, and nothing else: what
 /// another process has added or removed in the meantime stays so.
 void merge_answers(AnswerLog& log, const AnswerLog& before, const AnswerLog& now);
-
-std::filesystem::path answer_log_path(const std::filesystem::path& folder, const std::string& lesson_id);
-
-struct AnswerLogReading {
-  AnswerLog log;
-  std::string warning;  ///< of a file that was set aside, as NAME.damaged, because it is not such a log
-};
-/// An absent file is an empty log. Fails as read_state_file.
-StateFileResult<AnswerLogReading> read_answer_log(const std::filesystem::path& path);
-/// How long one process waits for another to be done with a log.
-inline constexpr std::chrono::seconds kAnswerPatience{10};
-/// Reads the log, lets `change` change it, and writes it, whole or not at all, with the folder it lies in.
-/// Nothing that another process notes meanwhile is lost: one at a time does this.
-/// @returns the warning of the reading; fails as read_state_file, StateLock::take and write_state_file
-StateFileResult<std::string> change_answer_log(const std::filesystem::path& path,
-                                               const std::function<void(AnswerLog&)>& change,
-                                               std::chrono::milliseconds patience = kAnswerPatience);
 
 }  // namespace polhode

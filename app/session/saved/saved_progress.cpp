@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/saved/saved_progress.h"
 
+#include "app/session/saved/answer_file.h"
+
 #include <fmt/format.h>
 
 namespace polhode {

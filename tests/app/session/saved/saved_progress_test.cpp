@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/saved/saved_progress.h"
 
+#include "app/session/saved/answer_file.h"
 #include "app/session/saved/state_file.h"
 #include "tests/app/run_program.h"
 #include "tests/app/session/example_lesson.h"

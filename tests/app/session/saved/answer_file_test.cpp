@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/answers/answer_log.h"
+#include "app/session/saved/answer_file.h"
 
 #include "tests/app/run_program.h"
 
