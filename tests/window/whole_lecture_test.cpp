@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The whole lecture by the mouse alone: every step by its button, and on each the first question that is
-// answered by picking a choice. And by the keyboard alone: every question of it, and all derivations.
+// answered by picking a choice.
 #include "lessons/claims/answers/answers.h"
-#include "lessons/derivation/derivation.h"
 #include "lessons/reader/lesson.h"
-#include "lessons/reader/questions/number_question.h"
-#include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/reader.h"
 #include "tests/window/controls.h"
 #include "tests/window/window_test.h"
@@ -16,8 +13,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <set>
-#include <sstream>
-#include <utility>
 
 namespace polhode::window_test {
 namespace {
@@ -26,7 +21,7 @@ const Lesson& lecture() {
   static const Lesson lesson = [] {
     LessonReading read =
         read_lesson(text_of(test::source_dir() / "lessons/euler-equations.md"), "euler-equations.md");
-    if (!read.lesson || compute_answers(*read.lesson)) throw std::runtime_error("the lecture cannot be read");
+    if (!read.lesson) throw std::runtime_error("the lecture cannot be read");
     return std::move(*read.lesson);
   }();
   return lesson;
@@ -100,106 +95,6 @@ TEST_F(WholeLecture, IsPickedByTheMouseAlone) {
   EXPECT_EQ(lesson.said(), "");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   std::printf("%d questions picked in %zu stages, %.0f s\n", picked, with_answers.size(), took.count());
-}
-
-using Keys = std::vector<std::string>;
-
-bool is_typed(const Ask& ask) { return !picks_choice(ask.type) && ask.type != Ask::Type::state; }
-
-std::string text_of_number(double number) {
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
-/// What is typed into its field, each line with Enter behind it.
-std::string typing_of(const Ask& ask) {
-  std::string text;
-  switch (ask.type) {
-    case Ask::Type::expression:
-      return ask.expression->text + '\n';
-    case Ask::Type::number:
-      return text_of_number(*ask.number->value) + '\n';
-    case Ask::Type::order:
-      for (const int choice : ask.answers) text += letter_of_choice(static_cast<std::size_t>(choice - 1));
-      return text + '\n';
-    case Ask::Type::derive:
-      for (const WorkedLine& worked : ask.derivation->worked) text += worked.line.typed + '\n';
-      return text;
-    default:
-      return text;
-  }
-}
-
-/// Of its sliders, in their order.
-std::vector<double> numbers_of(const SteeredState& solution) {
-  std::vector<double> numbers;
-  const auto add = [&](const Vec3& vector) { numbers.insert(numbers.end(), vector.begin(), vector.end()); };
-  if (solution.w0_B) add(*solution.w0_B);
-  if (solution.moments) add(*solution.moments);
-  if (solution.torque) add(components_of(*solution.torque));
-  return numbers;
-}
-
-/// Opens the panel, and answers all that the step asks.
-void answer_by_keys(PlayedLesson& lesson, const std::vector<const Ask*>& asks) {
-  const bool types = std::ranges::any_of(asks, [](const Ask* ask) { return is_typed(*ask); });
-  Keys keys = {"q"};
-  if (types) keys.push_back("Escape");  // out of the field, whose letters are no answers
-  for (const Ask* ask : asks)
-    if (picks_choice(ask->type)) keys.push_back(std::string(1, static_cast<char>('a' + ask->answers[0] - 1)));
-  if (types) keys.insert(keys.end(), {"q", "q"});  // into the first field
-  lesson.press(keys);
-  // Behind an answer that is right the next field has the keyboard.
-  std::string typed;
-  for (const Ask* ask : asks)
-    if (is_typed(*ask)) typed += typing_of(*ask);
-  if (!typed.empty()) {
-    lesson.picture_at_rest();  // the field has the cursor once it is drawn
-    lesson.type(typed);
-  }
-  for (const Ask* ask : asks) {
-    if (ask->type != Ask::Type::state) continue;
-    lesson.press({"F6", "Down"});  // to the first slider
-    for (const double number : numbers_of(ask->task->solution)) {
-      lesson.press({"Return", "ctrl+a"});
-      lesson.type(text_of_number(number) + '\n');
-      lesson.press({"Down"});
-    }
-    lesson.press({"space"});  // the button behind them
-  }
-}
-
-TEST_F(WholeLecture, IsDerivedByTheKeyboardAlone) {
-  const auto begin = std::chrono::steady_clock::now();
-  PlayedLesson lesson(display(), home(), {"euler-equations"});
-  int answered = 0, derived = 0;
-  Keys on_the_way;
-  for (std::size_t s = 0; s < lecture().stages.size(); ++s) {
-    const Stage& stage = lecture().stages[s];
-    for (std::size_t k = 0; k < stage.steps.size(); ++k, on_the_way.push_back("Right")) {
-      const auto asks = blocks_of<Ask>(stage.steps[k]);
-      if (asks.empty()) continue;
-      lesson.press(std::exchange(on_the_way, {}));
-      ASSERT_TRUE(lesson.comes_to(static_cast<int>(s) + 1, static_cast<int>(k) + 1)) << stage.id;
-      answer_by_keys(lesson, asks);
-      for (const Ask* ask : asks) {
-        ASSERT_TRUE(comes_right(stage.id, *ask)) << stage.id << '/' << ask->id;
-        ++answered;
-        derived += ask->derivation ? 1 : 0;
-      }
-      on_the_way = {"Escape"};  // the panel
-    }
-  }
-  on_the_way.pop_back();
-  lesson.press(on_the_way);
-  const auto stages = static_cast<int>(lecture().stages.size());
-  EXPECT_TRUE(lesson.comes_to(stages, static_cast<int>(lecture().stages.back().steps.size())));
-  EXPECT_GT(answered, 50);
-  EXPECT_EQ(derived, 6);
-  EXPECT_EQ(lesson.said(), "");
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-  std::printf("%d questions answered, %d of them derivations, %.0f s\n", answered, derived, took.count());
 }
 
 }  // namespace
