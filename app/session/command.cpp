@@ -232,7 +232,7 @@ const CommandFacts& facts_of(Command command) {
 
 bool do_command(LessonSession& session, Command command) {
   const auto act = facts_of(command).act;
-  if (act) act(session);
+  if (act && why_idle(session, command).empty()) act(session);
   return act != nullptr;
 }
 

@@ -94,7 +94,7 @@ bool is_character(std::string_view key);
 
 const CommandFacts& facts_of(Command command);
 
-/// False for what only a window can do, with nothing changed.
+/// Changes nothing where it is idle (why_idle). False for what only a window can do, with nothing changed.
 bool do_command(LessonSession& session, Command command);
 
 /// Why the command has nothing to do here, in a sentence to be told: "This step has no figure."; empty: it

@@ -82,8 +82,10 @@ Result<OpenFace> open_face(FT_Library library, const FontFile& wanted) {
     if (!std::filesystem::exists(path, none)) continue;
     FT_Face outlines = nullptr;
     if (FT_New_Face(library, path.c_str(), 0, &outlines) != 0)
-      return failure(std::string("font ") + wanted.name + " cannot be read: " + path.string() +
-                     " is damaged or not readable, or there is too little memory");
+      return failure(
+          std::string("font ") + wanted.name + " cannot be read: " + path.string() +
+          " is damaged or not readable, or there is too little memory; it belongs to the package " +
+          wanted.package);
     OpenFace opened;
     opened.path = path;
     opened.outlines.reset(outlines);

@@ -154,7 +154,10 @@ void answer_by_keys(PlayedLesson& lesson, const std::vector<const Ask*>& asks) {
   std::string typed;
   for (const Ask* ask : asks)
     if (is_typed(*ask)) typed += typing_of(*ask);
-  if (!typed.empty()) lesson.type(typed);
+  if (!typed.empty()) {
+    lesson.picture_at_rest();  // the field has the cursor once it is drawn
+    lesson.type(typed);
+  }
   for (const Ask* ask : asks) {
     if (ask->type != Ask::Type::state) continue;
     lesson.press({"F6", "Down"});  // to the first slider

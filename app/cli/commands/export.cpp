@@ -391,8 +391,7 @@ Command export_command() {
         offer(export_words().theme)},
        {"--background", &typed->background, "studio (default of figures), paper, white, transparent, #rrggbb",
         "NAME", false, offer(export_words().background)},
-       {"--dpi", &typed->dpi,
-        "dots per inch to note in the files; sizes 12 pt equations (300; svg, pdf: 600)", "N"},
+       {"--dpi", &typed->dpi, "dots per inch to note; sizes 12 pt equations (300; svg and pdf: 600)", "N"},
        {"--fps", &typed->fps, "frames per shown second of frames and films (default: 30)", "N|A/B"},
        {"--seconds", &typed->seconds, "shown seconds per stage of frames, per still of a film (default: 8)",
         "S"},
@@ -417,7 +416,7 @@ Command export_command() {
         "ADDRESS"},
        {"--with", &typed->with, "of --site: slides (html, pdf, pptx) or film (mp4) too; repeat for more",
         "KIND", false, offer(export_words().with)},
-       {"--live", &typed->live, "figures of --reader play, turn and start anew in the browser; after ./web"},
+       {"--live", &typed->live, "figures of --reader play, turn, start anew in the browser; after ./web"},
        {"--sandbox", &typed->sandbox, "make a page (html) to throw a body on, of no lesson; after ./web",
         "FILE", false, offer_files()},
        {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN", false,
@@ -430,9 +429,8 @@ Command export_command() {
        {"--skip-existing", &typed->skip_existing, "keep what is there and whole; goes on after a stop"}},
       "A slide has the text of one step in large type, its figure and plots, and what it goes on from in a\n"
       "line at the foot. A page has as much of the steps before as there is room for, in smaller type.\n"
-      "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next. As svg "
-      "or\n"
-      "pdf it has its type as curves, needs no fonts, and its words as title or alternative text.\n"
+      "An equation is cropped to its ink; frame by frame, one line of a stage turns into the next. As svg\n"
+      "or pdf it has its type as curves, needs no fonts, and its words as title or alternative text.\n"
       "Frames of pages and figures go through the steps of a stage, the seconds shared evenly among them.\n"
       "A film has frames, or with --each stage or step pictures that stand --seconds each; ffmpeg makes it.\n"
       "A transcript is plain text with the formulas in words.\n"
@@ -440,8 +438,7 @@ Command export_command() {
       "LibreOffice, with the transcript as notes.\n"
       "A reader's page is one HTML file of text, formulas and figures, for any screen or screen reader;\n"
       "--stage, --theme and --quality of its figures, --live, --sync and --context are the options that go\n"
-      "with it. With --live, as in a sandbox, each figure is a picture until it is pressed, and then "
-      "computed\n"
+      "with it. With --live, as in a sandbox, a figure is a picture until it is pressed, and then computed\n"
       "in the page, without network; the program for it is in build/web or PROGRAM/../share/polhode/web.\n"
       "A site is a page of each lesson and index.html in the order of the course, without a server's help;\n"
       "addresses such as ID.html#stage and #stage/step.2 stay. A lesson that has not changed is not drawn\n"

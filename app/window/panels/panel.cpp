@@ -5,7 +5,6 @@
 #include "app/window/panels/panels.h"
 
 #include <imgui.h>
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <utility>
@@ -88,12 +87,11 @@ void Panels::draw(PanelContext& context, const Region& region) {
   const bool is_focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
   const ImGuiIO& io = ImGui::GetIO();
   takes_keys_ = takes_keys_ && is_focused && !io.MouseClicked[0];
-  // Beside questions the keys are the page's, though a control was chosen in a panel before.
-  if (context.take_focus && context.session.panel == Panel::question)
-    ImGui::GetCurrentContext()->NavDisableHighlight = true;
-  else if (is_focused && context.take_focus)
-    takes_keys_ = true;
-  has_focus_ = is_focused && (takes_keys_ || io.NavVisible || io.WantTextInput);
+  // Beside questions the keys are the page's until F6 is pressed, though a control was chosen in a panel
+  // before.
+  const bool asks = context.session.panel == Panel::question;
+  if (is_focused && context.take_focus) takes_keys_ = !asks;
+  has_focus_ = is_focused && (takes_keys_ || (io.NavVisible && !asks) || io.WantTextInput);
   awaits_text_ = is_focused && !takes_keys_ && !io.WantTextInput && has_text_field(context.session);
   context.has_keys = has_focus_;
   ImDrawList& list = *ImGui::GetWindowDrawList();

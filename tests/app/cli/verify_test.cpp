@@ -261,8 +261,10 @@ TEST_F(Verify, TakesARecordThatNestsAsDeepAsItLikes) {
   for (const char* key : {"options", "files", "lesson"})
     for (const char* name : {kManifestName, kMarkerName}) {
       Json record = whole;
-      record[key]["stage"] = "DEEP";
-      if (std::string_view(key) == "files") record[key] = Json::array({"DEEP"});
+      if (std::string_view(key) == "files")
+        record[key] = Json::array({"DEEP"});
+      else
+        record[key]["stage"] = "DEEP";
       std::string text = record.dump();
       text.replace(text.find("\"DEEP\""), 6, deep);
       write_text(file(name), text);

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{ClaimKind::is_false, "L = N => T = 0", "1:7: error: what follows is neither"},
         Wrong{ClaimKind::law, "L = N within 1", "1:7: error: \"within\" is for"},
         Wrong{ClaimKind::law, "T = norm(L)", "1:1: error: a length is a root"},
-        Wrong{ClaimKind::law, "2*norm(L) = norm(N)", "1:1: error: a length is a root"},
+        Wrong{ClaimKind::law, "w1*norm(L) = norm(N)", "1:1: error: a length is a root"},
         Wrong{ClaimKind::law, "norm(norm(N)*L) = norm(N)", "1:1: error: a length is a root"},
         Wrong{ClaimKind::non_sequitur, "T = 0 => norm(L) = 1", "1:10: error: a length is a root"},
         Wrong{ClaimKind::measured, "L = N within", "1:13: error: \"within\" takes"},
