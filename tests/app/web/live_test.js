@@ -6,6 +6,7 @@ const assert = require("node:assert/strict");
 const { execFileSync } = require("node:child_process");
 const { readFileSync } = require("node:fs");
 
+delete globalThis.fetch;  // what emscripten of Debian 12 writes takes it for a browser's
 const [script, program, lessons] = process.argv.slice(2);
 const kWidth = 800;
 
