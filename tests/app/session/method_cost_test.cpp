@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "app/session/accuracy_meter.h"
 #include "app/session/method_cost.h"
 
+#include "app/session/accuracy_meter.h"
 #include "base/stopwatch.h"
 
 #include <gmock/gmock.h>
