@@ -165,7 +165,7 @@ std::vector<std::string> resume_words(const TypedExport& typed, const std::vecto
       words.push_back(typed.words[i]);
   }
   words.emplace_back("--skip-existing");
-  return words;
+  return kWords;
 }
 
 Durability durability_of(const std::string& typed) {
@@ -202,19 +202,19 @@ std::vector<std::string> names_of_sizes() {
 }  // namespace
 
 const ExportWords& export_words() {
-  static const ExportWords words = {.what = {"page", "equation", "figure", "transcript"},
-                                    .each = {"stage", "step", "frame"},
-                                    .size = names_of_sizes(),
-                                    .background = {"studio", "paper", "white", "transparent"},
-                                    .theme = {"paper", "dark"},
-                                    .profile = {"page", "slides"},
-                                    .quality = quality_level_names(),
-                                    .png = {"fast", "small"},
-                                    .format = {"png", "svg", "pdf"},
-                                    .sync = {"end", "frame"},
-                                    .context = {"auto", "osmesa", "egl"},
-                                    .with = {"html", "pdf", "pptx", "mp4"}};
-  return words;
+  static const ExportWords kWords = {.what = {"page", "equation", "figure", "transcript"},
+                                     .each = {"stage", "step", "frame"},
+                                     .size = names_of_sizes(),
+                                     .background = {"studio", "paper", "white", "transparent"},
+                                     .theme = {"paper", "dark"},
+                                     .profile = {"page", "slides"},
+                                     .quality = quality_level_names(),
+                                     .png = {"fast", "small"},
+                                     .format = {"png", "svg", "pdf"},
+                                     .sync = {"end", "frame"},
+                                     .context = {"auto", "osmesa", "egl"},
+                                     .with = {"html", "pdf", "pptx", "mp4"}};
+  return kWords;
 }
 
 namespace {
