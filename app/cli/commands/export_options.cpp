@@ -165,7 +165,7 @@ std::vector<std::string> resume_words(const TypedExport& typed, const std::vecto
       words.push_back(typed.words[i]);
   }
   words.emplace_back("--skip-existing");
-  return kWords;
+  return words;
 }
 
 Durability durability_of(const std::string& typed) {
