@@ -95,14 +95,14 @@ void BackgroundProgram::end() {
   code_ = code_of(status);
 }
 
-std::string BackgroundProgram::last_words() const {
-  std::fseek(words_, 0, SEEK_END);
-  const long length = std::ftell(words_);
-  std::fseek(words_, std::max(0L, length - kMostWords), SEEK_SET);
-  std::string words(static_cast<std::size_t>(kMostWords), '\0');
-  words.resize(std::fread(words.data(), 1, words.size(), words_));
-  while (!words.empty() && words.back() == '\n') words.pop_back();
-  return words;
+std::string last_words_in(std::FILE* words) {
+  std::fseek(words, 0, SEEK_END);
+  const long length = std::ftell(words);
+  std::fseek(words, std::max(0L, length - kMostWords), SEEK_SET);
+  std::string text(static_cast<std::size_t>(kMostWords), '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), words));
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
 }
 
 }  // namespace polhode

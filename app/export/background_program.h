@@ -14,6 +14,10 @@
 
 namespace polhode {
 
+/// The end, some 600 bytes, of what a program has said to this file, without the last line's end. The place
+/// in the file is not kept.
+std::string last_words_in(std::FILE* words);
+
 class BackgroundProgram {
  public:
   /// `words`: its path, or its name, which is looked up in PATH, and its arguments. The error says why it
@@ -28,8 +32,8 @@ class BackgroundProgram {
   std::optional<int> code();
   /// Ends it by SIGTERM, and waits for that.
   void end();
-  /// The end of what it said on stderr, without the last line's end.
-  std::string last_words() const;
+  /// Of what it said on stderr.
+  std::string last_words() const { return last_words_in(words_); }
 
  private:
   BackgroundProgram() = default;

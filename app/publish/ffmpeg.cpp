@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/publish/ffmpeg.h"
 
+#include "app/export/background_program.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
@@ -20,7 +22,6 @@ namespace polhode {
 namespace {
 
 constexpr int kWakeMs = 50;  // to see an interrupt
-constexpr long kMostWords = 600;
 
 /// What posix_spawn is told, freed at the end.
 struct Spawning {
@@ -140,18 +141,8 @@ Status Ffmpeg::finish() {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return success();
   const std::string end = WIFEXITED(status) ? fmt::format("ended with code {}", WEXITSTATUS(status))
                                             : fmt::format("was ended by signal {}", WTERMSIG(status));
-  const std::string words = last_words();
+  const std::string words = last_words_in(words_);
   return failure(fmt::format("ffmpeg {}{}{}", end, words.empty() ? "" : ":\n", words));
-}
-
-std::string Ffmpeg::last_words() const {
-  std::fseek(words_, 0, SEEK_END);
-  const long length = std::ftell(words_);
-  std::fseek(words_, std::max(0L, length - kMostWords), SEEK_SET);
-  std::string words(static_cast<std::size_t>(kMostWords), '\0');
-  words.resize(std::fread(words.data(), 1, words.size(), words_));
-  while (!words.empty() && words.back() == '\n') words.pop_back();
-  return words;
 }
 
 }  // namespace polhode

@@ -36,7 +36,6 @@ class Ffmpeg {
  private:
   explicit Ffmpeg(const InterruptWatch& watch) : watch_(&watch) {}
   void close_input();
-  std::string last_words() const;
 
   const InterruptWatch* watch_;
   pid_t process_ = 0;
