@@ -2,7 +2,6 @@
 #include "app/session/method_cost.h"
 
 #include "app/session/accuracy_meter.h"
-#include "base/stopwatch.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -110,21 +109,6 @@ TEST(AccuracyMeter, AFrameCostsWhatItsStepsCost) {
   const double ratio = ns_with_step(frame_s / 20'000) / ns_with_step(frame_s / 2000);
   EXPECT_GT(ratio, 4);
   EXPECT_LT(ratio, 25);
-}
-
-// What the panel may take of each frame: of methods that go step by step, after 100 turns.
-TEST(AccuracyMeter, CostsLittle) {
-  for (const MotionSpec& motion : {MotionSpec{}, MotionSpec{.method = Method::rk4, .step_s = 0.02},
-                                   MotionSpec{.method = Method::moser_veselov_10, .step_s = 0.05},
-                                   MotionSpec{.method = Method::dormand_prince_8, .tolerance = 1e-10}}) {
-    const SceneModel model = make_model(scene_with(motion), Product::page);
-    const AccuracyMeter meter(model);
-    const double t_s = 100 * 2 * std::numbers::pi / model.scene.w0_B.norm();
-    static_cast<void>(meter.at(model, t_s));
-    const double ns = median_cpu_ns(0.1, [&] { static_cast<void>(meter.at(model, t_s)); });
-    EXPECT_LT(ns, 3e6) << model.motion->method();  // ten times what it is, for a busy machine
-    RecordProperty(std::string(model.motion->method()), std::to_string(ns));
-  }
 }
 
 WorkPrecisionRow row(Method method, double ns, double error) {

@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <regex>
 #include <set>
 
@@ -173,18 +172,6 @@ TEST(PageSymbols, OfTheLectureAreOfItsLesson) {
       }
   for (const auto& [name, symbol] : lecture().symbols)
     EXPECT_TRUE(seen.contains(name) || is_used(name)) << name << " is defined, and used on no page";
-}
-
-TEST(PageSymbols, AreFoundInAFrame) {
-  const Page page = page_of(*lecture().find_stage("substitute"), 2);
-  double least_s = 1;
-  for (int i = 0; i < 20; ++i) {
-    const auto start = std::chrono::steady_clock::now();
-    EXPECT_FALSE(symbols_on(page.sheet, test_fonts()).empty());
-    least_s =
-        std::min(least_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  }
-  EXPECT_LT(least_s, 0.5e-3);
 }
 
 TEST(PageSymbols, OfALinkThatIsBrokenAreItsPartsOnEachLine) {

@@ -4,6 +4,7 @@
 #include "lessons/claims/proof/proof.h"
 #include "lessons/claims/proof/small_states.h"
 #include "lessons/reader/claim_lines.h"
+#include "tests/lessons/peak_memory.h"
 #include "tests/lessons/support.h"
 
 #include <gmock/gmock.h>
@@ -204,7 +205,10 @@ TEST(Signs, RoomIsLookedForNoLongerThanAMoment) {
     given.bounds.push_back({equality(sum, "1e9*norm2(omega) + 1e9"), Relation::greater, "", {}, {}});
   const std::clock_t begin = std::clock();
   EXPECT_FALSE(bounds_are_possible(given));
-  EXPECT_LT(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 100);
+  const double took_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  if (!testing::kSanitized) {
+    EXPECT_LT(took_ms, 100);
+  }
 }
 
 // What is called proved holds at random possible bodies and states, whatever was thrown together.
@@ -284,7 +288,10 @@ TEST(Signs, EndSoonWhateverIsAsked) {
     const Equality sides = equality(text, "0");
     const std::clock_t begin = std::clock();
     is_never_less(sides, false, Assumption::motion, given_by({{Quantity::N, "h*cross(ez, e3)"}}));
-    EXPECT_LT(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 20) << text.substr(0, 30);
+    const double took_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    if (!testing::kSanitized) {
+      EXPECT_LT(took_ms, 20) << text.substr(0, 30);
+    }
   }
 }
 
