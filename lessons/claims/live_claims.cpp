@@ -80,6 +80,13 @@ double rounding_at(double t_s, double rate) {
   return kRoundings * kEpsilon * (1.0 + rate * std::abs(t_s)) / kDifferenceAngle;
 }
 
+/// What is so small beside its terms is no more than rounding, on a motion. Without rates nothing is divided
+/// by the step of their differences.
+double noise_in(const Expression& expression, const LiveState& live) {
+  constexpr double kOfRates = 1e-9;
+  return has_rates(expression) ? kOfRates : kDifferenceAngle * live.rounding;
+}
+
 bool has_rates(const Equality& equality) { return has_rates(equality.left) || has_rates(equality.right); }
 
 /// What does not speak of rates has no part in the error of a step.
@@ -98,9 +105,8 @@ std::array<double, 3> values_of(const Triple<SizedNumber, 0>& x) {
 }
 
 /// Nothing if it is not finite; 0 if it is nothing beside `size`, that of the terms it comes from.
-std::optional<double> without_noise(const SizedNumber& number, double size) {
-  constexpr double kNoise = 1e-9;
-  if (std::abs(number.value) <= kNoise * size) return 0.0;
+std::optional<double> without_noise(const SizedNumber& number, double size, double noise) {
+  if (std::abs(number.value) <= noise * size) return 0.0;
   return std::isfinite(number.value) ? std::optional(number.value) : std::nullopt;
 }
 
@@ -234,7 +240,9 @@ std::optional<LiveValue> live_value(const ClaimLine& line, const LiveState& live
 
 std::optional<double> live_number(const Expression& scalar, const LiveState& live) {
   const auto value = value_in(live.state, scalar);
-  return value ? without_noise((*value)[0].value, (*value)[0].value.size) : std::nullopt;
+  if (!value) return std::nullopt;
+  const SizedNumber& number = (*value)[0].value;
+  return without_noise(number, number.size, noise_in(scalar, live));
 }
 
 std::optional<LiveQuantity> live_quantity(const Expression& expression, const LiveState& live, View view) {
@@ -245,7 +253,7 @@ std::optional<LiveQuantity> live_quantity(const Expression& expression, const Li
   if (quantity.is_vector && view == View::body) value = in_body(value, live.state);
   const double size = quantity.is_vector ? size_of(value) : value[0].value.size;
   for (std::size_t i = 0; i < (quantity.is_vector ? 3u : 1u); ++i) {
-    const auto component = without_noise(value[i].value, size);
+    const auto component = without_noise(value[i].value, size, noise_in(expression, live));
     if (!component) return std::nullopt;
     quantity.components[i] = *component;
   }

@@ -186,6 +186,25 @@ TEST(LiveClaims, GiveTheNumbersOfFormulas) {
   EXPECT_NEAR(*live_number(*two_T, *live), expected, 8 * 2.3e-16 * expected);
 }
 
+// A component that is small beside the whole is no rounding: at the start it is what the author wrote.
+TEST(LiveClaims, SmallNumbersAreNoZeros) {
+  Scene scene = tumbling();
+  const auto number = [](const char* text, const LiveState& live) {
+    testing::TextReport at(text);
+    return *live_number(*read_expression(at.text, {1, 1}, at.report), live);
+  };
+  for (const double w1 : {1e-3, 3e-9, 2e-12}) {
+    scene.w0_B = Vec3(w1, 3, 0);
+    const auto live = live_state(make_model(scene), 0.0);
+    EXPECT_EQ(number("w1", *live), w1);
+    EXPECT_EQ(number("w3", *live), 0);
+    EXPECT_EQ(number("dot(L, cross(omega, L))", *live), 0) << "what is left of terms that cancel";
+    testing::TextReport at("omega");
+    const auto omega = live_quantity(*read_expression(at.text, {1, 1}, at.report), *live, View::body);
+    EXPECT_NEAR(omega->components[0], w1, 8 * 2.3e-16 * 3) << "turned into the space frame and back";
+  }
+}
+
 TEST(LiveClaims, OnlyRatesHaveAPartInTheErrorOfAStep) {
   const SceneModel model = make_model(with_method(Method::explicit_euler, 0.2));
   const auto live = live_state(model, 1.0);
