@@ -10,7 +10,7 @@
 namespace polhode {
 
 inline constexpr double kRadiansPerDegree = std::numbers::pi / 180,
-                        kDegreesPerRadian = 180 / std::numbers::pi;
+                        kDegreesPerRadian = 180 / std::numbers::pi, kRadiansPerTurn = 2 * std::numbers::pi;
 
 /// From 0 to π, rad; small angles and those near π are as accurate as others. Lengths do not matter, as long
 /// as the square of none over- or underflows; with a zero vector it is 0.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/export/jobs.h"
 
+#include "base/files/reason_of.h"
+
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -113,8 +115,7 @@ class Jobs {
 
  private:
   static Done cannot_start(int error) {
-    return failure_of(Fault::failed, fmt::format("--jobs: no process can be started: {}",
-                                                 std::generic_category().message(error)));
+    return failure_of(Fault::failed, fmt::format("--jobs: no process can be started: {}", reason_of(error)));
   }
 
   std::size_t hear(Job& job) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/atomic_file.h"
 
+#include "base/files/reason_of.h"
+
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -15,10 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr mode_t kMode = 0666;  // less the user's umask
-// Names that killed processes of the same number left behind are skipped.
-constexpr int kMaxNames = 10000;
-
-std::string reason_of(int error) { return std::generic_category().message(error); }
 
 Failure<std::string> cannot_write(const fs::path& path, const std::string& reason) {
   const char* end = reason.ends_with('.') ? "" : ".";
@@ -86,7 +84,7 @@ struct Temporary {
 // A short name of its own: the final name may already be as long as names can be.
 Temporary create_temporary(FileOps& files, const fs::path& folder) {
   Temporary made;
-  for (int i = 0; i < kMaxNames; ++i) {
+  for (int i = 0; i < kMaxTemporaryNames; ++i) {
     made.path = folder / temporary_name(i);
     made.file =
         retry([&] { return files.open(made.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, kMode); });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/file_bytes.h"
 
+#include "base/files/reason_of.h"
+
 #include <cerrno>
 #include <fstream>
 #include <string>
@@ -18,7 +20,7 @@ Result<std::vector<std::uint8_t>> read_file_bytes(const std::filesystem::path& p
   if (size > most) return failure("it is larger than it can be");
   std::vector<std::uint8_t> bytes(size);
   std::ifstream file(path, std::ios::binary);
-  if (!file) return failure(std::generic_category().message(errno));
+  if (!file) return failure(reason_of(errno));
   file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (!file) return failure("it cannot be read to its end");
   return bytes;

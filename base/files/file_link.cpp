@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/files/file_link.h"
 
+#include "base/files/reason_of.h"
 #include "base/files/temporary_file.h"
 
 #include <cerrno>
@@ -10,10 +11,6 @@ namespace polhode {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr int kMaxNames = 10000;
-
-std::string reason_of(int error) { return std::generic_category().message(error); }
 
 bool has_no_links(int error) {
   return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK;
@@ -25,7 +22,7 @@ fs::path folder_of(const fs::path& path) {
 
 // A second name that no other writer uses; empty, and errno, if there can be none.
 fs::path temporary_link(FileOps& files, const fs::path& same, const fs::path& folder) {
-  for (int i = 0; i < kMaxNames; ++i) {
+  for (int i = 0; i < kMaxTemporaryNames; ++i) {
     fs::path temporary = folder / temporary_name(i);
     if (files.link(same.c_str(), temporary.c_str()) == 0) return temporary;
     if (errno != EEXIST) break;
@@ -54,7 +51,7 @@ Result<bool> create_file_atomically(FileOps& files, const fs::path& path,
   std::error_code error;
   if (fs::exists(fs::symlink_status(path, error))) return false;
   // Of the names of one process the one that no other function asks for.
-  const fs::path whole = folder_of(path) / temporary_name(kMaxNames);
+  const fs::path whole = folder_of(path) / temporary_name(kMaxTemporaryNames);
   const FillFile fill = [&](const AppendBytes& append) { return append(bytes); };
   const Status written = replace_file_in_pieces(files, whole, fill, Durability::sync);
   if (!written) return failure(written.error());

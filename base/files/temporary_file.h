@@ -12,6 +12,8 @@ namespace polhode {
 
 /// Temporary files begin with this; a killed process may leave one behind.
 inline constexpr const char* kTemporaryPrefix = ".polhode-";
+/// So many names are tried: those that killed processes of the same number left behind are skipped.
+inline constexpr int kMaxTemporaryNames = 10000;
 
 /// ".polhode-5f3a90c1-4711-0.part": where this process runs (the boot of the machine, and the set of
 /// processes that can see each other), its number, and `i`, for a process with several at once.

@@ -8,8 +8,8 @@
 namespace polhode {
 namespace {
 
-constexpr Dimension kRate{0, 0, -1}, kAngularMomentum{1, 2, -1}, kTime{0, 0, 1}, kMass{1, 0, 0},
-    kMomentum{1, 1, -1}, kVelocity{0, 1, -1}, kForce{1, 1, -2}, kPower{1, 2, -3}, kLength{0, 1, 0};
+constexpr Dimension kAngularMomentum{1, 2, -1}, kMass{1, 0, 0}, kMomentum{1, 1, -1}, kVelocity{0, 1, -1},
+    kForce{1, 1, -2}, kPower{1, 2, -3}, kLength{0, 1, 0};
 
 struct Letters {
   std::u32string_view letters;

@@ -223,7 +223,6 @@ class StatementReader {
     if (begins_with_t && inside[1].is(ItemKind::relation, U'=')) inside = inside.subspan(2);
     const auto number = typed_number(inside);
     const auto unit = number ? scaled_unit(number->unit) : std::nullopt;
-    constexpr Dimension kTime{0, 0, 1};
     if (!number || (!number->unit.empty() && (!unit || unit->dimension != kTime))) return std::nullopt;
     return Moment{number->value * (unit ? unit->size : 1)};
   }

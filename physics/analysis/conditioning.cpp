@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/analysis/conditioning.h"
 
+#include "physics/exact/extended.h"
 #include "physics/exact/lagrange_top.h"
 #include "physics/exact/polhode_constants.h"
 #include "physics/exact/symmetric_motion.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace polhode {
 namespace {
@@ -71,7 +71,7 @@ double Conditioning::horizon_periods(double phase_rad) const {
 std::optional<Conditioning> conditioning(const PrincipalMoments& I, const Vec3& w_B) {
   const auto sum = sum_of_log_derivatives(I, w_B);
   if (!sum) return std::nullopt;
-  return Conditioning{static_cast<double>(2 * std::numbers::pi_v<Extended> * *sum)};
+  return Conditioning{static_cast<double>(2 * kPi * *sum)};
 }
 
 double closed_form_error(const PrincipalMoments& I, const Vec3& w_B, double t_s) {

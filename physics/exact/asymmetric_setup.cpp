@@ -3,13 +3,10 @@
 #include "physics/exact/elliptic.h"
 
 #include <algorithm>
-#include <numbers>
 #include <numeric>
 
 namespace polhode {
 namespace {
-
-constexpr Extended kPi = std::numbers::pi_v<Extended>;
 
 // u_0 = offset + (0 or 2K), |offset| ≤ K; half a period flips the signs of sn and cn.
 struct InitialPhase {

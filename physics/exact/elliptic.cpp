@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace polhode {
 namespace {
 
 constexpr Extended kCloseEnough = 0x1p-33;  // arithmetic and geometric means converge quadratically
-constexpr Extended kPi = std::numbers::pi_v<Extended>;
 
 }  // namespace
 

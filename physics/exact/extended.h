@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 namespace polhode {
@@ -23,6 +24,7 @@ inline constexpr bool kLongDoubleIsExtended =
     std::numeric_limits<long double>::min_exponent <= 8 * (std::numeric_limits<double>::min_exponent - 53);
 
 using Extended = std::conditional_t<kLongDoubleIsExtended, long double, DoubleDouble>;
+inline constexpr Extended kPi = std::numbers::pi_v<Extended>;
 
 // Without them an unqualified sqrt of long double might be that of double.
 using std::abs;

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <stdexcept>
 
@@ -17,8 +16,6 @@ namespace {
 
 using DD = DoubleDouble;
 using Complex = std::complex<double>;
-
-constexpr Extended kPi = std::numbers::pi_v<Extended>;
 
 // std::complex multiplies with a look for infinities, which are none here.
 Complex product(Complex x, Complex y) {

@@ -2,6 +2,7 @@
 #include "app/export/folder/manifest.h"
 
 #include "app/export/json_values.h"
+#include "base/files/reason_of.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -144,7 +145,7 @@ Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem:
   if (!std::filesystem::is_regular_file(status)) return failure(path.string() + " is not a file");
   std::ifstream file(path, std::ios::binary);
   if (!file && errno == ENOENT) return std::optional<ManifestSummary>();
-  if (!file) return failure("cannot read " + path.string() + ": " + std::generic_category().message(errno));
+  if (!file) return failure("cannot read " + path.string() + ": " + reason_of(errno));
   FileCounter counter;
   const Json json = shallow_json(file, std::ref(counter));
   const bool whole = json.is_object() && json.contains("lesson") && json["lesson"].is_object() &&
@@ -161,7 +162,7 @@ Result<std::optional<ManifestSummary>> summarize_manifest(const std::filesystem:
 
 Result<Checksums> checksums_in_manifest(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) return failure("cannot read " + path.string() + ": " + std::generic_category().message(errno));
+  if (!file) return failure("cannot read " + path.string() + ": " + reason_of(errno));
   Checksums checksums;
   // One entry after the other is looked at and forgotten: a manifest may list a million files.
   const auto take = [&](int depth, Json::parse_event_t event, Json& parsed) {

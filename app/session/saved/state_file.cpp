@@ -4,6 +4,7 @@
 #include "base/files/atomic_file.h"
 #include "base/files/file_bytes.h"
 #include "base/files/left_behind.h"
+#include "base/files/reason_of.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -64,10 +65,9 @@ StateFileResult<StateLock> StateLock::take(const fs::path& state_file, std::chro
                                            int (*lock_file)(int file, int operation)) {
   if (const auto made = make_folder_of(state_file); !made) return Failure{made.error()};
   const std::string name = state_file.string() + ".lock";
-  const auto reason = [](int error) { return std::generic_category().message(error); };
   const auto cannot = [&](const std::string& why) { return fmt::format("cannot lock {}: {}", name, why); };
   StateLock lock(::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
-  if (lock.file_ < 0) return fails(cannot(reason(errno)));
+  if (lock.file_ < 0) return fails(cannot(reason_of(errno)));
   using namespace std::chrono_literals;
   const auto until = std::chrono::steady_clock::now() + patience;
   while (lock_file(lock.file_, LOCK_EX | LOCK_NB) != 0) {
@@ -78,7 +78,7 @@ StateFileResult<StateLock> StateLock::take(const fs::path& state_file, std::chro
       std::this_thread::sleep_for(5ms);
       continue;
     }
-    if (!is_held) return fails(cannot(reason(error)));
+    if (!is_held) return fails(cannot(reason_of(error)));
     const double seconds = std::chrono::duration<double>(patience).count();
     return Failure{
         StateFileError{cannot(fmt::format("another polhode has held it for {:g} s", seconds)), true}};

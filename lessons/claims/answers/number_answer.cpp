@@ -11,13 +11,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 namespace polhode {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr Dimension kRate{0, 0, -1}, kTime{0, 0, 1};
 /// Nobody types more digits and letters of a unit than this.
 constexpr std::size_t kMostBytes = 100;
 /// Decimals that are typed and halved come out a few bits off.
@@ -244,7 +241,7 @@ class NumberJudge {
       const TypedUnit unit = *typed_unit(typed_.unit);
       if (const std::string why = why_not(unit); !why.empty()) return wrong({"unit", why});
       size = unit.scaled.size / answer_.unit_si;
-      if (asked_.cycles == 1 && unit.angles == 1) size /= kTurn;  // rpm where Hz is asked for
+      if (asked_.cycles == 1 && unit.angles == 1) size /= kRadiansPerTurn;  // rpm where Hz is asked for
     }
     const double value = typed_.value * size;
     if (is_right(value)) return judged(AnswerJudgement::Mark::right, {});
@@ -297,9 +294,9 @@ class NumberJudge {
         return {"degrees", "these are radians, and degrees are asked for: π is 180°"};
     }
     if (has_cycles()) {
-      if (is_right_times(value, kTurn))
+      if (is_right_times(value, kRadiansPerTurn))
         return {"turns", "too large by 2π: radians are counted here as turns, or ω is 2πf"};
-      if (is_right_times(value, 1 / kTurn))
+      if (is_right_times(value, 1 / kRadiansPerTurn))
         return {"turns", "too small by 2π: turns are counted here as radians, or ω is 2πf"};
     }
     for (int power = 1; power <= 12; ++power) {

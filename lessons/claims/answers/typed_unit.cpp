@@ -1,29 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/answers/typed_unit.h"
 
+#include "base/angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
 namespace polhode {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 struct Named {
   std::string_view name;
   TypedUnit unit;
 };
-constexpr Dimension kTime{0, 0, 1}, kRate{0, 0, -1};
 
 /// Those that no lesson has.
 const std::array<Named, 5> kMore{{{"min", {{kTime, 60}}},
                                   {"h", {{kTime, 3600}}},
-                                  {"rev", {{kNumber, kTurn}, 1}},
-                                  {"rpm", {{kRate, kTurn / 60}, 1}},
+                                  {"rev", {{kNumber, kRadiansPerTurn}, 1}},
+                                  {"rpm", {{kRate, kRadiansPerTurn / 60}, 1}},
                                   {"%", {{kNumber, 0.01}, 0, 0, true}}}};
 
 /// Units as words, and what they are written as.

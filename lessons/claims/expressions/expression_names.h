@@ -12,7 +12,8 @@ namespace polhode {
 
 /// Powers of kg, m and s; angles have none.
 using Dimension = std::array<double, 3>;
-inline constexpr Dimension kNumber{0, 0, 0}, kInertia{1, 2, 0}, kEnergy{1, 2, -2};
+inline constexpr Dimension kNumber{0, 0, 0}, kTime{0, 0, 1}, kRate{0, 0, -1}, kInertia{1, 2, 0},
+    kEnergy{1, 2, -2};
 
 struct QuantityFacts {
   std::string_view name;

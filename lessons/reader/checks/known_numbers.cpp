@@ -80,7 +80,6 @@ class KnownNumbers {
 
   bool is_of(const ShownMotion& motion) {
     const Scene& scene = motion.model.scene;
-    constexpr Dimension kTime{0, 0, 1};
     if (unit_.dimension == kTime) {
       const double step_s = scene.motion.step_s.value_or(0);
       if (scene.show.contains(Overlay::order_plot) && is_near(std::ldexp(step_s, 1 - kOrderSteps)))

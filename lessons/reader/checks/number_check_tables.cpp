@@ -14,9 +14,7 @@
 
 namespace polhode {
 
-namespace {
-constexpr Dimension kRate{0, 0, -1};
-}  // namespace
+namespace {}  // namespace
 
 /// What the head of a column, or of a row, says that its numbers are.
 struct NumberCheck::Head {

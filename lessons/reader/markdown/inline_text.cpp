@@ -5,6 +5,7 @@
 #include "lessons/claims/motion_words.h"
 #include "lessons/reader/markdown/heading.h"
 #include "lessons/reader/markdown/inline_marks.h"
+#include "lessons/reader/markdown/md4c_answers.h"
 #include "render/typeset/characters.h"
 #include "render/typeset/line_formulas.h"
 #include "render/typeset/math/tree.h"
@@ -19,8 +20,6 @@
 
 namespace polhode {
 namespace {
-
-constexpr int kStop = -1;  // a positive answer of a callback is lost on its way out of md4c
 
 /// Before a text that is one paragraph: what follows a word and a space opens no block.
 constexpr std::string_view kParagraphOpener = "x ";

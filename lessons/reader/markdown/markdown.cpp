@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/reader/markdown/markdown.h"
 
+#include "lessons/reader/markdown/md4c_answers.h"
 #include "lessons/reader/reader.h"
 
 #include <md4c.h>
@@ -10,9 +11,6 @@
 
 namespace polhode {
 namespace {
-
-// A positive answer of a callback is lost on its way out of md4c.
-constexpr int kStop = -1;
 
 constexpr std::size_t kMaxMarginSpaces = 3;  // four would be indented code in CommonMark
 

@@ -13,9 +13,6 @@
 namespace polhode::builders {
 namespace {
 
-constexpr double kSymbolSize = 1.2;
-constexpr double kTextSize = 0.8;
-
 void add_symbol(DrawList& list, const char* text, const Vec3& anchor, const Color& color) {
   list.labels.push_back(
       {.text = text, .anchor = anchor, .color = color, .size = kSymbolSize, .leader = false});

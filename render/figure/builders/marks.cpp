@@ -19,9 +19,8 @@
 namespace polhode::builders {
 namespace {
 
-constexpr double kLabel = 0.1;    // room for a name
-constexpr double kBeyond = 0.06;  // of a name behind the tip of its arrow
-constexpr double kSymbolSize = 1.2, kTextSize = 0.8;
+constexpr double kLabel = 0.1;      // room for a name
+constexpr double kBeyond = 0.06;    // of a name behind the tip of its arrow
 constexpr double kTooShort = 0.02;  // for an arrow: there is nothing, or noise
 
 bool is_same(const MarkVector& a, const MarkVector& b) {

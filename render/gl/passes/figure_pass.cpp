@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/passes/figure_pass.h"
 
+#include "render/gl/passes/floats.h"
 #include "render/gl/passes/geometry.h"
 #include "render/gl/shader_sources.h"
 #include "render/palette.h"
@@ -15,10 +16,6 @@ constexpr double kNowhere = -1e6;        // a height, scene units; finite when c
 constexpr float kSunk = 0.42F;           // what opaque things keep below the floor, seen from above
 constexpr int kCornersOfOutline = 20;    // a hundredth more than the ellipse; a box has a quarter more
 constexpr std::size_t kMostGlasses = 2;  // as in behind_glass.glsl
-
-std::array<float, 3> floats(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
 
 void set(const Program& program, const std::string& name, const Mat4& m) {
   const Eigen::Matrix4f f = m.cast<float>();

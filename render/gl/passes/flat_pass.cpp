@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/passes/flat_pass.h"
 
+#include "render/gl/passes/floats.h"
 #include "render/gl/shader_sources.h"
 #include "render/palette.h"
 #include "render/typeset/paragraph.h"
@@ -26,8 +27,6 @@ constexpr Color kNoColor{0, 0, 0, 0};
 
 /// Inks are made for light backdrops; on a dark one (told by the halo) they are lightened.
 Color readable(const Color& ink, const Color& halo) { return is_dark(halo) ? on_dark(ink) : ink; }
-
-std::array<float, 4> floats(const Color& c) { return {c.r, c.g, c.b, c.a}; }
 
 PixelBox pixels_of(const Pane& pane, Size size) {
   return {pane.x * size.width, pane.y * size.height, (pane.x + pane.width) * size.width,

@@ -2,6 +2,7 @@
 #include "render/gl/passes/geometry.h"
 
 #include "render/gl/passes/far_sides.h"
+#include "render/gl/passes/floats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +14,6 @@ namespace {
 constexpr int kConeSegments = 40;
 constexpr int kBallRows = 16;
 constexpr float kInBody = 0.42F;  // of the opacity of what is seen through a body
-
-std::array<float, 3> floats(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-std::array<float, 4> floats(const Color& c, double alpha_factor = 1.0) {
-  return {c.r, c.g, c.b, c.a * static_cast<float>(alpha_factor)};
-}
 
 /// Tangent where two segments meet: their mean along a smooth curve, the segment's own at a corner.
 Vec3 tangent_between(const Vec3& own, const Vec3& neighbour) {

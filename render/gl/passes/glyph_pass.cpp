@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/gl/passes/glyph_pass.h"
 
+#include "render/gl/passes/floats.h"
 #include "render/gl/passes/type_placing.h"
 #include "render/gl/shader_sources.h"
 
@@ -9,8 +10,6 @@
 
 namespace polhode {
 namespace {
-
-std::array<float, 2> floats(const Vec2& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 
 std::array<float, 4> premultiplied(const Color& c) { return {c.r * c.a, c.g * c.a, c.b * c.a, c.a}; }
 
@@ -135,7 +134,7 @@ void GlyphPass::add_rules(const PlacedType& type) {
     const Vec2 across(-box.along.y(), box.along.x());
     const auto corner = [&](double u, double v) {
       const Vec2 local(u * (box.half.x() + 1.0), v * (box.half.y() + 1.0));
-      return RuleVertex{floats(box.middle + local.x() * box.along + local.y() * across), floats(local),
+      return RuleVertex{floats(Vec2(box.middle + local.x() * box.along + local.y() * across)), floats(local),
                         floats(box.half), premultiplied(rule.color)};
     };
     add_quad<RuleVertex>({corner(-1, -1), corner(1, -1), corner(-1, 1), corner(1, 1)}, rules_);

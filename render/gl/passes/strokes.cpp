@@ -3,6 +3,7 @@
 
 #include "render/gl/passes/curve_pieces.h"
 #include "render/gl/passes/far_sides.h"
+#include "render/gl/passes/floats.h"
 #include "render/gl/passes/viewpoint.h"
 
 #include <algorithm>
@@ -15,13 +16,6 @@ constexpr float kFarFromEnds = 1e3F;  // scene units
 /// Arrows are long and near one another; pieces of them are sorted as those of curves.
 constexpr double kLongestPiece = 0.06;
 constexpr double kShortest = 1e-9;  // scene units
-
-std::array<float, 3> floats(const Vec3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-std::array<float, 4> floats(const Color& c, double alpha_factor = 1.0) {
-  return {c.r, c.g, c.b, c.a * static_cast<float>(alpha_factor)};
-}
 
 /// Four vertices of `lines` or `solids`, two triangles.
 struct Piece {
