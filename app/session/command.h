@@ -79,7 +79,7 @@ struct CommandFacts {
   std::string_view group;  ///< "Walk", "Time", "Body", "Understand", "Panels", "Window"
   std::string_view does;   ///< "next step"
   bool repeats = false;    ///< while the key is held
-  /// What is done to the session; null: only a window can do it (app/window/screen.cpp).
+  /// What is done to the session; null: only a window can do it (app/window/screen/screen.cpp).
   void (*act)(LessonSession&) = nullptr;
 };
 /// Group by group.

@@ -4,7 +4,7 @@
 
 #include "app/session/saved/window_place.h"
 #include "app/window/plain_window.h"
-#include "app/window/screen.h"
+#include "app/window/screen/screen.h"
 
 #include <memory>
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// For whoever is about to write files into a folder.
+// A folder is cleared of what killed processes left unfinished in it, before others write files there.
 #pragma once
 
 #include <filesystem>

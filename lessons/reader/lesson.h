@@ -9,7 +9,7 @@
 #include "lessons/claims/claim.h"
 #include "lessons/diagnostics/diagnostic.h"
 #include "lessons/notation/tex_equation.h"
-#include "lessons/reader/checks/computed_number.h"
+#include "lessons/reader/checks/numbers/computed_number.h"
 #include "lessons/reader/front_matter/assumptions.h"
 #include "render/scene/description/scene.h"
 #include "render/typeset/rich_text.h"

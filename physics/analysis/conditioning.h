@@ -49,7 +49,8 @@ std::optional<Conditioning> conditioning(const PrincipalMoments& I, const Vec3& 
 /// motion takes them as exact.
 double closed_form_error(const PrincipalMoments& I, const Vec3& w_B, double t_s);
 
-/// The same of a symmetric top under its weight (exact/lagrange_top.h), |Δω| in parts of the |ω| then:
+/// The same of a symmetric top under its weight (physics/exact/lagrange_top.h), |Δω| in parts of the |ω|
+/// then:
 ///
 ///     4ε(1 + cond),   cond the sum of |x ∂/∂x| over I1, I3, mgl, the components of q and ω, and t, of ω and
 ///                     of the angle of q, whichever is larger,

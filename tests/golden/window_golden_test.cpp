@@ -3,7 +3,7 @@
 // able to fail.
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
-#include "app/window/screen.h"
+#include "app/window/screen/screen.h"
 #include "render/image/compare.h"
 #include "tests/golden/approval.h"
 #include "tests/support/paths.h"

@@ -87,7 +87,7 @@ const std::vector<Room>& rooms() {
       {"app/session/", kSession, kFormats + kPosix, kConsole},
       {"app/web/", kSession, Names{"emscripten/"} + kFormats, kConsole},
       {"app/window/panels/", kWindow, kControls, kConsole},
-      {"app/window/screen", kWindow, kControls, kConsole},  // drawn off-screen too, without GLFW
+      {"app/window/screen/", kWindow, kControls, kConsole},  // drawn off-screen too, without GLFW
       {"app/window/", kWindow, Names{"GLFW/", "X11/", "backends/imgui_impl_glfw.h"} + kControls, kConsole},
       {"app/cli/", kProgram, kProgramLibraries, {}, false},
       {"examples/",

@@ -72,6 +72,15 @@ TEST(Sources, FollowEachArrow) {
     ADD_FAILURE() << finding.file << ": " << finding.message;
 }
 
+TEST(Sources, AreFewInEachFolder) {
+  constexpr int kMost = 30;  // as many as are taken in at a glance, in the list that an editor shows
+  std::map<std::string, int> counts;
+  for (const Source& file : sources({".h", ".cpp"}))
+    ++counts[fs::path(file.path).parent_path().generic_string()];
+  for (const auto& [folder, count] : counts)
+    EXPECT_LE(count, kMost) << folder << ": give files that belong together a folder of their own";
+}
+
 TEST(Sources, OfThePhysicsAreInTheIndex) {
   const std::string index = text_of(fs::path(test::source_dir()) / "physics/README.md");
   for (const Source& file : sources({".h"})) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a learner has answered so far. How it is kept from one run to the next: session/saved/answer_file.h.
+// What a learner has answered so far. How it is kept from one run to the next:
+// app/session/saved/answer_file.h.
 #pragma once
 
 #include "lessons/claims/answers/answers.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The answers of a learner (session/answers/answer_log.h) from one run to the next: one file for a lesson in
-// the state folder (state_file.h).
+// The answers of a learner (app/session/answers/answer_log.h) from one run to the next: one file for a
+// lesson in the state folder (state_file.h).
 #pragma once
 
 #include "app/session/answers/answer_log.h"

@@ -4,7 +4,7 @@
 // of the audience's screen, which stays the one that acts: whatever is pressed here is done there.
 #pragma once
 
-#include "app/window/screen.h"
+#include "app/window/screen/screen.h"
 
 #include <memory>
 

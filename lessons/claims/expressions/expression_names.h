@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The words of expressions. What else a new quantity needs stands in the README. Internal to lessons/.
+// The words of expressions. What else a new quantity needs stands in lessons/claims/README.md. Internal to
+// lessons/.
 #pragma once
 
 #include "lessons/claims/expressions/expression.h"

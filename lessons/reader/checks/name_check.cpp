@@ -5,7 +5,7 @@
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/notation/tex_sides.h"
-#include "lessons/reader/checks/quantity_words.h"
+#include "lessons/reader/checks/prose/quantity_words.h"
 #include "lessons/reader/text_units.h"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/motion_words.h"
 #include "lessons/reader/checks/lint_budget.h"
-#include "lessons/reader/checks/number_check.h"
-#include "lessons/reader/checks/quantity_words.h"
+#include "lessons/reader/checks/numbers/number_check.h"
+#include "lessons/reader/checks/prose/quantity_words.h"
 #include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/text_units.h"
 

@@ -4,7 +4,7 @@
 
 #include "lessons/claims/proof/proof.h"
 #include "lessons/diagnostics/report.h"
-#include "lessons/reader/checks/known_numbers.h"
+#include "lessons/reader/checks/numbers/known_numbers.h"
 #include "lessons/reader/lesson.h"
 
 #include <functional>

@@ -4,11 +4,11 @@
 #include "base/numbers.h"
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/live_claims.h"
-#include "lessons/reader/checks/clause.h"
 #include "lessons/reader/checks/lint_budget.h"
-#include "lessons/reader/checks/quantity_words.h"
-#include "lessons/reader/checks/said_of_formula.h"
-#include "lessons/reader/checks/typed_numbers.h"
+#include "lessons/reader/checks/numbers/typed_numbers.h"
+#include "lessons/reader/checks/prose/clause.h"
+#include "lessons/reader/checks/prose/quantity_words.h"
+#include "lessons/reader/checks/prose/said_of_formula.h"
 #include "lessons/reader/text_units.h"
 
 #include <algorithm>

@@ -7,8 +7,8 @@
 #include "lessons/claims/proof/proof.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/notation/tex_statements.h"
-#include "lessons/reader/checks/known_numbers.h"
-#include "lessons/reader/checks/sentence.h"
+#include "lessons/reader/checks/numbers/known_numbers.h"
+#include "lessons/reader/checks/prose/sentence.h"
 #include "lessons/reader/lesson.h"
 
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/diagnostics/report.h"
-#include "lessons/reader/checks/computed_number.h"
+#include "lessons/reader/checks/numbers/computed_number.h"
 #include "lessons/reader/markdown/footnotes.h"
 #include "lessons/reader/markdown/located_text.h"
 #include "render/typeset/rich_text.h"

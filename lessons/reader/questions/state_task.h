@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lessons/claims/answers/answers.h"
-#include "lessons/reader/checks/computed_number.h"
+#include "lessons/reader/checks/numbers/computed_number.h"
 #include "lessons/reader/questions/steered_state.h"
 
 #include <memory>

@@ -2,7 +2,7 @@
 // A screen drawn off-screen, and a hand that uses it.
 #pragma once
 
-#include "app/window/screen.h"
+#include "app/window/screen/screen.h"
 #include "tests/app/session/example_lesson.h"
 
 #include <gtest/gtest.h>

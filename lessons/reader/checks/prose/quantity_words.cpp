@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/quantity_words.h"
+#include "lessons/reader/checks/prose/quantity_words.h"
 
 #include "lessons/claims/motion_words.h"
 #include "lessons/notation/tex_sides.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/number_sliders.h"
+#include "app/window/screen/number_sliders.h"
 
 #include "app/window/controls/widgets.h"
 #include "lessons/reader/scene/varied_scene.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/clause.h"
+#include "lessons/reader/checks/prose/clause.h"
 
 #include "lessons/reader/text_units.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/number_check.h"
+#include "lessons/reader/checks/numbers/number_check.h"
 
 #include "base/numbers.h"
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof/proof.h"
-#include "lessons/reader/checks/clause.h"
-#include "lessons/reader/checks/quantity_words.h"
+#include "lessons/reader/checks/prose/clause.h"
+#include "lessons/reader/checks/prose/quantity_words.h"
 #include "lessons/reader/text_units.h"
 
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/said_of_formula.h"
+#include "lessons/reader/checks/prose/said_of_formula.h"
 
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/notation/tex_sides.h"
-#include "lessons/reader/checks/clause.h"
-#include "lessons/reader/checks/quantity_words.h"
+#include "lessons/reader/checks/prose/clause.h"
+#include "lessons/reader/checks/prose/quantity_words.h"
 #include "lessons/reader/text_units.h"
 
 #include <algorithm>

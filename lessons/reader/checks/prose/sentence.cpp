@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/sentence.h"
+#include "lessons/reader/checks/prose/sentence.h"
 
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/expressions/dimension.h"

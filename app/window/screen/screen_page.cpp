@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the screen lays over the page, and what a pointer does to its text: choices, scrolling, how to begin.
-#include "app/window/screen.h"
+#include "app/window/screen/screen.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

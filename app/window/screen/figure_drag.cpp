@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/figure_drag.h"
+#include "app/window/screen/figure_drag.h"
 
 #include "app/session/figure_interaction.h"
 

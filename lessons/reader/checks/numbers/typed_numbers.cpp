@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/typed_numbers.h"
+#include "lessons/reader/checks/numbers/typed_numbers.h"
 
 #include "base/numbers.h"
 #include "lessons/reader/text_units.h"

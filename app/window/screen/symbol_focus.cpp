@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/symbol_focus.h"
+#include "app/window/screen/symbol_focus.h"
 
 #include "app/session/symbol_note.h"
 #include "render/typeset/rich_text.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/screen.h"
+#include "app/window/screen/screen.h"
 
 #include "app/session/answers/answer_keys.h"
 #include "app/session/command.h"
 #include "app/session/saved/typed_folder.h"
 #include "app/window/controls/widgets.h"
-#include "app/window/figure_marks.h"
-#include "app/window/number_sliders.h"
+#include "app/window/screen/figure_marks.h"
+#include "app/window/screen/number_sliders.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -6,12 +6,12 @@
 
 #include "app/session/command.h"
 #include "app/window/controls/control_pass.h"
-#include "app/window/figure_drag.h"
-#include "app/window/notices.h"
-#include "app/window/pace.h"
-#include "app/window/page_view.h"
 #include "app/window/panels/panels.h"
-#include "app/window/symbol_focus.h"
+#include "app/window/screen/figure_drag.h"
+#include "app/window/screen/notices.h"
+#include "app/window/screen/pace.h"
+#include "app/window/screen/page_view.h"
+#include "app/window/screen/symbol_focus.h"
 
 #include <functional>
 

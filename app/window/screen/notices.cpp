@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/notices.h"
+#include "app/window/screen/notices.h"
 
 #include <imgui.h>
 

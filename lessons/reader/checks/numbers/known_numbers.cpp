@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/known_numbers.h"
+#include "lessons/reader/checks/numbers/known_numbers.h"
 
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/motion_words.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/computed_number.h"
+#include "lessons/reader/checks/numbers/computed_number.h"
 
 #include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/markdown/inline_text.h"

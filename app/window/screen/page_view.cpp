@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/page_view.h"
+#include "app/window/screen/page_view.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/figure_marks.h"
+#include "app/window/screen/figure_marks.h"
 
 #include "app/session/figure_interaction.h"
 #include "app/window/controls/widgets.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/pace.h"
+#include "app/window/screen/pace.h"
 
 #include <gtest/gtest.h>
 

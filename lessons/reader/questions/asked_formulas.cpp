@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/checks/asked_formulas.h"
+#include "lessons/reader/questions/asked_formulas.h"
 
 #include <utility>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/screen.h"
+#include "app/window/screen/screen.h"
 
 #include "app/export/picture_maker.h"
 #include "app/session/figure_interaction.h"
