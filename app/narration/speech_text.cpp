@@ -103,8 +103,10 @@ Math SpeechText::with_spoken_numbers(const Math& math, const StillNumbers::Value
   std::vector<ShownNumber> shown;
   for (const LiveNumber& number : math.live) {
     shown.emplace_back();
+    // \value says what is typed; and the formulas of a line that stands by itself are no lesson's.
+    if (!number.typed.empty() || number.id < 0) continue;
     const Step* step = steps_of_numbers_.at(static_cast<std::size_t>(number.id));
-    if (!number.typed.empty() || (of == nullptr && step == nullptr)) continue;
+    if (of == nullptr && step == nullptr) continue;
     const StillNumbers::Values& values = of ? *of : stills_.of(lesson_, *step);
     const auto value = values.find(number.id);
     const bool in_table = lesson_.numbers[static_cast<std::size_t>(number.id)].row != nullptr;

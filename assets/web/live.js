@@ -23,22 +23,33 @@ const polhodeLive = (() => {
 
   /// What this browser lacks; empty: nothing.
   const missing = () =>
-    typeof createPolhode !== "function" ? "this page was written without its program"
+    !document.getElementById("polhode.wasm") ? "this page was written without its program"
     : typeof WebAssembly !== "object" || typeof DecompressionStream !== "function"
       ? "this browser is too old to run the program in the page"
     : typeof WebGL2RenderingContext === "undefined" ? "this browser draws no pictures in space (it has no WebGL2)"
     : "";
 
+  /// What app/publish/live/live_program.h calls packed_for_page.
   const unpacked = async (id) => {
-    const packed = Uint8Array.from(atob(document.getElementById(id).textContent), (c) => c.charCodeAt(0));
+    const text = document.getElementById(id).textContent, packed = new Uint8Array(text.length * 13 >> 4);
+    const digit = (i) => (text[i] === "~" ? 27 : text.charCodeAt(i) - 33);
+    let bits = 0, size = 0;
+    for (let i = 0, count = 0; i < text.length; i += 2) {
+      const pair = i + 1 < text.length;
+      bits = pair ? bits << 13 | digit(i) * 93 + digit(i + 1) : bits << 6 | digit(i);
+      for (count += pair ? 13 : 6; count >= 8; count -= 8) packed[size++] = bits >> count - 8;
+    }
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   };
-  let wasm = null, lesson = null;
+  let wasm = null, lesson = null, script = null;
+  /// Defines createPolhode. The page's policy knows it by its hash.
+  const runScript = async () => document.head.append(make("script", {}, new TextDecoder().decode(await unpacked("polhode.js"))));
   /// The program, as it is packed in the page, with a memory of its own; the page's lesson is open.
   const newProgram = async () => {
     wasm ??= unpacked("polhode.wasm");
     lesson ??= unpacked("polhode.lesson");
+    await (script ??= runScript());
     const module = await createPolhode({ wasmBinary: await wasm, print() {}, printErr() {} });
     const types = (list) => list.map((value) => (typeof value === "string" ? "string" : "number"));
     const call = (name, ...list) => module.ccall("polhode_" + name, "number", types(list), list);

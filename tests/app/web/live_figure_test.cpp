@@ -76,6 +76,23 @@ TEST(LiveFigure, OpensALessonAndShowsTheFigureOfAStep) {
   EXPECT_EQ(Json::parse(choices_json(figure)).at("methods").size(), all_methods().size());
 }
 
+// A number that is typed and checked (\value) stays as it is typed, also where a caption's formulas are read
+// anew.
+TEST(LiveFigure, SaysACaptionsTypedAndComputedNumbers) {
+  std::string text = kLesson;
+  const std::string caption = "'a free body'";
+  text.replace(text.find(caption), caption.size(),
+               R"('at $\value{3.02}{norm(omega)}$ and $\live[digits=4]{w3}$')");
+  LiveFigure figure;
+  figure.begin_call();
+  ASSERT_TRUE(figure.open_lesson(text, "thrown.md"));
+  ASSERT_TRUE(figure.show(std::string_view("turning"), 1));
+  ASSERT_TRUE(figure.set_time(0));
+  const Json words = Json::parse(words_json(figure));
+  EXPECT_EQ(words.at("captions").at(0).at("text"), "at 3.02 and 3.000");
+  EXPECT_NE(words.at("alt").get<std::string>().find("3.02"), std::string::npos) << words;
+}
+
 TEST(LiveFigure, RefusesInWords) {
   LiveFigure figure;
   EXPECT_EQ(state_json(figure, ""), "null");

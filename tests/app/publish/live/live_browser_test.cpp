@@ -43,11 +43,12 @@ class LiveInBrowser : public testing::Test {
   }
 
   /// Written once for all tests.
-  static fs::path page(const std::string& name, const std::vector<std::string>& what) {
+  static fs::path page(const std::string& name, const std::vector<std::string>& what,
+                       const std::string& lesson = kEditionLesson) {
     static const ScratchFolder kFolder;
     const fs::path file = kFolder / (name + ".html");
     if (fs::exists(file)) return file;
-    write_text(kFolder / "edition.md", kEditionLesson);
+    write_text(kFolder / "edition.md", lesson);
     RunOptions options;
     options.folder = kFolder.path();
     options.environment["POLHODE_WEB"] = web_folder().string();
@@ -171,6 +172,27 @@ TEST_F(LiveInBrowser, ADragBesideItTurnsTheCameraAsTheWindowDoes) {
       rounded);
   EXPECT_NEAR(after["camera"]["elevation"].get<double>(), wanted.elevation_rad, rounded);
   EXPECT_EQ(after["omega0"], before["omega0"]);
+}
+
+// What a caption says is the lesson's motion, not of another; but where it stood, at the end of a page,
+// nothing moves.
+TEST_F(LiveInBrowser, AFigureStaysUnderTheHandWhenItsCaptionGoes) {
+  std::string lesson = kEditionLesson;
+  const std::size_t begin = lesson.find("caption = '"), end = lesson.find('\n', begin);
+  lesson.replace(
+      begin, end - begin,
+      "caption = 'It turns about an axis that turns too, and this is said in two lines of words that stand "
+      "below the picture'");
+  browser_->open(page("caption", {"./edition.md", "--live", "--reader"}, lesson));
+  press_first();
+  value_of("scrollTo({ top: document.body.scrollHeight, behavior: 'instant' }), 0");
+  const std::string top = "document.querySelector('canvas').getBoundingClientRect().top";
+  const std::string caption = "getComputedStyle(document.querySelector('figcaption')).visibility";
+  EXPECT_EQ(value_of(caption), "visible");
+  const Json before = value_of(top);
+  call("'set_omega', 0.5, 1, 2");
+  EXPECT_EQ(browser_->wait_for(caption, "hidden"), "hidden");
+  EXPECT_EQ(value_of(top), before);
 }
 
 TEST_F(LiveInBrowser, KeysTurnPlayAndClose) {
