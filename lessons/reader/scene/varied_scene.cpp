@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 namespace polhode {
@@ -130,10 +131,10 @@ const Row* find_row(std::string_view name) {
   return row == kRows.end() ? nullptr : &*row;
 }
 
-/// "$\omega_3$ = 3 rad/s"
+/// "$\omega_3$ = −3 rad/s"
 std::string label_of(const VariedNumber& number, double value) {
-  const std::string_view blank = number.unit == "°" ? "" : " ";
-  return fmt::format("${}$ = {:.4g}{}{}", number.tex, value, blank, number.unit);
+  const std::string_view minus = value < 0 ? "−" : "", blank = number.unit == "°" ? "" : " ";
+  return fmt::format("${}$ = {}{:.4g}{}{}", number.tex, minus, std::abs(value), blank, number.unit);
 }
 
 }  // namespace

@@ -166,6 +166,9 @@ TEST(Vary, TheSceneStandsBetweenTheEnds) {
   ASSERT_NE(step.varied, nullptr);
   EXPECT_THAT(step.varied->alone().beside, IsEmpty());
   EXPECT_EQ(step.varied->at({5})->w0_B, Vec3(1, 0, 5));
+  const Step falling = step_of(with_scene("omega = [1, 0, -3]\nvary = { omega3 = { from = -9, to = 1 } }"));
+  EXPECT_EQ(shown_scenes(*falling.scene)[1]->label, R"($\omega_3$ = −3 rad/s)")
+      << "with a minus sign, no hyphen";
 }
 
 TEST(Vary, ASceneAtAnEndStandsBesideTheMiddle) {
