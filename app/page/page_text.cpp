@@ -446,7 +446,8 @@ class ScaledText {
       const VerdictRow& row = verdicts_.at(claim);
       const std::string in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
       const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
-      return {is_of_what_holds ? row.word + ", " + row.note : in_short, in_short};
+      return is_of_what_holds ? EarlierKind{row.word, row.note, in_short}
+                              : EarlierKind{in_short, "", in_short};
     }
     return {};
   }

@@ -2,6 +2,7 @@
 #include "app/page/text_column.h"
 
 #include "lessons/reader/markdown/footnotes.h"
+#include "lessons/reader/questions/state_keys.h"
 
 #include <fmt/format.h>
 
@@ -40,6 +41,12 @@ constexpr double kDisplayGap = 0.78;
 constexpr double kLineTop = 0.74;     ///< of a line without tall letters, above its baseline
 constexpr double kLineBottom = 0.24;  ///< and below it
 constexpr double kLabelIndent = 4.1;
+constexpr double kFormulaClearance = 0.5;  ///< between formulas with fractions, one below the other
+constexpr double kEarlierGap = 0.62;       ///< between equations of earlier steps
+constexpr double kLeastBeside = 5.0;       ///< of words in lines beside an equation
+constexpr int kMostLinesBeside = 4;
+constexpr double kBesideGap = 0.6;
+constexpr double kBetweenLines = 0.35;  ///< of their size: what is free between two of them
 constexpr double kBarIndent = 0.6;
 constexpr double kBeforeSize = 0.86;
 constexpr double kPanelPad = 0.5;
@@ -118,6 +125,17 @@ void add_slots(Into& into, const ColumnPiece& part, const Vec2& at) {
 void add(ColumnPiece& piece, ColumnPiece part, const Vec2& at) {
   add_slots(piece, part, at);
   append(piece.sheet, std::move(part.sheet), at);
+}
+
+/// An equation lower by so much in a place that is higher by so much.
+ColumnPiece lowered(ColumnPiece piece, double by, double more) {
+  ColumnPiece placed{.sheet = {},
+                     .height = piece.height + more,
+                     .gap = piece.gap,
+                     .formula_scale = piece.formula_scale,
+                     .formula = piece.formula};
+  add(placed, std::move(piece), {0, by});
+  return placed;
 }
 
 }  // namespace
@@ -396,27 +414,49 @@ Result<ColumnPiece> TextColumn::equation(const Equation& equation, Focus focus,
   return piece;
 }
 
+/// The word, and below it what it is given.
+DisplayList TextColumn::kind_in_lines(const EarlierKind& kind, TextStyle quiet, double room) const {
+  quiet.width = room;
+  DisplayList lines = set_lines(kind.note.empty() ? kind.word : kind.word + ',', quiet, fonts_);
+  if (kind.note.empty()) return lines;
+  const DisplayList note = set_lines(kind.note, quiet, fonts_);
+  const double lower = std::round(lines.depth + note.ascent + kBetweenLines * quiet.size);
+  append(lines, note, 0, lower);
+  lines.depth = lower + note.depth;
+  lines.width = std::max(lines.width, note.width);
+  return lines;
+}
+
 Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const EarlierKind& kind) const {
   Result<ColumnPiece> set = numbered(equation, kEarlierSize * size_, {});
   if (!set) return set;
   ColumnPiece piece = std::move(set).value();
-  piece.gap = 0.4 * size_;
+  piece.gap = kEarlierGap * size_;
   TextStyle quiet = style(small_size(kVerdictSize), colors().quiet, 0);
   quiet.sans = true;
-  if (kind.words.empty()) return piece;
+  if (kind.word.empty()) return piece;
   quiet.symbols = nullptr;  // the slots outlive them
-  DisplayList word = set_line(kind.words, quiet, fonts_);
+  quiet.leading = kVerdictLine;
+  DisplayList word = set_line(kind.words(), quiet, fonts_);
+  PlacedType& formula = piece.sheet.texts.back();
+  const double room = formula.at.x() - kBesideGap * size_, line = std::ceil(kVerdictLine * quiet.size);
+  if (word.width > room && room >= kLeastBeside * size_) {
+    const DisplayList lines = kind_in_lines(kind, quiet, room);
+    const double height = lines.ascent + lines.depth;
+    if (lines.width <= room && height <= (kMostLinesBeside + 0.5) * line) {
+      // The middles of both at one height.
+      const double over = height - piece.height, top = std::round(std::max(0.0, -0.5 * over));
+      piece =
+          lowered(std::move(piece), std::round(std::max(0.0, 0.5 * over)), std::max(0.0, std::ceil(over)));
+      piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = lines, .at = {0, top + lines.ascent}});
+      ++*piece.formula;
+      return piece;
+    }
+  }
   if (word.width > width_) word = set_line(kind.in_short, quiet, fonts_);
-  Vec2 at{0, piece.sheet.texts.back().at.y()};
-  if (word.width + size_ >= piece.sheet.texts.back().at.x()) {  // above a formula that is too wide
-    const double line = std::ceil(kVerdictLine * quiet.size);
-    ColumnPiece below{.sheet = {},
-                      .height = piece.height + line,
-                      .gap = piece.gap,
-                      .formula_scale = piece.formula_scale,
-                      .formula = piece.formula};
-    add(below, std::move(piece), {0, line});
-    piece = std::move(below);
+  Vec2 at{0, formula.at.y()};
+  if (word.width > room) {  // above a formula that is too wide
+    piece = lowered(std::move(piece), line, line);
     at.y() = std::round(0.9 * quiet.size);
   }
   piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = at});
@@ -526,7 +566,7 @@ ColumnPiece TextColumn::footnote_rule() const {
 Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
   const double em = kCalloutSize * size_;
   const double width = width_ - label_indent();
-  RichText text = ask.prompt_text;
+  RichText text = without_goals(ask);
   for (std::size_t i = 0; i < ask.choice_texts.size(); ++i) {
     RichText choice = ask.choice_texts[i];
     if (!choice.empty()) {
@@ -536,14 +576,14 @@ Result<ColumnPiece> TextColumn::question(const Ask& ask) const {
     text.insert(text.end(), choice.begin(), choice.end());
   }
   TextStyle plain = style(em, colors().ink, width);
-  // Lines of a derivation are formulas with fractions, which want air between them.
-  plain.between = ask.type == Ask::Type::derive ? 0.8 : 0.28;
+  plain.between = 0.28;
+  if (ask.type == Ask::Type::derive) plain.clearance = kFormulaClearance;
   Result<ColumnPiece> piece =
       labelled("Question", colors().question, piece_of(set(text, plain), em, 0.7 * size_));
   if (!piece || least_ == 0) return piece;
   QuestionRows rows{&ask, label_indent(), width_, {}};
   if (!picks_choice(ask.type)) rows.y.push_back(0);
-  RichText above = ask.prompt_text;
+  RichText above = without_goals(ask);
   for (const RichText& choice : ask.choice_texts) {
     if (!picks_choice(ask.type)) break;
     const Result<ColumnPiece> so_far = piece_of(set(above, plain), em, 0);

@@ -59,8 +59,11 @@ enum class Focus { none, now, before };
 
 /// What is claimed by an equation of an earlier step.
 struct EarlierKind {
-  std::string words;     ///< with what it is given, as a caption is written; empty: nothing
-  std::string in_short;  ///< where these do not fit into the column
+  std::string word;      ///< as a caption is written, as all of these; empty: nothing
+  std::string note;      ///< what it is given
+  std::string in_short;  ///< where both do not fit into the column
+
+  std::string words() const { return note.empty() ? word : word + ", " + note; }
 };
 
 /// px: no type of a window's page is smaller, indices apart.
@@ -92,8 +95,8 @@ class TextColumn {
   /// A chip with the verdict's word, its note beside or below it, what is claimed below where the equation is
   /// not that itself; with rows for live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
-  /// An equation of an earlier step: small, without emphasis; on its left the kind of what it claims, or
-  /// above it where it is too wide.
+  /// An equation of an earlier step: small, without emphasis; on its left, in several lines if need be, the
+  /// kind of what it claims, or above it where it is too wide.
   Result<ColumnPiece> earlier_equation(const Equation& equation, const EarlierKind& kind = {}) const;
   /// A line: "from before", and the equation.
   Result<ColumnPiece> from_before(const Equation& equation) const;
@@ -123,6 +126,7 @@ class TextColumn {
   Result<ColumnPiece> numbered(const Equation& equation, double size,
                                const std::vector<std::string>& marked) const;
   Result<ColumnPiece> labelled(const std::string& label, const Color& color, Result<ColumnPiece> plain) const;
+  DisplayList kind_in_lines(const EarlierKind& kind, TextStyle quiet, double room) const;
   double label_indent() const;
   double small_size(double part) const;
   Color color_of(Certainty certainty) const;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kRounding = 1e-6;     // px by which sums of widths may be off
 constexpr double kEachLine = 10.0;     // Knuth & Plass's line penalty
 constexpr double kWorst = 1e4;         // badness of what cannot be helped
-constexpr double kLonelyWord = 250.0;  // of a last line of one word
+constexpr double kLonelyWord = 400.0;  // of a last line of one word
 constexpr double kLineMore = 1e12;     // a balanced text never takes one more line
 
 struct Line {

@@ -24,17 +24,16 @@ constexpr double kListIndent = 1.35;   // of each level
 constexpr double kBulletSize = 0.8;
 constexpr double kMarkerGap = 0.5;    // between a marker and its text
 constexpr double kListBetween = 0.5;  // of the space between other blocks
-constexpr double kLineGap = 0.08;     // at least, between what is on two lines
 constexpr double kLinkDrop = 0.13;    // of the line below a link
 constexpr double kLinkThickness = 0.045;
 constexpr double kShortFormula = 1.6;  // a name of something, which belongs to the word before it
 
 // Of tables.
-constexpr double kColumnGap = 1.5;   // between columns
-constexpr double kTablePad = 0.35;   // to the ends of the lines
-constexpr double kRowGap = 0.16;     // between rows, besides what lines have
-constexpr double kRulePad = 0.3;     // between a line and the rows beside it
-constexpr double kBelowTable = 0.3;  // below the last line
+constexpr double kColumnGap = 1.5;                       // between columns
+constexpr double kTablePad = 0.35;                       // to the ends of the lines
+constexpr double kRowGap = 0.16;                         // between rows, besides what lines have
+constexpr double kRulePad = 0.3;                         // between a line and the rows beside it
+constexpr double kAboveTable = 0.25, kBelowTable = 0.6;  // beside its outer lines
 constexpr double kHeavyRule = 0.075, kLightRule = 0.045;
 constexpr double kLeastTableSize = 0.6;   // of the text; rather than smaller, words are broken
 constexpr double kLeastBrokenSize = 0.1;  // where there is not even room for letters
@@ -51,13 +50,16 @@ constexpr double kScriptDrop = 0.20;
 constexpr double kAfterHyphen = 60.0;
 constexpr double kAfterShortWord = 50.0;
 constexpr double kBeforeShortFormula = 45.0;
+constexpr double kAfterNumber = 1000.0;  // "5 | s"
+constexpr double kBeforeNumber = 700.0;  // "axis | 3"
 
 bool is_digit(char32_t c) { return U'0' <= c && c <= U'9'; }
 bool is_combining(char32_t c) {
   return (0x0300 <= c && c <= 0x036F) || (0x20D0 <= c && c <= 0x20F0) || (0x1AB0 <= c && c <= 0x1AFF);
 }
-/// A line may end after it.
+/// A line may end after it, unless it is the dash of a pair of names: Moser–Veselov.
 bool is_hyphen(char32_t c) { return c == U'-' || (0x2010 <= c && c <= 0x2014 && c != 0x2011); }
+bool is_letter(char32_t c) { return (U'a' <= c && c <= U'z') || (U'A' <= c && c <= U'Z'); }
 
 /// A character of a run, or a formula, or a forced end of the line.
 struct Element {
@@ -315,7 +317,7 @@ class TextSetter {
       while (i + 1 < last && begins_[i + 1 - first] <= g.cluster) ++i;
       const Element& e = elements[i];
       if (e.character == U' ') {
-        add_space(g.advance * size, parts);
+        add_space(g.advance * size, penalty_at(block, elements, i), parts);
         pen += g.advance;
         cluster = g.cluster;
         continue;
@@ -339,17 +341,41 @@ class TextSetter {
       part.width += g.advance * size;
       pen += g.advance;
       cluster = g.cluster;
-      if (is_hyphen(e.character) && i + 1 < last && !is_hyphen(elements[i + 1].character) &&
-          parts.first_atoms.back() + 1 < parts.atoms.size())
+      if (ends_part(elements, i, last) && parts.first_atoms.back() + 1 < parts.atoms.size())
         end_part(parts, 0.0, false, e.character == U'-' ? kAfterHyphen : 0.0);
     }
   }
 
-  void add_space(double width, Parts& parts) {
+  static bool ends_part(const std::vector<Element>& elements, std::size_t i, std::size_t last) {
+    if (!is_hyphen(elements[i].character) || i + 1 >= last || is_hyphen(elements[i + 1].character))
+      return false;
+    const bool joins_names = elements[i].character == 0x2013 && i > 0 &&
+                             is_letter(elements[i - 1].character) && is_letter(elements[i + 1].character);
+    return !joins_names;
+  }
+
+  /// Of a line that ends at this space: a number stays with its unit, and with the word that it numbers.
+  static double penalty_at(const TextBlock& block, const std::vector<Element>& elements, std::size_t space) {
+    if (space == 0 || space + 1 >= elements.size()) return 0.0;
+    const Element &before = elements[space - 1], &after = elements[space + 1];
+    const bool ends_in_digit =
+        before.kind == Element::Kind::formula
+            ? !block.spans[before.span].text.empty() &&
+                  is_digit(static_cast<unsigned char>(block.spans[before.span].text.back()))
+            : is_digit(before.character);
+    if (ends_in_digit && is_letter(after.character)) return kAfterNumber;
+    std::size_t end = space + 1;
+    while (end < elements.size() && is_digit(elements[end].character)) ++end;
+    const bool is_short_number = 0 < end - space - 1 && end - space - 1 <= 2 &&
+                                 (end == elements.size() || !is_letter(elements[end].character));
+    return is_short_number && is_letter(before.character) ? kBeforeNumber : 0.0;
+  }
+
+  void add_space(double width, double penalty, Parts& parts) {
     if (parts.first_atoms.back() == parts.atoms.size()) return;
     const bool short_word =
         parts.atoms.size() - parts.first_atoms.back() == 1 && parts.atoms.back().formula < 0;
-    end_part(parts, width, false, short_word ? kAfterShortWord : 0.0);
+    end_part(parts, width, false, std::max(penalty, short_word ? kAfterShortWord : 0.0));
   }
 
   Color color_of(const TextSpan& span) const { return span.link.empty() ? style_.color : style_.link_color; }
@@ -446,8 +472,8 @@ class TextSetter {
     for (const TextBlock& block : text) {
       if (block.indent <= 0) continue;
       double& step = indents_[block.indent];
-      step =
-          std::max({step, kListIndent * style_.size, marker_width(block.marker) + kMarkerGap * style_.size});
+      step = std::max(
+          {step, kListIndent * style_.size, marker_of(block.marker).width() + kMarkerGap * style_.size});
     }
   }
   double indent_of(int level) const {
@@ -463,10 +489,30 @@ class TextSetter {
   double marker_size(const std::string& marker) const {
     return (marker == "•" ? kBulletSize : 1.0) * style_.size;
   }
-  double marker_width(const std::string& marker) const {
-    double width = 0.0;
-    for (const ShapedGlyph& g : fonts_.shape(marker_face(), marker)) width += g.advance * marker_size(marker);
-    return width;
+  /// The digits of a raised number, of which the fonts lack some above 3; empty: the marker is none.
+  static std::string raised_digits(const std::string& marker) {
+    std::string digits;
+    for (std::size_t at = 0; at < marker.size();) {
+      const Script script = script_of(next_character(marker, at));
+      if (!script.raised) return "";
+      append_utf8(digits, script.character);
+    }
+    return digits;
+  }
+  /// A marker's glyphs, as large and as high as they stand.
+  struct Marker {
+    std::vector<ShapedGlyph> glyphs;
+    double size = 0, rise = 0;
+    double width() const {
+      double sum = 0.0;
+      for (const ShapedGlyph& g : glyphs) sum += g.advance * size;
+      return sum;
+    }
+  };
+  Marker marker_of(const std::string& marker) const {
+    const std::string raised = raised_digits(marker);
+    if (raised.empty()) return {fonts_.shape(marker_face(), marker), marker_size(marker), 0.0};
+    return {fonts_.shape(marker_face(), raised), kScriptSize * style_.size, kScriptRise * style_.size};
   }
 
   void set_block(const TextBlock& block, const TextBlock* before) {
@@ -519,7 +565,7 @@ class TextSetter {
       list_.ascent = extent.ascent;
     } else {
       const double leading = std::round(style_.leading * style_.size + block_gap_);
-      const double needed = std::ceil(line_depth_ + extent.ascent + kLineGap * style_.size);
+      const double needed = std::ceil(line_depth_ + extent.ascent + style_.clearance * style_.size);
       y_ += std::max({1.0, leading, needed});
     }
     has_line_ = true;
@@ -560,12 +606,15 @@ class TextSetter {
   }
 
   void set_marker(const TextBlock& block, double x) {
-    const double size = marker_size(block.marker);
-    const double pen = x - kMarkerGap * style_.size - marker_width(block.marker);
+    const Marker marker = marker_of(block.marker);
+    const double size = marker.size;
+    const double pen = x - kMarkerGap * style_.size - marker.width();
     const SourceSpan source = block.spans.empty() ? SourceSpan{} : block.spans.front().source;
-    for (const ShapedGlyph& g : fonts_.shape(marker_face(), block.marker)) {
+    for (const ShapedGlyph& g : marker.glyphs) {
       const GlyphBox box = fonts_.box(marker_face(), g.id);
-      const double rise = 0.5 * (box.bottom + box.top) * (style_.size - size);  // keeps its middle
+      const double rise = marker.rise > 0.0
+                              ? marker.rise
+                              : 0.5 * (box.bottom + box.top) * (style_.size - size);  // keeps its middle
       list_.glyphs.push_back({marker_face(),
                               g.id,
                               pen + g.x * size,
@@ -687,7 +736,7 @@ class TextSetter {
       const double above = is_head ? std::ceil(extent.ascent + pad) : 0.0,
                    below = std::ceil(extent.depth + pad);
       Extent with_rules = extent;
-      if (is_head) with_rules.ascent = above + heavy;
+      if (is_head) with_rules.ascent = above + heavy + (has_line_ ? kAboveTable * em : 0.0);
       if (is_head || is_last) with_rules.depth = below + (is_last ? heavy : light + pad);
       if (!is_head && !is_last) with_rules.depth += kRowGap * em;
       advance_to_line(with_rules);

@@ -10,12 +10,13 @@ namespace polhode {
 struct TextStyle {
   double size = 24;  ///< em, px
   Color color;
-  bool sans = false;       ///< Heros instead of Pagella: labels and captions
-  bool bold = false;       ///< headings
-  double leading = 1.47;   ///< from baseline to baseline, em
-  double width = 0;        ///< px; 0: a single line
-  bool justified = false;  ///< both edges straight; else the right one is ragged
-  double between = 0.55;   ///< extra space between blocks, em
+  bool sans = false;        ///< Heros instead of Pagella: labels and captions
+  bool bold = false;        ///< headings
+  double leading = 1.47;    ///< from baseline to baseline, em
+  double width = 0;         ///< px; 0: a single line
+  bool justified = false;   ///< both edges straight; else the right one is ragged
+  double between = 0.55;    ///< extra space between blocks, em
+  double clearance = 0.08;  ///< at least, between what is on two lines, em
   Color link_color;
   const std::vector<MathSymbol>* symbols = nullptr;
 };

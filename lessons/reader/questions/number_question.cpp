@@ -95,7 +95,8 @@ class NumberReader {
                                          to_string(asked.value_or(ScaledUnit{}).dimension));
     answer_.is_relative = false;
     answer_.within = *number * unit->size / answer_.unit_si;
-    answer_.within_text = text;
+    const std::string unit_word = text.substr(blank + 1);
+    answer_.within_text = unit_word == "deg" || unit_word == "°" ? text.substr(0, blank) + "°" : text;
   }
 
   const TomlTable& keys_;

@@ -230,6 +230,13 @@ void say_what_is_to_be_reached(const StateTask& task, const Vocabulary& vocabula
   prompt.push_back(std::move(change));
 }
 
+RichText without_goals(const Ask& ask) {
+  constexpr std::ptrdiff_t kSaidBehind = 2;  // what is to be reached, and what may be changed
+  RichText asked = ask.prompt_text;
+  if (ask.task) asked.erase(asked.end() - kSaidBehind, asked.end());
+  return asked;
+}
+
 void place_state_questions(Step& step, Report& report) {
   for (Block& block : step.blocks) {
     auto* ask = std::get_if<Ask>(&block);

@@ -176,20 +176,30 @@ TEST_P(Column, ATagStandsAtTheRightEdgeOnTheBaselineOfItsEquation) {
 }
 
 TEST_P(Column, AnEarlierEquationKeepsTheKindOfItsClaimHoweverWideItIs) {
-  for (const Equation& equation : blocks_of<Equation>()) {
-    const ColumnPiece plain = column().earlier_equation(equation).value(),
-                      marked = column().earlier_equation(equation, {"MEASURED", "MEASURED"}).value();
-    ASSERT_EQ(marked.sheet.texts.size(), plain.sheet.texts.size() + 1);
-    EXPECT_EQ(*marked.formula, *plain.formula + 1);
-    const PlacedType &word = marked.sheet.texts.front(), &formula = marked.sheet.texts[*marked.formula];
-    const bool is_above = marked.height > plain.height;
-    EXPECT_EQ(formula.at.y() - word.at.y() > 0, is_above);
-    EXPECT_EQ(formula.at.x(), plain.sheet.texts[*plain.formula].at.x());
-    if (is_above)
-      EXPECT_LE(word.at.y() + word.list.depth, formula.at.y() - formula.list.ascent);
-    else
-      EXPECT_LT(word.at.x() + word.list.width, formula.at.x());
-  }
+  const EarlierKind kinds[] = {
+      {"MEASURED", "", "MEASURED"},
+      {"always true", "given $I_2 = I_1$, $I_3 > I_1$, $\\omega_3 > 0$", "always true, under an assumption"}};
+  int in_lines = 0;
+  for (const EarlierKind& kind : kinds)
+    for (const Equation& equation : blocks_of<Equation>()) {
+      const ColumnPiece plain = column().earlier_equation(equation).value(),
+                        marked = column().earlier_equation(equation, kind).value();
+      ASSERT_EQ(marked.sheet.texts.size(), plain.sheet.texts.size() + 1);
+      EXPECT_EQ(*marked.formula, *plain.formula + 1);
+      const PlacedType &word = marked.sheet.texts.front(), &formula = marked.sheet.texts[*marked.formula];
+      EXPECT_EQ(formula.at.x(), plain.sheet.texts[*plain.formula].at.x());
+      const bool is_beside = word.at.x() + word.list.width < formula.at.x(),
+                 is_above = word.at.y() + word.list.depth <= formula.at.y() - formula.list.ascent;
+      EXPECT_TRUE(is_beside || is_above);
+      EXPECT_LE(word.list.width, width());
+      EXPECT_LE(word.at.y() + word.list.depth, marked.height + 1.0) << "heights are whole pixels";
+      EXPECT_LE(formula.at.y() + formula.list.depth, marked.height + 1.0);
+      if (word.list.depth < em()) continue;
+      ++in_lines;  // the middles of both at one height, to whole pixels
+      const double middle = word.at.y() + 0.5 * (word.list.depth - word.list.ascent);
+      EXPECT_NEAR(middle, 0.5 * marked.height, 2.0);
+    }
+  EXPECT_EQ(in_lines > 0, em() < 0.05 * width()) << "a narrow column has no room for it";
 }
 
 TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {

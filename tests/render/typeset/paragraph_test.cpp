@@ -268,6 +268,37 @@ TEST_F(Paragraph, ListsHangTheirMarkers) {
       << "and the next line is below the text";
 }
 
+TEST_F(Paragraph, ARaisedNumberAsAMarkerHasAllItsDigits) {
+  for (const char* marker : {"³", "⁴", "¹²"}) {
+    const DisplayList list = set({{1, marker, {text("a note")}}});
+    for (const Glyph& glyph : list.glyphs) EXPECT_NE(glyph.id, 0u) << marker;
+    const auto raised = std::count_if(list.glyphs.begin(), list.glyphs.end(), [this](const Glyph& glyph) {
+      return glyph.size < style_.size && glyph.y < 0.0;
+    });
+    EXPECT_EQ(static_cast<std::size_t>(raised), marker == std::string("¹²") ? 2u : 1u) << marker;
+  }
+}
+
+TEST_F(Paragraph, ALineDoesNotEndWithinWhatBelongsTogether) {
+  const auto first_words = [this](const std::string& words) {
+    std::vector<std::string> first;
+    double y = 0.0;
+    for (const Glyph& glyph : set(one(words)).glyphs) {
+      const std::size_t at = glyph.source.begin;
+      if (glyph.y > y) first.push_back(words.substr(at, words.find_first_of(" –", at) - at));
+      y = std::max(y, glyph.y);
+    }
+    return first;
+  };
+  const std::string words =
+      "The axis turns about axis 3, and then about axis 2 with a mass of 25 kg that hangs below axis 1 at a "
+      "depth of 12 m or less, and so Moser–Veselov computes it.";
+  const std::set<std::string> never = {"kg", "m", "3,", "2", "1", "Veselov"};
+  for (style_.width = 300.0; style_.width < 900.0; style_.width += 7.0)
+    for (const std::string& word : first_words(words))
+      EXPECT_FALSE(never.contains(word)) << word << " at " << style_.width;
+}
+
 TEST_F(Paragraph, BreaksWhereItIsTold) {
   TextSpan first = text("one");
   first.break_after = true;

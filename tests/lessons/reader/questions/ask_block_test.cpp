@@ -169,6 +169,11 @@ TEST(Ask, ReadsANumberWithItsUnitAndTolerance) {
   EXPECT_DOUBLE_EQ(*other->number->value, 40);
   EXPECT_FALSE(other->number->is_relative);
   EXPECT_DOUBLE_EQ(other->number->within, 0.01 * 180 / std::numbers::pi);
+  EXPECT_EQ(other->number->within_text, "0.01 rad");
+
+  TextReport degrees("type = 'number'\nprompt = 'p'\nanswer = 40\nunit = 'deg'\nwithin = '1 deg'");
+  degrees.texts.speak({}, {});
+  EXPECT_EQ(ask_from(degrees).value().number->within_text, "1°");
 }
 
 class NumberRefuses : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};

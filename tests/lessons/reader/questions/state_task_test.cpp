@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "lessons/reader/questions/state_keys.h"
 #include "lessons/reader/questions/state_task.h"
 
 #include "lessons/reader/checks/claim_check.h"
@@ -192,7 +193,7 @@ TEST(StateTask, KeysThatAreWrongAreSaid) {
               ElementsAre(HasSubstr("\"attitude\" has to be in \"change\"")));
 }
 
-TEST(StateTask, PagesSayWhatIsToBeReachedAndChanged) {
+TEST(StateTask, ItIsSaidWhatIsToBeReachedAndChanged) {
   const LessonReading reading = read_lesson(testing::lesson_with(apart() + scene()), "a.md");
   ASSERT_TRUE(reading.lesson);
   const Ask* ask = blocks_of<Ask>(reading.lesson->stages.front().steps.front()).front();
@@ -201,6 +202,9 @@ TEST(StateTask, PagesSayWhatIsToBeReachedAndChanged) {
     for (const TextSpan& span : block.spans) text += span.text;
   EXPECT_EQ(text,
             "Do it.Goal: angle of ω and L = 20° ± 1°, as the motion begins.You may change \\vec\\omega.");
+  const RichText asked = without_goals(*ask);
+  ASSERT_EQ(asked.size(), 1u);
+  EXPECT_EQ(asked.front().spans.front().text, "Do it.");
 }
 
 }  // namespace
