@@ -50,8 +50,7 @@ constexpr double kScriptDrop = 0.20;
 constexpr double kAfterHyphen = 60.0;
 constexpr double kAfterShortWord = 50.0;
 constexpr double kBeforeShortFormula = 45.0;
-constexpr double kAfterNumber = 1000.0;  // "5 | s"
-constexpr double kBeforeNumber = 700.0;  // "axis | 3"
+constexpr double kWithinNumber = 1e4;  // "5 | s", "axis | 3": only where no other line fits
 
 bool is_digit(char32_t c) { return U'0' <= c && c <= U'9'; }
 bool is_combining(char32_t c) {
@@ -363,12 +362,12 @@ class TextSetter {
             ? !block.spans[before.span].text.empty() &&
                   is_digit(static_cast<unsigned char>(block.spans[before.span].text.back()))
             : is_digit(before.character);
-    if (ends_in_digit && is_letter(after.character)) return kAfterNumber;
+    if (ends_in_digit && is_letter(after.character)) return kWithinNumber;
     std::size_t end = space + 1;
     while (end < elements.size() && is_digit(elements[end].character)) ++end;
     const bool is_short_number = 0 < end - space - 1 && end - space - 1 <= 2 &&
                                  (end == elements.size() || !is_letter(elements[end].character));
-    return is_short_number && is_letter(before.character) ? kBeforeNumber : 0.0;
+    return is_short_number && is_letter(before.character) ? kWithinNumber : 0.0;
   }
 
   void add_space(double width, double penalty, Parts& parts) {
