@@ -78,6 +78,15 @@ struct Atom {
   std::uint32_t span = 0;
 };
 
+/// Of SI, or an angle, or part of a whole, with prefixes that lessons have.
+bool is_unit(std::u32string_view word) {
+  constexpr std::array<std::u32string_view, 28> kUnits = {
+      U"%",   U"°",  U"deg", U"rad", U"mrad", U"rad/s", U"rad/s²", U"deg/s", U"s",    U"ms",
+      U"min", U"h",  U"Hz",  U"m",   U"cm",   U"mm",    U"km",     U"m/s",   U"m/s²", U"kg",
+      U"g",   U"mg", U"N",   U"kN",  U"J",    U"mJ",    U"W",      U"years"};
+  return std::ranges::find(kUnits, word) != kUnits.end();
+}
+
 /// Of one block: atoms, and the parts they make.
 struct Parts {
   std::vector<Atom> atoms;
@@ -353,20 +362,31 @@ class TextSetter {
     return !joins_names;
   }
 
+  /// The word that begins at an element, without punctuation.
+  static std::u32string word_at(const std::vector<Element>& elements, std::size_t begin) {
+    constexpr std::u32string_view kEnds = U" ,.;:!?)]";
+    std::u32string word;
+    for (std::size_t i = begin; i < elements.size() && elements[i].kind == Element::Kind::character &&
+                                kEnds.find(elements[i].character) == std::u32string_view::npos;
+         ++i)
+      word += elements[i].character;
+    return word;
+  }
+
+  static bool ends_in_digit(const TextBlock& block, const Element& element) {
+    if (element.kind != Element::Kind::formula) return is_digit(element.character);
+    const std::string& tex = block.spans[element.span].text;
+    return !tex.empty() && is_digit(static_cast<unsigned char>(tex.back()));
+  }
+
   /// Of a line that ends at this space: a number stays with its unit, and with the word that it numbers.
   static double penalty_at(const TextBlock& block, const std::vector<Element>& elements, std::size_t space) {
-    if (space == 0 || space + 1 >= elements.size()) return 0.0;
-    const Element &before = elements[space - 1], &after = elements[space + 1];
-    const bool ends_in_digit =
-        before.kind == Element::Kind::formula
-            ? !block.spans[before.span].text.empty() &&
-                  is_digit(static_cast<unsigned char>(block.spans[before.span].text.back()))
-            : is_digit(before.character);
-    if (ends_in_digit && is_letter(after.character)) return kWithinNumber;
-    std::size_t end = space + 1;
-    while (end < elements.size() && is_digit(elements[end].character)) ++end;
-    const bool is_short_number = 0 < end - space - 1 && end - space - 1 <= 2 &&
-                                 (end == elements.size() || !is_letter(elements[end].character));
+    if (space == 0) return 0.0;
+    const Element& before = elements[space - 1];
+    const std::u32string after = word_at(elements, space + 1);
+    if (ends_in_digit(block, before) && is_unit(after)) return kWithinNumber;
+    const bool is_short_number =
+        0 < after.size() && after.size() <= 2 && std::ranges::all_of(after, is_digit);
     return is_short_number && is_letter(before.character) ? kWithinNumber : 0.0;
   }
 
@@ -577,7 +597,9 @@ class TextSetter {
                 double change) {
     advance_to_line(extent_of(parts, parts.first_atoms[begin], parts.first_atoms[end]));
     double pen = x;
-    double right = x;
+    if (flush_right_ && style_.width > 0.0)
+      pen += std::max(0.0, style_.width - x - length_of(parts, begin, end));
+    double right = pen;
     LinkRule link;
     for (std::size_t p = begin; p < end; ++p) {
       const LinePart& part = parts.lines[p];
@@ -592,6 +614,13 @@ class TextSetter {
     }
     end_link(link);
     list_.width = std::max(list_.width, right);
+  }
+
+  static double length_of(const Parts& parts, std::size_t begin, std::size_t end) {
+    double length = 0.0;
+    for (std::size_t p = begin; p < end; ++p)
+      length += parts.lines[p].width + (p + 1 < end ? parts.lines[p].space : 0.0);
+    return length;
   }
 
   void place(const Parts& parts, const Atom& atom, double x) {
@@ -639,8 +668,10 @@ class TextSetter {
     }
   };
 
-  DisplayList cell_list(const TextTable::Cell& cell, const TextStyle& style) {
+  DisplayList cell_list(const TextTable::Cell& cell, const TextStyle& style,
+                        TextTable::Align align = TextTable::Align::left) {
     TextSetter setter(style, fonts_, lenient_);
+    setter.flush_right_ = align == TextTable::Align::right;
     DisplayList list = setter.set({TextBlock{.indent = 0, .marker = {}, .spans = cell}});
     std::vector<TypeError> errors = setter.take_errors();
     if (errors_.size() < kMaxTypeErrors) errors_.insert(errors_.end(), errors.begin(), errors.end());
@@ -705,7 +736,7 @@ class TextSetter {
         made.rows.emplace_back();
         for (std::size_t c = 0; c < row.size(); ++c) {
           style.width = made.widths[c];
-          made.rows.back().push_back(cell_list(row[c], style));
+          made.rows.back().push_back(cell_list(row[c], style, table.columns[c]));
         }
       }
       return made;
@@ -787,6 +818,7 @@ class TextSetter {
   const Fonts& fonts_;
   Metrics metrics_;
   bool lenient_;
+  bool flush_right_ = false;       // lines of a cell, in the whole width
   std::map<int, double> indents_;  // steps of the levels of lists
   std::vector<TypeError> errors_;
 

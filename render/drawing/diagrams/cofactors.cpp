@@ -7,13 +7,13 @@ namespace polhode::diagrams {
 namespace {
 
 constexpr double kColumn = 5.6, kRow = 2.9;
-constexpr double kDeterminantLeft = 12.4;  // of the cells
+constexpr double kDeterminantLeft = 8.0;  // of the cells
 constexpr double kDeterminantTop = 0.4;
 constexpr std::array<double, 3> kBaselines = {1.55, 1.35,
                                               1.35};  // in a cell: below the symbols stand numbers
 constexpr double kNumberBelow = 1.15;
 constexpr double kExpansionTop = 10.8, kExpansionRow = 2.3;
-constexpr double kWidth = 32.0;
+constexpr double kWidth = 27.6;
 constexpr double kSmall = 0.75;
 
 using Texts = std::array<const char*, 3>;
@@ -86,13 +86,13 @@ void add_expansion(const Vec3& w_B, const Vec3& L_B, int lit, const NumberForm& 
     const auto k = static_cast<std::size_t>(i);
     const double top = kExpansionTop + i * kExpansionRow, y = top + 1.5;
     const bool is_lit = i == lit;
-    if (is_lit) paper.panel({6.4, top + 0.1}, {kWidth - 0.1, top + kExpansionRow - 0.1}, paper.style().panel);
+    if (is_lit) paper.panel({2.0, top + 0.1}, {kWidth - 0.1, top + kExpansionRow - 0.1}, paper.style().panel);
     const std::string tex =
         std::string(kSigns[k]) + "\\," + kUnit[k] + "\\,\\left(" + kMinors[k] + "\\right)";
-    paper.math(tex, {7.0, y}, {.size = 1.1, .quiet = !is_lit});
-    paper.math(std::string(kUnit[k]) + ":", {24.2, y}, {.align = 1.0, .quiet = !is_lit});
-    paper.text(form.text(value[i]), {28.2, y}, {.align = 1.0, .quiet = !is_lit, .bold = is_lit});
-    paper.text(form.unit("N m"), {28.7, y}, {.size = kSmall, .quiet = true});
+    paper.math(tex, {2.6, y}, {.size = 1.1, .quiet = !is_lit});
+    paper.math(std::string(kUnit[k]) + ":", {19.8, y}, {.align = 1.0, .quiet = !is_lit});
+    paper.text(form.text(value[i]), {23.8, y}, {.align = 1.0, .quiet = !is_lit, .bold = is_lit});
+    paper.text(form.unit("N m"), {24.3, y}, {.size = kSmall, .quiet = true});
   }
 }
 

@@ -67,7 +67,7 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, D
   const double t_s = model.orders.front().t_s;
   const bool by_evaluations = model.scene.compared.by_evaluations;
   const std::string work = by_evaluations ? "evaluations" : "steps";
-  paper.plot({.title = "Error against " + work + ", and order",
+  paper.plot({.title = "",  // its axes say what it is
               .x_label = work + " in " + NumberForm(t_s, 3).text(t_s) + " s",
               .y_label = "error of $\\vec\\omega$, relative",
               .series = series_of(model.orders, t_s, by_evaluations),
@@ -76,7 +76,7 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, D
               .recommended_label = {},
               .note = "after each name its order: log₂ of the gain by half the step",
               .names_at_end = true,
-              .scale = 2.3},
+              .scale = 2.0},
              {0, 0}, arrangement == Arrangement::wide ? kWide : kTall);
 }
 

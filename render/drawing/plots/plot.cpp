@@ -20,11 +20,12 @@ constexpr Color kMuted = kAxesRole.ink;
 
 // Lengths in px of a picture 1080 px high.
 constexpr double kMargin = 72, kMarginBesideNames = 24;
-constexpr double kMostOfNames = 0.42;  // of the width, in a column
+constexpr double kMostOfNames = 0.38;  // of the width, in a column
 constexpr double kTitleSize = 44, kNoteSize = 26, kAxisTitleSize = 27, kTickSize = 26;
 constexpr double kNameSize = 27, kQuietNameSize = 25, kExactNameSize = 32, kCalloutSize = 29;
 constexpr double kNameAir = 0.12;  // of the size of type, around a name
-constexpr double kEndGap = 56;     // from the frame to a column of names
+constexpr double kTitleHeight = 100;
+constexpr double kEndGap = 40;  // from the frame to a column of names
 constexpr double kDecadeSpacing = 56;
 constexpr double kRingRadius = 27;
 constexpr LabelRules kNameRules{.starts = 8, .rounds = 3, .cost_covered = 0.5, .cost_crossed = 1.8};
@@ -123,11 +124,14 @@ class PlotLayout {
   double px(double length) const { return unit_ * length; }
   /// Embedded in a diagram, which has its own.
   double margin() const { return plot_.names_at_end ? kMarginBesideNames : kMargin; }
+  /// Of what stands above the frame, in a plot without a title.
+  double raised() const { return plot_.title.empty() ? kTitleHeight : 0.0; }
   bool shows(const std::pair<double, double>& p) const { return x_.shows(p.first) && y_.shows(p.second); }
   Vec2 at(const std::pair<double, double>& p) const { return {x_.px(p.first), y_.px(p.second)}; }
 
   void place_axes(double width, double height) {
-    frame_ = {px(margin()), px(plot_.note.empty() ? 212 : 250), width - px(margin()), height - px(142)};
+    frame_ = {px(margin()), px((plot_.note.empty() ? 212 : 250) - raised()), width - px(margin()),
+              height - px(142)};
     // Bottom first: the labels of the y axis depend on it, and its left end on them.
     for (LogAxis* axis : {&x_, &y_}) axis->gap_px = px(54);
     y_.start_px = frame_.y1;
@@ -252,8 +256,8 @@ class PlotLayout {
 
   void add_titles() {
     const double left = px(margin());
-    add_text(plot_.title, {left, px(106)}, px(kTitleSize), 0.0, kInk);
-    if (!plot_.note.empty()) add_text(plot_.note, {left, px(152)}, px(kNoteSize), 0.0, kMuted);
+    if (!plot_.title.empty()) add_text(plot_.title, {left, px(106)}, px(kTitleSize), 0.0, kInk);
+    if (!plot_.note.empty()) add_text(plot_.note, {left, px(152 - raised())}, px(kNoteSize), 0.0, kMuted);
     add_text(plot_.y_label, {left, frame_.y0 - px(30)}, px(kAxisTitleSize), 0.0, kInk);
     add_text(plot_.x_label, {0.5 * (frame_.x0 + frame_.x1), frame_.y1 + px(98)}, px(kAxisTitleSize), 0.5,
              kInk);

@@ -14,7 +14,7 @@
 namespace polhode::builders {
 
 inline constexpr double kTriadLength = 1.28;                 ///< of the axes of both frames, scene units
-inline constexpr double kSymbolSize = 1.2, kTextSize = 0.8;  ///< of names, of the size of labels
+inline constexpr double kSymbolSize = 1.2, kTextSize = 0.95;  ///< of names, of the size of labels
 
 // Radii of curves at the standard thickness, scene units.
 inline constexpr double kPolhodeRadius = 0.0135;
