@@ -23,7 +23,7 @@ constexpr double kMeasure = 28.0;  ///< width of the text column: 62 to 66 chara
 constexpr double kMargin = 3.1;
 constexpr double kGutter = 2.4;  ///< between text and figure
 constexpr double kTop = 3.1;
-constexpr double kBottom = 2.2;
+constexpr double kBottom = 2.7;
 constexpr double kMeterSize = 0.62;
 constexpr double kCaptionSize = 0.68;
 

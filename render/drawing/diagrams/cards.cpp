@@ -33,7 +33,7 @@ void add_card(const Card& card, const Vec2& corner, DiagramPaper& paper) {
   paper.panel(corner, corner + Vec2(kCardWidth, kCardHeight), paper.style().panel);
   paper.text("(" + std::to_string(card.number) + ")", corner + Vec2(2.4, 1.75), {.align = 1, .quiet = true});
   paper.math(card.tex, corner + Vec2(3.1, 1.75));
-  paper.text(card.words, corner + Vec2(3.1, 3.35), {.size = 0.76, .quiet = true});
+  paper.text(card.words, corner + Vec2(3.1, 3.35), {.size = 0.9, .quiet = true});
 }
 
 void draw(const SceneModel& /*unused*/, double /*unused*/, Arrangement /*unused*/, DiagramPaper& paper) {

@@ -14,7 +14,7 @@ constexpr std::array<double, 3> kBaselines = {1.55, 1.35,
 constexpr double kNumberBelow = 1.15;
 constexpr double kExpansionTop = 10.8, kExpansionRow = 2.3;
 constexpr double kWidth = 27.6;
-constexpr double kSmall = 0.75;
+constexpr double kSmall = 0.92;
 
 using Texts = std::array<const char*, 3>;
 constexpr Texts kUnit = {"\\hat i", "\\hat j", "\\hat k"};

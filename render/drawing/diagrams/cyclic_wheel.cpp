@@ -17,7 +17,7 @@ constexpr double kArrowFrom = 0.36, kArrowTo = 0.42;  // of a node's neighbourho
 constexpr double kWidth = 25.6, kTop = 2.9, kRow = 4.4, kHeight = kTop + 3.0 * kRow;
 constexpr double kFirst = 3.3, kPlus = 6.4, kSecond = 11.4, kEquals = 16.6, kThird = 19.2,
                  kUnitEnd = 25.1;  // middles of the three terms and what is between them
-constexpr double kSmall = 0.78;
+constexpr double kSmall = 0.92;
 
 /// Clockwise from the top.
 Vec2 on_rim(const Vec2& hub, double angle) { return hub + kRadius * Vec2(std::sin(angle), -std::cos(angle)); }
@@ -72,7 +72,7 @@ void add_equation(int i, const EulerTerms& terms, bool is_free, bool is_lit, con
   paper.math(is_free ? "0" : "N_" + a, at(kThird, kFormula), formula);
   paper.text("(" + std::to_string((is_free ? 10 : 7) + i) + ")", at(kUnitEnd, kFormula),
              {.align = 1, .quiet = true});
-  const DiagramPaper::Type number{.align = 0.5, .size = 0.86, .quiet = quiet};
+  const DiagramPaper::Type number{.align = 0.5, .size = 0.92, .quiet = quiet};
   paper.text(form.text(terms.inertial_B[i]), at(kFirst, kNumber), number);
   paper.text(form.text(terms.gyroscopic_B[i]), at(kSecond, kNumber), number);
   if (!is_free) paper.text(form.text(terms.N_B[i]), at(kThird, kNumber), number);

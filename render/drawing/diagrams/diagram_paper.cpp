@@ -174,10 +174,13 @@ void DiagramPaper::disc(const Vec2& middle, double radius, const Color& color) {
 }
 
 void DiagramPaper::plot(const WorkPrecisionPlot& plot, const Vec2& corner, const Vec2& opposite) {
-  const Color plain = DiagramStyle().paper;
-  if (is_dark(style_.paper)) bar(corner, opposite, plain);
+  WorkPrecisionPlot on_paper = plot;
+  on_paper.paper = style_.paper;
+  on_paper.ink = style_.ink;
+  on_paper.muted = style_.muted;
+  on_paper.grid = style_.line;
   const Vec2 from = px(corner), size = px(opposite) - from;
-  append(sheet_, lay_out(plot, size.x(), size.y(), fonts_), from);
+  append(sheet_, lay_out(on_paper, size.x(), size.y(), fonts_), from);
 }
 
 }  // namespace polhode::diagrams

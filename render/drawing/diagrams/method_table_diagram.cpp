@@ -66,7 +66,7 @@ void add_head(const MethodTable& table, DiagramPaper& paper) {
   for (int c = 0; c < kColumns; ++c) {
     const Column& column = kTable[static_cast<std::size_t>(c)];
     paper.text(column.name, {right_of(c), 4.55}, {.align = 1, .size = 0.86});
-    paper.text(column.unit, {right_of(c), 5.65}, {.align = 1, .size = 0.72, .quiet = true});
+    paper.text(column.unit, {right_of(c), 5.65}, {.align = 1, .size = 0.85, .quiet = true});
   }
   paper.line({kName, kHead - 0.3}, {kWidth - 0.2, kHead - 0.3}, 0.07, paper.style().muted);
 }
@@ -93,7 +93,7 @@ void add_row(const MethodRow& row, double top, DiagramPaper& paper) {
   paper.text(std::string(name_of(row.method)), {kName, y}, {.size = 0.92});
   if (facts_of(row.method).control == StepControl::adaptive)  // the step is not its
     paper.text("tol. " + signed_short(kDefaultTolerance), {right_of(0) - kColumn + 0.3, y},
-               {.align = 1, .size = 0.72, .quiet = true});
+               {.align = 1, .size = 0.85, .quiet = true});
   for (int c = 0; c < kColumns; ++c) {
     const Column& column = kTable[static_cast<std::size_t>(c)];
     const bool is_gross = column.value(row) > column.gross || (c == 0 && diverged(row));

@@ -76,7 +76,7 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, D
               .recommended_label = {},
               .note = "after each name its order: log₂ of the gain by half the step",
               .names_at_end = true,
-              .scale = 2.0},
+              .scale = 2.3},
              {0, 0}, arrangement == Arrangement::wide ? kWide : kTall);
 }
 

@@ -16,7 +16,7 @@ constexpr double kHead = 2.1, kRow = 2.0, kSum = 2.2;  // heights
 constexpr double kBlock = kHead + 3.0 * kRow + kSum;
 constexpr double kBetween = 1.0;  // the blocks
 constexpr double kBarHalf = 0.52, kBaseline = 0.36;
-constexpr double kSmall = 0.78;
+constexpr double kSmall = 0.92;
 
 using Texts = std::array<std::string, 3>;
 
@@ -59,7 +59,7 @@ void add_block(const Block& block, const Scale& scale, double top, DiagramPaper&
   const NumberForm& form = scale.form;
   const auto x_of = [&](double value) { return scale.x_of(value); };
   const std::array<double, 4> sums = running_sums(block.values);
-  paper.text(block.title, {kLabel, top + 1.1}, {.size = 0.85, .quiet = true});
+  paper.text(block.title, {kLabel, top + 1.1}, {.size = 0.92, .quiet = true});
   paper.text(form.unit(block.unit), {kNumberEnd, top + 1.1}, {.align = 1, .size = kSmall, .quiet = true});
   const double first = top + kHead + 0.5 * kRow, last = first + 3.0 * kRow;
   paper.line({kZero, first - 0.5 * kRow}, {kZero, last + 0.8}, 0.07, paper.style().muted);

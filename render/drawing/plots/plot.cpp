@@ -13,10 +13,7 @@
 namespace polhode {
 namespace {
 
-constexpr Color kPaperHalo{kPaper.r, kPaper.g, kPaper.b, 0.92F};
-constexpr Color kGrid = color_from_hex(0xE3DED2);
 constexpr Color kGood = color_from_hex(0xF3EEDF);  // where the tolerance is met
-constexpr Color kMuted = kAxesRole.ink;
 
 // Lengths in px of a picture 1080 px high.
 constexpr double kMargin = 72, kMarginBesideNames = 24;
@@ -29,10 +26,6 @@ constexpr double kEndGap = 40;  // from the frame to a column of names
 constexpr double kDecadeSpacing = 56;
 constexpr double kRingRadius = 27;
 constexpr LabelRules kNameRules{.starts = 8, .rounds = 3, .cost_covered = 0.5, .cost_crossed = 1.8};
-
-Color towards_paper(const Color& c, float f) {
-  return {std::lerp(c.r, kPaper.r, f), std::lerp(c.g, kPaper.g, f), std::lerp(c.b, kPaper.b, f), 1.0F};
-}
 
 std::vector<double> works_of(const WorkPrecisionPlot& plot) {
   std::vector<double> values;
@@ -52,6 +45,15 @@ std::vector<double> errors_of(const WorkPrecisionPlot& plot) {
 }
 
 bool is_star(const PlotSeries& s) { return s.look == PlotLook::star; }
+
+std::vector<CurveStyle> on_paper(std::vector<CurveStyle> styles, const Color& paper) {
+  if (!is_dark(paper)) return styles;
+  for (CurveStyle& style : styles) {
+    style.ink = on_dark(style.ink);
+    style.paint = on_dark(style.paint);
+  }
+  return styles;
+}
 
 /// Whether no other curve has a point that is as cheap and as good, and better in one of the two.
 bool has_a_front_point(const PlotSeries& series, const std::vector<PlotSeries>& all) {
@@ -83,7 +85,7 @@ class PlotLayout {
         unit_(plot.scale * std::min(height, width * 9.0 / 16.0) / 1080.0),
         x_(LogAxis::covering(works_of(plot), false, true)),
         y_(LogAxis::covering(errors_of(plot), true, false)),
-        styles_(styles_of(plot.series)),
+        styles_(on_paper(styles_of(plot.series), plot.paper)),
         strong_(strong_ones_of(plot.series)) {
     place_axes(width, height);
     for (const PlotSeries& s : plot.series) curves_.push_back(curve_of(s));
@@ -119,9 +121,11 @@ class PlotLayout {
     style.sans = true;
     return set_line(text, style, fonts_);
   }
-  double width_of(const std::string& text, double size) const { return line_of(text, size, kInk).width; }
+  double width_of(const std::string& text, double size) const { return line_of(text, size, plot_.ink).width; }
 
   double px(double length) const { return unit_ * length; }
+  Color towards_paper(const Color& color, float f) const { return between(color, plot_.paper, f); }
+  Color paper_halo() const { return {plot_.paper.r, plot_.paper.g, plot_.paper.b, 0.92F}; }
   /// Embedded in a diagram, which has its own.
   double margin() const { return plot_.names_at_end ? kMarginBesideNames : kMargin; }
   /// Of what stands above the frame, in a plot without a title.
@@ -197,25 +201,25 @@ class PlotLayout {
   void add_tolerance_line() {
     if (!shows_tolerance()) return;
     const double y = std::round(y_.px(*plot_.tolerance)) + 0.5;
-    add_line({frame_.x0, y}, {frame_.x1, y}, px(2.2), kInk, px(9));
+    add_line({frame_.x0, y}, {frame_.x1, y}, px(2.2), plot_.ink, px(9));
     for (double x = frame_.x0; x <= frame_.x1; x += px(24)) obstacles_.emplace_back(x, y);
-    add_text(tolerance_text(), {frame_.x1 + px(12), y + px(9)}, px(kNameSize), 0.0, kInk);
+    add_text(tolerance_text(), {frame_.x1 + px(12), y + px(9)}, px(kNameSize), 0.0, plot_.ink);
   }
 
   void add_grid() {
     for (int n : x_.marks(px(1.6 * kDecadeSpacing)).labelled) {
       const double x = std::round(x_.px_of_log(n)) + 0.5;
-      add_line({x, frame_.y0}, {x, frame_.y1}, px(1.2), kGrid);
+      add_line({x, frame_.y0}, {x, frame_.y1}, px(1.2), plot_.grid);
     }
     for (int n : y_.marks(px(kDecadeSpacing)).labelled) {
       const double y = std::round(y_.px_of_log(n)) + 0.5;
-      add_line({frame_.x0, y}, {frame_.x1, y}, px(1.2), kGrid);
+      add_line({frame_.x0, y}, {frame_.x1, y}, px(1.2), plot_.grid);
     }
     add_tolerance_line();
   }
 
   void add_axes() {
-    const Color line = towards_paper(kMuted, 0.25F), minor = towards_paper(kMuted, 0.5F);
+    const Color line = towards_paper(plot_.muted, 0.25F), minor = towards_paper(plot_.muted, 0.5F);
     const double x0 = std::round(frame_.x0) + 0.5, y1 = std::round(frame_.y1) + 0.5;
     add_line({x0, y1}, {frame_.x1, y1}, px(1.6), line);
     add_line({x0, frame_.y0}, {x0, y1}, px(1.6), line);
@@ -228,11 +232,11 @@ class PlotLayout {
     for (int n : x_marks.labelled) {
       const double x = std::round(x_.px_of_log(n)) + 0.5;
       add_line({x, y1}, {x, y1 + px(9)}, px(1.5), line);
-      add_text(power_of_ten(n), {x, y1 + px(42)}, px(kTickSize), 0.5, kMuted);
+      add_text(power_of_ten(n), {x, y1 + px(42)}, px(kTickSize), 0.5, plot_.muted);
     }
     for (int n : y_marks.labelled) add_y_label(power_of_ten(n), y_.px_of_log(n), line);
     if (y_.has_zero) {
-      add_line({frame_.x0, y_.px(0.0)}, {frame_.x1, y_.px(0.0)}, px(1.2), kGrid);
+      add_line({frame_.x0, y_.px(0.0)}, {frame_.x1, y_.px(0.0)}, px(1.2), plot_.grid);
       add_y_label("0", y_.px(0.0), line);
     }
     for (double y : y_.gaps_px()) add_gap_mark({x0, y}, {0.0, 1.0});
@@ -242,25 +246,26 @@ class PlotLayout {
   void add_y_label(const std::string& text, double y, const Color& line) {
     const double middle = std::round(y) + 0.5, x0 = std::round(frame_.x0) + 0.5;
     add_line({x0 - px(9), middle}, {x0, middle}, px(1.5), line);
-    add_text(text, {x0 - px(18), middle + 0.35 * px(kTickSize)}, px(kTickSize), 1.0, kMuted);
+    add_text(text, {x0 - px(18), middle + 0.35 * px(kTickSize)}, px(kTickSize), 1.0, plot_.muted);
   }
 
   /// Two slanted strokes across an axis that runs along `direction`, with nothing of it between them.
   void add_gap_mark(const Vec2& middle, const Vec2& direction) {
     const Vec2 across(direction.y(), direction.x());
     const Vec2 along = px(5) * direction, slant = px(10) * across - px(4) * direction;
-    sheet_.shapes.push_back(Stroke{{middle - along, middle + along}, px(5), kPaper});
+    sheet_.shapes.push_back(Stroke{{middle - along, middle + along}, px(5), plot_.paper});
     for (const Vec2& foot : {Vec2(middle - along), Vec2(middle + along)})
-      add_line(foot - slant, foot + slant, px(1.6), towards_paper(kMuted, 0.25F));
+      add_line(foot - slant, foot + slant, px(1.6), towards_paper(plot_.muted, 0.25F));
   }
 
   void add_titles() {
     const double left = px(margin());
-    if (!plot_.title.empty()) add_text(plot_.title, {left, px(106)}, px(kTitleSize), 0.0, kInk);
-    if (!plot_.note.empty()) add_text(plot_.note, {left, px(152 - raised())}, px(kNoteSize), 0.0, kMuted);
-    add_text(plot_.y_label, {left, frame_.y0 - px(30)}, px(kAxisTitleSize), 0.0, kInk);
+    if (!plot_.title.empty()) add_text(plot_.title, {left, px(106)}, px(kTitleSize), 0.0, plot_.ink);
+    if (!plot_.note.empty())
+      add_text(plot_.note, {left, px(152 - raised())}, px(kNoteSize), 0.0, plot_.muted);
+    add_text(plot_.y_label, {left, frame_.y0 - px(30)}, px(kAxisTitleSize), 0.0, plot_.ink);
     add_text(plot_.x_label, {0.5 * (frame_.x0 + frame_.x1), frame_.y1 + px(98)}, px(kAxisTitleSize), 0.5,
-             kInk);
+             plot_.ink);
   }
 
   bool strong(std::size_t i) const { return strong_[i]; }
@@ -293,7 +298,7 @@ class PlotLayout {
 
   void add_part(const std::vector<Vec2>& points, double width, double radius, const CurveStyle& style) {
     if (points.size() > 1) sheet_.shapes.push_back(Stroke{points, width, style.paint});
-    for (const Vec2& p : points) add_mark(sheet_, p, radius, style, kPaper);
+    for (const Vec2& p : points) add_mark(sheet_, p, radius, style, plot_.paper);
   }
 
   void add_obstacles(const std::vector<Vec2>& points) {
@@ -314,7 +319,7 @@ class PlotLayout {
       const double angle = 2.0 * 3.14159265358979323846 * k / kPieces;
       circle.push_back(where + px(kRingRadius) * Vec2(std::cos(angle), std::sin(angle)));
     }
-    sheet_.shapes.push_back(Stroke{circle, px(3.2), kInk});
+    sheet_.shapes.push_back(Stroke{circle, px(3.2), plot_.ink});
     for (std::size_t k = 0; k < circle.size(); k += 8) obstacles_.push_back(circle[k]);
   }
 
@@ -336,8 +341,8 @@ class PlotLayout {
            .close = true});
     };
     if (plot_.recommended && shows(*plot_.recommended) && !plot_.recommended_label.empty())
-      request({&plot_.recommended_label, px(kCalloutSize), kInk, nullptr}, at(*plot_.recommended), {0, 0},
-              px(kRingRadius));
+      request({&plot_.recommended_label, px(kCalloutSize), plot_.ink, nullptr}, at(*plot_.recommended),
+              {0, 0}, px(kRingRadius));
     for (const bool exact_ones : {true, false})
       for (const bool strong_turn : {true, false})
         for (std::size_t i = 0; i < curves_.size(); ++i) {
@@ -367,11 +372,11 @@ class PlotLayout {
       const Vec2 end = curves_[i].points.back() + Vec2(1.6 * mark_radius(i), 0.0), name(left, placed[k]);
       if (end.x() < name.x() - px(12))
         add_line(end, name - Vec2(px(6), 0.0), px(1.4), towards_paper(styles_[i].ink, 0.4F));
-      add_mark(sheet_, name + Vec2(0.4 * size, 0.0), px(7.5), styles_[i], kPaper);
+      add_mark(sheet_, name + Vec2(0.4 * size, 0.0), px(7.5), styles_[i], plot_.paper);
       const std::string& text = plot_.series[i].label;
       sheet_.texts.push_back({.list = line_of(text, size, styles_[i].ink),
                               .at = name + Vec2(0.95 * size, 0.35 * size),
-                              .halo = kPaperHalo,
+                              .halo = paper_halo(),
                               .text = text});
     }
   }
@@ -403,10 +408,10 @@ class PlotLayout {
       const double baseline = box.y1 - 0.22 * name.size;
       if (name.mark)
         add_mark(sheet_, {box.x0 + 0.32 * name.size, baseline - 0.35 * name.size}, px(7.5), *name.mark,
-                 kPaper);
+                 plot_.paper);
       sheet_.texts.push_back({.list = line_of(*name.text, name.size, name.ink),
                               .at = {box.x0 + name.mark_room(), baseline},
-                              .halo = kPaperHalo,
+                              .halo = paper_halo(),
                               .text = *name.text});
     }
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "render/drawing/sheet.h"
+#include "render/palette.h"
 #include "render/typeset/fonts.h"
 
 #include <optional>
@@ -46,6 +47,8 @@ struct WorkPrecisionPlot {
   /// there.
   bool names_at_end = false;
   double scale = 1;  ///< of type, lines and marks, from what suits a picture of that size seen alone
+  Color paper = kPaper, ink = kInk, muted = kAxesRole.ink,
+        grid = color_from_hex(0xE3DED2);  ///< on a dark paper the curves' colours are lighter
 };
 
 /// Pure: depends on its arguments alone. About 0.2 s for fifteen curves, nearly all of it for where their
