@@ -22,7 +22,8 @@ constexpr double kAboveStep = 1.5;    // em: what is seen above a step that is r
 constexpr double kHeaderToTitle = 0.9;
 constexpr double kLeastOfAll = 0.3;  // smaller type nobody reads; of what is normal for the page
 constexpr double kSmaller = 0.94;
-constexpr double kTallestBefore = 2.6;  // em: of what a slide recalls
+constexpr double kTallestBefore = 2.6;    // em: of what a slide recalls
+constexpr std::size_t kMostRecalled = 6;  // equations of earlier steps on a page
 
 /// Whether a claim, on whatever step of the stage, says of an equation that it is wrong, or does not follow.
 bool is_refuted(const Stage& stage, const Equation& equation) {
@@ -256,11 +257,27 @@ class ScaledText {
       return pieces({i, i});
     });
     if (whole_from > last_) return std::nullopt;
-    for (std::size_t from = whole_from; from <= last_; ++from) {
-      const std::size_t equations_from = with_equations(from, height);
-      if (equations_from == 0 || from == last_) return Selection{equations_from, from};
+    // Rather fewer equations of earlier steps than an answer without its question.
+    const bool answers = last_ > 0 && whole_from < last_ && !blocks_of<Ask>(before_present()).empty();
+    const std::size_t latest = answers ? last_ - 1 : last_;
+    for (std::size_t from = whole_from; from <= latest; ++from) {
+      const std::size_t wanted = first_recalled(from),
+                        equations_from = std::max(wanted, with_equations(from, height));
+      if (equations_from == wanted || from == latest) return Selection{equations_from, from};
     }
     return std::nullopt;
+  }
+
+  /// The first step of which equations are recalled above step `whole_from`: more than some are read by
+  /// nobody.
+  std::size_t first_recalled(std::size_t whole_from) const {
+    std::size_t count = 0, first = whole_from;
+    for (; first > 0; --first) {
+      for (const Equation* equation : blocks_of<Equation>(request_.stage.steps[first - 1]))
+        if (is_repeated(*equation)) ++count;
+      if (count > kMostRecalled) break;
+    }
+    return first;
   }
 
   /// The smallest index below `end` from which on `pieces_from` fits; steps are tried from
@@ -322,6 +339,7 @@ class ScaledText {
   }
 
   const Step& present() const { return request_.stage.steps[last_]; }
+  const Step& before_present() const { return request_.stage.steps[last_ - 1]; }
   /// Whether the present step's title stands as that of a slide, in the place of the stage's.
   bool has_own_title() const { return is_slide() && !present().title.empty(); }
 
