@@ -69,6 +69,11 @@ bool leads_on(const InputEvent& event) {
          (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER || event.code == GLFW_KEY_TAB);
 }
 
+/// It goes to a place or a time: no focus changes by it.
+bool walks(const InputEvent& event) {
+  return event.kind == InputEvent::Kind::key && event.code >= GLFW_KEY_RIGHT && event.code <= GLFW_KEY_END;
+}
+
 }  // namespace
 
 void listen(GLFWwindow* window, Input& input) {
@@ -108,7 +113,7 @@ void ControlInput::feed(std::deque<InputEvent>& waiting) {
     const InputEvent event = waiting.front();
     waiting.pop_front();
     if (is_command(event)) {
-      wait_ = kSettlingFrames;
+      wait_ = walks(event) ? 1 : kSettlingFrames;
       break;
     }
     portion.add(event);
