@@ -80,7 +80,12 @@ void listen(GLFWwindow* window, Input& input) {
   glfwSetWindowUserPointer(window, &input);
   using Kind = InputEvent::Kind;
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-    input_of(w).waiting.push_back({Kind::key, key, scancode, action, modifiers});
+    std::deque<InputEvent>& waiting = input_of(w).waiting;
+    // A key that is held goes on as quickly as pictures are drawn, and ends where it is let go.
+    const bool waits_already = action == GLFW_REPEAT && !waiting.empty() &&
+                               waiting.back().kind == Kind::key && waiting.back().code == key &&
+                               waiting.back().action == GLFW_REPEAT;
+    if (!waits_already) waiting.push_back({Kind::key, key, scancode, action, modifiers});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code_point) {
     input_of(w).waiting.push_back({Kind::character, static_cast<int>(code_point)});
