@@ -88,10 +88,9 @@ void show_next_step(PanelContext& context, const Ask& ask) {
   if (shown > 0)
     if (const std::string hint = work.hint(shown); !hint.empty())
       context.texts.show(opened_by("Hint: ", line_text(hint)), TextInk::quiet);
-  if (shown < DerivationWork::kMostHints && ImGui::Button(shown == 0   ? "A hint"
-                                                          : shown == 1 ? "How?"
-                                                                       : "Show the line"))
-    context.session.show_hint(ask);
+  // Whatever it says it is the same button, which keeps the focus.
+  const char* words = shown == 0 ? "A hint###hint" : shown == 1 ? "How?###hint" : "Show the line###hint";
+  if (shown < DerivationWork::kMostHints && ImGui::Button(words)) context.session.show_hint(ask);
 }
 
 }  // namespace polhode

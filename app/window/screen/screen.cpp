@@ -273,6 +273,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   io.DisplaySize = {static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)};
   io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
   ImGui::NewFrame();
+  let_enter_press();
   if (io.MouseClicked[0]) session.begin_change();
   if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) pointed_s_ = clock_s_;
   lay_out_controls(session, page_region(session, frame.size), frame.size);

@@ -22,6 +22,20 @@ class QuestionsPanelTest : public ScreenTest {
           }
     throw std::runtime_error("no such question");
   }
+
+  void expect_hints_by_enter(std::string_view id) {
+    const Ask& ask = go_to_question(id);
+    session.panel = Panel::question;
+    frame(4);
+    screen->press(session, "F6");
+    frame(3);
+    for (int i = 0; i < 3; ++i) give_to_panel(ImGuiKey_DownArrow);  // what closes, the field, the hint
+    for (int hints = 1; hints <= 2; ++hints) {
+      give_to_panel(ImGuiKey_Enter);
+      ASSERT_NE(session.record(ask), nullptr);
+      EXPECT_EQ(session.record(ask)->hints, hints);
+    }
+  }
 };
 
 TEST_F(QuestionsPanelTest, KeysThatWalkAndPlayAreThePages) {
@@ -193,6 +207,11 @@ hints = ["Add it to itself."]
   ASSERT_EQ(session.answers().at("two/second").right, 1);
   EXPECT_FALSE(ImGui::GetIO().WantTextInput) << "there is no other";
 }
+
+// 2026-11-26: Enter pressed nothing, and a button that says something else after it was pressed lost the
+// focus.
+TEST_F(QuestionsPanelTest, EnterPressesWhatIsChosenWhichStaysChosen) { expect_hints_by_enter("hold-steady"); }
+TEST_F(QuestionsPanelTest, EnterPressesWhatIsChosenBesideADerivation) { expect_hints_by_enter("derive-six"); }
 
 // What was set once is drawn, not set again: at rest, while the motion plays, and beside another answer.
 TEST_F(QuestionsPanelTest, TextsAreSetWhenTheyChange) {
