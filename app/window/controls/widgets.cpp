@@ -66,6 +66,12 @@ void let_enter_press() {
 #endif
 }
 
+void show_hint_from_left() {
+#if IMGUI_VERSION_NUM < 18900
+  if (ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID())) state->ScrollX = 0;
+#endif
+}
+
 std::string told(Command command) {
   for (const CommandFacts& facts : all_commands()) {
     if (facts.command != command) continue;

@@ -18,6 +18,10 @@ std::string told(Command command);
 /// number or a text is chosen it begins to be typed.
 void let_enter_press();
 
+/// Of the last item, a text field that is empty: its hint stands at the left, however far a text that was
+/// taken from it had been scrolled.
+void show_hint_from_left();
+
 /// With words beside the icon, or without; a tooltip says what it does and by which key.
 bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width);
 

@@ -29,6 +29,7 @@ bool text_field(PanelContext& context, const char* id, const char* form, const c
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - behind);
   if (std::exchange(context.take_focus, false)) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputTextWithHint(id, form, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (typed.empty()) show_hint_from_left();
   if (entered && typed.empty()) keep_typing(true);
   return entered && !typed.empty();
 }

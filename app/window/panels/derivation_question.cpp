@@ -32,10 +32,11 @@ void show_line(PanelContext& context, const DerivationWork::TypedLine& line, std
   if (leads_on) return context.texts.show(numbered(number, line), TextInk::right);
   context.texts.show(numbered(number, line), TextInk::wrong);
   if (verdict.mark == Mark::goal) return;  // too early, which is said below
-  const std::string what = verdict.mark == Mark::away    ? ""
-                           : verdict.mark == Mark::wrong ? "Not right: "
-                                                         : "Cannot be read: ";
-  quiet_words(fmt::format("{}{}.{}", what, verdict.reason, verdict.hint.empty() ? "" : " " + verdict.hint));
+  const char* what = verdict.mark == Mark::away    ? "Leads away"
+                     : verdict.mark == Mark::wrong ? "Not right"
+                                                   : "Cannot be read";
+  const std::string hint = verdict.hint.empty() ? "" : " (" + verdict.hint + ')';
+  quiet_words(fmt::format("{}: {}{}.", what, verdict.reason, hint));
   if (verdict.column > 0) quiet_words(fmt::format("at column {}", verdict.column));
   if (const auto& counter = verdict.counterexample) {
     quiet_words(fmt::format("At {} the left side is {}, the right side {}.", counter->state, counter->left,

@@ -387,7 +387,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
-  draw_drag_marks(session, page_->insets(), drag_.holds_omega(), *sizes_);
+  draw_drag_marks(session, page_->insets(), drag_.holds_omega(), right, *sizes_);
   draw_scene_chip(session, figure, *sizes_);
 }
 

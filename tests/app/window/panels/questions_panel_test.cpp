@@ -3,6 +3,8 @@
 #include "app/session/answers/answer_log.h"
 #include "tests/app/window/screen_harness.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 namespace polhode {
@@ -212,6 +214,23 @@ hints = ["Add it to itself."]
 // focus.
 TEST_F(QuestionsPanelTest, EnterPressesWhatIsChosenWhichStaysChosen) { expect_hints_by_enter("hold-steady"); }
 TEST_F(QuestionsPanelTest, EnterPressesWhatIsChosenBesideADerivation) { expect_hints_by_enter("derive-six"); }
+
+#if IMGUI_VERSION_NUM < 18900
+// 2026-11-26: behind a long line the hint was seen from its middle, "= b + c".
+TEST_F(QuestionsPanelTest, AnEmptyFieldShowsItsHintFromTheLeft) {
+  const Ask& ask = go_to_question("derive-transport");
+  screen->press(session, "Q");
+  frame(5);
+  ImGui::GetIO().AddInputCharactersUTF8(
+      "dA/dt = A1' e1 + A2' e2 + A3' e3 + A1 de1/dt + A2 de2/dt + A3 de3/dt");
+  frame(3);
+  ASSERT_GT(ImGui::GetCurrentContext()->InputTextState.ScrollX, 0) << "it is longer than the field";
+  give_to_panel(ImGuiKey_Enter);
+  frame(3);
+  ASSERT_EQ(session.derivation(ask).count(), 1u);
+  EXPECT_EQ(ImGui::GetCurrentContext()->InputTextState.ScrollX, 0);
+}
+#endif
 
 // What was set once is drawn, not set again: at rest, while the motion plays, and beside another answer.
 TEST_F(QuestionsPanelTest, TextsAreSetWhenTheyChange) {
