@@ -83,6 +83,13 @@ void ask_for_derivation(PanelContext& context, const Ask& ask, std::string& type
 
 void show_next_step(PanelContext& context, const Ask& ask) {
   const DerivationWork& work = context.session.derivation(ask);
+  if (work.is_done()) {
+    quiet_words("The lesson's own way, to compare:");
+    for (std::size_t i = 0; i < work.derivation().worked.size(); ++i)
+      context.texts.show(
+          opened_by(fmt::format("{}   ", i + 1), line_of_tex(work.derivation().worked[i].line.tex)),
+          TextInk::quiet);
+  }
   const AnswerRecord* record = context.session.record(ask);
   const int shown = record == nullptr ? 0 : record->hints;
   if (work.is_done()) return;
