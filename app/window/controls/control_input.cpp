@@ -69,13 +69,23 @@ bool leads_on(const InputEvent& event) {
          (event.code == GLFW_KEY_ENTER || event.code == GLFW_KEY_KP_ENTER || event.code == GLFW_KEY_TAB);
 }
 
+/// It goes to a place or a time: no focus changes by it.
+bool walks(const InputEvent& event) {
+  return event.kind == InputEvent::Kind::key && event.code >= GLFW_KEY_RIGHT && event.code <= GLFW_KEY_END;
+}
+
 }  // namespace
 
 void listen(GLFWwindow* window, Input& input) {
   glfwSetWindowUserPointer(window, &input);
   using Kind = InputEvent::Kind;
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int modifiers) {
-    input_of(w).waiting.push_back({Kind::key, key, scancode, action, modifiers});
+    std::deque<InputEvent>& waiting = input_of(w).waiting;
+    // A key that is held goes on as quickly as pictures are drawn, and ends where it is let go.
+    const bool waits_already = action == GLFW_REPEAT && !waiting.empty() &&
+                               waiting.back().kind == Kind::key && waiting.back().code == key &&
+                               waiting.back().action == GLFW_REPEAT;
+    if (!waits_already) waiting.push_back({Kind::key, key, scancode, action, modifiers});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned code_point) {
     input_of(w).waiting.push_back({Kind::character, static_cast<int>(code_point)});
@@ -108,7 +118,7 @@ void ControlInput::feed(std::deque<InputEvent>& waiting) {
     const InputEvent event = waiting.front();
     waiting.pop_front();
     if (is_command(event)) {
-      wait_ = kSettlingFrames;
+      wait_ = walks(event) ? 1 : kSettlingFrames;
       break;
     }
     portion.add(event);

@@ -22,6 +22,13 @@ bool modifies(const InputEvent& key) {
   return key.code >= GLFW_KEY_LEFT_SHIFT && key.code <= GLFW_KEY_RIGHT_SUPER;
 }
 
+/// Controls have its character, which comes of its own, and never look at the key: a text that is typed
+/// quickly is not slower than its hand. The space bar presses what is chosen.
+bool only_types(const InputEvent& key) {
+  constexpr int kShortcut = GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+  return key.code > GLFW_KEY_SPACE && key.code < GLFW_KEY_ESCAPE && (key.modifiers & kShortcut) == 0;
+}
+
 }  // namespace
 
 bool InputPortion::takes(const InputEvent& event) const {
@@ -44,7 +51,7 @@ void InputPortion::add(const InputEvent& event) {
   if (event.kind == InputEvent::Kind::pointer) moved_ = true;
   if (event.kind == InputEvent::Kind::button) buttons_.push_back(event.code);
   if (event.kind != InputEvent::Kind::key) return;
-  if (!modifies(event)) keys_.push_back(event.code);
+  if (!modifies(event) && !only_types(event)) keys_.push_back(event.code);
   acted_ = acted_ || (event.action != GLFW_RELEASE && acts(event));
 }
 

@@ -59,6 +59,19 @@ ImU32 color_of(ImGuiCol role) { return ImGui::GetColorU32(role); }
 
 }  // namespace
 
+void let_enter_press() {
+#if IMGUI_VERSION_NUM < 18900  // from then on it does so by itself
+  ImGuiContext& g = *ImGui::GetCurrentContext();
+  if (g.NavActivateInputId != 0) g.NavActivateId = g.NavActivateDownId = g.NavActivateInputId;
+#endif
+}
+
+void show_hint_from_left() {
+#if IMGUI_VERSION_NUM < 18900
+  if (ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetItemID())) state->ScrollX = 0;
+#endif
+}
+
 std::string told(Command command) {
   for (const CommandFacts& facts : all_commands()) {
     if (facts.command != command) continue;

@@ -14,6 +14,14 @@ enum class Icon { back, next, play, pause, frame_back, frame_forward, reset, clo
 /// "Next step (Right)": what a command does, and its keys.
 std::string told(Command command);
 
+/// Behind ImGui::NewFrame(): Enter presses the button that is chosen by keys, as the space bar does. Where a
+/// number or a text is chosen it begins to be typed.
+void let_enter_press();
+
+/// Of the last item, a text field that is empty: its hint stands at the left, however far a text that was
+/// taken from it had been scrolled.
+void show_hint_from_left();
+
 /// With words beside the icon, or without; a tooltip says what it does and by which key.
 bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width);
 

@@ -29,14 +29,15 @@ bool text_field(PanelContext& context, const char* id, const char* form, const c
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - behind);
   if (std::exchange(context.take_focus, false)) ImGui::SetKeyboardFocusHere();
   const bool entered = ImGui::InputTextWithHint(id, form, &typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (typed.empty()) show_hint_from_left();
   if (entered && typed.empty()) keep_typing(true);
   return entered && !typed.empty();
 }
 
 void say_who_has_keys(const PanelContext& context) {
   quiet_words(ImGui::GetIO().WantTextInput ? "Keys go to the answer. Escape: back to the page."
-              : context.has_keys           ? "Keys go to this panel. F6: back to the page."
-                                           : "Keys go to the page: ← → walk, Space plays.");
+              : context.has_keys           ? "Keys go to this panel, Tab to the answer. F6: back to the page."
+                                 : "Keys go to the page: ← → walk, Space plays. F6: to this panel.");
 }
 
 void show_it_button(PanelContext& context, const Counterexample& counter) {
@@ -44,7 +45,7 @@ void show_it_button(PanelContext& context, const Counterexample& counter) {
   const Counterexample* shown = context.session.counterexample();
   const bool is_shown = shown != nullptr && shown->state == counter.state;
   ImGui::BeginDisabled(is_shown);
-  if (ImGui::Button(is_shown ? "It is in the figure" : "Show it in the figure"))
+  if (ImGui::Button(is_shown ? "It is in the figure###show" : "Show it in the figure###show"))
     context.requests.counterexample = counter;
   ImGui::EndDisabled();
 }

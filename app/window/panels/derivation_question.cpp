@@ -32,10 +32,11 @@ void show_line(PanelContext& context, const DerivationWork::TypedLine& line, std
   if (leads_on) return context.texts.show(numbered(number, line), TextInk::right);
   context.texts.show(numbered(number, line), TextInk::wrong);
   if (verdict.mark == Mark::goal) return;  // too early, which is said below
-  const std::string what = verdict.mark == Mark::away    ? ""
-                           : verdict.mark == Mark::wrong ? "Not right: "
-                                                         : "Cannot be read: ";
-  quiet_words(fmt::format("{}{}.{}", what, verdict.reason, verdict.hint.empty() ? "" : " " + verdict.hint));
+  const char* what = verdict.mark == Mark::away    ? "Leads away"
+                     : verdict.mark == Mark::wrong ? "Not right"
+                                                   : "Cannot be read";
+  const std::string hint = verdict.hint.empty() ? "" : " (" + verdict.hint + ')';
+  quiet_words(fmt::format("{}: {}{}.", what, verdict.reason, hint));
   if (verdict.column > 0) quiet_words(fmt::format("at column {}", verdict.column));
   if (const auto& counter = verdict.counterexample) {
     quiet_words(fmt::format("At {} the left side is {}, the right side {}.", counter->state, counter->left,
@@ -82,16 +83,22 @@ void ask_for_derivation(PanelContext& context, const Ask& ask, std::string& type
 
 void show_next_step(PanelContext& context, const Ask& ask) {
   const DerivationWork& work = context.session.derivation(ask);
+  if (work.is_done()) {
+    quiet_words("The lesson's own way, to compare:");
+    for (std::size_t i = 0; i < work.derivation().worked.size(); ++i)
+      context.texts.show(
+          opened_by(fmt::format("{}   ", i + 1), line_of_tex(work.derivation().worked[i].line.tex)),
+          TextInk::quiet);
+  }
   const AnswerRecord* record = context.session.record(ask);
   const int shown = record == nullptr ? 0 : record->hints;
   if (work.is_done()) return;
   if (shown > 0)
     if (const std::string hint = work.hint(shown); !hint.empty())
       context.texts.show(opened_by("Hint: ", line_text(hint)), TextInk::quiet);
-  if (shown < DerivationWork::kMostHints && ImGui::Button(shown == 0   ? "A hint"
-                                                          : shown == 1 ? "How?"
-                                                                       : "Show the line"))
-    context.session.show_hint(ask);
+  // Whatever it says it is the same button, which keeps the focus.
+  const char* words = shown == 0 ? "A hint###hint" : shown == 1 ? "How?###hint" : "Show the line###hint";
+  if (shown < DerivationWork::kMostHints && ImGui::Button(words)) context.session.show_hint(ask);
 }
 
 }  // namespace polhode

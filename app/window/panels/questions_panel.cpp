@@ -98,7 +98,10 @@ void show_hints(PanelContext& context, const Ask& ask, bool is_settled) {
     context.texts.show(opened_by("The answer is ", answer_text(context.session.lesson(), ask)));
   AnswerRecord after = known;
   if (is_settled || !note_help(after, ask.hints.size())) return;
-  const char* words = shown == ask.hints.size() ? "Show the answer" : shown == 0 ? "A hint" : "Another hint";
+  // Whatever it says it is the same button, which keeps the focus.
+  const char* words = shown == ask.hints.size() ? "Show the answer###hint"
+                      : shown == 0              ? "A hint###hint"
+                                                : "Another hint###hint";
   if (ImGui::Button(words)) context.session.show_hint(ask);
 }
 

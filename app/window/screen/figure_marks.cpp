@@ -46,7 +46,7 @@ std::string words_of_chip(const LessonSession& session) {
 }  // namespace
 
 void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, bool is_held,
-                     const ControlSizes& sizes) {
+                     float right, const ControlSizes& sizes) {
   const bool asks = is_to_be_dragged(session);
   if ((!asks && !is_held) || session.model() == nullptr) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -58,7 +58,10 @@ void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& ins
     const Vec3& w = session.model()->scene.w0_B;
     const std::string words =
         is_held ? fmt::format("ω = ({:.3g}, {:.3g}, {:.3g}) rad/s, T kept", w[0], w[1], w[2]) : "drag";
-    label(list, {at.x + 1.6F * radius, at.y - 2.2F * radius}, words, 0.4F * sizes.em);
+    const float beside = at.x + 1.6F * radius, last = right - ImGui::CalcTextSize(words.c_str()).x - sizes.em;
+    // One that has to reach over the ring stands above it.
+    label(list, {std::min(beside, last), at.y - (beside > last ? 3.2F : 2.2F) * radius}, words,
+          0.4F * sizes.em);
   }
 }
 

@@ -9,9 +9,10 @@
 
 namespace polhode {
 
-/// A ring round the tip of ω where a question asks to drag it; while it is held, its components.
+/// A ring round the tip of ω where a question asks to drag it; while it is held, its components, which end
+/// before `right`.
 void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, bool is_held,
-                     const ControlSizes& sizes);
+                     float right, const ControlSizes& sizes);
 
 /// In the upper right corner of the figure, the region: that the scene was changed, or is that of a
 /// counterexample, with a button that leads back. Nothing of the lesson's own scene.

@@ -273,6 +273,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   io.DisplaySize = {static_cast<float>(frame.size.width), static_cast<float>(frame.size.height)};
   io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
   ImGui::NewFrame();
+  let_enter_press();
   if (io.MouseClicked[0]) session.begin_change();
   if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) pointed_s_ = clock_s_;
   lay_out_controls(session, page_region(session, frame.size), frame.size);
@@ -386,7 +387,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
   const SlidersUsed used = draw_number_sliders(session, figure, *sizes_);
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
-  draw_drag_marks(session, page_->insets(), drag_.holds_omega(), *sizes_);
+  draw_drag_marks(session, page_->insets(), drag_.holds_omega(), right, *sizes_);
   draw_scene_chip(session, figure, *sizes_);
 }
 

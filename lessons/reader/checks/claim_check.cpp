@@ -272,6 +272,16 @@ class ClaimCheck {
       report_.error(ask.place,
                     "the last line of the solution of question " + in_quotes(ask.id) + " is not its goal",
                     "it says the same in the goal's quantities");
+    const std::vector<WorkedLine>& worked = derivation.worked;
+    const auto first_goal = std::find_if(worked.begin(), worked.end(), [&](const WorkedLine& one) {
+      return is_goal(derivation, one.line, prover_);
+    });
+    if (all && first_goal < worked.end() - 1)
+      report_.warning(
+          ask.place,
+          "the solution of question " + in_quotes(ask.id) +
+              " is at its goal before its last line, and nobody sees the rest: " + first_goal->line.typed,
+          "leave out this line or those behind it, or make one line of them: a = b = c");
   }
 
   /// Each caption's numbers are those of its own scene; one that stands once below all has to be so of all.

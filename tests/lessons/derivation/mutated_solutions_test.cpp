@@ -178,5 +178,23 @@ TEST(MutatedSolutions, ALessonsSolutionHasNoLineOfAnyFactor) {
   EXPECT_NE(wrong[0].find("would hold with any factor"), std::string::npos) << wrong[0];
 }
 
+// 2026-11-26: of three derivations of the lecture the last line could not be typed, for the one before it was
+// the goal.
+TEST(MutatedSolutions, ALessonsSolutionEndsWhereItReachesItsGoal) {
+  const auto said = [](const std::string& worked) {
+    return testing::complaints_of(
+        "```ask d\ntype = \"derive\"\nprompt = \"Go.\"\nstart = \"comp(omega x L, 3) = w1 L2 - w2 L1\"\n"
+        "goal = \"comp(omega x L, 3) = (I2 - I1) w1 w2\"\nleast = 1\nworked = [" +
+        worked + "]\n```\n");
+  };
+  const std::string expanded = "comp(omega x L, 3) = w1 I2 w2 - w2 I1 w1", factored = "(I2 - I1) w1 w2";
+  EXPECT_EQ(said("{ line = \"" + expanded + " = " + factored + "\" }"), std::vector<std::string>());
+  const std::vector<std::string> wrong =
+      said("{ line = \"" + expanded + "\" }, { line = \"= " + factored + "\" }");
+  ASSERT_EQ(wrong.size(), 1u);
+  EXPECT_NE(wrong[0].find("is at its goal before its last line"), std::string::npos) << wrong[0];
+  EXPECT_NE(wrong[0].find(expanded), std::string::npos) << wrong[0];
+}
+
 }  // namespace
 }  // namespace polhode

@@ -3,6 +3,8 @@
 #include "app/session/answers/answer_log.h"
 #include "tests/app/window/screen_harness.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 
 namespace polhode {
@@ -21,6 +23,20 @@ class QuestionsPanelTest : public ScreenTest {
             return *ask;
           }
     throw std::runtime_error("no such question");
+  }
+
+  void expect_hints_by_enter(std::string_view id) {
+    const Ask& ask = go_to_question(id);
+    session.panel = Panel::question;
+    frame(4);
+    screen->press(session, "F6");
+    frame(3);
+    for (int i = 0; i < 3; ++i) give_to_panel(ImGuiKey_DownArrow);  // what closes, the field, the hint
+    for (int hints = 1; hints <= 2; ++hints) {
+      give_to_panel(ImGuiKey_Enter);
+      ASSERT_NE(session.record(ask), nullptr);
+      EXPECT_EQ(session.record(ask)->hints, hints);
+    }
   }
 };
 
@@ -193,6 +209,28 @@ hints = ["Add it to itself."]
   ASSERT_EQ(session.answers().at("two/second").right, 1);
   EXPECT_FALSE(ImGui::GetIO().WantTextInput) << "there is no other";
 }
+
+// 2026-11-26: Enter pressed nothing, and a button that says something else after it was pressed lost the
+// focus.
+TEST_F(QuestionsPanelTest, EnterPressesWhatIsChosenWhichStaysChosen) { expect_hints_by_enter("hold-steady"); }
+TEST_F(QuestionsPanelTest, EnterPressesWhatIsChosenBesideADerivation) { expect_hints_by_enter("derive-six"); }
+
+#if IMGUI_VERSION_NUM < 18900
+// 2026-11-26: behind a long line the hint was seen from its middle, "= b + c".
+TEST_F(QuestionsPanelTest, AnEmptyFieldShowsItsHintFromTheLeft) {
+  const Ask& ask = go_to_question("derive-transport");
+  screen->press(session, "Q");
+  frame(5);
+  ImGui::GetIO().AddInputCharactersUTF8(
+      "dA/dt = A1' e1 + A2' e2 + A3' e3 + A1 de1/dt + A2 de2/dt + A3 de3/dt");
+  frame(3);
+  ASSERT_GT(ImGui::GetCurrentContext()->InputTextState.ScrollX, 0) << "it is longer than the field";
+  give_to_panel(ImGuiKey_Enter);
+  frame(3);
+  ASSERT_EQ(session.derivation(ask).count(), 1u);
+  EXPECT_EQ(ImGui::GetCurrentContext()->InputTextState.ScrollX, 0);
+}
+#endif
 
 // What was set once is drawn, not set again: at rest, while the motion plays, and beside another answer.
 TEST_F(QuestionsPanelTest, TextsAreSetWhenTheyChange) {

@@ -125,7 +125,7 @@ TEST(QuestionCheck, TheExamplesOfTheReferenceAreRight) {
   EXPECT_THAT(testing::lines_of(check_questions(*reading.lesson, "lesson.md")), IsEmpty());
   for (const Ask* ask : blocks_of<Ask>(reading.lesson->stages[0].steps[0])) types.insert(ask->type);
   for (const auto type : {Ask::Type::expression, Ask::Type::choice, Ask::Type::predict, Ask::Type::order,
-                          Ask::Type::number, Ask::Type::derive})
+                          Ask::Type::number, Ask::Type::derive, Ask::Type::state})
     EXPECT_TRUE(types.contains(type)) << static_cast<int>(type);
 }
 
