@@ -9,9 +9,9 @@ namespace {
 constexpr double kColumn = 5.6, kRow = 2.9;
 constexpr double kDeterminantLeft = 8.0;  // of the cells
 constexpr double kDeterminantTop = 0.4;
-constexpr std::array<double, 3> kBaselines = {1.55, 1.35,
-                                              1.35};  // in a cell: below the symbols stand numbers
-constexpr double kNumberBelow = 1.15;
+constexpr std::array<double, 3> kBaselines = {1.55, 1.25,
+                                              1.25};  // in a cell: below the symbols stand numbers
+constexpr double kNumberBelow = 1.32;
 constexpr double kExpansionTop = 10.8, kExpansionRow = 2.3;
 constexpr double kWidth = 27.6;
 constexpr double kSmall = 0.92;

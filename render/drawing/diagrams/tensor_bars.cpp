@@ -15,7 +15,7 @@ constexpr double kTop = 4.2;                   // of the matrices, below titles 
 constexpr double kNumber = 1.05;               // baseline in a cell
 constexpr double kBarTop = 1.42, kBarBottom = 2.42, kLongestBar = 2.3;
 constexpr double kBracket = 0.35, kBracketLine = 0.08, kZeroLine = 0.06;
-constexpr double kSmall = 0.92;
+constexpr double kSmall = 0.78;
 
 using Matrix = Eigen::Matrix3d;
 using Names = std::array<const char*, 3>;
