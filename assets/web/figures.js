@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The figures of a reader's page: each stays its picture until it is pressed.
+// The figures of a reader's page, or the slides of a deck: each stays its picture until it is pressed. A slide is drawn
+// whole, with its text, as in the window.
 "use strict";
 (() => {
   const { make, number, button, slider } = polhodeLive;
@@ -16,8 +17,9 @@
     constructor(figure) {
       this.figure = figure;
       [this.stage, this.step] = [figure.dataset.stage, Number(figure.dataset.step)];
-      this.id = figure.closest(".step").id;
+      this.id = figure.closest("[id]").id;
       this.picture = figure.querySelector("img");
+      if (figure.hasAttribute("data-slide")) this.beSlide();
       this.press = button("", () => this.open(), "Live: play this figure, turn it, start it anew");
       this.press.className = "live-press";
       this.press.append(make("span", { "aria-hidden": "true" }, "▶ Live"));
@@ -26,7 +28,15 @@
       this.picture.replaceWith(this.place);
       this.place.append(this.picture, this.press);
       this.place.after(this.why);
-      this.picture.addEventListener("click", () => this.open());
+      // A click on a slide goes on to the next.
+      if (!this.least) this.picture.addEventListener("click", () => this.open());
+    }
+
+    beSlide() {
+      this.least = 640;  // px: a page cannot be much smaller
+      const ratio = this.picture.getAttribute("width") / this.picture.getAttribute("height");
+      this.height = (width) => Math.round(width / ratio);
+      this.figure.style.setProperty("--ratio", ratio);
     }
 
     /// `query`: of an address. `quiet`: it came into view again, and nobody pressed it.
@@ -49,6 +59,7 @@
       shown = this;
       this.controls();
       this.figure.classList.add("is-live");
+      document.documentElement.classList.add("live");
       this.wasLive = true;
       this.refused(polhodeLive.apply(program, query || this.kept || ""));
       if (!query && !this.kept && !quiet && !polhodeLive.still.matches && !this.figure.hasAttribute("data-rest"))
@@ -69,8 +80,9 @@
     left() {
       if (shown === this) shown = null;
       this.figure.classList.remove("is-live");
+      document.documentElement.classList.remove("live");
       this.panel?.remove();
-      this.step_().removeAttribute("data-other");
+      this.step_()?.removeAttribute("data-other");
     }
     failed(why) {
       this.wasLive = false;
@@ -123,7 +135,7 @@
       const most = this.most ??= Math.max(...state.omega0.map(Math.abs)) * 1.5 || 3;
       state.omega0.forEach((w, i) => this.omega[i].put(Math.min(-most, w), Math.max(most, w), w));
       // What the text says of the figure it says of its still.
-      this.step_().toggleAttribute("data-other", state.changed || state.t !== state.still);
+      this.step_()?.toggleAttribute("data-other", state.changed || state.t !== state.still);
       this.figure.toggleAttribute("data-changed", state.changed);
     }
     worded(words) {
@@ -155,7 +167,7 @@
     const [id, query] = location.hash.slice(1).split("?");
     const figure = query && figures.find((one) => one.id === decodeURIComponent(id));
     if (!figure) return;
-    figure.figure.closest(".step").scrollIntoView();
+    figure.figure.closest("[id]").scrollIntoView();
     figure.open({ query });
   };
   addEventListener("hashchange", follow);
