@@ -37,8 +37,8 @@ struct Deck {
   Theme theme = Theme::paper;   ///< around the pictures
   int dpi = 0;                  ///< of printed pictures; 0: their shorter side is kDeckSide_in
   std::vector<DeckSlide> slides;
-  /// Of an HTML deck: once it is pressed, a slide with a figure is drawn in the page, as in the window.
-  /// Absent: slides are pictures, and nothing else.
+  /// Of an HTML deck: once it is pressed, the figure of a slide takes the slide's place and moves. Absent:
+  /// slides are pictures, and nothing else.
   std::optional<LiveParts> live{};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The figures of a reader's page, or the slides of a deck: each stays its picture until it is pressed. A slide is drawn
-// whole, with its text, as in the window.
+// The figures of a reader's page, or of the slides of a deck: each stays its picture until it is pressed. Of a slide the
+// figure alone is live, in the slide's place: what the slide's text says was proved and computed for its still.
 "use strict";
 (() => {
   const { make, number, button, slider } = polhodeLive;
@@ -19,7 +19,6 @@
       [this.stage, this.step] = [figure.dataset.stage, Number(figure.dataset.step)];
       this.id = figure.closest("[id]").id;
       this.picture = figure.querySelector("img");
-      if (figure.hasAttribute("data-slide")) this.beSlide();
       this.press = button("", () => this.open(), "Live: play this figure, turn it, start it anew");
       this.press.className = "live-press";
       this.press.append(make("span", { "aria-hidden": "true" }, "▶ Live"));
@@ -29,14 +28,7 @@
       this.place.append(this.picture, this.press);
       this.place.after(this.why);
       // A click on a slide goes on to the next.
-      if (!this.least) this.picture.addEventListener("click", () => this.open());
-    }
-
-    beSlide() {
-      this.least = 640;  // px: a page cannot be much smaller
-      const ratio = this.picture.getAttribute("width") / this.picture.getAttribute("height");
-      this.height = (width) => Math.round(width / ratio);
-      this.figure.style.setProperty("--ratio", ratio);
+      if (!figure.hasAttribute("data-slide")) this.picture.addEventListener("click", () => this.open());
     }
 
     /// `query`: of an address. `quiet`: it came into view again, and nobody pressed it.
@@ -57,6 +49,7 @@
       if (!program.call("show_stage", this.stage, this.step)) return this.failed(program.message());
       if (!view.begin(this, (box) => this.place.prepend(box))) return;
       shown = this;
+      this.figure.style.setProperty("--ratio", 1000 / program.call("height_for", 1000));
       this.controls();
       this.figure.classList.add("is-live");
       document.documentElement.classList.add("live");

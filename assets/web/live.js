@@ -137,12 +137,12 @@ const polhodeLive = (() => {
       const goesOn = this.program.call("advance", this.last === null ? 0 : Math.min((now - this.last) / 1000, 0.1));
       this.last = goesOn ? now : null;
       const moves = goesOn || this.pointers.size > 0;
-      const ratio = this.ratio = Math.max(Math.min(devicePixelRatio || 1, 2), (this.host.least ?? 0) / this.box.clientWidth);
+      const ratio = this.ratio = Math.min(devicePixelRatio || 1, 2);
       const width = Math.max(64, Math.round(this.box.clientWidth * ratio));
       const height = this.host.height?.(width) ?? this.program.call("height_for", width);
       if (this.canvas.width !== width) this.canvas.width = width;
       if (this.canvas.height !== height) this.canvas.height = height;
-      this.program.call("draw", width, height, this.host.least ? 1 : 0, moves ? this.slow : 1);
+      this.program.call("draw", width, height, 0, moves ? this.slow : 1);
       const took = performance.now() - began;
       if (moves) this.slow = took > kSlowFrame_ms ? 0.5 : took < kSlowFrame_ms / 4 ? 1 : this.slow;
       this.tell(now);

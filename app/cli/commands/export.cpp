@@ -428,7 +428,7 @@ Command export_command() {
       "--stage, --theme and --quality of its figures, --live, --sync and --context are the options that go\n"
       "with it. With --live, as in a sandbox, a figure is a picture until it is pressed, and then computed\n"
       "in the page, without network; the program for it is in build/web or PROGRAM/../share/polhode/web.\n"
-      "So is a slide with a figure in a deck for browsers. A site has the program once, and a sandbox.\n"
+      "So is the figure of a slide in a deck for browsers. A site has the program once, and a sandbox.\n"
       "A site is a page of each lesson and index.html in the order of the course, without a server's help;\n"
       "addresses such as ID.html#stage and #stage/step.2 stay. A lesson that has not changed is not drawn\n"
       "again. --theme, --quality, --sync and --context go with it as with a reader's page.\n"

@@ -248,7 +248,7 @@ void check_html(std::string_view option, const std::string& file) {
     throw usage(fmt::format("{} {}: the name has to end in .html", option, file));
 }
 
-/// The program for pages draws slides as they are made without further options.
+/// A figure that moves begins at the time of its scene, and takes the place of its slide.
 void check_live(const TypedExport& typed, const ExportOptions& options) {
   if (!typed.live) return;
   const bool are_slides = options.what == What::page && options.profile == Profile::slides;
