@@ -17,6 +17,8 @@ struct ExportOutput {
   std::filesystem::path folder;  ///< of the pictures
   bool keep_folder = true;     ///< false: the pictures, in FILE.parts, go when film and deck are made of them
   std::string film, deck;      ///< files to make of the pictures; empty: none
+  bool live = false;           ///< slides of the deck can be played
+  std::string live_file{};     ///< name of the program beside the deck; empty: the deck has it
   bool skip_existing = false;  ///< files that are already there, undamaged and right, are kept
   Shard shard;                 ///< the part of the pictures to make
   int jobs = 1;                ///< processes

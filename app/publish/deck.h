@@ -7,6 +7,7 @@
 
 #include "app/narration/step_note.h"
 #include "app/page/page_theme.h"
+#include "app/publish/live/live_program.h"
 #include "base/files/atomic_file.h"
 #include "render/image/image.h"
 
@@ -26,6 +27,7 @@ struct DeckSlide {
   std::string part;             ///< "step 2 of 3", or its title; empty: the slide is all of its stage
   std::string alt;              ///< what is seen
   std::vector<StepNote> notes;  ///< their links lead to "#slide", or to an address of the web
+  std::string live{};           ///< live_attributes of its step; empty: nothing on it moves
 };
 
 struct Deck {
@@ -35,6 +37,9 @@ struct Deck {
   Theme theme = Theme::paper;   ///< around the pictures
   int dpi = 0;                  ///< of printed pictures; 0: their shorter side is kDeckSide_in
   std::vector<DeckSlide> slides;
+  /// Of an HTML deck: once it is pressed, the figure of a slide takes the slide's place and moves. Absent:
+  /// slides are pictures, and nothing else.
+  std::optional<LiveParts> live{};
 };
 
 /// As of a slide show: 16:9 is 13.333 x 7.5 in, 4:3 is 10 x 7.5 in.

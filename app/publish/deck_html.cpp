@@ -7,6 +7,7 @@
 #include "app/publish/deck_picture.h"
 #include "app/publish/html_frame.h"
 #include "app/publish/html_text.h"
+#include "app/publish/live/live_assets.h"
 #include "render/image/png.h"
 #include "render/image/webp.h"
 
@@ -41,6 +42,7 @@ std::string style_of(const Deck& deck, Size first) {
              hex(colors.paper), hex(colors.ink), hex(colors.quiet), hex(colors.accent), hex(colors.panel),
              hex(colors.line)) +
          deck_assets::kDeckCss +
+         (deck.live ? std::string(live_assets::kLiveCss) + live_assets::kSlidesCss : std::string()) +
          fmt::format("@page {{ size: {:.4f}in {:.4f}in; margin: 0; }}\n", paper.width_in, paper.height_in);
 }
 
@@ -145,20 +147,22 @@ class Pictures {
   std::deque<std::future<Result<EncodedPicture>>> ahead_;
 };
 
-Status append_slide(const DeckSlide& slide, const EncodedPicture& picture, std::size_t number,
+Status append_slide(const DeckSlide& slide, const EncodedPicture& picture, std::size_t number, bool live,
                     const Sink& sink) {
+  const bool moves = live && !slide.live.empty();
   const std::string id = html_escaped(slide.png.stem().string());
   Status status =
       sink(fmt::format("<section class=\"slide\" id=\"{}\" data-stage=\"{}\" aria-label=\"{}\">\n{}"
-                       "<img width=\"{}\" height=\"{}\" decoding=\"sync\" alt=\"{}\" src=\"",
+                       "{}<img width=\"{}\" height=\"{}\" decoding=\"sync\" alt=\"{}\" src=\"",
                        id, slide.stage, html_escaped(name_of(slide)), heading_html(slide, id, number),
-                       picture.size.width, picture.size.height, html_escaped(slide.alt)));
+                       moves ? "<figure" + slide.live + " data-slide>" : "", picture.size.width,
+                       picture.size.height, html_escaped(slide.alt)));
   if (status) status = sink(picture.source);
   if (status)
     status =
-        sink(fmt::format("\">\n<div class=\"notes\" tabindex=\"0\" role=\"region\" "
+        sink(fmt::format("\">{}\n<div class=\"notes\" tabindex=\"0\" role=\"region\" "
                          "aria-label=\"Notes\">\n{}</div>\n</section>\n",
-                         notes_html(slide.notes)));
+                         moves ? "</figure>" : "", notes_html(slide.notes)));
   return status;
 }
 
@@ -168,7 +172,8 @@ Status append_slides(const Deck& deck, Size first, const Sink& sink, const DeckP
     if (!go_on(i)) return failure("stopped");
     const Result<EncodedPicture> picture = pictures.next();
     if (!picture) return failure(picture.error());
-    if (Status status = append_slide(deck.slides[i], *picture, i + 1, sink); !status) return status;
+    if (Status status = append_slide(deck.slides[i], *picture, i + 1, deck.live.has_value(), sink); !status)
+      return status;
   }
   return success();
 }
@@ -184,11 +189,13 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
   }
   const std::string style = style_of(deck, first);
   const std::string script = std::string("\n") + deck_assets::kDeckJs;
+  const std::string figures = std::string("\n") + live_assets::kLiveJs + live_assets::kFiguresJs;
   // Nothing is fetched, and nothing runs but what is written here, whatever the texts say.
   const std::string policy = fmt::format(
-      "default-src 'none'; img-src data:; style-src {}; script-src {}; base-uri 'none'; "
+      "default-src 'none'; img-src data:; style-src {}; script-src {}{}; base-uri 'none'; "
       "form-action 'none'",
-      policy_hash(style), policy_hash(script));
+      policy_hash(style), policy_hash(script),
+      deck.live ? ' ' + policy_hash(figures) + ' ' + live_policy(*deck.live) : "");
   const std::map<std::string, std::string> texts = {
       {"language", html_escaped(deck.language)},
       {"policy", policy},
@@ -201,6 +208,8 @@ Status append_html_deck(const Deck& deck, const AppendBytes& append, const DeckP
                      : fmt::format("<meta name=\"author\" content=\"{}\">\n", html_escaped(deck.author))},
       {"style", style},
       {"script", script},
+      {"without", deck.live ? kLiveNoScript : ""},
+      {"live", deck.live ? live_elements(*deck.live) + "<script>" + figures + "</script>\n" : ""},
   };
   const Sink sink(append);
   return append_frame(deck_assets::kDeckHtml, append, [&](const std::string& name) {

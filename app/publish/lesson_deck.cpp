@@ -98,6 +98,8 @@ Result<Deck> deck_of(const Lesson& lesson, const ExportOptions& options, const E
     Result<std::string> alt = description_in(slide.png);
     if (!alt) return failure(alt.error());
     slide.alt = std::move(*alt);
+    if (picture.stage->steps[static_cast<std::size_t>(picture.step - 1)].scene)
+      slide.live = live_attributes(*picture.stage, picture.step);
     const Steps said = steps_said(plan, i);
     slide.notes = notes_of(speech, *picture.stage, said.first, said.last);
     lead_to_slides(lesson, plan, slide.notes);

@@ -41,7 +41,8 @@ void polhode_detach(void);
 
 enum {
   POLHODE_FIGURE = 0,  ///< figure and plots fill the canvas, without a caption, as on a reader's page
-  POLHODE_PAGE = 1,    ///< the page as in the window and on a deck: text, equations and figure
+  POLHODE_PAGE = 1,    ///< the page as in the window and on a deck: text, equations and figure. No page shows
+                       ///< it yet: its claims are only read here, and stand there as not proved
 };
 /// The height of a picture of this width, px: as high as its plots need. 0 without a scene.
 int polhode_height_for(int width);

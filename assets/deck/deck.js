@@ -33,6 +33,10 @@
       return first < index || first === 0 ? first : startOfStage(first - 1);
     };
 
+    const idIn = (hash) => hash.slice(1).split('?')[0];
+    // A slide that moves, and what moves it, have their own clicks, fingers and keys.
+    const isLive = (target) => target.closest?.('.live-view, .live-panel, .live-press, .live-why');
+
     const say = (text) => { status.textContent = text; };
 
     const mark = (index) => {
@@ -49,7 +53,8 @@
       byId('next').disabled = index === last;
       say(`Slide ${index + 1} of ${slides.length}: ${title}`);
       if (reading) slides[index].querySelector('.notes')?.focus({preventScroll: true});
-      history.replaceState(null, '', '#' + slides[index].id);
+      // What stands behind it in an address is the figure's (assets/web/figures.js).
+      if (idIn(location.hash) !== slides[index].id) history.replaceState(null, '', '#' + slides[index].id);
     };
 
     // The slide before stays until the picture can be painted: nothing flashes.
@@ -166,13 +171,14 @@
 
     const onKey = (event) => {
       const {key, target} = event;
-      if (event.ctrlKey || event.altKey || event.metaKey || event.isComposing) return;
+      if (event.ctrlKey || event.altKey || event.metaKey || event.isComposing || event.defaultPrevented) return;
       if (keys.open) {
         if (key === '?' || key === 'h') setHelp(false);
         return;
       }
       if (target.closest?.('.notes') && kScrolling.includes(key)) return;
       if (key === ' ' && target.closest?.('button')) return;
+      if (target.closest?.('.live-panel') && key !== 'PageDown' && key !== 'PageUp') return;
       let done = true;
       if (/^[0-9]$/.test(key)) {
         type((digits + key).slice(-5));
@@ -199,7 +205,7 @@
     let down = null, swiped = false;
     const onDown = (event) => {
       swiped = false;
-      down = event.pointerType === 'mouse' || !event.isPrimary ? null : {x: event.clientX, y: event.clientY};
+      down = event.pointerType === 'mouse' || !event.isPrimary || isLive(event.target) ? null : {x: event.clientX, y: event.clientY};
     };
     const onUp = (event) => {
       if (!down || window.visualViewport?.scale > 1.01) return;
@@ -218,7 +224,7 @@
         setOverview(false);
         return;
       }
-      if (swiped || event.target.closest('.notes') || event.button !== 0) return;
+      if (swiped || event.target.closest('.notes') || isLive(event.target) || event.button !== 0) return;
       const box = event.target.getBoundingClientRect();
       show(event.clientX < box.left + box.width / 3 ? wanted - 1 : wanted + 1);
     };
@@ -241,7 +247,7 @@
     };
 
     const fromHash = () => {
-      const name = location.hash.slice(1);
+      const name = idIn(location.hash);
       const found = slides.findIndex((slide) => slide.id === name);
       return found < 0 ? 0 : found;
     };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The figures of a reader's page: each stays its picture until it is pressed.
+// The figures of a reader's page, or of the slides of a deck: each stays its picture until it is pressed. Of a slide the
+// figure alone is live, in the slide's place: what the slide's text says was proved and computed for its still.
 "use strict";
 (() => {
   const { make, number, button, slider } = polhodeLive;
@@ -16,7 +17,7 @@
     constructor(figure) {
       this.figure = figure;
       [this.stage, this.step] = [figure.dataset.stage, Number(figure.dataset.step)];
-      this.id = figure.closest(".step").id;
+      this.id = figure.closest("[id]").id;
       this.picture = figure.querySelector("img");
       this.press = button("", () => this.open(), "Live: play this figure, turn it, start it anew");
       this.press.className = "live-press";
@@ -26,7 +27,8 @@
       this.picture.replaceWith(this.place);
       this.place.append(this.picture, this.press);
       this.place.after(this.why);
-      this.picture.addEventListener("click", () => this.open());
+      // A click on a slide goes on to the next.
+      if (!figure.hasAttribute("data-slide")) this.picture.addEventListener("click", () => this.open());
     }
 
     /// `query`: of an address. `quiet`: it came into view again, and nobody pressed it.
@@ -47,8 +49,10 @@
       if (!program.call("show_stage", this.stage, this.step)) return this.failed(program.message());
       if (!view.begin(this, (box) => this.place.prepend(box))) return;
       shown = this;
+      this.figure.style.setProperty("--ratio", 1000 / program.call("height_for", 1000));
       this.controls();
       this.figure.classList.add("is-live");
+      document.documentElement.classList.add("live");
       this.wasLive = true;
       this.refused(polhodeLive.apply(program, query || this.kept || ""));
       if (!query && !this.kept && !quiet && !polhodeLive.still.matches && !this.figure.hasAttribute("data-rest"))
@@ -69,8 +73,9 @@
     left() {
       if (shown === this) shown = null;
       this.figure.classList.remove("is-live");
+      document.documentElement.classList.remove("live");
       this.panel?.remove();
-      this.step_().removeAttribute("data-other");
+      this.step_()?.removeAttribute("data-other");
     }
     failed(why) {
       this.wasLive = false;
@@ -123,7 +128,7 @@
       const most = this.most ??= Math.max(...state.omega0.map(Math.abs)) * 1.5 || 3;
       state.omega0.forEach((w, i) => this.omega[i].put(Math.min(-most, w), Math.max(most, w), w));
       // What the text says of the figure it says of its still.
-      this.step_().toggleAttribute("data-other", state.changed || state.t !== state.still);
+      this.step_()?.toggleAttribute("data-other", state.changed || state.t !== state.still);
       this.figure.toggleAttribute("data-changed", state.changed);
     }
     worded(words) {
@@ -155,7 +160,7 @@
     const [id, query] = location.hash.slice(1).split("?");
     const figure = query && figures.find((one) => one.id === decodeURIComponent(id));
     if (!figure) return;
-    figure.figure.closest(".step").scrollIntoView();
+    figure.figure.closest("[id]").scrollIntoView();
     figure.open({ query });
   };
   addEventListener("hashchange", follow);

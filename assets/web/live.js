@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Figures that move. A figure is a picture until it is pressed; then one canvas with WebGL2, the only one of
 // the page, takes its place, and polhode's own code (app/web/live_api.h) draws and judges. Where that cannot
-// be, the picture stays, and the page says why. Nothing is fetched: script, code and lesson are in the page.
+// be, the picture stays, and the page says why. Nothing is fetched: script, code and lesson are in the page, or,
+// where pages of a site share them, script and code in a file beside it.
 // The address keeps what is shown, "#stage/step.2?t=1.5&omega=0,3,0.1": a link is a scenario.
 "use strict";
 const polhodeLive = (() => {
   const kReadoutsEvery_ms = 120, kWordsEvery_ms = 400, kQuietFor_ms = 700, kLinkEvery_ms = 500;
   const kSlowFrame_ms = 45, kReach = { mouse: 12, pen: 14, touch: 24 };  // css px
   const dark = matchMedia("(prefers-color-scheme: dark)");
+  // Slides are of one theme, whatever their reader prefers.
+  const scheme = document.querySelector("meta[name=color-scheme]")?.content;
+  const theme = () => (scheme ? scheme === "dark" : dark.matches) ? 1 : 0;
   const still = matchMedia("(prefers-reduced-motion: reduce)");
 
   const make = (name, attributes = {}, ...children) => {
@@ -23,15 +27,20 @@ const polhodeLive = (() => {
 
   /// What this browser lacks; empty: nothing.
   const missing = () =>
-    !document.getElementById("polhode.wasm") ? "this page was written without its program"
+    !document.getElementById("polhode.wasm") && !document.getElementById("polhode.file") ? "this page was written without its program"
     : typeof WebAssembly !== "object" || typeof DecompressionStream !== "function"
       ? "this browser is too old to run the program in the page"
     : typeof WebGL2RenderingContext === "undefined" ? "this browser draws no pictures in space (it has no WebGL2)"
     : "";
 
-  /// What app/publish/live/live_program.h calls packed_for_page.
+  /// What live_file of app/publish/live/live_program.h gives, once it has run.
+  const held = {};
+  const hold = (texts) => Object.assign(held, texts);
+  const runFile = (name) => new Promise((done, failed) => document.head.append(make("script", {
+    src: name, load: done, error: () => failed(new Error(name + " does not lie beside this page")) })));
+  /// What that header calls packed_for_page.
   const unpacked = async (id) => {
-    const text = document.getElementById(id).textContent, packed = new Uint8Array(text.length * 13 >> 4);
+    const text = held[id] ?? document.getElementById(id).textContent, packed = new Uint8Array(text.length * 13 >> 4);
     const digit = (i) => (text[i] === "~" ? 27 : text.charCodeAt(i) - 33);
     let bits = 0, size = 0;
     for (let i = 0, count = 0; i < text.length; i += 2) {
@@ -42,11 +51,13 @@ const polhodeLive = (() => {
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   };
-  let wasm = null, lesson = null, script = null;
+  let file = null, wasm = null, lesson = null, script = null;
   /// Defines createPolhode. The page's policy knows it by its hash.
   const runScript = async () => document.head.append(make("script", {}, new TextDecoder().decode(await unpacked("polhode.js"))));
   /// The program, as it is packed in the page, with a memory of its own; the page's lesson is open.
   const newProgram = async () => {
+    const beside = document.getElementById("polhode.file")?.dataset.name;
+    if (beside) await (file ??= runFile(beside).catch((error) => { file = null; throw error; }));
     wasm ??= unpacked("polhode.wasm");
     lesson ??= unpacked("polhode.lesson");
     await (script ??= runScript());
@@ -81,7 +92,7 @@ const polhodeLive = (() => {
       new ResizeObserver(() => this.wake()).observe(this.box);
       new IntersectionObserver((all) => { this.seen = all.at(-1).isIntersecting; this.wake(); }).observe(this.box);
       document.addEventListener("visibilitychange", () => { this.last = null; this.wake(); });
-      dark.addEventListener("change", () => { this.program.call("set_theme", dark.matches ? 1 : 0); this.wake(); });
+      dark.addEventListener("change", () => { this.program.call("set_theme", theme()); this.wake(); });
     }
 
     /// Into the document, where `host` is told of it. False: it cannot be drawn here, and `host` was told.
@@ -90,7 +101,7 @@ const polhodeLive = (() => {
       this.host = host;
       where(this.box);
       if (!this.attached) {
-        this.program.call("set_theme", dark.matches ? 1 : 0);
+        this.program.call("set_theme", theme());
         if (!this.program.call("attach", "canvas[id='polhode.canvas']")) {
           this.end("this browser draws no pictures in space at the moment (WebGL2: " + this.program.message() + ")");
           return false;
@@ -121,7 +132,7 @@ const polhodeLive = (() => {
     wake() { if (this.host && !this.frame) this.frame = requestAnimationFrame((now) => this.draw(now)); }
     draw(now) {
       this.frame = 0;
-      if (!this.host || !this.seen || document.hidden) { this.last = null; return; }
+      if (!this.host || !this.seen || !this.box.clientWidth || document.hidden) { this.last = null; return; }
       const began = performance.now();
       const goesOn = this.program.call("advance", this.last === null ? 0 : Math.min((now - this.last) / 1000, 0.1));
       this.last = goesOn ? now : null;
@@ -307,5 +318,5 @@ const polhodeLive = (() => {
     }
   };
 
-  return { make, number, missing, newProgram, View, slider, button, linked, apply, keep, copyLink, still };
+  return { make, number, missing, hold, newProgram, View, slider, button, linked, apply, keep, copyLink, still };
 })();

@@ -3,6 +3,7 @@
 #include "app/cli/commands/commands.h"
 #include "app/cli/commands/export_options.h"
 #include "app/cli/commands/export_site.h"
+#include "app/cli/commands/live_parts.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
@@ -39,8 +40,9 @@ void write_text(const std::string& name, const std::string& text, const ExportOu
 
 /// With the pictures that are there. @throws Interrupted
 Status make_deck(const PictureExport& e, const InterruptWatch& watch) {
-  const Result<Deck> deck = deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder);
+  Result<Deck> deck = deck_of(e.loaded.lesson, e.options, e.plan, e.out.folder);
   if (!deck) return failure(deck.error());
+  if (e.out.live) deck->live = LiveParts{live_program(), text_again(e.loaded), e.out.live_file};
   const std::size_t count = deck->slides.size();
   {
     const ProgressBar progress(static_cast<std::int64_t>(count));
@@ -248,6 +250,7 @@ ExitCode export_pictures(const LoadedLesson& loaded, const ExportOptions& option
   note_left_out(plan, options.what);
   note_refuted(loaded.lesson, options.stages);
   refuse_folders(out);
+  if (out.live) static_cast<void>(live_program());  // before all is drawn for nothing
   look_into_folder(identity_of(loaded, options), out);
   const PictureExport e{loaded, options, out, plan};
   const InterruptWatch watch;
@@ -281,29 +284,13 @@ ExitCode export_transcript(const LoadedLesson& loaded, const ExportOptions& opti
   return ExitCode::done;
 }
 
-/// Where the program for pages is looked for: $POLHODE_WEB alone, if set and not empty; else where ./web
-/// builds it in a source folder, and where it is installed beside the lessons.
-std::vector<fs::path> web_folders() {
-  if (const char* chosen = std::getenv("POLHODE_WEB"); chosen && *chosen) return {chosen};
-  return {"build/web", lesson_folders().back().parent_path() / "web"};
-}
-
-/// The lesson's text once more, the same as was read before.
-LiveParts live_parts_of(const LoadedLesson& loaded) {
-  LiveProgram program = or_fail(read_live_program(web_folders()));
-  std::string text = or_fail(read_lesson_text(loaded.path));
-  if (sha256_hex(text) != loaded.sha256)
-    throw CommandError(ExitCode::failed,
-                       fmt::format("lesson {} has changed meanwhile; try again", loaded.path.string()));
-  return {std::move(program), std::move(text)};
-}
-
 /// What is drawn goes into the file as it is made, so there is nothing to go on with after a stop.
 ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
   for (const std::string& id : out.stages) static_cast<void>(stage_of(loaded.lesson, id));
   note_refuted(loaded.lesson, out.stages);
   refuse_folder("--reader", out.file);
-  const std::optional<LiveParts> live = out.live ? std::optional(live_parts_of(loaded)) : std::nullopt;
+  std::optional<LiveParts> live;
+  if (out.live) live = LiveParts{live_program(), text_again(loaded)};
   or_fail(make_folder(fs::absolute(out.file).parent_path()));
   const InterruptWatch watch;
   const auto context = or_fail(open_context(out.context));
@@ -335,7 +322,7 @@ ExitCode export_reader(const LoadedLesson& loaded, const ReaderOutput& out) {
 
 ExitCode export_sandbox(const ReaderOutput& out) {
   refuse_folder("--sandbox", out.file);
-  const LiveProgram program = or_fail(read_live_program(web_folders()));
+  const LiveProgram program = live_program();
   or_fail(make_folder(fs::absolute(out.file).parent_path()));
   const auto context = or_fail(open_context(out.context));
   const Fonts fonts = or_fail(Fonts::open());
@@ -416,7 +403,7 @@ Command export_command() {
         "ADDRESS"},
        {"--with", &typed->with, "of --site: slides (html, pdf, pptx) or film (mp4) too; repeat for more",
         "KIND", false, offer(export_words().with)},
-       {"--live", &typed->live, "figures of --reader play, turn, start anew in the browser; after ./web"},
+       {"--live", &typed->live, "figures of --reader, --site, --deck play and turn in pages; after ./web"},
        {"--sandbox", &typed->sandbox, "make a page (html) to throw a body on, of no lesson; after ./web",
         "FILE", false, offer_files()},
        {"--sync", &typed->sync, "flush to disk at the end or after each frame (default: end)", "WHEN", false,
@@ -440,6 +427,7 @@ Command export_command() {
       "--stage, --theme and --quality of its figures, --live, --sync and --context are the options that go\n"
       "with it. With --live, as in a sandbox, a figure is a picture until it is pressed, and then computed\n"
       "in the page, without network; the program for it is in build/web or PROGRAM/../share/polhode/web.\n"
+      "So is the figure of a slide in a deck for browsers. A site has the program once, and a sandbox.\n"
       "A site is a page of each lesson and index.html in the order of the course, without a server's help;\n"
       "addresses such as ID.html#stage and #stage/step.2 stay. A lesson that has not changed is not drawn\n"
       "again. --theme, --quality, --sync and --context go with it as with a reader's page.\n"

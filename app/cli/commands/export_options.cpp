@@ -248,6 +248,16 @@ void check_html(std::string_view option, const std::string& file) {
     throw usage(fmt::format("{} {}: the name has to end in .html", option, file));
 }
 
+/// A figure that moves begins at the time of its scene, and takes the place of its slide.
+void check_live(const TypedExport& typed, const ExportOptions& options) {
+  if (!typed.live) return;
+  const bool are_slides = options.what == What::page && options.profile == Profile::slides;
+  if (deck_kind_of(typed.deck) != DeckKind::html || !are_slides || options.each == Each::frame)
+    throw usage(
+        "--live goes with --reader, --site and a --deck FILE.html of slides; a --sandbox is live anyway");
+  refuse_given({{"--at", typed.at}, {"--text-size", typed.text_size}}, "does not go with --live");
+}
+
 }  // namespace
 
 ReaderOutput reader_output(const TypedExport& typed) {
@@ -275,10 +285,10 @@ SiteOutput site_output(const TypedExport& typed) {
   refuse_all_of_pictures(typed, reason);
   refuse_given({{"--reader", typed.reader}, {"--sandbox", typed.sandbox}}, reason);
   if (!typed.stages.empty()) throw usage("--stage " + reason);
-  if (typed.live) throw usage("--live " + reason);
   SiteOutput out{.folder = typed.site,
                  .url = typed.url,
                  .with = {},
+                 .live = typed.live,
                  .theme = theme_of(typed.theme),
                  .quality = quality_of(typed.quality),
                  .durability = durability_of(typed.sync),
@@ -312,7 +322,6 @@ ReaderOutput sandbox_output(const TypedExport& typed) {
 }
 
 ExportOptions export_options(const TypedExport& typed) {
-  if (typed.live) throw usage("--live goes with --reader; a --sandbox is live anyway");
   ExportOptions options;
   options.what = static_cast<What>(choice("--what", typed.what, export_words().what));
   options.stages = typed.stages;
@@ -343,6 +352,7 @@ ExportOptions export_options(const TypedExport& typed) {
   options.text_scale = text_scale_of(typed.text_size);
   options.dpi = dpi_of(typed.dpi, typed.size, options.what, options.format);
   options.png = static_cast<PngPacking>(choice("--png", typed.png, export_words().png));
+  check_live(typed, options);
   return options;
 }
 
@@ -350,6 +360,7 @@ ExportOutput export_output(const TypedExport& typed) {
   ExportOutput out;
   out.film = typed.film;
   out.deck = typed.deck;
+  out.live = typed.live;
   out.folder = typed.folder;
   out.keep_folder = !typed.folder.empty();
   if (!out.keep_folder) {

@@ -60,6 +60,7 @@ struct SiteOutput {
   std::string folder;
   std::string url;  ///< with a slash at its end; empty: not given
   std::vector<SiteCopy> with;
+  bool live = false;  ///< figures can be played, and those of HTML slides
   Theme theme = Theme::paper;
   std::optional<QualityLevel> quality;
   Durability durability = Durability::rename_only;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/commands/export_site.h"
 
+#include "app/cli/commands/live_parts.h"
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/message.h"
 #include "app/cli/or_fail.h"
@@ -37,6 +38,10 @@ std::vector<LoadedLesson> lessons_of(const TypedExport& typed) {
           fmt::format("two lessons have the id \"{}\": their pages would have one name", one.lesson.id));
     if (one.lesson.id == "index")
       throw usage("a lesson with the id \"index\" cannot be in a site: that is the name of its first page");
+    if (typed.live && one.lesson.id + ".html" == kSiteSandbox)
+      throw usage(fmt::format(
+          "a lesson with the id \"{}\" cannot be in a site with --live: one of its pages has this name",
+          one.lesson.id));
     loaded.push_back(std::move(one));
   }
   std::vector<const Lesson*> lessons;
@@ -68,20 +73,26 @@ ExportOptions options_of(SiteCopy copy, const SiteOutput& out) {
 }
 
 /// Makes what is not there yet. @return how it ended; the record is told of each file
-ExitCode make_copies(const LoadedLesson& loaded, const SiteOutput& out, std::vector<SiteDownload>& made) {
+/// @param live_file name of the program beside the pages; empty: nothing moves
+ExitCode make_copies(const LoadedLesson& loaded, const SiteOutput& out, const std::string& live_file,
+                     std::vector<SiteDownload>& made) {
   const fs::path folder = out.folder;
   for (const SiteCopy copy : out.with) {
     const ExportOptions options = options_of(copy, out);
     const std::string name = loaded.lesson.id + kind_of(copy).ending;
     const ExportIdentity identity = identity_of(loaded, options);
-    const std::string made_of = sha256_hex(program_name_and_version() + ' ' + name + ' ' +
-                                           identity.lesson_sha256 + ' ' + identity.options);
+    const bool live = !live_file.empty() && copy == SiteCopy::html_slides;
+    const std::string made_of =
+        sha256_hex(program_name_and_version() + ' ' + name + ' ' + identity.lesson_sha256 + ' ' +
+                   identity.options + (live ? ' ' + live_file : ""));
     SiteRecord record = or_fail(read_site_record(folder)).value_or(SiteRecord());
     if (!is_there(folder, record, name, made_of)) {
       ExportOutput to;
       (copy == SiteCopy::film ? to.film : to.deck) = (folder / name).string();
       to.folder = folder / (name + ".parts");
       to.keep_folder = false;
+      to.live = live;
+      to.live_file = live_file;
       to.durability = out.durability;
       to.context = out.context;
       if (const ExitCode end = export_pictures(loaded, options, to); end != ExitCode::done) return end;
@@ -105,9 +116,13 @@ ExitCode export_site(const TypedExport& typed) {
   // From now on the folder is known as ours, whatever stops us.
   if (!or_fail(read_site_record(out.folder))) or_fail(write_site_record(out.folder, {}, out.durability));
   Site site{.lessons = {}, .look = {out.theme, out.quality}, .url = out.url};
+  if (out.live) site.live = live_program();
+  const std::string live_name = site.live ? live_file(*site.live).name : "";
   for (const LoadedLesson& loaded : lessons) {
     SiteLesson one{loaded};
-    if (const ExitCode end = make_copies(loaded, out, one.downloads); end != ExitCode::done) return end;
+    if (out.live) one.text = text_again(loaded);
+    if (const ExitCode end = make_copies(loaded, out, live_name, one.downloads); end != ExitCode::done)
+      return end;
     site.lessons.push_back(std::move(one));
   }
   const InterruptWatch watch;

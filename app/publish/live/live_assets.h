@@ -11,5 +11,6 @@ extern const char* const kSandboxCss;
 extern const char* const kSandboxHtml;
 extern const char* const kSandboxJs;
 extern const char* const kSandboxMd;
+extern const char* const kSlidesCss;
 
 }  // namespace polhode::live_assets

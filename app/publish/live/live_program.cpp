@@ -3,11 +3,13 @@
 
 #include "app/publish/html_text.h"
 #include "base/files/file_bytes.h"
+#include "base/sha256.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <memory>
 #include <new>
 #include <span>
@@ -75,6 +77,16 @@ class TextOfBits {
   std::string text_;
 };
 
+/// As a string of a script. Packed text has neither control characters nor any beyond ASCII.
+std::string as_script_text(std::string_view packed) {
+  std::string quoted = "\"";
+  for (const char c : packed) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
 }  // namespace
 
 std::string packed_for_page(std::string_view bytes) {
@@ -106,14 +118,35 @@ Outcome<LiveProgram> read_live_program(const std::vector<fs::path>& folders) {
                                 kWasm, kScript, fmt::join(places, ", ")));
 }
 
-std::string live_elements(const LiveProgram& program, std::string_view lesson_text) {
-  return fmt::format(
-      "<script type=\"text/plain\" id=\"polhode.lesson\">{}</script>\n"
-      "<script type=\"text/plain\" id=\"polhode.wasm\">{}</script>\n"
-      "<script type=\"text/plain\" id=\"polhode.js\">{}</script>\n",
-      packed_for_page(lesson_text), program.wasm, program.script);
+LiveFile live_file(const LiveProgram& program) {
+  std::string text = fmt::format("polhodeLive.hold({{\"polhode.wasm\": {}, \"polhode.js\": {}}});\n",
+                                 as_script_text(program.wasm), as_script_text(program.script));
+  constexpr std::size_t kDigits = 12;
+  return {"polhode-" + sha256_hex(text).substr(0, kDigits) + ".js", std::move(text)};
 }
 
-std::string live_policy(const LiveProgram& program) { return program.script_hash + " 'wasm-unsafe-eval'"; }
+std::string live_elements(const LiveParts& live) {
+  const auto element = [](const char* name, std::string_view attributes, std::string_view text) {
+    return fmt::format("<script type=\"text/plain\" id=\"polhode.{}\"{}>{}</script>\n", name, attributes,
+                       text);
+  };
+  const std::string lesson = element("lesson", "", packed_for_page(live.lesson_text));
+  if (!live.program_file.empty())
+    return lesson + element("file", fmt::format(" data-name=\"{}\"", html_escaped(live.program_file)), "");
+  return lesson + element("wasm", "", live.program.wasm) + element("js", "", live.program.script);
+}
+
+std::string live_policy(const LiveParts& live) {
+  return live.program.script_hash + " 'wasm-unsafe-eval'" +
+         (live.program_file.empty() ? "" : " 'strict-dynamic'");
+}
+
+std::string live_attributes(const Stage& stage, int step) {
+  const auto asks = blocks_of<Ask>(stage.steps[static_cast<std::size_t>(step - 1)]);
+  const bool rests =
+      std::any_of(asks.begin(), asks.end(), [](const Ask* ask) { return ask->plays.has_value(); });
+  return fmt::format(" data-stage=\"{}\" data-step=\"{}\"{}", html_escaped(stage.id), step,
+                     rests ? " data-rest" : "");
+}
 
 }  // namespace polhode

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The program for a page whose figures move: what ./web has built (app/web/live_api.h), packed so that the
-// page holds it and fetches nothing.
+// page holds it and fetches nothing, or that pages of one folder have it in a file beside them.
 #pragma once
 
 #include "base/outcome.h"
+#include "lessons/reader/lesson.h"
 
 #include <filesystem>
 #include <string>
@@ -29,11 +30,33 @@ Outcome<LiveProgram> read_live_program(const std::vector<std::filesystem::path>&
 /// libdeflate.
 std::string packed_for_page(std::string_view bytes);
 
-/// What a page needs besides its own script: its lesson, the program and the program's script, all of them
-/// `packed_for_page` as data.
-std::string live_elements(const LiveProgram& program, std::string_view lesson_text);
+/// What makes the figures of a page move, once they are pressed.
+struct LiveParts {
+  LiveProgram program;
+  std::string lesson_text;     ///< that the page's lesson was read from
+  std::string program_file{};  ///< name of the live_file() beside the page; empty: the page has the program
+};
+
+/// The program as a script for pages that lie beside it: it is there once for all of them, a browser keeps
+/// it, and from a disk a page may run a file but not read one. Its name tells its text, so that no page
+/// meets the program of another release.
+struct LiveFile {
+  std::string name, text;
+};
+LiveFile live_file(const LiveProgram& program);
+
+/// What a page needs besides its own script: its lesson, and the program with its script or where they are;
+/// texts are `packed_for_page`, as data.
+std::string live_elements(const LiveParts& live);
 /// Of the sources of a page's policy those that let the program run: its script, once it is unpacked, and
-/// WebAssembly.
-std::string live_policy(const LiveProgram& program);
+/// WebAssembly; and where it lies beside the page, what the page's own script adds to it.
+std::string live_policy(const LiveParts& live);
+/// What assets/web/figures.js has to know of the figure of a step (from 1), as attributes: of which step it
+/// is, and whether it rests until it is played, for its motion would give a prediction away.
+std::string live_attributes(const Stage& stage, int step);
+/// For a page with figures that move: what they are without script.
+inline constexpr const char* kLiveNoScript =
+    "<noscript><p class=\"quiet\">The figures are pictures here. Where the page may run its script, which "
+    "sends nothing, they can be played, turned and started anew.</p></noscript>\n";
 
 }  // namespace polhode

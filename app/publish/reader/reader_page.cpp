@@ -114,10 +114,7 @@ class ReaderText {
     };
     list("What you will be able to do", about.outcomes);
     list("What you should know", about.prerequisites);
-    if (edition_.live)
-      html +=
-          "<noscript><p class=\"quiet\">The figures are pictures here. Where the page may run its script, "
-          "which fetches and sends nothing, they can be played, turned and started anew.</p></noscript>\n";
+    if (edition_.live) html += kLiveNoScript;
     return html;
   }
 
@@ -287,17 +284,6 @@ class ReaderText {
                        picture.size.height, html_escaped(picture.alt), picture.source);
   }
 
-  /// What assets/web/figures.js has to know of a figure: of which step it is, and whether it rests until it
-  /// is played, for its motion would give a prediction away.
-  std::string live_data(const Stage& stage, int step) const {
-    if (!edition_.live) return {};
-    const auto asks = blocks_of<Ask>(stage.steps[static_cast<std::size_t>(step - 1)]);
-    const bool rests =
-        std::any_of(asks.begin(), asks.end(), [](const Ask* ask) { return ask->plays.has_value(); });
-    return fmt::format(" data-stage=\"{}\" data-step=\"{}\"{}", html_escaped(stage.id), step,
-                       rests ? " data-rest" : "");
-  }
-
   /// Steps that go on with a scene have no figure of their own.
   Outcome<std::string> figure_of(const Stage& stage, int step) {
     const Step& of = stage.steps[static_cast<std::size_t>(step - 1)];
@@ -305,7 +291,8 @@ class ReaderText {
     figure_ = of.scene.get();
     const Outcome<ReaderPicture> picture = figures_.still(stage, step);
     if (!picture) return passed_on(picture);
-    std::string html = "<figure" + live_data(stage, step) + ">\n" + img(*picture) + '\n';
+    std::string html =
+        "<figure" + (edition_.live ? live_attributes(stage, step) : "") + ">\n" + img(*picture) + '\n';
     const std::vector<std::string> captions = figures_.captions(of);
     const std::string open =
         edition_.live && has_computed_caption(of) ? "<figcaption data-computed>" : "<figcaption>";
@@ -398,7 +385,7 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
   // Nothing is fetched, and nothing runs but what is written here, whatever the lesson says.
   const std::string policy = fmt::format(
       "default-src 'none'; img-src data:; style-src {}; script-src {}{}; base-uri 'none'; form-action 'none'",
-      policy_hash(style), policy_hash(script), live != nullptr ? ' ' + live_policy(live->program) : "");
+      policy_hash(style), policy_hash(script), live != nullptr ? ' ' + live_policy(*live) : "");
   const std::map<std::string, std::string> texts = {
       {"language", html_escaped(lesson.about.language)},
       {"policy", policy},
@@ -407,7 +394,7 @@ Status append_reader(const ReaderEdition& edition, Renderer& renderer, const App
       {"style", style},
       {"script", script},
       {"about", text.about()},
-      {"live", live != nullptr ? live_elements(live->program, live->lesson_text) : ""},
+      {"live", live != nullptr ? live_elements(*live) : ""},
       {"outline", text.outline()},
       {"references", text.references()},
       {"head", head_of(edition)},

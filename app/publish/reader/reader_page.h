@@ -27,12 +27,7 @@ struct ReaderPlace {
   std::string preview{};             ///< name of a picture of 1200 x 630 px; empty: none
 };
 inline constexpr const char* kSiteIndex = "index.html";
-
-/// What makes figures move, once they are pressed.
-struct LiveParts {
-  LiveProgram program;
-  std::string lesson_text;  ///< that `lesson` was read from
-};
+inline constexpr const char* kSiteSandbox = "sandbox.html";
 
 struct ReaderEdition {
   const Lesson& lesson;

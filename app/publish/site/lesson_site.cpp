@@ -5,6 +5,8 @@
 #include "app/export/picture_metadata.h"
 #include "app/publish/html_frame.h"
 #include "app/publish/html_text.h"
+#include "app/publish/live/live_assets.h"
+#include "app/publish/live/sandbox_page.h"
 #include "app/publish/reader/reader_assets.h"
 #include "app/publish/site/site_assets.h"
 #include "app/publish/site/site_record.h"
@@ -59,7 +61,9 @@ class SiteWriter {
         renderer_(renderer),
         durability_(durability),
         go_on_(go_on),
-        effort_(effort) {}
+        effort_(effort) {
+    if (site.live) program_ = live_file(*site.live);
+  }
 
   Outcome<SiteMade> write() {
     Result<std::optional<SiteRecord>> before = read_site_record(folder_);
@@ -67,6 +71,7 @@ class SiteWriter {
     record_ = before->value_or(SiteRecord());
     const std::vector<std::size_t> wanted = lessons_to_draw();
     made_.kept = site_.lessons.size() - wanted.size();
+    if (const Done live = write_live(); !live) return passed_on(live);
     for (const std::size_t i : wanted) {
       const Done drawn = draw(i);
       if (!drawn) return passed_on(drawn);
@@ -97,7 +102,9 @@ class SiteWriter {
     }
     place.url = site_.url;
     if (first_figure(lesson(i), options_)) place.preview = preview_name(lesson(i));
-    return {.lesson = lesson(i), .look = site_.look, .place = std::move(place)};
+    ReaderEdition of{.lesson = lesson(i), .look = site_.look, .place = std::move(place)};
+    if (program_) of.live = LiveParts{*site_.live, site_.lessons[i].text, program_->name};
+    return of;
   }
 
   /// All that decides the bytes of a lesson's page and picture.
@@ -115,6 +122,9 @@ class SiteWriter {
                                       of.place->next_title,
                                       of.place->url};
     parts.insert(parts.end(), of.place->lessons.begin(), of.place->lessons.end());
+    if (program_)
+      parts.insert(parts.end(),
+                   {program_->name, live_assets::kLiveCss, live_assets::kLiveJs, live_assets::kFiguresJs});
     return digest_of(parts);
   }
 
@@ -149,6 +159,21 @@ class SiteWriter {
     const Status written = write_site_record(folder_, record_, durability_);
     if (!written) return failed(written);
     return done();
+  }
+
+  /// Before the pages that lead to them.
+  Done write_live() {
+    if (!program_) return done();
+    files_.insert({program_->name, kSiteSandbox});
+    if (const std::string made_of = sha256_hex(program_->text); !is_known(program_->name, made_of))
+      if (const Done put_there = put(program_->name, program_->text, made_of); !put_there) return put_there;
+    std::vector<std::string> parts = sandbox_sources();
+    parts.push_back(program_->name);
+    const std::string made_of = digest_of(parts);
+    if (is_known(kSiteSandbox, made_of)) return done();
+    const Done written =
+        write_sandbox(folder_ / kSiteSandbox, *site_.live, renderer_, durability_, program_->name);
+    return written ? note(kSiteSandbox, made_of) : written;
   }
 
   Done draw(std::size_t i) {
@@ -191,7 +216,8 @@ class SiteWriter {
   }
 
   Done write_index() {
-    std::vector<std::string> parts = {site_assets::kSiteHtml, site_assets::kSiteCss, site_assets::kSiteJs};
+    std::vector<std::string> parts = {site_assets::kSiteHtml, site_assets::kSiteCss, site_assets::kSiteJs,
+                                      site_.live ? kSiteSandbox : ""};
     for (std::size_t i = 0; i < site_.lessons.size(); ++i) {
       parts.push_back(digests_[i]);
       for (const SiteDownload& download : site_.lessons[i].downloads) {
@@ -215,7 +241,8 @@ class SiteWriter {
       }
       lessons.push_back(std::move(one));
     }
-    return put(kSiteIndex, site_index_html(lessons, site_.url, preview), made_of);
+    return put(kSiteIndex, site_index_html(lessons, site_.url, preview, site_.live ? kSiteSandbox : ""),
+               made_of);
   }
 
   Done put(const std::string& file, const std::string& text, const std::string& made_of) {
@@ -227,6 +254,7 @@ class SiteWriter {
   Done write_sitemap() {
     if (site_.url.empty()) return done();
     std::vector<std::string> pages = {""};
+    if (site_.live) pages.push_back(kSiteSandbox);
     for (std::size_t i = 0; i < site_.lessons.size(); ++i) pages.push_back(page_of(lesson(i)));
     const std::string xml = sitemap_xml(site_.url, pages);
     constexpr const char* kName = "sitemap.xml";
@@ -251,6 +279,7 @@ class SiteWriter {
   const Effort& effort_;
   const ExportOptions options_ = preview_options(site_.look);
 
+  std::optional<LiveFile> program_;
   SiteRecord record_;
   std::vector<std::string> digests_;  ///< of the lessons
   std::set<std::string> files_;       ///< that are of this site

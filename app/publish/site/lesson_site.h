@@ -2,7 +2,8 @@
 // Lessons as a folder of static files, for any host and for reading without network: ID.html, the text
 // edition of each lesson, whose parts have addresses that stay (ID.html#stage, #stage/step.2,
 // #stage/equation); ID.png, a picture of it for where it is linked to; index.html; sitemap.xml, where the
-// address of the folder is known; site.json, what was made of what. The same lessons give the same bytes.
+// address of the folder is known; site.json, what was made of what. Where figures move, the program for them
+// as one file for all pages, and sandbox.html. The same lessons give the same bytes.
 #pragma once
 
 #include "app/page/loaded_lesson.h"
@@ -18,13 +19,15 @@ namespace polhode {
 struct SiteLesson {
   const LoadedLesson& loaded;
   std::vector<SiteDownload> downloads{};  ///< files that lie in the folder and are in its record
+  std::string text{};                     ///< that it was read from; needed where figures move
 };
 
 struct Site {
   std::vector<SiteLesson>
-      lessons;  ///< in their order (course_order); no two have one id, and none is "index"
+      lessons;  ///< in their order (course_order); no two have one id, and none is "index" or "sandbox"
   ReaderFigures::Look look{};
-  std::string url{};  ///< of the folder on the web, with a slash at its end; empty: unknown
+  std::string url{};                  ///< of the folder on the web, with a slash at its end; empty: unknown
+  std::optional<LiveProgram> live{};  ///< absent: figures are pictures, and nothing else
 };
 
 /// An error where the folder holds something else than a site.

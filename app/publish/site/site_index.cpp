@@ -134,7 +134,7 @@ std::vector<std::size_t> course_order(const std::vector<const Lesson*>& lessons)
 }
 
 std::string site_index_html(const std::vector<SiteIndexLesson>& lessons, const std::string& url,
-                            const std::string& preview) {
+                            const std::string& preview, const std::string& sandbox) {
   const std::string style = style_of(lessons), script = std::string("\n") + site_assets::kSiteJs;
   std::string shown;
   for (std::size_t i = 0; i < lessons.size(); ++i) shown += lesson_html(lessons, i);
@@ -150,6 +150,12 @@ std::string site_index_html(const std::vector<SiteIndexLesson>& lessons, const s
       {"head", social_head(url, "", kSiteTitle, kLead, preview)},
       {"style", style},
       {"lead", html_escaped(kLead)},
+      {"sandbox",
+       sandbox.empty()
+           ? ""
+           : fmt::format("<p class=\"lead\"><a href=\"{}\">Throw a body</a> yourself: choose it, start "
+                         "it, and see how it turns.</p>\n",
+                         html_escaped(sandbox))},
       {"lessons", shown},
       {"entries", entries_html(lessons)},
       {"script", script},

@@ -32,8 +32,9 @@ inline constexpr const char* kSiteTitle = "Lectures on the rotation of a rigid b
 
 /// @param url of the folder on the web, with a slash at its end; may be empty
 /// @param preview file of a picture for the page where it is linked to; may be empty
+/// @param sandbox file of the sandbox (app/publish/live/sandbox_page.h); empty: there is none
 std::string site_index_html(const std::vector<SiteIndexLesson>& lessons, const std::string& url,
-                            const std::string& preview);
+                            const std::string& preview, const std::string& sandbox = "");
 
 /// https://www.sitemaps.org/protocol.html
 std::string sitemap_xml(const std::string& url, const std::vector<std::string>& files);

@@ -289,6 +289,10 @@ std::string Browser::screenshot() {
   return decoded(call("Page.captureScreenshot", {{"format", "png"}})["data"]);
 }
 
+std::string Browser::data_in(const std::string& address) {
+  return decoded(address.substr(address.find(',') + 1));
+}
+
 std::string Browser::print() {
   return decoded(call("Page.printToPDF", {{"preferCSSPageSize", true}, {"printBackground", true}})["data"]);
 }

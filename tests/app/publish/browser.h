@@ -44,6 +44,8 @@ class Browser {
   nlohmann::json wait_for(const std::string& expression, const nlohmann::json& value);
   /// PNG.
   std::string screenshot();
+  /// The bytes that an address of base64 holds ("data:image/png;base64,…").
+  static std::string data_in(const std::string& address);
   /// PDF, as the page is printed.
   std::string print();
   /// What the page complained of: errors, warnings, blocked by its policy, and requests to anywhere.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Pages whose figures move, in a real browser with WebGL2 drawn by its own software. Skipped where ./web was
-// not run: what it builds is in build/web/, or in $POLHODE_WEB.
+// not run.
 #include "app/session/figure_interaction.h"
 #include "app/session/scene_edits.h"
 #include "tests/app/publish/browser.h"
+#include "tests/app/publish/live/web_folder.h"
 #include "tests/app/publish/reader/example_edition.h"
 #include "tests/support/paths.h"
 
@@ -26,18 +27,12 @@ using testing::Not;
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-fs::path web_folder() {
-  const char* chosen = std::getenv("POLHODE_WEB");
-  return chosen && *chosen ? fs::path(chosen) : test::source_dir() / "build" / "web";
-}
-
 constexpr const char* kView = "polhodeLive.View.present";
 
 class LiveInBrowser : public testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(web_folder() / "polhode.wasm"))
-      GTEST_SKIP() << "the program for pages is not built: ./web";
+    if (!has_web_program()) GTEST_SKIP() << "the program for pages is not built: ./web";
     browser_ = Browser::start(1280, 800, Browser::Graphics::webgl);
     if (!browser_) GTEST_SKIP() << "no Chromium is installed";
   }
@@ -61,6 +56,9 @@ class LiveInBrowser : public testing::Test {
   }
   static fs::path reader_page() { return page("reader", {"./edition.md", "--live", "--reader"}); }
   static fs::path sandbox_page() { return page("sandbox", {"--sandbox"}); }
+  static fs::path deck_page() {
+    return page("deck", {"./edition.md", "--live", "--size", "960x540", "--deck"});
+  }
 
   Json value_of(const std::string& expression) { return browser_->value_of(expression); }
   Json state() { return value_of(std::string(kView) + ".program.state()"); }
@@ -271,6 +269,92 @@ TEST_F(LiveInBrowser, WithoutScriptThereArePicturesAndAWord) {
   EXPECT_THAT(value_of("document.body.innerText").get<std::string>(), HasSubstr("This is a picture"));
 }
 
+// The figure takes the slide's place; what is done in it is not done to the deck.
+TEST_F(LiveInBrowser, ASlideIsPlayedWhereItStands) {
+  const std::string place = "document.getElementById('place').textContent";
+  browser_->open(deck_page());
+  EXPECT_EQ(browser_->wait_for(place, "1 / 3"), "1 / 3");
+  EXPECT_EQ(value_of("document.querySelectorAll('canvas').length"), 0);
+  press_first();
+  const Json box = value_of(
+      "(() => { const c = document.querySelector('canvas'), b = c.getBoundingClientRect(); return [c.width / "
+      "c.height, b.width / b.height, b.bottom <= "
+      "document.querySelector('.live-panel').getBoundingClientRect().top, "
+      "document.querySelector('.live-panel').getBoundingClientRect().bottom <= "
+      "document.getElementById('bar').getBoundingClientRect().top + 1]; })()");
+  EXPECT_NEAR(box[0].get<double>() / box[1].get<double>(), 1, 0.01);
+  EXPECT_EQ(box[2], true) << "the figure lies above what can be done";
+  EXPECT_EQ(box[3], true) << "and that above the bar";
+  const Json before = state();
+  browser_->press("ArrowRight");
+  EXPECT_NE(state()["camera"]["azimuth"], before["camera"]["azimuth"]);
+  browser_->press(" ");
+  EXPECT_EQ(state()["playing"], true);
+  browser_->press(" ");
+  ASSERT_EQ(state()["tips"].size(), 1U);
+  const Json still = state();
+  const Vec2 tip = on_page(still["tips"][0]["x"], still["tips"][0]["y"]);
+  browser_->drag(tip, tip + Vec2(20, 15));
+  EXPECT_NE(state()["omega0"], still["omega0"]);
+  EXPECT_EQ(value_of(place), "1 / 3") << "neither keys nor hand went on";
+  browser_->press("PageDown");
+  EXPECT_EQ(browser_->wait_for(place, "2 / 3"), "2 / 3");
+  browser_->press("PageUp");
+  EXPECT_EQ(browser_->wait_for(place, "1 / 3"), "1 / 3");
+  EXPECT_EQ(value_of("document.querySelector('canvas').checkVisibility()"), true) << "it is where it was";
+  value_of("document.querySelector('.live-view').focus(), 0");
+  browser_->press("Escape");
+  EXPECT_EQ(value_of("document.querySelectorAll('canvas').length"), 0);
+  EXPECT_EQ(value_of("document.querySelector('.slide.current img').checkVisibility()"), true);
+  EXPECT_THAT(browser_->complaints(), IsEmpty());
+}
+
+TEST_F(LiveInBrowser, ALinkToASlideIsAScenario) {
+  browser_->open(deck_page(), "#02-asked-step1?t=1.5&omega=0.5,-1.25,2");
+  wait_for_picture();
+  EXPECT_EQ(state()["stage_id"], "asked");
+  EXPECT_EQ(state()["t"], 1.5);
+  EXPECT_EQ(state()["omega0"], Json({0.5, -1.25, 2}));
+  EXPECT_EQ(value_of("document.querySelector('.slide.current').id"), "02-asked-step1");
+  EXPECT_EQ(value_of("location.hash.startsWith('#02-asked-step1?t=1.5')"), true);
+}
+
+TEST_F(LiveInBrowser, ASlideThatCannotBePlayedStaysAndSaysWhy) {
+  browser_->open(deck_page());
+  value_of("HTMLCanvasElement.prototype.getContext = () => null, 0");
+  value_of("document.querySelector('.live-press').click(), 0");
+  EXPECT_EQ(browser_->wait_for(
+                "/stays a picture: .*WebGL2/.test(document.querySelector('.live-why').textContent)", true),
+            true);
+  EXPECT_EQ(value_of("document.querySelector('.live-why').checkVisibility()"), true);
+  EXPECT_EQ(value_of("document.querySelector('.slide.current img').checkVisibility()"), true);
+  browser_->forbid_scripts();
+  browser_->open(deck_page());
+  EXPECT_THAT(value_of("document.body.innerText").get<std::string>(),
+              HasSubstr("The figures are pictures here"));
+}
+
+// All pages have the program in one file beside them, which a page may run, though it may not read it.
+TEST_F(LiveInBrowser, PagesOfASiteShareTheProgram) {
+  const fs::path site = page("site", {"./edition.md", "--live", "--with", "html", "--site"});
+  for (const char* name : {"edition.html", "edition-slides.html"}) {
+    browser_->open(site / name);
+    press_first();
+    EXPECT_EQ(value_of("document.querySelectorAll('canvas').length"), 1) << name;
+  }
+  browser_->open(site / "sandbox.html");
+  wait_for_picture();
+  EXPECT_THAT(browser_->complaints(), IsEmpty());
+  const ScratchFolder alone;
+  fs::copy(site / "edition.html", alone / "edition.html");
+  browser_->open(alone / "edition.html");
+  value_of("document.querySelector('.live-press').click(), 0");
+  EXPECT_EQ(browser_->wait_for("/stays a picture: .*does not lie beside this page/.test("
+                               "document.querySelector('.live-why').textContent)",
+                               true),
+            true);
+}
+
 TEST_F(LiveInBrowser, TheSandboxThrowsComputesAndIsShared) {
   const fs::path page = sandbox_page();
   browser_->open(page);
@@ -317,6 +401,10 @@ TEST_F(LiveInBrowser, AxeFindsNothing) {
         "v.nodes.map(n => n.html.slice(0, 200)).join(' | ')))");
   };
   browser_->open(reader_page());
+  press_first();
+  value_of("document.querySelectorAll('.live-panel details').forEach(d => { d.open = true; }), 0");
+  EXPECT_THAT(violations(), IsEmpty());
+  browser_->open(deck_page());
   press_first();
   value_of("document.querySelectorAll('.live-panel details').forEach(d => { d.open = true; }), 0");
   EXPECT_THAT(violations(), IsEmpty());

@@ -36,7 +36,20 @@ TEST(LiveProgram, IsTakenFromTheFirstFolderThatHasIt) {
   ASSERT_TRUE(program) << program.error().text;
   EXPECT_EQ(program->script, packed_for_page("second()"));
   EXPECT_LT(program->wasm.size(), 200U);
-  EXPECT_EQ(live_policy(*program), policy_hash("second()") + " 'wasm-unsafe-eval'");
+  EXPECT_EQ(live_policy({*program, ""}), policy_hash("second()") + " 'wasm-unsafe-eval'");
+}
+
+// Beside pages: each names it, none has it, and its name is another when its text is.
+TEST(LiveProgram, LiesBesidePagesAsAScript) {
+  const LiveProgram program{"a\\b\"c", "'sha256-x'", "d~e"};
+  const LiveFile file = live_file(program);
+  EXPECT_EQ(file.text, "polhodeLive.hold({\"polhode.wasm\": \"d~e\", \"polhode.js\": \"a\\\\b\\\"c\"});\n");
+  EXPECT_THAT(file.name, testing::MatchesRegex("polhode-[0-9a-f]{12}\\.js"));
+  EXPECT_NE(file.name, live_file({"a", "'sha256-x'", "d~e"}).name);
+  const LiveParts parts{program, "text", file.name};
+  EXPECT_THAT(live_elements(parts), AllOf(HasSubstr(packed_for_page("text")), HasSubstr(file.name),
+                                          Not(HasSubstr("polhode.wasm"))));
+  EXPECT_EQ(live_policy(parts), "'sha256-x' 'wasm-unsafe-eval' 'strict-dynamic'");
 }
 
 /// The bytes of packed text, as the page's script reads them.
@@ -84,6 +97,7 @@ TEST(LiveProgram, WhereItIsMissingOneMessageSaysHowToBuildIt) {
   nowhere.environment["POLHODE_WEB"] = (folder / "none").string();
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"export", (folder / "edition.md").string(), "--live", "--reader", page},
+        std::vector<std::string>{"export", (folder / "edition.md").string(), "--live", "--deck", page},
         std::vector<std::string>{"export", "--sandbox", page}}) {
     const ProgramRun run = polhode(words, nowhere);
     EXPECT_EQ(run.code, 1);
@@ -114,12 +128,42 @@ TEST(LiveProgram, OnlyALivePageHasIt) {
             HasSubstr("id=\"polhode.js\">" + packed_for_page("var createPolhode;") + "</script>")));
 }
 
+// Of a deck the slides with a figure have one that is pressed, and the others are pictures.
+TEST(LiveProgram, ADeckHasItIfItIsLive) {
+  const ScratchFolder folder;
+  put_program(folder / "web", "var createPolhode;");
+  write_text(folder / "edition.md", kEditionLesson + std::string("# Words alone {words}\nNo figure.\n"));
+  const auto deck = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"export", (folder / "edition.md").string(),
+                                      "--deck", (folder / "deck.html").string(),
+                                      "--size", "480x270"};
+    words.insert(words.end(), more.begin(), more.end());
+    RunOptions there;
+    there.environment["POLHODE_WEB"] = (folder / "web").string();
+    const ProgramRun run = polhode(words, there);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return text_of(folder / "deck.html");
+  };
+  EXPECT_THAT(deck({}), AllOf(Not(HasSubstr("wasm")), Not(HasSubstr("<figure")), Not(HasSubstr("noscript"))));
+  const std::string live = deck({"--live"});
+  EXPECT_THAT(live,
+              AllOf(HasSubstr("'wasm-unsafe-eval'"),
+                    HasSubstr("<figure data-stage=\"moves\" data-step=\"1\" data-slide><img "),
+                    HasSubstr("<figure data-stage=\"asked\" data-step=\"1\" data-slide><img "),
+                    HasSubstr("The figures are pictures here"), Not(HasSubstr("data-stage=\"words\"")),
+                    HasSubstr("id=\"polhode.js\">" + packed_for_page("var createPolhode;") + "</script>")));
+}
+
 TEST(LiveProgram, OptionsThatDoNotGoWithAPageAreRefused) {
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"export", "--sandbox", "a.txt"},
-                                                {"export", "--sandbox", "a.html", "--stage", "x"},
-                                                {"export", "euler-equations", "--sandbox", "a.html"},
-                                                {"export", "euler-equations", "--live", "-o", "a"},
-                                                {"export"}}) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"export", "--sandbox", "a.txt"},
+        {"export", "--sandbox", "a.html", "--stage", "x"},
+        {"export", "euler-equations", "--sandbox", "a.html"},
+        {"export", "euler-equations", "--live", "-o", "a"},
+        {"export", "euler-equations", "--live", "--deck", "a.pdf"},
+        {"export", "euler-equations", "--live", "--deck", "a.html", "--what", "figure"},
+        {"export", "euler-equations", "--live", "--deck", "a.html", "--text-size", "1.2"},
+        {"export"}}) {
     const ProgramRun run = polhode(words);
     EXPECT_EQ(run.code, 2) << testing::PrintToString(words) << run.err;
   }

@@ -112,6 +112,47 @@ TEST_F(SiteOfTwo, HasAPageForEachLessonAndAnIndex) {
   EXPECT_EQ(preview->image.size, (Size{1200, 630}));
 }
 
+// The program is there once, whatever pages there are, under a name that is of its bytes.
+TEST_F(SiteOfTwo, HasOneProgramForAllFiguresThatMove) {
+  const fs::path site = folder_ / "site", web = folder_ / "web";
+  fs::create_directories(web);
+  const auto make_live = [&](const std::string& script) {
+    write_text(web / "polhode.wasm", "wasm");
+    write_text(web / "polhode.js", script);
+    RunOptions there;
+    there.environment["POLHODE_WEB"] = web.string();
+    const ProgramRun run =
+        polhode({"export", (folder_ / "edition.md").string(), (folder_ / "other.md").string(), "--live",
+                 "--with", "html", "--site", site.string()},
+                there);
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.err;
+  };
+  const auto program_name = [&] {
+    std::string name;
+    for (const std::string& file : names_in(site))
+      if (file.starts_with("polhode-")) name = file;
+    return name;
+  };
+  make_live("one()");
+  const std::string first = program_name();
+  EXPECT_THAT(names_in(site),
+              ElementsAre("edition-slides.html", "edition.html", "edition.png", "index.html",
+                          "other-slides.html", "other.html", first, "sandbox.html", "site.json"));
+  for (const char* page : {"edition.html", "edition-slides.html", "other.html", "sandbox.html"})
+    EXPECT_THAT(text_of(site / page), testing::AllOf(HasSubstr(first), HasSubstr("'strict-dynamic'"),
+                                                     Not(HasSubstr("id=\"polhode.wasm"))))
+        << page;
+  EXPECT_THAT(text_of(site / "index.html"), HasSubstr("href=\"sandbox.html\""));
+  EXPECT_THAT(make_live("one()"), HasSubstr("(2 of them kept)"));
+  EXPECT_THAT(make_live("another()"), Not(HasSubstr("kept"))) << "another program";
+  EXPECT_NE(program_name(), first);
+  EXPECT_EQ(make(site).code, 0);
+  EXPECT_THAT(names_in(site),
+              ElementsAre("edition.html", "edition.png", "index.html", "other.html", "site.json"))
+      << "nothing moves any more";
+}
+
 TEST_F(SiteOfTwo, EveryLinkWithinItLeadsSomewhere) {
   const fs::path site = folder_ / "site";
   ASSERT_EQ(make(site).code, 0);
