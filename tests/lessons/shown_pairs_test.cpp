@@ -278,9 +278,7 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"symmetric-top/turning", [](const Now& s) { return Sides2(s.star_w(), lambda(s) * s.e(3).cross(s.w())); }},
     {"symmetric-top/radius", [](const Now& s) {
        return Sides2(s.ddt([](const Now& now) { return now.w().head<2>().squaredNorm(); }), 0.0); }},
-    {"symmetric-top/pace", [](const Now& s) { return Sides2(s.ddt(lambda), 0.0); }},
     {"symmetric-top/harmonic", [](const Now& s) { return Sides2(s.second_w1(), -lambda(s) * lambda(s) * s.w()[0]); }},
-    {"symmetric-top/forwards", [](const Now& s) { return Sides2(lambda(s), 0.0); }},
     {"symmetric-top/lean", [](const Now& s) {
        const auto squared_tangent = [](const Vec3& x) { return x.head<2>().squaredNorm() / (x[2] * x[2]); };
        const double ratio = s.I()[0] / s.I()[2];
@@ -322,16 +320,12 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"heavy-top/spin", [](const Now& s) {
        return Sides2(s.ddt([](const Now& now) { return now.L()[2]; }), 0.0); }},
     {"heavy-top/spin-tempting", [](const Now& s) { return Sides2(s.star_w()[2], 0.0); }},
-    {"heavy-top/L-tempting", [](const Now& s) { return Sides2(s.ddt_L(), 0.0); }},
     {"heavy-top/LN-tempting", [](const Now& s) { return Sides2(s.L().dot(s.N()), 0.0); }},
     {"heavy-top/L-steady", [](const Now& s) {
        const double upright = s.I()[0] * s.Omega();
        return Sides2(s.L(), upright * s.z() + (spin_momentum(s) - upright * s.u()) * s.e(3)); }},
-    {"heavy-top/L-turns", [](const Now& s) {
-       return Sides2(s.Omega() * s.z().cross(s.L()), steady_left(s) * s.z().cross(s.e(3))); }},
     {"heavy-top/condition", [](const Now& s) { return Sides2(steady_left(s), kWeightTimesArm_Nm); }},
-    {"heavy-top/quadratic", [](const Now& s) {
-       return Sides2(s.I()[0] * s.Omega() * s.Omega() * s.u() + kWeightTimesArm_Nm, spin_momentum(s) * s.Omega()); }},
+    {"heavy-top/quadratic", [](const Now& s) { return Sides2(steady_left(s), kWeightTimesArm_Nm); }},
     {"heavy-top/exists", [](const Now& s) {
        const double spin = spin_momentum(s), four_I_u = 4 * s.I()[0] * s.u(), root = spin - 2 * s.I()[0] * s.u() * s.Omega();
        return Sides2(spin * spin - four_I_u * steady_left(s), root * root); }},
