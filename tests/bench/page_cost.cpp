@@ -4,6 +4,7 @@
 #include "app/cli/lesson_lookup.h"
 #include "app/cli/or_fail.h"
 #include "app/page/page.h"
+#include "app/session/answers/derivation_work.h"
 #include "render/figure/make_figure.h"
 #include "tests/bench/timing.h"
 #include "tests/support/paths.h"
@@ -64,11 +65,65 @@ double cost_ms(const Lesson& lesson, const Stage& stage, const GlContext& contex
   return 1e3 * (page - figure);
 }
 
+LoadedLesson lecture() {
+  return or_fail(load_lesson((test::source_dir() / "lessons/euler-equations.md").string()));
+}
+
+/// Every question that asks for a derivation, with its stage and step, from 1.
+template <class Visit>
+void for_each_derivation(const Lesson& lesson, const Visit& visit) {
+  for (const Stage& stage : lesson.stages)
+    for (std::size_t i = 0; i < stage.steps.size(); ++i)
+      for (const Ask* ask : blocks_of<Ask>(stage.steps[i]))
+        if (ask->derivation) visit(stage, static_cast<int>(i) + 1, *ask);
+}
+
 }  // namespace
 
+std::vector<double> typing_costs_ms() {
+  constexpr Size kWindow{1280, 740};
+  const LoadedLesson loaded = lecture();
+  const Fonts fonts = Fonts::open().value();
+  std::vector<double> costs;
+  for_each_derivation(loaded.lesson, [&](const Stage& stage, int step, const Ask& ask) {
+    const SceneModel model =
+        make_model(*stage.steps[static_cast<std::size_t>(step - 1)].scene, Product::page);
+    DerivationWork work(loaded.lesson, ask);
+    PageRequest request{.lesson = loaded.lesson,
+                        .stage = stage,
+                        .step = step,
+                        .model = &model,
+                        .t_s = model.scene.at_s,
+                        .size = kWindow,
+                        .scrolls = true};
+    request.derivation.ask = &ask;
+    for (const WorkedLine& worked : work.derivation().worked) {
+      for (std::size_t n = 1; n <= worked.line.typed.size(); ++n)
+        costs.push_back(1e3 * cpu_s([&] {
+                          work.type(worked.line.typed.substr(0, n));
+                          request.derivation.lines.push_back({work.typed_tex(), "", Certainty::stated});
+                          value_of(compose_page(request, fonts));
+                          request.derivation.lines.pop_back();
+                        }));
+      request.derivation.lines.push_back({worked.line.tex, "holds", Certainty::proved});
+    }
+  });
+  return costs;
+}
+
+std::vector<double> judging_costs_ms() {
+  const LoadedLesson loaded = lecture();
+  std::vector<double> costs;
+  for_each_derivation(loaded.lesson, [&](const Stage&, int, const Ask& ask) {
+    DerivationWork work(loaded.lesson, ask);
+    for (const WorkedLine& worked : work.derivation().worked)
+      costs.push_back(1e3 * cpu_s([&] { work.add(worked.line.typed); }));
+  });
+  return costs;
+}
+
 std::vector<double> page_costs_ms() {
-  const LoadedLesson loaded =
-      or_fail(load_lesson((test::source_dir() / "lessons/euler-equations.md").string()));
+  const LoadedLesson loaded = lecture();
   const auto context = value_of(open_context(ContextKind::any));
   std::vector<double> costs;
   for (const Stage& stage : loaded.lesson.stages)

@@ -10,4 +10,10 @@ namespace polhode::bench {
 /// any glyph kept, less that of the figure drawn alone; the median of three runs. ms
 std::vector<double> page_costs_ms();
 
+/// Of the lecture's derivations, each of its own lines typed letter by letter, as in a window of 1280x800:
+/// CPU time of reading what is typed so far and laying out the page with it. ms, one for each letter.
+std::vector<double> typing_costs_ms();
+/// The same lines: CPU time of judging each. ms
+std::vector<double> judging_costs_ms();
+
 }  // namespace polhode::bench

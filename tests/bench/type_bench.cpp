@@ -59,6 +59,15 @@ int run() {
   print({"a page less its figure, no glyph kept, ms", spread_of(pages), at_most(15.0),
          std::to_string(pages.size()) + " pages of 1600x1000, laid out and drawn; the dearest " +
              std::to_string(*std::max_element(pages.begin(), pages.end()))});
+  const auto dearest_of = [](const std::vector<double>& costs) {
+    return "the dearest " + std::to_string(*std::max_element(costs.begin(), costs.end()));
+  };
+  const auto typing = typing_costs_ms();
+  print({"a letter of a derivation, read and the page laid out, ms", spread_of(typing), at_most(5.0),
+         std::to_string(typing.size()) + " letters; " + dearest_of(typing)});
+  const auto judging = judging_costs_ms();
+  print({"a line of a derivation, judged, ms", spread_of(judging), at_most(50.0),
+         std::to_string(judging.size()) + " lines; " + dearest_of(judging)});
   return 0;
 }
 
