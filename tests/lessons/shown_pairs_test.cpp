@@ -303,6 +303,9 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"symmetric-top/ball-rate", [](const Now& s) { return Sides2(wobble(s)[2] / s.w()[2], s.I()[2] / s.I()[0]); }},
     {"symmetric-top/needs-torque", [](const Now& s) { return Sides2(s.ddt_L(), s.N()); }},
     {"symmetric-top/near-constant", [](const Now& s) { return Sides2(s.star_w()[2], 0.0); }},
+    {"symmetric-top/near-ellipse", [](const Now& s) {
+       const double I1 = s.I()[0], I2 = s.I()[1], I3 = s.I()[2];
+       return Sides2(s.second_w1(), -(I3 - I1) * (I3 - I2) / (I1 * I2) * s.w()[2] * s.w()[2] * s.w()[0]); }},
     {"symmetric-top/recap-split", [](const Now& s) { return Sides2(s.w(), sum_of_two_arrows(s)); }},
 
     {"heavy-top/torque", [](const Now& s) { return Sides2(s.N(), kWeightTimesArm_Nm * s.z().cross(s.e(3))); }},

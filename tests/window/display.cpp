@@ -77,7 +77,8 @@ Display::Display(Size size, const std::vector<std::string>& more_arguments) : si
   std::vector<std::string> words = {
       "Xvfb",      "-displayfd", std::to_string(pipe[1]),
       "-screen",   "0",          std::to_string(size.width) + 'x' + std::to_string(size.height) + "x24",
-      "-nolisten", "tcp",        "-noreset"};
+      "-nolisten", "tcp",        "-noreset",
+      "-r"};  // no key repeats because a busy machine lets it go late
   words.insert(words.end(), more_arguments.begin(), more_arguments.end());
   server_ = std::make_unique<Child>(Start{.words = words, .err = scratch_ / "err", .kept_open = pipe[1]});
   close(pipe[1]);

@@ -13,7 +13,7 @@
 
 namespace polhode::builders {
 
-inline constexpr double kTriadLength = 1.28;                 ///< of the axes of both frames, scene units
+inline constexpr double kTriadLength = 1.28;                  ///< of the axes of both frames, scene units
 inline constexpr double kSymbolSize = 1.2, kTextSize = 0.95;  ///< of names, of the size of labels
 
 // Radii of curves at the standard thickness, scene units.

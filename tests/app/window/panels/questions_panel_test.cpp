@@ -234,7 +234,7 @@ TEST_F(QuestionsPanelTest, AnEmptyFieldShowsItsHintFromTheLeft) {
 
 // What was set once is drawn, not set again: at rest, while the motion plays, and beside another answer.
 TEST_F(QuestionsPanelTest, TextsAreSetWhenTheyChange) {
-  const Ask& ask = go_to_question("no-torque");
+  const Ask& ask = go_to_question("length-kept");
   session.panel = Panel::question;
   frame(4);
   const int set = screen->texts().count();
@@ -292,7 +292,7 @@ TEST_F(QuestionsPanelTest, NothingIsCutAtItsEdge) {
 }
 
 TEST_F(QuestionsPanelTest, WhatWasAskedBeforeCanBeGoneBackTo) {
-  go_to_question("no-torque");
+  go_to_question("length-kept");
   const Place asked = session.place();
   ASSERT_TRUE(session.next_step());
   ASSERT_TRUE(session.questions().empty());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lessons/reader/questions/state_keys.h"
 #include "lessons/reader/questions/state_task.h"
 
 #include "lessons/reader/checks/claim_check.h"
+#include "lessons/reader/questions/state_keys.h"
 #include "physics/body/euler.h"
 #include "tests/lessons/support.h"
 #include "tests/physics/support.h"
