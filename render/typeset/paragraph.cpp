@@ -56,7 +56,7 @@ bool is_digit(char32_t c) { return U'0' <= c && c <= U'9'; }
 bool is_combining(char32_t c) {
   return (0x0300 <= c && c <= 0x036F) || (0x20D0 <= c && c <= 0x20F0) || (0x1AB0 <= c && c <= 0x1AFF);
 }
-/// A line may end after it, unless it is the dash of a pair of names: Moser–Veselov.
+/// A line may end after it.
 bool is_hyphen(char32_t c) { return c == U'-' || (0x2010 <= c && c <= 0x2014 && c != 0x2011); }
 bool is_letter(char32_t c) { return (U'a' <= c && c <= U'z') || (U'A' <= c && c <= U'Z'); }
 
@@ -78,7 +78,7 @@ struct Atom {
   std::uint32_t span = 0;
 };
 
-/// Of SI, or an angle, or part of a whole, with prefixes that lessons have.
+/// Units in one word that lessons have behind a number.
 bool is_unit(std::u32string_view word) {
   constexpr std::array<std::u32string_view, 28> kUnits = {
       U"%",   U"°",  U"deg", U"rad", U"mrad", U"rad/s", U"rad/s²", U"deg/s", U"s",    U"ms",
@@ -354,6 +354,7 @@ class TextSetter {
     }
   }
 
+  /// A line may end after a hyphen or a dash, but for the dash of a pair of names: Moser–Veselov.
   static bool ends_part(const std::vector<Element>& elements, std::size_t i, std::size_t last) {
     if (!is_hyphen(elements[i].character) || i + 1 >= last || is_hyphen(elements[i + 1].character))
       return false;

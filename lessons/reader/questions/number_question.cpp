@@ -12,6 +12,8 @@
 namespace polhode {
 namespace {
 
+bool is_degrees(const std::string& unit) { return unit == "deg" || unit == "°"; }
+
 class NumberReader {
  public:
   NumberReader(const TomlTable& keys, TextReader& texts)
@@ -95,8 +97,7 @@ class NumberReader {
                                          to_string(asked.value_or(ScaledUnit{}).dimension));
     answer_.is_relative = false;
     answer_.within = *number * unit->size / answer_.unit_si;
-    const std::string unit_word = text.substr(blank + 1);
-    answer_.within_text = unit_word == "deg" || unit_word == "°" ? text.substr(0, blank) + "°" : text;
+    answer_.within_text = is_degrees(text.substr(blank + 1)) ? text.substr(0, blank) + "°" : text;
   }
 
   const TomlTable& keys_;
@@ -119,7 +120,7 @@ std::optional<NumberAnswer> read_number_answer(const TomlTable& keys, TextReader
 
 std::string words_of_what_is_asked(const NumberAnswer& answer) {
   const std::string& unit = answer.unit;
-  const std::string words = unit == "deg" || unit == "°"       ? "degrees"
+  const std::string words = is_degrees(unit)                   ? "degrees"
                             : unit == "deg/s" || unit == "°/s" ? "degrees per second"
                                                                : unit;
   return "Answer " + (unit.empty() ? "with a number" : "in " + words) + ", to within " + answer.within_text +

@@ -19,8 +19,8 @@ std::optional<StateTask> read_state_task(const TomlTable& table, SourcePlace pla
 /// Behind what is asked: "Goal: … To be changed: …".
 void say_what_is_to_be_reached(const StateTask& task, const Vocabulary& vocabulary, RichText& prompt);
 
-/// What a question asks, without what is said behind it of a state question: on paper nobody can change a
-/// scene.
+/// What a question asks, as pages and slides have it: the goals of a state question and what may be changed
+/// stand where it is answered, in the window's panel and on readers' pages.
 RichText without_goals(const Ask& ask);
 
 /// Gives the state questions of a step its scene; what they ask to change has to be there.
