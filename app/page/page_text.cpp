@@ -154,11 +154,20 @@ PageNumbers numbers_of(const PageRequest& request, const Fonts& fonts) {
   return shown;
 }
 
-/// What of the earlier steps a page shows: nothing before `equations_from`, everything from `whole_from`.
+/// An equation of an earlier step, without its text.
+struct Recalled {
+  const Equation* equation = nullptr;
+  std::size_t step = 0;
+  int weight = 0;  ///< of two that have no room together the heavier stays
+};
+
+/// What of the earlier steps a page shows: all steps from `whole_from`, and equations of those before.
 struct Selection {
-  std::size_t equations_from = 0, whole_from = 0;
+  std::size_t whole_from = 0;
+  std::vector<Recalled> recalled{};  ///< in their order
+  std::size_t left_out = 0;          ///< so many that could have been recalled are not
   /// The less, the more is shown.
-  std::size_t rank() const { return equations_from + whole_from; }
+  std::size_t rank() const { return whole_from + left_out; }
 };
 
 /// The text at one size; each step is set when it is first asked for.
@@ -175,11 +184,9 @@ class ScaledText {
         column_(width, scale * em, request.theme, request.profile, symbols, numbers, fonts,
                 request.scrolls ? kLeastSmall : 0.0),
         last_(static_cast<std::size_t>(request.step - 1)),
-        begun_{header(false), title()},
-        continued_{header(true), begun_[1]},
+        heading_{header(), title()},
         footnote_rule_(column_.footnote_rule()),
-        whole_(last_ + 1),
-        equations_(last_ + 1) {
+        whole_(last_ + 1) {
     footnote_rule_.of = &request_.stage.steps;
   }
 
@@ -188,7 +195,7 @@ class ScaledText {
   /// A slide: the step's own text, and in a line at the foot of the column what it goes on from. Nothing if
   /// that is higher than `height`. Fails if a text cannot be set.
   Result<std::optional<FittedText>> slide(double height) {
-    const Selection own{last_, last_};
+    const Selection own{last_};
     const ColumnPiece foot = from_before();
     const PieceRefs refs = pieces(own);
     if (!status_) return failure(status_.error());
@@ -213,14 +220,14 @@ class ScaledText {
 
   /// All steps, for a page that scrolls in a place of this height.
   Result<FittedText> scrolled(double height) {
-    const Selection all{0, 0};
+    const Selection all{0};
     const PieceRefs refs = pieces(all);
     if (!status_) return failure(status_.error());
     FittedText text{stack(refs), scale_, formula_scale(all), equations_in(all), 1, {0, 0}};
     text.overflow = std::max(0.0, std::ceil(text.stack.height - height));
     if (!request_.derivation.lines.empty()) text.hidden = text.overflow;  // the line that is being typed
     if (last_ == 0) return text;
-    std::size_t before = heading(false).size(), after = before;
+    std::size_t before = heading_.size(), after = before;
     for (std::size_t i = 0; i < last_; ++i) before += whole(i).text.size();
     after = before + whole(last_).text.size();
     const auto height_to = [&](std::size_t count) {
@@ -244,40 +251,64 @@ class ScaledText {
 
   std::vector<const Equation*> equations_in(const Selection& shown) const {
     std::vector<const Equation*> all;
-    for (std::size_t i = shown.equations_from; i <= last_; ++i)
-      for (const Block& block : request_.stage.steps[i].blocks)
-        if (const auto* equation = std::get_if<Equation>(&block))
-          if (i >= shown.whole_from || is_repeated(*equation)) all.push_back(equation);
+    for (const Recalled& recalled : shown.recalled) all.push_back(recalled.equation);
+    for (std::size_t i = shown.whole_from; i <= last_; ++i)
+      for (const Equation* equation : blocks_of<Equation>(request_.stage.steps[i])) all.push_back(equation);
     return all;
   }
 
  private:
   std::optional<Selection> most_that_fits(double height) {
-    const std::size_t whole_from = first_that_fits(last_ + 1, height, [&](std::size_t i) {
-      return pieces({i, i});
-    });
+    const std::size_t whole_from =
+        first_that_fits(last_ + 1, height, [&](std::size_t i) { return pieces({i}); });
     if (whole_from > last_) return std::nullopt;
     // Rather fewer equations of earlier steps than an answer without its question.
     const bool answers = last_ > 0 && whole_from < last_ && !blocks_of<Ask>(before_present()).empty();
     const std::size_t latest = answers ? last_ - 1 : last_;
     for (std::size_t from = whole_from; from <= latest; ++from) {
-      const std::size_t wanted = first_recalled(from),
-                        equations_from = std::max(wanted, with_equations(from, height));
-      if (equations_from == wanted || from == latest) return Selection{equations_from, from};
+      Selection shown = recalling(from, height);
+      if (shown.left_out == 0 || shown.recalled.size() == kMostRecalled || from == latest) return shown;
     }
     return std::nullopt;
   }
 
-  /// The first step of which equations are recalled above step `whole_from`: more than some are read by
-  /// nobody.
-  std::size_t first_recalled(std::size_t whole_from) const {
-    std::size_t count = 0, first = whole_from;
-    for (; first > 0; --first) {
-      for (const Equation* equation : blocks_of<Equation>(request_.stage.steps[first - 1]))
-        if (is_repeated(*equation)) ++count;
-      if (count > kMostRecalled) break;
+  /// Above step `whole_from` the equations that there is room for, of many the heaviest and among these the
+  /// latest: more than some are read by nobody.
+  Selection recalling(std::size_t whole_from, double height) {
+    Selection shown{whole_from};
+    std::vector<Recalled> wanted;
+    for (std::size_t i = 0; i < whole_from; ++i)
+      for (const Equation* equation : blocks_of<Equation>(request_.stage.steps[i]))
+        if (is_repeated(*equation)) wanted.push_back({equation, i, recall_weight(*equation, i)});
+    const std::vector<Recalled> all = wanted;
+    std::stable_sort(wanted.begin(), wanted.end(), [](const Recalled& a, const Recalled& b) {
+      return std::pair(a.weight, a.step) > std::pair(b.weight, b.step);
+    });
+    const auto in_their_order = [&all](std::vector<Recalled> chosen) {
+      std::vector<Recalled> ordered;
+      for (const Recalled& one : all)
+        if (std::any_of(chosen.begin(), chosen.end(),
+                        [&](const Recalled& other) { return other.equation == one.equation; }))
+          ordered.push_back(one);
+      return ordered;
+    };
+    for (const Recalled& next : wanted) {
+      if (shown.recalled.size() == kMostRecalled) break;
+      Selection more = shown;
+      more.recalled.push_back(next);
+      more.recalled = in_their_order(std::move(more.recalled));
+      if (height_of(pieces(more)) > height) break;
+      shown = std::move(more);
     }
-    return first;
+    shown.left_out = all.size() - shown.recalled.size();
+    return shown;
+  }
+
+  /// A number before what a step has come to, that before what is claimed, that before the rest.
+  int recall_weight(const Equation& equation, std::size_t i) const {
+    const Step& step = request_.stage.steps[i];
+    const int weight = weight_of(step, equation);
+    return 2 * weight + (weight > 0 && &equation == focus_of(request_.stage, step) ? 1 : 0);
   }
 
   /// The smallest index below `end` from which on `pieces_from` fits; steps are tried from
@@ -288,25 +319,19 @@ class ScaledText {
     return end;
   }
 
-  std::size_t with_equations(std::size_t whole_from, double height) {
-    return first_that_fits(whole_from, height, [&](std::size_t i) { return pieces({i, whole_from}); });
-  }
-
   PieceRefs pieces(const Selection& shown) {
-    PieceRefs all = heading(!is_slide() && shown.whole_from > 0);
-    for (std::size_t i = shown.equations_from; i < shown.whole_from; ++i) add(all, equations(i));
+    PieceRefs all;
+    add(all, heading_);
+    for (const Recalled& recalled : shown.recalled) {
+      const bool is_first = &recalled == &shown.recalled.front() || (&recalled - 1)->step != recalled.step;
+      all.push_back(&earlier(recalled, is_first));
+    }
     for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i).text);
     // All footnotes stand at the foot.
     const std::size_t body = all.size();
     for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i).notes);
     if (all.size() > body) all.insert(all.begin() + static_cast<std::ptrdiff_t>(body), &footnote_rule_);
     return all;
-  }
-
-  PieceRefs heading(bool continued) const {
-    PieceRefs refs;
-    add(refs, continued ? continued_ : begun_);
-    return refs;
   }
 
   bool is_slide() const { return request_.profile == Profile::slides; }
@@ -352,7 +377,7 @@ class ScaledText {
 
   /// Lesson, stage, step: small, above the title; without the lesson's title where that is too long. Above
   /// the title of a step the stage has its own.
-  ColumnPiece header(bool continued) const {
+  ColumnPiece header() const {
     // It keeps its size where other type is set smaller, but not the size of a reader's larger type.
     const double em = em_ * std::max(scale_, 1.0 / std::max(1.0, request_.text_scale));
     TextStyle quiet;
@@ -362,7 +387,6 @@ class ScaledText {
     std::string place = fmt::format("stage {} of {}", request_.number, request_.lesson.stages.size());
     if (!is_slide() && request_.stage.steps.size() > 1)
       place += fmt::format("  ·  step {} of {}", request_.step, request_.stage.steps.size());
-    if (continued) place += "  ·  continued";
     const std::string whose = has_own_title() ? in_a_line(request_.stage.title_text) : request_.lesson.title;
     const std::string brief = fmt::format("{} of {}", request_.number, request_.lesson.stages.size());
     DisplayList line = set_line(whose + "  ·  " + place, quiet, fonts_);
@@ -505,20 +529,24 @@ class ScaledText {
     return !is_refuted(request_.stage, equation) && numbers_in(equation).empty();
   }
 
-  const Pieces& equations(std::size_t i) {
-    if (equations_[i]) return *equations_[i];
-    Pieces pieces;
-    for (const Block& block : request_.stage.steps[i].blocks)
-      if (const auto* equation = std::get_if<Equation>(&block); equation && is_repeated(*equation)) {
-        const Step& step = request_.stage.steps[i];
-        pieces.push_back(
-            noted(column_.earlier_equation(*equation, label_of_earlier(*equation, step, pieces.empty()))));
-        pieces.back().of = &block;
-        tell_cost_of(pieces.back());
-        pieces.back().is_main = equation == focus_of(request_.stage, request_.stage.steps[i]);
-      }
-    equations_[i] = std::move(pieces);
-    return *equations_[i];
+  /// The first of its step on the page has the step's title.
+  const ColumnPiece& earlier(const Recalled& recalled, bool is_first) {
+    const auto [made, is_new] = earlier_.try_emplace({recalled.equation, is_first});
+    if (!is_new) return made->second;
+    const Step& step = request_.stage.steps[recalled.step];
+    ColumnPiece piece = noted(
+        column_.earlier_equation(*recalled.equation, label_of_earlier(*recalled.equation, step, is_first)));
+    piece.of = block_of(step, *recalled.equation);
+    piece.is_main = recalled.equation == focus_of(request_.stage, step);
+    tell_cost_of(piece);
+    return made->second = std::move(piece);
+  }
+
+  static const Block* block_of(const Step& step, const Equation& equation) {
+    const auto found = std::find_if(step.blocks.begin(), step.blocks.end(), [&](const Block& block) {
+      return std::get_if<Equation>(&block) == &equation;
+    });
+    return &*found;
   }
 
   const PageRequest& request_;
@@ -528,10 +556,10 @@ class ScaledText {
   TextColumn column_;
   Status status_ = success();  ///< of the first text that could not be set
   std::size_t last_;           ///< index of the step
-  Pieces begun_, continued_;   ///< header and title
+  Pieces heading_;             ///< header and title
   ColumnPiece footnote_rule_;
   std::vector<std::optional<Whole>> whole_;
-  std::vector<std::optional<Pieces>> equations_;
+  std::map<std::pair<const Equation*, bool>, ColumnPiece> earlier_;
 };
 
 Failure<std::string> too_much(const PageRequest& request) {

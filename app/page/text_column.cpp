@@ -45,6 +45,7 @@ constexpr double kFormulaClearance = 0.5;  ///< between formulas with fractions,
 constexpr double kEarlierGap = 0.62;       ///< between equations of earlier steps
 constexpr double kLabelRoom = 0.36;        ///< of the column, for what they are
 constexpr double kLeastBeside = 5.0;       ///< of that room
+constexpr double kLeastScaleBeside = 0.85;
 constexpr double kEarlierLabelSize = 0.7;
 constexpr double kBesideGap = 0.6;
 constexpr double kBetweenLines = 0.35;  ///< of their size: what is free between two of them
@@ -454,34 +455,38 @@ DisplayList TextColumn::balanced_label(const EarlierLabel& label, double room) c
 }
 
 Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const EarlierLabel& label) const {
-  const double size = kEarlierSize * size_, gap = kEarlierGap * size_;
+  const double size = kEarlierSize * size_, gap = kEarlierGap * size_,
+               between = std::round(kBesideGap * size_);
   Result<ColumnPiece> set = numbered(equation, size, {});
   if (!set) return set;
   ColumnPiece piece = std::move(set).value();
   piece.gap = gap;
-  if (label.empty()) return piece;
-  const auto with = [](ColumnPiece formula, DisplayList words, double x_baseline) {
-    formula.sheet.texts.insert(formula.sheet.texts.begin(),
-                               {.list = std::move(words), .at = {0, std::round(x_baseline)}});
+  const auto with = [&](ColumnPiece formula, const DisplayList& words, double baseline) {
+    formula.gap = gap;
+    if (words.glyphs.empty()) return formula;
+    formula.sheet.texts.insert(formula.sheet.texts.begin(), {.list = words, .at = {0, std::round(baseline)}});
     ++*formula.formula;
     return formula;
   };
   const double room = std::round(kLabelRoom * width_);
   if (room >= kLeastBeside * size_) {
     const DisplayList words = balanced_label(label, room);
-    Result<ColumnPiece> beside = numbered(equation, size, {}, room + std::round(kBesideGap * size_));
-    if (!beside) return beside;
-    // Not where the equation would be broken for it.
-    if (words.width <= room && beside->formula_scale >= 1.0 && beside->height <= piece.height) {
+    // All equations stand in one column, but where that is too narrow beside short words.
+    for (const double left : {room, std::min(room, std::ceil(words.width))}) {
+      Result<ColumnPiece> beside = numbered(equation, size, {}, left + between);
+      if (!beside) return beside;
+      const bool is_whole =
+          beside->formula_scale >= kLeastScaleBeside * piece.formula_scale && beside->height <= piece.height;
+      if (!is_whole || words.width > room) continue;
       // The middles of both at one height.
       const double height = words.ascent + words.depth, over = std::ceil(height - beside->height),
                    top = std::round(std::max(0.0, -0.5 * over));
-      beside = lowered(std::move(beside).value(), std::round(std::max(0.0, 0.5 * over)), std::max(0.0, over));
-      beside->gap = gap;
-      const double baseline = top + words.ascent;
-      return with(std::move(beside).value(), words, baseline);
+      return with(
+          lowered(std::move(beside).value(), std::round(std::max(0.0, 0.5 * over)), std::max(0.0, over)),
+          words, top + words.ascent);
     }
   }
+  if (label.empty()) return piece;
   EarlierLabel shorter = label;
   DisplayList words = label_in_lines(label, width_);
   if (words.width > width_) {
@@ -489,8 +494,8 @@ Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const
     shorter.note.clear();
     words = label_in_lines(shorter, width_);
   }
-  const double lower = std::ceil(words.ascent + words.depth + kBetweenLines * size_), baseline = words.ascent;
-  return with(lowered(std::move(piece), lower, lower), std::move(words), baseline);
+  const double lower = std::ceil(words.ascent + words.depth + kBetweenLines * size_);
+  return with(lowered(std::move(piece), lower, lower), words, words.ascent);
 }
 
 Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {
