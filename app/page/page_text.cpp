@@ -487,6 +487,7 @@ class ScaledText {
     for (const Block& block : step.blocks) {
       const auto* claim = std::get_if<Claim>(&block);
       if (!claim || claim->equation != equation.id) continue;
+      if (is_beside(*claim)) continue;  // its word would seem to be of the formula
       const VerdictRow& row = verdicts_.at(claim);
       label.in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
       const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
