@@ -44,7 +44,7 @@ class FigureMaker : public PictureMaker {
     const std::vector<std::string> captions = captions_in(picture, *shown);
     const bool has_parts = !diagrams_in(model->drawn).empty() || !model->beside.empty();
     if (has_parts || !captions.front().empty())
-      return outcome_of(draw_in_parts(*model, t_s, captions, background, quality));
+      return outcome_of(draw_in_parts(*model, t_s, captions, picture.frame.has_value(), background, quality));
     const Figure figure = make_figure(*model, t_s, static_cast<double>(size.width) / size.height);
     return outcome_of(context_.renderer.draw(figure, size, background, quality));
   }
@@ -73,7 +73,7 @@ class FigureMaker : public PictureMaker {
 
   /// Diagrams and captions stand on a plain ground: paper instead of the studio.
   Result<Image> draw_in_parts(const SceneModel& model, double t_s, const std::vector<std::string>& captions,
-                              const Background& background, const Quality& quality) {
+                              bool is_frame, const Background& background, const Quality& quality) {
     using Kind = Background::Kind;
     const Size size = context_.options.size;
     const Background ground = background.kind == Kind::studio ? Background{Kind::paper, {}} : background;
@@ -83,7 +83,8 @@ class FigureMaker : public PictureMaker {
                       .background = background,
                       .ground = {},
                       .quality = quality,
-                      .captions = captions};
+                      .captions = captions,
+                      .is_frame = is_frame};
     if (ground.kind != Kind::transparent) place.ground = sky_of(ground);
     const PlacedFigure placed = place_figure(model, t_s, place, context_.renderer.fonts());
     return context_.renderer.draw(placed.sheet, placed.insets, size, ground);

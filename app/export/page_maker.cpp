@@ -150,6 +150,7 @@ class PageMaker : public PictureMaker {
             .text_scale = context_.options.text_scale,
             .entrance = entrance_of(opacity_in(picture)),
             .runs = picture.frame.has_value(),
+            .is_frame = picture.frame.has_value(),
             .still_numbers = &still_numbers_,
             .effort = context_.effort};
   }

@@ -62,7 +62,7 @@ std::string alt_text(const Scene& scene, const SceneInWords& words, const Vec3& 
           : fmt::format("{}: {}. ",
                         shows_space(drawn, has_marks) ? view_words(scene.views) : diagram_words(drawn),
                         shown_words(drawn, words.marks));
-  if (const std::string& caption = words.caption; !caption.empty())
+  if (const std::string& caption = words.caption; !caption.empty() && caption_holds(scene, t_s))
     text += caption + (caption.ends_with('.') ? " " : ". ");
   const Vec3& I = scene.body.moments.vector();
   text += fmt::format("The body is \"{}\" with principal moments {:.4g}, {:.4g}, {:.4g} kg m². ",

@@ -280,7 +280,9 @@ std::vector<std::string> SpeechText::captions_in_words(const Step& step, const S
   const bool have_one = have_one_caption(scenes);
   std::vector<std::string> captions;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const std::string caption = words_of_caption(step, have_one && step.scene ? step.scene->before : i);
+    const std::string caption = scenes[i]->caption.empty()
+                                    ? ""
+                                    : words_of_caption(step, have_one && step.scene ? step.scene->before : i);
     const std::string label = words_of_line(scenes[i]->label);
     captions.push_back(label + (label.empty() || caption.empty() ? "" : ". ") + caption);
   }

@@ -126,9 +126,15 @@ void add_ground(const PixelBox& box, const Color& color, Sheet& sheet) {
       Area{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}, color});
 }
 
-/// Below what stands in the box, in as many lines as it takes; the box is cut by them.
-void cut_caption(const std::string& caption, const FigurePlace& place, PixelBox& box, Sheet& sheet,
-                 const Fonts& fonts) {
+bool is_written(const Scene& scene, double t_s, const FigurePlace& place) {
+  const bool holds = scene.caption_when == CaptionWhen::always || !place.is_frame;
+  return !place.rooms_alone && holds && caption_holds(scene, t_s);
+}
+
+/// Below what stands in the box, in as many lines as it takes; the box is cut by them, whether it is written
+/// or not.
+void cut_caption(const std::string& caption, bool is_written, const FigurePlace& place, PixelBox& box,
+                 Sheet& sheet, const Fonts& fonts) {
   if (caption.empty()) return;
   const double em = place.caption_px, pad = kPad * em;
   TextStyle style;
@@ -143,17 +149,18 @@ void cut_caption(const std::string& caption, const FigurePlace& place, PixelBox&
   const double above = std::round(kCaptionGap * em + std::max(lines.ascent, kCaptionTop * em));
   const double y1 = box.y1 - above - std::round(lines.depth + kCaptionGap * em);
   if (place.ground) add_ground({box.x0, y1, box.x1, box.y1}, *place.ground, sheet);
-  sheet.texts.push_back(
-      {.list = std::move(lines), .at = {std::round(box.x0 + pad), y1 + above}, .text = caption});
+  if (is_written)
+    sheet.texts.push_back(
+        {.list = std::move(lines), .at = {std::round(box.x0 + pad), y1 + above}, .text = caption});
   box.y1 = y1;
 }
 
 /// One scene, whatever stands beside it, with a caption of its own or none; `first` is that of all of them.
-PlacedFigure place_scene(const SceneModel& model, const std::string& caption, double t_s,
+PlacedFigure place_scene(const SceneModel& model, const std::string& caption, bool is_written, double t_s,
                          const FigurePlace& place, const Fonts& fonts, const SceneModel& first) {
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
-  cut_caption(caption, place, box, placed.sheet, fonts);
+  cut_caption(caption, is_written, place, box, placed.sheet, fonts);
   if (is_plots_alone(model)) {
     placed.plots.push_back(box);
     return placed;
@@ -185,18 +192,21 @@ PlacedFigure place_figure(const SceneModel& model, double t_s, const FigurePlace
   const auto caption_of = [&](std::size_t i) -> const std::string& {
     return place.captions.empty() ? shown[i]->scene.caption : place.captions[i];
   };
-  if (shown.size() == 1) return place_scene(model, caption_of(0), t_s, place, fonts, model);
+  const auto writes = [&](std::size_t i) { return is_written(shown[i]->scene, t_s, place); };
+  if (shown.size() == 1) return place_scene(model, caption_of(0), writes(0), t_s, place, fonts, model);
   PlacedFigure placed;
   PixelBox box = box_of(place.rect);
   const bool is_common = have_one_caption(shown_scenes(model.scene));
-  if (is_common) cut_caption(caption_of(model.scene.before), place, box, placed.sheet, fonts);
+  if (is_common)
+    cut_caption(caption_of(model.scene.before), writes(model.scene.before), place, box, placed.sheet, fonts);
   const std::vector<PixelBox> cells = places_of_scenes(model, box);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     FigurePlace cell = place;
     cell.rect = rect_of(cells[i]);
     const std::string& label = shown[i]->scene.label;
-    const std::string& own = label.empty() && !is_common ? caption_of(i) : label;
-    PlacedFigure one = place_scene(*shown[i], own, t_s, cell, fonts, model);
+    const bool has_own = label.empty() && !is_common;
+    PlacedFigure one = place_scene(*shown[i], has_own ? caption_of(i) : label, !has_own || writes(i), t_s,
+                                   cell, fonts, model);
     append(placed.sheet, std::move(one.sheet), {0, 0});
     placed.plots.insert(placed.plots.end(), one.plots.begin(), one.plots.end());
     const auto at = shown[i] == &model ? placed.insets.begin() : placed.insets.end();

@@ -23,6 +23,11 @@ struct FigurePlace {
   Quality quality{};
   /// Of the scenes in the order in which they stand, lines with formulas between `$`; none: the scenes' own.
   std::vector<std::string> captions{};
+  /// Of a film: a caption of the still alone, which one frame would show, is left out.
+  bool is_frame = false;
+  /// Captions have their room and are not written: the figure of a scene that was changed by hand stays where
+  /// it is.
+  bool rooms_alone = false;
 };
 
 struct PlacedFigure {

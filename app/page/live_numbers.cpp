@@ -181,10 +181,10 @@ LongestNumbers longest_in_captions(const Lesson& lesson, const Step& step, const
 
 namespace {
 
-std::string caption_at(const Lesson& lesson, const RichText* caption, const SceneModel& model, double t_s,
-                       const LongestNumbers& longest) {
-  if (caption == nullptr || model.scene.caption.empty() || numbers_in(*caption).empty())
-    return model.scene.caption;
+/// @param written as the scene has it; `caption`, read
+std::string caption_at(const Lesson& lesson, const std::string& written, const RichText* caption,
+                       const SceneModel& model, double t_s, const LongestNumbers& longest) {
+  if (caption == nullptr || written.empty() || numbers_in(*caption).empty()) return written;
   const auto live = live_state(model, t_s);
   std::string line;
   const auto add_formula = [&](const TextSpan& span) {
@@ -216,7 +216,19 @@ std::vector<std::string> captions_at(const Lesson& lesson, const Step& step, con
                                      double t_s, const LongestNumbers& longest) {
   std::vector<std::string> captions;
   for (const SceneModel* shown : shown_models(model))
-    captions.push_back(caption_at(lesson, caption_of(step, captions.size()), *shown, t_s, longest));
+    captions.push_back(
+        caption_at(lesson, shown->scene.caption, caption_of(step, captions.size()), *shown, t_s, longest));
+  return captions;
+}
+
+std::vector<std::string> lesson_captions_at(const Lesson& lesson, const Step& step, const SceneModel& model,
+                                            double t_s, const LongestNumbers& longest) {
+  const std::vector<const Scene*> scenes = shown_scenes(*step.scene);
+  std::vector<std::string> captions;
+  for (const SceneModel* shown : shown_models(model)) {
+    const std::size_t i = std::min(captions.size(), scenes.size() - 1);
+    captions.push_back(caption_at(lesson, scenes[i]->caption, caption_of(step, i), *shown, t_s, longest));
+  }
   return captions;
 }
 

@@ -76,5 +76,9 @@ LongestNumbers longest_in_captions(const Lesson& lesson, const Step& step, const
 /// than the longest has a blank before it.
 std::vector<std::string> captions_at(const Lesson& lesson, const Step& step, const SceneModel& model,
                                      double t_s, const LongestNumbers& longest = {});
+/// The same of the lesson's captions, whichever the models have: what rooms are kept for. The step has a
+/// scene.
+std::vector<std::string> lesson_captions_at(const Lesson& lesson, const Step& step, const SceneModel& model,
+                                            double t_s, const LongestNumbers& longest = {});
 
 }  // namespace polhode

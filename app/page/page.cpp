@@ -234,7 +234,7 @@ double small_type(const PageRequest& request, double px) {
 }
 
 PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, std::vector<std::string> captions,
-                            const Fonts& fonts) {
+                            bool rooms_alone, const Fonts& fonts) {
   FigurePlace place{.rect = grid.figure,
                     .caption_px = small_type(request, kCaptionSize * grid.small_em),
                     .theme = request.theme,
@@ -245,6 +245,8 @@ PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, std::v
     place.background = {Background::Kind::color, *place.ground};
   }
   place.captions = std::move(captions);
+  place.is_frame = request.is_frame;
+  place.rooms_alone = rooms_alone;
   return place_figure(*request.model, request.t_s, place, fonts);
 }
 
@@ -479,8 +481,14 @@ Page compose_page(const PageRequest& request, const FittedText& text, const Font
   add_column(request, text, page.sheet, fonts);
   if (!request.model) return page;
   const Step& step = request.stage.steps[static_cast<std::size_t>(request.step - 1)];
-  PlacedFigure figure = figure_on_page(
-      request, grid, captions_at(request.lesson, step, *request.model, request.t_s, text.in_captions), fonts);
+  std::vector<std::string> captions =
+      captions_at(request.lesson, step, *request.model, request.t_s, text.in_captions);
+  const bool has_none =
+      std::all_of(captions.begin(), captions.end(), [](const std::string& one) { return one.empty(); });
+  const bool rooms_alone = request.scrolls && has_none && step.scene;
+  if (rooms_alone)
+    captions = lesson_captions_at(request.lesson, step, *request.model, request.t_s, text.in_captions);
+  PlacedFigure figure = figure_on_page(request, grid, std::move(captions), rooms_alone, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
   add_meters(request, figure.plots, grid, page.sheet, fonts);
@@ -513,7 +521,7 @@ Page compose_picture(const PageRequest& request, const Fonts& fonts) {
   const Grid grid{em, em, {}, rounded(0, 0, w, h - below), {0, h - below, w, h}};
   Page page;
   PlacedFigure figure =
-      figure_on_page(request, grid, std::vector<std::string>(shown_models(model).size()), fonts);
+      figure_on_page(request, grid, std::vector<std::string>(shown_models(model).size()), false, fonts);
   page.insets = std::move(figure.insets);
   append(page.sheet, std::move(figure.sheet), {0, 0});
   add_meters(request, figure.plots, grid, page.sheet, fonts);

@@ -79,9 +79,11 @@ struct PageRequest {
   /// Its time goes on: computed numbers run in rooms that are wide enough for all that they come to, so that
   /// the text does not move. Else they are put into the text as they are at t_s, which that text is for.
   bool runs = false;
+  bool is_frame = false;  ///< of a film, which has no captions of the still alone
   /// In a window, which can be scrolled: the text of a stage stands still. All steps up to the present one
   /// are there whole, at the size that the reader wants, each below the one before; what is higher than the
-  /// page is above it (FittedText::hidden). No type is so small that it cannot be read on a screen.
+  /// page is above it (FittedText::hidden). No type is so small that it cannot be read on a screen. The
+  /// caption of the lesson keeps its room below a scene that has none any more.
   bool scrolls = false;
   /// px at the right edge over which a panel lies: the figure and its plots keep clear of it, and the text
   /// stays as it is.

@@ -2,6 +2,7 @@
 #include "app/session/figure_hand.h"
 
 #include "app/session/figure_interaction.h"
+#include "lessons/reader/questions/state_task.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,15 @@ std::optional<TipOnScreen> tip_near(const LessonSession& session, const std::vec
   for (const TipOnScreen& tip : omega_tips(*session.model(), session.t_s(), insets))
     if (std::hypot(tip.x - at.x(), tip.y - at.y()) < reach) near = tip;
   return near;
+}
+
+/// Whether a question of the step lets ω be changed and the attitude not.
+bool asks_for_omega_alone(const LessonSession& session) {
+  const std::vector<const Ask*> asks = session.questions();
+  return std::any_of(asks.begin(), asks.end(), [](const Ask* ask) {
+    return ask->task && ask->task->change.contains(Steered::omega) &&
+           !ask->task->change.contains(Steered::attitude);
+  });
 }
 
 }  // namespace
@@ -65,7 +75,8 @@ std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& i
     session.set_camera(orbited(session.model()->scene.camera, dx, dy, inset.place.height));
     return {};
   }
-  const auto grabbed = omega_at(*session.model(), session.t_s(), inset, pane_, at.x(), at.y());
+  const auto grabbed =
+      omega_at(*session.model(), session.t_s(), inset, pane_, at.x(), at.y(), asks_for_omega_alone(session));
   if (!grabbed) return {};
   SceneEdits edits = session.edits();
   edits.w0_B = grabbed->w0_B;

@@ -6,6 +6,7 @@
 #include "physics/body/euler.h"
 #include "physics/geometry/poinsot.h"
 #include "render/figure/omega_tip.h"
+#include "render/scene/model/scene_problem.h"
 
 #include <algorithm>
 #include <array>
@@ -40,8 +41,8 @@ std::optional<Vec2> on_page(const DrawnOmega& omega, const PixelRect& pane) {
 class OmegaSearch {
  public:
   OmegaSearch(const SceneModel& model, const Inset& inset, std::size_t pane, const Vec2& wanted,
-              const Vec3& semi_axes, const std::optional<AttitudeSpec>& attitude)
-      : trial_(model, pane, aspect_of(inset.place), attitude),
+              const Vec3& semi_axes, const std::optional<AttitudeSpec>& attitude, const CameraSpec& camera)
+      : trial_(model, pane, aspect_of(inset.place), attitude, camera),
         rect_(rect_of(inset.figure.panes[pane], inset.place)),
         wanted_(wanted),
         semi_axes_(semi_axes) {}
@@ -120,7 +121,7 @@ class OmegaSearch {
   /// one that is nearest to where the hand has been.
   Found better(Found best, const Vec3& start) {
     constexpr int kDirections = 600;
-    constexpr std::size_t kStarts = 8;
+    constexpr std::size_t kStarts = 16;
     std::array<Found, kStarts> starts;
     for (int i = 0; i < kDirections; ++i) {  // Fibonacci's sphere
       const double z = 1.0 - (2.0 * i + 1.0) / kDirections,
@@ -154,6 +155,14 @@ class OmegaSearch {
   Vec2 wanted_;
   Vec3 semi_axes_;
 };
+
+/// By how much a body that begins with this ω is turned about the vertical, on which the scene holds L,
+/// beside the attitude of the moment.
+double turned_at_start(Scene scene, const RigidBodyState& now) {
+  scene.w0_B = now.w_B;
+  const Quat turn = problem_of(scene).start.q_SB * now.q_SB.inverse();
+  return 2.0 * std::atan2(turn.z(), turn.w());
+}
 
 }  // namespace
 
@@ -202,7 +211,7 @@ std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const s
 }
 
 std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const Inset& inset,
-                                     std::size_t pane, double x, double y) {
+                                     std::size_t pane, double x, double y, bool keeps_L) {
   const bool is_pane =
       pane < inset.figure.panes.size() && inset.figure.panes.size() == model.scene.views.size();
   if (!is_pane || !std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
@@ -212,15 +221,25 @@ std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const 
   // Free motion keeps the energy of its start, also where a method does not.
   const double two_T = 2.0 * kinetic_energy(I, model.scene.torque.empty() ? model.scene.w0_B : now.w_B);
   if (!(two_T > 0.0) || !std::isfinite(two_T)) return std::nullopt;
-  const bool is_held = !model.scene.attitude || std::holds_alternative<LPoints>(*model.scene.attitude);
-  const std::optional<AttitudeSpec> attitude = is_held ? std::nullopt : std::optional<AttitudeSpec>(now.q_SB);
+  const bool holds_L = !model.scene.attitude || std::holds_alternative<LPoints>(*model.scene.attitude);
+  const bool has_to =
+      keeps_L || model.drawn.contains(Overlay::plane) ||
+      std::find(model.scene.views.begin(), model.scene.views.end(), View::space) == model.scene.views.end();
+  const std::optional<AttitudeSpec> attitude =
+      holds_L && has_to ? std::nullopt : std::optional<AttitudeSpec>(now.q_SB);
+  // The motion that is shown, from this moment on, has the frame that is shown.
+  const bool goes_on = attitude && t_s != 0.0;
+  CameraSpec camera = held_by_hand(model.scene, goes_on ? std::optional(now.w_B) : std::nullopt);
+  if (!attitude && model.scene.views == std::vector{View::space})
+    camera.azimuth_rad =
+        std::remainder(camera.azimuth_rad + turned_at_start(model.scene, now), 2.0 * std::numbers::pi);
   const Vec3 semi_axes = energy_ellipsoid_semi_axes(I, two_T);
   const Vec3 start = now.w_B.cwiseQuotient(semi_axes).normalized();
   if (!start.allFinite()) return std::nullopt;
-  OmegaSearch search(model, inset, pane, {x, y}, semi_axes, attitude);
+  OmegaSearch search(model, inset, pane, {x, y}, semi_axes, attitude, camera);
   const auto w0_B = search.from(start);
   if (!w0_B) return std::nullopt;
-  return GrabbedOmega{*w0_B, attitude, held_by_hand(model.scene)};
+  return GrabbedOmega{*w0_B, attitude, camera};
 }
 
 }  // namespace polhode

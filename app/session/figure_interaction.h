@@ -37,15 +37,20 @@ std::vector<TipOnScreen> omega_tips(const SceneModel& model, double t_s, const s
 
 /// The ω, in body axes, whose tip is drawn at the point (px of the page), or as near to it as any can be. It
 /// has the present energy; under torque that of the moment. "Drawn" means in the same pane, in the scene that
-/// starts with this ω, with `camera`, and with `attitude` at t = 0. Where the scene holds L upright the body
-/// turns under the hand, and the tip stays at the pointer. Nothing for a body at rest. Found by Levenberg and
+/// starts with this ω, with `camera`, and with `attitude` at t = 0. In space the body keeps the attitude of
+/// the moment, so that the motion goes on from there; but where the scene has to hold L down or up it turns
+/// under the hand, and the tip stays at the pointer. Nothing for a body at rest. Found by Levenberg and
 /// Marquardt's method from the present ω; if that does not get there, from others.
 struct GrabbedOmega {
   Vec3 w0_B;
-  std::optional<AttitudeSpec> attitude;  ///< that of the moment, unless the scene holds L down or up
-  CameraSpec camera;                     ///< with the frame that the scene had before the hand
+  std::optional<AttitudeSpec> attitude;  ///< that of the moment; absent: L stays where the scene holds it
+  /// With the frame that the scene had before the hand. Where L stays, the body begins turned about the
+  /// vertical beside the moment; a camera of space alone goes round with it, so that it is seen as it was.
+  CameraSpec camera;
 };
+/// @param keeps_L the scene has to hold L down or up, if it does; it has anyway beside the invariable plane,
+///   which is seen only where L points down
 std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const Inset& inset,
-                                     std::size_t pane, double x, double y);
+                                     std::size_t pane, double x, double y, bool keeps_L = false);
 
 }  // namespace polhode

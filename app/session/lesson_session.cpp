@@ -103,6 +103,12 @@ void LessonSession::go_to(Place place) {
   if (place != place_) arrive(place);
 }
 
+void LessonSession::begin_at(Place place) {
+  const std::string left = stage().id;
+  go_to(place);
+  if (!visited_before_.contains(left) && stage().id != left) visited_.erase(left);
+}
+
 void LessonSession::arrive(Place place) {
   const bool same_stage = place.stage == place_.stage;
   const std::shared_ptr<const Scene> left = step().scene;
@@ -147,6 +153,7 @@ void LessonSession::set_visited(const std::set<std::string>& stages) {
   std::set<std::string> seen = {stage().id};  // what is given may be visited_ itself
   for (const Stage& known : lesson().stages)
     if (stages.count(known.id) > 0) seen.insert(known.id);
+  visited_before_ = stages;
   visited_ = std::move(seen);
 }
 

@@ -88,6 +88,9 @@ class LessonSession {
   /// camera that was turned by hand and that the lesson does not turn; time goes on if the motion is the
   /// same. What was changed of a scene is there again when one comes back to it.
   void go_to(Place place);
+  /// The same before anything is shown: where it leaves was not seen, unless it is among those of
+  /// set_visited.
+  void begin_at(Place place);
   /// Ids of stages that were seen, among those of the lesson.
   const std::set<std::string>& visited() const { return visited_; }
   void set_visited(const std::set<std::string>& stages);
@@ -261,6 +264,7 @@ class LessonSession {
   Effort effort_;
   Place place_{};
   std::set<std::string> visited_;
+  std::set<std::string> visited_before_;  ///< as it was set
   double t_s_ = 0, speed_ = 1, transition_ = 1;
   double loop_ = 0;         ///< number of the loop that the time line shows
   double heading_rad_ = 0;  ///< of the body where the camera has the azimuth of the scene, while following

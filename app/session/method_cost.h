@@ -51,4 +51,9 @@ struct RequirementWords {
 };
 RequirementWords requirement_words(const SceneModel& model);
 
+class LessonSession;
+/// Why the motion that is shown is computed by its method: what the scene's model says of it, unless the
+/// method was chosen here instead of the lesson's. Precondition: there is a scene.
+std::string why_method(const LessonSession& session);
+
 }  // namespace polhode

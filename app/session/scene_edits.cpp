@@ -31,6 +31,16 @@ Body or_throw(Result<Body> body) {
   return std::move(body).value();
 }
 
+/// A caption speaks of the lesson's motion as it is computed there, and of what is seen of it; nobody knows
+/// whether it is true of another.
+bool may_keep_caption(const Scene& lesson, const SceneEdits& edits) {
+  const bool same_motion = !edits.body && !edits.w0_B && !edits.attitude && !edits.torque &&
+                           (!edits.motion || *edits.motion == lesson.motion);
+  const bool same_look =
+      edits.on == OverlaySet{} && edits.off == OverlaySet{} && (!edits.views || *edits.views == lesson.views);
+  return same_motion && same_look;
+}
+
 void show(OverlaySet& shown, const SceneEdits& edits) {
   for (int i = 0; i < kOverlayCount; ++i) {
     const auto overlay = static_cast<Overlay>(i);
@@ -76,8 +86,7 @@ Scene edited(Scene scene, const SceneEdits& edits) {
     scene.rate.reset();
     scene.duration_s.reset();
   }
-  // It speaks of the lesson's motion, and nobody knows whether it is true of another.
-  if (edits.body || edits.w0_B || edits.attitude || edits.torque) scene.caption.clear();
+  if (!may_keep_caption(scene, edits)) leave_out_caption(scene);
   if (edits.body) scene.body = or_throw(on_its_pivot(*edits.body, scene.torque));
   replace(scene.w0_B, edits.w0_B);
   replace(scene.motion, edits.motion);

@@ -31,15 +31,16 @@ std::string decimal(double value, int decimals) {
   return value < 0 ? "−" + text : text;
 }
 
-/// Three digits of the largest; a power of ten is set apart where there are too many zeros.
-std::string text_of(std::span<const double> values) {
+/// So many digits of the largest; a power of ten is set apart where there are too many zeros.
+std::string text_of(std::span<const double> values, int digits = 3) {
   double largest = 0;
   for (const double value : values) largest = std::max(largest, std::abs(value));
   if (!std::isfinite(largest)) return "";
   int exponent = largest > 0 ? static_cast<int>(std::floor(std::log10(largest))) : 0;
-  if (largest > 0 && largest / std::pow(10.0, exponent) >= 9.995) ++exponent;  // 9.996 is 10.0
+  const double tenth = 10 - 0.5 * std::pow(10.0, 1 - digits);  // of three digits 9.996 is 10.0
+  if (largest > 0 && largest / std::pow(10.0, exponent) >= tenth) ++exponent;
   const int factor = exponent < -2 || exponent > 3 ? exponent : 0;
-  const int decimals = std::clamp(2 - (exponent - factor), 0, 4);
+  const int decimals = std::clamp(digits - 1 - (exponent - factor), 0, digits + 1);
   std::string text;
   for (const double value : values)
     text += (text.empty() ? "" : ", ") + decimal(value / std::pow(10.0, factor), decimals);
@@ -122,6 +123,10 @@ std::string words_of_link(const Lesson& lesson, const std::string& link) {
 }
 
 }  // namespace
+
+std::string readable(double value, int digits) {
+  return std::isfinite(value) ? text_of(std::span(&value, 1), digits) : "";
+}
 
 SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s,
                    const std::string& stage_id, std::size_t step) {

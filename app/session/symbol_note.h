@@ -27,4 +27,7 @@ struct SymbolNote {
 SymbolNote note_of(const Lesson& lesson, const std::string& name, const SceneModel* model, double t_s,
                    const std::string& stage_id = {}, std::size_t step = 0);
 
+/// A number for people, of so many digits, at least one: "−12.0", "1.03·10³⁸", "0". Empty where it is none.
+std::string readable(double value, int digits = 3);
+
 }  // namespace polhode

@@ -430,10 +430,13 @@ std::string LiveFigure::alt_text_now() {
 }
 
 std::vector<std::string> LiveFigure::captions_now() {
+  const double t_s = session_->t_s();
+  const std::vector<const SceneModel*> shown = shown_models(*model());
+  const std::vector<std::string> captions = captions_at(session_->lesson(), session_->step(), *model(), t_s);
   std::vector<std::string> said;
-  for (const std::string& caption :
-       captions_at(session_->lesson(), session_->step(), *model(), session_->t_s()))
-    if (!caption.empty()) said.push_back(speech_->words_of_line(caption));
+  for (std::size_t i = 0; i < captions.size(); ++i)
+    if (!captions[i].empty() && caption_holds(shown[i]->scene, t_s))
+      said.push_back(speech_->words_of_line(captions[i]));
   return said;
 }
 

@@ -289,18 +289,19 @@ std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::
                                                 common_half_height(model, aspect))};
 }
 
-CameraSpec held_by_hand(const Scene& scene) {
+CameraSpec held_by_hand(const Scene& scene, const std::optional<Vec3>& w0_B) {
   CameraSpec camera = scene.camera;
   if (!camera.fitted) camera.fitted = CameraFit{camera.azimuth_rad, camera.elevation_rad};
+  if (w0_B) camera.fitted->w0_B = w0_B;
   if (!camera.fitted->w0_B) camera.fitted->w0_B = scene.w0_B;
   return camera;
 }
 
 TrialOmega::TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
-                       const std::optional<AttitudeSpec>& attitude)
+                       const std::optional<AttitudeSpec>& attitude, const std::optional<CameraSpec>& camera)
     : pane_(pane), aspect_(aspect) {
   trial_.scene = model.scene;
-  trial_.scene.camera = held_by_hand(model.scene);
+  trial_.scene.camera = camera ? *camera : held_by_hand(model.scene);
   trial_.scene.at_s = 0.0;
   if (attitude) trial_.scene.attitude = attitude;
   trial_.drawn = drawn_overlays(trial_.scene);

@@ -20,16 +20,20 @@ struct DrawnOmega {
 /// no ω is drawn.
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect);
 
-/// The camera of a scene whose ω a hand takes: the frame stays, so that nothing but ω goes with the hand.
-CameraSpec held_by_hand(const Scene& scene);
+/// The camera of a scene whose ω a hand takes: the frame stays, so that nothing but ω goes with the hand. It
+/// is that of the motion that begins with `w0_B`; absent: with the ω that it has been kept for, or the
+/// scene's.
+CameraSpec held_by_hand(const Scene& scene, const std::optional<Vec3>& w0_B = std::nullopt);
 
 /// Tries ω after ω without making models: what drawn_omega gives for the scene's model at t = 0 with this ω,
-/// the camera held by hand and, if it is given, this attitude. About 1 µs; a millisecond where only the
-/// motion knows what the frame is: with marks, a torque, a path of the centre of mass, or a method of steps.
+/// the camera held by hand and, if they are given, this attitude and this camera. About 1 µs; a millisecond
+/// where only the motion knows what the frame is: with marks, a torque, a path of the centre of mass, or a
+/// method of steps.
 class TrialOmega {
  public:
   TrialOmega(const SceneModel& model, std::size_t pane, double aspect,
-             const std::optional<AttitudeSpec>& attitude = std::nullopt);
+             const std::optional<AttitudeSpec>& attitude = std::nullopt,
+             const std::optional<CameraSpec>& camera = std::nullopt);
   std::optional<DrawnOmega> at(const Vec3& w0_B);
 
  private:

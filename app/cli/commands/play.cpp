@@ -183,7 +183,7 @@ WindowEnd play_one(const Options& options, const Fonts& fonts, SlidesJob& slides
   if (!window.notice.empty()) say("polhode: {}\n", window.notice);
   if (!options.stage.empty()) {
     const Stage& stage = stage_of(loaded->lesson, options.stage);
-    session.go_to({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
+    session.begin_at({static_cast<std::size_t>(&stage - loaded->lesson.stages.data()), 0});
   }
   session.set_speaker(options.speaker);
   window.keep = [&](const LessonSession& now) { return progress.keep(now); };

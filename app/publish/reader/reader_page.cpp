@@ -59,8 +59,12 @@ TextNumbers numbers_in(const ReaderEdition& edition, const Fonts& fonts, const E
   return numbers;
 }
 
+/// Of a figure that moves it is said by the figure: one of the still alone, too.
 bool has_computed_caption(const Step& step) {
-  return std::any_of(step.captions.begin(), step.captions.end(),
+  const std::vector<const Scene*> scenes = shown_scenes(*step.scene);
+  const auto is_of_still = [](const Scene* scene) { return scene->caption_when == CaptionWhen::still; };
+  return std::any_of(scenes.begin(), scenes.end(), is_of_still) ||
+         std::any_of(step.captions.begin(), step.captions.end(),
                      [](const auto& caption) { return caption && !numbers_in(*caption).empty(); });
 }
 

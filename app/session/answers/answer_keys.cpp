@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/answers/answer_keys.h"
 
+#include "app/session/command.h"
+#include "lessons/derivation/derivation.h"
+
 namespace polhode {
 
 const Ask* asked_by_letter(const LessonSession& session) {
@@ -21,6 +24,48 @@ bool answer_by_key(LessonSession& session, std::string_view key) {
   if (ask == nullptr || choice >= ask->choices.size()) return false;
   session.answer(*ask, key);
   return true;
+}
+
+namespace {
+
+bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+bool can_begin_answer(char c) {
+  return is_letter(c) || (c >= '0' && c <= '9') ||
+         std::string_view("(-+=|.\\").find(c) != std::string_view::npos;
+}
+
+/// Whether a name in the line begins with the letter, large or small.
+bool begins_name(std::string_view line, char letter) {
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (upper(line[i]) == letter && is_letter(line[i]) && (i == 0 || !is_letter(line[i - 1]))) return true;
+  return false;
+}
+
+bool is_open(const LessonSession& session, const Ask& ask) {
+  const AnswerRecord* record = session.record(ask);
+  return record == nullptr || record->right == 0;
+}
+
+}  // namespace
+
+bool is_typed(const Ask& ask) {
+  return ask.type == Ask::Type::expression || ask.type == Ask::Type::number || ask.type == Ask::Type::order ||
+         ask.type == Ask::Type::derive;
+}
+
+const Ask* begun_by_letter(const LessonSession& session, std::string_view key) {
+  if (key.size() != 1 || !can_begin_answer(key.front()) || session.is_presenting()) return nullptr;
+  for (const Ask* ask : session.questions()) {
+    if (!is_typed(*ask) || !is_open(session, *ask)) continue;
+    if (session.panel == Panel::question) return ask;
+    if (session.panel != Panel::none || !ask->derivation) continue;
+    const Derivation& lines = *ask->derivation;
+    const char c = key.front();
+    if (!command_of(key) || begins_name(lines.start.typed, c) || begins_name(lines.goal.typed, c)) return ask;
+  }
+  return nullptr;
 }
 
 }  // namespace polhode

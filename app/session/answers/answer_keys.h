@@ -15,4 +15,13 @@ const Ask* asked_by_letter(const LessonSession& session);
 /// Answers that question if the key, "B" or "2", is one of its choices; false, with nothing changed, if not.
 bool answer_by_key(LessonSession& session, std::string_view key);
 
+/// Whether an answer to it is typed into a field.
+bool is_typed(const Ask& ask);
+
+/// The question that is typed and not yet answered right whose answer the key, one character, begins: while
+/// the panel of questions is open any that an answer can begin with; while none is, of a derivation, which is
+/// written on the page, the first letter of a name in its first line or its goal, and what is no command.
+/// Null: none, and the key is what it is elsewhere.
+const Ask* begun_by_letter(const LessonSession& session, std::string_view key);
+
 }  // namespace polhode

@@ -128,9 +128,16 @@ std::string references_of(const Lesson& lesson, const std::string& text) {
 
 // The stage.
 
+/// What is saved has its still at the present t.
+void leave_out_captions_of_other_stills(Scene& scene, double t_s) {
+  for (Scene& other : scene.beside) leave_out_captions_of_other_stills(other, t_s);
+  if (!caption_holds(scene, t_s)) leave_out_caption(scene);
+}
+
 /// The scene as it is saved: nothing is pointed at, and only what the saved steps have is highlighted.
 Scene saved(const LessonSession& session) {
   Scene scene = session.model()->scene;
+  leave_out_captions_of_other_stills(scene, session.t_s());
   std::set<std::string> terms;
   for (std::size_t i = 0; i <= session.place().step; ++i)
     for (const Equation* equation : blocks_of<Equation>(session.stage().steps[i]))

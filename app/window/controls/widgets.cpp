@@ -72,6 +72,13 @@ void show_hint_from_left() {
 #endif
 }
 
+void type_at_end() {
+  ImGuiInputTextState* state = ImGui::GetInputTextState(ImGui::GetActiveID());
+  if (state == nullptr) return;
+  state->SelectAll();
+  state->ClearSelection();
+}
+
 std::string told(Command command) {
   for (const CommandFacts& facts : all_commands()) {
     if (facts.command != command) continue;

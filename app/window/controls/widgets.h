@@ -21,6 +21,8 @@ void let_enter_press();
 /// Of the last item, a text field that is empty: its hint stands at the left, however far a text that was
 /// taken from it had been scrolled.
 void show_hint_from_left();
+/// The field that has the keyboard goes on behind what stands in it, none of which is chosen.
+void type_at_end();
 
 /// With words beside the icon, or without; a tooltip says what it does and by which key.
 bool icon_button(const char* id, Icon icon, const char* words, const std::string& tooltip, float width);

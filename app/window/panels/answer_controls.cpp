@@ -10,11 +10,6 @@
 
 namespace polhode {
 
-bool is_typed(const Ask& ask) {
-  return ask.type == Ask::Type::expression || ask.type == Ask::Type::number || ask.type == Ask::Type::order ||
-         ask.type == Ask::Type::derive;
-}
-
 void keep_typing(bool is_wanted) {
   if (is_wanted)
     ImGui::SetKeyboardFocusHere(-1);

@@ -3,14 +3,12 @@
 // keyboard.
 #pragma once
 
+#include "app/session/answers/answer_keys.h"
 #include "app/window/panels/panel_context.h"
 
 #include <string>
 
 namespace polhode {
-
-/// Whether an answer to it is typed into a field.
-bool is_typed(const Ask& ask);
 
 /// A field with room for a button of these words behind it. True if Enter was pressed and there is a text.
 /// A panel that was opened by a key begins in its first field.

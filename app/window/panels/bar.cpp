@@ -36,7 +36,8 @@ void draw_walk(PanelContext& context) {
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::BeginDisabled(!session.next_place());
-  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em)) session.next_step();
+  if (icon_button("next", Icon::next, "Next", told(Command::next_step), 4.9F * em))
+    context.requests.next_step = true;
   ImGui::EndDisabled();
 }
 

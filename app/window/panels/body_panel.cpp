@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/session/symbol_note.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
 #include "base/angles.h"
@@ -58,9 +59,9 @@ void show_state(const SceneModel& model, double t_s) {
   const Vec3 w_B = model.motion->w_B_at(t_s);
   const PrincipalMoments& I = model.scene.body.moments;
   const Vec3 L_B = angular_momentum_B(I, w_B);
-  value_row("|ω|", fmt::format("{:.4g} rad/s", w_B.norm()));
-  value_row("T", fmt::format("{:.5g} J", kinetic_energy(I, w_B)));
-  value_row("|L|", fmt::format("{:.5g} kg m²/s", L_B.norm()));
+  value_row("|ω|", readable(w_B.norm(), 4) + " rad/s");
+  value_row("T", readable(kinetic_energy(I, w_B), 4) + " J");
+  value_row("|L|", readable(L_B.norm(), 4) + " kg m²/s");
   value_row("angle of ω and L", fmt::format("{:.2f}°", angle_between(w_B, L_B) * kDegreesPerRadian));
 }
 
@@ -107,7 +108,7 @@ void BodyPanel::edit_omega(PanelContext& context, const Scene& scene) const {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 7.5F * ImGui::GetFontSize());
     double component = scene.w0_B[i];
     if (!ImGui::SliderScalar(fmt::format("{} rad/s", kNames[static_cast<std::size_t>(i)]).c_str(),
-                             ImGuiDataType_Double, &component, &least, &most, "%.4f"))
+                             ImGuiDataType_Double, &component, &least, &most, "%.5g"))
       continue;
     SceneEdits edits = context.session.edits();
     edits.w0_B = scene.w0_B;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/session/symbol_note.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/panels/panels.h"
 #include "physics/method.h"
@@ -22,12 +23,10 @@ double usual_step_s(const SceneModel& model) {
   return speed > 0 ? 2 * std::numbers::pi / speed / 64 : 0.01;
 }
 
-/// Two digits; as a power of ten where that is shorter. Empty where there is no number.
+/// Empty where there is no number.
 std::string number_with_unit(double value, const char* unit) {
-  if (!std::isfinite(value)) return {};
-  const double size = std::abs(value);
-  return size == 0 || (size >= 0.01 && size < 1000) ? fmt::format("{:.2g}{}", value, unit)
-                                                    : fmt::format("{:.1e}{}", value, unit);
+  const std::string number = readable(value, 2);
+  return number.empty() ? number : number + unit;
 }
 
 void set_motion(PanelContext& context, const MotionSpec& motion) {
@@ -144,10 +143,10 @@ void show_residuals(const LessonSession& session, const LiveState& live) {
     if (!value) continue;
     if (is_first) heading("Both sides of the equations differ by");
     is_first = false;
-    value_row(claim->equation.c_str(),
-              value->tolerance > kDecisive
-                  ? "the step is too long to tell"
-                  : fmt::format("{:.0e}, allowed {:.0e}", value->residual, value->tolerance));
+    value_row(claim->equation.c_str(), value->tolerance > kDecisive
+                                           ? "the step is too long to tell"
+                                           : fmt::format("{}, allowed {}", readable(value->residual, 1),
+                                                         readable(value->tolerance, 1)));
   }
 }
 
@@ -244,7 +243,7 @@ void MethodPanel::draw(PanelContext& context, const std::string& refusal) {
   choose_quality(context, *session.model());
   heading("What the scene requires");
   const RequirementWords words = requirement_words(*session.model());
-  quiet_words(fmt::format("{}: {}", session.model()->motion->method(), session.model()->why));
+  quiet_words(fmt::format("{}: {}", session.model()->motion->method(), why_method(session)));
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(("Computed: " + joined(words.computed)).c_str());
   ImGui::TextUnformatted(("Not computed: " + joined(words.left_out)).c_str());

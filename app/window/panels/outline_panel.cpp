@@ -130,6 +130,7 @@ void OutlinePanel::draw(PanelContext& context) {
       ImGui::SameLine();
     }
     if (stage_row(title, i + 1, here, session.visited().contains(stages[i].id))) session.go_to({i, 0});
+    if (here) ImGui::SetItemDefaultFocus();
     ImGui::PopID();
     if (!here) continue;
     if (scrolled_to_ != session.place()) {

@@ -5,6 +5,7 @@
 #include "app/window/panels/panels.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <utility>
@@ -29,6 +30,17 @@ bool has_text_field(const LessonSession& session) {
   const std::vector<const Ask*> asks = session.questions();
   return session.panel == Panel::question &&
          std::any_of(asks.begin(), asks.end(), [](const Ask* ask) { return is_typed(*ask); });
+}
+
+/// Of the present window, or the one that is told to have it; with a ring.
+void focus_first_control() {
+  ImGui::NavInitWindow(ImGui::GetCurrentWindow(), true);
+  ImGui::GetCurrentContext()->NavInitRequestFromMove = true;
+}
+
+/// Asked for before the contents are drawn; the next frame has the result.
+void move_focus(ImGuiDir to) {
+  ImGui::NavMoveRequestSubmit(to, to, ImGuiNavMoveFlags_None, ImGuiScrollFlags_KeepVisibleEdgeY);
 }
 
 }  // namespace
@@ -69,11 +81,22 @@ void Panels::make_edits(PanelContext& context) {
   context.requests.edits.reset();
 }
 
-void Panels::leave_keys() { has_focus_ = takes_keys_ = awaits_text_ = false; }
+void Panels::leave_keys() { has_focus_ = takes_keys_ = shows_focus_ = awaits_text_ = false; }
 
 void Panels::begin_frame() {
   method_.count_frame();
   has_focus_ = awaits_text_ = false;
+}
+
+/// To what stands beside the control on its line; where there is nothing, which the next frame tells, to the
+/// next line.
+void Panels::step_focus() {
+  const ImGuiID now = ImGui::GetCurrentContext()->NavId;
+  const int beside = std::exchange(beside_, 0);
+  if (beside != 0 && now == stepped_from_) move_focus(beside > 0 ? ImGuiDir_Down : ImGuiDir_Up);
+  beside_ = std::exchange(steps_, 0);
+  stepped_from_ = now;
+  if (beside_ != 0) move_focus(beside_ > 0 ? ImGuiDir_Right : ImGuiDir_Left);
 }
 
 void Panels::draw(PanelContext& context, const Region& region) {
@@ -91,6 +114,9 @@ void Panels::draw(PanelContext& context, const Region& region) {
   // before.
   const bool asks = context.session.panel == Panel::question;
   if (is_focused && context.take_focus) takes_keys_ = !asks;
+  const bool opens_by_key = is_focused && context.take_focus && !asks;
+  if (std::exchange(shows_focus_, false) || opens_by_key) focus_first_control();
+  if (is_focused) step_focus();
   has_focus_ = is_focused && (takes_keys_ || (io.NavVisible && !asks) || io.WantTextInput);
   awaits_text_ = is_focused && !takes_keys_ && !io.WantTextInput && has_text_field(context.session);
   context.has_keys = has_focus_;
@@ -110,11 +136,13 @@ void Panels::draw(PanelContext& context, const Region& region) {
   draw_contents(context);
   ImGui::EndChild();
   make_edits(context);
-  // After the contents, so that keys come to these first.
   const float close = ImGui::GetFrameHeight();
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
   ImGui::SetCursorPos({region.width - padding.x - close, padding.y});
+  // By keys Escape closes: Space on what has the focus is never that.
+  ImGui::PushItemFlag(ImGuiItemFlags_NoNav, true);
   const bool closed = icon_button("close", Icon::close, "", told(Command::leave), close);
+  ImGui::PopItemFlag();
   ImGui::End();
   if (closed) context.session.panel = Panel::none;
 }

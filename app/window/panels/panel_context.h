@@ -19,6 +19,7 @@ namespace polhode {
 /// What cannot be done while a panel is drawn; the panels or the window do it afterwards.
 struct WindowRequests {
   bool quit = false, full_screen = false, leave_full_screen = false;
+  bool next_step = false;
   bool type_answer = false;             ///< the panel of questions was opened by the mouse, to be typed in
   const Ask* type_answer_to = nullptr;  ///< the one that was clicked; null: none
   std::string open_lesson{};            ///< id of another lesson; empty: none

@@ -107,8 +107,12 @@ class Panels {
   bool has_focus() const { return has_focus_; }
   /// The keyboard is the panel's, and it has a text to be typed: letters beside its field are no commands.
   bool awaits_text() const { return awaits_text_; }
-  /// F6: from now on until the focus goes elsewhere they are for the panel of questions too.
-  void take_keys() { takes_keys_ = true; }
+  /// F6: from now on until the focus goes elsewhere they are for the panel of questions too. The next frame
+  /// shows which of its controls has them.
+  void take_keys() { takes_keys_ = shows_focus_ = true; }
+  /// Tab in a panel that has the keys: to the control behind (1) or before (-1) the present one, as one
+  /// reads.
+  void tab(int way) { steps_ = way; }
   /// What is pressed from now on is for the page, whatever had the focus.
   void leave_keys();
   std::optional<double> seconds_to_wake() const { return method_.seconds_to_wake(); }
@@ -116,6 +120,7 @@ class Panels {
 
  private:
   void draw_contents(PanelContext& context);
+  void step_focus();
   void make_edits(PanelContext& context);
 
   OutlinePanel outline_;
@@ -128,6 +133,10 @@ class Panels {
   std::string refusal_;              ///< why the last edit was not made; empty: it was
   bool has_focus_ = false;
   bool takes_keys_ = false;
+  bool shows_focus_ = false;  ///< the next frame gives it to a control
+  int steps_ = 0;             ///< of the focus, in the next frame
+  int beside_ = 0;            ///< it was asked for what is beside this:
+  unsigned stepped_from_ = 0;
   bool awaits_text_ = false;
 };
 

@@ -36,6 +36,19 @@ bool is_changed(SceneEdits edits) {
   return !edits.empty();
 }
 
+/// Whether a tip of ω is, with what is written beside it, where the chip stands in the right corner.
+bool hides_a_tip(const LessonSession& session, const std::vector<Inset>& insets, const Region& figure,
+                 const ControlSizes& sizes) {
+  constexpr float kChipHeight = 6, kRoom = 3;  // em
+  if (session.model() == nullptr) return false;
+  const float left = figure.x + figure.width - std::min(19 * sizes.em, 0.6F * figure.width) - sizes.padding,
+              low = figure.y + sizes.padding + kChipHeight * sizes.em, room = kRoom * sizes.em;
+  const std::vector<TipOnScreen> tips = omega_tips(*session.model(), session.t_s(), insets);
+  return std::any_of(tips.begin(), tips.end(), [&](const TipOnScreen& tip) {
+    return tip.x > static_cast<double>(left - room) && tip.y < static_cast<double>(low + room);
+  });
+}
+
 std::string words_of_chip(const LessonSession& session) {
   const Counterexample* counter = session.counterexample();
   if (counter == nullptr)
@@ -65,10 +78,13 @@ void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& ins
   }
 }
 
-void draw_scene_chip(LessonSession& session, const Region& figure, const ControlSizes& sizes) {
-  if (!session.is_aside() && !is_changed(session.edits())) return;
-  ImGui::SetNextWindowPos({figure.x + figure.width - sizes.padding, figure.y + sizes.padding},
-                          ImGuiCond_Always, {1, 0});
+void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets, bool is_held,
+                     const Region& figure, const ControlSizes& sizes) {
+  if (is_held || (!session.is_aside() && !is_changed(session.edits()))) return;
+  const bool leftward = hides_a_tip(session, insets, figure, sizes);
+  ImGui::SetNextWindowPos({leftward ? figure.x + sizes.padding : figure.x + figure.width - sizes.padding,
+                           figure.y + sizes.padding},
+                          ImGuiCond_Always, {leftward ? 0.0F : 1.0F, 0});
   ImGui::Begin("changed-scene", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoSavedSettings |

@@ -14,8 +14,10 @@ namespace polhode {
 void draw_drag_marks(const LessonSession& session, const std::vector<Inset>& insets, bool is_held,
                      float right, const ControlSizes& sizes);
 
-/// In the upper right corner of the figure, the region: that the scene was changed, or is that of a
-/// counterexample, with a button that leads back. Nothing of the lesson's own scene.
-void draw_scene_chip(LessonSession& session, const Region& figure, const ControlSizes& sizes);
+/// In an upper corner of the figure, the region, clear of the tips of ω: that the scene was changed, or is
+/// that of a counterexample, with a button that leads back. Nothing of the lesson's own scene, nor while the
+/// hand has ω.
+void draw_scene_chip(LessonSession& session, const std::vector<Inset>& insets, bool is_held,
+                     const Region& figure, const ControlSizes& sizes);
 
 }  // namespace polhode

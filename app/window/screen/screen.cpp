@@ -4,6 +4,7 @@
 #include "app/session/answers/answer_keys.h"
 #include "app/session/command.h"
 #include "app/session/saved/typed_folder.h"
+#include "app/window/controls/control_input.h"
 #include "app/window/controls/widgets.h"
 #include "app/window/screen/figure_marks.h"
 #include "app/window/screen/number_sliders.h"
@@ -136,9 +137,23 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     ImGui::SetWindowFocus(nullptr);
     return true;
   }
+  if (!typing && panels_.has_focus() && (key == "Tab" || key == "Shift+Tab")) {
+    panels_.tab(key == "Tab" ? 1 : -1);
+    return true;
+  }
   const bool walks = session.is_presenting() && is_of_clicker(key);
   if (!walks && ((typing && is_for_field(key)) || (panels_.has_focus() && is_for_panel(key)))) return false;
   if (session.panel == Panel::question && !is_repeated && answer_by_key(session, key)) return true;
+  const bool goes_on_typing = !typing && (types_ahead_ || !typed_ahead_.empty());
+  if (goes_on_typing && (is_character(key) || key == "Space")) {
+    types_ahead_ = true;
+    return false;
+  }
+  if (const Ask* begun = typing ? nullptr : begun_by_letter(session, key)) {
+    types_ahead_ = true;
+    begun_ = begun;
+    return false;
+  }
   if (session.is_presenting() && press_while_presenting(session, key)) return true;
   const auto command = command_of(key);
   if (!command) return false;
@@ -148,6 +163,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
   requests_.leave_full_screen = *command == Command::leave && before == Panel::none &&
                                 session.lit().empty() && !session.is_presenting();
   const bool was_presenting = session.is_presenting();
+  if (*command == Command::next_step && holds_back(session, is_repeated)) return true;
   if (const std::string why = why_idle(session, *command); !why.empty()) {
     tell(why);
     return true;
@@ -163,6 +179,16 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
     return true;
   }
   return do_in_window(session, *command);
+}
+
+/// What a prediction asks is told by the next step: who has not answered is asked to, once. Before an
+/// audience nobody is.
+bool Screen::holds_back(const LessonSession& session, bool is_repeated) {
+  if (session.is_presenting() || !session.is_predicting()) return false;
+  if (!is_repeated && held_back_ == session.place()) return false;
+  if (!is_repeated) held_back_ = session.place();
+  tell("Answer first, or press again to see it.");
+  return true;
 }
 
 bool Screen::press_from_afar(LessonSession& session, std::string_view key, bool is_repeated) {
@@ -257,6 +283,26 @@ bool Screen::do_in_window(LessonSession& session, Command command) {
   return true;
 }
 
+/// What is typed on the page before its field has the keyboard waits, and then comes first.
+void Screen::type_ahead(LessonSession& session) {
+  ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
+  if (std::exchange(types_ahead_, false) && !ImGui::GetIO().WantTextInput) {
+    typed_ahead_.insert(typed_ahead_.end(), typed.begin(), typed.end());
+    typed.resize(0);
+    session.panel = Panel::question;
+    requests_.type_answer = true;
+    requests_.type_answer_to = begun_;
+  } else if (ImGui::GetIO().WantTextInput && !typed_ahead_.empty()) {
+    type_at_end();
+    typed_ahead_.insert(typed_ahead_.end(), typed.begin(), typed.end());
+    typed.resize(0);
+    for (const unsigned character : std::exchange(typed_ahead_, {}))
+      typed.push_back(static_cast<ImWchar>(character));
+  } else if (session.panel != Panel::question) {
+    typed_ahead_.clear();
+  }
+}
+
 Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   const double begun_s = now_s();
   ImGui::SetCurrentContext(imgui_);
@@ -274,9 +320,12 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   io.DeltaTime = std::max(1e-4F, static_cast<float>(frame.seconds));
   ImGui::NewFrame();
   let_enter_press();
+  type_ahead(session);
   if (io.MouseClicked[0]) session.begin_change();
   if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0) pointed_s_ = clock_s_;
+  frames_of_tooltip_ = clock_s_ > pointed_s_ + kTooltipDelay_s ? frames_of_tooltip_ + 1 : 0;
   lay_out_controls(session, page_region(session, frame.size), frame.size);
+  if (std::exchange(requests_.next_step, false) && !holds_back(session, false)) session.next_step();
   lay_out_sliders(session);
   use_pointer(session, page_region(session, frame.size));
   if (!requests_.clipboard.empty()) copy();
@@ -388,7 +437,7 @@ void Screen::lay_out_sliders(LessonSession& session) {
   varies_ = used.is_held;
   if (!used.refusal.empty()) tell(used.refusal);
   draw_drag_marks(session, page_->insets(), drag_.holds_omega(), right, *sizes_);
-  draw_scene_chip(session, figure, *sizes_);
+  draw_scene_chip(session, page_->insets(), drag_.holds_omega(), figure, *sizes_);
 }
 
 void Screen::use_pointer(LessonSession& session, const Region& page) {
@@ -469,8 +518,9 @@ double Screen::seconds_to_wake(const LessonSession& session) const {
   if (moving || !is_full_) return 0;
   if (ImGui::GetIO().WantTextInput) return 0.3;  // the caret blinks
   if (const auto seconds = panels_.seconds_to_wake()) return *seconds;
+  // Dear ImGui measures a window that is new in a frame in which it does not show it.
   const double to_tooltip_s = pointed_s_ + kTooltipDelay_s + 0.1 - clock_s_;
-  if (to_tooltip_s > 0 && ImGui::IsAnyItemHovered()) return to_tooltip_s;
+  if (frames_of_tooltip_ < kSettlingFrames && ImGui::IsAnyItemHovered()) return std::max(0.0, to_tooltip_s);
   if (const auto seconds = notices_.seconds_left(clock_s_)) return *seconds + 0.01;
   return 3600;
 }

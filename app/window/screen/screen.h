@@ -95,8 +95,10 @@ class Screen {
   float panel_width(const LessonSession& session, Size size) const;
   float covered_width(const LessonSession& session, Size size) const;
   bool press_while_presenting(LessonSession& session, std::string_view key);
+  bool holds_back(const LessonSession& session, bool is_repeated);
   bool do_in_window(LessonSession& session, Command command);
   void move_symbol(LessonSession& session, int by);
+  void type_ahead(LessonSession& session);
   void scroll_by_wheel();
   bool walks_by_click(LessonSession& session, const Vec2& at, bool is_free) const;
   void draw_scroll_marks(const LessonSession& session);
@@ -139,12 +141,17 @@ class Screen {
   std::optional<Theme> theme_;
   std::string stage_title_;
   double clock_s_ = 0, page_s_ = 0, frame_s_ = 0, pointed_s_ = 0;  ///< pointed_s_: the pointer moved
+  int frames_of_tooltip_ = 0;  ///< since the pointer has rested for as long as a tooltip waits
   bool is_full_ = true, was_moving_ = false;
   Place shown_place_{};
+  std::optional<Place> held_back_{};                           ///< where one was asked to answer first
   bool panel_takes_focus_ = false;                             ///< it was opened by a key
   std::function<std::vector<LessonProgress>()> find_lessons_;  ///< null: asked already, or there are none
   std::vector<LessonProgress> lessons_;
-  std::string digits_;  ///< typed while presenting: the number of a stage
+  bool types_ahead_ = false;           ///< characters of this frame begin an answer
+  const Ask* begun_ = nullptr;         ///< to this
+  std::vector<unsigned> typed_ahead_;  ///< before its field had the keyboard
+  std::string digits_;                 ///< typed while presenting: the number of a stage
 };
 
 }  // namespace polhode

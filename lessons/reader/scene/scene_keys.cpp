@@ -385,6 +385,15 @@ class SceneKeys {
     }
   }
 
+  void caption_when(const TomlEntry& entry) {
+    const auto when = read_text(entry, report_);
+    if (!when) return;
+    if (*when == "still" || *when == "always")
+      scene_.caption_when = *when == "still" ? CaptionWhen::still : CaptionWhen::always;
+    else
+      report_unknown("moment", {*when, entry.value.place}, {"always", "still"}, report_);
+  }
+
   void meters(const TomlEntry& entry) { assign(scene_.meters, read_plots(entry, words_, texts_)); }
 
   void scenes(const TomlEntry& entry) {
@@ -635,6 +644,12 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        &SceneKeys::caption,
        [](const Scene& scene) { return !scene.caption.empty() ? toml(scene.caption) : ""; },
        Row::Speaks::of_picture},
+      {{"caption_when",
+        R"(when the caption is true: `"always"`, or `"still"`: at the t of the still alone, so that it is left out while the motion plays and in films; a new caption is one for always)",
+        R"(`"always"`)"},
+       &SceneKeys::caption_when,
+       [](const Scene& scene) { return toml(scene.caption_when == CaptionWhen::still ? "still" : "always"); },
+       Row::Speaks::of_picture},
       {{"meters",
         fmt::format(
             R"(plots beside the figure of a page: a list of up to {} of `"omega"` (ω in the body), `"energy"` (T), `"momentum"` (\|L\|, under torque also L in space), `"drift"` (of T, \|L\| and the direction of L from their start), each against time over `duration`, and of plots of your own (Plots, below))",
@@ -692,7 +707,10 @@ std::string SceneKeys::text_of_scenes(const Scene& scene) {
     const Scene complete = completed(other);
     std::string keys;
     for (const Row& row : rows()) {
-      if (row.speaks == Row::Speaks::of_all || row.text(other) == row.text(like_first)) continue;
+      if (row.speaks == Row::Speaks::of_all) continue;
+      const bool is_default_again = row.facts.name == "caption_when" && other.caption != scene.caption;
+      const std::string inherited = row.text(is_default_again ? usual() : like_first);
+      if (row.text(other) == inherited) continue;
       const std::string value = row.text(other);
       keys += (keys.empty() ? "" : ", ") + std::string(row.facts.name) + " = ";
       keys += !value.empty() ? value : row.facts.name == "caption" ? toml("") : row.text(complete);
@@ -724,6 +742,7 @@ std::vector<PlacedText> SceneKeys::read(const TomlTable& table) {
       handlers.push_back({key, [](const TomlEntry&) {}});  // its table reads them
     }
   take_start_apart(table);
+  if (table.find("caption") != nullptr) scene_.caption_when = CaptionWhen::always;
   read_keys(table, of_ == Of::row ? "a row" : "the scene", handlers, report_);
   check_scene(table);
   return std::move(highlighted_);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace polhode {
 namespace {
@@ -26,7 +27,7 @@ Scene without_picture(Scene scene, double at_s) {
   scene.marks = {};
   scene.meters.clear();
   scene.highlight.clear();
-  scene.caption.clear();
+  leave_out_caption(scene);
   scene.vary.clear();
   scene.motion.ghost = false;
   return scene;
@@ -42,6 +43,7 @@ bool same_course(Scene a, const Scene& b) {
   a.highlight = b.highlight;
   a.quality = b.quality;
   a.caption = b.caption;
+  a.caption_when = b.caption_when;
   a.meters = b.meters;
   const bool same_beside =
       std::equal(a.beside.begin(), a.beside.end(), b.beside.begin(), b.beside.end(), same_course);
@@ -56,6 +58,17 @@ bool same_model(Scene a, const Scene& b) {
       std::equal(a.beside.begin(), a.beside.end(), b.beside.begin(), b.beside.end(), same_model);
   a.beside = b.beside;
   return same_beside && a == b;
+}
+
+bool caption_holds(const Scene& scene, double t_s) {
+  const double still_s = still_time_s(scene);
+  return scene.caption_when == CaptionWhen::always ||
+         std::abs(t_s - still_s) <= 1e-9 * std::max(1.0, std::abs(still_s));
+}
+
+void leave_out_caption(Scene& scene) {
+  scene.caption.clear();
+  scene.caption_when = CaptionWhen::always;
 }
 
 const char* name_of(QualityLevel level) { return kQualityNames[static_cast<std::size_t>(level)]; }

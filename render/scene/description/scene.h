@@ -69,6 +69,9 @@ std::vector<std::string> quality_level_names();
 /// Nothing if unknown.
 std::optional<QualityLevel> quality_level_from(std::string_view name);
 
+/// At which t of the motion a caption is true.
+enum class CaptionWhen { always, still };
+
 /// What the diagrams that compare methods show.
 struct ComparedMethods {
   std::vector<Method> methods{};  ///< these alone; empty: all that serve
@@ -112,8 +115,9 @@ struct Scene {
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
   std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
   QualityLevel quality = QualityLevel::normal;
-  std::string caption;            ///< one line in the picture
-  std::vector<PlotSpec> meters;   ///< plots of a page
+  std::string caption;                             ///< one line in the picture
+  CaptionWhen caption_when = CaptionWhen::always;  ///< `still`: it speaks of the moment of the still alone
+  std::vector<PlotSpec> meters;                    ///< plots of a page
   std::vector<Scene> beside{};    ///< shown beside it at the same t, at its rate; they have none beside them
   std::size_t before = 0;         ///< so many of them stand before it: further left, or above
   std::vector<Variation> vary{};  ///< where there are any, those beside it are this scene at other values of
@@ -136,5 +140,10 @@ bool same_model(Scene a, const Scene& b);
 
 /// The t of a still.
 inline double still_time_s(const Scene& scene) { return scene.still_s.value_or(scene.at_s); }
+
+/// Whether what the caption says is meant of t: a caption of the still of no other moment, up to the rounding
+/// of t.
+bool caption_holds(const Scene& scene, double t_s);
+void leave_out_caption(Scene& scene);
 
 }  // namespace polhode

@@ -57,6 +57,25 @@ TEST(FigurePlace, WithoutACaptionThePlaceIsTheFigures) {
   EXPECT_TRUE(figure.sheet.texts.empty());
 }
 
+// 2026-11-26: "halfway over" stood below all of the motion. The picture keeps its place without it.
+TEST(FigurePlace, ACaptionOfTheStillIsWrittenThereAlone) {
+  Scene scene = scene_of({Overlay::omega});
+  scene.caption_when = CaptionWhen::still;
+  scene.at_s = 0.5;
+  const SceneModel model = make_model(scene);
+  const auto at = [&](double t_s, bool is_frame) {
+    FigurePlace place = place_of({640, 480});
+    place.is_frame = is_frame;
+    return place_figure(model, t_s, place, fonts());
+  };
+  const PlacedFigure still = at(0.5, false), later = at(0.6, false), frame = at(0.5, true);
+  EXPECT_EQ(texts_of(still.sheet, "A caption").size(), 1u);
+  EXPECT_TRUE(texts_of(later.sheet, "A caption").empty());
+  EXPECT_TRUE(texts_of(frame.sheet, "A caption").empty()) << "it would flash";
+  EXPECT_EQ(later.insets.at(0).place.height, still.insets.at(0).place.height);
+  EXPECT_EQ(frame.insets.at(0).place.height, still.insets.at(0).place.height);
+}
+
 TEST(FigurePlace, ALongCaptionHasLines) {
   Scene scene = scene_of({Overlay::omega});
   scene.caption = std::string(60, 'n') + ' ' + std::string(59, 'n');

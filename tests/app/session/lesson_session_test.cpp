@@ -56,6 +56,17 @@ TEST(LessonSession, GoesFromStageToStageByTheirBeginnings) {
   EXPECT_EQ(session.place(), (Place{1, 0}));
 }
 
+// 2026-11-26: `--stage words` on a first start counted the first stage as seen.
+TEST(LessonSession, WhereItIsBegunNothingElseWasSeen) {
+  LessonSession first(example());
+  first.begin_at({1, 0});
+  EXPECT_THAT(first.visited(), ElementsAre("words"));
+  LessonSession again(example());
+  again.set_visited({"free"});
+  again.begin_at({1, 0});
+  EXPECT_THAT(again.visited(), ElementsAre("free", "words"));
+}
+
 TEST(LessonSession, TakesThePlaceNearestToOneThatDoesNotExist) {
   LessonSession session(example());
   session.go_to({0, 99});

@@ -2,6 +2,7 @@
 #include "app/session/method_cost.h"
 
 #include "app/session/accuracy_meter.h"
+#include "tests/app/session/example_lesson.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -174,6 +175,18 @@ TEST(FrontMeasurement, IsLeftWithoutWaitingForItsEnd) {
     EXPECT_FALSE(measurement.is_ready());
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+}
+
+// 2026-11-26: "the scene asks for it" was said of a method that the reader had chosen.
+TEST(WhyMethod, IsNotTheSceneWhereTheReaderChose) {
+  LessonSession session(test::example());
+  EXPECT_EQ(why_method(session), session.model()->why);
+  SceneEdits edits;
+  edits.motion = MotionSpec{.method = Method::rk4, .step_s = 0.01};
+  ASSERT_TRUE(session.set_edits(edits));
+  EXPECT_EQ(why_method(session), "chosen here, in place of the lesson's");
+  session.reset_edits();
+  EXPECT_EQ(why_method(session), session.model()->why);
 }
 
 TEST(RequirementWords, TellWhatIsComputedAndWhatIsNot) {

@@ -49,6 +49,21 @@ TEST(SceneEdits, EachIsInTheScene) {
   EXPECT_EQ(edited(lesson_scene(), edits), expected);
 }
 
+// 2026-11-26: a caption stayed below another view, other overlays and another method.
+TEST(SceneEdits, ACaptionIsOfWhatTheLessonShows) {
+  Scene scene = lesson_scene();
+  scene.caption = "Seen from space";
+  const auto is_kept = [&](const SceneEdits& edits) { return !edited(scene, edits).caption.empty(); };
+  EXPECT_TRUE(is_kept({}));
+  EXPECT_TRUE(is_kept({.camera = CameraSpec{.zoom = 2}, .quality = QualityLevel::fine}));
+  EXPECT_TRUE(is_kept({.motion = scene.motion, .views = scene.views})) << "the lesson's own";
+  EXPECT_FALSE(is_kept({.views = {{View::body}}}));
+  EXPECT_FALSE(is_kept({.on = {Overlay::shape}}));
+  EXPECT_FALSE(is_kept({.off = {Overlay::L}}));
+  EXPECT_FALSE(is_kept({.motion = MotionSpec{.method = Method::rk4, .step_s = 0.1}}));
+  EXPECT_FALSE(is_kept({.w0_B = Vec3(1, 2, 3)}));
+}
+
 TEST(SceneEdits, HidingThePlaneDoesNotTurnTheBodyOver) {
   const Scene scene = lesson_scene();
   const Scene hidden = edited(scene, {.off = {Overlay::plane}});

@@ -30,6 +30,16 @@ Scene steady() {  // about axis 3, L up: ω and L stand still in space and body
   return scene;
 }
 
+// 2026-11-26: panels wrote 1.0336e+38 J, 2e-18.
+TEST(Readable, IsANumberForPeople) {
+  EXPECT_EQ(readable(1.0336e38, 4), "1.034·10³⁸");
+  EXPECT_EQ(readable(2e-18, 1), "2·10⁻¹⁸");
+  EXPECT_EQ(readable(-12), "−12.0");
+  EXPECT_EQ(readable(9996), "1.00·10⁴");
+  EXPECT_EQ(readable(0), "0");
+  EXPECT_EQ(readable(std::nan("")), "");
+}
+
 TEST(SymbolNote, SaysWhatASymbolIsAndWhatItIsNow) {
   const SceneModel model = make_model(steady());
   const SymbolNote omega = note_of(lecture(), "omega", &model, 0.5);

@@ -28,6 +28,9 @@ using ::testing::Not;
 Scene shown_in(const LessonSession& session) {
   Scene scene = session.model()->scene;
   const double t_s = session.t_s();
+  for (Scene& other : scene.beside)
+    if (!caption_holds(other, t_s)) leave_out_caption(other);
+  if (!caption_holds(scene, t_s)) leave_out_caption(scene);
   scene.still_s = t_s == scene.at_s ? std::nullopt : std::optional(t_s);
   for (Scene& other : scene.beside) other.still_s = scene.still_s;
   return scene;
@@ -239,6 +242,17 @@ TorqueTerm heavy_top(Hand& hand) {
 AttitudeSpec attitude(Hand& hand) {
   const auto rounded = [&] { return std::round(1e3 * hand.number()) / 1e3; };
   return attitude_from({rounded(), rounded(), rounded(), rounded()});
+}
+
+// What is saved has its still at the present t, of which such a caption does not speak.
+TEST(SavedScene, ACaptionOfAnotherStillIsLeftOut) {
+  LessonSession session(test::loaded_text(
+      "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n+++\n# A stage {one}\n```scene\ncaption = 'Halfway'\n"
+      "caption_when = 'still'\nat = 2\nshow = 'omega'\n```\nIt turns.\n"));
+  EXPECT_THAT(lesson_of(session), AllOf(HasSubstr("Halfway"), HasSubstr("caption_when = \"still\"")));
+  expect_saved(session);
+  session.scrub_to(1);
+  EXPECT_THAT(lesson_of(session), AllOf(Not(HasSubstr("Halfway")), Not(HasSubstr("caption_when"))));
 }
 
 TEST(SavedScene, DirectionsComeBackToTheBit) {

@@ -3,6 +3,7 @@
 #include "app/session/answers/answer_log.h"
 #include "tests/app/window/screen_harness.h"
 
+#include <gmock/gmock.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ class QuestionsPanelTest : public ScreenTest {
     frame(4);
     screen->press(session, "F6");
     frame(3);
-    for (int i = 0; i < 3; ++i) give_to_panel(ImGuiKey_DownArrow);  // what closes, the field, the hint
+    give_to_panel(ImGuiKey_DownArrow);  // from the field to the hint
     for (int hints = 1; hints <= 2; ++hints) {
       give_to_panel(ImGuiKey_Enter);
       ASSERT_NE(session.record(ask), nullptr);
@@ -53,6 +54,7 @@ TEST_F(QuestionsPanelTest, KeysThatWalkAndPlayAreThePages) {
     session.go_to(asked);
     frame(3);
     EXPECT_TRUE(screen->press(session, key));
+    if (session.place() == asked) screen->press(session, key);  // a prediction asks once
     EXPECT_EQ(session.place(), (Place{asked.stage, asked.step + 1})) << key;
   }
   EXPECT_EQ(session.panel, Panel::question) << "it stays open";
@@ -134,6 +136,45 @@ TEST_F(QuestionsPanelTest, AMissedClickTypesNoCommands) {
   EXPECT_TRUE(session.edits().empty());
 }
 
+// 2026-11-26: a line that was typed while the keyboard was the page's fired commands letter by letter.
+TEST_F(QuestionsPanelTest, ALineThatIsTypedOnThePageIsTheAnswer) {
+  const Ask& ask = go_to_question("derive-six");
+  frame(3);
+  const auto type = [&](std::string_view text) {
+    for (const char c : text) {
+      const std::string key(1, c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c);
+      if (c == ' ' || !screen->press(session, key))
+        ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
+    }
+    frame(5);
+  };
+  type("N = d");
+  EXPECT_EQ(session.panel, Panel::question) << "N is a name of its lines";
+  EXPECT_FALSE(session.has_speaker());
+  EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+  type("L");
+  const auto typed = [&] { return std::string(ImGui::GetInputTextState(ImGui::GetActiveID())->TextA.Data); };
+  EXPECT_FALSE(session.shown_derivation().lines.empty());
+  screen->press(session, "Escape");  // of the field
+  frame(3);
+  ASSERT_FALSE(ImGui::GetIO().WantTextInput);
+  click(300, 500);  // on the page
+  const double text_scale = session.preferences.text_scale;
+  type("-w");
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  EXPECT_EQ(session.preferences.text_scale, text_scale);
+  frame(2);
+  EXPECT_EQ(typed(), "N = dL-w") << "behind what was there";
+  screen->press(session, "Escape");
+  frame(3);
+  screen->press(session, "Escape");
+  frame(3);
+  ASSERT_EQ(session.panel, Panel::none);
+  EXPECT_TRUE(screen->press(session, "B")) << "a command, which begins no line";
+  EXPECT_EQ(session.panel, Panel::body);
+  static_cast<void>(ask);
+}
+
 TEST_F(QuestionsPanelTest, AFieldGivesTheKeyboardBackAtEscape) {
   go_to_question("hold-steady");
   const Place asked = session.place();
@@ -161,8 +202,26 @@ TEST_F(QuestionsPanelTest, ItsKeysAreThePagesHoweverTheLastPanelWasUsed) {
   screen->press(session, "Q");
   frame(4);
   const Place asked = session.place();
-  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_TRUE(screen->press(session, "Left"));
   EXPECT_NE(session.place(), asked);
+}
+
+// What a prediction asks is told by the next step.
+TEST_F(QuestionsPanelTest, APredictionHoldsTheNextStepBackOnce) {
+  const Ask& ask = go_to_question("no-torque");
+  const Place asked = session.place();
+  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_EQ(session.place(), asked);
+  EXPECT_THAT(screen->notice(), testing::HasSubstr("Answer first"));
+  EXPECT_TRUE(screen->press(session, "Right", true)) << "held";
+  EXPECT_EQ(session.place(), asked);
+  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_EQ(session.place(), (Place{asked.stage, asked.step + 1}));
+  session.go_to(asked);
+  session.answer(ask, "A");
+  session.end_play();
+  EXPECT_TRUE(screen->press(session, "Right"));
+  EXPECT_EQ(session.place(), (Place{asked.stage, asked.step + 1}));
 }
 
 // Of several that are typed the next one has the cursor, and Q begins in the first that is open.

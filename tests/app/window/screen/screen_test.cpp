@@ -4,6 +4,7 @@
 #include "app/export/picture_maker.h"
 #include "app/session/figure_interaction.h"
 #include "app/session/steering.h"
+#include "app/window/controls/control_input.h"
 #include "render/image/png.h"
 #include "tests/app/window/screen_harness.h"
 #include "tests/base/files/folder.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -175,6 +177,7 @@ TEST_F(ScreenTest, ACounterexampleIsShownAndLeft) {
 }
 
 TEST_F(ScreenTest, KeysOfAFocusedPanelAreItsOwn) {
+  session.go_to({1, 0});
   screen->press(session, "B");
   frame(3);
   EXPECT_EQ(session.panel, Panel::body);
@@ -249,6 +252,62 @@ TEST_F(ScreenTest, AnotherLessonIsOpenedFromTheOutline) {
   EXPECT_EQ(asked, 1);
 }
 
+// 2026-11-26: where the pointer came to rest nothing was said until it moved by another pixel.
+TEST_F(ScreenTest, ATooltipComesWhereThePointerRests) {
+  frame(3);
+  move(640, 300);
+  x = 1104, y = 775;
+  frame(kSettlingFrames);  // those of the event
+  const auto shown = [] {
+    const ImGuiWindow* window = ImGui::FindWindowByName("##Tooltip_00");
+    return window != nullptr && window->Active && !window->Hidden;
+  };
+  for (int i = 0; i < 8 && screen->seconds_to_wake(session) < 5; ++i) {
+    const double seconds = std::max(0.02, screen->seconds_to_wake(session));
+    ASSERT_TRUE(screen->draw(session, {.size = kSize, .scale = 1, .seconds = seconds}));
+  }
+  EXPECT_TRUE(shown());
+}
+
+// What is written at the tip while it is held is not covered, nor is the tip afterwards.
+TEST_F(ScreenTest, TheChipOfAChangeKeepsClearOfTheTip) {
+  session.go_to({0, 0});
+  SceneEdits edits;
+  edits.w0_B = Vec3(0.3, 1, 0.2);
+  ASSERT_TRUE(session.set_edits(edits));
+  frame(4);
+  const ImGuiWindow* chip = ImGui::FindWindowByName("changed-scene");
+  ASSERT_NE(chip, nullptr);
+  ASSERT_TRUE(chip->Active);
+  for (const TipOnScreen& tip : omega_tips(*session.model(), session.t_s(), screen->page().insets())) {
+    const ImVec2 at{static_cast<float>(tip.x), static_cast<float>(tip.y)};
+    EXPECT_FALSE(chip->Rect().Contains(at));
+    move(tip.x, tip.y);
+    down = true;
+    frame(2);
+    move(tip.x + 2, tip.y);
+    EXPECT_FALSE(chip->Active) << "while the hand has it";
+    down = false;
+    frame(3);
+    EXPECT_TRUE(chip->Active);
+    break;
+  }
+}
+
+// A change of the scene by hand takes the caption, whose room stays: the figure does not jump.
+TEST_F(ScreenTest, TheFigureStaysWhereItIsWhenItsCaptionGoes) {
+  frame(3);
+  const PixelRect before = figure();
+  ASSERT_FALSE(session.model()->scene.caption.empty());
+  SceneEdits edits;
+  edits.w0_B = Vec3(0.3, 1, 0.2);
+  ASSERT_TRUE(session.set_edits(edits));
+  ASSERT_TRUE(session.model()->scene.caption.empty());
+  frame(3);
+  EXPECT_EQ(figure().height, before.height);
+  EXPECT_EQ(figure().width, before.width);
+}
+
 TEST_F(ScreenTest, LettersAreNoCommandsForWhoWantsNone) {
   frame(3);
   session.preferences.letter_keys = false;
@@ -271,6 +330,7 @@ TEST_F(ScreenTest, AStepIsCopiedAsText) {
 }
 
 TEST_F(ScreenTest, KeysAreThePagesAgainWhenAPanelIsGone) {
+  session.go_to({1, 0});
   screen->press(session, "M");
   frame(3);
   screen->press(session, "Escape");
@@ -388,6 +448,7 @@ TEST_F(ScreenTest, WhatIsCopiedIsOnTheClipboardOnce) {
 }
 
 TEST_F(ScreenTest, AHeldKeyRepeatsStepsAlone) {
+  session.go_to({1, 0});
   frame(2);
   EXPECT_TRUE(screen->press(session, "Right", true));
   EXPECT_EQ(session.place().step, 1U);

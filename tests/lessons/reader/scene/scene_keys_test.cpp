@@ -297,6 +297,25 @@ void PrintTo(Effect effect, std::ostream* out) {
   *out << std::array{"of the step", "other picture", "other look", "other course"}[std::size_t(effect)];
 }
 
+// 2026-11-26: captions such as "halfway over" stood below all of the motion.
+TEST(SceneKeys, ACaptionOfTheStillIsOneUntilThereIsAnother) {
+  const std::string text =
+      "+++\nformat = 1\nid = \"a\"\ntitle = \"A\"\n+++\n# A stage {one}\n```scene\n"
+      "caption = 'Halfway over'\ncaption_when = 'still'\nat = 2\n```\nIt turns.\n\n---\n"
+      "```scene\nshow = 'omega'\n```\nIt turns.\n\n---\n```scene\ncaption = 'A book'\n```\n"
+      "It turns.\n";
+  const LessonReading reading = read_lesson(text, "a.md");
+  ASSERT_TRUE(reading.lesson) << to_string(reading.diagnostics.front());
+  const auto& steps = reading.lesson->stages[0].steps;
+  for (const std::size_t i : {0U, 1U}) {
+    EXPECT_TRUE(caption_holds(*steps.at(i).scene, 2)) << i;
+    EXPECT_FALSE(caption_holds(*steps.at(i).scene, 2.01)) << i;
+  }
+  EXPECT_TRUE(caption_holds(*steps.at(2).scene, 2.01));
+}
+
+TEST(SceneKeys, ACaptionIsOfNoOtherMoments) { EXPECT_TRUE(is_refused("caption_when = 'noon'")); }
+
 struct KeyEffect {
   const char *key, *value;
   Effect effect;
@@ -332,6 +351,7 @@ constexpr KeyEffect kEffects[] = {
     {"highlight", "'omega'", Effect::other_look},
     {"quality", "'fine'", Effect::other_picture},
     {"caption", "'A caption'", Effect::other_look},
+    {"caption_when", "'still'", Effect::other_look},
     {"meters", "'energy'", Effect::other_look},
     {"scenes", "[{}, { omega = [1, 2, 3] }]", Effect::other_course},
     {"vary", "{ omega3 = { from = 1, to = 9 } }", Effect::other_course},
