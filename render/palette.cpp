@@ -52,7 +52,7 @@ bool is_grey(const Color& c) {
 }  // namespace
 
 Color paint_on_dark(const Color& paint) {
-  constexpr double kLeastOfHue = 3.6;
+  constexpr double kLeastOfHue = 3.75;
   constexpr int kShares = 64;
   const double wanted = is_grey(paint) ? contrast(paint, kPaper) : kLeastOfHue;
   const auto with_white = [&](int share) {

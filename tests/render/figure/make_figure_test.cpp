@@ -83,15 +83,17 @@ TEST(Figure, TheCurvesPassThroughOmegasTip) {
   EXPECT_LT(distance(herpolhode, on_plane), kChord + kMotionTolerance);
 }
 
-/// Bars of two points in a colour: middle, and from end to end.
+/// Bars of two points in a colour, or black as the long ones are: middle, and from end to end.
 struct Bar {
   Vec3 middle, along;
+  double radius;
 };
 std::vector<Bar> ticks_of(const DrawList& list, const Role& role) {
   std::vector<Bar> ticks;
   for (const Tube& tube : list.tubes)
-    if (tube.color == role.paint && tube.points.size() == 2)
-      ticks.push_back({0.5 * (tube.points[0] + tube.points[1]), tube.points[1] - tube.points[0]});
+    if ((tube.color == role.paint || tube.color == kTRole.paint) && tube.points.size() == 2)
+      ticks.push_back(
+          {0.5 * (tube.points[0] + tube.points[1]), tube.points[1] - tube.points[0], tube.radius});
   return ticks;
 }
 
@@ -115,20 +117,19 @@ TEST(Figure, TicksOfThePolhodeMeetThoseOfTheHerpolhodeInTheContact) {
   ASSERT_EQ(model.ticks.times_s.size(), static_cast<std::size_t>(kRollingTicks));
   const DrawList still = make_figure(model, scene.at_s, 1.5).panes[0].list;
   const std::vector<Bar> on_plane = ticks_of(still, kHerpolhodeRole);
-  EXPECT_EQ(ticks_of(still, kPolhodeRole).size(), static_cast<std::size_t>(kRollingTicks));
+  EXPECT_GE(ticks_of(still, kPolhodeRole).size(), static_cast<std::size_t>(kRollingTicks));
   ASSERT_GT(on_plane.size(), 6U);
-  const double lift = tube_of(still, kHerpolhodeRole).radius;
   for (std::size_t k = 0; k < 6; ++k) {
     const double t_s = model.ticks.times_s[k];
     const DrawList list = make_figure(model, t_s, 1.5).panes[0].list;
     const Vec3 tip = arrow_of(list, kOmegaRole).tip;
-    const auto meets = [&](const Bar& bar, double height) {
-      return (bar.middle - tip - Vec3(0, 0, height)).norm() < kMotionTolerance;
+    const auto meets = [&](const Bar& bar, double radii) {
+      return (bar.middle - tip - Vec3(0, 0, radii * bar.radius)).norm() < kMotionTolerance;
     };
     const std::vector<Bar> rolling = ticks_of(list, kPolhodeRole);
     const auto own = std::find_if(rolling.begin(), rolling.end(), [&](const Bar& b) { return meets(b, 0); });
     const auto laid =
-        std::find_if(on_plane.begin(), on_plane.end(), [&](const Bar& b) { return meets(b, lift); });
+        std::find_if(on_plane.begin(), on_plane.end(), [&](const Bar& b) { return meets(b, 1); });
     ASSERT_NE(own, rolling.end()) << k;
     ASSERT_NE(laid, on_plane.end()) << k << ": it was there before";
     EXPECT_LT((own->along - laid->along).norm(), kMotionTolerance) << "one lies on the other";
