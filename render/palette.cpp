@@ -32,6 +32,40 @@ Color on_dark(const Color& color) {
   return {lighter(color.r), lighter(color.g), lighter(color.b), color.a};
 }
 
+namespace {
+
+/// Relative luminance and contrast: Web Content Accessibility Guidelines 2.1.
+double luminance(const Color& c) {
+  const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(c.r) + 0.7152 * linear(c.g) + 0.0722 * linear(c.b);
+}
+double contrast(const Color& a, const Color& b) {
+  const double one = luminance(a) + 0.05, other = luminance(b) + 0.05;
+  return std::max(one, other) / std::min(one, other);
+}
+
+bool is_grey(const Color& c) {
+  constexpr float kLeastHue = 0.1F;
+  return std::max({c.r, c.g, c.b}) - std::min({c.r, c.g, c.b}) < kLeastHue;
+}
+
+}  // namespace
+
+Color paint_on_dark(const Color& paint) {
+  constexpr double kLeastOfHue = 3.75;
+  constexpr int kShares = 64;
+  const double wanted = is_grey(paint) ? contrast(paint, kPaper) : kLeastOfHue;
+  const auto with_white = [&](int share) {
+    const auto mixed = [&](float c) { return std::lerp(c, 1.0F, static_cast<float>(share) / kShares); };
+    return Color{mixed(paint.r), mixed(paint.g), mixed(paint.b), paint.a};
+  };
+  int share = 0;
+  while (share < kShares && (luminance(with_white(share)) < luminance(kDarkGround) ||
+                             contrast(with_white(share), kDarkGround) < wanted))
+    ++share;
+  return with_white(share);
+}
+
 Color family_color(double s) {
   constexpr std::array<Color, 5> kStops = {kBodyAxisRoles[0].ink, color_from_hex(0x7F7CC4),
                                            color_from_hex(0x8E9BAA), color_from_hex(0x4FA3B5),

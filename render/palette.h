@@ -51,6 +51,12 @@ inline constexpr Color kSolid = color_from_hex(0xD9CDB8);
 bool is_dark(const Color& paper);
 /// The relative of an ink or paint that is readable on dark paper: light, and of the same hue.
 Color on_dark(const Color& color);
+/// The relative of a paint for lines and arrows in space on dark ground, mixed with as little white as
+/// serves: a hue has at least 3.75:1 on kDarkGround, so that 3:1 is left where it is shaded; a grey, which has
+/// nothing but its lightness, as much as it has on paper.
+Color paint_on_dark(const Color& paint);
+inline constexpr Color kDarkGround =
+    color_from_hex(0x2B3038);  ///< of floors in dark pictures, where lightest
 
 /// Colour of a polhode by L²/2T, placed at s = 0 (I_min), ½ (I_mid, the separatrix), 1 (I_max): a diverging
 /// scale, because the two sides go round different axes.

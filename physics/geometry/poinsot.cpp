@@ -270,4 +270,36 @@ std::optional<double> polhode_period(const PrincipalMoments& I, const Vec3& w_B)
   return std::isfinite(period_s) ? std::optional(period_s) : std::nullopt;
 }
 
+std::vector<double> equal_arc_times(const Motion& motion, const PrincipalMoments& I, double from_s,
+                                    double period_s, int count) {
+  constexpr int kPieces = 512, kNewtonSteps = 4;
+  if (!std::isfinite(from_s) || !std::isfinite(period_s) || period_s <= 0 || count <= 0)
+    throw std::domain_error("times must be finite, the period and the count > 0");
+
+  const auto speed = [&](double t_s) { return norm_of(angular_acceleration_B(I, motion.w_B_at(t_s))); };
+  const auto length = [&](double t0_s, double t1_s) {  // by Gauss's rule of three points
+    const double middle = 0.5 * (t0_s + t1_s), half = 0.5 * (t1_s - t0_s), off = std::sqrt(0.6) * half;
+    return half * (5 * speed(middle - off) + 8 * speed(middle) + 5 * speed(middle + off)) / 9;
+  };
+  const auto start_s = [&](int piece) { return from_s + period_s * (double{1} * piece / kPieces); };
+  std::vector<double> gone = {0.0};
+  for (int n = 0; n < kPieces; ++n) gone.push_back(gone.back() + length(start_s(n), start_s(n + 1)));
+
+  std::vector<double> times_s;
+  int n = 0;
+  for (int k = 0; k < count; ++k) {
+    const double wanted = gone.back() * (double{1} * k / count);
+    while (n + 1 < kPieces && gone[static_cast<std::size_t>(n) + 1] < wanted) ++n;
+    const double before = gone[static_cast<std::size_t>(n)], after = gone[static_cast<std::size_t>(n) + 1];
+    const double low_s = start_s(n), high_s = start_s(n + 1);
+    double t_s = after > before ? std::lerp(low_s, high_s, (wanted - before) / (after - before)) : low_s;
+    for (int step = 0; step < kNewtonSteps; ++step) {
+      const double v = speed(t_s);
+      if (v > 0) t_s = std::clamp(t_s - (before + length(low_s, t_s) - wanted) / v, low_s, high_s);
+    }
+    times_s.push_back(t_s);
+  }
+  return times_s;
+}
+
 }  // namespace polhode

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace polhode {
 namespace {
@@ -27,6 +28,16 @@ PixelBox box_beside(const LabelRequest& label, double angle, double gap) {
 
 Vec2 nearest_on(const PixelBox& box, const Vec2& p) {
   return {std::clamp(p.x(), box.x0, box.x1), std::clamp(p.y(), box.y0, box.y1)};
+}
+
+bool is_level(const Vec2& leader) {
+  constexpr double kSlope = 0.36;
+  return std::abs(leader.y()) < kSlope * std::abs(leader.x());
+}
+
+Vec2 leader_end(const LabelRequest& label, const PixelBox& box, const LabelRules& rules) {
+  const auto end = [&](double gap) { return nearest_on(box.grown(gap * unit_of(label)), label.anchor); };
+  return end(is_level(end(rules.leader_gap) - label.anchor) ? rules.level_gap : rules.leader_gap);
 }
 
 bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
@@ -72,8 +83,8 @@ double crossed(const Vec2& from, const Vec2& to, double clear, const Crowd& crow
   return count;
 }
 
-/// @param limit costs beyond it need not be exact: the many obstacles come last, and may not be looked at
-double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const Crowd& crowd, double limit) {
+/// Of all but the lines under it and its leader.
+double cost_beside(const PixelBox& box, const LabelRequest& label, double gap, const Crowd& crowd) {
   const double area = std::max(1.0, box.width() * box.height());
   const double unit = unit_of(label);
   const PixelBox with_air = box.grown(crowd.rules.air * unit);
@@ -84,6 +95,7 @@ double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const
   for (const PixelBox& other : crowd.taken) cost += 40.0 * with_air.overlap(other) / area;
   cost += 60.0 * (1.0 - std::min(1.0, box.overlap(crowd.frame) / area));
   const Vec2 end = nearest_on(box, label.anchor);
+  if (label.leader && gap > unit && is_level(end - label.anchor)) cost += crowd.rules.cost_level;
   for (const auto& [from, to] : crowd.leaders) {
     if (segments_cross(from, to, label.anchor, end)) cost += 6.0;
     for (double f : {0.15, 0.4, 0.65, 0.9}) cost += with_air.contains(from + f * (to - from)) ? 6.0 : 0.0;
@@ -91,7 +103,15 @@ double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const
   for (const PixelBox& other : crowd.taken)
     for (double f : {0.3, 0.6, 0.9})
       cost += other.contains(label.anchor + f * (end - label.anchor)) ? 8.0 : 0.0;
+  return cost;
+}
+
+/// @param limit costs beyond it need not be exact: the many obstacles come last, and may not be looked at
+double cost_of(const PixelBox& box, const LabelRequest& label, double gap, const Crowd& crowd, double limit) {
+  double cost = cost_beside(box, label, gap, crowd);
   if (cost > limit) return cost;
+  const PixelBox with_air = box.grown(crowd.rules.air * unit_of(label));
+  const Vec2 end = nearest_on(box, label.anchor);
   double covered = 0.0;
   for (const Vec2& p : crowd.obstacles) covered += with_air.contains(p) ? 1.0 : 0.0;
   cost += 2.5 * covered / (covered + 4.0) + crowd.rules.cost_covered * covered;
@@ -123,9 +143,20 @@ PixelBox moved_into(const PixelBox& frame, const PixelBox& box) {
   return {box.x0 + dx, box.y0 + dy, box.x1 + dx, box.y1 + dy};
 }
 
+/// Of a label that keeps its side: there, unless something is in the way.
+std::optional<Candidate> on_its_side(const LabelRequest& label, const Crowd& crowd) {
+  constexpr double kInTheWay = 4.0;  // such as a tenth of it over another label
+  if (!label.keeps_side) return std::nullopt;
+  const double gap = gaps_of(label).front();
+  const PixelBox box = box_beside(label, std::atan2(-label.outward.y(), label.outward.x()), gap);
+  const double cost = cost_beside(box, label, gap, crowd);
+  return cost < kInTheWay ? std::optional(Candidate{{.box = box}, cost}) : std::nullopt;
+}
+
 Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {
-  Candidate best{{}, std::numeric_limits<double>::infinity()};
-  for (double gap : gaps_of(label))
+  const std::optional<Candidate> own = on_its_side(label, crowd);
+  Candidate best = own.value_or(Candidate{{}, std::numeric_limits<double>::infinity()});
+  for (double gap : own ? std::vector<double>() : gaps_of(label))
     for (int k = 0; k < kDirections; ++k) {
       const PixelBox box = box_beside(label, 2.0 * std::numbers::pi * k / kDirections, gap);
       const double cost = cost_of(box, label, gap, crowd, best.cost);
@@ -135,7 +166,7 @@ Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {
   if (best.label.box.overlap(crowd.frame) > 0.0) best.label.box = moved_into(crowd.frame, best.label.box);
   // The line stops short of the text.
   const double unit = unit_of(label);
-  best.label.leader_end = nearest_on(best.label.box.grown(crowd.rules.leader_gap * unit), label.anchor);
+  best.label.leader_end = leader_end(label, best.label.box, crowd.rules);
   best.label.has_leader =
       label.leader && (best.label.leader_end - label.anchor).norm() > 0.5 * unit + label.clear;
   return best;
@@ -146,17 +177,20 @@ struct Arrangement {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-/// Places first the label of index `first`, then those after it, round to the one before it.
+/// Places those first that keep their side, of either kind first the label of index `first`, then those after
+/// it, round to the one before it.
 Arrangement arranged(const std::vector<LabelRequest>& labels, std::size_t first,
                      const std::vector<std::vector<Vec2>>& obstacles, const std::vector<PixelBox>& taken,
                      const PixelBox& frame, const LabelRules& rules) {
   Arrangement made;
   made.placed.resize(labels.size());
+  std::vector<std::size_t> order;
+  for (std::size_t n = 0; n < labels.size(); ++n) order.push_back((first + n) % labels.size());
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return labels[i].keeps_side; });
   std::vector<bool> is_placed(labels.size(), false);
   for (int round = 0; round <= rules.rounds; ++round) {
     made.cost = 0.0;
-    for (std::size_t n = 0; n < labels.size(); ++n) {
-      const std::size_t i = (first + n) % labels.size();
+    for (const std::size_t i : order) {
       Crowd crowd{obstacles[i], taken, {}, frame, rules};
       for (std::size_t k = 0; k < labels.size(); ++k)
         if (k != i && is_placed[k]) crowd.add(labels[k], made.placed[k]);

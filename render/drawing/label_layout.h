@@ -21,8 +21,11 @@ struct PixelBox {
 struct LabelRequest {
   Vec2 anchor{0, 0};
   double width = 0, height = 0;
-  double unit = 0;      ///< distances are multiples of it; 0: of the height
-  Vec2 outward{0, 0};   ///< unit or zero: where there is nothing else, the label goes that way
+  double unit = 0;     ///< distances are multiples of it; 0: of the height
+  Vec2 outward{0, 0};  ///< unit or zero: where there is nothing else, the label goes that way
+  /// Stands there, as near as it may, whatever lines are under it: it moves only from other labels, from what
+  /// is taken, and from the frame's edge. So it keeps its side in a film.
+  bool keeps_side = false;
   bool leader = false;  ///< may stand away from its anchor, joined to it by a line
   double clear = 0;     ///< radius around the anchor that is not to be covered: of a mark
   bool close = false;   ///< of a label that may have a leader: may stand right beside its anchor too
@@ -42,6 +45,8 @@ struct LabelRules {
   double cost_crossed = 0.0;   ///< of an obstacle under a leader
   double air = 0.18;           ///< around a label, units
   double leader_gap = 0.16;    ///< between a label and the end of its leader, units
+  double level_gap = 0.16;  ///< the same of a leader that comes in level: near a letter it is read as a minus
+  double cost_level = 0.0;  ///< of a leader that comes in level
 };
 
 /// Places labels in the order given, each at the cheapest of a fixed set of candidates: the cost counts

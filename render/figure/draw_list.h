@@ -19,6 +19,7 @@ struct Tube {
   Color color;
   double fade_start = 1.0;  ///< factor of alpha at the first point (trails fade in), 1 at the last
   double dash = 0.0;        ///< length of a dash and of a gap; 0: solid
+  bool of_body = false;     ///< along the edges of a solid: it has its colour on every ground
 };
 
 struct Arrow {
@@ -34,7 +35,7 @@ struct GlassEllipsoid {
   Quat rotation = Quat::Identity();  ///< takes its own axes to the pane's frame
   Vec3 semi_axes{1, 1, 1};
   Color tint;
-  bool graticule = true;  ///< thin latitude lines
+  double graticule = 1.0;  ///< strength of thin latitude lines; 0: none
 };
 
 struct Ball {
@@ -63,6 +64,9 @@ struct Label {
   Color color;
   double size = 1.0;   ///< relative to the label size of the picture
   bool leader = true;  ///< draw a line to the anchor if it is placed away from it
+  /// On the screen, x to the right and y up, unit or zero: the side of the anchor that it keeps to throughout
+  /// a film, unless something is in the way there.
+  Eigen::Vector2d side{0, 0};
 };
 
 /// Lines of text in the corner of the pane, as of labels.

@@ -8,6 +8,7 @@
 #include "render/gl/shader.h"
 #include "render/gl/shader_sources.h"
 #include "render/gl/stream.h"
+#include "render/palette.h"
 
 #include <algorithm>
 #include <cmath>
@@ -165,7 +166,10 @@ void GlRenderer::start() {
 }
 
 /// Into the picture of the first canvas, all but what is written.
-void GlRenderer::draw_space(const Figure& figure, const Background& background) {
+void GlRenderer::draw_space(const Figure& given, const Background& background) {
+  const bool is_on_dark = is_dark(halo_of(background));
+  const Figure lightened = is_on_dark ? on_dark_ground(given) : Figure{};
+  const Figure& figure = is_on_dark ? lightened : given;
   start();
   const Canvas& on = canvas();
   const Framebuffer& drawn = on.fine ? *on.fine : on.picture;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -24,6 +25,42 @@ TEST(Palette, InksAreReadableOnPaper) {
     EXPECT_GE(contrast(role.ink, kPaper), 5.2);
   for (const Role& role : kMarkRoles) EXPECT_GE(contrast(role.ink, kPaper), 5.2);
   for (const Role& role : kBodyAxisRoles) EXPECT_GE(contrast(role.ink, kPaper), 5.2);
+}
+
+/// What lines and arrows in space are painted with.
+std::vector<Color> paints() {
+  std::vector<Color> all = {kSeparatrixPaint};
+  for (const Role& role : {kOmegaRole, kLRole, kNRole, kPolhodeRole, kHerpolhodeRole, kTRole, kAxesRole})
+    all.push_back(role.paint);
+  for (const Role& role : kMarkRoles) all.push_back(role.paint);
+  for (const Role& role : kBodyAxisRoles) all.push_back(role.paint);
+  for (const double place : {0.0, 0.25, 0.5, 0.75, 1.0}) all.push_back(family_color(place));
+  return all;
+}
+
+// 26 November 2026: a black arrow had 1.4:1 on the dark theme, one of L under the plane as little.
+TEST(Palette, PaintsAreSeenOnDarkGround) {
+  constexpr double kShaded = 0.9;  // of its light, in the mean over a lit tube
+  for (const Color& paint : paints()) {
+    const Color shown = paint_on_dark(paint);
+    const Color shaded{static_cast<float>(kShaded * shown.r), static_cast<float>(kShaded * shown.g),
+                       static_cast<float>(kShaded * shown.b)};
+    EXPECT_GE(contrast(shaded, kDarkGround), 3.0) << paint.r << ' ' << paint.g << ' ' << paint.b;
+    EXPECT_GE(luminance(shown), luminance(paint)) << "none is made darker";
+  }
+}
+
+TEST(Palette, BlackIsLightOnDarkGround) {
+  EXPECT_GE(contrast(paint_on_dark(kTRole.paint), kDarkGround), contrast(kTRole.paint, kPaper));
+}
+
+TEST(Palette, PaintsThatAreSeenOnDarkGroundStayAsTheyAre) {
+  for (const Role& role : {kOmegaRole, kNRole, kPolhodeRole, kHerpolhodeRole})
+    EXPECT_LT(contrast(paint_on_dark(role.paint), role.paint), 1.25);
+}
+
+TEST(Palette, PaintsAreSeenOnPaper) {
+  for (const Color& paint : paints()) EXPECT_GE(contrast(paint, kPaper), 2.7);
 }
 
 TEST(Palette, FamilyColorsDifferFromOneSideToTheOther) {

@@ -637,7 +637,7 @@ std::span<const SceneKeys::Row> SceneKeys::rows() {
        [](const Scene& scene) { return toml(name_of(scene.quality)); },
        Row::Speaks::of_all},
       {{"caption",
-        fmt::format("one line in the picture, at most {} characters; formulas between `$` without macros, "
+        fmt::format("one line below the picture, at most {} characters; formulas between `$` without macros, "
                     "computed numbers too, else plain text",
                     kMaxCaptionCharacters),
         "none"},

@@ -64,8 +64,9 @@ using Builder = void(const Snapshot& m, const Camera& camera, DrawList& list);
 
 Builder add_surfaces;  ///< ellipsoids, momentum sphere, invariable plane
 Builder add_solid;
-Builder add_poses;   ///< of a body that flies, at earlier times
-Builder add_curves;  ///< polhodes, separatrices, herpolhode
+Builder add_poses;    ///< of a body that flies, at earlier times
+Builder add_curves;   ///< polhodes, separatrices, herpolhode
+Builder add_rolling;  ///< the contact on the herpolhode, and ticks that show that nothing slips
 Builder add_trails, add_cones;
 Builder add_axes;         ///< triads
 Builder add_vectors;      ///< ω, L, N
@@ -78,9 +79,10 @@ Builder add_ghost;        ///< the exact body, ω and L beside the computed ones
 Builder add_labels;
 Builder add_marks;  ///< of the lesson's own, with their names
 /// In the order in which a pane is drawn.
-inline constexpr std::array kBuilders = {
-    add_surfaces,    add_solid, add_poses,     add_curves, add_trails, add_cones, add_axes,   add_vectors,
-    add_translation, add_turn,  add_transport, add_terms,  add_pivot,  add_ghost, add_labels, add_marks};
+inline constexpr std::array kBuilders = {add_surfaces, add_solid,     add_poses, add_curves,  add_rolling,
+                                         add_trails,   add_cones,     add_axes,  add_vectors, add_translation,
+                                         add_turn,     add_transport, add_terms, add_pivot,   add_ghost,
+                                         add_labels,   add_marks};
 
 /// Once in a figure, in the corner of its first pane.
 void add_values(const Snapshot& m, DrawList& list);
@@ -89,6 +91,8 @@ void add_ghost_of_solid(const Snapshot& m, const Quat& q_SB, DrawList& list);
 /// From when on a trail shows the past. A free motion in closed form has no beginning; a driven one, and one
 /// that a method computes step by step, starts at t = 0.
 double trail_start_s(const Snapshot& m);
+/// From when till when the herpolhode is drawn.
+std::pair<double, double> herpolhode_times_s(const Snapshot& m);
 /// The arrow's tip ends the trail, whose blunt end would stick out: its axis ends one radius behind.
 void end_behind_tip(Tube& trail);
 

@@ -47,9 +47,9 @@ bool surfaces_meet(const Snapshot& m) {
 void add_herpolhode(const Snapshot& m, DrawList& list) {
   Curve local;
   const Curve* curve_S = &m.model.herpolhode_S;
-  const double span_s = herpolhode_span_s(m.model.scene);
-  if (m.t_s < 0.0 || m.t_s > span_s) {  // outside what was computed once: the stretch that ends now
-    local = herpolhode(*m.model.motion, m.t_s - span_s, m.t_s, 2e-4 / m.omega_scale);
+  const auto [from_s, to_s] = herpolhode_times_s(m);
+  if (from_s != 0.0) {
+    local = herpolhode(*m.model.motion, from_s, to_s, 2e-4 / m.omega_scale);
     curve_S = &local;
   }
   Tube tube{.points = {},
@@ -62,6 +62,12 @@ void add_herpolhode(const Snapshot& m, DrawList& list) {
 }
 
 }  // namespace
+
+// What is computed once, or outside of that the stretch that ends now.
+std::pair<double, double> herpolhode_times_s(const Snapshot& m) {
+  const double span_s = herpolhode_span_s(m.model.scene);
+  return m.t_s < 0.0 || m.t_s > span_s ? std::pair(m.t_s - span_s, m.t_s) : std::pair(0.0, span_s);
+}
 
 double scale_place(const PrincipalMoments& I, double L2_over_2T) {
   Vec3 s = I.vector();

@@ -18,8 +18,15 @@ void add_symbol(DrawList& list, const char* text, const Vec3& anchor, const Colo
       {.text = text, .anchor = anchor, .color = color, .size = kSymbolSize, .leader = false});
 }
 
-void add_text(DrawList& list, const char* text, const Vec3& anchor, const Color& color) {
-  list.labels.push_back({.text = text, .anchor = anchor, .color = color, .size = kTextSize});
+/// @param side on the screen, x to the right and y up, where it stands
+void add_text(DrawList& list, const char* text, const Vec3& anchor, const Color& color,
+              const Eigen::Vector2d& side) {
+  list.labels.push_back(
+      {.text = text, .anchor = anchor, .color = color, .size = kTextSize, .side = side.normalized()});
+}
+
+Vec3 in_space(const Camera& camera, const Eigen::Vector2d& side) {
+  return screen_direction(camera, side.x(), side.y());
 }
 
 /// The point of a curve that lies furthest in a screen direction, if possible on the side of the viewer.
@@ -71,19 +78,18 @@ const Tube* find_tube(const DrawList& list, const Color& color) {
 }
 
 void label_curves(const Snapshot& m, const Camera& camera, DrawList& list) {
-  const Vec3 right = screen_direction(camera, 1.0, 0.25);
-  const Vec3 left = screen_direction(camera, -1.0, 0.15);
-  const Vec3 low_right = screen_direction(camera, 1.0, -0.6);
+  // Names stand higher or lower than the point they name: level with it a leader is read as a minus.
+  const Eigen::Vector2d right(1.0, 0.25), left(-1.0, 0.15), low_right(1.0, -0.6);
+  const auto name = [&](const Color& curve, const char* text, const Eigen::Vector2d& end, const Color& ink) {
+    const Eigen::Vector2d side(end.x(), end.y() < 0.0 ? -0.8 : 0.8);
+    if (const Tube* tube = find_tube(list, curve))
+      add_text(list, text, furthest(tube->points, camera, in_space(camera, end)), ink, side);
+  };
   if (m.shows(Overlay::polhode))
-    if (const Tube* tube = find_tube(list, kPolhodeRole.paint))
-      add_text(list, m.L_scale > 0.0 ? "path of $\\vec L$" : "polhode", furthest(tube->points, camera, right),
-               kPolhodeRole.ink);
-  if (m.shows(Overlay::herpolhode))
-    if (const Tube* tube = find_tube(list, kHerpolhodeRole.paint))
-      add_text(list, "herpolhode", furthest(tube->points, camera, low_right), kHerpolhodeRole.ink);
+    name(kPolhodeRole.paint, m.L_scale > 0.0 ? "path of $\\vec L$" : "polhode", right, kPolhodeRole.ink);
+  if (m.shows(Overlay::herpolhode)) name(kHerpolhodeRole.paint, "herpolhode", low_right, kHerpolhodeRole.ink);
   if (m.shows(Overlay::separatrix) && !m.model.separatrices_B.empty())
-    if (const Tube* tube = find_tube(list, kSeparatrixPaint))
-      add_text(list, "separatrix", furthest(tube->points, camera, left), kAxesRole.ink);
+    name(kSeparatrixPaint, "separatrix", left, kAxesRole.ink);
 }
 
 void label_surfaces(const Snapshot& m, const Camera& camera, DrawList& list) {
@@ -103,19 +109,20 @@ void label_surfaces(const Snapshot& m, const Camera& camera, DrawList& list) {
                            .leader = false});
   }
   if (m.shows(Overlay::momentum_sphere) && list.ellipsoids.size() > 1) {
-    add_text(list, "$2T$ = const.",
-             on_silhouette(list.ellipsoids.front(), screen_direction(camera, -0.8, 0.6)), kGlassInk);
-    add_text(list, "$|\\vec L|$ = const.",
-             on_silhouette(list.ellipsoids.back(), screen_direction(camera, 0.8, 0.6)), kSphereInk);
+    const Eigen::Vector2d left(-0.8, 0.6), right(0.8, 0.6);
+    add_text(list, "$2T$ = const.", on_silhouette(list.ellipsoids.front(), in_space(camera, left)), kGlassInk,
+             left);
+    add_text(list, "$|\\vec L|$ = const.", on_silhouette(list.ellipsoids.back(), in_space(camera, right)),
+             kSphereInk, right);
   }
 }
 
 void label_cones(const Snapshot& m, const Camera& camera, DrawList& list) {
   if (!m.shows(Overlay::cones)) return;
-  const Vec3 side = screen_direction(camera, -1.0, 0.4);
+  const Eigen::Vector2d side(-1.0, 0.4);
   const auto name = [&](const Color& rim, const char* text, const Color& ink) {
     if (const Tube* tube = find_tube(list, rim))
-      add_text(list, text, furthest(tube->points, camera, side), ink);
+      add_text(list, text, furthest(tube->points, camera, in_space(camera, side)), ink, side);
   };
   name(kPolhodeRole.paint, "body cone", kPolhodeRole.ink);
   if (m.view == View::space) name(kHerpolhodeRole.paint, "space cone", kHerpolhodeRole.ink);

@@ -75,7 +75,7 @@ void add_pivot(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
       {.tail = center_V, .tip = tip_V, .radius = 0.016, .color = kNRole.paint, .dash = kArrowDash});
   if (m.shows(Overlay::labels))
     list.labels.push_back(
-        {.text = "$m\\vec g$", .anchor = tip_V, .color = kNRole.ink, .size = 1.0, .leader = false});
+        {.text = "weight", .anchor = tip_V, .color = kNRole.ink, .size = 1.0, .leader = false});
 }
 
 }  // namespace polhode::builders

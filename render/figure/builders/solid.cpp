@@ -237,6 +237,7 @@ void add_parts(std::vector<Part> parts, const Quat& q_VB, double scale, const st
     for (Tube& edge : part.edges) {
       for (Vec3& p : edge.points) p = q_VB * (scale * p);
       edge.color.a = edges;
+      edge.of_body = true;
       list.tubes.push_back(std::move(edge));
     }
     if (color) part.mesh.color = *color;

@@ -11,6 +11,8 @@
 namespace polhode::builders {
 namespace {
 
+constexpr double kSoftGraticule = 0.6;  // of the momentum sphere, behind or before the ellipsoid's own
+
 /// Translucent fan from the origin over a curve, both sides visible.
 Mesh fan(const std::vector<Vec3>& rim, bool closed, const Color& color) {
   Mesh mesh;
@@ -84,7 +86,7 @@ void add_surfaces(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
                                                 ? Vec3(Vec3::Constant(L * m.L_scale))
                                                 : Vec3(L * m.omega_scale * m.I().vector().cwiseInverse()),
                                .tint = kSphereTint,
-                               .graticule = false});
+                               .graticule = kSoftGraticule});
   if (m.shows(Overlay::plane) && m.view == View::space) list.floors.push_back({.z = plane_z(m)});
 }
 

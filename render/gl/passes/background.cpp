@@ -49,4 +49,16 @@ Color halo_of(const Background& background) {
   return sky.a > 0.0F ? Color{sky.r, sky.g, sky.b, 0.9F} : color_from_hex(0xFFFFFF, 0.85F);
 }
 
+Figure on_dark_ground(Figure figure) {
+  for (Pane& pane : figure.panes) {
+    for (Tube& tube : pane.list.tubes)
+      if (!tube.of_body) tube.color = paint_on_dark(tube.color);
+    for (Arrow& arrow : pane.list.arrows) arrow.color = paint_on_dark(arrow.color);
+    for (Ball& ball : pane.list.balls) ball.color = paint_on_dark(ball.color);
+    for (Mesh& mesh : pane.list.meshes)
+      if (mesh.color.a < 1.0F) mesh.color = paint_on_dark(mesh.color);
+  }
+  return figure;
+}
+
 }  // namespace polhode

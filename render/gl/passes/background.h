@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/color.h"
+#include "render/figure/figure.h"
 
 #include <optional>
 #include <string_view>
@@ -22,5 +23,9 @@ Color sky_of(const Background& background);
 
 /// Text stays readable on any backdrop: light halo on light, and on transparent, dark on dark.
 Color halo_of(const Background& background);
+
+/// The figure with lines, arrows, balls and translucent surfaces in colours that are seen on dark ground
+/// (paint_on_dark); bodies and glass stay as they are.
+Figure on_dark_ground(Figure figure);
 
 }  // namespace polhode

@@ -12,8 +12,9 @@
 namespace polhode {
 namespace {
 
-constexpr double kNowhere = -1e6;        // a height, scene units; finite when counted in pixels
-constexpr float kSunk = 0.42F;           // what opaque things keep below the floor, seen from above
+constexpr double kNowhere = -1e6;  // a height, scene units; finite when counted in pixels
+// What opaque things keep below the floor, seen from above. A dark floor leaves less to be seen of them.
+constexpr float kSunk = 0.42F, kSunkInDark = 0.7F;
 constexpr int kCornersOfOutline = 20;    // a hundredth more than the ellipse; a box has a quarter more
 constexpr std::size_t kMostGlasses = 2;  // as in behind_glass.glsl
 
@@ -44,7 +45,7 @@ void set_glass(const Program& program, const std::string& glass, const std::stri
   set(program, glass + ".up", Vec3(to_unit.col(2)));
   set(program, glass + ".light", Vec3(to_unit * at.light));
   set(program, glass + ".tint", e.tint);
-  set(program, glass + ".graticule", e.graticule ? 1.0 : 0.0);
+  set(program, glass + ".graticule", e.graticule);
 }
 
 struct FloorColors {
@@ -83,6 +84,8 @@ struct FigurePass::Shown {
   bool from_below() const { return floor() && at.eye.z() <= floor()->z; }
   /// What is lower is below the floor.
   double level() const { return floor() ? floor()->z - 1e-3 : kNowhere; }
+  /// What a thing keeps of itself there.
+  float sunk() const { return is_dark(halo_of(background)) ? kSunkInDark : kSunk; }
 };
 
 FigurePass::FigurePass(const Gl& gl, Programs programs)
@@ -189,7 +192,7 @@ void FigurePass::draw(const Figure& figure, const Background& background, int fi
       lay_over(*layer, 0, 0);
     } else {
       draw_glass(shown, programs_.glass);
-      draw_strokes(shown, {shown.from_below() ? 1.0F : kSunk, 1.0F});
+      draw_strokes(shown, {shown.from_below() ? 1.0F : shown.sunk(), 1.0F});
     }
     if (!shown.from_below()) continue;
     draw_floor_from_below(shown);
@@ -412,6 +415,7 @@ void FigurePass::draw_solids(const Shown& shown) {
     set(p, "u_eye", shown.at.eye);
     set(p, "u_light", shown.at.light);
     set(p, "u_sunk_below", shown.from_below() ? kNowhere : shown.level());
+    p.set("u_sunk", shown.sunk());
   };
   prepare(programs_.mesh);
   meshes_.draw(geometry.bodies);

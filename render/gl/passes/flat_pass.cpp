@@ -216,14 +216,16 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
                         .width = inks.back().x1 - inks.back().x0,
                         .height = inks.back().y1 - inks.back().y0,
                         .unit = 0.95 * em,
-                        .outward = pointed ? Vec2(away.normalized()) : Vec2(0, 0),
+                        .outward = pointed ? Vec2(away.normalized()) : Vec2(label.side.x(), -label.side.y()),
+                        .keeps_side = !label.side.isZero(),
                         .leader = label.leader,
                         // A number or letter that stands away from its point looks like "−1" behind its line.
                         .close = label.leader && inks.back().x1 - inks.back().x0 < kShortName * em});
   }
   const PixelBox inside = frame.grown(-kMargin * parts.type_px);
   // Boxes of ink have no space of their own around them.
-  constexpr LabelRules kRules{.rounds = 1, .cost_covered = 0.15, .air = 0.3, .leader_gap = 0.28};
+  constexpr LabelRules kRules{
+      .rounds = 1, .cost_covered = 0.15, .air = 0.3, .leader_gap = 0.28, .level_gap = 0.7, .cost_level = 0.8};
   const auto placed = place_labels(requests, obstacles_of(pane, frame), taken, inside, kRules);
   for (std::size_t i = 0; i < placed.size(); ++i) {
     const Label& label = pane.list.labels[i];

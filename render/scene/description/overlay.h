@@ -32,6 +32,7 @@ enum class Overlay {
   separatrix,          ///< the two ellipses L² = 2T·I_mid
   herpolhode,          ///< path of ω in space, on the invariable plane
   plane,               ///< invariable plane ω·L = 2T
+  rolling_ticks,       ///< ticks of equal arc length on polhode and herpolhode, which meet in the contact
   trail_L,             ///< where the tip of L has been
   trail_omega,         ///< where the tip of ω has been
   cones,               ///< body cone and space cone swept by ω
@@ -172,6 +173,12 @@ inline constexpr std::array<OverlayFacts, kOverlayCount> kOverlays = [] {
        .words = "the invariable plane",
        .seen_if = S::free | S::moves | S::space_view | S::L_down,
        .needs = {&R::omega}},
+      {.overlay = O::rolling_ticks,
+       .name = "rolling-ticks",
+       .words = "ticks of equal arc length on the polhode and on the herpolhode",
+       .seen_if = S::free | S::moves | S::space_view,
+       .attitude = In::space,
+       .needs = {&R::omega, &R::rolling_ticks}},
       {.overlay = O::trail_L,
        .name = "trail-L",
        .words = "the trail of the tip of L",

@@ -8,13 +8,14 @@ namespace {
 
 using R = Requirements;
 
-constexpr std::array<RequirementFacts, 16> kFacts = {{
+constexpr std::array<RequirementFacts, 17> kFacts = {{
     {&R::omega, "omega", "ω(t)"},
     {&R::attitude, "attitude", "attitude"},
     {&R::polhode, "polhode", "polhode"},
     {&R::polhode_family, "polhode-family", "family of polhodes"},
     {&R::separatrix, "separatrix", "separatrices"},
     {&R::herpolhode, "herpolhode", "herpolhode"},
+    {&R::rolling_ticks, "rolling-ticks", "ticks of rolling"},
     {&R::trail_L, "trail-L", "trail of L"},
     {&R::trail_omega, "trail-omega", "trail of ω"},
     {&R::cones, "cones", "cones"},

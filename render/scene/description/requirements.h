@@ -16,7 +16,8 @@ struct Requirements {
   bool polhode = false;   ///< curve through ω
   bool polhode_family = false;
   bool separatrix = false;
-  bool herpolhode = false;  ///< samples the motion with attitude
+  bool herpolhode = false;     ///< samples the motion with attitude
+  bool rolling_ticks = false;  ///< times of equal arc length along the polhode
   bool trail_L = false;
   bool trail_omega = false;
   bool cones = false;

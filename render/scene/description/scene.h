@@ -115,7 +115,7 @@ struct Scene {
   std::optional<double> rate;          ///< simulated seconds per shown second; absent: one period in 8 s
   std::vector<std::string> highlight;  ///< overlays to draw bolder; ids of terms wait for pages
   QualityLevel quality = QualityLevel::normal;
-  std::string caption;                             ///< one line in the picture
+  std::string caption;                             ///< one line below the picture
   CaptionWhen caption_when = CaptionWhen::always;  ///< `still`: it speaks of the moment of the still alone
   std::vector<PlotSpec> meters;                    ///< plots of a page
   std::vector<Scene> beside{};    ///< shown beside it at the same t, at its rate; they have none beside them

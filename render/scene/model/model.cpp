@@ -118,6 +118,17 @@ void spend_on(const Curve& curve, const Effort& effort) {
   spend(effort, kEvaluationsPerPoint * static_cast<std::int64_t>(curve.points.size()));
 }
 
+/// The tip goes round no separatrix, and stays where it is in a steady rotation: neither has ticks.
+RollingTicks rolling_ticks(const SceneModel& model, const Effort& effort) {
+  constexpr std::int64_t kEvaluations = 2000;
+  const Scene& scene = model.scene;
+  const auto period_s = polhode_period(scene.body.moments, scene.w0_B);
+  if (!period_s) return {};
+  spend(effort, kEvaluations);
+  return {equal_arc_times(*model.motion, scene.body.moments, still_time_s(scene), *period_s, kRollingTicks),
+          *period_s};
+}
+
 void compute_parts(SceneModel& model, const Effort& effort, double chord_tolerance) {
   const Scene& scene = model.scene;
   const PrincipalMoments& I = scene.body.moments;
@@ -132,6 +143,7 @@ void compute_parts(SceneModel& model, const Effort& effort, double chord_toleran
   if (model.needs.herpolhode && moves)
     model.herpolhode_S = herpolhode(*model.motion, 0.0, herpolhode_span_s(scene), tolerance);
   spend_on(model.herpolhode_S, effort);
+  if (model.needs.rolling_ticks) model.ticks = rolling_ticks(model, effort);
   if (model.needs.solid) model.solid = scene.body.shape.value_or(equivalent_box(I, scene.body.mass_kg));
   if (model.needs.marks) model.courses = vector_courses(model, effort);
   if (model.needs.terms) model.longest_term = longest_term(model);

@@ -19,6 +19,14 @@
 
 namespace polhode {
 
+/// Where ticks stand on polhode and herpolhode: at ω's tip at these times, and at those one or more periods
+/// before or after.
+struct RollingTicks {
+  std::vector<double> times_s;  ///< kRollingTicks in one period, from that of the still on; none: no period
+  double period_s = 0.0;
+};
+inline constexpr int kRollingTicks = 24;
+
 /// Whether a scene can be shown on a page at its own times, without computing any curve: what must be
 /// computed step by step is followed as far as a still reaches.
 /// @throws std::domain_error as make_model does, and what `effort` throws
@@ -44,6 +52,7 @@ struct SceneModel {
   std::vector<PolhodeOfFamily> family_B;
   std::vector<Curve> separatrices_B;
   Curve herpolhode_S;
+  RollingTicks ticks;
   Shape solid;
   MethodTable methods;              ///< at the time of the still, with the scene's step or 64 to a turn
   std::vector<MethodTable> orders;  ///< kOrderSteps of them, each with half the step of the one before

@@ -88,6 +88,7 @@ double reach_of_still_s(const Scene& scene, const Requirements& needs) {
   double reach_s = std::abs(scene.at_s);
   if (needs.trail_L || needs.trail_omega || needs.marks) reach_s += span_s(scene);
   if (needs.terms && scene.torque.empty()) reach_s = std::max(reach_s, span_s(scene));
+  if (needs.rolling_ticks) reach_s = std::abs(still_time_s(scene)) + natural_span_s(scene);
   if (needs.herpolhode) reach_s = std::max(reach_s, herpolhode_span_s(scene));
   return std::max(reach_s, std::abs(still_time_s(scene)));
 }

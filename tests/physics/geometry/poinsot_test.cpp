@@ -8,6 +8,7 @@
 #include "physics/exact/uniform_motion.h"
 #include "physics/geometry/curve_sampling.h"
 #include "physics/integrators/explicit_runge_kutta.h"
+#include "physics/method.h"
 #include "tests/physics/support.h"
 
 #include <gtest/gtest.h>
@@ -462,6 +463,46 @@ TEST(PolhodePeriod, OfASymmetricTopIsOneTurnInTheBody) {
     const double expected = 2 * std::numbers::pi / std::abs(nu(I, start.w_B));
     EXPECT_NEAR(*polhode_period(I, start.w_B), expected, 8 * kEps * expected);
   }
+}
+
+/// Length of ω's way in space, rad/s, by a fine polyline.
+double way_S(const Motion& motion, double t0_s, double t1_s) {
+  constexpr int kChords = 4000;
+  double length = 0;
+  const auto tip_S = [&](int n) -> Vec3 {
+    const RigidBodyState state = motion.at(std::lerp(t0_s, t1_s, double{1} * n / kChords));
+    return state.q_SB * state.w_B;
+  };
+  for (int n = 0; n < kChords; ++n) length += (tip_S(n + 1) - tip_S(n)).norm();
+  return length;
+}
+
+TEST(EqualArcTimes, AreEquallyFarApartOnBothCurves) {
+  constexpr int kCount = 24;
+  constexpr double kFrom_s = 1.3, kPolyline = 1e-6;  // chords of 1/4000 of a tick
+  for (const Vec3& w_B : {Vec3(0.3, 1.1, 1.6), Vec3(0.02, 1.6, 0.03), Vec3(1.4, 0.2, 0.1)}) {
+    const auto motion = make_motion({kI, {Quat::Identity(), w_B}, {}}, {});
+    const double period_s = polhode_period(kI, w_B).value();
+    std::vector<double> times_s = equal_arc_times(*motion, kI, kFrom_s, period_s, kCount);
+    ASSERT_EQ(times_s.size(), static_cast<std::size_t>(kCount));
+    EXPECT_EQ(times_s.front(), kFrom_s);
+    times_s.push_back(kFrom_s + period_s);
+    // The whole is that of the closed curve, which no motion was asked for.
+    const Curve polhode = polhode_curve(kI, w_B, 1e-7);
+    double whole = 0;
+    for (std::size_t i = 0; i < polhode.points.size(); ++i)
+      whole += (polhode.points[(i + 1) % polhode.points.size()] - polhode.points[i]).norm();
+    for (std::size_t k = 0; k < kCount; ++k)
+      EXPECT_NEAR(way_S(*motion, times_s[k], times_s[k + 1]), whole / kCount, kPolyline * whole) << k;
+  }
+}
+
+TEST(EqualArcTimes, RefuseWhatIsNoPeriod) {
+  const UniformMotion motion(kI, {});
+  for (const double bad : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()})
+    EXPECT_THROW(equal_arc_times(motion, kI, 0, bad, 4), std::domain_error);
+  EXPECT_THROW(equal_arc_times(motion, kI, kNaN, 1, 4), std::domain_error);
+  EXPECT_THROW(equal_arc_times(motion, kI, 0, 1, 0), std::domain_error);
 }
 
 }  // namespace

@@ -55,6 +55,53 @@ TEST(LabelLayout, AFarLabelIsJoinedToItsAnchorByALeader) {
   EXPECT_TRUE(placed[0].box.grown(0.2 * 24).contains(placed[0].leader_end));
 }
 
+// 26 November 2026: "herpolhode" went from the right below and back within 0.2 s of a film, as a line passed.
+TEST(LabelLayout, ALabelKeepsItsSideWhileALinePasses) {
+  const LabelRequest label{.anchor = {400, 225},
+                           .width = 80,
+                           .height = 24,
+                           .outward = {0.8, 0.6},
+                           .keeps_side = true,
+                           .leader = true};
+  LabelRequest free = label;
+  free.keeps_side = false;
+  const auto place = [](const LabelRequest& request, int shift) {
+    std::vector<Vec2> line;  // upright, a little further to the right each time
+    for (int y = 0; y < 450; y += 2) line.emplace_back(300 + shift, y);
+    const PixelBox box = place_labels({request}, line, {}, kFrame, {.cost_covered = 0.15})[0].box;
+    return Vec2(box.x0, box.y0);
+  };
+  bool strays = false;
+  for (int shift = 0; shift < 300; shift += 3) {
+    EXPECT_EQ(place(label, shift), place(label, 0)) << shift;
+    strays = strays || place(free, shift) != place(free, 0);
+  }
+  EXPECT_TRUE(strays) << "else there was nothing to keep it from";
+}
+
+TEST(LabelLayout, ALabelThatKeepsItsSideGivesWayToAnother) {
+  const LabelRequest label{
+      .anchor = {400, 225}, .width = 80, .height = 24, .outward = {1, 0}, .keeps_side = true, .leader = true};
+  const PixelBox there = place_labels({label}, {}, {}, kFrame)[0].box;
+  EXPECT_EQ(place_labels({label}, {}, {there}, kFrame)[0].box.overlap(there), 0.0);
+}
+
+TEST(LabelLayout, ALevelLeaderLeavesAGapBeforeTheText) {  // or it is a minus: "—herpolhode"
+  constexpr double kGap = 0.5;
+  const LabelRequest label{
+      .anchor = {400, 225}, .width = 80, .height = 24, .outward = {1, 0}, .keeps_side = true, .leader = true};
+  const auto placed = place_labels({label}, {}, {}, kFrame, {.level_gap = kGap})[0];
+  ASSERT_TRUE(placed.has_leader);
+  EXPECT_NEAR(placed.box.x0 - placed.leader_end.x(), kGap * label.height, 1e-9);
+}
+
+TEST(LabelLayout, LevelLeadersMayBeMadeDear) {
+  const LabelRequest label{.anchor = {400, 225}, .width = 80, .height = 24, .leader = true};
+  const auto placed = place_labels({label}, {}, {}, kFrame, {.cost_level = 2})[0];
+  const Vec2 way = placed.leader_end - label.anchor;
+  EXPECT_GE(std::abs(way.y()), 0.3 * std::abs(way.x()));
+}
+
 TEST(LabelLayout, ALabelKeepsClearOfItsMark) {
   const auto placed =
       place_labels({{.anchor = {400, 225}, .width = 80, .height = 24, .clear = 30}}, {}, {}, kFrame);

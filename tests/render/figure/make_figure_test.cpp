@@ -83,6 +83,68 @@ TEST(Figure, TheCurvesPassThroughOmegasTip) {
   EXPECT_LT(distance(herpolhode, on_plane), kChord + kMotionTolerance);
 }
 
+/// Bars of two points in a colour, or black as the long ones are: middle, and from end to end.
+struct Bar {
+  Vec3 middle, along;
+  double radius;
+};
+std::vector<Bar> ticks_of(const DrawList& list, const Role& role) {
+  std::vector<Bar> ticks;
+  for (const Tube& tube : list.tubes)
+    if ((tube.color == role.paint || tube.color == kTRole.paint) && tube.points.size() == 2)
+      ticks.push_back(
+          {0.5 * (tube.points[0] + tube.points[1]), tube.points[1] - tube.points[0], tube.radius});
+  return ticks;
+}
+
+TEST(Figure, TheContactHasADotOnThePlane) {
+  const SceneModel model = make_model(poinsot_scene());
+  for (const double t_s : {0.0, 1.7}) {
+    const DrawList list = make_figure(model, t_s, 1.5).panes[0].list;
+    const Vec3 tip = arrow_of(list, kOmegaRole).tip;
+    EXPECT_TRUE(std::any_of(list.balls.begin(), list.balls.end(), [&](const Ball& ball) {
+      return (ball.center - Vec3(0, 0, ball.radius) - tip).norm() < kMotionTolerance;
+    }));
+  }
+}
+
+// Rolling without slipping, seen: ticks of the polhode are carried onto those of the herpolhode, which rest.
+TEST(Figure, TicksOfThePolhodeMeetThoseOfTheHerpolhodeInTheContact) {
+  Scene scene = poinsot_scene();
+  scene.show.insert(O::rolling_ticks);
+  scene.at_s = 1.3;
+  const SceneModel model = make_model(scene);
+  ASSERT_EQ(model.ticks.times_s.size(), static_cast<std::size_t>(kRollingTicks));
+  const DrawList still = make_figure(model, scene.at_s, 1.5).panes[0].list;
+  const std::vector<Bar> on_plane = ticks_of(still, kHerpolhodeRole);
+  EXPECT_GE(ticks_of(still, kPolhodeRole).size(), static_cast<std::size_t>(kRollingTicks));
+  ASSERT_GT(on_plane.size(), 6U);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double t_s = model.ticks.times_s[k];
+    const DrawList list = make_figure(model, t_s, 1.5).panes[0].list;
+    const Vec3 tip = arrow_of(list, kOmegaRole).tip;
+    const auto meets = [&](const Bar& bar, double radii) {
+      return (bar.middle - tip - Vec3(0, 0, radii * bar.radius)).norm() < kMotionTolerance;
+    };
+    const std::vector<Bar> rolling = ticks_of(list, kPolhodeRole);
+    const auto own = std::find_if(rolling.begin(), rolling.end(), [&](const Bar& b) { return meets(b, 0); });
+    const auto laid =
+        std::find_if(on_plane.begin(), on_plane.end(), [&](const Bar& b) { return meets(b, 1); });
+    ASSERT_NE(own, rolling.end()) << k;
+    ASSERT_NE(laid, on_plane.end()) << k << ": it was there before";
+    EXPECT_LT((own->along - laid->along).norm(), kMotionTolerance) << "one lies on the other";
+    EXPECT_NEAR(laid->along.z(), 0.0, kMotionTolerance) << "in the plane";
+  }
+}
+
+TEST(Figure, TicksStandWhereThereIsAPeriodAlone) {
+  Scene scene = poinsot_scene();
+  scene.show.insert(O::rolling_ticks);
+  scene.w0_B = Vec3(0, 0, 2);
+  EXPECT_TRUE(make_model(scene).ticks.times_s.empty()) << "steady rotation";
+  EXPECT_TRUE(ticks_of(make_figure(make_model(scene), 0.3, 1.5).panes[0].list, kPolhodeRole).empty());
+}
+
 TEST(Figure, DependsOnTheModelAndTheTimeAlone) {
   const SceneModel model = make_model(poinsot_scene());
   const Vec3 first = arrow_of(make_figure(model, 3.0, 1.5).panes[0].list, kOmegaRole).tip;
