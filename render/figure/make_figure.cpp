@@ -24,8 +24,8 @@ bool shows_momentum_space(const OverlaySet& show) {
 }
 
 /// ω-space is drawn with the energy ellipsoid's longest semi-axis at 1. Around a solid body alone ω is drawn
-/// a little longer than the body, so that its tip can be seen. In a frame that is kept from another ω its scale
-/// is kept too.
+/// a little longer than the body, so that its tip can be seen. In a frame that is kept from another ω its
+/// scale is kept too.
 double omega_scale_of(const Scene& scene) {
   constexpr double kBesideSolid = 1.15;
   const std::optional<CameraFit>& kept = scene.camera.fitted;
