@@ -61,6 +61,7 @@ FigureHand::On FigureHand::take(LessonSession& session, const std::vector<Inset>
     held_ = On::omega;
     inset_ = tip->inset;
     pane_ = tip->pane;
+    off_ = Vec2(tip->x, tip->y) - at;
     session.set_playing(false);
   }
   return held_;
@@ -75,9 +76,11 @@ std::string FigureHand::drag(LessonSession& session, const std::vector<Inset>& i
     session.set_camera(orbited(session.model()->scene.camera, dx, dy, inset.place.height));
     return {};
   }
+  const Vec2 to = at + off_;
   const auto grabbed =
-      omega_at(*session.model(), session.t_s(), inset, pane_, at.x(), at.y(), asks_for_omega_alone(session));
+      omega_at(*session.model(), session.t_s(), inset, pane_, to.x(), to.y(), asks_for_omega_alone(session));
   if (!grabbed) return {};
+  off_ += grabbed->slip;
   SceneEdits edits = session.edits();
   edits.w0_B = grabbed->w0_B;
   if (grabbed->attitude) edits.attitude = grabbed->attitude;

@@ -33,6 +33,7 @@ class FigureHand {
  private:
   On held_ = On::nothing;
   std::size_t inset_ = 0, pane_ = 0;  ///< where it was taken
+  Vec2 off_{0, 0};                    ///< px from the pointer to the tip that it holds
 };
 
 }  // namespace polhode

@@ -164,6 +164,37 @@ double turned_at_start(Scene scene, const RigidBodyState& now) {
   return 2.0 * std::atan2(turn.z(), turn.w());
 }
 
+double distance_of(const Camera& camera) { return (camera.eye - camera.target).norm(); }
+
+/// A motion that begins in the present state has another frame than the one that led to it. It is seen from
+/// as far and as large as that.
+void keep_frame(CameraSpec& camera, const SceneModel& model, const Inset& inset, std::size_t pane,
+                const std::optional<AttitudeSpec>& attitude, const Vec3& w_B) {
+  constexpr double kSame = 1e-9;
+  const Camera& shown = inset.figure.panes[pane].camera;
+  const auto begun = [&] {
+    return TrialOmega(model, pane, aspect_of(inset.place), attitude, camera).at(w_B);
+  };
+  const auto change = [](double& value, double ratio) {
+    if (std::isfinite(ratio) && std::abs(ratio - 1.0) > kSame) value *= ratio;
+  };
+  if (const auto near = begun()) change(camera.distance, distance_of(shown) / distance_of(near->camera));
+  if (const auto seen = begun())
+    change(camera.zoom, std::tan(0.5 * seen->camera.fov_y_rad) / std::tan(0.5 * shown.fov_y_rad));
+}
+
+/// From where the tip is shown to where it is drawn as the present motion begins anew.
+Vec2 slip_of(const SceneModel& model, double t_s, const Inset& inset, std::size_t pane,
+             const std::optional<AttitudeSpec>& attitude, const CameraSpec& camera, const Vec3& w_B) {
+  const double aspect = aspect_of(inset.place);
+  const PixelRect rect = rect_of(inset.figure.panes[pane], inset.place);
+  const auto shown = drawn_omega(model, t_s, pane, aspect);
+  const auto begun = TrialOmega(model, pane, aspect, attitude, camera).at(w_B);
+  const auto from = shown ? on_page(*shown, rect) : std::nullopt,
+             to = begun ? on_page(*begun, rect) : std::nullopt;
+  return from && to ? Vec2(*to - *from) : Vec2(0, 0);
+}
+
 }  // namespace
 
 CameraSpec orbited(CameraSpec camera, double dx, double dy, double height) {
@@ -227,19 +258,19 @@ std::optional<GrabbedOmega> omega_at(const SceneModel& model, double t_s, const 
       std::find(model.scene.views.begin(), model.scene.views.end(), View::space) == model.scene.views.end();
   const std::optional<AttitudeSpec> attitude =
       holds_L && has_to ? std::nullopt : std::optional<AttitudeSpec>(now.q_SB);
-  // The motion that is shown, from this moment on, has the frame that is shown.
-  const bool goes_on = attitude && t_s != 0.0;
-  CameraSpec camera = held_by_hand(model.scene, goes_on ? std::optional(now.w_B) : std::nullopt);
+  CameraSpec camera = held_by_hand(model.scene);
   if (!attitude && model.scene.views == std::vector{View::space})
     camera.azimuth_rad =
         std::remainder(camera.azimuth_rad + turned_at_start(model.scene, now), 2.0 * std::numbers::pi);
+  keep_frame(camera, model, inset, pane, attitude, now.w_B);
+  const Vec2 slip = slip_of(model, t_s, inset, pane, attitude, camera, now.w_B);
   const Vec3 semi_axes = energy_ellipsoid_semi_axes(I, two_T);
   const Vec3 start = now.w_B.cwiseQuotient(semi_axes).normalized();
   if (!start.allFinite()) return std::nullopt;
-  OmegaSearch search(model, inset, pane, {x, y}, semi_axes, attitude, camera);
+  OmegaSearch search(model, inset, pane, Vec2(x, y) + slip, semi_axes, attitude, camera);
   const auto w0_B = search.from(start);
   if (!w0_B) return std::nullopt;
-  return GrabbedOmega{*w0_B, attitude, camera};
+  return GrabbedOmega{*w0_B, attitude, camera, slip};
 }
 
 }  // namespace polhode

@@ -24,14 +24,17 @@ bool shows_momentum_space(const OverlaySet& show) {
 }
 
 /// ω-space is drawn with the energy ellipsoid's longest semi-axis at 1. Around a solid body alone ω is drawn
-/// a little longer than the body, so that its tip can be seen.
+/// a little longer than the body, so that its tip can be seen. In a frame that is kept from another ω its
+/// scale is kept too.
 double omega_scale_of(const Scene& scene) {
   constexpr double kBesideSolid = 1.15;
-  const double speed = norm_of(scene.w0_B);
+  const std::optional<CameraFit>& kept = scene.camera.fitted;
+  const Vec3& w0_B = kept && kept->w0_B ? *kept->w0_B : scene.w0_B;
+  const double speed = norm_of(w0_B);
   if (speed == 0.0) return 1.0;
   if (scene.show.contains(Overlay::shape) && !scene.show.contains(Overlay::energy_ellipsoid))
     return kBesideSolid / speed;
-  return 1.0 / energy_ellipsoid_semi_axes(scene.body.moments, scene.w0_B).maxCoeff();
+  return 1.0 / energy_ellipsoid_semi_axes(scene.body.moments, w0_B).maxCoeff();
 }
 
 double L_scale_of(const Scene& scene) {
