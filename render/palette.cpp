@@ -52,11 +52,16 @@ bool is_grey(const Color& c) {
 }  // namespace
 
 Color paint_on_dark(const Color& paint) {
-  constexpr double kLeastOfHue = 3.75;
+  constexpr double kLeast = 6.4;
   constexpr int kShares = 64;
-  const double wanted = is_grey(paint) ? contrast(paint, kPaper) : kLeastOfHue;
+  constexpr float kBrightest = 0.94F;
+  const float scale = std::max(1.0F, kBrightest / std::max({paint.r, paint.g, paint.b, 0.1F}));
+  const double wanted = std::max(kLeast, is_grey(paint) ? contrast(paint, kPaper) : 0.0);
+  // Brighter first, which keeps the hue full; white then.
   const auto with_white = [&](int share) {
-    const auto mixed = [&](float c) { return std::lerp(c, 1.0F, static_cast<float>(share) / kShares); };
+    const float bright = std::min(1.0F, 2.0F * static_cast<float>(share) / kShares),
+                white = std::max(0.0F, 2.0F * static_cast<float>(share) / kShares - 1.0F);
+    const auto mixed = [&](float c) { return std::lerp(c * std::lerp(1.0F, scale, bright), 1.0F, white); };
     return Color{mixed(paint.r), mixed(paint.g), mixed(paint.b), paint.a};
   };
   int share = 0;

@@ -51,9 +51,9 @@ inline constexpr Color kSolid = color_from_hex(0xD9CDB8);
 bool is_dark(const Color& paper);
 /// The relative of an ink or paint that is readable on dark paper: light, and of the same hue.
 Color on_dark(const Color& color);
-/// The relative of a paint for lines and arrows in space on dark ground, mixed with as little white as
-/// serves: a hue has at least 3.75:1 on kDarkGround, so that 3:1 is left where it is shaded; a grey, which has
-/// nothing but its lightness, as much as it has on paper.
+/// The relative of a paint for lines and arrows in space on dark ground, no brighter than need be: at least
+/// 6.4:1 on kDarkGround, so that 3:1 is left where it is shaded and behind glass; a grey, which has nothing
+/// but its lightness, as much as it has on paper.
 Color paint_on_dark(const Color& paint);
 inline constexpr Color kDarkGround =
     color_from_hex(0x2B3038);  ///< of floors in dark pictures, where lightest

@@ -63,8 +63,8 @@ Image draw(const SceneModel& model, double t_s, Size size, const Quality& qualit
 }
 
 /// Picture and PNG, as `export --png fast` makes them; the camera moves.
-void make_frames(benchmark::State& state, const Quality& quality) {
-  SceneModel model = make_model(poinsot_scene());
+void make_frames(benchmark::State& state, const Quality& quality, const Scene& scene = poinsot_scene()) {
+  SceneModel model = make_model(scene);
   const Size size = size_of(state);
   PngEncoder encoder(PngPacking::fast);
   draw(model, 0.0, size, quality);  // shaders and buffers
@@ -76,6 +76,12 @@ void make_frames(benchmark::State& state, const Quality& quality) {
   }
 }
 void BM_Frame(benchmark::State& state) { make_frames(state, {}); }
+/// With what a lesson has beyond it: ticks of rolling. At most 1.3 times as much.
+void BM_FrameOfRolling(benchmark::State& state) {
+  Scene scene = poinsot_scene();
+  scene.show.insert(Overlay::rolling_ticks);
+  make_frames(state, {}, scene);
+}
 /// The same as `export` does it: the picture before is packed and written in a second thread.
 void BM_Film(benchmark::State& state) {
   SceneModel model = make_model(poinsot_scene());
@@ -222,6 +228,7 @@ void BM_MakeFigure(benchmark::State& state) {
 
 constexpr auto kMs = benchmark::kMillisecond;
 BENCHMARK(BM_Frame)->Arg(720)->Arg(1080)->Arg(2160)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
+BENCHMARK(BM_FrameOfRolling)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_Film)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_FrameMsaa4)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_ClearReadPng)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);

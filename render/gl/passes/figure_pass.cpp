@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNowhere = -1e6;  // a height, scene units; finite when counted in pixels
 // What opaque things keep below the floor, seen from above. A dark floor leaves less to be seen of them.
-constexpr float kSunk = 0.42F, kSunkInDark = 0.7F;
+constexpr float kSunk = 0.42F, kSunkInDark = 0.85F;
 constexpr int kCornersOfOutline = 20;    // a hundredth more than the ellipse; a box has a quarter more
 constexpr std::size_t kMostGlasses = 2;  // as in behind_glass.glsl
 
