@@ -39,7 +39,7 @@ enum class ServedTorque { none, of_attitude, any };
 struct MethodFacts {
   Method method;
   std::string_view name;  ///< for machines: "rk4"
-  std::string_view term;  ///< for readers: "classical Runge-Kutta"
+  std::string_view term;  ///< for readers: "RK4", "Moser–Veselov 6"
   StepControl control;
   ServedTorque torque;
   int order;               ///< of the error in the step; 0: exact. Under a torque `splitting` and

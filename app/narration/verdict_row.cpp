@@ -80,9 +80,11 @@ std::string why_not_of_this(ClaimKind kind, const Scene& scene) {
 
 /// Of what is false, or does not follow.
 std::string words_of(const Counterexample& counter, ClaimKind kind) {
+  const std::string sides =
+      fmt::format("${} \\ne {}$", numbers_as_tex(counter.left), numbers_as_tex(counter.right));
   if (kind == ClaimKind::non_sequitur)
-    return fmt::format("at {} the premise holds, and {} ≠ {}", counter.state, counter.left, counter.right);
-  return fmt::format("for example at {}: {} ≠ {}", counter.state, counter.left, counter.right);
+    return fmt::format("at {} the premise holds, and {}", counter.state_tex, sides);
+  return fmt::format("for example at {}: {}", counter.state_tex, sides);
 }
 
 /// Numbers of a row: two or three digits of the largest component, a factor of ten set apart where it is not

@@ -455,19 +455,22 @@ class ScaledText {
     return claim.origin == Claim::Origin::beside && holds;
   }
 
-  /// The kind of the first claim on an equation, and what that is given: without it a recalled one would seem
-  /// to hold always.
-  EarlierKind kind_on(const Equation& equation, const Step& step) const {
+  /// The title of its step, the kind of the first claim on it, and what that is given: without that a
+  /// recalled one would seem to hold always.
+  EarlierLabel label_of_earlier(const Equation& equation, const Step& step, bool is_first) const {
+    EarlierLabel label;
+    if (is_first) label.title = in_a_line(step.title);
     for (const Block& block : step.blocks) {
       const auto* claim = std::get_if<Claim>(&block);
       if (!claim || claim->equation != equation.id) continue;
       const VerdictRow& row = verdicts_.at(claim);
-      const std::string in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
+      label.in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
       const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
-      return is_of_what_holds ? EarlierKind{row.word, row.note, in_short}
-                              : EarlierKind{in_short, "", in_short};
+      label.word = is_of_what_holds ? row.word : label.in_short;
+      if (is_of_what_holds) label.note = row.note;
+      return label;
     }
-    return {};
+    return label;
   }
 
   /// A slide has no room for rows of numbers, which nobody reads from the back row, nor for what is claimed
@@ -507,8 +510,9 @@ class ScaledText {
     Pieces pieces;
     for (const Block& block : request_.stage.steps[i].blocks)
       if (const auto* equation = std::get_if<Equation>(&block); equation && is_repeated(*equation)) {
+        const Step& step = request_.stage.steps[i];
         pieces.push_back(
-            noted(column_.earlier_equation(*equation, kind_on(*equation, request_.stage.steps[i]))));
+            noted(column_.earlier_equation(*equation, label_of_earlier(*equation, step, pieces.empty()))));
         pieces.back().of = &block;
         tell_cost_of(pieces.back());
         pieces.back().is_main = equation == focus_of(request_.stage, request_.stage.steps[i]);

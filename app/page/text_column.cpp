@@ -43,8 +43,9 @@ constexpr double kLineBottom = 0.24;  ///< and below it
 constexpr double kLabelIndent = 4.1;
 constexpr double kFormulaClearance = 0.5;  ///< between formulas with fractions, one below the other
 constexpr double kEarlierGap = 0.62;       ///< between equations of earlier steps
-constexpr double kLeastBeside = 5.0;       ///< of words in lines beside an equation
-constexpr int kMostLinesBeside = 4;
+constexpr double kLabelRoom = 0.36;        ///< of the column, for what they are
+constexpr double kLeastBeside = 5.0;       ///< of that room
+constexpr double kEarlierLabelSize = 0.7;
 constexpr double kBesideGap = 0.6;
 constexpr double kBetweenLines = 0.35;  ///< of their size: what is free between two of them
 constexpr double kBarIndent = 0.6;
@@ -223,7 +224,7 @@ Result<TextColumn::Formula> TextColumn::formula(const Equation& equation, double
 }
 
 Result<ColumnPiece> TextColumn::numbered(const Equation& equation, double size,
-                                         const std::vector<std::string>& marked) const {
+                                         const std::vector<std::string>& marked, double left) const {
   DisplayList tag;
   if (!equation.tag.empty()) {
     TextStyle quiet = style(kTagSize * size_, colors().quiet, 0);
@@ -234,11 +235,11 @@ Result<ColumnPiece> TextColumn::numbered(const Equation& equation, double size,
     }
   }
   const double beside = equation.tag.empty() ? 0.0 : tag.width + size_;
-  Result<Formula> set = formula(equation, size, width_ - beside);
+  Result<Formula> set = formula(equation, size, width_ - left - beside);
   if (!set) return failure(set.error());
   auto [list, formula_scale] = std::move(set).value();
-  // In the middle of the column, unless it would run into its number.
-  const double x = std::round(std::min(0.5 * (width_ - list.width), width_ - beside - list.width));
+  // In the middle, unless it would run into its number.
+  const double x = std::round(std::min(0.5 * (left + width_ - list.width), width_ - beside - list.width));
   const double top = std::round(std::max(list.ascent, kLineTop * size));
   ColumnPiece piece;
   piece.height = top + std::round(std::max(list.depth, kLineBottom * size));
@@ -414,54 +415,82 @@ Result<ColumnPiece> TextColumn::equation(const Equation& equation, Focus focus,
   return piece;
 }
 
-/// The word, and below it what it is given.
-DisplayList TextColumn::kind_in_lines(const EarlierKind& kind, TextStyle quiet, double room) const {
-  quiet.width = room;
-  DisplayList lines = set_lines(kind.note.empty() ? kind.word : kind.word + ',', quiet, fonts_);
-  if (kind.note.empty()) return lines;
-  const DisplayList note = set_lines(kind.note, quiet, fonts_);
-  const double lower = std::round(lines.depth + note.ascent + kBetweenLines * quiet.size);
-  append(lines, note, 0, lower);
-  lines.depth = lower + note.depth;
-  lines.width = std::max(lines.width, note.width);
+DisplayList TextColumn::label_in_lines(const EarlierLabel& label, double room) const {
+  TextStyle words = style(small_size(kEarlierLabelSize), colors().quiet, room);
+  words.sans = true;
+  words.symbols = nullptr;  // the slots outlive them
+  words.leading = kVerdictLine;
+  TextStyle title = words;
+  title.color = colors().ink;
+  DisplayList lines;
+  const auto add = [&](const std::string& text, const TextStyle& style) {
+    if (text.empty()) return;
+    const DisplayList part = set_lines(text, style, fonts_);
+    if (lines.glyphs.empty()) {
+      lines = part;
+      return;
+    }
+    const double lower = std::round(lines.depth + part.ascent + kBetweenLines * style.size);
+    append(lines, part, 0, lower);
+    lines.depth = lower + part.depth;
+    lines.width = std::max(lines.width, part.width);
+  };
+  add(label.title, title);
+  add(label.note.empty() ? label.word : label.word + ',', words);
+  add(label.note, words);
   return lines;
 }
 
-Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const EarlierKind& kind) const {
-  Result<ColumnPiece> set = numbered(equation, kEarlierSize * size_, {});
+DisplayList TextColumn::balanced_label(const EarlierLabel& label, double room) const {
+  constexpr double kNarrower = 0.94, kLeast = 0.5;
+  DisplayList lines = label_in_lines(label, room);
+  const double height = lines.ascent + lines.depth;
+  for (double narrow = kNarrower; narrow > kLeast; narrow *= kNarrower) {
+    DisplayList narrower = label_in_lines(label, narrow * room);
+    if (narrower.width > narrow * room || narrower.ascent + narrower.depth > height) break;
+    lines = std::move(narrower);
+  }
+  return lines;
+}
+
+Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const EarlierLabel& label) const {
+  const double size = kEarlierSize * size_, gap = kEarlierGap * size_;
+  Result<ColumnPiece> set = numbered(equation, size, {});
   if (!set) return set;
   ColumnPiece piece = std::move(set).value();
-  piece.gap = kEarlierGap * size_;
-  TextStyle quiet = style(small_size(kVerdictSize), colors().quiet, 0);
-  quiet.sans = true;
-  if (kind.word.empty()) return piece;
-  quiet.symbols = nullptr;  // the slots outlive them
-  quiet.leading = kVerdictLine;
-  DisplayList word = set_line(kind.words(), quiet, fonts_);
-  PlacedType& formula = piece.sheet.texts.back();
-  const double room = formula.at.x() - kBesideGap * size_, line = std::ceil(kVerdictLine * quiet.size);
-  if (word.width > room && room >= kLeastBeside * size_) {
-    const DisplayList lines = kind_in_lines(kind, quiet, room);
-    const double height = lines.ascent + lines.depth;
-    if (lines.width <= room && height <= (kMostLinesBeside + 0.5) * line) {
+  piece.gap = gap;
+  if (label.empty()) return piece;
+  const auto with = [](ColumnPiece formula, DisplayList words, double x_baseline) {
+    formula.sheet.texts.insert(formula.sheet.texts.begin(),
+                               {.list = std::move(words), .at = {0, std::round(x_baseline)}});
+    ++*formula.formula;
+    return formula;
+  };
+  const double room = std::round(kLabelRoom * width_);
+  if (room >= kLeastBeside * size_) {
+    const DisplayList words = balanced_label(label, room);
+    Result<ColumnPiece> beside = numbered(equation, size, {}, room + std::round(kBesideGap * size_));
+    if (!beside) return beside;
+    // Not where the equation would be broken for it.
+    if (words.width <= room && beside->formula_scale >= 1.0 && beside->height <= piece.height) {
       // The middles of both at one height.
-      const double over = height - piece.height, top = std::round(std::max(0.0, -0.5 * over));
-      piece =
-          lowered(std::move(piece), std::round(std::max(0.0, 0.5 * over)), std::max(0.0, std::ceil(over)));
-      piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = lines, .at = {0, top + lines.ascent}});
-      ++*piece.formula;
-      return piece;
+      const double height = words.ascent + words.depth, over = std::ceil(height - beside->height),
+                   top = std::round(std::max(0.0, -0.5 * over));
+      beside = lowered(std::move(beside).value(), std::round(std::max(0.0, 0.5 * over)), std::max(0.0, over));
+      beside->gap = gap;
+      const double baseline = top + words.ascent;
+      return with(std::move(beside).value(), words, baseline);
     }
   }
-  if (word.width > width_) word = set_line(kind.in_short, quiet, fonts_);
-  Vec2 at{0, formula.at.y()};
-  if (word.width > room) {  // above a formula that is too wide
-    piece = lowered(std::move(piece), line, line);
-    at.y() = std::round(0.9 * quiet.size);
+  EarlierLabel shorter = label;
+  DisplayList words = label_in_lines(label, width_);
+  if (words.width > width_) {
+    shorter.word = label.in_short;
+    shorter.note.clear();
+    words = label_in_lines(shorter, width_);
   }
-  piece.sheet.texts.insert(piece.sheet.texts.begin(), {.list = std::move(word), .at = at});
-  ++*piece.formula;
-  return piece;
+  const double lower = std::ceil(words.ascent + words.depth + kBetweenLines * size_), baseline = words.ascent;
+  return with(lowered(std::move(piece), lower, lower), std::move(words), baseline);
 }
 
 Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {

@@ -57,13 +57,14 @@ struct ColumnPiece {
 /// How an equation stands among others: in focus between bar and panel, or with the room that these took.
 enum class Focus { none, now, before };
 
-/// What is claimed by an equation of an earlier step.
-struct EarlierKind {
-  std::string word;      ///< as a caption is written, as all of these; empty: nothing
-  std::string note;      ///< what it is given
-  std::string in_short;  ///< where both do not fit into the column
+/// What an equation of an earlier step is, in a line as set_line has it.
+struct EarlierLabel {
+  std::string title;     ///< of its step; empty: none, or another equation has it
+  std::string word;      ///< what kind of claim it is; empty: none
+  std::string note;      ///< what that is given
+  std::string in_short;  ///< word and note, where both do not fit into the column
 
-  std::string words() const { return note.empty() ? word : word + ", " + note; }
+  bool empty() const { return title.empty() && word.empty(); }
 };
 
 /// px: no type of a window's page is smaller, indices apart.
@@ -95,9 +96,9 @@ class TextColumn {
   /// A chip with the verdict's word, its note beside or below it, what is claimed below where the equation is
   /// not that itself; with rows for live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
-  /// An equation of an earlier step: small, without emphasis; on its left, in several lines if need be, the
-  /// kind of what it claims, or above it where it is too wide.
-  Result<ColumnPiece> earlier_equation(const Equation& equation, const EarlierKind& kind = {}) const;
+  /// An equation of an earlier step: small, without emphasis; what it is on its left, in several lines if
+  /// need be, or above it where it is too wide.
+  Result<ColumnPiece> earlier_equation(const Equation& equation, const EarlierLabel& label = {}) const;
   /// A line: "from before", and the equation.
   Result<ColumnPiece> from_before(const Equation& equation) const;
   Result<ColumnPiece> prose(const RichText& text) const;
@@ -123,10 +124,14 @@ class TextColumn {
     double scale = 1;
   };
   Result<Formula> formula(const Equation& equation, double size, double room) const;
-  Result<ColumnPiece> numbered(const Equation& equation, double size,
-                               const std::vector<std::string>& marked) const;
+  /// In the middle between `left` and the right edge, where its number stands.
+  Result<ColumnPiece> numbered(const Equation& equation, double size, const std::vector<std::string>& marked,
+                               double left = 0) const;
   Result<ColumnPiece> labelled(const std::string& label, const Color& color, Result<ColumnPiece> plain) const;
-  DisplayList kind_in_lines(const EarlierKind& kind, TextStyle quiet, double room) const;
+  /// Title, word and note, one below the other.
+  DisplayList label_in_lines(const EarlierLabel& label, double room) const;
+  /// The same in lines of about one length: no single word on a line of its own.
+  DisplayList balanced_label(const EarlierLabel& label, double room) const;
   double label_indent() const;
   double small_size(double part) const;
   Color color_of(Certainty certainty) const;

@@ -39,7 +39,11 @@ struct Counterexample {
   std::string state;                  ///< "I = (2, 3, 4), ω = (1, 1, 0)"
   std::string left, right;            ///< values of both sides; of a non-sequitur those of the conclusion
   std::optional<CounterBody> body{};  ///< nothing where something is small without being a number
+  std::string state_tex{};            ///< "$(I_1, I_2, I_3) = (2, 3, 4)$, $\\vec\\omega = (1, 1, 0)$"
 };
+/// Of the text of a number, or of several, of a counterexample: "−1, √2, 2ε" is "-1, \\sqrt{2},
+/// 2\\varepsilon".
+std::string numbers_as_tex(std::string_view text);
 /// "at I = …: left …, right …"
 std::string to_string(const Counterexample& counterexample);
 

@@ -26,6 +26,7 @@ std::vector<PlotSeries> series_of(const std::vector<WorkPrecisionRow>& rows) {
       PlotSeries& fresh = all.emplace_back();
       fresh.label = name_of(rows[i].method);
       fresh.look = look_of(rows[i].method);
+      fresh.place = place_of(rows[i].method);
     }
     if (rows[i].error() < kExploded) all.back().points.push_back(point_of(rows[i]));
     if (front[i] || of_steps[i]) all.back().emphasized = true;

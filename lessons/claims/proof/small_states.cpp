@@ -341,46 +341,59 @@ std::array<SizedNumber, 3> rates_of(const Triple<SizedNumber>& x) {
   return {x[0].rate, x[1].rate, x[2].rate};
 }
 
-std::string words_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumber>& state,
-                     const Dependence& d, const SmallQuantities& small) {
-  std::string text;
-  const auto add = [&text](bool wanted, const char* name, const auto& numbers,
+/// The quantities of a state: as plain text, and with TeX between dollars.
+struct StateText {
+  std::string plain, tex;
+
+  void add(const std::string& name, const std::string& tex_name, const std::string& value) {
+    if (!plain.empty()) plain += ", ", tex += ", ";
+    plain += name + " = " + value;
+    tex += '$' + tex_name + " = " + numbers_as_tex(value) + '$';
+  }
+};
+
+StateText text_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumber>& state,
+                  const Dependence& d, const SmallQuantities& small) {
+  StateText text;
+  const auto add = [&text](bool wanted, const char* name, const char* tex, const auto& numbers,
                            const AreSmall& are_small = {}) {
-    if (wanted)
-      text += (text.empty() ? "" : ", ") + std::string(name) + " = " + list_text(numbers, are_small);
+    if (wanted) text.add(name, tex, list_text(numbers, are_small));
   };
   const auto small_ones = [&small](Quantity first, Quantity second, Quantity third) {
     return AreSmall{small.has(first), small.has(second), small.has(third)};
   };
-  add(d.I, "I", s.I);
-  add(d.w, "ω", s.w, small_ones(Quantity::w1, Quantity::w2, Quantity::w3));
-  add(d.dw, "ω̇", s.dw);
-  add(d.ddw, "ω̈", s.ddw);
-  add(d.N, "N", s.N_B, small_ones(Quantity::N1, Quantity::N2, Quantity::N3));
-  add(d.dN, "dN/dt", rates_of(state.N_B));
-  if (d.no_torque) text += ", N = 0";
-  add(d.A, "A", s.A_S);
-  add(d.dA, "dA/dt", s.dA_S);
-  add(d.ddA, "d²A/dt²", s.ddA_S);
-  add(d.v, "v", s.v_S);
-  add(d.dv, "dv/dt", s.dv_S);
-  add(d.ddv, "d²v/dt²", s.ddv_S);
-  add(d.F, "F", s.F_S);
-  add(d.dF, "dF/dt", rates_of(state.F_S));
-  const auto add_number = [&text](bool wanted, const std::string& name, const SizedNumber& number,
-                                  bool is_small = false) {
-    if (wanted) text += (text.empty() ? "" : ", ") + name + " = " + text_of(number, is_small);
+  add(d.I, "I", "(I_1, I_2, I_3)", s.I);
+  add(d.w, "ω", "\\vec\\omega", s.w, small_ones(Quantity::w1, Quantity::w2, Quantity::w3));
+  add(d.dw, "ω̇", "\\dot{\\vec\\omega}", s.dw);
+  add(d.ddw, "ω̈", "\\ddot{\\vec\\omega}", s.ddw);
+  add(d.N, "N", "\\vec N", s.N_B, small_ones(Quantity::N1, Quantity::N2, Quantity::N3));
+  add(d.dN, "dN/dt", "d\\vec N/dt", rates_of(state.N_B));
+  if (d.no_torque) text.add("N", "\\vec N", "0");
+  add(d.A, "A", "\\vec A", s.A_S);
+  add(d.dA, "dA/dt", "d\\vec A/dt", s.dA_S);
+  add(d.ddA, "d²A/dt²", "d^2\\vec A/dt^2", s.ddA_S);
+  add(d.v, "v", "\\vec v", s.v_S);
+  add(d.dv, "dv/dt", "d\\vec v/dt", s.dv_S);
+  add(d.ddv, "d²v/dt²", "d^2\\vec v/dt^2", s.ddv_S);
+  add(d.F, "F", "\\vec F", s.F_S);
+  add(d.dF, "dF/dt", "d\\vec F/dt", rates_of(state.F_S));
+  const auto add_number = [&text](bool wanted, const std::string& name, const std::string& tex,
+                                  const SizedNumber& number, bool is_small = false) {
+    if (wanted) text.add(name, tex, text_of(number, is_small));
   };
-  add_number(d.m, "m", s.m);
-  add_number(d.h, "h", s.h, small.has(Quantity::h));
-  add_number(d.k, "k", s.k, small.has(Quantity::k));
+  add_number(d.m, "m", "m", s.m);
+  add_number(d.h, "h", "h", s.h, small.has(Quantity::h));
+  add_number(d.k, "k", "k", s.k, small.has(Quantity::k));
   for (const int constant : d.constants) {
     const auto index = static_cast<std::size_t>(constant);
-    add_number(index < d.names.size(), d.names[index], s.constants[index]);
+    if (index >= d.names.size()) continue;
+    std::string tex = "\\text{";
+    for (const char c : d.names[index]) tex += c == '_' ? std::string("\\_") : std::string(1, c);
+    add_number(true, d.names[index], tex + '}', s.constants[index]);
   }
-  add(d.J, "J (xx, xy, xz, yy, yz, zz)", s.J);
-  add(d.q, "attitude", s.q);
-  return text.empty() ? "any state" : text;
+  add(d.J, "J (xx, xy, xz, yy, yz, zz)", "(J_{xx}, J_{xy}, J_{xz}, J_{yy}, J_{yz}, J_{zz})", s.J);
+  add(d.q, "attitude", "\\text{attitude}", s.q);
+  return text.plain.empty() ? StateText{"any state", "any state"} : text;
 }
 
 CounterBody body_of(const StateNumbers<SizedNumber>& s, const Dependence& d) {
@@ -573,9 +586,10 @@ std::optional<Counterexample> first_small_state(const Equality& equality, const 
     if (tried != nullptr && sides_of(equality, *real)) ++*tried;
     if (!fails(equality, relation, *exact, *real)) return false;
     const Sides sides = *sides_of(equality, *real);
-    found = Counterexample{words_of(*real_numbers, *real, depends, {}),
-                           value_text(sides.left, equality.left.type()),
-                           value_text(sides.right, equality.right.type()), body_of(*real_numbers, depends)};
+    StateText state = text_of(*real_numbers, *real, depends, {});
+    found = Counterexample{std::move(state.plain), value_text(sides.left, equality.left.type()),
+                           value_text(sides.right, equality.right.type()), body_of(*real_numbers, depends),
+                           std::move(state.tex)};
     return true;
   };
   for_each_state(depends, look_at);
@@ -645,9 +659,12 @@ std::optional<Counterexample> first_small_expansion(const Equality& equality, As
       const auto at = exact ? compare_to_order(*exact, given.small.order).differ_at : std::nullopt;
       if (!at) return false;
       differ_at = *at;
-      found = Counterexample{words_of(*real_numbers, *real, depends, given.small),
+      StateText state = text_of(*real_numbers, *real, depends, given.small);
+      found = Counterexample{std::move(state.plain),
                              text_of(exact->left, equality.left.type(), *at),
-                             text_of(exact->right, equality.right.type(), *at)};
+                             text_of(exact->right, equality.right.type(), *at),
+                             {},
+                             std::move(state.tex)};
     } catch (const BeyondAlgebra&) {  // a number too large to be written
       return false;
     }

@@ -42,7 +42,7 @@ std::string label_of(Method method, const std::optional<double>& order) {
   std::string name(facts_of(method).term);
   if (!order) return name;
   NumberForm one_decimal(*order, *order < 10 ? 2 : 3);
-  return name + ": " + one_decimal.text(*order);
+  return name + ", order " + one_decimal.text(*order);
 }
 
 std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double t_s, bool by_evaluations) {
@@ -53,7 +53,8 @@ std::vector<PlotSeries> series_of(const std::vector<MethodTable>& tables, double
     PlotSeries series{.label = label_of(row.method, measured_order(samples)),
                       .points = {},
                       .emphasized = true,
-                      .look = look_of(row.method)};
+                      .look = look_of(row.method),
+                      .place = place_of(row.method)};
     for (const Sample& sample : samples)
       series.points.emplace_back(by_evaluations ? sample.evaluations : std::abs(t_s) / sample.step_s,
                                  sample.error);
@@ -74,7 +75,7 @@ void draw(const SceneModel& model, double /*unused*/, Arrangement arrangement, D
               .tolerance = {},
               .recommended = {},
               .recommended_label = {},
-              .note = "after each name its order: log₂ of the gain by half the step",
+              .note = "order: log₂ of the gain by half the step",
               .names_at_end = true,
               .scale = 2.3},
              {0, 0}, arrangement == Arrangement::wide ? kWide : kTall);

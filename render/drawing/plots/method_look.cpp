@@ -29,4 +29,15 @@ PlotLook look_of(Method method) {
   return PlotLook::grey;
 }
 
+PlaceInLook place_of(Method method) {
+  const PlotLook look = look_of(method);
+  PlaceInLook found{.place = 0, .members = 0};
+  for (const MethodFacts& facts : all_methods()) {
+    if (look_of(facts.method) != look) continue;
+    if (facts.method == method) found.place = found.members;
+    ++found.members;
+  }
+  return found;
+}
+
 }  // namespace polhode

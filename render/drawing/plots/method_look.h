@@ -9,5 +9,7 @@ namespace polhode {
 
 /// Explicit Runge-Kutta methods orange, geometric ones blue, adaptive ones purple, closed forms a star.
 PlotLook look_of(Method method);
+/// Among all methods of its look: each has its mark in every plot.
+PlaceInLook place_of(Method method);
 
 }  // namespace polhode

@@ -24,12 +24,18 @@ enum class PlotLook {
   star     ///< a large green star, never quiet
 };
 
+/// Which of so many of a look a curve is; it has the same shade and mark in every plot then.
+struct PlaceInLook {
+  int place = 0, members = 1;
+};
+
 struct PlotSeries {
   std::string label;
   std::vector<std::pair<double, double>> points{};  ///< (work, error) in the order of the curve
   /// Drawn heavier, the rest quieter. If none but stars are: the Pareto front of the others is.
   bool emphasized = false;
   PlotLook look = PlotLook::grey;
+  std::optional<PlaceInLook> place{};  ///< none: by its place among the plot's own of that look
 };
 
 /// Texts are lines as set_line() of render/typeset/paragraph.h sets them. Points whose work is not finite and

@@ -98,10 +98,12 @@ std::vector<CurveStyle> styles_of(const std::vector<PlotSeries>& series) {
   std::vector<CurveStyle> styles;
   for (const PlotSeries& s : series) {
     const LookStyle& look = style_of(s.look);
-    const int place = seen[s.look]++;
-    const int last = std::max(1, members[s.look] - 1);
+    const auto [place, count] = s.place.value_or(PlaceInLook{seen[s.look]++, members[s.look]});
+    // Of a whole family neighbours, which are compared most, differ by about half of its range.
+    const int shade = !s.place ? place : place / 2 + (place % 2 == 0 ? 0 : (count + 1) / 2);
+    const int last = std::max(1, count - 1);
     styles.push_back({look.ink,
-                      between(look.first, look.last, static_cast<float>(place) / static_cast<float>(last)),
+                      between(look.first, look.last, static_cast<float>(shade) / static_cast<float>(last)),
                       look.shapes[static_cast<std::size_t>(place) % look.shapes.size()], look.hollow});
   }
   return styles;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the curves of a plot look: colours and marks, given out in the order of the series. Internal to
-// render/drawing/.
+// How the curves of a plot look: colours and marks, given out in the order of the series where they have no
+// places of their own. Internal to render/drawing/.
 #pragma once
 
 #include "render/drawing/plots/plot.h"

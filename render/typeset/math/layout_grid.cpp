@@ -11,7 +11,7 @@ MathLayout::Spacing MathLayout::spacing_of(const MathGrid& grid) {
   switch (grid.kind) {
     case MathGrid::Kind::aligned:
     case MathGrid::Kind::gathered:
-      return {0.84, 0.36, 0.3, 0.3, 1.0, 0, true};
+      return {0.84, 0.36, 0.3, 0.36, 1.0, 0, true};
     case MathGrid::Kind::cases:
       return {1.008, 0.432, 0, 0.12, 1.0, 0};
     case MathGrid::Kind::small:

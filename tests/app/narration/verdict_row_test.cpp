@@ -58,7 +58,9 @@ TEST(VerdictRow, SaysTheKindInAWordAndWhatIsKnown) {
   EXPECT_EQ(row_of("ddt(L) = N", ClaimKind::law).certainty, Certainty::stated) << "nature decides";
   const VerdictRow wrong = row_of("star(L) = 0", ClaimKind::is_false);
   EXPECT_EQ(wrong.word, "false");
-  EXPECT_EQ(wrong.example, "for example at I = (2, 3, 4), ω = (1, 1, 0), N = 0: (0, 0, −1) ≠ 0");
+  EXPECT_EQ(wrong.example,
+            "for example at $(I_1, I_2, I_3) = (2, 3, 4)$, $\\vec\\omega = (1, 1, 0)$, $\\vec N = 0$: "
+            "$(0, 0, -1) \\ne 0$");
   EXPECT_EQ(wrong.certainty, Certainty::refuted);
   EXPECT_THAT(row_of("ddt(T) = 0 => N = 0", ClaimKind::non_sequitur).example,
               HasSubstr("the premise holds, and "));
@@ -231,7 +233,7 @@ TEST(VerdictRow, SaysToWhichOrder) {
   const Claim called_false = near_axis_two("T ~= I2*w2^2", ClaimKind::is_false);
   const VerdictRow false_row = verdict_row(called_false, nullptr, nullptr);
   EXPECT_EQ(false_row.note, "to first order in $\\omega_1$, $\\omega_3$");
-  EXPECT_THAT(false_row.example, ::testing::StartsWith("for example at I = "));
+  EXPECT_THAT(false_row.example, ::testing::StartsWith("for example at $(I_1, I_2, I_3) = "));
 }
 
 TEST(VerdictRow, TellsInequalitiesThatAreGiven) {

@@ -646,7 +646,7 @@ TEST(PageOfADerivation, HasTheLinesBelowTheQuestion) {
     for (const Ask* one : blocks_of<Ask>(stage.steps[i]))
       if (one->derivation) ask = one, step = static_cast<int>(i) + 1;
   ASSERT_NE(ask, nullptr) << stage.id;
-  PageRequest request{.lesson = lecture(), .stage = stage, .number = 14, .step = step, .size = {2560, 4200}};
+  PageRequest request{.lesson = lecture(), .stage = stage, .number = 14, .step = step, .size = {2560, 9000}};
   const auto glyphs = [&] {
     const Page page = compose_page(request, test_fonts()).value();
     std::size_t count = 0;

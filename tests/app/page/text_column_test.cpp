@@ -175,29 +175,32 @@ TEST_P(Column, ATagStandsAtTheRightEdgeOnTheBaselineOfItsEquation) {
   EXPECT_EQ(column().equation(equations[2], Focus::none, {}).value().sheet.texts.size(), 1u);
 }
 
-TEST_P(Column, AnEarlierEquationKeepsTheKindOfItsClaimHoweverWideItIs) {
-  const EarlierKind kinds[] = {
-      {"MEASURED", "", "MEASURED"},
-      {"always true", "given $I_2 = I_1$, $I_3 > I_1$, $\\omega_3 > 0$", "always true, under an assumption"}};
+TEST_P(Column, AnEarlierEquationSaysWhatItIsHoweverWideItIs) {
+  const EarlierLabel labels[] = {
+      {"", "MEASURED", "", "MEASURED"},
+      {"The rate of $\\vec L$", "", "", ""},
+      {"The title of a step that is long enough for two lines", "always true",
+       "given $I_2 = I_1$, $I_3 > I_1$, $\\omega_3 > 0$", "always true, under an assumption"}};
   int in_lines = 0;
-  for (const EarlierKind& kind : kinds)
+  for (const EarlierLabel& label : labels)
     for (const Equation& equation : blocks_of<Equation>()) {
       const ColumnPiece plain = column().earlier_equation(equation).value(),
-                        marked = column().earlier_equation(equation, kind).value();
-      ASSERT_EQ(marked.sheet.texts.size(), plain.sheet.texts.size() + 1);
-      EXPECT_EQ(*marked.formula, *plain.formula + 1);
-      const PlacedType &word = marked.sheet.texts.front(), &formula = marked.sheet.texts[*marked.formula];
-      EXPECT_EQ(formula.at.x(), plain.sheet.texts[*plain.formula].at.x());
-      const bool is_beside = word.at.x() + word.list.width < formula.at.x(),
-                 is_above = word.at.y() + word.list.depth <= formula.at.y() - formula.list.ascent;
+                        labelled = column().earlier_equation(equation, label).value();
+      ASSERT_EQ(labelled.sheet.texts.size(), plain.sheet.texts.size() + 1);
+      EXPECT_EQ(*labelled.formula, *plain.formula + 1);
+      const PlacedType &words = labelled.sheet.texts.front(),
+                       &formula = labelled.sheet.texts[*labelled.formula];
+      EXPECT_EQ(labelled.formula_scale, plain.formula_scale) << "no equation is smaller for it";
+      const bool is_beside = words.at.x() + words.list.width < formula.at.x(),
+                 is_above = words.at.y() + words.list.depth <= formula.at.y() - formula.list.ascent;
       EXPECT_TRUE(is_beside || is_above);
-      EXPECT_LE(word.list.width, width());
-      EXPECT_LE(word.at.y() + word.list.depth, marked.height + 1.0) << "heights are whole pixels";
-      EXPECT_LE(formula.at.y() + formula.list.depth, marked.height + 1.0);
-      if (word.list.depth < em()) continue;
+      EXPECT_LE(words.list.width, width());
+      EXPECT_LE(words.at.y() + words.list.depth, labelled.height + 1.0) << "heights are whole pixels";
+      EXPECT_LE(formula.at.y() + formula.list.depth, labelled.height + 1.0);
+      if (!is_beside || words.list.depth < em()) continue;
       ++in_lines;  // the middles of both at one height, to whole pixels
-      const double middle = word.at.y() + 0.5 * (word.list.depth - word.list.ascent);
-      EXPECT_NEAR(middle, 0.5 * marked.height, 2.0);
+      const double middle = words.at.y() + 0.5 * (words.list.depth - words.list.ascent);
+      EXPECT_NEAR(middle, 0.5 * labelled.height, 2.0);
     }
   EXPECT_EQ(in_lines > 0, em() < 0.05 * width()) << "a narrow column has no room for it";
 }

@@ -257,8 +257,8 @@ TEST(Diagrams, TheOrderPlotMeasuresOrders) {
   scene.at_s = 20.0;
   EXPECT_EQ(make_model(scene).orders.size(), static_cast<std::size_t>(kOrderSteps));
   const Sheet sheet = sheet_of(scene, 0.0);
-  for (const char* label : {"explicit Euler: 1.0", "explicit midpoint: 2.0", "classical Runge-Kutta: 4.0",
-                            "Lie-Poisson splitting: 2.0", "Moser-Veselov 6: 6.0"})
+  for (const char* label : {"explicit Euler, order 1.0", "explicit midpoint, order 2.0", "RK4, order 4.0",
+                            "splitting, order 2.0", "Moser–Veselov 6, order 6.0"})
     EXPECT_EQ(texts_of(sheet, label).size(), 1u) << label;
 }
 
@@ -274,8 +274,8 @@ TEST(Diagrams, TheMethodsThatAreComparedAreThoseThatASceneNames) {
     EXPECT_EQ(table.rows[2].method, Method::splitting);
   }
   const Sheet sheet = sheet_of(scene, 0.0);
-  EXPECT_EQ(texts_of(sheet, "classical Runge-Kutta: 4.0").size(), 1u);
-  EXPECT_TRUE(texts_of(sheet, "explicit Euler: 1.0").empty());
+  EXPECT_EQ(texts_of(sheet, "RK4, order 4.0").size(), 1u);
+  EXPECT_TRUE(texts_of(sheet, "explicit Euler, order 1.0").empty());
   EXPECT_EQ(texts_of(sheet, "evaluations in 20.0 s").size(), 1u);
   EXPECT_TRUE(texts_of(sheet, "steps in 20 s").empty());
 }
