@@ -492,6 +492,9 @@ class ScaledText {
       label.in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
       const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
       label.word = is_of_what_holds ? row.word : label.in_short;
+      // The page shows another motion by now.
+      if (claim->kind == ClaimKind::measured && row.certainty == Certainty::stated)
+        label.word = label.in_short = "checked on the motion of its step";
       if (is_of_what_holds) label.note = row.note;
       return label;
     }

@@ -519,6 +519,12 @@ Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {
   take_rooms(*list, {x, top}, piece);
   piece.sheet.texts.push_back({.list = std::move(words), .at = {0, top}});
   piece.sheet.texts.push_back({.list = std::move(list).value(), .at = {x, top}});
+  if (equation.tag.empty()) return piece;
+  DisplayList tag = set_line("(" + equation.tag + ")", style(kBeforeSize * size_, colors().quiet, 0), fonts_);
+  const double after = std::round(piece.width + size_);
+  if (after + tag.width > width_) return piece;
+  piece.width = after + tag.width;
+  piece.sheet.texts.push_back({.list = std::move(tag), .at = {after, top}});
   return piece;
 }
 
