@@ -178,12 +178,13 @@ void answer_by_keys(Typed& typed, const std::vector<const Ask*>& asks) {
     if (picks_choice(ask->type)) typed.keys({std::string(1, static_cast<char>('a' + ask->answers[0] - 1))});
   for (const Ask* ask : asks) {
     if (ask->type != Ask::Type::state) continue;
-    typed.keys({"F6"});
+    typed.keys({"F6"});  // to the first slider
     for (const double number : numbers_of(ask->task->solution)) {
-      typed.keys({"Tab"});  // into the next slider
+      typed.keys({"Return"});  // its number is typed from here
       typed.text(text_of_number(number));
+      typed.keys({"Return", "Tab"});
     }
-    typed.keys({"Return", "Down", "space"});  // the button behind them
+    typed.keys({"space"});  // the button behind them
   }
 }
 
