@@ -438,6 +438,7 @@ TEST(Marks, LeaveAHandOnOmegaWhereItIs) {
   TrialOmega trial(model, 0, kAspect);
   const Vec3 other(1.2, -0.4, 0.9);
   const auto tried = trial.at(other);
+  scene.camera = held_by_hand(scene);  // a frame and a scale that stay as they were
   scene.w0_B = other;
   const auto made = drawn_omega(make_model(scene), 0.0, 0, kAspect);
   ASSERT_TRUE(tried && made);
