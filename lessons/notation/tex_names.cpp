@@ -162,13 +162,14 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
   }
 }
 
-/// Of a letter whose vector the lesson declares: Ω where it has \vec\Omega.
+/// Of a letter whose vector the lesson declares: Ω where it has \vec\Omega. x, y and z are coordinates.
 std::optional<TexValue> TexTerms::length_without_arrow(const TexItem& item) const {
-  if (!has_pi) return std::nullopt;
+  const char32_t c = item.node->character;
+  if (!has_pi || (item.sub == nullptr && c >= U'x' && c <= U'z')) return std::nullopt;
   for (const Symbol& symbol : symbols_) {
     const TexItem& only = symbol.items.front();
     const bool is_its_letter = symbol.items.size() == 1 && only.kind == ItemKind::operand &&
-                               letter_of_vector(*only.node) == item.node->character && only.sup == nullptr &&
+                               letter_of_vector(*only.node) == c && only.sup == nullptr &&
                                same_scripts(only.sub, item.sub);
     if (!is_its_letter) continue;
     const TexValue vector = meaning_of(*symbol.declared, item.span);

@@ -3,7 +3,6 @@
 #include "base/numbers.h"
 #include "lessons/claims/customary_names.h"
 #include "lessons/claims/proof/proof.h"
-#include "lessons/reader/checks/numbers/known_numbers.h"
 #include "lessons/reader/checks/numbers/number_check.h"
 #include "lessons/reader/checks/prose/quantity_words.h"
 #include "lessons/reader/text_units.h"
@@ -209,7 +208,7 @@ std::optional<double> wrong_value(const TypedStatement& statement, const SceneMo
     if (!value) return std::nullopt;
     const double allowed = statement.relation == Relation::approximate
                                ? kSmallOnMotion * std::max(std::abs(*value), std::abs(typed))
-                               : rounded_off(statement.number, statement.relation);
+                               : 0.5 * statement.number.last_digit * (1 + 1e-9);
     const bool is_right = is_order(statement.relation)
                               ? (typed < *value) == (statement.relation == Relation::greater ||
                                                      statement.relation == Relation::greater_or_equal)
