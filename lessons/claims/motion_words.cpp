@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lessons/claims/motion_words.h"
 
+#include "lessons/diagnostics/report.h"
 #include "physics/analysis/work_precision.h"
 #include "physics/geometry/flips.h"
 #include "physics/method.h"
@@ -24,6 +25,22 @@ std::optional<double> part(const std::optional<Facts>& facts, T Facts::*member) 
 }
 
 using M = MotionNumbers;
+
+/// What a text in the language of claims comes to on a free symmetric body.
+std::optional<double> of_free(M& m, const std::string& text) {
+  const SourceText source(text);
+  Report unused(source, "");
+  const auto expression = read_expression(text, {1, 1}, unused, nullptr);
+  return expression && m.facts().free ? m.value_of(*expression) : std::nullopt;
+}
+std::optional<double> body_cone_rad(M& m) {
+  const std::string axis = std::to_string(m.facts().free ? m.facts().free->axis + 1 : 0);
+  return of_free(m, "atan2(norm(cross(omega, e" + axis + ")), sqrt(w" + axis + "^2))");
+}
+std::optional<double> space_cone_rad(M& m) {
+  return of_free(m, "atan2(norm(cross(L, omega)), dot(L, omega))");
+}
+
 constexpr std::array kWords = std::to_array<MotionWord>({
     {"period", "s", R"(\text{period})", "period of the polhode", [](M& m) { return m.facts().period_s; }},
     {"flip_interval", "s", R"(\text{time between two flips})",
@@ -35,6 +52,10 @@ constexpr std::array kWords = std::to_array<MotionWord>({
     {"body_precession", "rad/s", R"(\text{precession in the body})",
      "rate at which ω turns about this axis, seen from the body; (I3 − I1) ω3/I1 with the axis 3",
      [](M& m) { return part(m.facts().free, &FreePrecession::in_body); }},
+    {"body_cone", "rad", R"(\text{half-angle of the body cone})",
+     "half-angle of the cone on which ω turns about this axis", [](M& m) { return body_cone_rad(m); }},
+    {"space_cone", "rad", R"(\text{half-angle of the space cone})",
+     "half-angle of the cone on which ω turns about L", [](M& m) { return space_cone_rad(m); }},
     {"slow_precession", "rad/s", R"(\text{slow precession})",
      "symmetric top under its weight alone: the slow rate of steady precession at its tilt and ω3 of t = 0",
      [](M& m) { return part(m.facts().steady, &SteadyPrecession::slow); }},

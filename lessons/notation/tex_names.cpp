@@ -39,6 +39,14 @@ std::string_view vector_name(char32_t letter) {
   }
 }
 
+/// The letter of a vector's symbol, which has an arrow or is bold; 0 of other symbols.
+char32_t letter_of_vector(const MathNode& node) {
+  if (node.kind == Kind::symbol && is_bold(node)) return node.character;
+  if (node.kind != Kind::accent || node.character != kArrow) return 0;
+  const MathNode& base = plain_node(node.children.front());
+  return base.kind == Kind::symbol ? base.character : 0;
+}
+
 bool same_scripts(const MathNode* a, const MathNode* b) {
   return (a == nullptr) == (b == nullptr) && (a == nullptr || same_math(*a, *b));
 }
@@ -154,6 +162,22 @@ TexValue TexTerms::base_of(const TexItem& item, bool& took_sub, bool& took_sup) 
   }
 }
 
+/// Of a letter whose vector the lesson declares: Ω where it has \vec\Omega. x, y and z are coordinates.
+std::optional<TexValue> TexTerms::length_without_arrow(const TexItem& item) const {
+  const char32_t c = item.node->character;
+  if (!has_pi || (item.sub == nullptr && c >= U'x' && c <= U'z')) return std::nullopt;
+  for (const Symbol& symbol : symbols_) {
+    const TexItem& only = symbol.items.front();
+    const bool is_its_letter = symbol.items.size() == 1 && only.kind == ItemKind::operand &&
+                               letter_of_vector(*only.node) == c && only.sup == nullptr &&
+                               same_scripts(only.sub, item.sub);
+    if (!is_its_letter) continue;
+    const TexValue vector = meaning_of(*symbol.declared, item.span);
+    if (vector.is_vector()) return length_of(vector, item.span);
+  }
+  return std::nullopt;
+}
+
 TexValue TexTerms::letter(const TexItem& item, bool& took_sub) {
   const char32_t c = item.node->character;
   if (!is_common(*item.node))
@@ -163,11 +187,17 @@ TexValue TexTerms::letter(const TexItem& item, bool& took_sub) {
     if (c == U'm') return quantity("m", item.span);
     if (c == U'π' && has_pi) return atom_value(std::string(kPiName), Type::scalar, item.span);
     if (has_pi && (c == U'ω' || c == U'L')) return length_of(quantity(vector_name(c), item.span), item.span);
+    if (const auto length = length_without_arrow(item)) return *length;
     const std::string hint = !vector_name(c).empty() ? "a vector has an arrow; its length is |\\vec a|"
                                                      : "give it a symbol with `means`";
     throw TexFault(item.span, "the language of claims does not know this symbol", hint);
   }
   const std::string_view vector = vector_name(c);
+  if (vector.empty())
+    if (const auto length = length_without_arrow(item)) {
+      took_sub = true;
+      return *length;
+    }
   if (c != U'I' && vector.empty())
     throw TexFault(item.span, "the language of claims does not know this symbol",
                    "give it a symbol with `means`");
@@ -180,11 +210,13 @@ TexValue TexTerms::letter(const TexItem& item, bool& took_sub) {
         std::string("J") + kNames[static_cast<std::size_t>(low)] + kNames[static_cast<std::size_t>(high)],
         item.span);
   }
-  if (axes.size() != 1)
+  if (axes.size() != 1) {
+    if (const auto length = length_without_arrow(item)) return *length;
     throw TexFault(item.span, "this index is not read",
                    notation_.xyz_are_body_axes
                        ? "1, 2, 3, x, y, z, or an index of a sum"
                        : "1, 2, 3, or an index of a sum; x, y, z if they are the body's axes");
+  }
   if (c == U'I') {
     if (any_inertia)
       throw TexFault(item.span, "principal moments do not stand beside components of any tensor",

@@ -44,7 +44,8 @@ class TexTerms {
   std::vector<std::pair<TexValue, TexValue>>* labels = nullptr;
   /// Numbers of \live are read, as their expressions.
   bool may_be_live = false;
-  /// π is read, and ω and L without an arrow as lengths: of what is computed, for no proof has either.
+  /// π is read, and ω, L and vectors of the lesson without their arrows as lengths: of what is computed, for
+  /// no proof has either.
   bool has_pi = false;
   /// A rate as seen from the body was read; any rate; 𝐈_S; 𝐈 without an index; a tensor by its components.
   bool has_body_rate = false, has_rate = false, has_space_inertia = false, has_inertia = false,
@@ -82,6 +83,7 @@ class TexTerms {
   TexValue meaning_of(const EquationSymbol& symbol, SourceSpan span) const;
   TexValue group(const TexItem& item);
   TexValue base_of(const TexItem& item, bool& took_sub, bool& took_sup);
+  std::optional<TexValue> length_without_arrow(const TexItem& item) const;
   TexValue letter(const TexItem& item, bool& took_sub);
   TexValue arrow_or_bold(const TexItem& item, char32_t letter, bool& took_sub, bool& took_sup);
   TexValue inertia(const TexItem& item, bool& took_sub, bool& took_sup);

@@ -167,7 +167,9 @@ class NameCheck {
   void check_arrow(const SceneQuantity& of, const std::string& tex) {
     const auto said = read(tex), shown = expression_of(of);
     if (const auto math = parse_math(tex)) check_words(of, words_of_formula(*math), "the tip of");
-    if (lesson_.notation.vocabulary.find(of.text) != nullptr) return;  // called as the lesson likes
+    const bool is_called_axis = said && is_axis(*said);
+    // Called as the lesson likes, but not as a unit vector that it is not.
+    if (lesson_.notation.vocabulary.find(of.text) != nullptr && !is_called_axis) return;
     check_axis(of, tex, "the tip of");
     if (const auto size = read_any(tex); size && size->type() != ExpressionType::vector && shown) {
       const auto of_size = dimension_of(*size, {}).dimension;
@@ -188,8 +190,9 @@ class NameCheck {
       if (!a || !b) continue;
       const double lengths = std::sqrt(dot(a->components, a->components) * dot(b->components, b->components));
       // How long it is drawn is the author's choice; of what has no name of its own only the sense is told.
-      const bool is_other_arrow = is_axis(*shown) && !is_axis(*said);
-      const double least = named(of) || is_other_arrow ? 1 - kNear : -kNear;
+      const bool is_strict =
+          named(of) || ((is_axis(*shown) || is_called_axis) && !is_trial_axis(*shown, tex));
+      const double least = is_strict ? 1 - kNear : -kNear;
       if (lengths > 0 && dot(a->components, b->components) < least * lengths)
         return refuse("the tip of", of.text, tex);
     }
@@ -198,6 +201,16 @@ class NameCheck {
   static bool is_axis(const Expression& shown) {
     return shown.nodes.size() == 1 && shown.nodes[0].operation == Operation::quantity &&
            shown.nodes[0].quantity >= Quantity::e1 && shown.nodes[0].quantity <= Quantity::ez;
+  }
+
+  /// A symbol of the lesson that means e1 is any axis beside a tensor by its components, and may be drawn
+  /// along one of space: then it is no principal axis.
+  bool is_trial_axis(const Expression& shown, const std::string& tex) const {
+    const bool is_of_space = is_axis(shown) && shown.nodes[0].quantity >= Quantity::ex;
+    return is_of_space &&
+           std::any_of(lesson_.symbols.begin(), lesson_.symbols.end(), [&](const auto& symbol) {
+             return symbol.second.tex == tex && !symbol.second.means.empty();
+           });
   }
 
   /// "\vec L\times\vec\omega": what is written out does not point the other way.

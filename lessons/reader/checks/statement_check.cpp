@@ -73,9 +73,6 @@ void take_unit(StatedSide& side, const std::string& unit) {
   if (is) side.is = std::move(is);
 }
 
-/// The largest part of a typed number that is taken to be rounded off: of two digits half the last.
-constexpr double kRoundedOff = 0.03;
-
 bool compares(double l, double r, Relation relation, double allowed) {
   switch (relation) {
     case Relation::less:
@@ -101,12 +98,7 @@ double rounded_off(const StatedLink& link) {
   const auto of = [&](const StatedSide& side) {
     if (!side.typed) return 0.0;
     const auto unit = scaled_unit(side.typed->unit);
-    const double half = 0.5 * side.typed->last_digit * (1 + 1e-9);
-    // Of "= 3" nobody thinks that it is rounded, still less of "= 0".
-    const double least = link.relation == Relation::approximate
-                             ? half
-                             : std::min(half, kRoundedOff * std::abs(side.typed->value));
-    return least * (unit ? unit->size : 1);
+    return rounded_off(*side.typed, link.relation) * (unit ? unit->size : 1);
   };
   return of(link.left) + of(link.right);
 }
@@ -200,16 +192,16 @@ void StatementCheck::check_typed_numbers(const RichText& text, const Motions& mo
       auto said = is_joined ? quantity_said_at_end(clause, lesson_) : std::nullopt;
       std::vector<TextSpan> behind = clause_behind(spans, i);
       if (!said && (relation = take_verb_behind_unit(behind))) said = quantity_said(behind, lesson_);
-      const bool is_right = said ? is_number_of(*typed, *said, motions(), effort_, *relation).value_or(true)
-                                 : is_known_number(*typed, lesson_, motions(), effort_);
-      if (is_right) continue;
+      const auto is_of_said =
+          said ? is_number_of(*typed, *said, motions(), effort_, *relation) : std::nullopt;
+      if (is_of_said ? *is_of_said : is_known_number(*typed, lesson_, motions(), effort_)) continue;
       if (!sentences) sentences.emplace(spans, lesson_.notation);
       const Standing standing = sentences->standing_of(i);
       // "A coin of 5 g" is not the body that is shown.
-      if (!standing.is_stated || (standing.has_kind_of_body && !said)) continue;
+      if (!standing.is_stated || (standing.has_kind_of_body && !is_of_said)) continue;
       refuse_number(*typed, spans[i].source.begin,
-                    said ? "this number is not that of " + said->text + ", which is said of it"
-                         : "nobody computes this number with its unit, " + in_quotes(typed->unit));
+                    is_of_said ? "this number is not that of " + said->text + ", which is said of it"
+                               : "nobody computes this number with its unit, " + in_quotes(typed->unit));
     }
   });
   for (const TextBlock& block : text)
@@ -401,12 +393,13 @@ std::string StatementCheck::why_not(const StatedLink& link, const ShownMotion& m
   };
   const auto left = quantity(link.left), right = quantity(link.right);
   if (!left || !right) return "";
+  constexpr double kSaidInWords = 0.03;  // of "vanishes", "is constant"
   double in_words = 0;
   if (link.is_in_words)
     for (const double part : {0.0, 0.37, 0.81})
       if (const auto live = live_state(motion.model, part * motion.model.span_s))
         if (const auto then = live_quantity(*link.left.is, *live, View::space))
-          for (const double x : then->components) in_words = std::max(in_words, kRoundedOff * std::abs(x));
+          for (const double x : then->components) in_words = std::max(in_words, kSaidInWords * std::abs(x));
   for (std::size_t i = 0; i < (left->is_vector ? left->components.size() : 1); ++i) {
     const double l = left->components[i], r = right->components[i];
     const double allowed = rounded_off(link) + in_words + kRounding * (std::abs(l) + std::abs(r));

@@ -70,11 +70,14 @@ TEST(MotionWords, AreThoseOfFreeMotion) {
   EXPECT_NEAR(value_on(pencil(), "precession*I1 - norm(L)").value(), 0, kRounding) << "beside quantities";
   // ω comes back to where it was in the body.
   EXPECT_NEAR(value_on(pencil(), "period").value(), 2 * std::numbers::pi / 1.4, 64 * kRounding);
+  EXPECT_NEAR(value_on(pencil(), "body_cone").value(), std::atan2(0.8, 2), kRounding);
+  EXPECT_NEAR(value_on(pencil(), "space_cone").value(), std::atan2(0.8, 0.6) - std::atan2(0.8, 2), kRounding);
   for (const char* word : {"slow_precession", "fast_precession", "nutation", "least_tilt", "most_tilt"})
     EXPECT_FALSE(value_on(pencil(), word)) << word;
   Scene uneven = pencil();
   uneven.body.moments = PrincipalMoments(1, 1.75, 2.5);
-  EXPECT_FALSE(value_on(uneven, "precession"));
+  for (const char* word : {"precession", "body_cone", "space_cone"})
+    EXPECT_FALSE(value_on(uneven, word)) << word;
 }
 
 // The slow and the fast rate solve I1 cosθ Ω² − I3 ω3 Ω + mgl = 0; let go, the axis turns back where it was.

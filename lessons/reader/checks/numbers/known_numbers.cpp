@@ -5,6 +5,7 @@
 #include "lessons/claims/motion_words.h"
 #include "render/scene/model/model.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -146,6 +147,12 @@ bool is_constructed(const TypedNumber& number, const ScaledUnit& unit) {
 
 }  // namespace
 
+double rounded_off(const TypedNumber& number, Relation relation) {
+  constexpr double kOfWhole = 0.03;
+  const double half = 0.5 * number.last_digit * (1 + 1e-9);
+  return relation == Relation::approximate ? half : std::min(half, kOfWhole * std::abs(number.value));
+}
+
 std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
                                  const std::vector<ShownMotion>& motions, const Effort& effort,
                                  Relation relation) {
@@ -162,7 +169,9 @@ std::optional<bool> is_number_of(const TypedNumber& number, const Expression& qu
       const bool is_so_now = relation == Relation::greater ? *value > typed
                              : relation == Relation::less
                                  ? *value < typed
-                                 : is_near(number, unit, *value) && (number.value >= 0 || *value < 0);
+                                 : std::abs(std::abs(*value) / unit.size - std::abs(number.value)) <=
+                                           rounded_off(number, relation) &&
+                                       (number.value >= 0 || *value < 0);
       is_so = is_so.value_or(false) || is_so_now;
     }
   return is_so;

@@ -23,8 +23,12 @@ struct ShownMotion {
 bool is_known_number(const TypedNumber& number, const Lesson& lesson, const std::vector<ShownMotion>& motions,
                      const Effort& effort);
 
-/// Whether it is the number of a quantity on one of these motions, likewise; nothing where none has a value
-/// of it. Of greater and less: whether the quantity is that.
+/// How far a typed number may be from what it stands for, in its own unit: half a unit of its last digit. Of
+/// "is 3" nobody thinks that it is rounded, still less of "is 0": without "about" it is no more than 3 %.
+double rounded_off(const TypedNumber& number, Relation relation);
+
+/// Whether it is the number of a quantity on one of these motions, as far as it is rounded off; nothing where
+/// none has a value of it. Of greater and less: whether the quantity is that.
 std::optional<bool> is_number_of(const TypedNumber& number, const Expression& quantity,
                                  const std::vector<ShownMotion>& motions, const Effort& effort,
                                  Relation relation = Relation::equal);

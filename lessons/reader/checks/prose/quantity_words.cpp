@@ -27,7 +27,7 @@ struct Said {
 using Pair = std::pair<std::string_view, std::string_view>;
 
 /// What has a name of its own wherever the rotation of a body is written about.
-constexpr std::array<Pair, 31> kWords{{
+constexpr std::array<Pair, 38> kWords{{
     {"energy", "T"},
     {"kinetic energy", "T"},
     {"rotational energy", "T"},
@@ -59,6 +59,13 @@ constexpr std::array<Pair, 31> kWords{{
     {"axis 2", "e2"},
     {"axis 3", "e3"},
     {"period of the polhode", "period"},
+    {"rate of precession", "precession"},
+    {"precession rate", "precession"},
+    {"rate of precession in the body", "body_precession"},
+    {"half angle of the body cone", "body_cone"},
+    {"half-angle of the body cone", "body_cone"},
+    {"half angle of the space cone", "space_cone"},
+    {"half-angle of the space cone", "space_cone"},
 }};
 
 /// The larger and the smaller of two, without a function that says so.
@@ -111,8 +118,7 @@ class NameReader {
         words_ += {' ', kFormula, static_cast<char>('0' + formulas_.size()), ' '};
         formulas_.push_back(&span.math);
       } else {
-        for (const char c : span.text)
-          words_ += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        words_ += in_small_letters(span.text);
         if (span.break_after) words_ += ' ';
       }
     }
@@ -139,6 +145,11 @@ class NameReader {
   }
 
  private:
+  static std::string in_small_letters(std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+  }
+
   static std::string in_one_line(const std::string& text) {
     std::string line;
     for (std::string_view rest(text); !rest.empty();) {
@@ -188,16 +199,18 @@ class NameReader {
     if (auto said = of_axis(words)) return said;
     if (auto said = moment(words)) return said;
     for (const auto& [name, text] : kWords)
-      if (words == name && is_common(name)) return Said{std::string(text), is_vector(text)};
+      if (words == name && is_common(name, text)) return Said{std::string(text), is_vector(text)};
     // "the moment $I_2$": whatever the word is, the formula says it.
     if (words.size() > 3 && words[words.size() - 2] == kFormula && is_noun(words.substr(0, words.size() - 3)))
       return formula(words.back());
     return std::nullopt;
   }
 
+  static bool is_axis(std::string_view text) {
+    return text == "e1" || text == "e2" || text == "e3" || text == "ez";
+  }
   static bool is_vector(std::string_view text) {
-    constexpr std::array<std::string_view, 7> kVectors{"omega", "L", "N", "ez", "e1", "e2", "e3"};
-    return std::find(kVectors.begin(), kVectors.end(), text) != kVectors.end();
+    return is_axis(text) || text == "omega" || text == "L" || text == "N";
   }
 
   static bool is_noun(std::string_view word) {
@@ -207,20 +220,37 @@ class NameReader {
     return std::find(kNouns.begin(), kNouns.end(), word) != kNouns.end();
   }
 
-  /// Where a lesson calls something of its own "energy", the word alone is not T.
-  bool is_common(std::string_view name) const {
+  /// Where a lesson calls something of its own "total energy", the word "energy" alone is not T. Axes are the
+  /// same whatever else is called after them.
+  bool is_common(std::string_view name, std::string_view text) const {
     if (!by_symbols_) return name != "energy";  // of a top it has another part
+    if (is_axis(text)) return true;
     return std::none_of(lesson_.symbols.begin(), lesson_.symbols.end(), [&](const auto& symbol) {
-      return symbol.second.say.find(name) != std::string::npos && symbol.first != "T" &&
-             symbol.first != "omega" && symbol.first != "L" && symbol.first != "N";
+      return find_quantity(symbol.first) == nullptr && is_named_by(in_small_letters(symbol.second.say), name);
     });
+  }
+
+  /// Whether a name is one for a thing of this kind: "total energy" for an energy, "angle between the energy
+  /// ellipsoid and axis 3" for neither an energy nor an axis.
+  static bool is_named_by(std::string_view say, std::string_view kind) {
+    constexpr std::array<std::string_view, 11> kBehindNoun{" of ",    " between ", " from ",   " to ",
+                                                           " along ", " about ",   " around ", " in ",
+                                                           " on ",    " with ",    " by "};
+    std::size_t noun_end = say.size();
+    for (const std::string_view preposition : kBehindNoun)
+      noun_end = std::min(noun_end, say.find(preposition));
+    for (std::size_t at = 0; (at = say.find(kind, at)) < noun_end; ++at) {
+      const std::size_t end = at + kind.size();
+      const bool begins = at == 0 || !is_letter(say[at - 1]),
+                 ends = end == say.size() || !is_letter(say[end]);
+      if (begins && ends) return true;
+    }
+    return false;
   }
 
   std::optional<Said> by_lesson(std::string_view words) const {
     for (const auto& [name, symbol] : lesson_.symbols) {
-      std::string say;
-      for (const char c : symbol.say) say += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      if (say != words) continue;
+      if (in_small_letters(symbol.say) != words) continue;
       const std::string text = symbol.means.empty() ? name : symbol.means;
       const SourceText source(text);
       Report unused(source, "");

@@ -279,6 +279,17 @@ TEST(TypedNumbers, OfAKindOfBodyAreNotThoseOfTheOneThatIsShown) {
                 "A turn takes 7 s."});
 }
 
+// 2026-11-27: half a unit of the last digit of "2" is a quarter of it.
+TEST(TypedNumbers, ThatAreWholeAreNotRoundedToThem) {
+  expect_false({"The ratio of $I_3$ to $I_1$ is 3.", "The moment about axis 3 is 3 kg m².",
+                "The length of $\\vec\\omega$ is 3 rad/s.",
+                "| $I_1$ | $I_2$ | $I_3$ |\n|---|---|---|\n| 2 | 1 | 3 |\n"});
+  // ω = 3.121 rad/s, T = 9.836 J, |L| = 6.353 kg m²/s
+  expect_true({"The ratio of $I_3$ to $I_1$ is about 3.", "The moment about axis 3 is nearly 3 kg m².",
+               "The ratio of $I_2$ to $I_1$ is 2.", "The length of $\\vec\\omega$ is 3.1 rad/s.",
+               "The length of $\\vec L$ is 6.4 kg m²/s.", "The energy is 9.8 J."});
+}
+
 TEST(NamesInWords, AreHeldAgainstTheFormulaBehindThem) {
   expect_false({"The energy is $2T$.", R"(The energy is $\vec\omega\cdot\vec L$.)",
                 R"(The angular momentum is $2\mathbf I\cdot\vec\omega$.)", "The largest moment is $I_1$.",
@@ -398,6 +409,71 @@ TEST(NamesInWords, AreHeldAgainstColumnsAndPlots) {
         R"(notes = [{ text = "The energy is 9.84 J", at = "e1" }])",
         R"(areas = [{ from = "omega", to = "L", tex = '\vec\omega\times\vec L', role = "violet" }])"})
     EXPECT_THAT(complaints_about("Text.", keys), IsEmpty()) << keys;
+}
+
+/// On a symmetric body, I1 = I2 = 1, I3 = 1.8 kg m², with the lines of [symbols] and [define] of a lesson.
+std::vector<std::string> complaints_about_top(const std::string& text, const std::string& tables = "",
+                                              const std::string& keys = "") {
+  return complaints_of(text +
+                           "\n\n```scene\nbody = \"top\"\nomega = [0.5, 0, 2]\nshow = [\"omega\", \"L\"]\n" +
+                           keys + "\n```\n",
+                       "[body.top]\nmoments = [1.0, 1.0, 1.8]\ndraw = \"box\"\n" + tables);
+}
+
+// 2026-11-27: a name that a lesson gives made a stranger of each phrase that is a part of it. ω is 14.04°
+// from axis 3, and |ω| = 2.062 rad/s.
+TEST(NamesInWords, AreNotHiddenByLongerOnesOfTheLesson) {
+  for (const char* say : {"axis 3", "axis 3 of the body", "angle between the angular velocity and axis 3"}) {
+    const std::string own = "[define]\nmine = { means = \"dot(omega, e3)/norm(omega)\", tex = 'q', say = \"" +
+                            std::string(say) + "\" }\n",
+                      symbol = "[symbols]\ne3 = { tex = '\\hat e_3', say = \"" + std::string(say) + "\" }\n";
+    for (const char* text : {R"(The angle between $\vec\omega$ and axis 3 is 24.2°.)",
+                             R"(The component of $\vec\omega$ along axis 3 is 0.9 rad/s.)",
+                             R"(The angle between the angular velocity and the angular momentum is 3.1°.)"}) {
+      EXPECT_THAT(complaints_about_top(text, symbol), Not(IsEmpty())) << text << symbol;
+      if (std::string_view(say) != "axis 3") {
+        EXPECT_THAT(complaints_about_top(text, own), Not(IsEmpty())) << text << own;
+      }
+    }
+    for (const char* text : {R"(The angle between $\vec\omega$ and axis 3 is 14.0°.)",
+                             R"(The component of $\vec\omega$ along axis 3 is 2 rad/s.)"})
+      EXPECT_THAT(complaints_about_top(text, symbol), IsEmpty()) << text << symbol;
+  }
+  // The phrase itself is the lesson's own.
+  const std::string own = "[define]\nE = { means = \"2*T\", tex = 'E', unit = \"J\", say = \"energy\" }\n";
+  EXPECT_THAT(complaints_about_top("The energy is 7.45 J.", own), IsEmpty());
+  EXPECT_THAT(complaints_about_top("The energy is 3.725 J.", own), Not(IsEmpty()));
+}
+
+// 2026-11-27: what is called precession or a cone was compared with anything of its unit. |L|/I1 = 3.635
+// rad/s, the cone about axis 3 has 14.04°, that about L 6.13°.
+TEST(NamesInWords, ArePrecessionAndConesOfAFreeSymmetricBody) {
+  for (const char* text :
+       {"The rate of precession is 2.06 rad/s.", "Its precession rate is 2 rad/s.",
+        "The half-angle of the body cone is 6.13°.", "The half angle of the space cone is 14.0°."})
+    EXPECT_THAT(complaints_about_top(text), Not(IsEmpty())) << text;
+  for (const char* text :
+       {"The rate of precession is 3.635 rad/s.", "Its precession rate is 3.6 rad/s.",
+        "The half-angle of the body cone is 14.0°.", "The half angle of the space cone is 6.13°."})
+    EXPECT_THAT(complaints_about_top(text), IsEmpty()) << text;
+  // Of what has none it is any number's name, and still somebody has to compute it.
+  EXPECT_THAT(complaints_about_top("The rate of precession is 77 rad/s.", "", "torque = \"body:0,0.5,0\""),
+              Not(IsEmpty()));
+}
+
+// 2026-11-27: Ω without its arrow was nobody.
+TEST(Statements, OfVectorsWithoutTheirArrowsAreOfLengths) {
+  const std::string own =
+      "[define]\nOmega = { means = \"L/I1\", tex = '\\vec\\Omega' }\n"
+      "spin_a = { means = \"w3*e3\", tex = '\\vec\\omega_A' }\n";
+  for (const std::string& text :
+       {math("", R"(\Omega = |\vec L|/I_3)"), math("", R"(\Omega = \frac{|\vec L|}{I_3})"),
+        std::string(R"(Here $\Omega = 2.06$ rad/s.)"), std::string(R"(So $\omega_A = \omega_1$.)")})
+    EXPECT_THAT(complaints_about_top(text, own), Not(IsEmpty())) << text;
+  for (const std::string& text :
+       {math("", R"(\Omega = \frac{|\vec L|}{I_1})"), math("", R"(\Omega = |\vec\Omega|)"),
+        std::string(R"(Here $\Omega = 3.635$ rad/s.)"), std::string(R"(So $\omega_A = \omega_3$.)")})
+    EXPECT_THAT(complaints_about_top(text, own), IsEmpty()) << text;
 }
 
 std::string question(const std::string& type, const std::string& keys) {
