@@ -112,12 +112,12 @@ TEST(FalseNames, OfPlotsArrowsAnglesAndNotes) {
 
 // 2026-11-27: of unit vectors only those were told apart that are more than a right angle from each other.
 TEST(FalseNames, OfUnitVectors) {
-  const std::string own = R"([define]
+  const std::string own = R"x([define]
 n = { means = "e1", tex = '\hat n' }
 y = { means = "ddt(L)", tex = '\vec y' }
 [symbols]
-trial = { means = "e1", tex = '\hat m', say = "a trial axis", unit = "1" }
-)";
+trial = { means = "e1", tex = '\hat q', say = "a trial axis", unit = "1" }
+)x";
   for (const char* keys :
        {R"(arrows = [{ of = 'e3', tex = '\hat e_1' }])", R"(arrows = [{ of = 'e1', tex = '\hat e_3' }])",
         R"(arrows = [{ of = 'ex', tex = '\hat e_z' }])", R"(arrows = [{ of = 'e1', tex = '\hat e_z' }])",
@@ -125,14 +125,16 @@ trial = { means = "e1", tex = '\hat m', say = "a trial axis", unit = "1" }
         R"(arrows = [{ of = 'e1 + e2', tex = '\hat e_1' }])",
         R"(notes = [{ text = '$\hat e_3$', at = 'e1' }])"})
     expect_refused("Text.\n", own, keys);
-for (const char* keys :
-     {R"(arrows = [{ of = 'e3', tex = '\hat e_3' }, { of = 'ez', tex = '\hat e_z' }])",
-      R"(arrows = [{ of = 'e1', tex = '\hat n' }])", R"(arrows = [{ of = 'n', tex = '\hat e_1' }])",
-      R"x(arrows = [{ of = 'cross(e1, e2)', tex = '\hat e_3' }])x",
-      R"(arrows = [{ of = 'ex', tex = '\hat m' }, { of = 'ey', tex = 'y' }])",  // a trial axis, a
-                                                                                // coordinate
-      R"(notes = [{ text = '$\hat e_1$', at = 'e1' }])"})
-  expect_accepted("Text.\n", own, keys);
+  for (const char* keys :
+       {R"(arrows = [{ of = 'e3', tex = '\hat e_3' }, { of = 'ez', tex = '\hat e_z' }])",
+        R"(arrows = [{ of = 'e1', tex = '\hat n' }])", R"(arrows = [{ of = 'n', tex = '\hat e_1' }])",
+        R"x(arrows = [{ of = 'cross(e1, e2)', tex = '\hat e_3' }])x",
+        R"(arrows = [{ of = 'ey', tex = 'y' }])",  // a coordinate
+        R"(notes = [{ text = '$\hat e_1$', at = 'e1' }])"})
+    expect_accepted("Text.\n", own, keys);
+  // A trial axis is no principal one.
+  expect_accepted("Text.\n", own,
+                  "omega = [0, 0, 0.2]\nduration = 2\narrows = [{ of = 'ex', tex = '\\hat q' }]");
 }
 
 TEST(FalseTables, InTheirHeads) {
