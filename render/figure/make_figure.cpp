@@ -292,10 +292,9 @@ std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::
                                                 common_half_height(model, aspect))};
 }
 
-CameraSpec held_by_hand(const Scene& scene, const std::optional<Vec3>& w0_B) {
+CameraSpec held_by_hand(const Scene& scene) {
   CameraSpec camera = scene.camera;
   if (!camera.fitted) camera.fitted = CameraFit{camera.azimuth_rad, camera.elevation_rad};
-  if (w0_B) camera.fitted->w0_B = w0_B;
   if (!camera.fitted->w0_B) camera.fitted->w0_B = scene.w0_B;
   return camera;
 }

@@ -21,9 +21,8 @@ struct DrawnOmega {
 std::optional<DrawnOmega> drawn_omega(const SceneModel& model, double t_s, std::size_t pane, double aspect);
 
 /// The camera of a scene whose ω a hand takes: the frame stays, so that nothing but ω goes with the hand. It
-/// is that of the motion that begins with `w0_B`; absent: with the ω that it has been kept for, or the
-/// scene's.
-CameraSpec held_by_hand(const Scene& scene, const std::optional<Vec3>& w0_B = std::nullopt);
+/// is that of the motion that begins with the ω that it has been kept for, or the scene's.
+CameraSpec held_by_hand(const Scene& scene);
 
 /// Tries ω after ω without making models: what drawn_omega gives for the scene's model at t = 0 with this ω,
 /// the camera held by hand and, if they are given, this attitude and this camera. About 1 µs; a millisecond
