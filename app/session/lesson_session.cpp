@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/lesson_session.h"
 
+#include "app/session/answers/answer_keys.h"
 #include "lessons/derivation/answer_reasons.h"
 #include "lessons/reader/questions/line_notation.h"
 #include "lessons/reader/questions/state_task.h"
@@ -498,11 +499,9 @@ void LessonSession::end_play() {
 
 bool LessonSession::is_predicting() const {
   const std::vector<const Ask*> asked = questions();
-  return std::any_of(asked.begin(), asked.end(), [this](const Ask* ask) {
-    if (ask->type != Ask::Type::predict) return false;
-    const AnswerRecord* known = record(*ask);
-    return is_awaited(*ask) || known == nullptr || (known->tries == 0 && !is_told(*known, ask->hints.size()));
-  });
+  const bool is_played =
+      std::any_of(asked.begin(), asked.end(), [this](const Ask* ask) { return is_awaited(*ask); });
+  return is_played || has_open_prediction(*this);
 }
 
 const JudgedAnswer* LessonSession::judged(const Ask& ask) const {

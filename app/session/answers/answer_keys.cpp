@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/answers/answer_keys.h"
 
+#include "app/session/answers/answer_log.h"
 #include "app/session/command.h"
 #include "lessons/derivation/derivation.h"
+
+#include <algorithm>
 
 namespace polhode {
 
@@ -49,6 +52,15 @@ bool is_open(const LessonSession& session, const Ask& ask) {
 }
 
 }  // namespace
+
+bool has_open_prediction(const LessonSession& session) {
+  const std::vector<const Ask*> asked = session.questions();
+  return std::any_of(asked.begin(), asked.end(), [&](const Ask* ask) {
+    if (ask->type != Ask::Type::predict || session.is_awaited(*ask)) return false;
+    const AnswerRecord* known = session.record(*ask);
+    return known == nullptr || (known->tries == 0 && !is_told(*known, ask->hints.size()));
+  });
+}
 
 bool is_typed(const Ask& ask) {
   return ask.type == Ask::Type::expression || ask.type == Ask::Type::number || ask.type == Ask::Type::order ||

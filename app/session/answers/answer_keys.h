@@ -15,6 +15,9 @@ const Ask* asked_by_letter(const LessonSession& session);
 /// Answers that question if the key, "B" or "2", is one of its choices; false, with nothing changed, if not.
 bool answer_by_key(LessonSession& session, std::string_view key);
 
+/// Whether the step asks what will happen, and nobody has said so yet, or been told.
+bool has_open_prediction(const LessonSession& session);
+
 /// Whether an answer to it is typed into a field.
 bool is_typed(const Ask& ask);
 

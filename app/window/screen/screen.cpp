@@ -2,7 +2,6 @@
 #include "app/window/screen/screen.h"
 
 #include "app/session/answers/answer_keys.h"
-#include "app/session/answers/answer_log.h"
 #include "app/session/command.h"
 #include "app/session/saved/typed_folder.h"
 #include "app/window/controls/control_input.h"
@@ -185,13 +184,7 @@ bool Screen::press(LessonSession& session, std::string_view key, bool is_repeate
 /// What a prediction asks is told by the next step: who has not answered is asked to, once. Before an
 /// audience nobody is.
 bool Screen::holds_back(const LessonSession& session, bool is_repeated) {
-  const std::vector<const Ask*> asked = session.questions();
-  const bool is_open = std::any_of(asked.begin(), asked.end(), [&](const Ask* ask) {
-    if (ask->type != Ask::Type::predict || session.is_awaited(*ask)) return false;
-    const AnswerRecord* known = session.record(*ask);
-    return known == nullptr || (known->tries == 0 && !is_told(*known, ask->hints.size()));
-  });
-  if (session.is_presenting() || !is_open) return false;
+  if (session.is_presenting() || !has_open_prediction(session)) return false;
   if (!is_repeated && held_back_ == session.place()) return false;
   if (!is_repeated) held_back_ = session.place();
   tell("Answer first, or press again to see it.");
