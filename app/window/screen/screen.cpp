@@ -352,7 +352,7 @@ Status Screen::draw(LessonSession& session, const ScreenFrame& frame) {
   const auto painted = show_page(session, page_region(session, frame.size), resolution);
   if (!painted) return failure(painted.error());
   controls_->draw(*ImGui::GetDrawData(), *picture_);
-  if (const Status kept = keep_for_audience(session); !kept) return kept;
+  if (Status kept = keep_for_audience(session); !kept) return kept;
   gl_->Finish();
   frame_s_ = now_s() - begun_s;
   if (*painted) page_s_ = frame_s_;

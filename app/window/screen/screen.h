@@ -71,7 +71,7 @@ class Screen {
 
   /// Where the spot is while one points in that window, in parts of this picture's size; nothing: not on the
   /// page there.
-  void point_from_afar(std::optional<Vec2> at) { pointed_from_afar_ = at; }
+  void point_from_afar(const std::optional<Vec2>& at) { pointed_from_afar_ = at; }
 
   const PageView& page() const { return *page_; }  ///< with the places of the last frame
   const SpeechText& speech() const { return *speech_; }
