@@ -196,7 +196,7 @@ WindowEnd play_one(const Options& options, const Fonts& fonts, SlidesJob& slides
   LessonWatch watch(*loaded, fonts);
   if (options.watch)
     window.look_for_changes = [&](LessonSession& now, std::string& errors) { watch.look(now, errors); };
-  const WindowEnd end = or_fail(run_window(session, fonts, window));
+  WindowEnd end = or_fail(run_window(session, fonts, window));
   if (const std::string notice = progress.keep_at_last(session); !notice.empty())
     say("polhode: {}\n", notice);
   keep_place(end.place);
