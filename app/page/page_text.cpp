@@ -2,6 +2,7 @@
 #include "app/page/page_text.h"
 
 #include "app/narration/still_numbers.h"
+#include "app/page/symbol_glossary.h"
 #include "lessons/reader/checks/lint_budget.h"
 #include "render/scene/model/scene_problem.h"
 
@@ -170,23 +171,39 @@ struct Selection {
   std::size_t rank() const { return whole_from + left_out; }
 };
 
+/// What the text of a page is made of at every size of type.
+struct TextParts {
+  std::vector<MathSymbol> symbols;
+  Verdicts verdicts;
+  PageNumbers numbers;
+  /// Absent where all steps stand, or one alone: on a slide, in a window, which tells what is pointed at.
+  std::optional<SymbolGlossary> glossary;
+};
+
+TextParts parts_of(const PageRequest& request, const Fonts& fonts) {
+  TextParts parts{
+      symbols_of(request.lesson, request.theme), verdicts_of(request), numbers_of(request, fonts), {}};
+  if (request.profile == Profile::page && !request.scrolls)
+    parts.glossary.emplace(request.lesson, parts.symbols);
+  return parts;
+}
+
 /// The text at one size; each step is set when it is first asked for.
 class ScaledText {
  public:
-  ScaledText(const PageRequest& request, const std::vector<MathSymbol>& symbols, const Verdicts& verdicts,
-             const PageNumbers& numbers, double width, double em, double scale, const Fonts& fonts)
+  ScaledText(const PageRequest& request, const TextParts& parts, double width, double em, double scale,
+             const Fonts& fonts)
       : request_(request),
-        verdicts_(verdicts),
+        parts_(parts),
         fonts_(fonts),
         width_(width),
         em_(em),
         scale_(scale),
-        column_(width, scale * em, request.theme, request.profile, symbols, numbers, fonts,
+        column_(width, scale * em, request.theme, request.profile, parts.symbols, parts.numbers, fonts,
                 request.scrolls ? kLeastSmall : 0.0),
         last_(static_cast<std::size_t>(request.step - 1)),
         heading_{header(), title()},
-        footnote_rule_(column_.footnote_rule()),
-        whole_(last_ + 1) {
+        footnote_rule_(column_.footnote_rule()) {
     footnote_rule_.of = &request_.stage.steps;
   }
 
@@ -228,8 +245,8 @@ class ScaledText {
     if (!request_.derivation.lines.empty()) text.hidden = text.overflow;  // the line that is being typed
     if (last_ == 0) return text;
     std::size_t before = heading_.size(), after = before;
-    for (std::size_t i = 0; i < last_; ++i) before += whole(i).text.size();
-    after = before + whole(last_).text.size();
+    for (std::size_t i = 0; i < last_; ++i) before += whole(i, 0).text.size();
+    after = before + whole(last_, 0).text.size();
     const auto height_to = [&](std::size_t count) {
       return height_of(PieceRefs(refs.begin(), refs.begin() + static_cast<std::ptrdiff_t>(count)));
     };
@@ -322,14 +339,17 @@ class ScaledText {
   PieceRefs pieces(const Selection& shown) {
     PieceRefs all;
     add(all, heading_);
+    const Recalled* above = nullptr;
     for (const Recalled& recalled : shown.recalled) {
-      const bool is_first = &recalled == &shown.recalled.front() || (&recalled - 1)->step != recalled.step;
-      all.push_back(&earlier(recalled, is_first));
+      all.push_back(&earlier(recalled, above));
+      above = &recalled;
     }
-    for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i).text);
-    // All footnotes stand at the foot.
+    const std::size_t from = shown.whole_from;
+    for (std::size_t i = from; i <= last_; ++i) add(all, whole(i, from).text);
+    // At the foot symbols in words, and all footnotes.
     const std::size_t body = all.size();
-    for (std::size_t i = shown.whole_from; i <= last_; ++i) add(all, whole(i).notes);
+    if (const ColumnPiece* words = symbols_in_words(all, from)) all.push_back(words);
+    for (std::size_t i = from; i <= last_; ++i) add(all, whole(i, from).notes);
     if (all.size() > body) all.insert(all.begin() + static_cast<std::ptrdiff_t>(body), &footnote_rule_);
     return all;
   }
@@ -404,12 +424,45 @@ class ScaledText {
   struct Whole {
     Pieces text, notes;
   };
-  const Whole& whole(std::size_t i) {
-    if (!whole_[i]) whole_[i] = made_whole(request_.stage.steps[i], i == last_);
-    return *whole_[i];
+  const Whole& whole(std::size_t i, std::size_t whole_from) {
+    const int before = notes_before(i, whole_from);
+    const auto [made, is_new] = whole_.try_emplace({i, before});
+    if (is_new)
+      made->second = made_whole(request_.stage.steps[i], i == last_, column_.with_notes_after(before));
+    return made->second;
   }
 
-  Whole made_whole(const Step& step, bool is_present) {
+  /// Of those of the stage, so many footnotes are not on the page: on it they count from 1. A slide keeps the
+  /// numbers that the speaker's notes have.
+  int notes_before(std::size_t i, std::size_t whole_from) const {
+    const auto notes = [&](std::size_t of) { return blocks_of<Footnote>(request_.stage.steps[of]).size(); };
+    if (is_slide() || notes(i) == 0) return 0;
+    std::size_t count = 0;
+    for (std::size_t before = 0; before < whole_from; ++before) count += notes(before);
+    return static_cast<int>(count);
+  }
+
+  /// Symbols of the lesson's own that stand in these pieces and were explained before step `whole_from`;
+  /// null: none.
+  const ColumnPiece* symbols_in_words(const PieceRefs& pieces, std::size_t whole_from) {
+    if (!parts_.glossary) return nullptr;
+    std::vector<std::string> names;
+    for (const ColumnPiece* piece : pieces)
+      for (const PlacedType& text : piece->sheet.texts)
+        names.insert(names.end(), text.list.names.begin(), text.list.names.end());
+    const std::string line =
+        parts_.glossary->explained(names, {static_cast<std::size_t>(request_.number - 1), whole_from});
+    if (line.empty()) return nullptr;
+    const auto [made, is_new] = in_words_.try_emplace(line);
+    if (is_new) {
+      made->second = column_.symbols_in_words(line);
+      made->second.of = &in_words_;
+      tell_cost_of(made->second);
+    }
+    return &made->second;
+  }
+
+  Whole made_whole(const Step& step, bool is_present, const TextColumn& column) {
     const Equation* first = focus_of(request_.stage, step);
     const auto focus_on = [&](const Equation& equation) {
       if (!is_in_focus(request_.stage, step, equation)) return Focus::none;
@@ -435,19 +488,19 @@ class ScaledText {
     }
     for (const Block& block : step.blocks) {
       if (const auto* equation = std::get_if<Equation>(&block))
-        take(column_.equation(*equation, focus_on(*equation), marked,
-                              verdicts_on(*equation, step, is_present)),
-             block);
+        take(
+            column.equation(*equation, focus_on(*equation), marked, verdicts_on(*equation, step, is_present)),
+            block);
       if (const auto* claim = std::get_if<Claim>(&block); claim && !has_equation(step, claim->equation))
         take(verdict(*claim, is_present), block);
-      if (const auto* prose = std::get_if<Prose>(&block)) take(column_.prose(prose->text), block);
+      if (const auto* prose = std::get_if<Prose>(&block)) take(column.prose(prose->text), block);
       if (const auto* callout = std::get_if<Callout>(&block))
-        take(column_.callout(*callout, std::string(label_of(request_.lesson, callout->kind))), block);
+        take(column.callout(*callout, std::string(label_of(request_.lesson, callout->kind))), block);
       if (const auto* ask = std::get_if<Ask>(&block)) {
-        take(column_.question(*ask), block);
+        take(column.question(*ask), block);
         if (ask == request_.derivation.ask && is_present) add_derivation(made.text);
       }
-      if (const auto* note = std::get_if<Footnote>(&block)) take(column_.footnote(*note), block);
+      if (const auto* note = std::get_if<Footnote>(&block)) take(column.footnote(*note), block);
     }
     return made;
   }
@@ -474,21 +527,21 @@ class ScaledText {
   /// Whether a claim is not the formula that it stands at, and holds: on a slide its badge would seem to be
   /// of the formula.
   bool is_beside(const Claim& claim) const {
-    const Certainty certainty = verdicts_.at(&claim).certainty;
+    const Certainty certainty = parts_.verdicts.at(&claim).certainty;
     const bool holds = certainty == Certainty::proved || certainty == Certainty::stated;
     return claim.origin == Claim::Origin::beside && holds;
   }
 
   /// The title of its step, the kind of the first claim on it, and what that is given: without that a
   /// recalled one would seem to hold always.
-  EarlierLabel label_of_earlier(const Equation& equation, const Step& step, bool is_first) const {
+  EarlierLabel label_of_earlier(const Equation& equation, const Step& step) const {
     EarlierLabel label;
-    if (is_first) label.title = in_a_line(step.title);
+    label.title = in_a_line(step.title);
     for (const Block& block : step.blocks) {
       const auto* claim = std::get_if<Claim>(&block);
       if (!claim || claim->equation != equation.id) continue;
       if (is_beside(*claim)) continue;  // its word would seem to be of the formula
-      const VerdictRow& row = verdicts_.at(claim);
+      const VerdictRow& row = parts_.verdicts.at(claim);
       label.in_short = row.word + (claim->given.empty() ? "" : ", under an assumption");
       const bool is_of_what_holds = row.certainty == Certainty::proved && !row.note.empty();
       label.word = is_of_what_holds ? row.word : label.in_short;
@@ -505,7 +558,7 @@ class ScaledText {
   /// beside a formula: pages have both. That it is not the formula itself the slide says.
   ColumnPiece verdict(const Claim& claim, bool is_present) const {
     const bool has_numbers = !is_slide() && is_present && scene() && can_be_shown(claim, *scene());
-    VerdictRow row = verdicts_.at(&claim);
+    VerdictRow row = parts_.verdicts.at(&claim);
     if (is_slide() && claim.kind == ClaimKind::measured && row.certainty == Certainty::stated)
       row.note.clear();
     if (is_slide() && !row.claimed.empty()) {
@@ -533,13 +586,18 @@ class ScaledText {
     return !is_refuted(request_.stage, equation) && numbers_in(equation).empty();
   }
 
-  /// The first of its step on the page has the step's title.
-  const ColumnPiece& earlier(const Recalled& recalled, bool is_first) {
-    const auto [made, is_new] = earlier_.try_emplace({recalled.equation, is_first});
-    if (!is_new) return made->second;
+  /// The first of its step on the page has the step's title; what is given is not said twice in a row.
+  const ColumnPiece& earlier(const Recalled& recalled, const Recalled* above) {
     const Step& step = request_.stage.steps[recalled.step];
-    ColumnPiece piece = noted(
-        column_.earlier_equation(*recalled.equation, label_of_earlier(*recalled.equation, step, is_first)));
+    EarlierLabel label = label_of_earlier(*recalled.equation, step);
+    if (above && above->step == recalled.step) label.title.clear();
+    if (above && !label.note.empty()) {
+      const EarlierLabel last = label_of_earlier(*above->equation, request_.stage.steps[above->step]);
+      if (last.note == label.note) label.note = "given the same";
+    }
+    const auto [made, is_new] = earlier_.try_emplace({recalled.equation, label.title + label.note});
+    if (!is_new) return made->second;
+    ColumnPiece piece = noted(column_.earlier_equation(*recalled.equation, label));
     piece.of = block_of(step, *recalled.equation);
     piece.is_main = recalled.equation == focus_of(request_.stage, step);
     tell_cost_of(piece);
@@ -554,7 +612,7 @@ class ScaledText {
   }
 
   const PageRequest& request_;
-  const Verdicts& verdicts_;
+  const TextParts& parts_;
   const Fonts& fonts_;
   double width_, em_, scale_;
   TextColumn column_;
@@ -562,8 +620,9 @@ class ScaledText {
   std::size_t last_;           ///< index of the step
   Pieces heading_;             ///< header and title
   ColumnPiece footnote_rule_;
-  std::vector<std::optional<Whole>> whole_;
-  std::map<std::pair<const Equation*, bool>, ColumnPiece> earlier_;
+  std::map<std::pair<std::size_t, int>, Whole> whole_;  ///< by step and what its footnotes count from
+  std::map<std::pair<const Equation*, std::string>, ColumnPiece> earlier_;  ///< by what is said of them
+  std::map<std::string, ColumnPiece> in_words_;
 };
 
 Failure<std::string> too_much(const PageRequest& request) {
@@ -575,12 +634,8 @@ Failure<std::string> too_much(const PageRequest& request) {
 
 Result<FittedText> fit_text(const PageRequest& request, double width, double height, double em,
                             const Fonts& fonts) {
-  const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
-  const Verdicts verdicts = verdicts_of(request);
-  const PageNumbers numbers = numbers_of(request, fonts);
-  const auto text_at = [&](double scale) {
-    return ScaledText(request, symbols, verdicts, numbers, width, em, scale, fonts);
-  };
+  const TextParts parts = parts_of(request, fonts);
+  const auto text_at = [&](double scale) { return ScaledText(request, parts, width, em, scale, fonts); };
   const auto fitted = [](ScaledText& text, const Selection& shown) {
     return FittedText{text.stacked(shown),
                       text.scale(),
@@ -621,10 +676,8 @@ void scroll_to(FittedText& text, double hidden) {
 
 Result<bool> fits_slide(const PageRequest& request, double width, double height, double em,
                         double least_formula, const Fonts& fonts) {
-  const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
-  const Verdicts verdicts = verdicts_of(request);
-  const PageNumbers numbers = numbers_of(request, fonts);
-  ScaledText text(request, symbols, verdicts, numbers, width, em, request.slide_type->scale, fonts);
+  const TextParts parts = parts_of(request, fonts);
+  ScaledText text(request, parts, width, em, request.slide_type->scale, fonts);
   const auto made = text.slide(height);
   if (!made) return failure(made.error());
   return made->has_value() && (*made)->formula_scale >= least_formula;
@@ -632,11 +685,9 @@ Result<bool> fits_slide(const PageRequest& request, double width, double height,
 
 Result<FittedText> fit_slide(const PageRequest& request, double scale, double width, double height, double em,
                              const Fonts& fonts) {
-  const std::vector<MathSymbol> symbols = symbols_of(request.lesson, request.theme);
-  const Verdicts verdicts = verdicts_of(request);
-  const PageNumbers numbers = numbers_of(request, fonts);
+  const TextParts parts = parts_of(request, fonts);
   for (; scale > kLeastOfAll; scale *= kSmaller) {
-    ScaledText text(request, symbols, verdicts, numbers, width, em, scale, fonts);
+    ScaledText text(request, parts, width, em, scale, fonts);
     auto made = text.slide(height);
     if (!made) return failure(made.error());
     if (*made) return **std::move(made);

@@ -153,8 +153,32 @@ TextStyle TextColumn::style(double size, Color color, double width) const {
   return style;
 }
 
+std::vector<MathSymbol> TextColumn::symbols_in(const Color& color) const {
+  std::vector<MathSymbol> symbols = symbols_;
+  for (MathSymbol& symbol : symbols) symbol.color = color;
+  return symbols;
+}
+
 Result<DisplayList> TextColumn::set(const RichText& text, const TextStyle& style) const {
-  return or_why_not(set_text(numbers_.put_into(text), style, fonts_));
+  RichText shown = numbers_.put_into(text);
+  if (notes_before_ > 0)
+    for_each_span(shown, [&](TextSpan& span) {
+      for (int number = notes_before_ + 1; number <= notes_before_ + static_cast<int>(kMaxFootnotes);
+           ++number)
+        if (span.text == raised_number(number)) {
+          span.text = mark_of_note(number);
+          break;
+        }
+    });
+  return or_why_not(set_text(shown, style, fonts_));
+}
+
+std::string TextColumn::mark_of_note(int number) const { return raised_number(number - notes_before_); }
+
+TextColumn TextColumn::with_notes_after(int before) const {
+  TextColumn column = *this;
+  column.notes_before_ = before;
+  return column;
 }
 
 void TextColumn::take_rooms(DisplayList& list, const Vec2& at, ColumnPiece& piece) const {
@@ -315,10 +339,13 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
   const bool has_example = !row.example.empty() && profile_ == Profile::page;
   const std::string words = has_example ? row.note + (row.note.empty() ? "" : ", ") + row.example : row.note;
   if (!words.empty()) {
-    DisplayList note = set_line(words, quiet, fonts_);
+    const std::vector<MathSymbol> symbols = symbols_in(quiet.color);
+    TextStyle named = quiet;
+    named.symbols = &symbols;
+    DisplayList note = set_line(words, named, fonts_);
     Vec2 at(end + gap, baseline);
     if (at.x() + note.width > width_) {  // below, in as many lines as it takes
-      note = set_lines(words, quiet, fonts_);
+      note = set_lines(words, named, fonts_);
       at = {0, piece.height + std::round(0.3 * em + std::max(note.ascent, kLineTop * em))};
       piece.height = at.y() + std::round(std::max(note.depth, kLineBottom * em));
       end = width_;
@@ -419,13 +446,14 @@ Result<ColumnPiece> TextColumn::equation(const Equation& equation, Focus focus,
 DisplayList TextColumn::label_in_lines(const EarlierLabel& label, double room) const {
   TextStyle words = style(small_size(kEarlierLabelSize), colors().quiet, room);
   words.sans = true;
-  words.symbols = nullptr;  // the slots outlive them
   words.leading = kVerdictLine;
   TextStyle title = words;
   title.color = colors().ink;
   DisplayList lines;
-  const auto add = [&](const std::string& text, const TextStyle& style) {
+  const auto add = [&](const std::string& text, TextStyle style) {
     if (text.empty()) return;
+    const std::vector<MathSymbol> symbols = symbols_in(style.color);
+    style.symbols = &symbols;
     const DisplayList part = set_lines(text, style, fonts_);
     if (lines.glyphs.empty()) {
       lines = part;
@@ -588,10 +616,17 @@ Result<ColumnPiece> TextColumn::footnote(const Footnote& note) const {
   small.leading = 1.35;
   RichText text = note.text;
   if (!text.empty()) {
-    text.front().marker = raised_number(note.number);
+    text.front().marker = mark_of_note(note.number);
     text.front().indent = 1;
   }
   return piece_of(set(text, small), em, 0.3 * em);
+}
+
+ColumnPiece TextColumn::symbols_in_words(const std::string& text) const {
+  const double em = small_size(kFootnoteSize);
+  TextStyle small = style(em, colors().quiet, width_);
+  small.leading = 1.35;
+  return *piece_of(set_lines(text, small, fonts_), em, 0.3 * em);
 }
 
 ColumnPiece TextColumn::footnote_rule() const {

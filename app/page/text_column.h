@@ -106,6 +106,10 @@ class TextColumn {
   Result<ColumnPiece> callout(const Callout& callout, const std::string& label) const;
   /// Small, behind its number.
   Result<ColumnPiece> footnote(const Footnote& note) const;
+  /// The same column with footnote `before` + 1 of the stage as its first.
+  TextColumn with_notes_after(int before) const;
+  /// A text as set_lines has it, small and quiet.
+  ColumnPiece symbols_in_words(const std::string& text) const;
   /// The short line above all footnotes.
   ColumnPiece footnote_rule() const;
   Result<ColumnPiece> question(const Ask& ask) const;
@@ -115,7 +119,11 @@ class TextColumn {
  private:
   const PageColors& colors() const { return colors_of(theme_); }
   TextStyle style(double size, Color color, double width) const;
+  /// All of this colour: they keep their names.
+  std::vector<MathSymbol> symbols_in(const Color& color) const;
   Result<DisplayList> set(const RichText& text, const TextStyle& style) const;
+  /// The number of a footnote on this page.
+  std::string mark_of_note(int number) const;
   /// The list with its highest ink or line at y = 0, and the rooms of its running numbers.
   Result<ColumnPiece> piece_of(Result<DisplayList> list, double em, double gap) const;
   void take_rooms(DisplayList& list, const Vec2& at, ColumnPiece& piece) const;
@@ -145,6 +153,7 @@ class TextColumn {
   const PageNumbers& numbers_;
   const Fonts& fonts_;
   double least_;
+  int notes_before_ = 0;
 };
 
 /// Pieces one below the other, each in its place; the height they take together.

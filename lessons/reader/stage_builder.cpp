@@ -556,7 +556,7 @@ std::optional<ClaimKind> StageBuilder::kind_from(const PlacedText& word) {
   return kind;
 }
 
-/// Several tags of one equation are joined by commas.
+/// Several tags of one equation are joined by commas. An equation that is printed once more keeps its number.
 void StageBuilder::take_tag(const Equation& equation) {
   std::size_t begin = 0;
   for (const std::size_t at : equation.math.tag_offsets) {
@@ -564,9 +564,10 @@ void StageBuilder::take_tag(const Equation& equation) {
     const std::string tag = equation.tag.substr(begin, end - begin);
     begin = std::min(end + 2, equation.tag.size());
     const SourcePlace place = source_.place_of(equation.offset + at);
-    const auto [first, is_new] = tag_lines_.emplace(tag, place.line);
-    if (!is_new)
-      report_.warning(place, "tag (" + tag + ") is there already, on line " + std::to_string(first->second));
+    const auto [first, is_new] = tags_.try_emplace(tag, Tagged{place.line, equation.tex});
+    if (!is_new && first->second.tex != equation.tex)
+      report_.warning(
+          place, "another equation has tag (" + tag + "), on line " + std::to_string(first->second.line));
   }
 }
 

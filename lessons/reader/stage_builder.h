@@ -69,7 +69,11 @@ class StageBuilder {
   Report& report_;
   std::vector<Stage> stages_;
   std::map<std::string, int> stage_lines_;  // ids in use and their lines
-  std::map<std::string, int> tag_lines_;
+  struct Tagged {
+    int line = 0;
+    std::string tex;
+  };
+  std::map<std::string, Tagged> tags_;  ///< where each was first, and on what
   int parts_ = 0;
   int steps_with_several_ = 0;
   bool said_text_before_stage_ = false;

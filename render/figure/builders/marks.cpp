@@ -233,13 +233,25 @@ constexpr float kPlaneAlpha = 0.16F, kSectorAlpha = 0.20F, kAreaAlpha = 0.34F;
 
 constexpr double kOutsideBody = 0.99;
 
-/// Angles about the centre stand each outside the one before; outside a body that lies there.
-double radius_of_angle(const Snapshot& m, std::size_t index) {
-  constexpr double kFirst = 0.42, kApart = 0.12, kCloser = 0.07, kAtTip = 0.2;
-  if (m.model.scene.marks.angles[index].at) return kAtTip;
+/// Angles about the centre stand each outside the one before, and outside its name where that lies in their
+/// sector; outside a body that lies there. `value_V` is a vector at the moment.
+template <class Value>
+double radius_of_angle(const Snapshot& m, std::size_t index, const Value& value_V) {
+  constexpr double kFirst = 0.42, kApart = 0.12, kCloser = 0.07, kName = 0.19, kAtTip = 0.2;
+  const std::vector<AngleMark>& angles = m.model.scene.marks.angles;
+  const AngleMark& outer = angles[index];
+  if (outer.at) return kAtTip;
   const bool is_in_body = m.model.needs.solid && !m.shows(Overlay::pivot);
-  const auto before = static_cast<double>(index);
-  return is_in_body ? kOutsideBody + kCloser * before : kFirst + kApart * before;
+  double radius = is_in_body ? kOutsideBody : kFirst;
+  for (std::size_t i = 0; i < index; ++i) {
+    const AngleMark& inner = angles[i];
+    const Vec3 leg = value_V(outer.from);
+    const bool has_name_inside = !inner.tex.empty() &&
+                                 inner.from.quantity.fingerprint == outer.from.quantity.fingerprint &&
+                                 leg.cross(value_V(inner.to)).dot(leg.cross(value_V(outer.to))) > 0.0;
+    radius += has_name_inside ? kName : is_in_body ? kCloser : kApart;
+  }
+  return radius;
 }
 
 /// The same at all times.
@@ -333,7 +345,9 @@ class MarkBuilder {
     const Vec3 u = from->stableNormalized(), v = to->stableNormalized(), axis = u.cross(v).normalized();
     const auto center = mark.at ? vectors_.tip_V(*mark.at) : Vec3(Vec3::Zero());
     if (!center) return;
-    const double arc_radius = radius_of_angle(m_, index);
+    const double arc_radius = radius_of_angle(m_, index, [&](const MarkVector& vector) {
+      return vectors_.value_V(vector, m_.t_s, m_.state).value_or(Vec3::Zero());
+    });
     const bool is_square = is_right(*angle_rad) && arc_radius < kOutsideBody;  // a body would hide it
     const double radius = is_square ? kSquare * arc_radius : arc_radius;
     const auto at = [&](double part) -> Vec3 {
@@ -471,7 +485,8 @@ void add_places_of_marks(const Snapshot& m, Places& places) {
     }
     for (std::size_t i = 0; i < marks.angles.size(); ++i) {
       constexpr double kName = 0.13;
-      const double radius = radius_of_angle(m, i);
+      const double radius = radius_of_angle(
+          m, i, [&](const MarkVector& vector) { return vectors.direction_V(vector, step, then); });
       const Vec3 from = vectors.direction_V(marks.angles[i].from, step, then),
                  to = vectors.direction_V(marks.angles[i].to, step, then);
       const auto& at = marks.angles[i].at;

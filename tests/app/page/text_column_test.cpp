@@ -205,6 +205,23 @@ TEST_P(Column, AnEarlierEquationSaysWhatItIsHoweverWideItIs) {
   EXPECT_EQ(in_lines > 0, em() < 0.05 * width()) << "a narrow column has no room for it";
 }
 
+TEST_P(Column, FootnotesCountFromThatWhichThePageBeginsWith) {
+  const auto text = [](const std::string& mark) {
+    TextSpan words, raised;
+    words.text = "A word";
+    raised.text = mark;
+    return RichText{TextBlock{.indent = 0, .marker = {}, .spans = {words, raised}}};
+  };
+  const TextColumn later = column().with_notes_after(2);
+  EXPECT_EQ(later.prose(text("³")).value().sheet.texts[0].list.glyphs,
+            column().prose(text("¹")).value().sheet.texts[0].list.glyphs);
+  EXPECT_EQ(later.prose(text("m³")).value().sheet.texts[0].list.glyphs,
+            column().prose(text("m³")).value().sheet.texts[0].list.glyphs);
+  const auto note = [&](int number) { return Footnote{.number = number, .text = text(""), .place = {}}; };
+  EXPECT_EQ(later.footnote(note(4)).value().sheet.texts[0].list.glyphs,
+            column().footnote(note(2)).value().sheet.texts[0].list.glyphs);
+}
+
 TEST_P(Column, OnlyAnEquationInFocusHasPanelAndBar) {
   for (const Equation& equation : blocks_of<Equation>()) {
     const ColumnPiece plain = column().equation(equation, Focus::none, {}).value(),

@@ -162,10 +162,16 @@ TEST(Ids, AreFreeAgainInTheNextStage) {
               IsEmpty());
 }
 
-TEST(Tags, AreWarnedOfIfUsedTwiceInTheLesson) {
+TEST(Tags, AreWarnedOfIfTwoEquationsOfTheLessonHaveOne) {
   EXPECT_THAT(testing::complaints(
                   lesson_with("```math a\nx \\tag{1}\n```\n# Next {next}\n```math a\ny \\tag{1}\n```\n")),
-              ElementsAre("14:8: warning: tag (1) is there already, on line 10"));
+              ElementsAre("14:8: warning: another equation has tag (1), on line 10"));
+}
+
+TEST(Tags, StayWithAnEquationThatIsPrintedOnceMore) {
+  EXPECT_THAT(testing::complaints(
+                  lesson_with("```math a\nx \\tag{1}\n```\n# Next {next}\n```math b\nx \\tag{1}\n```\n")),
+              IsEmpty());
 }
 
 TEST(Tags, OfOneEquationAreKeptTogether) {

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "app/page/symbol_glossary.h"
+
+#include "lessons/claims/expressions/vocabulary.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace polhode {
+
+namespace {
+
+template <class Do>
+void for_each_formula(const RichText& text, const Do& act) {
+  for_each_span(text, [&](const TextSpan& span) {
+    if (span.kind == TextSpan::Kind::math) act(span.math);
+  });
+}
+
+/// Of what a reader of the step sees in its column.
+template <class Do>
+void for_each_formula(const Step& step, const Do& act) {
+  for_each_formula(step.title, act);
+  for (const Block& block : step.blocks) {
+    if (const auto* equation = std::get_if<Equation>(&block)) act(equation->math);
+    if (const auto* prose = std::get_if<Prose>(&block)) for_each_formula(prose->text, act);
+    if (const auto* callout = std::get_if<Callout>(&block)) for_each_formula(callout->text, act);
+    if (const auto* note = std::get_if<Footnote>(&block)) for_each_formula(note->text, act);
+    if (const auto* ask = std::get_if<Ask>(&block)) {
+      for_each_formula(ask->prompt_text, act);
+      for (const RichText& choice : ask->choice_texts) for_each_formula(choice, act);
+    }
+  }
+}
+
+bool is_before(const StepPlace& a, const StepPlace& b) {
+  return std::tie(a.stage, a.step) < std::tie(b.stage, b.step);
+}
+
+}  // namespace
+
+SymbolGlossary::SymbolGlossary(const Lesson& lesson, const std::vector<MathSymbol>& symbols) {
+  std::map<std::string, std::string, std::less<>> wanted;
+  for (const auto& [name, symbol] : lesson.symbols)
+    if (const Vocabulary::Word* word = lesson.notation.vocabulary.find(name); word && !symbol.note.empty())
+      wanted.emplace(name, '$' + word->tex + "$: " + symbol.note);
+  for (std::size_t stage = 0; stage < lesson.stages.size(); ++stage) {
+    const std::vector<Step>& steps = lesson.stages[stage].steps;
+    for (std::size_t i = 0; i < steps.size() && entries_.size() < wanted.size(); ++i)
+      for_each_formula(steps[i], [&](const Math& math) {
+        // A formula is spoken by the names of its symbols.
+        spoken(math, symbols, [&](std::string_view name) {
+          if (const auto found = wanted.find(name); found != wanted.end())
+            entries_.try_emplace(found->first, Entry{found->second, {stage, i}});
+          return std::string(name);
+        });
+      });
+  }
+}
+
+std::string SymbolGlossary::explained(const std::vector<std::string>& names, const StepPlace& from) const {
+  std::string line;
+  std::vector<std::string> done;
+  for (const std::string& name : names) {
+    const auto found = entries_.find(name);
+    if (found == entries_.end() || !is_before(found->second.first, from)) continue;
+    if (std::find(done.begin(), done.end(), name) != done.end()) continue;
+    done.push_back(name);
+    line += (line.empty() ? "" : "; ") + found->second.words;
+  }
+  return line;
+}
+
+}  // namespace polhode
