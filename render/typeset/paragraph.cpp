@@ -387,7 +387,7 @@ class TextSetter {
     const std::u32string after = word_at(elements, space + 1);
     if (ends_in_digit(block, before) && is_unit(after)) return kWithinNumber;
     const bool is_short_number =
-        0 < after.size() && after.size() <= 2 && std::ranges::all_of(after, is_digit);
+        0 < after.size() && after.size() <= 2 && std::all_of(after.begin(), after.end(), is_digit);
     return is_short_number && is_letter(before.character) ? kWithinNumber : 0.0;
   }
 
