@@ -7,6 +7,7 @@
 #include "lessons/reader/questions/state_task.h"
 #include "lessons/reader/scene/varied_scene.h"
 #include "render/scene/model/drawn_marks.h"
+#include "render/typeset/math/commands.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -56,11 +57,19 @@ std::string_view unsaid_part(std::string_view text, std::string_view symbol) {
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 
+/// Omega is another quantity than omega.
+bool is_greek(std::string_view words) {
+  const std::string_view first = words.substr(0, words.find(' '));
+  for (char32_t letter = U'α'; letter <= U'ω'; ++letter)
+    if (name_of_symbol(letter) == first) return true;
+  return false;
+}
+
 /// At the start of a sentence a word, which a single letter is not, has a capital; a text may be one or not.
 void add_symbol(std::string& text, std::string_view words, bool begins_sentence = true) {
   const std::string_view rest = unsaid_part(text, words);
   if (rest.empty() && text.ends_with(' ')) text.pop_back();
-  const bool is_word = rest.size() > 1 && is_lower(rest[0]) && is_lower(rest[1]);
+  const bool is_word = rest.size() > 1 && is_lower(rest[0]) && is_lower(rest[1]) && !is_greek(rest);
   const bool begins = text.empty() ? begins_sentence : text.ends_with(". ");
   text += rest;
   if (is_word && begins) {
@@ -408,7 +417,7 @@ std::string SpeechText::words_of_page(const Stage& stage, int first, int last) c
     for (const Block& block : step.blocks) {
       if (const auto* prose = std::get_if<Prose>(&block)) add(text, words(prose->text));
       if (const auto* equation = std::get_if<Equation>(&block)) add(text, words(*equation));
-      if (const auto* claim = std::get_if<Claim>(&block)) add(text, words(*claim));
+      if (const auto* claim = std::get_if<Claim>(&block)) add(text, words(*claim, step.scene.get()));
       if (const auto* callout = std::get_if<Callout>(&block)) add(text, words(*callout));
       if (const auto* ask = std::get_if<Ask>(&block)) add(text, words(*ask));
       if (const auto* note = std::get_if<Footnote>(&block))

@@ -355,6 +355,8 @@ class ScaledText {
   }
 
   bool is_slide() const { return request_.profile == Profile::slides; }
+  /// What is read without anybody to ask, and nothing to point at.
+  bool is_for_readers() const { return !is_slide() && !request_.scrolls; }
 
   /// What the step says that it goes on from, or the last equation that an earlier one has come to.
   const Equation* recalled() const {
@@ -495,7 +497,9 @@ class ScaledText {
         take(verdict(*claim, is_present), block);
       if (const auto* prose = std::get_if<Prose>(&block)) take(column.prose(prose->text), block);
       if (const auto* callout = std::get_if<Callout>(&block))
-        take(column.callout(*callout, std::string(label_of(request_.lesson, callout->kind))), block);
+        take(
+            column.callout(*callout, std::string(label_of(request_.lesson, callout->kind)), is_for_readers()),
+            block);
       if (const auto* ask = std::get_if<Ask>(&block)) {
         take(column.question(*ask), block);
         if (ask == request_.derivation.ask && is_present) add_derivation(made.text);

@@ -443,87 +443,78 @@ Result<ColumnPiece> TextColumn::equation(const Equation& equation, Focus focus,
   return piece;
 }
 
-DisplayList TextColumn::label_in_lines(const EarlierLabel& label, double room) const {
-  TextStyle words = style(small_size(kEarlierLabelSize), colors().quiet, room);
-  words.sans = true;
-  words.leading = kVerdictLine;
-  TextStyle title = words;
-  title.color = colors().ink;
-  DisplayList lines;
-  const auto add = [&](const std::string& text, TextStyle style) {
-    if (text.empty()) return;
-    const std::vector<MathSymbol> symbols = symbols_in(style.color);
-    style.symbols = &symbols;
-    const DisplayList part = set_lines(text, style, fonts_);
-    if (lines.glyphs.empty()) {
-      lines = part;
-      return;
-    }
-    const double lower = std::round(lines.depth + part.ascent + kBetweenLines * style.size);
-    append(lines, part, 0, lower);
-    lines.depth = lower + part.depth;
-    lines.width = std::max(lines.width, part.width);
-  };
-  add(label.title, title);
-  add(label.note.empty() ? label.word : label.word + ',', words);
-  add(label.note, words);
-  return lines;
+DisplayList TextColumn::small_lines(const std::string& text, const Color& color, double room) const {
+  TextStyle small = style(small_size(kEarlierLabelSize), color, room);
+  small.sans = true;
+  small.leading = kVerdictLine;
+  const std::vector<MathSymbol> symbols = symbols_in(color);
+  small.symbols = &symbols;
+  return set_lines(text, small, fonts_);
 }
 
-DisplayList TextColumn::balanced_label(const EarlierLabel& label, double room) const {
+DisplayList TextColumn::balanced_title(const std::string& title, double room) const {
   constexpr double kNarrower = 0.94, kLeast = 0.5;
-  DisplayList lines = label_in_lines(label, room);
+  DisplayList lines = small_lines(title, colors().ink, room);
   const double height = lines.ascent + lines.depth;
   for (double narrow = kNarrower; narrow > kLeast; narrow *= kNarrower) {
-    DisplayList narrower = label_in_lines(label, narrow * room);
+    DisplayList narrower = small_lines(title, colors().ink, narrow * room);
     if (narrower.width > narrow * room || narrower.ascent + narrower.depth > height) break;
     lines = std::move(narrower);
   }
   return lines;
 }
 
+void TextColumn::add_kind(const EarlierLabel& label, double left, ColumnPiece& piece) const {
+  const double room = width_ - left;
+  const std::string whole = label.word + (label.note.empty() ? "" : ", " + label.note);
+  DisplayList words = small_lines(whole, colors().quiet, room);
+  if (words.width > room) words = small_lines(label.in_short, colors().quiet, room);
+  if (words.glyphs.empty()) return;
+  const PlacedType& formula = piece.sheet.texts[*piece.formula];
+  const double middle = formula.at.x() + 0.5 * (formula.list.width - words.width),
+               x = std::round(std::clamp(middle, left, std::max(left, width_ - words.width))),
+               baseline = std::ceil(piece.height + kBetweenLines * words.ascent + words.ascent);
+  piece.height = std::ceil(baseline + words.depth);
+  piece.sheet.texts.push_back({.list = std::move(words), .at = {x, baseline}});
+}
+
 Result<ColumnPiece> TextColumn::earlier_equation(const Equation& equation, const EarlierLabel& label) const {
-  const double size = kEarlierSize * size_, gap = kEarlierGap * size_,
-               between = std::round(kBesideGap * size_);
+  const double size = kEarlierSize * size_, between = std::round(kBesideGap * size_);
   Result<ColumnPiece> set = numbered(equation, size, {});
   if (!set) return set;
   ColumnPiece piece = std::move(set).value();
-  piece.gap = gap;
-  const auto with = [&](ColumnPiece formula, const DisplayList& words, double baseline) {
-    formula.gap = gap;
-    if (words.glyphs.empty()) return formula;
-    formula.sheet.texts.insert(formula.sheet.texts.begin(), {.list = words, .at = {0, std::round(baseline)}});
+  // With its kind below it, and the title so far above its first baseline.
+  const auto with = [&](ColumnPiece formula, const DisplayList& title, double baseline, double left) {
+    add_kind(label, left, formula);
+    formula.gap = kEarlierGap * size_;
+    if (title.glyphs.empty()) return formula;
+    formula.height = std::max(formula.height, std::ceil(baseline + title.depth));
+    formula.sheet.texts.insert(formula.sheet.texts.begin(), {.list = title, .at = {0, std::round(baseline)}});
     ++*formula.formula;
     return formula;
   };
   const double room = std::round(kLabelRoom * width_);
   if (room >= kLeastBeside * size_) {
-    const DisplayList words = balanced_label(label, room);
-    // All equations stand in one column, but where that is too narrow beside short words.
-    for (const double left : {room, std::min(room, std::ceil(words.width))}) {
-      Result<ColumnPiece> beside = numbered(equation, size, {}, left + between);
+    const DisplayList title = balanced_title(label.title, room);
+    // All equations stand in one column, but where that is too narrow beside a short title.
+    for (const double column : {room, std::min(room, std::ceil(title.width))}) {
+      const double left = column + between;
+      Result<ColumnPiece> beside = numbered(equation, size, {}, left);
       if (!beside) return beside;
       const bool is_whole =
           beside->formula_scale >= kLeastScaleBeside * piece.formula_scale && beside->height <= piece.height;
-      if (!is_whole || words.width > room) continue;
+      if (!is_whole || title.width > room) continue;
       // The middles of both at one height.
-      const double height = words.ascent + words.depth, over = std::ceil(height - beside->height),
+      const double height = title.ascent + title.depth, over = std::ceil(height - beside->height),
+                   lower = std::round(std::max(0.0, 0.5 * over)),
                    top = std::round(std::max(0.0, -0.5 * over));
-      return with(
-          lowered(std::move(beside).value(), std::round(std::max(0.0, 0.5 * over)), std::max(0.0, over)),
-          words, top + words.ascent);
+      return with(lowered(std::move(beside).value(), lower, lower), title, top + title.ascent, left);
     }
   }
-  if (label.empty()) return piece;
-  EarlierLabel shorter = label;
-  DisplayList words = label_in_lines(label, width_);
-  if (words.width > width_) {
-    shorter.word = label.in_short;
-    shorter.note.clear();
-    words = label_in_lines(shorter, width_);
-  }
-  const double lower = std::ceil(words.ascent + words.depth + kBetweenLines * size_);
-  return with(lowered(std::move(piece), lower, lower), words, words.ascent);
+  if (label.title.empty()) return with(std::move(piece), {}, 0, 0);
+  const DisplayList title = small_lines(label.title, colors().ink, width_);
+  const double lower = std::ceil(title.ascent + title.depth + kBetweenLines * size_);
+  return with(lowered(std::move(piece), lower, lower), title, title.ascent, 0);
 }
 
 Result<ColumnPiece> TextColumn::from_before(const Equation& equation) const {
@@ -598,14 +589,15 @@ Result<ColumnPiece> TextColumn::labelled(const std::string& label, const Color& 
   return piece;
 }
 
-Result<ColumnPiece> TextColumn::callout(const Callout& callout, const std::string& label) const {
+Result<ColumnPiece> TextColumn::callout(const Callout& callout, const std::string& label,
+                                        bool in_full) const {
   using Kind = Callout::Kind;
   const Color& color = callout.kind == Kind::said || callout.kind == Kind::quote ? colors().said
                        : callout.kind == Kind::meant                             ? colors().meant
                                                                                  : colors().quiet;
   const double em = kCalloutSize * size_;
   const double width = width_ - label_indent();
-  const RichText& shown = callout.kind == Kind::derivation ? callout.title : callout.text;
+  const RichText& shown = callout.kind == Kind::derivation && !in_full ? callout.title : callout.text;
   return labelled(label, color,
                   piece_of(set(shown, style(em, colors().ink, width)), em, kParagraphGap * size_));
 }

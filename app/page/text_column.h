@@ -63,8 +63,6 @@ struct EarlierLabel {
   std::string word;      ///< what kind of claim it is; empty: none
   std::string note;      ///< what that is given
   std::string in_short;  ///< word and note, where both do not fit into the column
-
-  bool empty() const { return title.empty() && word.empty(); }
 };
 
 /// px: no type of a window's page is smaller, indices apart.
@@ -96,14 +94,14 @@ class TextColumn {
   /// A chip with the verdict's word, its note beside or below it, what is claimed below where the equation is
   /// not that itself; with rows for live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
-  /// An equation of an earlier step: small, without emphasis; what it is on its left, in several lines if
-  /// need be, or above it where it is too wide.
+  /// An equation of an earlier step: small, without emphasis; the title of its step on its left, in several
+  /// lines if need be, or above it where it is too wide; its kind below it: that is of the formula.
   Result<ColumnPiece> earlier_equation(const Equation& equation, const EarlierLabel& label = {}) const;
   /// A line: "from before", and the equation.
   Result<ColumnPiece> from_before(const Equation& equation) const;
   Result<ColumnPiece> prose(const RichText& text) const;
-  /// Of a derivation the title alone.
-  Result<ColumnPiece> callout(const Callout& callout, const std::string& label) const;
+  /// Of a derivation the title, or in full its text.
+  Result<ColumnPiece> callout(const Callout& callout, const std::string& label, bool in_full = false) const;
   /// Small, behind its number.
   Result<ColumnPiece> footnote(const Footnote& note) const;
   /// The same column with footnote `before` + 1 of the stage as its first.
@@ -136,10 +134,12 @@ class TextColumn {
   Result<ColumnPiece> numbered(const Equation& equation, double size, const std::vector<std::string>& marked,
                                double left = 0) const;
   Result<ColumnPiece> labelled(const std::string& label, const Color& color, Result<ColumnPiece> plain) const;
-  /// Title, word and note, one below the other.
-  DisplayList label_in_lines(const EarlierLabel& label, double room) const;
+  /// Of what stands beside and below equations of earlier steps.
+  DisplayList small_lines(const std::string& text, const Color& color, double room) const;
   /// The same in lines of about one length: no single word on a line of its own.
-  DisplayList balanced_label(const EarlierLabel& label, double room) const;
+  DisplayList balanced_title(const std::string& title, double room) const;
+  /// What kind of claim an equation is and what that is given, below it and right of `left`.
+  void add_kind(const EarlierLabel& label, double left, ColumnPiece& piece) const;
   double label_indent() const;
   double small_size(double part) const;
   Color color_of(Certainty certainty) const;

@@ -2,11 +2,13 @@
 #include "render/drawing/label_layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <span>
 
 namespace polhode {
 namespace {
@@ -100,7 +102,8 @@ double cost_beside(const PixelBox& box, const LabelRequest& label, double gap, c
     if (segments_cross(from, to, label.anchor, end)) cost += 6.0;
     for (double f : {0.15, 0.4, 0.65, 0.9}) cost += with_air.contains(from + f * (to - from)) ? 6.0 : 0.0;
   }
-  for (const PixelBox& other : crowd.taken)
+  // The way of one that stands beside its line begins on that line.
+  for (const PixelBox& other : label.beside ? std::vector<PixelBox>() : crowd.taken)
     for (double f : {0.3, 0.6, 0.9})
       cost += other.contains(label.anchor + f * (end - label.anchor)) ? 8.0 : 0.0;
   return cost;
@@ -143,14 +146,24 @@ PixelBox moved_into(const PixelBox& frame, const PixelBox& box) {
   return {box.x0 + dx, box.y0 + dy, box.x1 + dx, box.y1 + dy};
 }
 
-/// Of a label that keeps its side: there, unless something is in the way.
+/// Of a label that keeps its side: there, or where something is in the way at the next angle that is free, so
+/// that it hops no further than it must, and never because of the lines under it.
 std::optional<Candidate> on_its_side(const LabelRequest& label, const Crowd& crowd) {
-  constexpr double kInTheWay = 4.0;  // such as a tenth of it over another label
+  constexpr double kInTheWay = 1.5;  // such as a thirtieth of it over another label or an arrow
+  constexpr double kTurn = std::numbers::pi / 6;
+  constexpr std::array<double, 7> kTurns{0, kTurn, -kTurn, 2 * kTurn, -2 * kTurn, 3 * kTurn, -3 * kTurn};
+  constexpr std::array<double, 2> kBothSides{0, std::numbers::pi};
   if (!label.keeps_side) return std::nullopt;
-  const double gap = gaps_of(label).front();
-  const PixelBox box = box_beside(label, std::atan2(-label.outward.y(), label.outward.x()), gap);
-  const double cost = cost_beside(box, label, gap, crowd);
-  return cost < kInTheWay ? std::optional(Candidate{{.box = box}, cost}) : std::nullopt;
+  const std::size_t nearest = label.beside ? 3 : 2;
+  const std::vector<double> gaps = gaps_of(label);
+  for (const double turn : label.beside ? std::span<const double>(kBothSides) : kTurns)
+    for (const double gap : std::span(gaps).first(nearest)) {
+      const double angle = std::atan2(-label.outward.y(), label.outward.x()) + turn;
+      const PixelBox box = moved_into(crowd.frame, box_beside(label, angle, gap));
+      const double cost = cost_beside(box, label, gap, crowd);
+      if (cost < kInTheWay) return Candidate{{.box = box}, cost};
+    }
+  return std::nullopt;
 }
 
 Candidate cheapest(const LabelRequest& label, const Crowd& crowd) {

@@ -26,6 +26,7 @@ struct LabelRequest {
   /// Stands there, as near as it may, whatever lines are under it: it moves only from other labels, from what
   /// is taken, and from the frame's edge. So it keeps its side in a film.
   bool keeps_side = false;
+  bool beside = false;  ///< of one that keeps its side: else it goes to the opposite one first
   bool leader = false;  ///< may stand away from its anchor, joined to it by a line
   double clear = 0;     ///< radius around the anchor that is not to be covered: of a mark
   bool close = false;   ///< of a label that may have a leader: may stand right beside its anchor too

@@ -6,6 +6,7 @@
 #include "base/color.h"
 #include "base/vectors.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,10 @@ struct Label {
   /// On the screen, x to the right and y up, unit or zero: the side of the anchor that it keeps to throughout
   /// a film, unless something is in the way there.
   Eigen::Vector2d side{0, 0};
+  /// Of an arrow's name where the arrow begins: the name keeps beyond the tip, along the arrow; if it is
+  /// `beside` it, next to the shaft.
+  std::optional<Vec3> tail{};
+  bool beside = false;
 };
 
 /// Lines of text in the corner of the pane, as of labels.

@@ -352,6 +352,15 @@ struct StateText {
   }
 };
 
+/// Behind the whole components of a quaternion what makes its length 1: "/\\sqrt{2}".
+std::string over_its_length(const std::array<SizedNumber, 4>& q) {
+  double square = 0;
+  for (const SizedNumber& component : q) square += component.value * component.value;
+  const double length = std::round(std::sqrt(square));
+  if (length * length != square) return "/\\sqrt{" + number_text(square) + '}';
+  return length == 1 ? "" : '/' + number_text(length);
+}
+
 StateText text_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumber>& state,
                   const Dependence& d, const SmallQuantities& small) {
   StateText text;
@@ -387,12 +396,13 @@ StateText text_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumb
   for (const int constant : d.constants) {
     const auto index = static_cast<std::size_t>(constant);
     if (index >= d.names.size()) continue;
-    std::string tex = "\\text{";
-    for (const char c : d.names[index]) tex += c == '_' ? std::string("\\_") : std::string(1, c);
-    add_number(true, d.names[index], tex + '}', s.constants[index]);
+    add_number(true, d.names[index], name_in_tex(d.names[index]), s.constants[index]);
   }
   add(d.J, "J (xx, xy, xz, yy, yz, zz)", "(J_{xx}, J_{xy}, J_{xz}, J_{yy}, J_{yz}, J_{zz})", s.J);
-  add(d.q, "attitude", "\\text{attitude}", s.q);
+  if (d.q) {
+    text.add("attitude", "q", list_text(s.q));
+    text.tex.insert(text.tex.size() - 1, over_its_length(s.q));
+  }
   return text.plain.empty() ? StateText{"any state", "any state"} : text;
 }
 
@@ -704,6 +714,12 @@ bool bounds_are_possible(const Given& given) {
       return true;
   }
   return false;
+}
+
+std::string name_in_tex(std::string_view name) {
+  std::string tex = "\\text{";
+  for (const char c : name) tex += c == '_' ? std::string("\\_") : std::string(1, c);
+  return tex + '}';
 }
 
 }  // namespace polhode

@@ -34,4 +34,7 @@ bool bounds_are_possible(const Given& given);
 /// inequalities nothing is said.
 bool is_possible(const Given& given);
 
+/// As the TeX of a counterexample has the name of a constant, whatever a lesson prints: "\text{mgl}".
+std::string name_in_tex(std::string_view name);
+
 }  // namespace polhode

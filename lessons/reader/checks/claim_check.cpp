@@ -4,6 +4,7 @@
 #include "base/numbers.h"
 #include "lessons/claims/live_claims.h"
 #include "lessons/claims/proof/proof.h"
+#include "lessons/claims/proof/small_states.h"
 #include "lessons/derivation/decided.h"
 #include "lessons/diagnostics/report.h"
 #include "lessons/reader/checks/formula_signs.h"
@@ -33,7 +34,17 @@ std::int64_t nodes_in(const ClaimLine& line) {
   return nodes_in(line.equality) + (line.conclusion ? nodes_in(*line.conclusion) : 0);
 }
 
-void prove(Claim& claim, const Prover& prover, const Effort& effort) {
+/// A counterexample calls constants by their names: as the lesson prints them.
+void print_constants(const Vocabulary& vocabulary, Counterexample& counterexample) {
+  for (const Vocabulary::Word& word : vocabulary.words()) {
+    if (!word.constant() || word.tex.empty()) continue;
+    const std::string name = name_in_tex(word.name);
+    for (std::size_t at = 0; (at = counterexample.state_tex.find(name, at)) != std::string::npos;)
+      counterexample.state_tex.replace(at, name.size(), word.tex), at += word.tex.size();
+  }
+}
+
+void prove(Claim& claim, const Prover& prover, const Vocabulary& vocabulary, const Effort& effort) {
   for (ClaimLine& line : claim.lines) {
     spend(effort, kClaimLineEvaluations + kClaimNodeEvaluations * nodes_in(line));
     // Inequalities and conditions are written out in symbols; what holds to an order is expanded.
@@ -46,6 +57,7 @@ void prove(Claim& claim, const Prover& prover, const Effort& effort) {
     const bool searched = judgement.verdict == Verdict::fails || judgement.verdict == Verdict::not_refuted ||
                           claim.kind == ClaimKind::is_false || has_angle;
     if (searched && !judgement.counterexample) spend(effort, kVainSearchEvaluations);
+    if (judgement.counterexample) print_constants(vocabulary, *judgement.counterexample);
     line.judgement = std::move(judgement);
   }
 }
@@ -674,7 +686,7 @@ std::optional<SourcePlace> prove_claims(Lesson& lesson, const Effort& effort) {
     for (Step& step : stage.steps)
       for (Block& block : step.blocks)
         if (auto* claim = std::get_if<Claim>(&block)) try {
-            prove(*claim, prover, effort);
+            prove(*claim, prover, lesson.notation.vocabulary, effort);
           } catch (const BudgetSpent&) {
             return claim->place;
           }

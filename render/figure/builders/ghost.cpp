@@ -25,8 +25,12 @@ void add_arrow(const Snapshot& m, const Vec3& tip_V, const Vec3& computed_V, con
       {.tail = Vec3::Zero(), .tip = tip_V, .radius = 0.017 * m.thickness, .color = paint, .dash = kDash});
   constexpr double kApart = 0.15;
   if (m.shows(Overlay::labels) && (tip_V - computed_V).norm() > kApart)
-    list.labels.push_back(
-        {.text = name, .anchor = 1.05 * tip_V, .color = role.ink, .size = 0.9, .leader = false});
+    list.labels.push_back({.text = name,
+                           .anchor = 1.05 * tip_V,
+                           .color = role.ink,
+                           .size = 0.9,
+                           .leader = false,
+                           .tail = Vec3(Vec3::Zero())});
 }
 
 /// Where the points of a body are seen: on the plane through the camera's target.

@@ -13,9 +13,11 @@
 namespace polhode::builders {
 namespace {
 
-void add_symbol(DrawList& list, const char* text, const Vec3& anchor, const Color& color) {
+const Vec3 kCenter = Vec3::Zero();
+
+void add_symbol(DrawList& list, const char* text, const Vec3& anchor, const Color& color, const Vec3& tail) {
   list.labels.push_back(
-      {.text = text, .anchor = anchor, .color = color, .size = kSymbolSize, .leader = false});
+      {.text = text, .anchor = anchor, .color = color, .size = kSymbolSize, .leader = false, .tail = tail});
 }
 
 /// @param side on the screen, x to the right and y up, where it stands
@@ -48,13 +50,15 @@ void label_triads(const Snapshot& m, DrawList& list) {
                              .anchor = m.q_VS * (kBeyond * Vec3::Unit(i)) - m.center_V,
                              .color = kAxesRole.ink,
                              .size = 1.0,
-                             .leader = false});
+                             .leader = false,
+                             .tail = -m.center_V});
     if (m.shows(Overlay::axes_body))
       list.labels.push_back({.text = kBody[k],
                              .anchor = m.q_VB * (kBeyond * Vec3::Unit(i)),
                              .color = kBodyAxisRoles[k].ink,
                              .size = 1.15,
-                             .leader = false});
+                             .leader = false,
+                             .tail = kCenter});
   }
 }
 
@@ -64,10 +68,11 @@ void label_vectors(const Snapshot& m, DrawList& list) {
   const auto beyond = [](const Vec3& tip) -> Vec3 {
     return tip * (1.0 + kBeyond / std::max(tip.norm(), 0.1));
   };
-  if (m.shows(Overlay::omega)) add_symbol(list, "$\\vec\\omega$", beyond(m.omega_tip_V()), kOmegaRole.ink);
-  if (m.shows(Overlay::L)) add_symbol(list, "$\\vec L$", beyond(m.L_tip_V()), kLRole.ink);
+  if (m.shows(Overlay::omega))
+    add_symbol(list, "$\\vec\\omega$", beyond(m.omega_tip_V()), kOmegaRole.ink, kCenter);
+  if (m.shows(Overlay::L)) add_symbol(list, "$\\vec L$", beyond(m.L_tip_V()), kLRole.ink, kCenter);
   if (m.shows(Overlay::N) && !m.shows(Overlay::terms) && !m.N_B.isZero(0.0))
-    add_symbol(list, "$\\vec N$", torque_ends(m).tip, kNRole.ink);
+    add_symbol(list, "$\\vec N$", torque_ends(m).tip, kNRole.ink, torque_ends(m).tail);
 }
 
 /// The tubes of a draw list by role, because a curve is labelled where it was drawn.

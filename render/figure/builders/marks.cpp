@@ -260,10 +260,17 @@ double radius_of_plane(const DrawnVectors& vectors, const PlaneMark& plane) {
   return std::max(kLeast, plane.through ? vectors.reach(*plane.through) + kLabel : 0.0);
 }
 
+/// Its text is the formula.
+void add_label(Label label, DrawList& list) {
+  if (label.text.empty()) return;
+  label.text = '$' + label.text + '$';
+  label.size = kSymbolSize;
+  label.leader = false;
+  list.labels.push_back(std::move(label));
+}
+
 void add_name(const std::string& tex, const Vec3& anchor, const Color& ink, DrawList& list) {
-  if (tex.empty()) return;
-  list.labels.push_back(
-      {.text = '$' + tex + '$', .anchor = anchor, .color = ink, .size = kSymbolSize, .leader = false});
+  add_label({.text = tex, .anchor = anchor, .color = ink}, list);
 }
 
 class MarkBuilder {
@@ -331,7 +338,12 @@ class MarkBuilder {
                             .dash = is_force || look.is_dashed ? kArrowDash : 0.0});
     const Vec3 named =
         mark.name_at < 1 ? Vec3(*tail + mark.name_at * *along) : Vec3(tip + kBeyond * along->normalized());
-    add_name(mark.tex.value_or(mark.of.quantity.tex), named, look.role.ink, list_);
+    add_label({.text = mark.tex.value_or(mark.of.quantity.tex),
+               .anchor = named,
+               .color = look.role.ink,
+               .tail = *tail,
+               .beside = mark.name_at < 1},
+              list_);
   }
 
   void add_angle(std::size_t index) {
@@ -363,7 +375,11 @@ class MarkBuilder {
       list_.tubes.push_back({.points = {*center, *center + (radius + kGuide) * leg},
                              .radius = kGuideRadius * m_.thickness,
                              .color = kTRole.paint});
-    add_name(mark.tex, *center + (radius + kNameBeyond) * at(0.5), kTRole.ink, list_);
+    add_label({.text = mark.tex,
+               .anchor = *center + (radius + kNameBeyond) * at(0.5),
+               .color = kTRole.ink,
+               .tail = *center},
+              list_);
   }
 
   /// As vectors that are normal to each other come out, rounded: of rates by differences of the motion, too.
@@ -421,8 +437,13 @@ class MarkBuilder {
     const auto tip = vectors_.tip_V(note.at);
     if (!tip) return;
     if (const auto role = role_from(note.role))
-      list_.labels.push_back(
-          {.text = note.text, .anchor = *tip, .color = role->ink, .size = kSymbolSize, .leader = false});
+      list_.labels.push_back({.text = note.text,
+                              .anchor = *tip,
+                              .color = role->ink,
+                              .size = kSymbolSize,
+                              .leader = false,
+                              .tail = Vec3(Vec3::Zero()),
+                              .beside = true});
     else
       list_.labels.push_back({.text = note.text, .anchor = *tip, .color = kInk, .size = kTextSize});
   }

@@ -73,9 +73,14 @@ void add_pivot(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const Vec3 tip_V = center_V - (half.maxCoeff() + kBelow) * (m.q_VS * Vec3::UnitZ());
   list.arrows.push_back(
       {.tail = center_V, .tip = tip_V, .radius = 0.016, .color = kNRole.paint, .dash = kArrowDash});
-  if (m.shows(Overlay::labels))
-    list.labels.push_back(
-        {.text = "weight", .anchor = tip_V, .color = kNRole.ink, .size = 1.0, .leader = false});
+  // With or without `labels`: it is in no list of what is shown, and has the colour and the dashes of
+  // torques.
+  list.labels.push_back({.text = "weight",
+                         .anchor = tip_V,
+                         .color = kNRole.ink,
+                         .size = 1.0,
+                         .leader = false,
+                         .tail = center_V});
 }
 
 }  // namespace polhode::builders

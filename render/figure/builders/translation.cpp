@@ -99,8 +99,12 @@ void add_arrow(const Snapshot& m, Overlay overlay, const Arrow& arrow, const cha
   list.arrows.back().color = role.paint;
   list.arrows.back().radius *= m.emphasis(overlay);
   if (m.shows(Overlay::labels))
-    list.labels.push_back(
-        {.text = name, .anchor = arrow.tip, .color = role.ink, .size = 1.2, .leader = false});
+    list.labels.push_back({.text = name,
+                           .anchor = arrow.tip,
+                           .color = role.ink,
+                           .size = 1.2,
+                           .leader = false,
+                           .tail = arrow.tail});
 }
 
 /// A velocity, a momentum and a force have each the same colour and head, of translation as of rotation.

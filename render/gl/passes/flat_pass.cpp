@@ -197,6 +197,33 @@ PixelBox FlatPass::add_readout(const Readout& readout, const PixelBox& frame, bo
 namespace {
 constexpr double kShortName = 1.6;  ///< em
 constexpr double kLeaderDot = 4.5;  ///< widths of a leader: the dot on what it leads to
+
+struct LabelSide {
+  Vec2 outward{0, 0};
+  bool is_kept = false;
+};
+
+/// Of an arrow that is seen from its side that beyond its tip, or next to its shaft: away from what the
+/// figure is about, or on the right. Of what else has no leader that away from the middle, where it may go
+/// elsewhere.
+LabelSide side_of(const Label& label, const Vec2& anchor, double em, const Pane& pane,
+                  const PixelBox& frame) {
+  if (!label.side.isZero()) return {Vec2(label.side.x(), -label.side.y()), true};
+  const Vec2 away = anchor - to_pixel(pane, frame, Vec3::Zero());
+  if (label.tail) {
+    const Vec2 along = anchor - to_pixel(pane, frame, *label.tail);
+    constexpr double kSeenOfShaft = 0.2;  // em, up to where its name stands
+    if (along.norm() > em && !label.beside) return {along.normalized(), true};
+    if (label.beside && along.norm() > kSeenOfShaft * em) {
+      const Vec2 across = Vec2(-along.y(), along.x()).normalized();
+      const double apart = across.dot(away);
+      const bool is_outer = std::abs(apart) > em ? apart > 0.0 : across.x() > 0.0;
+      return {is_outer ? across : Vec2(-across), true};
+    }
+  }
+  const bool has_side = !label.leader && away.norm() > em;
+  return {has_side ? Vec2(away.normalized()) : Vec2(0, 0), false};
+}
 }  // namespace
 
 void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::vector<PixelBox>& taken,
@@ -209,15 +236,15 @@ void FlatPass::add_labels(const Pane& pane, const PixelBox& frame, const std::ve
     const double em = base * label.size;
     lines.push_back(line_of(label.text, em, readable(label.color, parts.halo)));
     inks.push_back(ink_box(lines.back(), fonts_));
-    const Vec2 anchor = to_pixel(pane, frame, label.anchor),
-               away = anchor - to_pixel(pane, frame, Vec3::Zero());
-    const bool pointed = !label.leader && away.norm() > em;  // the name of an arrow stands beyond its tip
+    const Vec2 anchor = to_pixel(pane, frame, label.anchor);
+    const LabelSide side = side_of(label, anchor, em, pane, frame);
     requests.push_back({.anchor = anchor,
                         .width = inks.back().x1 - inks.back().x0,
                         .height = inks.back().y1 - inks.back().y0,
                         .unit = 0.95 * em,
-                        .outward = pointed ? Vec2(away.normalized()) : Vec2(label.side.x(), -label.side.y()),
-                        .keeps_side = !label.side.isZero(),
+                        .outward = side.outward,
+                        .keeps_side = side.is_kept,
+                        .beside = label.beside,
                         .leader = label.leader,
                         // A number or letter that stands away from its point looks like "−1" behind its line.
                         .close = label.leader && inks.back().x1 - inks.back().x0 < kShortName * em});

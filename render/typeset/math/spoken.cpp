@@ -240,6 +240,8 @@ class FormulaSpeaker {
     node(n);
   }
 
+  static bool is_greek_capital(char32_t c) { return U'Α' <= c && c <= U'Ω'; }
+
   void symbol(const MathNode& n) {
     const char32_t c = n.character;
     if (U'0' <= c && c <= U'9') {
@@ -254,6 +256,13 @@ class FormulaSpeaker {
     }
     std::string_view known = word_of(c);
     if (known.empty() && c >= 0x80) known = name_of_symbol(c);
+    // Heard, Ω and ω are one word.
+    if (is_greek_capital(c) && !known.empty()) {
+      std::string name = "capital " + std::string(known);
+      char& first = name[name.size() - known.size()];
+      if ('A' <= first && first <= 'Z') first = static_cast<char>(first - 'A' + 'a');
+      return word(name);
+    }
     if (!known.empty()) return word(known);
     std::string letter;
     append_utf8(letter, c);

@@ -224,7 +224,7 @@ class Checked {
         add(column_.equation(*e, Focus::none, {}, {}).value());
       if (const auto* p = std::get_if<Prose>(&block)) add(column_.prose(p->text).value());
       if (const auto* c = std::get_if<Callout>(&block))
-        add(column_.callout(*c, std::string(label_of(request_.lesson, c->kind))).value());
+        add(column_.callout(*c, std::string(label_of(request_.lesson, c->kind)), true).value());
       if (const auto* q = std::get_if<Ask>(&block)) add(column_.question(*q).value());
       if (const auto* n = std::get_if<Footnote>(&block)) add(column_.footnote(*n).value());
     }

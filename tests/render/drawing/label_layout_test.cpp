@@ -86,6 +86,45 @@ TEST(LabelLayout, ALabelThatKeepsItsSideGivesWayToAnother) {
   EXPECT_EQ(place_labels({label}, {}, {there}, kFrame)[0].box.overlap(there), 0.0);
 }
 
+// 27 November 2026: the name of ω went round its shaft in 60 of 743 frames: on its way out of its own arrow
+// it was in its own way, wherever it went.
+TEST(LabelLayout, ANameBesideItsShaftStaysThereWhileAnotherArrowPasses) {
+  const LabelRequest name{
+      .anchor = {400, 225}, .width = 24, .height = 24, .outward = {1, 0}, .keeps_side = true, .beside = true};
+  const auto upright = [](double x) {
+    std::vector<PixelBox> boxes;
+    for (double y = 0; y < 450; y += 12) boxes.push_back({x - 6, y - 6, x + 6, y + 6});
+    return boxes;
+  };
+  int changes = 0;
+  bool was_right = true;
+  for (double x = 150; x < 650; x += 2) {
+    std::vector<PixelBox> taken = upright(400), other = upright(x);
+    taken.insert(taken.end(), other.begin(), other.end());
+    const PixelBox box = place_labels({name}, {}, taken, kFrame)[0].box;
+    for (const PixelBox& arrow : taken) EXPECT_EQ(box.overlap(arrow), 0.0) << x;
+    const bool is_right = box.x0 > 400;
+    EXPECT_TRUE(is_right || box.x1 < 400) << x;
+    changes += is_right != was_right ? 1 : 0;
+    was_right = is_right;
+  }
+  EXPECT_EQ(changes, 2) << "to the left before the other arrow, and back behind it";
+}
+
+TEST(LabelLayout, ANameBeyondItsTipTurnsNoFurtherThanItMust) {
+  const LabelRequest name{
+      .anchor = {400, 225}, .width = 24, .height = 24, .outward = {0, -1}, .keeps_side = true};
+  const auto middle = [](const PixelBox& box) -> Vec2 {
+    return {0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)};
+  };
+  const Vec2 free = middle(place_labels({name}, {}, {}, kFrame)[0].box);
+  EXPECT_EQ(free.x(), 400.0) << "straight above the tip";
+  const PixelBox other{free.x() + 4, free.y() - 40, free.x() + 30, free.y() + 12};
+  const Vec2 turned = middle(place_labels({name}, {}, {other}, kFrame)[0].box);
+  EXPECT_LT(turned.x(), 400.0);
+  EXPECT_LT(turned.y(), 225.0) << "still on the side of the tip";
+}
+
 TEST(LabelLayout, ALevelLeaderLeavesAGapBeforeTheText) {  // or it is a minus: "—herpolhode"
   constexpr double kGap = 0.5;
   const LabelRequest label{
