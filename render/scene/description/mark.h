@@ -16,7 +16,7 @@
 namespace polhode {
 
 /// Of each kind.
-inline constexpr std::size_t kMaxMarks = 6;
+inline constexpr std::size_t kMaxMarks = 12;
 
 /// A vector that a mark is made of.
 struct MarkVector {

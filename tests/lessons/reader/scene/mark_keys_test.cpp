@@ -207,14 +207,14 @@ TEST(MarkKeys, RefuseWhatCannotBeSet) {
   EXPECT_EQ(marks_of("notes = [{ text = '" + std::string(60, 'a') + "', at = 'e3' }]").notes.size(), 1U);
 }
 
-TEST(MarkKeys, AreSixOfAKind) {
+TEST(MarkKeys, AreTwelveOfAKind) {
   const auto list = [](int count) {
     std::string text = "trails = [";
     for (int i = 0; i < count; ++i) text += "{ of = 'e" + std::to_string(i % 3 + 1) + "' }, ";
     return text + "]";
   };
-  EXPECT_EQ(marks_of(list(6)).trails.size(), 6U);
-  EXPECT_THAT(complaints(list(7)), ElementsAre("1:10: error: \"trails\" takes at most 6, found 7"));
+  EXPECT_EQ(marks_of(list(12)).trails.size(), 12U);
+  EXPECT_THAT(complaints(list(13)), ElementsAre("1:10: error: \"trails\" takes at most 12, found 13"));
 }
 
 TEST(MarkKeys, KnowTheWordsOfTheLesson) {
