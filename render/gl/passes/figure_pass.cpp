@@ -244,7 +244,7 @@ void FigurePass::draw_surroundings(const Shown& shown) {
   draw_walls(shown);
 }
 
-/// In any order: those of one room that are seen do not hide one another.
+/// In the order of the list, doors over their walls: walls of one room that are seen do not hide one another.
 void FigurePass::draw_walls(const Shown& shown) {
   if (shown.pane.list.walls.empty()) return;
   const Program& program = programs_.wall;
