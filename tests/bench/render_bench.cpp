@@ -82,7 +82,7 @@ void BM_FrameOfRolling(benchmark::State& state) {
   scene.show.insert(Overlay::rolling_ticks);
   make_frames(state, {}, scene);
 }
-/// With walls that stand on the plane. At most 1.15 times as much.
+/// With walls that stand on the plane. At most 1.2 times as much.
 void BM_FrameInRoom(benchmark::State& state) {
   Scene scene = poinsot_scene();
   scene.show.insert(Overlay::room);
