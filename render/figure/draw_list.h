@@ -59,6 +59,16 @@ struct Floor {
   double grid = 0.5;  ///< spacing of the heavier lines; four lighter ones to each
 };
 
+/// A rectangle of grid behind all else of its pane, seen only from the side that right × up points to: of a
+/// room that encloses what is drawn, no wall then stands before anything.
+struct Wall {
+  Vec3 center;
+  Vec3 right, up;               ///< half its edges, at right angles
+  Eigen::Vector2i cells{1, 1};  ///< of the grid, along both
+  double radius = 0.004;        ///< half the width of its lines
+  Color line, ground;           ///< translucent
+};
+
 struct Label {
   std::string text;  ///< as set_line() of render/typeset/paragraph.h sets it, in sans
   Vec3 anchor;       ///< what it names
@@ -82,7 +92,8 @@ struct Readout {
 };
 
 struct DrawList {
-  std::vector<Floor> floors;               ///< at most one
+  std::vector<Floor> floors;  ///< at most one
+  std::vector<Wall> walls;
   std::vector<GlassEllipsoid> ellipsoids;  ///< at most one takes the shadow
   std::vector<Tube> tubes;
   std::vector<Arrow> arrows;

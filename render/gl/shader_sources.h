@@ -9,6 +9,8 @@ extern const char* const kBackdropVert;
 extern const char* const kBackdropFrag;
 extern const char* const kFloorVert;
 extern const char* const kFloorFrag;
+extern const char* const kWallVert;
+extern const char* const kWallFrag;
 extern const char* const kGlassVert;
 extern const char* const kGlassFrag;
 extern const char* const kTubeVert;

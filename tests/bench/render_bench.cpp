@@ -82,6 +82,12 @@ void BM_FrameOfRolling(benchmark::State& state) {
   scene.show.insert(Overlay::rolling_ticks);
   make_frames(state, {}, scene);
 }
+/// With walls that stand on the plane. At most 1.2 times as much.
+void BM_FrameInRoom(benchmark::State& state) {
+  Scene scene = poinsot_scene();
+  scene.show.insert(Overlay::room);
+  make_frames(state, {}, scene);
+}
 /// The same as `export` does it: the picture before is packed and written in a second thread.
 void BM_Film(benchmark::State& state) {
   SceneModel model = make_model(poinsot_scene());
@@ -229,6 +235,7 @@ void BM_MakeFigure(benchmark::State& state) {
 constexpr auto kMs = benchmark::kMillisecond;
 BENCHMARK(BM_Frame)->Arg(720)->Arg(1080)->Arg(2160)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_FrameOfRolling)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
+BENCHMARK(BM_FrameInRoom)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_Film)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_FrameMsaa4)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);
 BENCHMARK(BM_ClearReadPng)->Arg(1080)->MeasureProcessCPUTime()->UseRealTime()->Unit(kMs);

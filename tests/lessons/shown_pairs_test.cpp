@@ -159,9 +159,6 @@ double energy_rate(const Now& s) {
 }
 /// Energy without that of the spin.
 double rest_energy(const Now& s) { return s.T() + height_energy(s) - 0.5 * spin_momentum(s) * s.w()[2]; }
-double least_spin(const Now& s, double cosine) {
-  return 2 * std::sqrt(s.I()[0] * kWeightTimesArm_Nm * cosine) / s.I()[2];
-}
 
 Vec3 w_x_L(const Now& s) { return s.w().cross(s.L()); }
 Vec3 seen_from_body_plus_turn(const Now& s) { return s.star_L() + w_x_L(s); }
@@ -332,7 +329,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
     {"heavy-top/exists", [](const Now& s) {
        const double spin = spin_momentum(s), four_I_u = 4 * s.I()[0] * s.u(), root = spin - 2 * s.I()[0] * s.u() * s.Omega();
        return Sides2(spin * spin - four_I_u * steady_left(s), root * root); }},
-    {"heavy-top/least-spin", [](const Now& s) { return Sides2(least_spin(s, s.u()), least_spin(s, s.u())); }},
     {"heavy-top/law", [](const Now& s) { return Sides2(s.ddt_L(), s.N()); }},
     {"heavy-top/perpendicular", [](const Now& s) { return Sides2(s.L().dot(s.N()), 0.0); }},
     {"heavy-top/tilt", [](const Now& s) {
@@ -354,7 +350,6 @@ const std::map<std::string, std::function<Sides2(const Now&)>>& printed() {
        const double spin = spin_momentum(s), u = s.u(), I1 = s.I()[0], mgl = kWeightTimesArm_Nm;
        return Sides2(std::pow(spin - spin * u, 2) / (2 * I1 * (1 - u * u)) + mgl * u - mgl,
                      (1 - u) * (spin * spin / (2 * I1 * (1 + u)) - mgl)); }},
-    {"heavy-top/threshold", [](const Now& s) { return Sides2(least_spin(s, 1), least_spin(s, 1)); }},
     {"heavy-top/damped-energy", [](const Now& s) { return Sides2(energy_rate(s), -kFriction_Nms * s.w().squaredNorm()); }},
     {"heavy-top/damped-spin", [](const Now& s) {
        return Sides2(s.I()[2] * s.star_w()[2], -kFriction_Nms * s.w()[2]); }},

@@ -134,10 +134,19 @@ void leave_out_captions_of_other_stills(Scene& scene, double t_s) {
   if (!caption_holds(scene, t_s)) leave_out_caption(scene);
 }
 
+/// A motion that a hand has made may not reach the lesson's `at`, and who opens what is saved would be
+/// refused: then `at` is the present t.
+void bring_at_within_reach(const SceneModel& model, double t_s, Scene& scene) {
+  if (!is_computable(model, scene.at_s)) scene.at_s = t_s;
+  for (std::size_t i = 0; i < scene.beside.size(); ++i)
+    bring_at_within_reach(model.beside[i], t_s, scene.beside[i]);
+}
+
 /// The scene as it is saved: nothing is pointed at, and only what the saved steps have is highlighted.
 Scene saved(const LessonSession& session) {
   Scene scene = session.model()->scene;
   leave_out_captions_of_other_stills(scene, session.t_s());
+  bring_at_within_reach(*session.model(), session.t_s(), scene);
   std::set<std::string> terms;
   for (std::size_t i = 0; i <= session.place().step; ++i)
     for (const Equation* equation : blocks_of<Equation>(session.stage().steps[i]))

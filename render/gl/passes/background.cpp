@@ -53,6 +53,10 @@ Figure on_dark_ground(Figure figure) {
   for (Pane& pane : figure.panes) {
     for (Tube& tube : pane.list.tubes)
       if (!tube.of_body) tube.color = paint_on_dark(tube.color);
+    for (Wall& wall : pane.list.walls) {
+      wall.line = paint_on_dark(wall.line);
+      wall.ground = paint_on_dark(wall.ground);
+    }
     for (Arrow& arrow : pane.list.arrows) arrow.color = paint_on_dark(arrow.color);
     for (Ball& ball : pane.list.balls) ball.color = paint_on_dark(ball.color);
     for (Mesh& mesh : pane.list.meshes)

@@ -36,6 +36,8 @@ void set(const Program& program, const std::string& name, const Color& c) {
   program.set(name.c_str(), c.r, c.g, c.b);
 }
 
+std::array<float, 4> premultiplied(const Color& c) { return {c.r * c.a, c.g * c.a, c.b * c.a, c.a}; }
+
 void set_glass(const Program& program, const std::string& glass, const std::string& ball,
                const GlassEllipsoid& e, const Viewpoint& at) {
   const Mat3 to_unit = to_ball(e);
@@ -124,6 +126,7 @@ Result<std::unique_ptr<FigurePass>> FigurePass::create(const Gl& gl) {
   auto on_color = floors("floor", "");
   auto on_studio = floors("floor of the studio", studio_sky);
   auto from_below = floors("floor from below", "#define FROM_BELOW\n");
+  auto wall = make("wall", {kWallVert}, {kWallFrag});
   auto both_sides = make("glass", glass, {kGlass_structGlsl, kGlassGlsl, kGlassFrag});
   auto far_side = make("far glass", glass, {"#define FAR_SIDE\n", kGlass_structGlsl, kGlassGlsl, kGlassFrag});
   auto near_side =
@@ -150,11 +153,11 @@ Result<std::unique_ptr<FigurePass>> FigurePass::create(const Gl& gl) {
   const auto three = [](std::array<std::optional<Program>, 3>& made) -> Floors {
     return {std::move(*made[0]), std::move(*made[1]), std::move(*made[2])};
   };
-  return std::unique_ptr<FigurePass>(
-      new FigurePass(gl, {std::move(*studio), three(on_color), three(on_studio), three(from_below),
-                          std::move(*both_sides), std::move(*far_side), std::move(*near_side),
-                          std::move(*line_depth), three_glasses(line), three_glasses(cone),
-                          three_glasses(ball_shape), std::move(*tube), std::move(*mesh), std::move(*layer)}));
+  return std::unique_ptr<FigurePass>(new FigurePass(
+      gl, {std::move(*studio), three(on_color), three(on_studio), three(from_below), std::move(*wall),
+           std::move(*both_sides), std::move(*far_side), std::move(*near_side), std::move(*line_depth),
+           three_glasses(line), three_glasses(cone), three_glasses(ball_shape), std::move(*tube),
+           std::move(*mesh), std::move(*layer)}));
 }
 
 FigurePass::Shown FigurePass::show(const Pane& pane, const Framebuffer& target, const Background& background,
@@ -238,6 +241,30 @@ void FigurePass::draw_surroundings(const Shown& shown) {
   }
   if (floor) draw_floor(shown, studio ? programs_.on_studio : programs_.on_color, seen);
   gl_.Enable(GL_BLEND);
+  draw_walls(shown);
+}
+
+/// In the order of the list, doors over their walls: walls of one room that are seen do not hide one another.
+void FigurePass::draw_walls(const Shown& shown) {
+  if (shown.pane.list.walls.empty()) return;
+  const Program& program = programs_.wall;
+  program.use();
+  set(program, "u_view_projection", shown.at.view_projection);
+  for (const Wall& wall : shown.pane.list.walls) {
+    if (!is_seen(wall, shown.at.eye)) continue;
+    set(program, "u_center", wall.center);
+    set(program, "u_right", wall.right);
+    set(program, "u_up", wall.up);
+    const Eigen::Vector2f cells = wall.cells.cast<float>();
+    program.set("u_cells", cells.x(), cells.y());
+    const auto in_cells = [&](const Vec3& half, float count) {
+      return static_cast<float>(0.5 * wall.radius / half.norm()) * count;
+    };
+    program.set("u_half_line", in_cells(wall.right, cells.x()), in_cells(wall.up, cells.y()));
+    program.set("u_line", premultiplied(wall.line));
+    program.set("u_ground", premultiplied(wall.ground));
+    nothing_.draw_without_vertices(GL_TRIANGLE_STRIP, 4);
+  }
 }
 
 /// From clip space to noise.glsl.

@@ -45,6 +45,7 @@ class FigurePass {
   struct Programs {
     Program studio;
     Floors on_color, on_studio, from_below;
+    Program wall;
     Program glass, far_glass, near_glass;
     Program line_depth;
     std::array<Program, 3> line, cone, ball;  ///< behind so many glasses
@@ -57,6 +58,7 @@ class FigurePass {
   void draw_layer(const Figure& figure, const Background& background, int fineness, const Framebuffer& layer);
   void clear(const Background& background, GLbitfield buffers) const;
   void draw_surroundings(const Shown& shown);
+  void draw_walls(const Shown& shown);
   void draw_floor(const Shown& shown, const Floors& programs, const ClipBox& box);
   void draw_floor_from_below(const Shown& shown);
   void draw_glass(const Shown& shown, const Program& program);

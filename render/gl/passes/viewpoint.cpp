@@ -75,6 +75,10 @@ FloorForm floor_form(const Viewpoint& at, double floor_z, const GlassEllipsoid& 
           {-light.dot(axes.col(0)), -light.dot(axes.col(1)), -light.dot(origin)}};
 }
 
+bool is_seen(const Wall& wall, const Vec3& eye) {
+  return wall.right.cross(wall.up).dot(eye - wall.center) > 0.0;
+}
+
 ClipBox common(const ClipBox& a, const ClipBox& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }

@@ -26,6 +26,9 @@ Viewpoint viewpoint_of(const Camera& camera, double aspect, double height);
 /// From the view's frame to the space where the ellipsoid, moved to the origin, is the unit ball.
 Mat3 to_ball(const GlassEllipsoid& e);
 
+/// Whether the eye is on the side from which a wall is seen.
+bool is_seen(const Wall& wall, const Vec3& eye);
+
 /// A rectangle of the viewport in clip space.
 struct ClipBox {
   double x0 = -1, y0 = -1, x1 = 1, y1 = 1;

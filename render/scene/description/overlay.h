@@ -27,6 +27,7 @@ enum class Overlay {
   N,                   ///< torque, where it is not zero
   axes_body,           ///< triad of B: 1, 2, 3
   axes_space,          ///< triad of S: x, y, z
+  room,                ///< floor and walls at rest in S, behind all else
   polhode,             ///< path of ω in the body
   polhode_family,      ///< polhodes of the same energy, coloured by L²/2T
   separatrix,          ///< the two ellipses L² = 2T·I_mid
@@ -143,6 +144,11 @@ inline constexpr std::array<OverlayFacts, kOverlayCount> kOverlays = [] {
       {.overlay = O::axes_space,
        .name = "axes-space",
        .words = "the space axes x, y, z",
+       .attitude = In::body,
+       .stays_in_turns = true},
+      {.overlay = O::room,
+       .name = "room",
+       .words = "a room at rest in space",
        .attitude = In::body,
        .stays_in_turns = true},
       {.overlay = O::polhode,

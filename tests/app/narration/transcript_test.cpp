@@ -133,6 +133,26 @@ std::string spoken_prose(const std::string& prose) {
   return SpeechText(l).words(std::get<Prose>(l.stages[1].steps[0].blocks[0]).text);
 }
 
+// 27 November 2026: "Omega sub 1" began a sentence, and was heard and read as Ω.
+TEST(SpeechText, TellsCapitalGreekFromSmallAtTheStartOfASentence) {
+  EXPECT_EQ(spoken_prose("$\\lambda$ is small. $\\Omega$ is large."),
+            "lambda is small. Capital omega is large.");
+}
+
+// 27 November 2026: an alternative text said "Not confirmed, there is no motion here" where the picture said
+// that it was checked.
+TEST(SpeechText, KnowsTheMotionOfWhatIsMeasured) {
+  const LessonReading reading = check_lesson(
+      "+++\nformat = 1\nid = \"measured\"\ntitle = \"Measured\"\n[symbols]\nT = { tex = 'T', say = "
+      "\"energy\" }\n"
+      "[scene]\nbody = \"textbook\"\nomega = [0.9, 0.4, 1.0]\n+++\n# A stage {one}\n```math size measured\n"
+      "\\frac{dT}{dt} = 0\n```\n```scene\nat = 1\n```\n",
+      "measured.md");
+  ASSERT_TRUE(reading.lesson);
+  EXPECT_THAT(SpeechText(*reading.lesson).words_of_page(reading.lesson->stages[0], 1, 1),
+              HasSubstr("Checked on this motion"));
+}
+
 TEST(SpeechText, SaysAQuantityAndItsSymbolOnce) {
   EXPECT_EQ(spoken_prose("The angular velocity $\\vec\\omega$ is."), "The angular velocity is.");
   EXPECT_EQ(spoken_prose("Angular velocity $\\vec\\omega$, too"), "Angular velocity, too");

@@ -186,21 +186,31 @@ TEST_P(Column, AnEarlierEquationSaysWhatItIsHoweverWideItIs) {
     for (const Equation& equation : blocks_of<Equation>()) {
       const ColumnPiece plain = column().earlier_equation(equation).value(),
                         labelled = column().earlier_equation(equation, label).value();
-      ASSERT_EQ(labelled.sheet.texts.size(), plain.sheet.texts.size() + 1);
-      EXPECT_EQ(*labelled.formula, *plain.formula + 1);
-      const PlacedType &words = labelled.sheet.texts.front(),
-                       &formula = labelled.sheet.texts[*labelled.formula];
+      const std::size_t titles = label.title.empty() ? 0 : 1, kinds = label.word.empty() ? 0 : 1;
+      ASSERT_EQ(labelled.sheet.texts.size(), plain.sheet.texts.size() + titles + kinds);
+      ASSERT_EQ(*labelled.formula, *plain.formula + titles);
+      const PlacedType& formula = labelled.sheet.texts[*labelled.formula];
       EXPECT_GE(labelled.formula_scale, 0.85 * plain.formula_scale) << "kLeastScaleBeside";
-      const bool is_beside = words.at.x() + words.list.width < formula.at.x(),
-                 is_above = words.at.y() + words.list.depth <= formula.at.y() - formula.list.ascent;
+      EXPECT_LE(formula.at.y() + formula.list.depth, labelled.height + 1.0) << "heights are whole pixels";
+      if (kinds > 0) {
+        const PlacedType& kind = labelled.sheet.texts.back();
+        EXPECT_GE(kind.at.y() - kind.list.ascent, formula.at.y() + formula.list.depth - 1.0) << "below it";
+        EXPECT_LE(kind.at.x() + kind.list.width, width() + 1.0);
+        EXPECT_LE(kind.at.y() + kind.list.depth, labelled.height + 1.0);
+      }
+      if (titles == 0) continue;
+      const PlacedType& title = labelled.sheet.texts.front();
+      const bool is_beside = title.at.x() + title.list.width < formula.at.x(),
+                 is_above = title.at.y() + title.list.depth <= formula.at.y() - formula.list.ascent;
       EXPECT_TRUE(is_beside || is_above);
-      EXPECT_LE(words.list.width, width());
-      EXPECT_LE(words.at.y() + words.list.depth, labelled.height + 1.0) << "heights are whole pixels";
-      EXPECT_LE(formula.at.y() + formula.list.depth, labelled.height + 1.0);
-      if (!is_beside || words.list.depth < em()) continue;
+      EXPECT_LE(title.list.width, width());
+      EXPECT_LE(title.at.y() + title.list.depth, labelled.height + 1.0);
+      if (!is_beside || title.list.depth < 0.5 * em()) continue;
       ++in_lines;  // the middles of both at one height, to whole pixels
-      const double middle = words.at.y() + 0.5 * (words.list.depth - words.list.ascent);
-      EXPECT_NEAR(middle, 0.5 * labelled.height, 2.0);
+      const auto middle = [](const PlacedType& text) {
+        return text.at.y() + 0.5 * (text.list.depth - text.list.ascent);
+      };
+      EXPECT_NEAR(middle(title), middle(formula), 2.0);
     }
   EXPECT_EQ(in_lines > 0, em() < 0.05 * width()) << "a narrow column has no room for it";
 }

@@ -31,6 +31,9 @@ Scene shown_in(const LessonSession& session) {
   for (Scene& other : scene.beside)
     if (!caption_holds(other, t_s)) leave_out_caption(other);
   if (!caption_holds(scene, t_s)) leave_out_caption(scene);
+  if (!is_computable(*session.model(), scene.at_s)) scene.at_s = t_s;
+  for (std::size_t i = 0; i < scene.beside.size(); ++i)
+    if (!is_computable(session.model()->beside[i], scene.beside[i].at_s)) scene.beside[i].at_s = t_s;
   scene.still_s = t_s == scene.at_s ? std::nullopt : std::optional(t_s);
   for (Scene& other : scene.beside) other.still_s = scene.still_s;
   return scene;

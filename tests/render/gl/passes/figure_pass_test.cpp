@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
@@ -133,6 +134,77 @@ TEST(FigurePass, AnEyeInThePlaneOrInTheGlassSeesWhatIsThere) {
   const int all = kSize.width * kSize.height;
   // Edges differ; with the glass behind the eye nine pixels of ten do.
   EXPECT_LT(pixels_off(draw(drawn, figure), draw(drawn, figure, kBySamples), 12), all / 10);
+}
+
+Scene scene_in_room(OverlaySet show, View view) {
+  Scene scene = poinsot_scene();
+  scene.body = find_body("book").value();
+  scene.show = show;
+  scene.views = {view};
+  scene.show.insert(O::room);
+  return scene;
+}
+
+/// The figure as the camera sees it from there, and the same without walls.
+std::array<Image, 2> with_and_without_walls(Drawn& drawn, Figure figure, const CameraSpec& spec,
+                                            const Background& background, const Quality& quality) {
+  constexpr Size kSmall{480, 270};
+  figure.panes.at(0).camera = orbit(spec, Vec3::Zero(), 1.5);
+  Figure bare = figure;
+  bare.panes.at(0).list.walls.clear();
+  return {drawn.renderer->draw(figure, kSmall, background, quality).value(),
+          drawn.renderer->draw(bare, kSmall, background, quality).value()};
+}
+
+// From wherever one looks, from below and from inside too, and as the room turns.
+TEST(FigurePass, NoWallStandsBeforeAnything) {
+  Drawn drawn;
+  const Background transparent{Background::Kind::transparent, {}};
+  const OverlaySet solid{O::shape, O::omega, O::L, O::axes_space}, lines{O::omega, O::L, O::polhode};
+  for (const auto& [show, view] : {std::pair{solid, View::space}, std::pair{solid, View::body},
+                                   std::pair{lines, View::space}, std::pair{lines, View::body}}) {
+    const SceneModel model = make_model(scene_in_room(show, view));
+    std::size_t pixels = 0, changed = 0;
+    for (int k = 0; k < 8; ++k) {
+      const CameraSpec spec{
+          .azimuth_rad = 0.8 * k, .elevation_rad = 0.38 * (k - 3.6), .distance = k % 2 == 0 ? 0.8 : 4.0};
+      const Figure figure = make_figure(model, 0.37 * k, 16.0 / 9.0);
+      for (const Quality& quality : {Quality{}, kBySamples}) {
+        const auto [with, without] = with_and_without_walls(drawn, figure, spec, transparent, quality);
+        for (std::size_t i = 0; i < with.rgba.size(); i += 4) {
+          const bool is_same = std::equal(&with.rgba[i], &with.rgba[i] + 4, &without.rgba[i]);
+          ASSERT_TRUE(is_same || without.rgba[i + 3] < 255) << "pixel " << i / 4 << ", camera " << k;
+          changed += is_same ? 0 : 1;
+        }
+        pixels += with.rgba.size() / 4;
+      }
+    }
+    EXPECT_GT(changed, pixels / 10) << "walls are seen behind it";
+  }
+}
+
+// The strongest of their lines against the weakest of arrows.
+TEST(FigurePass, WallsAreQuietOnPaperAndOnDarkGround) {
+  constexpr double kMostOfArrows = 0.67, kLeastOfArrows = 0.2;
+  Drawn drawn;
+  const Figure figure = make_figure(make_model(scene_in_room({O::axes_space}, View::space)), 0.0, 16.0 / 9.0);
+  for (const char* const ground : {"paper", "#16191E", "white"}) {
+    const auto [with, without] =
+        with_and_without_walls(drawn, figure, {}, background_from(ground).value(), {});
+    const auto off_ground = [&](const Image& image, std::size_t i) {
+      int off = 0;
+      for (std::size_t k = 0; k < 3; ++k) off = std::max(off, std::abs(image.rgba[i + k] - without.rgba[k]));
+      return off;
+    };
+    int of_walls = 0, of_arrows = 0;
+    for (std::size_t i = 0; i < with.rgba.size(); i += 4) {
+      const int arrow = off_ground(without, i);
+      of_arrows = std::max(of_arrows, arrow);
+      if (arrow == 0) of_walls = std::max(of_walls, off_ground(with, i));
+    }
+    EXPECT_LT(of_walls, kMostOfArrows * of_arrows) << ground;
+    EXPECT_GT(of_walls, kLeastOfArrows * of_arrows) << ground;
+  }
 }
 
 /// A square across the line of sight, in front of the middle by so much.
