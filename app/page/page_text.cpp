@@ -244,9 +244,9 @@ class ScaledText {
     text.overflow = std::max(0.0, std::ceil(text.stack.height - height));
     if (!request_.derivation.lines.empty()) text.hidden = text.overflow;  // the line that is being typed
     if (last_ == 0) return text;
-    std::size_t before = heading_.size(), after = before;
+    std::size_t before = heading_.size();
     for (std::size_t i = 0; i < last_; ++i) before += whole(i, 0).text.size();
-    after = before + whole(last_, 0).text.size();
+    const std::size_t after = before + whole(last_, 0).text.size();
     const auto height_to = [&](std::size_t count) {
       return height_of(PieceRefs(refs.begin(), refs.begin() + static_cast<std::ptrdiff_t>(count)));
     };
