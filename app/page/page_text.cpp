@@ -597,7 +597,7 @@ class ScaledText {
     if (above && above->step == recalled.step) label.title.clear();
     if (above && !label.note.empty()) {
       const EarlierLabel last = label_of_earlier(*above->equation, request_.stage.steps[above->step]);
-      if (last.note == label.note) label.note = "given the same";
+      if (last.note == label.note) label.note = "under the same conditions";
     }
     const auto [made, is_new] = earlier_.try_emplace({recalled.equation, label.title + label.note});
     if (!is_new) return made->second;
