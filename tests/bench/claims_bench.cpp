@@ -2,6 +2,7 @@
 // What proofs of claims cost: one core, the lecture as it is.
 #include "lessons/claims/live_claims.h"
 #include "lessons/claims/proof/proof.h"
+#include "lessons/reader/checks/claim_check.h"
 #include "lessons/reader/reader.h"
 #include "tests/bench/table.h"
 #include "tests/support/paths.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -19,6 +21,18 @@ struct Line {
   const ClaimLine* line;
   ClaimKind kind;
 };
+
+/// The lessons that come with the program, as files hold them.
+std::vector<std::string> lesson_texts() {
+  std::vector<std::string> texts;
+  for (const char* name :
+       {"euler-equations", "intermediate-axis", "numerical-lab", "symmetric-top", "heavy-top"}) {
+    std::ostringstream text;
+    text << std::ifstream(test::source_dir() / "lessons" / (std::string(name) + ".md")).rdbuf();
+    texts.push_back(text.str());
+  }
+  return texts;
+}
 
 std::vector<Line> proved_lines(const Lesson& lesson) {
   std::vector<Line> lines;
@@ -61,9 +75,8 @@ std::vector<double> live_ms_of_steps(const Lesson& lesson) {
 }
 
 int run() {
-  std::ostringstream text;
-  text << std::ifstream(test::source_dir() / "lessons/euler-equations.md").rdbuf();
-  const LessonReading reading = read_lesson(text.str(), "euler-equations.md");
+  const std::vector<std::string> texts = lesson_texts();
+  const LessonReading reading = read_lesson(texts.front(), "euler-equations.md");
   if (!reading.lesson) {
     std::fprintf(stderr, "the lecture cannot be read\n");
     return 1;
@@ -90,6 +103,16 @@ int run() {
   const auto dearest = [](const std::vector<double>& values) {
     return "the dearest " + std::to_string(*std::max_element(values.begin(), values.end()));
   };
+  std::vector<double> read_ms, prove_ms;
+  for (int i = 0; i < 10; ++i) {
+    std::vector<LessonReading> readings;
+    read_ms.push_back(1e3 * cpu_s([&] {
+                        for (const std::string& one : texts) readings.push_back(read_lesson(one, "lesson.md"));
+                      }));
+    prove_ms.push_back(1e3 * cpu_s([&] {
+                         for (LessonReading& one : readings) (void)prove_claims(*one.lesson);
+                       }));
+  }
   const std::string count = std::to_string(lines.size()) + " lines of the lecture; ";
   print_row_heading();
   print({"drawing the points, µs", spread_of(prover_us), {}, "once"});
@@ -98,6 +121,12 @@ int run() {
          count + dearest(refute_ms)});
   print({"all claims of the lecture judged, ms", spread_of(lecture_ms), at_most(50.0),
          "points drawn anew, counterexamples found for what is false; " + dearest(lecture_ms)});
+  print({"reading the five lessons, ms", spread_of(read_ms), {},
+         std::to_string(std::accumulate(texts.begin(), texts.end(), std::size_t(0),
+                                        [](std::size_t sum, const auto& one) { return sum + one.size(); }) /
+                        1000) +
+             " kB"});
+  print({"proving all their claims, ms", spread_of(prove_ms), at_most(100.0), dearest(prove_ms)});
   const std::vector<double> live_ms = live_ms_of_steps(*reading.lesson);
   print({"live values of a step, each time, ms", spread_of(live_ms), at_most(0.2),
          std::to_string(live_ms.size()) + " steps, " + dearest(live_ms)});
