@@ -223,8 +223,7 @@ std::string SpeechText::words(const Claim& claim, const Scene* scene) const {
   std::string claimed;
   for (const std::string& tex : row.claimed)
     if (const auto math = parse_math(tex)) claimed += (claimed.empty() ? "" : "; ") + words(*math);
-  if (!claimed.empty()) text += " Claimed: " + sentence(claimed);
-  return text;
+  return claimed.empty() ? text : "Claimed: " + sentence(claimed) + ' ' + text;
 }
 
 std::string SpeechText::words(const Callout& callout, std::vector<NoteLink>* links) const {

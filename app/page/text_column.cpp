@@ -354,9 +354,17 @@ ColumnPiece TextColumn::verdict(const VerdictRow& row, bool is_live) const {
     }
     piece.sheet.texts.push_back({.list = std::move(note), .at = at});
   }
-  TextStyle claimed = quiet;
-  claimed.size = small_size(kClaimedSize);
-  add_claimed(row.claimed, claimed, piece);
+  if (!row.claimed.empty()) {  // the verdict is about that, and stands below it
+    TextStyle claimed = quiet;
+    claimed.size = small_size(kClaimedSize);
+    ColumnPiece both{.sheet = {}, .width = piece.width, .gap = piece.gap};
+    add_claimed(row.claimed, claimed, both);
+    const double top = both.height + std::round(kClaimedGap * em);
+    append(both.sheet, std::move(piece.sheet), {0, top});
+    both.height = top + piece.height;
+    baseline += top;
+    piece = std::move(both);
+  }
   const std::vector<std::string> rows = is_live ? widest_live_rows(*row.claim) : std::vector<std::string>();
   if (rows.empty()) return piece;
 

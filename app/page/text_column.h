@@ -91,7 +91,7 @@ class TextColumn {
   /// With the verdicts on what it claims below it. Terms of these names are marked.
   Result<ColumnPiece> equation(const Equation& equation, Focus focus, const std::vector<std::string>& marked,
                                const std::vector<ColumnPiece>& verdicts = {}) const;
-  /// A chip with the verdict's word, its note beside or below it, what is claimed below where the equation is
+  /// A chip with the verdict's word, its note beside or below it, what is claimed above where the equation is
   /// not that itself; with rows for live values, or without.
   ColumnPiece verdict(const VerdictRow& row, bool is_live) const;
   /// An equation of an earlier step: small, without emphasis; the title of its step on its left, in several

@@ -236,19 +236,20 @@ class ReaderText {
                                   : row.certainty == Certainty::refuted ? "✗ "
                                                                         : "";
     const std::string_view comma = row.note.empty() || row.example.empty() ? "" : ", ";
-    std::string html = fmt::format(
-        "<div class=\"verdict {}\"><p>{}<strong class=\"chip\"><span "
-        "aria-hidden=\"true\">{}</span>{}</strong>",
-        class_of(row.certainty), of, mark, html_escaped(row.word));
-    if (const std::string note = row.note + std::string(comma) + row.example; !note.empty())
-      html += ' ' + html_.line(note);
-    html += "</p>\n";
-    if (!row.claimed.empty()) {
-      html += "<ul class=\"claimed\" aria-label=\"Claimed\">\n";
+    std::string html = fmt::format("<div class=\"verdict {}\">", class_of(row.certainty));
+    if (!row.claimed.empty()) {  // the verdict is about that, and stands below it
+      html += "<p>Claimed:</p>\n<ul class=\"claimed\">\n";
       for (const std::string& tex : row.claimed)
         html += "<li><div class=\"formula\">" + html_.line('$' + tex + '$') + "</div></li>\n";
       html += "</ul>\n";
     }
+    html += fmt::format(
+        "<p>{}<strong class=\"chip\"><span "
+        "aria-hidden=\"true\">{}</span>{}</strong>",
+        of, mark, html_escaped(row.word));
+    if (const std::string note = row.note + std::string(comma) + row.example; !note.empty())
+      html += ' ' + html_.line(note);
+    html += "</p>\n";
     return html + live_html(step, claim, model) + "</div>\n";
   }
 

@@ -531,7 +531,8 @@ class ClaimCheck {
   void check_is_not_empty(const Claim& claim) {
     for (const ClaimLine& line : claim.lines)
       if (line.equality.left.text == line.equality.right.text && !line.is_number)
-        report_.warning(line.place, "this says nothing: both sides are the same");
+        report_.error(line.place, "this says nothing: both sides are the same",
+                      "claim what the formula says, or let it stand without a kind");
   }
 
   /// "a > b" above "a = b" would be said to be proved.

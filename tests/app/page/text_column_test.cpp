@@ -331,8 +331,10 @@ TEST_P(Column, WhatIsClaimedIsBrokenAtItsSignsAndNotSetSmaller) {
   for (int i = 0; i < 9; ++i) sum += (i % 2 == 0 ? "+ " : "- ") + term;
   const ColumnPiece many = claimed(sum + R"(= \vec A \Rightarrow {a + b} \ne 0)");
   ASSERT_GT(many.sheet.texts.size(), one.sheet.texts.size());
-  const double size = one.sheet.texts.back().list.glyphs.front().size;
-  for (std::size_t i = one.sheet.texts.size() - 1; i < many.sheet.texts.size(); ++i) {
+  // Above the verdict's own word, the last.
+  const double size = one.sheet.texts.front().list.glyphs.front().size;
+  EXPECT_LT(one.sheet.texts.front().at.y(), one.sheet.texts.back().at.y());
+  for (std::size_t i = 0; i + 1 < many.sheet.texts.size(); ++i) {
     const DisplayList& row = many.sheet.texts[i].list;
     EXPECT_LE(row.width, width());
     double largest = 0;

@@ -74,9 +74,9 @@ TEST(CheckClaims, NumbersAreWhatStandsBeforeThem) {
 }
 
 // 2026-11-23: \proved{T = T} = 0 was green.
-TEST(CheckClaims, APartThatSaysNothingIsWarnedOf) {
+TEST(CheckClaims, APartThatSaysNothingIsAnError) {
   EXPECT_THAT(faults_of("```math a identity\n\\proved{T = T},\\quad \\zeta = 0\n```\n"),
-              ElementsAre(HasSubstr("warning: this says nothing")));
+              ElementsAre(HasSubstr("error: this says nothing")));
 }
 
 // 2026-11-23: with cos(acos(2)) = 2 the line \cos\theta = 2 was always true.
@@ -222,9 +222,9 @@ TEST(AClaimBesideAFormula, MaySayNoMoreThanTheFormula) {
               ElementsAre(HasSubstr("warning: the formula does not say this")));
   EXPECT_THAT(remarks("E = mc^3", "identity", "I1 = I1"),
               ElementsAre(HasSubstr("warning: the claim speaks of I, which the formula does not show"),
-                          HasSubstr("warning: this says nothing")));
+                          HasSubstr("error: this says nothing")));
   EXPECT_THAT(remarks("E = mc^3", "identity in-other-words", "I1 = I1"),
-              ElementsAre(HasSubstr("warning: this says nothing")));
+              ElementsAre(HasSubstr("error: this says nothing")));
 }
 
 // Every line is compared with every link: 64 by 64 long ones would take minutes.
