@@ -183,10 +183,17 @@ Grid slide(const Room& room, bool has_figure, double column) {
 struct Rows {
   std::size_t rows, columns;
 };
-/// All plots of a page in the whole width, or below each of several scenes its own.
-Rows rows_of(std::size_t plots, bool is_part) {
-  const std::size_t columns = is_part ? 1 : plots > 3 ? 2 : std::max<std::size_t>(1, plots);
+/// All plots of a page in the whole width, or below each of several scenes its own. On a wide slide, where
+/// type is large, two or three stand one below the other on one time axis.
+Rows rows_of(std::size_t plots, bool is_part, bool is_slide) {
+  const std::size_t columns = is_part || (is_slide && plots <= 3) ? 1
+                              : plots > 3                         ? 2
+                                                                  : std::max<std::size_t>(1, plots);
   return {(plots + columns - 1) / columns, columns};
+}
+
+bool is_wide_slide(const PageRequest& request) {
+  return request.profile == Profile::slides && stands_side_by_side(request.size);
 }
 
 /// Whether all that a page shows are plots, which have the place of its figure.
@@ -195,18 +202,18 @@ bool are_plots_alone(const SceneModel& model) {
   return std::all_of(shown.begin(), shown.end(), [](const SceneModel* one) { return is_plots_alone(*one); });
 }
 
-std::size_t meter_rows(const SceneModel& model) {
+std::size_t meter_rows(const SceneModel& model, bool is_slide) {
   const bool each = each_has_meters(model);
   std::size_t most = 0;
   for (const SceneModel* shown : shown_models(model))
-    most = std::max(most, rows_of(meter_count(*shown), each).rows);
+    most = std::max(most, rows_of(meter_count(*shown), each, is_slide).rows);
   return most;
 }
 
 Room room_of(const PageRequest& request) {
   return {static_cast<double>(request.size.width),
           static_cast<double>(request.size.height),
-          request.model && !are_plots_alone(*request.model) ? meter_rows(*request.model) : 0,
+          request.model && !are_plots_alone(*request.model) ? meter_rows(*request.model, is_wide_slide(request)) : 0,
           request.text_scale,
           request.model && shows_space(request.model->drawn, request.model->needs.marks),
           request.scrolls ? kLeastEm : 0.0,
@@ -253,16 +260,23 @@ PlacedFigure figure_on_page(const PageRequest& request, const Grid& grid, std::v
 void add_plots(const std::vector<TimePlot>& plots, const PixelBox& place, const Rows& arranged,
                const PageRequest& request, const Grid& grid, Sheet& sheet, const Fonts& fonts) {
   const double pad = 1.3 * grid.small_em;
-  for (std::size_t i = 0; i < plots.size(); ++i) {
+  TimePlotStyle style = plot_style(request.theme, small_type(request, kMeterSize * grid.small_em));
+  const auto box_of = [&](std::size_t i) {
     const double width = place.width() / static_cast<double>(arranged.columns),
-                 height = place.height() / static_cast<double>(arranged.rows);
+                 height = (place.height() - pad) / static_cast<double>(arranged.rows);
     const std::size_t column = i % arranged.columns, row = i / arranged.columns;
     const double x = place.x0 + width * static_cast<double>(column),
-                 y = place.y0 + height * static_cast<double>(row);
-    const PixelBox box{x + pad, y + pad, x + width - 0.5 * pad, y + height - 0.6 * pad};
-    const double type_px = small_type(request, kMeterSize * grid.small_em);
-    append(sheet, lay_out(plots[i], box, plot_style(request.theme, type_px), fonts), {0, 0});
-  }
+                 y = place.y0 + pad + height * static_cast<double>(row);
+    return PixelBox{x + pad, y, x + width - 0.5 * pad, y + height - 0.6 * pad};
+  };
+  if (arranged.columns == 1)  // on one time axis
+    for (std::size_t i = 0; i < plots.size(); ++i) {
+      const PlotMargins own = margins_of(plots[i], box_of(i), style, fonts);
+      style.least_margins = {std::max(style.least_margins.left, own.left),
+                             std::max(style.least_margins.right, own.right)};
+    }
+  for (std::size_t i = 0; i < plots.size(); ++i)
+    append(sheet, lay_out(plots[i], box_of(i), style, fonts), {0, 0});
 }
 
 /// Each scene's in its own place, one below the other.
@@ -284,7 +298,7 @@ void add_meters(const PageRequest& request, const std::vector<PixelBox>& alone, 
   if (!alone.empty()) return add_plots_alone(request, alone, grid, sheet, fonts);
   if (!each_has_meters(model)) {
     std::vector<TimePlot> plots = meter_plots(model, request.t_s);
-    Rows arranged = rows_of(plots.size(), false);
+    Rows arranged = rows_of(plots.size(), false, is_wide_slide(request));
     if (request.covered > 0) {  // what would be too narrow to be read lies under the panel
       const double fitting = std::floor(grid.meters.width() / (kLeastPlot * grid.small_em));
       arranged.columns = std::clamp(static_cast<std::size_t>(fitting), std::size_t{1}, arranged.columns);
@@ -298,7 +312,7 @@ void add_meters(const PageRequest& request, const std::vector<PixelBox>& alone, 
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const double x = grid.meters.x0 + width * static_cast<double>(i);
     const PixelBox place{x, grid.meters.y0, x + width, grid.meters.y1};
-    add_plots(meter_plots(*shown[i], request.t_s), place, {meter_rows(model), 1}, request, grid, sheet,
+    add_plots(meter_plots(*shown[i], request.t_s), place, {meter_rows(model, false), 1}, request, grid, sheet,
               fonts);
   }
 }
@@ -508,7 +522,7 @@ constexpr double kPictureFigure = 0.62, kPicturePlots = 0.3;
 }  // namespace
 
 Size picture_size_of(const SceneModel& model, int width) {
-  const std::size_t rows = are_plots_alone(model) ? 0 : meter_rows(model);
+  const std::size_t rows = are_plots_alone(model) ? 0 : meter_rows(model, false);
   const double parts = kPictureFigure + kPicturePlots * static_cast<double>(rows);
   return {width, static_cast<int>(std::lround(parts * width))};
 }
@@ -516,7 +530,7 @@ Size picture_size_of(const SceneModel& model, int width) {
 Page compose_picture(const PageRequest& request, const Fonts& fonts) {
   const SceneModel& model = *request.model;
   const double w = request.size.width, h = request.size.height, em = kPictureEm * w;
-  const double rows = are_plots_alone(model) ? 0.0 : static_cast<double>(meter_rows(model));
+  const double rows = are_plots_alone(model) ? 0.0 : static_cast<double>(meter_rows(model, false));
   const double below = kPicturePlots * rows / (kPictureFigure + kPicturePlots * rows) * h;
   const Grid grid{em, em, {}, rounded(0, 0, w, h - below), {0, h - below, w, h}};
   Page page;

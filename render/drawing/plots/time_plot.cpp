@@ -18,8 +18,7 @@ constexpr double kTitleRoom = 2.1, kTimeRoom = 1.7;       // above and below the
 constexpr double kLeastWidth = 18.0, kLeastHeight = 7.5;  // of a plot
 constexpr double kTitleGap = 0.6;                         // between title and unit
 constexpr double kMarkGap = 0.45, kNameGap = 0.55, kTick = 0.22, kUnitGap = 0.35;
-constexpr double kLeastMarkRoom = 2.3;  // so that plots above each other mostly
-constexpr double kLeastNameRoom = 2.0;  // begin and end at the same places
+constexpr double kLeastMarkRoom = 2.3, kLeastNameRoom = 2.0;  // so that most plots look alike
 constexpr double kMostNameRoom = 0.34;  // of a plot's width
 constexpr double kCapHeight = 0.72;
 constexpr double kNameSpacing = 1.35;
@@ -139,6 +138,8 @@ class TimePlotLayout {
     return std::move(sheet_);
   }
 
+  const PlotMargins& margins() const { return margins_; }
+
  private:
   double px(double sizes) const { return sizes * style_.type_size; }
   DisplayList line_of(const std::string& text, const Color& color, double scale = 1.0) const {
@@ -164,7 +165,9 @@ class TimePlotLayout {
     names = std::min(names, kMostNameRoom * box_.width());
     time_ = x_axis();
     names = std::max(names, width_of(time_unit()) + px(0.5));
-    frame_ = {box_.x0 + marks + px(kMarkGap), box_.y0 + px(kTitleRoom), box_.x1 - names - px(kNameGap),
+    margins_ = {std::max(marks + px(kMarkGap), style_.least_margins.left),
+                std::max(names + px(kNameGap), style_.least_margins.right)};
+    frame_ = {box_.x0 + margins_.left, box_.y0 + px(kTitleRoom), box_.x1 - margins_.right,
               box_.y1 - px(kTimeRoom)};
     if (plot_.is_path && plot_.is_scaled_alike) scale_alike();
     time_.start_px = frame_.x0;
@@ -398,11 +401,17 @@ class TimePlotLayout {
   const Fonts& fonts_;
   ValueAxis axis_;
   LinearAxis time_;
+  PlotMargins margins_;
   PixelBox frame_;  ///< the axes' rectangle
   Sheet sheet_;
 };
 
 }  // namespace
+
+PlotMargins margins_of(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
+                       const Fonts& fonts) {
+  return TimePlotLayout(plot, box, style, fonts).margins();
+}
 
 Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts) {
   return TimePlotLayout(plot, box, style, fonts).make();

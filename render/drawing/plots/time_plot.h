@@ -41,11 +41,21 @@ struct TimePlot {
   bool is_scaled_alike = false;  ///< of a path: the same length on both axes is the same
 };
 
+/// Room for text beside the axes, px: marks on the left, names on the right.
+struct PlotMargins {
+  double left = 0, right = 0;
+};
+
 /// Sizes in px.
 struct TimePlotStyle {
-  double type_size = 16;  ///< of labels
+  double type_size = 16;        ///< of labels
+  PlotMargins least_margins{};  ///< so that plots above each other begin and end at the same places
   Color ink = kInk, muted = kAxesRole.ink, grid = color_from_hex(0xE3DED2), paper = kPaper;
 };
+
+/// What a plot needs in `box`.
+PlotMargins margins_of(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
+                       const Fonts& fonts);
 
 /// In `box`; where that is smaller than 18 sizes of type by 7.5, the type is smaller. Values that are not
 /// finite leave gaps. Pure.

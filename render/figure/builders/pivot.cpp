@@ -73,6 +73,8 @@ void add_pivot(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
   const Vec3 tip_V = center_V - (half.maxCoeff() + kBelow) * (m.q_VS * Vec3::UnitZ());
   list.arrows.push_back(
       {.tail = center_V, .tip = tip_V, .radius = 0.016, .color = kNRole.paint, .dash = kArrowDash});
+  constexpr double kBeforeStand = 0.12;  // of a top that is all but upright
+  const bool is_before_stand = m.view == View::space && tip_V.head<2>().norm() < kBeforeStand;
   // With or without `labels`: it is in no list of what is shown, and has the colour and the dashes of
   // torques.
   list.labels.push_back({.text = "weight",
@@ -80,7 +82,8 @@ void add_pivot(const Snapshot& m, const Camera& /*camera*/, DrawList& list) {
                          .color = kNRole.ink,
                          .size = 1.0,
                          .leader = false,
-                         .tail = center_V});
+                         .tail = center_V,
+                         .beside = is_before_stand});
 }
 
 }  // namespace polhode::builders

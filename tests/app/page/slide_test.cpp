@@ -185,6 +185,28 @@ TEST(Slide, HasNoVerdictOfWhatIsClaimedBesideAFormulaUnlessItIsFalse) {
   EXPECT_GT(Slides(formula + wrong).page(1).sheet.texts.size(), without);
 }
 
+// 2026-11-27: side by side their type was a third smaller than a single plot's.
+TEST(Slide, TwoPlotsStandOneBelowTheOtherOnOneTimeAxis) {
+  const std::string meters =
+      "meters = [{ plot = \"T\", title = \"Upper\", tex = 'T' }, { plot = \"T\", title = \"Lower\", "
+      "tex = '\\text{a long name}' }]\n";
+  const Page page =
+      Slides("# A stage {s}\n\nA few words.\n\n```scene\nduration = 1\n" + meters + "```\n").page(1);
+  const auto titled = [&](const char* title) {
+    return *std::find_if(page.sheet.texts.begin(), page.sheet.texts.end(),
+                         [&](const PlacedType& text) { return text.text == title; });
+  };
+  const PlacedType upper = titled("Upper"), lower = titled("Lower");
+  EXPECT_EQ(upper.at.x(), lower.at.x());
+  EXPECT_LT(upper.at.y() + 100, lower.at.y());
+  EXPECT_NEAR(lower.list.glyphs.front().size, kSmallest * 0.0405 * 900, 0.01);
+  std::vector<double> starts;  // of the marks "0.4" of both time axes
+  for (const PlacedType& text : page.sheet.texts)
+    if (text.text == "0.4") starts.push_back(text.at.x());
+  ASSERT_EQ(starts.size(), 2u);
+  EXPECT_EQ(starts[0], starts[1]);
+}
+
 TEST(Slide, PlotsThatStandAloneHaveTheFiguresPlace) {
   const std::string stage =
       "# A stage {s}\n\nA few words.\n\n```scene\nmeters = [\"omega\"]\ncaption = \"c\"\n";

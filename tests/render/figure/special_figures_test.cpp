@@ -328,6 +328,20 @@ TEST(Pivot, HoldsTheRotorAtTheLeverOfItsWeight) {
   EXPECT_LT((middle - weight->tail).norm(), 1e-3);
 }
 
+// 2026-11-27: of an upright top the word stood upon the stand.
+TEST(Pivot, TheWeightsNameStandsBesideTheStandOfAnUprightTop) {
+  const auto stands_beside = [](const Scene& scene) {
+    const DrawList list = make_figure(make_model(scene), 0.0, kAspect).panes[0].list;
+    const auto named = std::find_if(list.labels.begin(), list.labels.end(),
+                                    [](const Label& label) { return label.text == "weight"; });
+    return named != list.labels.end() && named->beside;
+  };
+  Scene upright = gyroscope();
+  upright.attitude = Quat::Identity();
+  EXPECT_TRUE(stands_beside(upright));
+  EXPECT_FALSE(stands_beside(gyroscope()));
+}
+
 TEST(Pivot, NeedsAHeavyTop) {
   Scene scene = gyroscope();
   scene.torque = {};

@@ -224,6 +224,21 @@ TEST(TimePlot, APathOfOneUnitIsDrawnToScale) {
   }
 }
 
+TEST(TimePlot, WithTheMarginsOfAnotherItsAxisIsThatOfTheOther) {
+  const auto now_of = [](TimePlot plot, const TimePlotStyle& style) {
+    plot.now = 5;
+    const Sheet sheet = lay_out(plot, kBox, style, fonts());
+    return std::get<Stroke>(sheet.shapes.back()).points.front().x();
+  };
+  TimePlot wide = plot_of({ramp(0, 12345)});
+  wide.series[0].label = "a long name";
+  const TimePlot narrow = plot_of({ramp(0, 1)});
+  TimePlotStyle style = kStyle;
+  EXPECT_GT(std::abs(now_of(narrow, style) - now_of(wide, style)), 1.0);
+  style.least_margins = margins_of(wide, kBox, kStyle, fonts());
+  EXPECT_EQ(now_of(narrow, style), now_of(wide, style));
+}
+
 TEST(TimePlot, ALongNameBecomesSmaller) {
   TimePlot plot = plot_of({ramp(0, 1)});
   plot.series.front().label = "$\\frac{(p_\\varphi - p_\\psi u)^2}{2 I_1 (1 - u^2)} + m g \\ell u$";
