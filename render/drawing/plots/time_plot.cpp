@@ -15,7 +15,7 @@ namespace {
 
 // Lengths in sizes of type.
 constexpr double kTitleRoom = 2.1, kTimeRoom = 1.7;       // above and below the axes
-constexpr double kLeastWidth = 18.0, kLeastHeight = 7.5;  // of a plot
+constexpr double kLeastWidth = 14.0, kLeastHeight = 7.5;  // of a plot
 constexpr double kTitleGap = 0.6;                         // between title and unit
 constexpr double kMarkGap = 0.45, kNameGap = 0.55, kTick = 0.22, kUnitGap = 0.35;
 constexpr double kLeastMarkRoom = 2.3, kLeastNameRoom = 2.0;  // so that most plots look alike

@@ -57,7 +57,7 @@ struct TimePlotStyle {
 PlotMargins margins_of(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style,
                        const Fonts& fonts);
 
-/// In `box`; where that is smaller than 18 sizes of type by 7.5, the type is smaller. Values that are not
+/// In `box`; where that is smaller than 14 sizes of type by 7.5, the type is smaller. Values that are not
 /// finite leave gaps. Pure.
 Sheet lay_out(const TimePlot& plot, const PixelBox& box, const TimePlotStyle& style, const Fonts& fonts);
 
