@@ -400,7 +400,7 @@ StateText text_of(const StateNumbers<SizedNumber>& s, const ClaimState<SizedNumb
   }
   add(d.J, "J (xx, xy, xz, yy, yz, zz)", "(J_{xx}, J_{xy}, J_{xz}, J_{yy}, J_{yz}, J_{zz})", s.J);
   if (d.q) {
-    text.add("attitude", "q", list_text(s.q));
+    text.add("attitude", "\\text{attitude}\\ q", list_text(s.q));
     text.tex.insert(text.tex.size() - 1, over_its_length(s.q));
   }
   return text.plain.empty() ? StateText{"any state", "any state"} : text;
