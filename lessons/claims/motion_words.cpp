@@ -41,11 +41,22 @@ std::optional<double> space_cone_rad(M& m) {
   return of_free(m, "atan2(norm(cross(L, omega)), dot(L, omega))");
 }
 
+std::optional<double> horizon_s(M& m) {
+  const auto periods = m.horizon().periods_1e_1, period_s = m.facts().period_s;
+  return periods && period_s ? std::optional(*periods * *period_s) : std::nullopt;
+}
+
 constexpr std::array kWords = std::to_array<MotionWord>({
     {"period", "s", R"(\text{period})", "period of the polhode", [](M& m) { return m.facts().period_s; }},
     {"flip_interval", "s", R"(\text{time between two flips})",
      "free body that turns over again and again about its intermediate axis: time from one flip to the next",
      [](M& m) { return m.flip_interval_s(); }},
+    {"condition", "1", R"(\kappa)",
+     "free body: rad by which its phase moves in one period for each relative change of 1 in moments and ω",
+     [](M& m) { return m.horizon().condition; }},
+    {"horizon", "s", R"(\text{horizon})",
+     "free body: time after which rounding of moments and ω to double may have moved its phase by 0.1 rad",
+     [](M& m) { return horizon_s(m); }},
     {"precession", "rad/s", R"(\text{precession})",
      R"(free symmetric body: rate at which its axis turns about L; \|L\|/I1 with the axis 3)",
      [](M& m) { return part(m.facts().free, &FreePrecession::in_space); }},

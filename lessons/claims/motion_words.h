@@ -9,6 +9,7 @@
 #include "lessons/claims/expressions/dimension.h"
 #include "lessons/claims/expressions/vocabulary.h"
 #include "lessons/claims/live_claims.h"
+#include "physics/analysis/horizon.h"
 #include "physics/analysis/motion_errors.h"
 #include "physics/analysis/motion_facts.h"
 #include "physics/effort.h"
@@ -58,6 +59,8 @@ class MotionNumbers {
   const MotionFacts& facts();
   /// Half the period; nothing of a motion without flips (physics/geometry/flips.h).
   std::optional<double> flip_interval_s();
+  /// How far the motion is known (physics/analysis/horizon.h).
+  Horizon horizon() const { return horizon_of(problem_); }
   /// Of the computed motion at t, from the closed form, or under a torque from a much smaller tolerance;
   /// nothing of a closed form, which is itself what others are compared with.
   std::optional<StateError> error();

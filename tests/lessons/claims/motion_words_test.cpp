@@ -63,6 +63,16 @@ TEST(MotionWords, FlipsComeTwiceAPeriod) {
   EXPECT_FALSE(value_on(book, "flip_interval")) << "it wobbles about axis 1";
 }
 
+TEST(MotionWords, SayHowFarAMotionIsKnown) {
+  Scene book;
+  book.body = {"book", PrincipalMoments(1, 1.75, 2.5), std::nullopt};
+  book.w0_B = Vec3(0.3, 3, 0);
+  const Horizon horizon = horizon_of(problem_of(book));
+  EXPECT_EQ(value_on(book, "condition"), horizon.condition);
+  EXPECT_EQ(value_on(book, "horizon"), *horizon.periods_1e_1 * value_on(book, "period").value());
+  EXPECT_FALSE(value_on(top(), "horizon"));
+}
+
 TEST(MotionWords, AreThoseOfFreeMotion) {
   EXPECT_NEAR(value_on(pencil(), "precession").value(), std::hypot(0.8, 0.6), kRounding);
   EXPECT_NEAR(value_on(pencil(), "body_precession").value(), -0.7 * 2, kRounding);
