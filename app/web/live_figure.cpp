@@ -25,12 +25,19 @@ namespace {
 constexpr std::int64_t kCallBudget = 20'000'000;
 
 const char* const kNoScene = "There is no figure here.";
+const char* const kNoStep = "The lesson has no such step.";
 
 /// The first error, as a sentence.
 std::string first_error(const std::vector<Diagnostic>& diagnostics) {
   for (const Diagnostic& found : diagnostics)
     if (found.severity == Severity::error) return found.message;
   return "The lesson cannot be read.";
+}
+
+Result<std::shared_ptr<const LoadedLesson>> loaded_of(LessonReading reading, std::string_view file_name) {
+  if (!reading.lesson) return failure(first_error(reading.diagnostics));
+  return std::make_shared<const LoadedLesson>(
+      LoadedLesson{std::move(*reading.lesson), std::string(file_name), {}});
 }
 
 }  // namespace
@@ -53,17 +60,43 @@ Effort LiveFigure::effort() {
 // Lesson and place.
 
 Status LiveFigure::open_lesson(std::string_view text, std::string_view file_name) {
-  LessonReading reading = read_lesson(text, file_name);
-  if (!reading.lesson) return failure(first_error(reading.diagnostics));
-  return take(std::make_shared<const LoadedLesson>(
-      LoadedLesson{std::move(*reading.lesson), std::string(file_name), {}}));
+  const auto loaded = loaded_of(read_stage(text, file_name, ""), file_name);
+  if (!loaded) return failure(loaded.error());
+  if (Status taken = take(*loaded); !taken) return taken;
+  open_stage_ = "";
+  return success();
+}
+
+/// The lesson with this stage read.
+Result<std::shared_ptr<const LoadedLesson>> LiveFigure::with_stage(const std::string& id) const {
+  if (!open_stage_ || *open_stage_ == id) return loaded_;
+  const std::string file = loaded_->path.string();
+  return loaded_of(read_stage(loaded_->lesson.source, file, id), file);
+}
+
+/// A slide shows what it goes on from, which may stand in another stage.
+Status LiveFigure::read_whole() {
+  if (!open_stage_) return success();
+  const std::string file = loaded_->path.string();
+  const auto loaded = loaded_of(read_lesson(loaded_->lesson.source, file), file);
+  if (!loaded) return failure(loaded.error());
+  const Place place = session_->place();
+  const SceneEdits edits = session_->edits();
+  const double t_s = session_->t_s();
+  if (Status taken = take(*loaded); !taken) return taken;
+  session_->go_to(place);
+  if (Status edited = edit(edits); !edited) return edited;
+  session_->scrub_to(t_s);
+  return success();
 }
 
 Status LiveFigure::open_scene(std::string_view scene_toml, std::string_view own_body_toml) {
   std::string text = "+++\nformat = 1\nid = \"scene\"\ntitle = \"A scene\"\n";
   if (!own_body_toml.empty()) text.append("[body.own]\n").append(own_body_toml).append("\n");
   text.append("+++\n\n# A scene {scene}\n\n```scene\n").append(scene_toml).append("\n```\n");
-  return open_lesson(text, "scene.md");
+  const auto loaded = loaded_of(read_lesson(text, "scene.md"), "scene.md");
+  if (!loaded) return failure(loaded.error());
+  return take(*loaded);
 }
 
 Status LiveFigure::take(std::shared_ptr<const LoadedLesson> loaded) {
@@ -78,6 +111,7 @@ Status LiveFigure::take(std::shared_ptr<const LoadedLesson> loaded) {
   speech_ = std::make_unique<SpeechText>(loaded->lesson, effort());
   session_ = std::move(session);
   loaded_ = std::move(loaded);
+  open_stage_.reset();
   ++lesson_number_;
   meter_.reset();
   slide_.reset();
@@ -86,10 +120,17 @@ Status LiveFigure::take(std::shared_ptr<const LoadedLesson> loaded) {
 
 Status LiveFigure::show(std::size_t stage, std::size_t step) {
   if (!session_) return failure("No lesson is open.");
-  const std::vector<Stage>& stages = session_->lesson().stages;
-  if (stage < 1 || stage > stages.size() || step < 1 || step > stages[stage - 1].steps.size())
-    return failure("The lesson has no such step.");
-  if (stages[stage - 1].steps[step - 1].scene == nullptr) return failure(kNoScene);
+  if (stage < 1 || stage > session_->lesson().stages.size()) return failure(kNoStep);
+  const std::string id = session_->lesson().stages[stage - 1].id;
+  const auto loaded = with_stage(id);
+  if (!loaded) return failure(loaded.error());
+  const std::vector<Step>& steps = (*loaded)->lesson.stages[stage - 1].steps;
+  if (step < 1 || step > steps.size()) return failure(kNoStep);
+  if (steps[step - 1].scene == nullptr) return failure(kNoScene);
+  if (*loaded != loaded_) {
+    if (Status taken = take(*loaded); !taken) return taken;
+    open_stage_ = id;
+  }
   try {
     session_->go_to({stage - 1, step - 1});
   } catch (const std::domain_error& error) {
@@ -149,6 +190,8 @@ Status LiveFigure::lay_out(Size size, Picture what, double resolution) {
   if (size.width < 1 || size.height < 1) return failure("A picture has pixels.");
   if (!(resolution > 0) || resolution > 1)
     return failure("A part of the pixels is meant, above 0 and up to 1.");
+  if (what == Picture::page)
+    if (Status whole = read_whole(); !whole) return whole;
   const Key key{
       session_->place(),  session_->model_number(), lesson_number_,  size,  what, resolution, session_->t_s(),
       session_->camera(), model()->scene.quality,   session_->lit(), theme_};

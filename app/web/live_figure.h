@@ -35,7 +35,8 @@ class LiveFigure {
   /// BudgetSpent.
   void begin_call();
 
-  /// A text with errors is refused with the first of them.
+  /// A text with errors is refused with the first of them; of a lesson that is read when its page is written, those
+  /// of its front matter now, and those of a stage when it is shown: until then a stage is not read.
   Status open_lesson(std::string_view text, std::string_view file_name);
   Status open_scene(std::string_view scene_toml, std::string_view own_body_toml);
   /// From 1.
@@ -118,6 +119,8 @@ class LiveFigure {
   };
 
   Status take(std::shared_ptr<const LoadedLesson> loaded);
+  Result<std::shared_ptr<const LoadedLesson>> with_stage(const std::string& id) const;
+  Status read_whole();
   Status edit(const SceneEdits& edits);
   Result<const Fonts*> fonts();
   Result<Page> compose(const Key& key);
@@ -127,6 +130,7 @@ class LiveFigure {
   std::optional<Fonts> fonts_;
   std::unique_ptr<Drawing> drawing_;
   std::shared_ptr<const LoadedLesson> loaded_;
+  std::optional<std::string> open_stage_;  ///< of a lesson whose other stages are not read
   std::unique_ptr<LessonSession> session_;
   std::unique_ptr<SpeechText> speech_;
   std::unique_ptr<AccuracyMeter> meter_;

@@ -21,6 +21,7 @@
       this.picture = figure.querySelector("img");
       this.press = button("", () => this.open(), "Live: play this figure, turn it, start it anew");
       this.press.className = "live-press";
+      for (const name of ["pointerenter", "focus"]) this.press.addEventListener(name, polhodeLive.prepare, { once: true });
       this.press.append(make("span", { "aria-hidden": "true" }, "▶ Live"));
       this.place = make("div", { class: "live-place" });
       this.why = make("p", { class: "live-why", role: "status" });

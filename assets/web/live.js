@@ -54,13 +54,18 @@ const polhodeLive = (() => {
   let file = null, wasm = null, lesson = null, script = null;
   /// Defines createPolhode. The page's policy knows it by its hash.
   const runScript = async () => document.head.append(make("script", {}, new TextDecoder().decode(await unpacked("polhode.js"))));
-  /// The program, as it is packed in the page, with a memory of its own; the page's lesson is open.
-  const newProgram = async () => {
+  const unpack = async () => {
     const beside = document.getElementById("polhode.file")?.dataset.name;
     if (beside) await (file ??= runFile(beside).catch((error) => { file = null; throw error; }));
     wasm ??= unpacked("polhode.wasm");
     lesson ??= unpacked("polhode.lesson");
     await (script ??= runScript());
+  };
+  /// Begins with what takes a while, for somebody who is about to press; newProgram says what fails.
+  const prepare = () => { if (!missing()) unpack().catch(() => {}); };
+  /// The program, as it is packed in the page, with a memory of its own; the page's lesson is open.
+  const newProgram = async () => {
+    await unpack();
     const module = await createPolhode({ wasmBinary: await wasm, print() {}, printErr() {} });
     const types = (list) => list.map((value) => (typeof value === "string" ? "string" : "number"));
     const call = (name, ...list) => module.ccall("polhode_" + name, "number", types(list), list);
@@ -318,5 +323,5 @@ const polhodeLive = (() => {
     }
   };
 
-  return { make, number, missing, hold, newProgram, View, slider, button, linked, apply, keep, copyLink, still };
+  return { make, number, missing, hold, prepare, newProgram, View, slider, button, linked, apply, keep, copyLink, still };
 })();

@@ -34,11 +34,11 @@ bool refuse_whole(std::string_view bytes, Report& report, const SourceText& sour
   return false;
 }
 
-std::vector<Stage> read_stages(const FrontMatter& front, TextReader& texts) {
+std::vector<Stage> read_stages(const FrontMatter& front, TextReader& texts, const std::string* only) {
   const SourceText& source = texts.source();
   Report& report = texts.report();
   const MarkdownReading markdown = read_markdown(source, front.next_line, report);
-  StageBuilder builder(front, texts);
+  StageBuilder builder(front, texts, only);
   for (const MarkdownBlock& block : markdown.blocks) {
     if (!builder.add(block) || report.is_full()) return {};
   }
@@ -84,22 +84,23 @@ void note_unused_macros(const MathMacros& macros, const SourceText& source, Repo
   }
 }
 
-}  // namespace
-
-LessonReading read_lesson(std::string_view text, std::string_view file_name) {
+/// `only`: what read_stage() asks for; null: all.
+LessonReading read(std::string_view text, std::string_view file_name, const std::string* only) {
   if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) text.remove_prefix(kByteOrderMark.size());
   const SourceText source(text.substr(0, kMaxLessonBytes));
   Report report(source, file_name);
   LessonReading reading;
   if (!refuse_whole(text, report, source)) {
     TextReader texts(report);
-    FrontMatter front = read_front_matter(texts);
-    std::vector<Stage> stages = read_stages(front, texts);
+    FrontMatter front = read_front_matter(texts, only == nullptr ? Meanings::checked : Meanings::known);
+    std::vector<Stage> stages = read_stages(front, texts, only);
     std::vector<OutsideReference> others = std::move(front.about.next);
-    const std::vector<OutsideReference> linked = resolve_references(stages, report);
-    others.insert(others.end(), linked.begin(), linked.end());
-    note_citations(front.about, texts.citable(), report);
-    note_unused_macros(texts.macros(), source, report);
+    if (only == nullptr) {
+      const std::vector<OutsideReference> linked = resolve_references(stages, report);
+      others.insert(others.end(), linked.begin(), linked.end());
+      note_citations(front.about, texts.citable(), report);
+      note_unused_macros(texts.macros(), source, report);
+    }
     if (!report.has_errors()) {
       reading.lesson = Lesson{std::move(front.id),
                               std::move(front.title),
@@ -117,6 +118,16 @@ LessonReading read_lesson(std::string_view text, std::string_view file_name) {
   }
   reading.diagnostics = report.take();
   return reading;
+}
+
+}  // namespace
+
+LessonReading read_lesson(std::string_view text, std::string_view file_name) {
+  return read(text, file_name, nullptr);
+}
+
+LessonReading read_stage(std::string_view text, std::string_view file_name, const std::string& stage_id) {
+  return read(text, file_name, &stage_id);
 }
 
 }  // namespace polhode

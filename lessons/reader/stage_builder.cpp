@@ -138,6 +138,7 @@ struct StageBuilder::Fence {
 };
 
 bool StageBuilder::add(const MarkdownBlock& block) {
+  if (is_closed() && (block.kind != MarkdownBlock::Kind::heading || block.level != 1)) return true;
   ++parts_;
   const bool names_step =
       block.kind == MarkdownBlock::Kind::heading && block.level == 2 && !block.underlined && !stages_.empty();
@@ -316,7 +317,7 @@ void StageBuilder::add_footnotes() {
 }
 
 void StageBuilder::finish_stage() {
-  if (stages_.empty()) return;
+  if (stages_.empty() || is_closed()) return;
   finish_step();
   for (Step& one : stages_.back().steps) place_state_questions(one, report_);
   stages_.back().steps.shrink_to_fit();  // complete scenes are large

@@ -19,8 +19,9 @@ namespace polhode {
 /// Give it every block in order, then take the stages.
 class StageBuilder {
  public:
-  StageBuilder(const FrontMatter& front, TextReader& texts)
-      : source_(texts.source()), front_(front), texts_(texts), report_(texts.report()) {}
+  /// `only`: of the stages this one alone is read; null: all.
+  StageBuilder(const FrontMatter& front, TextReader& texts, const std::string* only)
+      : source_(texts.source()), front_(front), texts_(texts), report_(texts.report()), only_(only) {}
 
   /// False if a limit is passed: it was reported, and nothing more need be read.
   bool add(const MarkdownBlock& block);
@@ -62,11 +63,14 @@ class StageBuilder {
   bool take_id(const Fence& fence, std::map<std::string, int>& taken, std::string_view what);
 
   Step& step() { return stages_.back().steps.back(); }
+  /// The stage is one of those that are not read: it has its heading, and a step with nothing.
+  bool is_closed() const { return only_ != nullptr && !stages_.empty() && stages_.back().id != *only_; }
 
   const SourceText& source_;
   const FrontMatter& front_;
   TextReader& texts_;
   Report& report_;
+  const std::string* only_;
   std::vector<Stage> stages_;
   std::map<std::string, int> stage_lines_;  // ids in use and their lines
   struct Tagged {

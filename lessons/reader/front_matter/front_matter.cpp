@@ -451,7 +451,7 @@ void read_symbol(const TomlEntry& entry, SymbolTable which, FrontMatter& front, 
 }
 
 /// [constants], [define] and [symbols], in this order: each may use the words of those before it.
-void read_all_symbols(const TomlTable& table, FrontMatter& front, TextReader& texts) {
+void read_all_symbols(const TomlTable& table, Meanings meanings, FrontMatter& front, TextReader& texts) {
   Report& report = texts.report();
   std::vector<const TomlEntry*> all;
   constexpr std::array<std::pair<const char*, SymbolTable>, 3> kTables{{{"constants", SymbolTable::constants},
@@ -490,7 +490,7 @@ void read_all_symbols(const TomlTable& table, FrontMatter& front, TextReader& te
     all.insert(all.end(), written.begin(), written.end());
     front.notation.vocabulary.announce({});
   }
-  check_meanings(all, front, texts);
+  if (meanings == Meanings::checked) check_meanings(all, front, texts);
 }
 
 void read_axes(const TomlEntry& entry, FrontMatter& front, Report& report) {
@@ -564,12 +564,12 @@ void read_macros(const TomlEntry& entry, TextReader& texts) {
   for (const TomlEntry& macro : table->entries) read_macro(macro, texts);
 }
 
-void read_front_table(const TomlTable& table, FrontMatter& front, TextReader& texts) {
+void read_front_table(const TomlTable& table, Meanings meanings, FrontMatter& front, TextReader& texts) {
   Report& report = texts.report();
   // Formulas use macros, so these come first; the scene names bodies, so it comes last.
   if (const TomlEntry* macros = table.find("macros")) read_macros(*macros, texts);
   if (const TomlEntry* axes = table.find("axes")) read_axes(*axes, front, report);
-  read_all_symbols(table, front, texts);
+  read_all_symbols(table, meanings, front, texts);
   const TomlEntry* scene = table.find("scene");
   const auto later = [](const TomlEntry&) {};  // or already
   std::vector<KeyHandler> handlers = {{"format", [&](const TomlEntry& e) { read_format(e, report); }},
@@ -606,7 +606,7 @@ const std::vector<std::string>& color_roles() {
   return kRoles;
 }
 
-FrontMatter read_front_matter(TextReader& texts) {
+FrontMatter read_front_matter(TextReader& texts, Meanings meanings) {
   Report& report = texts.report();
   const SourceText& source = texts.source();
   FrontMatter front;
@@ -625,7 +625,7 @@ FrontMatter read_front_matter(TextReader& texts) {
   }
   front.next_line = last + 1;
   if (const auto table = parse_toml(source.lines(2, last - 1), 2, report)) {
-    read_front_table(*table, front, texts);
+    read_front_table(*table, meanings, front, texts);
   } else {
     front.bodies.complete = false;
   }

@@ -31,8 +31,11 @@ struct FrontMatter {
   int next_line = 1;  ///< first line after the closing +++
 };
 
+/// Whether it is checked that a symbol is printed, said and coloured as what it means, which takes most of
+/// the time, or known from an earlier reading.
+enum class Meanings { checked, known };
 /// Reports what is wrong and goes on with defaults. The author's macros go to `texts`.
-FrontMatter read_front_matter(TextReader& texts);
+FrontMatter read_front_matter(TextReader& texts, Meanings meanings = Meanings::checked);
 
 inline constexpr std::size_t kMaxMacros = 64;
 /// Constants, definitions and symbols. Each atom of a formula is compared with each.

@@ -93,6 +93,32 @@ TEST(LiveFigure, SaysACaptionsTypedAndComputedNumbers) {
   EXPECT_NE(words.at("alt").get<std::string>().find("3.02"), std::string::npos) << words;
 }
 
+// A stage is read when it is shown, as in the whole lesson; a slide, which may speak of others, has it whole.
+TEST(LiveFigure, ReadsAStageWhenItIsShown) {
+  std::string text = kLesson;
+  text += "\n---\n\nIt goes with {broken.\n\n```scene\nbody = \"no-such-body\"\n```\n";
+  LiveFigure figure;
+  figure.begin_call();
+  ASSERT_TRUE(figure.open_lesson(text, "thrown.md"));
+  EXPECT_EQ(figure.session()->lesson().stages.size(), 2U);
+  EXPECT_EQ(figure.session()->lesson().stages[1].id, "words");
+  ASSERT_TRUE(figure.show(std::string_view("turning"), 1));
+  ASSERT_TRUE(figure.set_omega({1, 2, 3}));
+  const Status broken = figure.show(std::string_view("words"), 2);
+  ASSERT_FALSE(broken);
+  EXPECT_NE(broken.error().find("no-such-body"), std::string::npos) << broken.error();
+  EXPECT_EQ(vector_of(state_of(figure).at("omega0")), Vec3(1, 2, 3)) << "what was shown stays";
+  EXPECT_FALSE(figure.lay_out(kSize, LiveFigure::Picture::page, 1)) << "a slide has the lesson whole";
+  open(figure);
+  ASSERT_TRUE(figure.set_omega({1, 2, 3}));
+  ASSERT_TRUE(figure.set_time(0.5));
+  const Json before = state_of(figure);
+  ASSERT_TRUE(figure.lay_out(kSize, LiveFigure::Picture::page, 1));
+  EXPECT_EQ(figure.session()->lesson().stages[1].steps[0].blocks.size(), 1U);
+  const Json after = state_of(figure);
+  for (const char* name : {"stage", "omega0", "t", "changed"}) EXPECT_EQ(after.at(name), before.at(name));
+}
+
 TEST(LiveFigure, RefusesInWords) {
   LiveFigure figure;
   EXPECT_EQ(state_json(figure, ""), "null");

@@ -81,6 +81,45 @@ TEST(ReadLesson, DoesNotBlameBodiesThatAWrongFrontMatterMayHold) {
   EXPECT_EQ(lines.size(), 1U);
 }
 
+// As far as figures go, and without what other stages say.
+TEST(ReadStage, HasTheFiguresOfTheWholeLesson) {
+  for (const char* name : {"euler-equations", "heavy-top"}) {
+    const std::string text = testing::read_file(test::source_dir() / "lessons" / (std::string(name) + ".md"));
+    const LessonReading whole = read_lesson(text, name);
+    ASSERT_TRUE(whole.lesson) << name;
+    for (std::size_t i = 0; i < whole.lesson->stages.size(); ++i) {
+      const Stage& stage = whole.lesson->stages[i];
+      const LessonReading alone = read_stage(text, name, stage.id);
+      ASSERT_TRUE(alone.lesson) << stage.id << ' '
+                                << ::testing::PrintToString(testing::lines_of(alone.diagnostics));
+      ASSERT_EQ(alone.lesson->stages.size(), whole.lesson->stages.size());
+      for (std::size_t j = 0; j < alone.lesson->stages.size(); ++j) {
+        EXPECT_EQ(alone.lesson->stages[j].id, whole.lesson->stages[j].id);
+        EXPECT_TRUE(j == i || alone.lesson->stages[j].steps.at(0).blocks.empty());
+      }
+      const std::vector<Step>& steps = alone.lesson->stages[i].steps;
+      ASSERT_EQ(steps.size(), stage.steps.size()) << stage.id;
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        ASSERT_EQ(steps[k].scene == nullptr, stage.steps[k].scene == nullptr);
+        EXPECT_TRUE(steps[k].scene == nullptr || *steps[k].scene == *stage.steps[k].scene)
+            << stage.id << ' ' << k;
+        EXPECT_EQ(steps[k].captions.size(), stage.steps[k].captions.size());
+        EXPECT_EQ(steps[k].blocks.size(), stage.steps[k].blocks.size());
+        EXPECT_EQ(steps[k].varied == nullptr, stage.steps[k].varied == nullptr);
+      }
+    }
+  }
+}
+
+TEST(ReadStage, SaysWhatIsWrongInItAlone) {
+  const std::string text =
+      front_matter() + "# A {a}\n```scene\nat = ''\n```\n# B {b}\nText, see [](#nowhere).\n";
+  EXPECT_TRUE(read_stage(text, "x.md", "b").lesson);
+  EXPECT_TRUE(read_stage(text, "x.md", "").lesson);
+  EXPECT_FALSE(read_stage(text, "x.md", "a").lesson);
+  EXPECT_FALSE(read_stage("# A {a}\n", "x.md", "").lesson) << "without front matter";
+}
+
 TEST(ReadLesson, IsTheSameWhenReadAgain) {
   const std::string text =
       testing::read_file(test::source_dir() / "tests/data/lessons/invalid/scene-keys.md");
