@@ -299,6 +299,10 @@ void check_name(const TomlEntry& entry, const Symbol& symbol, const FrontMatter&
     const bool is_angle = last == Operation::acos || last == Operation::atan2;
     const bool is_ratio = expression->order() == 0 && (word == nullptr || !word->constant()) &&
                           !why_not_in(*expression, "rad").empty();
+    const bool is_letter_of_angle =
+        letter != U'\0' && is_alone && std::u32string_view(U"θϑ").find(letter) != std::u32string_view::npos;
+    if (is_letter_of_angle && is_ratio)
+      return refuse("is no angle, and is printed as one", "take another letter, such as u");
     if ((said == SaidOfAngle::cosine && is_angle) || (said == SaidOfAngle::angle && is_ratio))
       return refuse((is_angle ? "is an angle, and is said as " : "is no angle, and is said as ") +
                         in_quotes(symbol.say),

@@ -217,6 +217,7 @@ TEST(FalseNames, OfVectorsAndTheirComponents) {
   for (const char* definition :
        {R"x(means = "T", tex = '\vec n', unit = "J")x", R"x(means = "2*L", tex = 'b', unit = "kg m²/s")x",
         R"x(means = "dot(L, ex)", tex = 'L_z', unit = "kg m²/s")x",
+        R"x(means = "dot(ez, e3)", tex = '\theta', unit = "1")x",
         R"x(means = "dot(omega, ey)", tex = '\omega_x', unit = "rad/s")x"})
     expect_refused("Text.\n", "[define]\na = { say = \"it\", " + std::string(definition) + " }\n");
   for (const char* definition : {R"x(means = "2*L", tex = '\vec b', unit = "kg m²/s")x",
